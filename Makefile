@@ -1,0 +1,67 @@
+# Each target sets up what it needs in .venv; Python 3.11+ and make are assumed.
+# PYTHON chooses the interpreter of a new .venv, ARGS is handed to the command of the target.
+
+PYTHON ?= python3
+ARGS ?=
+VENV := .venv
+BIN := $(VENV)/bin
+PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet
+
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.NOTPARALLEL:
+.PHONY: help paper test generate check lint bench exactness validate clean
+
+help:
+	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 12
+
+paper: $(VENV)/with-plot ## the article's figures and table, into paper-figures/
+	$(BIN)/hoopgen paper --out paper-figures $(ARGS)
+
+test: $(VENV)/with-dev ## the tests
+	$(BIN)/python -m pytest -n auto --dist loadgroup $(ARGS)
+
+generate: $(VENV)/with-generate ## write generated/ from derive/ and templates/
+	$(BIN)/hoopgen generate $(ARGS)
+
+check: $(VENV)/with-generate ## fail if generated/ is not what derive/ and templates/ give
+	$(BIN)/hoopgen check $(ARGS)
+
+lint: $(VENV)/with-dev $(VENV)/typing ## format, lint and types
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+
+bench: $(VENV)/with-bench ## speed, beside the other methods
+	$(BIN)/python -m benchmarks $(ARGS)
+
+exactness: $(VENV)/with-certify ## results against ball arithmetic
+	$(BIN)/python -m benchmarks.exactness $(ARGS)
+
+validate: $(VENV)/with-study ## results against what others published
+	$(BIN)/python -m benchmarks.validate $(ARGS)
+
+clean: ## remove all that these targets made, .venv too
+	rm -rf $(VENV) build dist hoopgen.egg-info paper-figures
+	rm -rf .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	rm -f hoopgen/engine/_hoop.*.so hoopgen/engine/_hoop.*.pyd
+	find benchmarks derive generated hoopgen templates tests -name __pycache__ -prune -exec rm -rf {} +
+
+$(BIN)/python:
+	$(PYTHON) -m venv $(VENV)
+
+# The C library is compiled at installation, so a change of its sources installs again.
+$(VENV)/installed: pyproject.toml setup.py $(wildcard generated/c/*.[ch]) | $(BIN)/python
+	$(PIP) install --editable .
+	@touch $@
+
+# hoopgen is there already, so this adds only what the extra asks for.
+$(VENV)/with-%: $(VENV)/installed
+	$(PIP) install 'hoopgen[$*]'
+	@touch $@
+
+# The installed names over the sources, for mypy (see pyproject.toml).
+$(VENV)/typing: | $(BIN)/python
+	mkdir -p $@.new/hoopgen
+	ln -s ../../../derive ../../../generated ../../../templates $@.new/hoopgen
+	mv $@.new $@

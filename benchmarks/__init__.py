@@ -1,0 +1,1 @@
+"""Benchmarks: hoopgen beside the other ways to fly the same shots (`python -m benchmarks`)."""

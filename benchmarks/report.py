@@ -1,0 +1,262 @@
+"""The results as Markdown and as JSON."""
+
+import json
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict
+
+from benchmarks.contenders import CORES, contenders
+from benchmarks.machine import BYTES_A_SHOT
+from benchmarks.peers import PEERS
+from benchmarks.run import Results
+from benchmarks.timing import Spread
+from benchmarks.workloads import WORKLOADS
+
+ARTICLE = {"event-driven": (0.0001, 0.0027), "time stepping": (0.0109, 0.0285)}
+"""The article's Table 4, swish and bouncing (s)."""
+
+
+def as_json(results: Results) -> str:
+    """Every number, with the rounds behind it."""
+    return json.dumps(asdict(results), indent=1) + "\n"
+
+
+def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
+    """A Markdown table, its first column to the left and the others to the right."""
+    rule = ["---"] + ["---:"] * (len(head) - 1)
+    return [f"| {' | '.join(row)} |" for row in (head, rule, *rows)] + [""]
+
+
+def number(value: float) -> str:
+    """Three significant digits, thousands apart, no exponent at 1 or above."""
+    if not 0.1 <= abs(value) < float("inf"):
+        return f"{value:.3g}"
+    if abs(value) < 1:
+        return f"{value:.3f}"
+    decimals = max(0, 3 - len(f"{abs(value):.0f}"))
+    return f"{value:,.{decimals}f}"
+
+
+def _unit(rate: float) -> tuple[float, str]:
+    for unit, name in ((1e6, " M"), (1e3, " k")):
+        if rate >= unit:
+            return unit, name
+    return 1.0, ""
+
+
+def short(rate: float) -> str:
+    """Three digits and k or M."""
+    unit, name = _unit(rate)
+    return number(rate / unit) + name
+
+
+def _rate(spread: Spread) -> str:
+    """Shots a second with the quartiles."""
+    unit, _ = _unit(spread.median)
+    return f"{short(spread.median)} ({number(spread.lower / unit)}–{number(spread.upper / unit)})"
+
+
+def _ratio(spread: Spread) -> str:
+    return f"{number(spread.median)} ({number(spread.lower)}–{number(spread.upper)})"
+
+
+def _time(seconds: float) -> str:
+    for unit, name in ((1.0, "s"), (1e-3, "ms"), (1e-6, "µs"), (1e-9, "ns")):
+        if seconds >= unit:
+            return f"{number(seconds / unit)} {name}"
+    return f"{seconds:.1e} s"
+
+
+def _times(spread: Spread) -> str:
+    return f"{_time(spread.median)} ({_time(spread.lower)}–{_time(spread.upper)})"
+
+
+def _speed(results: Results) -> list[str]:
+    head = ["", *(f"{w.key} {w.label}" for w in WORKLOADS)]
+    rates = results.rates
+    rows = [
+        [one.label, *(_rate(rates[w.key][one.key].spread) for w in WORKLOADS)]
+        for one in contenders()
+    ]
+    ours = {w.key: rates[w.key]["c_one"] for w in WORKLOADS}
+    ratios = [
+        [one.label, *(_ratio(ours[w.key].over(rates[w.key][one.key])) for w in WORKLOADS)]
+        for one in contenders()
+        if one.family != "hoopgen" or one.key == "numpy"
+    ]
+    pairs = [("c_many", "c_one", "three results"), ("c_many_all", "c_one_all", "all fields")]
+    threads = [
+        [label, *(_ratio(rates[w.key][many].over(rates[w.key][one])) for w in WORKLOADS)]
+        for many, one, label in pairs
+    ]
+    shots = [
+        ["contacts a shot", *(number(results.contacts[w.key]) for w in WORKLOADS)],
+        *(
+            [f"shots a turn, {one.label}", *(f"{rates[w.key][one.key].shots:,}" for w in WORKLOADS)]
+            for one in contenders()
+        ),
+    ]
+    return [
+        "## Shots a second",
+        "",
+        "Median and quartiles over the rounds; in a round everybody flies once.",
+        "hoopgen returns outcome, contacts and time, as the peers do, or all fields.",
+        "",
+        *_table(head, rows),
+        "## How many times as fast hoopgen C is, on one thread",
+        "",
+        "One thread against one thread, compared round by round.",
+        "",
+        *_table(head, ratios),
+        f"## {CORES} threads over one",
+        "",
+        *_table(head, threads),
+        "## The work",
+        "",
+        *_table(head, shots),
+    ]
+
+
+def _errors(results: Results) -> list[str]:
+    def row(label: str, key: str, workload: str) -> list[str]:
+        error = results.errors[workload][key]
+        return [
+            f"{workload} {label}",
+            f"{error.shots:,}",
+            f"{100 * error.wrong_outcome:.2f} %",
+            f"{100 * error.wrong_sequence:.2f} %",
+            f"{error.time_median:.1e}",
+            f"{error.time_95:.1e}",
+        ]
+
+    return [
+        "## Errors of the peers",
+        "",
+        "Against hoopgen, on shots that it is certain of. The error in time is that of the shots",
+        "whose outcome and sequence of surfaces are right.",
+        "",
+        *_table(
+            ["", "shots", "wrong outcome", "wrong sequence", "time, median (s)", "time, 95 % (s)"],
+            [row(peer.label, peer.key, w.key) for w in WORKLOADS for peer in PEERS],
+        ),
+    ]
+
+
+def _calls(results: Results) -> list[str]:
+    sizes = list(next(iter(results.flatness.values())))
+    return [
+        "## Cost of a shot by their number, W2",
+        "",
+        *_table(
+            [
+                "shots",
+                *(
+                    f"{threads} threads" if threads > 1 else "1 thread"
+                    for threads in results.flatness
+                ),
+            ],
+            [
+                [f"{size:,}", *(_times(costs[size]) for costs in results.flatness.values())]
+                for size in sizes
+            ],
+        ),
+        "## One shot",
+        "",
+        "Through the Python interface, all fields, in a warm process; and the first in a new one.",
+        "",
+        *_table(["", "a call"], [[name, _times(cost)] for name, cost in results.single.items()]),
+        *_table(
+            ["new process", ""], [[name, _times(cost)] for name, cost in results.first.items()]
+        ),
+    ]
+
+
+def _table_4(results: Results) -> list[str]:
+    rows = [
+        [f"article, {method}, MATLAB", _time(swish), "", _time(bouncing), ""]
+        for method, (swish, bouncing) in ARTICLE.items()
+    ]
+    for method, shots in results.table_4.items():
+        cells = [method]
+        for shot in ("swish", "bouncing"):
+            timed = shots[shot]
+            cells.append(f"{_time(timed.mean)} ± {_time(timed.deviation)}")
+            cells.append(f"{_time(timed.mean_of_many)} ({timed.count:,})")
+        rows.append(cells)
+    head = ["", "swish", "more runs", "bouncing", "more runs"]
+    return [
+        "## The article's Table 4",
+        "",
+        "One shot a call from Python, timed run by run: mean ± standard deviation of 100 runs, as",
+        "in the article, and the mean of more. Another machine and language than the article's.",
+        "",
+        *_table(head, rows),
+    ]
+
+
+def _limits(results: Results) -> list[str]:
+    limits = results.limits
+    machine = [
+        [
+            f"{threads} threads" if threads > 1 else "1 thread",
+            f"{number(limits.bandwidth[threads] / 1e9)} GB/s",
+            f"{number(limits.operations[threads] / 1e9)} GFlop/s",
+            f"{number(limits.fused[threads] / 1e9)} GFlop/s",
+        ]
+        for threads in limits.bandwidth
+    ]
+    rows = []
+    for workload in WORKLOADS:
+        rate = results.rates[workload.key]["c_many"].spread.median
+        moved = rate * BYTES_A_SHOT
+        cells = [
+            f"{workload.key} {workload.label}",
+            _time(1 / rate),
+            f"{BYTES_A_SHOT}",
+            f"{number(moved / 1e9)} GB/s",
+            f"{100 * moved / limits.bandwidth[CORES]:.1f} %",
+        ]
+        if results.operations is None:
+            cells += ["not counted", "not counted"]
+        else:
+            operations = results.operations * (1 + results.contacts[workload.key])
+            share = rate * operations / limits.operations[CORES]
+            cells += [number(operations), f"{100 * share:.1f} %"]
+        rows.append(cells)
+    head = ["", "a shot", "bytes", "moved", "of the bandwidth", "operations", "of the peak"]
+    return [
+        "## The limits",
+        "",
+        "Memory by STREAM's triad; arithmetic by multiplications and additions in registers, apart",
+        "and fused.",
+        "",
+        *_table(["", "memory", "apart", "fused"], machine),
+        f"hoopgen C, {CORES} threads, outcome, contacts and time. Bytes: the state read, the",
+        "results written. Operations: a lower bound from the counts in the generated kernels, each",
+        "call of the event loop once a flight, the ring's search as one step; the peak is that of",
+        "multiplications and additions apart.",
+        "",
+        *_table(head, rows),
+    ]
+
+
+def as_markdown(results: Results) -> str:
+    """Tables for readers."""
+    lines = [
+        "# Benchmarks",
+        "",
+        "Written by `python -m benchmarks`; the numbers, round by round, are in `benchmarks.json`.",
+        "",
+        "![Shots a second](benchmarks.svg)",
+        "",
+        *_table(["", ""], [[name, f"`{value}`"] for name, value in results.facts.items()]),
+        *_speed(results),
+        *_errors(results),
+        "What the peers do, all on the same model and the same shots:",
+        "",
+        *(f"- {peer.label}: {peer.what}" for peer in PEERS),
+        "",
+        *_table_4(results),
+        *_calls(results),
+        *_limits(results),
+    ]
+    return "\n".join(lines).rstrip("\n") + "\n"

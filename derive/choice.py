@@ -1,0 +1,99 @@
+"""Expressions that stay as written: a choice between two values, and a held quantity.
+
+SymPy's Piecewise, Max and Min try to decide and simplify their conditions, which takes minutes on
+the expressions here and changes their form. These two stay as written until their condition is a
+number; both values are then real, or one of them infinite.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+
+class _Choice(sp.Function):
+    nargs = 4
+    is_extended_real = True
+
+    @staticmethod
+    def _holds(left: sp.Expr, right: sp.Expr) -> bool:
+        raise NotImplementedError
+
+    @classmethod
+    def eval(cls, left: sp.Expr, right: sp.Expr, then: sp.Expr, other: sp.Expr) -> sp.Expr | None:
+        """Decide as soon as both sides are numbers; a side that is none fails the condition."""
+        if then == other:
+            return then
+        if left is sp.nan or right is sp.nan:
+            return other
+        if not (left.is_number and right.is_number):
+            return None
+        if not (left.is_extended_real and right.is_extended_real):
+            return other
+        return then if cls._holds(left, right) else other
+
+
+class IfLess(_Choice):
+    """`then` where left < right, else `other`."""
+
+    @staticmethod
+    def _holds(left: sp.Expr, right: sp.Expr) -> bool:
+        return bool(left < right)
+
+
+class IfAtMost(_Choice):
+    """`then` where left <= right, else `other`."""
+
+    @staticmethod
+    def _holds(left: sp.Expr, right: sp.Expr) -> bool:
+        return bool(left <= right)
+
+
+class Held(sp.Function):
+    """A quantity that is computed once, as written, and then used as a whole.
+
+    SymPy otherwise spreads a sign or a number over a sum, and so writes one sum in two ways.
+    """
+
+    nargs = 1
+    is_extended_real = True
+
+    @classmethod
+    def eval(cls, quantity: sp.Expr) -> sp.Expr | None:
+        """Hold only what SymPy could spread something over."""
+        return None if quantity.is_Add or isinstance(quantity, _Choice) else quantity
+
+
+def hold(quantity: sp.Expr) -> sp.Expr:
+    """Return the quantity, held."""
+    return Held(quantity)
+
+
+def hold_all(vector: sp.Matrix) -> sp.Matrix:
+    """Return the vector, each component held."""
+    return vector.applyfunc(Held)
+
+
+def size(quantity: sp.Expr) -> sp.Expr:
+    """Return the absolute value of the quantity as it is written; SymPy would turn its signs."""
+    return sp.Abs(quantity, evaluate=False)
+
+
+def release(expression: sp.Basic) -> sp.Basic:
+    """Return the expression with nothing held, for proofs and derivatives."""
+    return expression.replace(Held, lambda quantity: quantity)
+
+
+def largest(first: sp.Expr | int, *others: sp.Expr) -> sp.Expr:
+    """Return the largest of the values, the first if another is not a number."""
+    first = sp.sympify(first)
+    for other in map(sp.sympify, others):
+        first = IfLess(first, other, other, first)
+    return first
+
+
+def smallest(first: sp.Expr | int, *others: sp.Expr) -> sp.Expr:
+    """Return the smallest of the values, the first if another is not a number."""
+    first = sp.sympify(first)
+    for other in map(sp.sympify, others):
+        first = IfLess(other, first, other, first)
+    return first

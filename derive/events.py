@@ -1,0 +1,313 @@
+"""Events: the flight (Eq. 3) put into a surface (Table 2), and the search for its first root.
+
+Two kinds of search follow from the degree in time. A plane's condition is linear or quadratic: its
+one arrival is a closed form. Any other surface is approached from the left: on a window where
+-F'' <= M,
+
+    F(t + s) >= F(t) + F'(t) s - M s²/2,
+
+so stepping to the first root of that parabola cannot pass a root of F, a parabola without a root
+proves that there is none, and near a simple root the steps converge quadratically. With F less its
+margin m in the parabola the same holds for the true F, of which only rounded values are known; the
+search ends where F <= 2 m, a distance that every step still makes headway in.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+import sympy as sp
+
+from .choice import IfAtMost, IfLess, hold, hold_all, largest, smallest
+from .flight import flight, flight_polynomials
+from .polynomials import Coefficients, bernstein, compose, derivative, horner, taylor
+from .rounding import SAFETY, Rounded, exact, flight_rounding, rounding
+from .surfaces import Plane, Surface
+from .symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, position, t, velocity
+
+Window = tuple[sp.Expr, sp.Expr]
+
+end = sp.Symbol("end", real=True)
+"""End of the window that is searched, s."""
+horizon = sp.Symbol("horizon", positive=True)
+"""No event later than this is wanted, s."""
+leaving = sp.Symbol("leaving", real=True)
+"""1 if the flight starts with the ball on this very surface, else 0."""
+margin, rate_margin = sp.symbols("margin rate_margin", nonnegative=True)
+"""Bounds on the errors of the computed gap and of its computed rate."""
+delay = sp.Symbol("delay", nonnegative=True)
+"""Bound on how far a computed arrival is from the true one, s."""
+value, rate, ceiling = sp.symbols("gap rate ceiling", real=True)
+"""The gap F, its rate F' and an upper bound of F''."""
+
+
+def event_coefficients(surface: Surface, gravity: sp.Expr) -> Coefficients:
+    """Return the surface's condition along the flight: coefficients in time, constant first.
+
+    Degree 1 for the backboard, 2 for the bridge and the end plane, 8 for the ring.
+    """
+    coefficients = compose(surface.condition, flight_polynomials(gravity))
+    while len(coefficients) > 1 and coefficients[-1] == 0:
+        coefficients.pop()
+    return coefficients
+
+
+def deflated_coefficients(surface: Surface, gravity: sp.Expr) -> Coefficients:
+    """Return the coefficients of F(t)/t after a contact at t = 0.
+
+    The constant term of F is zero there by construction: it is dropped, never tested.
+    """
+    return event_coefficients(surface, gravity)[1:]
+
+
+def plane_arrival(plane: Plane, gravity: sp.Expr) -> dict[str, sp.Expr]:
+    """Return time, rate and bend (F'') of a plane's only arrival, the root with F' < 0.
+
+    With D = b² - 4 a c the arrival is where F' = -sqrt(D): t = 2 c / (sqrt(D) - b), the same as
+    -(b + sqrt(D)) / (2 a); each loses no digits for one sign of b. Without an arrival the rate is
+    not negative or not a number.
+    """
+    coefficients = event_coefficients(plane, gravity)
+    c = IfLess(0, leaving, 0, hold(coefficients[0]))
+    b = coefficients[1] if len(coefficients) > 1 else sp.Integer(0)
+    if len(coefficients) < 3:
+        return {"time": c / -b, "rate": b, "bend": sp.Integer(0)}
+    a = coefficients[2]
+    root = sp.sqrt(b**2 - 4 * a * c)
+    numerator = IfLess(b, 0, 2 * c, b + root)
+    denominator = IfLess(b, 0, root - b, -2 * a)
+    return {"time": numerator / denominator, "rate": -root, "bend": 2 * a}
+
+
+def plane_margin(plane: Plane, gravity: sp.Expr) -> sp.Expr:
+    """Return a bound on the rounding error of the plane's gap up to the time `horizon`."""
+    bounds = flight_rounding(position, velocity, gravity, t, horizon)
+    known = dict(zip(POSITION, bounds["position"], strict=True))
+    # Twice: once for the gap at the computed time, once for the root's own arithmetic.
+    return 2 * SAFETY * rounding(plane.distance, known).error
+
+
+def crossing() -> dict[str, sp.Expr]:
+    """Return what certifies a crossing at a computed arrival, its delay, and Newton's correction.
+
+    A search stops where the computed gap is at most 2 m, so that F <= 3 m. With the slope
+    r = -F' - m' > 0 and F'' <= C, F(t + s) <= 3 m - r s + C s²/2, which is negative at s = r/C if
+    r² > 6 C m: the crossing is certain if `clearance` > 0. It is then within 6 m / r of the
+    computed time, before and after Newton's correction.
+    """
+    slope = hold(-rate - rate_margin)
+    return {
+        "clearance": IfLess(0, slope, slope**2 - 8 * ceiling * margin, slope),
+        "delay": 6 * margin / slope,
+        "correction": -value / rate,
+    }
+
+
+def displacement(gravity: sp.Expr, lengths: Sequence[sp.Expr]) -> sp.Expr:
+    """Return a bound on the error of a bound g (Eq. 2) or of the target at a computed arrival.
+
+    Each of them is a length whose gradient is at most 1: the position's rounding errors, the
+    distance flown during the delay, and the roundings of sums with the scene's lengths.
+    """
+    bounds = flight_rounding(position, velocity, gravity, t, horizon)
+    moved = sum(bound.error for bound in bounds["position"])
+    flown = delay * sum(bound.magnitude for bound in bounds["velocity"])
+    size = sum(bound.magnitude for bound in bounds["position"]) + sum(map(sp.Abs, lengths))
+    return SAFETY * (moved + flown + 4 * UNIT_ROUNDOFF * size)
+
+
+def time_rounding(rate: Rounded) -> sp.Expr:
+    """Return what the gap changes, per unit of time, between two neighbouring doubles of time.
+
+    A margin that holds it ends every search: a step that no longer moves the time is within it.
+    """
+    return 2 * UNIT_ROUNDOFF * rate.magnitude
+
+
+@dataclass(frozen=True)
+class Approach(ABC):
+    """What the search needs to know of a surface along a flight; times since the last contact."""
+
+    gravity: sp.Expr
+
+    @property
+    @abstractmethod
+    def constants(self) -> dict[str, sp.Expr]:
+        """What does not change during the flight, by the name under which the rest uses it."""
+
+    @property
+    @abstractmethod
+    def windows(self) -> list[Window]:
+        """Intervals of time, in order, outside which there is no contact; empty if lo > hi."""
+
+    @property
+    @abstractmethod
+    def gap(self) -> sp.Expr:
+        """F at time t."""
+
+    @property
+    @abstractmethod
+    def leaving_gap(self) -> sp.Expr:
+        """F at time t when the flight starts on the surface, from its deflated form."""
+
+    @property
+    @abstractmethod
+    def rate(self) -> sp.Expr:
+        """F' at time t."""
+
+    @property
+    @abstractmethod
+    def bend(self) -> sp.Expr:
+        """F'' at time t."""
+
+    @abstractmethod
+    def curvature(self, width: sp.Expr) -> sp.Expr:
+        """Return M with -F'' <= M on [t, t + width]."""
+
+    @property
+    @abstractmethod
+    def ceiling(self) -> sp.Expr:
+        """Upper bound of F'' up to the horizon."""
+
+    @property
+    @abstractmethod
+    def margins(self) -> dict[str, sp.Expr]:
+        """Rounding-error bounds: `margin` of F, `leaving_margin` of F/t, `rate_margin` of F'."""
+
+    def prepare(self) -> dict[str, sp.Expr]:
+        """Return the outputs of the kernel that opens the search of a flight."""
+        outputs = dict(self.constants)
+        for k, (low, high) in enumerate(self.windows):
+            outputs |= {f"low{k}": low, f"high{k}": high}
+        latest = smallest(horizon, largest(0, *(high for _, high in self.windows)))
+        bounds = self.margins | {"ceiling": self.ceiling}
+        return outputs | {name: bound.subs(horizon, latest) for name, bound in bounds.items()}
+
+    def advance(self) -> dict[str, sp.Expr]:
+        """Return gap, rate, bend and the step that no root can lie within.
+
+        The curvature is bounded on a window twice as long as the root of the local parabola says,
+        so that M is nearly exact; where even that window ends first, so does the step.
+        """
+        gap = IfLess(0, leaving, hold(self.leaving_gap), hold(self.gap))
+        low_gap = hold(largest(hold(gap - margin), 0))
+        slope = hold(hold(self.rate) - rate_margin)
+        guess = _first_root(low_gap, slope, hold(-self.bend))
+        width = hold(smallest(hold(end - t), 2 * guess))
+        step = _first_root(low_gap, slope, hold(self.curvature(width)))
+        return {
+            "gap": gap,
+            "rate": self.rate,
+            "bend": self.bend,
+            "step": smallest(width, step),
+        }
+
+
+def _first_root(gap: sp.Expr, slope: sp.Expr, curvature: sp.Expr) -> sp.Expr:
+    """Return the first root s >= 0 of gap + slope s - curvature s²/2, infinite if none.
+
+    Of the two forms of the root, the one whose sums do not cancel.
+    """
+    discriminant = hold(slope**2 + 2 * curvature * gap)
+    root = sp.sqrt(discriminant)
+    numerator = IfLess(slope, 0, 2 * gap, slope + root)
+    denominator = IfLess(slope, 0, root - slope, largest(curvature, 0))
+    # Rising and bent upwards, the denominator is zero and the quotient infinite, as it should be.
+    # 0/0 is a parabola that is zero throughout: it limits no step, and `smallest` passes over it.
+    return IfAtMost(0, discriminant, numerator / denominator, sp.oo)
+
+
+@dataclass(frozen=True)
+class PolynomialApproach(Approach):
+    """The search for any surface with a polynomial condition: M from Bernstein coefficients."""
+
+    surface: Surface
+
+    @property
+    def _coefficients(self) -> Coefficients:
+        return event_coefficients(self.surface, self.gravity)
+
+    def _along(self, expression: sp.Expr) -> sp.Expr:
+        held = (hold_all(vector) for vector in flight(self.gravity))
+        there = [component for vector in held for component in vector]
+        moved = dict(zip((*POSITION, *VELOCITY), there, strict=True))
+        return expression.subs(moved, simultaneous=True)
+
+    @property
+    def constants(self) -> dict[str, sp.Expr]:
+        """None."""
+        return {}
+
+    @property
+    def windows(self) -> list[Window]:
+        """Up to Cauchy's bound on the roots."""
+        *rest, leading = self._coefficients
+        return [(sp.Integer(0), 1 + sum(sp.Abs(c) for c in rest) / sp.Abs(leading))]
+
+    @property
+    def gap(self) -> sp.Expr:
+        """The condition at the position at time t, which loses less than its coefficients do."""
+        return self._along(self.surface.condition)
+
+    @property
+    def leaving_gap(self) -> sp.Expr:
+        """t times the deflated polynomial."""
+        return t * horner(self._coefficients[1:], t)
+
+    @property
+    def rate(self) -> sp.Expr:
+        """Gradient times velocity."""
+        gradient = [sp.diff(self.surface.condition, coordinate) for coordinate in POSITION]
+        return self._along(sum(g * v for g, v in zip(gradient, VELOCITY, strict=True)))
+
+    @property
+    def bend(self) -> sp.Expr:
+        """The polynomial's second derivative."""
+        return horner(derivative(derivative(self._coefficients)), t)
+
+    def curvature(self, width: sp.Expr) -> sp.Expr:
+        """The largest Bernstein coefficient of -F'' on the window, rounding included."""
+        second = derivative(derivative(self._coefficients))
+        upper = largest(*(-c for c in bernstein(taylor(second, t), width)))
+        return upper + sp.Rational(1, 2**40) * self.ceiling
+
+    @property
+    def ceiling(self) -> sp.Expr:
+        """|F''| with every term taken positive, up to the horizon."""
+        second = derivative(derivative(self._coefficients))
+        known = {symbol: exact(symbol) for symbol in (*POSITION, *VELOCITY)}
+        return horner([rounding(c, known).magnitude for c in second], horizon)
+
+    @property
+    def margins(self) -> dict[str, sp.Expr]:
+        """By running error analysis of the gap, the deflated polynomial and the rate."""
+        bounds = flight_rounding(position, velocity, self.gravity, t, horizon)
+        moving = dict(
+            zip(
+                (*POSITION, *VELOCITY),
+                (*bounds["position"], *bounds["velocity"]),
+                strict=True,
+            )
+        )
+        start = {symbol: exact(symbol) for symbol in (*POSITION, *VELOCITY)}
+        start[t] = Rounded(horizon)
+        condition = self.surface.condition
+        gradient = [sp.diff(condition, coordinate) for coordinate in POSITION]
+        gap = rounding(condition, moving)
+        deflated = rounding(horner(self._coefficients[1:], t), start)
+        rate = rounding(sum(g * v for g, v in zip(gradient, VELOCITY, strict=True)), moving)
+        return {
+            "margin": SAFETY * (gap.error + time_rounding(rate) * horizon),
+            "leaving_margin": SAFETY * (deflated.error + time_rounding(rate)),
+            "rate_margin": SAFETY * rate.error,
+        }
+
+
+def approach(surface: Surface, gravity: sp.Expr) -> Approach:
+    """Return the search of a curved surface: its own where it has one, else the general one."""
+    if surface.bounds:
+        raise ValueError(f"surface {surface.name}: only a plane can have bounds")
+    own = getattr(surface, "approach", None)
+    return own(gravity) if own is not None else PolynomialApproach(gravity, surface)

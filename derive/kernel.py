@@ -1,0 +1,63 @@
+"""Kernel: a named function from symbols to SymPy expressions, with the equation that it implements."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+import sympy as sp
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """A function that the code generator turns into a NumPy and a C function.
+
+    Attributes
+    ----------
+    name
+        Function name, the same in every target.
+    arguments
+        Symbols, in calling order.
+    outputs
+        Output names and expressions, in returning order.
+    summary
+        One line: what it computes.
+    equation
+        The equation of the article, or the source, that it implements.
+    """
+
+    name: str
+    arguments: tuple[sp.Symbol, ...]
+    outputs: tuple[tuple[str, sp.Expr], ...]
+    summary: str
+    equation: str
+
+    def __post_init__(self) -> None:
+        free = set().union(*(e.free_symbols for _, e in self.outputs))
+        unbound = sorted(map(str, free - set(self.arguments)))
+        if unbound:
+            raise ValueError(f"kernel {self.name}: not among its arguments: {', '.join(unbound)}")
+
+    @property
+    def expressions(self) -> tuple[sp.Expr, ...]:
+        """The output expressions, in order."""
+        return tuple(expression for _, expression in self.outputs)
+
+    @property
+    def output_names(self) -> tuple[str, ...]:
+        """The output names, in order."""
+        return tuple(name for name, _ in self.outputs)
+
+
+def kernel(
+    name: str,
+    outputs: Mapping[str, sp.Expr],
+    order: Iterable[sp.Symbol],
+    summary: str,
+    equation: str,
+) -> Kernel:
+    """Return the kernel whose arguments are those symbols of `order` that its outputs use."""
+    sympified = {key: sp.sympify(value) for key, value in outputs.items()}
+    free = set().union(*(e.free_symbols for e in sympified.values()))
+    arguments = tuple(symbol for symbol in order if symbol in free)
+    return Kernel(name, arguments, tuple(sympified.items()), summary, equation)

@@ -1,0 +1,254 @@
+"""The kernels of a scene: everything that a simulation evaluates, gathered."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from . import events
+from .choice import IfAtMost, IfLess
+from .events import approach, crossing, deflated_coefficients, event_coefficients
+from .flight import flight
+from .frame import contact_frame
+from .impact import impact, impact_through_frame
+from .kernel import Kernel, kernel
+from .ring import steady, swing
+from .scene import Scene
+from .surfaces import Plane, Surface
+from .symbols import NORMAL, POSITION, STATE, VELOCITY, normal, position, spin, t, velocity
+
+FRAME = sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"n{i + 1}{j + 1}", real=True))
+"""The contact frame's components, R of Eq. 10."""
+
+
+@dataclass(frozen=True)
+class SurfaceKernels:
+    """The kernels of one surface, by their part in the search."""
+
+    surface: Surface
+    kernels: dict[str, Kernel]
+    window_count: int = 0
+    constants: tuple[str, ...] = ()
+
+    @property
+    def is_plane(self) -> bool:
+        """True if its arrival is a closed form."""
+        return isinstance(self.surface, Plane)
+
+
+@dataclass(frozen=True)
+class Model:
+    """A scene and all its kernels."""
+
+    scene: Scene
+    common: dict[str, Kernel]
+    surfaces: tuple[SurfaceKernels, ...]
+    finish: SurfaceKernels
+
+    @property
+    def kernels(self) -> tuple[Kernel, ...]:
+        """Every kernel, in order."""
+        per_surface = (s.kernels.values() for s in (*self.surfaces, self.finish))
+        return (*self.common.values(), *(k for kernels in per_surface for k in kernels))
+
+
+def _order(scene: Scene) -> tuple[sp.Symbol, ...]:
+    searching = (t, events.end, events.leaving, events.margin, events.rate_margin)
+    crossing_ = (events.value, events.rate, events.ceiling, events.delay, events.horizon)
+    return (
+        *(*searching, *crossing_, *STATE, *NORMAL, *FRAME),
+        *(steady, swing, *scene.symbols),
+    )
+
+
+def _named(prefix: str, values: list[sp.Expr]) -> dict[str, sp.Expr]:
+    return {f"{prefix}{k}": value for k, value in enumerate(values)}
+
+
+def _components(names: tuple[sp.Symbol, ...], *vectors: sp.Matrix) -> dict[str, sp.Expr]:
+    values = [component for vector in vectors for component in vector]
+    return {symbol.name: value for symbol, value in zip(names, values, strict=True)}
+
+
+def _plain(expression: sp.Basic) -> sp.Basic:
+    """Return the expression in symbols that assume nothing of their sign."""
+    return expression.xreplace({s: sp.Symbol(s.name, real=True) for s in expression.free_symbols})
+
+
+def _valid(scene: Scene) -> sp.Expr:
+    """Return 1 where a finite state and parameters can be simulated, else 0.
+
+    Each condition in turn falls through to the rest or to 0; a ball outside a surface is one for
+    which any of the surface's `inside` is not negative.
+    """
+    verdict: sp.Expr = sp.Integer(1)
+    for surface in scene.surfaces:
+        overlap: sp.Expr = sp.Integer(0)
+        for part in surface.inside:
+            overlap = IfLess(_plain(part), 0, overlap, verdict)
+        verdict = overlap
+    for requirement in scene.requirements:
+        verdict = IfLess(0, _plain(requirement), verdict, 0)
+    for parameter in scene.parameters:
+        value = _plain(parameter.symbol)
+        if parameter.sign == "positive":
+            verdict = IfLess(0, value, verdict, 0)
+        if parameter.sign == "nonnegative":
+            verdict = IfAtMost(0, value, verdict, 0)
+        if parameter.upper is not None:
+            verdict = IfAtMost(value, parameter.upper, verdict, 0)
+    return verdict
+
+
+def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
+    ball_radius, restitution = scene.ball_radius, scene.restitution
+    after = impact(normal, velocity, spin, ball_radius, restitution)
+    through = impact_through_frame(FRAME, velocity, spin, ball_radius, restitution)
+    motion = (*VELOCITY, *STATE[6:])
+    plain_order = (*STATE, *(sp.Symbol(s.name, real=True) for s in scene.symbols))
+    return [
+        kernel(
+            "flight",
+            _components((*POSITION, *VELOCITY), *flight(scene.gravity)),
+            order,
+            "Position and velocity at time t of a flight.",
+            "Eq. 3",
+        ),
+        kernel(
+            "contact_frame",
+            {symbol.name: e for symbol, e in zip(FRAME, contact_frame(), strict=True)},
+            order,
+            "The contact frame R = [n1 n2 n3] of a unit normal.",
+            "Eqs. 7-10, Eq. 7 with the smallest component",
+        ),
+        kernel(
+            "impact_through_frame",
+            _components(motion, *through),
+            order,
+            "Velocity and spin after a contact, through the contact frame.",
+            "Eqs. 11-17 by the closed-form inverse",
+        ),
+        kernel(
+            "impact",
+            _components(motion, *after),
+            order,
+            "Velocity and spin after a contact, frame-free.",
+            "Eqs. 11-17, the frame eliminated",
+        ),
+        kernel(
+            "crossing",
+            crossing(),
+            order,
+            "Positive clearance if a crossing is certain, the bound on its delay, Newton's correction.",
+            "Taylor's theorem with the margins of the gap and its rate",
+        ),
+        kernel(
+            "displacement",
+            {
+                "margin": events.displacement(
+                    scene.gravity, [p.symbol for p in scene.parameters if p.unit == "m"]
+                )
+            },
+            order,
+            "Bound on the error of a length at a computed arrival.",
+            "running error analysis",
+        ),
+        kernel(
+            "valid",
+            {"valid": _valid(scene)},
+            plain_order,
+            "1 where parameters are allowed and the ball overlaps no surface, else 0.",
+            "Table 2 and the scene's requirements",
+        ),
+        kernel(
+            "target",
+            {"target": scene.target},
+            order,
+            "Not positive where a crossing of the end plane is made.",
+            "Table 2, success",
+        ),
+    ]
+
+
+def _surface_kernels(
+    surface: Surface, scene: Scene, order: tuple[sp.Symbol, ...]
+) -> SurfaceKernels:
+    name, gravity = surface.name, scene.gravity
+    made: dict[str, Kernel] = {}
+
+    def add(part: str, outputs: dict[str, sp.Expr], summary: str, equation: str) -> None:
+        made[part] = kernel(f"{name}_{part}", outputs, order, summary, equation)
+
+    add(
+        "coefficients",
+        _named("c", event_coefficients(surface, gravity)),
+        "Coefficients in time of the event polynomial, constant first.",
+        "Eq. 3 in Table 2",
+    )
+    add(
+        "deflated",
+        _named("c", deflated_coefficients(surface, gravity)),
+        "Coefficients of the event polynomial over t, after a contact at t = 0.",
+        "Eq. 3 in Table 2, the exact root divided out",
+    )
+    add(
+        "normal",
+        _components(NORMAL, surface.normal),
+        "Outward unit normal n3 at a contact.",
+        "Table 2",
+    )
+    if surface.bounds:
+        add(
+            "bounds",
+            _named("g", list(surface.bounds)),
+            "The g of Eq. 2: a contact counts where none is positive.",
+            "Eq. 2, Table 2",
+        )
+    windows, constants = 0, ()
+    if isinstance(surface, Plane):
+        add(
+            "arrival",
+            events.plane_arrival(surface, gravity),
+            "Time of the only arrival, the gap's rate there and its bend.",
+            "Eq. 3 in Table 2, solved",
+        )
+        add(
+            "margin",
+            {"margin": events.plane_margin(surface, gravity)},
+            "Rounding-error bound of the gap up to the horizon.",
+            "running error analysis",
+        )
+        add(
+            "place",
+            _components(POSITION, position - surface.distance * surface.normal),
+            "The point of the contact plane nearest to a position.",
+            "Table 2",
+        )
+    else:
+        search = approach(surface, gravity)
+        windows, constants = len(search.windows), tuple(search.constants)
+        add(
+            "prepare",
+            search.prepare(),
+            "Constants, windows and margins of the search along a flight.",
+            "bounds of the event condition",
+        )
+        add(
+            "advance",
+            search.advance(),
+            "Gap, rate and bend at time t, and a step that no root lies within.",
+            "Newton from the left under a curvature bound",
+        )
+    return SurfaceKernels(surface, made, windows, constants)
+
+
+def build(scene: Scene) -> Model:
+    """Return all kernels of a scene."""
+    order = _order(scene)
+    return Model(
+        scene,
+        {k.name: k for k in _common(scene, order)},
+        tuple(_surface_kernels(surface, scene, order) for surface in scene.surfaces),
+        _surface_kernels(scene.finish, scene, order),
+    )

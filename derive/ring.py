@@ -1,0 +1,298 @@
+"""The ring of Table 2: a horizontal torus, with the bounds that make its search quick.
+
+The search uses Table 2's condition with its root kept and the distance squared,
+
+    F = (rho - R_H)² + z² - R²,    rho = sqrt(x² + y²).
+
+Along a flight rho² is quadratic in time with leading coefficient V² = vx² + vy², and
+L = x vy - y vx is constant, so rho'' = L²/rho³; with the energy constant vz² + 2 g z,
+
+    F'' = 2 (V² + vz² + 2 g z) - 6 g z - 2 R_H L²/rho³:
+
+a constant less two terms that a bound on z and on rho limits.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from .choice import IfAtMost, IfLess, hold, hold_all, largest, size, smallest
+from .events import Approach, Window, horizon, time_rounding
+from .flight import flight
+from .rounding import SAFETY, Rounded, exact, flight_rounding, rounding
+from .surfaces import Surface
+from .symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, position, t, velocity
+
+WIDER = 1 + sp.Rational(1, 2**20)
+"""Windows are drawn for a ring this much thicker: contact cannot begin on their edges."""
+
+steady, swing = sp.symbols("steady swing", real=True)
+"""2 (V² + vz² + 2 g z) and 2 R_H L², constant along a flight."""
+
+
+@dataclass(frozen=True)
+class Ring(Surface):
+    """A horizontal ring about the origin.
+
+    Attributes
+    ----------
+    ring_radius
+        R_H, radius of the wire's centre circle.
+    reach
+        R, radii of ball and wire together; less than R_H.
+    """
+
+    ring_radius: sp.Expr
+    reach: sp.Expr
+
+    @property
+    def rho(self) -> sp.Expr:
+        """Distance of the centre from the axis."""
+        x, y, _ = POSITION
+        return sp.sqrt(x**2 + y**2)
+
+    @property
+    def distance(self) -> sp.Expr:
+        """sqrt((rho - R_H)² + z²) - R: finite on the axis, where Table 2 is 0/0."""
+        _, _, z = POSITION
+        return sp.sqrt((self.rho - self.ring_radius) ** 2 + z**2) - self.reach
+
+    @property
+    def condition(self) -> sp.Expr:
+        """(rho² + z² + R_H² - R²)² - 4 R_H² rho²: Table 2's f1, squared free of its root."""
+        x, y, z = POSITION
+        rho_squared = x**2 + y**2
+        return (
+            rho_squared + z**2 + (self.ring_radius**2 - self.reach**2)
+        ) ** 2 - 4 * self.ring_radius**2 * rho_squared
+
+    @property
+    def normal(self) -> sp.Matrix:
+        """From the nearest point of the wire's centre circle, (x_C, y_C, 0), over R."""
+        x, y, z = POSITION
+        outward = (self.rho - self.ring_radius) / (self.rho * self.reach)
+        return sp.Matrix([x * outward, y * outward, z / self.reach])
+
+    @property
+    def inside(self) -> tuple[sp.Expr, ...]:
+        """Nearer to the wire than touching."""
+        return (self.distance,)
+
+    def approach(self, gravity: sp.Expr) -> RingApproach:
+        """Return the ring's own search."""
+        return RingApproach(gravity, self)
+
+
+@dataclass(frozen=True)
+class RingApproach(Approach):
+    """The search for the ring: windows, curvature and margins in closed form."""
+
+    ring: Ring
+
+    def _polar(self) -> tuple[sp.Expr, ...]:
+        """Return rho², x vx + y vy, V² and L of the state."""
+        x, y, _ = POSITION
+        vx, vy, _ = VELOCITY
+        polar = (x**2 + y**2, x * vx + y * vy, vx**2 + vy**2, x * vy - y * vx)
+        return tuple(map(hold, polar))
+
+    @property
+    def constants(self) -> dict[str, sp.Expr]:
+        """The two constants of F''."""
+        _, _, speed_squared, moment = self._polar()
+        _, _, z = POSITION
+        _, _, vz = VELOCITY
+        return {
+            "steady": 2 * (speed_squared + vz**2) + 4 * self.gravity * z,
+            "swing": 2 * self.ring.ring_radius * moment**2,
+        }
+
+    @property
+    def windows(self) -> list[Window]:
+        """When |z| <= R and |rho - R_H| <= R can both hold.
+
+        Each of the two holds in at most two intervals, Z1 < Z2 and A1 < A2. Of the four
+        intersections Z1 A2 and Z2 A1 are not both possible, so three windows suffice. The
+        discriminants are widened by their rounding errors, and so are the times.
+        """
+        (z1, z2), (a1, a2) = self._slab_intervals(), self._annulus_intervals()
+        late_first = _meet(z1, a2)
+        middle = tuple(
+            IfAtMost(late_first[0], late_first[1], late, early)
+            for late, early in zip(late_first, _meet(z2, a1), strict=True)
+        )
+        return [_meet(z1, a1), (middle[0], middle[1]), _meet(z2, a2)]
+
+    @property
+    def _reach(self) -> sp.Expr:
+        """R, wider."""
+        return hold(self.ring.reach) * WIDER
+
+    def _radii(self) -> tuple[sp.Expr, sp.Expr]:
+        """Return the radii of the annulus in which the centre can be at a contact."""
+        radius = self.ring.ring_radius
+        return hold(radius - self._reach), hold(radius + self._reach)
+
+    def _slab_intervals(self) -> tuple[Window, Window]:
+        """Return the rising and the falling interval of |z| <= R.
+
+        The roots of z = c are (vz ± sqrt(D)) / g with D = vz² + 2 g (z0 - c).
+        """
+        g = self.gravity
+        _, _, z = POSITION
+        _, _, vz = VELOCITY
+        reach = self._reach
+        error = 8 * UNIT_ROUNDOFF * hold(vz**2 + 2 * g * (sp.Abs(z) + reach))
+        to_bottom = hold(vz**2 + 2 * g * hold(z + reach) + error)
+        to_top = hold(vz**2 + 2 * g * hold(z - reach) - error)
+        outer, inner = sp.sqrt(to_bottom), sp.sqrt(largest(to_top, 0))
+        pad = 8 * UNIT_ROUNDOFF * hold(sp.Abs(vz) + outer)
+        first = IfAtMost(0, to_bottom, (vz - outer - pad) / g, sp.oo)
+        last = IfAtMost(0, to_bottom, (vz + outer + pad) / g, -sp.oo)
+        up = IfLess(0, to_top, (vz - inner + pad) / g, last)
+        down = IfLess(0, to_top, (vz + inner - pad) / g, sp.oo)
+        return (first, up), (down, last)
+
+    def _annulus_intervals(self) -> tuple[Window, Window]:
+        """Return the inward and the outward interval of |rho - R_H| <= R.
+
+        The roots of rho = c are (-q ± sqrt(V² c² - L²)) / V² with q = x vx + y vy. The rounding
+        error of L² is bounded by 6 u rho² V², since (|x vy| + |y vx|)² <= 2 rho² V². A ball that
+        hardly moves sideways is always in the interval: the search then decides.
+        """
+        rho_squared, q, speed_squared, moment = self._polar()
+        innermost, outermost = self._radii()
+        error = 16 * UNIT_ROUNDOFF * speed_squared * hold(rho_squared + outermost**2)
+        enters = hold(speed_squared * outermost**2 - moment**2 + error)
+        passes = hold(speed_squared * innermost**2 - moment**2 - error)
+        outer, inner = sp.sqrt(enters), sp.sqrt(largest(passes, 0))
+        pad = 8 * UNIT_ROUNDOFF * hold(size(q) + size(moment) + outer)
+        hardly = sp.Rational(1, 2**600)
+        first = IfAtMost(0, enters, (-q - outer - pad) / speed_squared, sp.oo)
+        last = IfAtMost(0, enters, (-q + outer + pad) / speed_squared, -sp.oo)
+        first = IfLess(hardly, speed_squared, first, -sp.oo)
+        last = IfLess(hardly, speed_squared, last, sp.oo)
+        through = IfLess(hardly, speed_squared, passes, 0)
+        inward = IfLess(0, through, (-q - inner + pad) / speed_squared, last)
+        outward = IfLess(0, through, (-q + inner - pad) / speed_squared, sp.oo)
+        return (first, inward), (outward, last)
+
+    def _here(self) -> tuple[sp.Matrix, sp.Matrix, sp.Expr]:
+        """Return position, velocity and rho at time t."""
+        there, moving = map(hold_all, flight(self.gravity))
+        return there, moving, sp.sqrt(hold(there[0] ** 2 + there[1] ** 2))
+
+    @property
+    def gap(self) -> sp.Expr:
+        """F at the position at time t."""
+        there, _, rho = self._here()
+        return hold(rho - self.ring.ring_radius) ** 2 + there[2] ** 2 - hold(self.ring.reach) ** 2
+
+    @property
+    def leaving_gap(self) -> sp.Expr:
+        """F = t P (rho - R_H + rho0 - R_H)/(rho + rho0) + t Z (z + z0), without cancellation.
+
+        P = (rho² - rho0²)/t and Z = (z - z0)/t are polynomials in t: this is F less its value at
+        t = 0, which is zero at a contact, with the factor t in the open.
+        """
+        there, _, rho = self._here()
+        _, q, speed_squared, _ = self._polar()
+        _, _, z0 = POSITION
+        _, _, vz = VELOCITY
+        rho0, radius = self.ring.rho, self.ring.ring_radius
+        outward = 2 * q + speed_squared * t
+        upward = vz - self.gravity * t / 2
+        inward = hold(hold(rho - radius) + hold(rho0 - radius))
+        radial = hold(outward) * inward / hold(rho + rho0)
+        return t * hold(radial + hold(upward) * hold(there[2] + z0))
+
+    @property
+    def rate(self) -> sp.Expr:
+        """F' = 2 ((rho - R_H) rho' + z z')."""
+        there, moving, rho = self._here()
+        sideways = hold(there[0] * moving[0] + there[1] * moving[1]) / rho
+        return 2 * hold(hold(rho - self.ring.ring_radius) * sideways + there[2] * moving[2])
+
+    @property
+    def bend(self) -> sp.Expr:
+        """F'' as in the head of this file."""
+        there, _, rho = self._here()
+        return steady - 6 * self.gravity * there[2] - swing / rho**3
+
+    def curvature(self, width: sp.Expr) -> sp.Expr:
+        """-F'' is largest where z is highest and rho smallest; each is bounded on its own."""
+        there, moving, rho = self._here()
+        _, _, speed_squared, _ = self._polar()
+        highest = smallest(hold(there[2] + largest(moving[2], 0) * width), self._reach)
+        q = hold(there[0] * moving[0] + there[1] * moving[1])
+        ahead = hold(largest(0, smallest(-q / speed_squared, width)))
+        nearest = hold(rho**2 + ahead * hold(2 * q + speed_squared * ahead))
+        innermost, outermost = self._radii()
+        least = hold(
+            largest(hold(nearest - sp.Rational(1, 2**40) * outermost**2), innermost**2)
+        )
+        fall = 6 * self.gravity * highest
+        turn = swing / (least * sp.sqrt(least))
+        slack = sp.Rational(1, 2**40) * hold(size(fall) + turn + size(steady))
+        return fall + turn - steady + slack
+
+    @property
+    def ceiling(self) -> sp.Expr:
+        """F'' is at most its constant and the gravity term at the lowest z."""
+        return hold(self.constants["steady"]) + 6 * self.gravity * self._reach
+
+    @property
+    def margins(self) -> dict[str, sp.Expr]:
+        """By running error analysis; in a window |z| <= R and |rho - R_H| <= R, which bounds all.
+
+        rho moves no more than the position does, and 1/rho no more than that over its square.
+        """
+        u = UNIT_ROUNDOFF
+        reach = self._reach
+        innermost, outermost = self._radii()
+        bounds = flight_rounding(position, velocity, self.gravity, t, horizon)
+        shift = [bound.error for bound in bounds["position"]]
+        speed = [bound.magnitude for bound in bounds["velocity"]]
+        rho_error = shift[0] + shift[1] + 2 * u * outermost
+        x, y, z, rho, inverse, depth = sp.symbols("x y z rho inverse depth", real=True)
+        vx, vy, vz, rho0 = sp.symbols("vx vy vz rho0", real=True)
+        known = {
+            x: Rounded(outermost, shift[0]),
+            y: Rounded(outermost, shift[1]),
+            z: Rounded(reach, shift[2]),
+            vx: Rounded(speed[0]),
+            vy: Rounded(speed[1]),
+            vz: Rounded(speed[2], bounds["velocity"][2].error),
+            depth: Rounded(reach, rho_error + u * reach),
+            inverse: Rounded(1 / innermost, rho_error / innermost**2 + u / innermost),
+        }
+        gap = rounding((depth**2 + z**2) - reach**2, known).error
+        slope = rounding(2 * (depth * (x * vx + y * vy) * inverse + z * vz), known)
+        # F/t from the start: P and Z carry only their own roundings, rho that of the position.
+        start = {symbol: exact(symbol) for symbol in (*POSITION, *VELOCITY)}
+        start[t] = Rounded(horizon)
+        _, q, speed_squared, _ = self._polar()
+        outward = rounding(2 * q + speed_squared * t, start)
+        upward = rounding(velocity[2] - self.gravity * t / 2, start)
+        outward_symbol, upward_symbol = sp.symbols("outward upward", real=True)
+        deflated = rounding(
+            outward_symbol * (depth + rho0) * inverse + upward_symbol * (z + z),
+            known
+            | {
+                outward_symbol: outward,
+                upward_symbol: upward,
+                # Also the roundings of rho + rho0 - 2 R_H in any order.
+                rho0: Rounded(reach, 8 * u * outermost),
+            },
+        ).error
+        return {
+            "margin": SAFETY * (gap + time_rounding(slope) * horizon),
+            "leaving_margin": SAFETY * (deflated + time_rounding(slope)),
+            "rate_margin": SAFETY * slope.error,
+        }
+
+
+def _meet(left: Window, right: Window) -> Window:
+    return largest(left[0], right[0]), smallest(left[1], right[1])

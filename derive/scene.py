@@ -1,0 +1,94 @@
+"""A scene: parameters and an ordered list of surfaces. Scenes are data; the rest is general."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import sympy as sp
+
+from .surfaces import Plane, Surface
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A physical parameter of a scene.
+
+    Attributes
+    ----------
+    symbol
+        Its symbol; its name is its public name.
+    unit
+        Its unit, as text.
+    summary
+        What it is, in a few words.
+    default
+        A usual value, in that unit.
+    sign
+        Which values are allowed: "positive", "nonnegative" or "any".
+    upper
+        The largest value allowed, if there is one.
+    """
+
+    symbol: sp.Symbol
+    unit: str
+    summary: str
+    default: float
+    sign: str = "positive"
+    upper: float | None = None
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A ball among surfaces.
+
+    Attributes
+    ----------
+    name
+        Names the generated files.
+    parameters
+        In calling order.
+    surfaces
+        What the ball can touch, in the order of the results' columns.
+    finish
+        The plane whose crossing ends a shot.
+    target
+        Not positive where a crossing of the finish counts as made.
+    ball_radius, restitution, gravity
+        The parameters that flight and collision use.
+    requirements
+        Expressions of the parameters that must be positive.
+    """
+
+    name: str
+    parameters: tuple[Parameter, ...]
+    surfaces: tuple[Surface, ...]
+    finish: Plane
+    target: sp.Expr
+    ball_radius: sp.Symbol
+    restitution: sp.Symbol
+    gravity: sp.Symbol
+    requirements: tuple[sp.Expr, ...] = field(default=())
+
+    def __post_init__(self) -> None:
+        names = [surface.name for surface in (*self.surfaces, self.finish)]
+        if len(set(names)) != len(names):
+            raise ValueError(f"scene {self.name}: two surfaces have the same name: {names}")
+
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """The parameters' symbols, in order."""
+        return tuple(parameter.symbol for parameter in self.parameters)
+
+
+def parameter(
+    name: str,
+    unit: str,
+    summary: str,
+    default: float,
+    sign: str = "positive",
+    upper: float | None = None,
+) -> Parameter:
+    """Return a parameter with a symbol of its name, assumed to be of the sign allowed."""
+    assumption = {"positive": "positive", "nonnegative": "nonnegative", "any": "real"}[sign]
+    symbol = sp.Symbol(name, **{assumption: True})
+    return Parameter(symbol, unit, summary, default, sign, upper)

@@ -1,0 +1,7 @@
+"""The scenes that kernels are generated for."""
+
+from __future__ import annotations
+
+from .hoop import HOOP
+
+SCENES = (HOOP,)

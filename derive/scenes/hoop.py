@@ -1,0 +1,73 @@
+"""The article's scene (Table 2): ring, backboard, bridge, and the plane that ends a shot."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ..ring import Ring
+from ..scene import Scene, parameter
+from ..surfaces import Plane
+from ..symbols import POSITION
+
+_PARAMETERS = (
+    parameter("ball_radius", "m", "R_B, radius of the ball", 0.12128),
+    parameter("ring_radius", "m", "R_H, radius of the wire's centre circle", 0.2350),
+    parameter("wire_radius", "m", "radius of the ring's wire", 0.0100),
+    parameter("board_distance", "m", "a_0, from the ring's centre to the backboard", 0.3810),
+    parameter("board_half_width", "m", "y_B, half the backboard's width", 0.9144),
+    parameter("board_bottom", "m", "z_B1, height of its lower edge", -0.14, "any"),
+    parameter("board_top", "m", "z_B2, height of its upper edge", 0.9268, "any"),
+    parameter("bridge_half_width", "m", "y_BR, half the bridge's width", 0.0762),
+    parameter("restitution", "1", "e, of every contact", 0.70, "nonnegative", 1),
+    parameter("gravity", "m/s²", "g", 9.81),
+    parameter("end_depth", "m", "H, of the end plane below the ring", 0.024256),
+)
+
+
+def _hoop() -> Scene:
+    """Return the scene of Table 2, with its gaps filled.
+
+    The bridge ends at the backboard (x >= -a_0). The wire's radius and the ball's make R.
+    """
+    by_name = {p.symbol.name: p.symbol for p in _PARAMETERS}
+    x, y, z = POSITION
+    ball_radius, ring_radius = by_name["ball_radius"], by_name["ring_radius"]
+    reach = ball_radius + by_name["wire_radius"]
+    board = by_name["board_distance"]
+    rho = sp.sqrt(x**2 + y**2)
+    half_width, half_bridge = by_name["board_half_width"], by_name["bridge_half_width"]
+    return Scene(
+        name="hoop",
+        parameters=_PARAMETERS,
+        surfaces=(
+            Ring("ring", ring_radius, reach),
+            Plane(
+                "backboard",
+                direction=(1, 0, 0),
+                offset=ball_radius - board,
+                reach=ball_radius,
+                limits=(
+                    -y - half_width,
+                    y - half_width,
+                    by_name["board_bottom"] - z,
+                    z - by_name["board_top"],
+                ),
+            ),
+            Plane(
+                "bridge",
+                direction=(0, 0, 1),
+                offset=reach,
+                reach=reach,
+                limits=(-y - half_bridge, y - half_bridge, ring_radius - rho, x, -board - x),
+            ),
+        ),
+        finish=Plane("end", direction=(0, 0, 1), offset=-by_name["end_depth"], reach=sp.Integer(0)),
+        target=rho - ring_radius,
+        ball_radius=ball_radius,
+        restitution=by_name["restitution"],
+        gravity=by_name["gravity"],
+        requirements=(ring_radius - reach,),
+    )
+
+
+HOOP = _hoop()

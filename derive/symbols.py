@@ -1,0 +1,28 @@
+"""The symbols of the state, of time, and of what the event search passes around.
+
+Axes, units and order are the model's: origin at the centre of the ring, z up, backboard at
+negative x; metres, seconds, radians.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+x, y, z = POSITION = sp.symbols("x y z", real=True)
+vx, vy, vz = VELOCITY = sp.symbols("vx vy vz", real=True)
+wx, wy, wz = SPIN = sp.symbols("wx wy wz", real=True)
+STATE = POSITION + VELOCITY + SPIN
+
+t = sp.Symbol("t", real=True)
+"""Time since the last contact, s."""
+
+nx, ny, nz = NORMAL = sp.symbols("nx ny nz", real=True)
+"""Outward unit normal at a contact, the article's n3."""
+
+position = sp.Matrix(POSITION)
+velocity = sp.Matrix(VELOCITY)
+spin = sp.Matrix(SPIN)
+normal = sp.Matrix(NORMAL)
+
+UNIT_ROUNDOFF = sp.Rational(1, 2**53)
+"""Largest relative error of one IEEE 754 double operation, rounded to nearest."""

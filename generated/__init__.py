@@ -1,0 +1,1 @@
+"""What runs: the committed output of `hoopgen generate`."""

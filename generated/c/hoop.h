@@ -1,0 +1,105 @@
+/* hoop: a ball among ring, backboard, bridge, simulated from contact to contact.
+
+   Generated from templates/c/scene.h.j2, scene hoop, derivation b1a78b63d82011d8,
+   with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
+   and run `make generate`.
+   Plain C11, no dependencies but sqrt. Compile hoop.c, next to which this file and the kernels
+   stand, with contraction of a*b + c off (-ffp-contract=off) and without fast-math: results are
+   then the same bits for every width, compiler and target. SI units, radians. */
+
+#ifndef HOOPGEN_HOOP_H
+#define HOOPGEN_HOOP_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef HOOPGEN_API
+#ifdef _WIN32
+#define HOOPGEN_API __declspec(dllexport)
+#else
+#define HOOPGEN_API
+#endif
+#endif
+
+/* A state: x y z (m), vx vy vz (m/s), wx wy wz (rad/s). */
+#define HOOP_STATE 9
+
+/* The surfaces, as they are numbered in results; the end plane comes after them. */
+enum {
+    HOOP_RING = 0,
+    HOOP_BACKBOARD = 1,
+    HOOP_BRIDGE = 2,
+    HOOP_END = 3,
+    HOOP_SURFACES = 3
+};
+
+/* The parameters, in the order of `parameters` below. */
+enum {
+    HOOP_P_BALL_RADIUS = 0, /* m: R_B, radius of the ball */
+    HOOP_P_RING_RADIUS = 1, /* m: R_H, radius of the wire's centre circle */
+    HOOP_P_WIRE_RADIUS = 2, /* m: radius of the ring's wire */
+    HOOP_P_BOARD_DISTANCE = 3, /* m: a_0, from the ring's centre to the backboard */
+    HOOP_P_BOARD_HALF_WIDTH = 4, /* m: y_B, half the backboard's width */
+    HOOP_P_BOARD_BOTTOM = 5, /* m: z_B1, height of its lower edge */
+    HOOP_P_BOARD_TOP = 6, /* m: z_B2, height of its upper edge */
+    HOOP_P_BRIDGE_HALF_WIDTH = 7, /* m: y_BR, half the bridge's width */
+    HOOP_P_RESTITUTION = 8, /* 1: e, of every contact */
+    HOOP_P_GRAVITY = 9, /* m/s²: g */
+    HOOP_P_END_DEPTH = 10, /* m: H, of the end plane below the ring */
+    HOOP_PARAMETERS = 11
+};
+
+enum {
+    HOOP_MADE = 0,   /* crossed the end plane downwards inside the target */
+    HOOP_MISSED = 1, /* crossed it outside */
+    HOOP_CAPPED = 2, /* had max_contacts contacts before it */
+    HOOP_SHORT = 3,  /* can never cross it */
+    HOOP_INVALID = 4 /* not finite, a parameter not allowed, or inside a surface */
+};
+
+/* One row of the event log; the crossing of the end plane is a row. */
+typedef struct {
+    int64_t shot;    /* index of the shot */
+    int64_t surface; /* as numbered above */
+    double time;     /* s since the release */
+    double before[HOOP_STATE];
+    double after[HOOP_STATE];
+} hoop_event;
+
+/* Where the results go, by shot; what is NULL is not written. */
+typedef struct {
+    uint8_t *outcome;
+    int32_t *contacts;       /* before the end */
+    int32_t *counts;         /* [shot][surface] */
+    int8_t *first;           /* first surface touched, -1: none */
+    double *time;            /* at the end plane; capped or short: at the last contact */
+    double *state;           /* [shot][HOOP_STATE], then */
+    uint8_t *uncertain;      /* 1: a decision lies within its rounding-error bound */
+    hoop_event *events;   /* [shot][max_contacts + 1] */
+    int32_t *event_counts;   /* rows of `events` used, by shot */
+} hoop_results;
+
+/* Simulate `shots` shots.
+
+   states       [shot][HOOP_STATE]
+   parameters   one pointer each, to one value or to one value per shot
+   strides      by parameter: 0 for one value, 1 for one per shot
+   max_contacts at least 1
+   width        vector lanes: 1, 2, 4 or 8; 0 for the widest that this processor has
+   stop         NULL, or a flag: when it becomes nonzero, no further shot is begun
+
+   Returns the width that was used, or -1 if that width is not there. */
+HOOPGEN_API int hoop_simulate(size_t shots, const double *states,
+                              const double *const *parameters, const int64_t *strides,
+                              int32_t max_contacts, int width, const volatile int32_t *stop,
+                              const hoop_results *results);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,554 @@
+/* The event loop of the scene hoop, LANES_WIDTH shots abreast.
+
+   Generated from templates/c/engine.h.j2, scene hoop, derivation b1a78b63d82011d8,
+   with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
+   and run `make generate`.
+   Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
+   its place. No lane's result depends on its neighbours. */
+
+#if LANES_WIDTH == 1
+typedef double LANES(vector);
+typedef int LANES(mask);
+#else
+typedef double LANES(vector) __attribute__((vector_size(8 * LANES_WIDTH)));
+typedef int64_t LANES(mask) __attribute__((vector_size(8 * LANES_WIDTH)));
+#endif
+
+#define V LANES(vector)
+#define M LANES(mask)
+#define lanes_select LANES(select)
+#define lanes_abs LANES(abs)
+#define lanes_sqrt LANES(sqrt)
+#define lanes_any LANES(any)
+#define lanes_load LANES(load)
+#define lanes_store LANES(store)
+
+#if LANES_WIDTH == 1
+#define K(c) (c)
+#define NOT(m) (!(m))
+LANES_INLINE V lanes_select(M m, V a, V b) { return m ? a : b; }
+LANES_INLINE V lanes_abs(V a) { return fabs(a); }
+LANES_INLINE V lanes_sqrt(V a) { return sqrt(a); }
+LANES_INLINE int lanes_any(M m) { return m; }
+#else
+#define K(c) ((c) - (V){0})
+#define NOT(m) (~(m))
+LANES_INLINE V lanes_select(M m, V a, V b) { return (V)(((M)a & m) | ((M)b & ~m)); }
+LANES_INLINE V lanes_abs(V a) { return (V)((M)a & (INT64_MAX - (M){0})); }
+LANES_INLINE V lanes_sqrt(V a)
+{
+    V root;
+    for (int lane = 0; lane < LANES_WIDTH; lane++)
+        root[lane] = sqrt(a[lane]);
+    return root;
+}
+LANES_INLINE int lanes_any(M m)
+{
+    int64_t any = 0;
+    for (int lane = 0; lane < LANES_WIDTH; lane++)
+        any |= m[lane];
+    return any != 0;
+}
+#endif
+
+LANES_INLINE V lanes_load(const double *row)
+{
+    V a;
+    memcpy(&a, row, sizeof a);
+    return a;
+}
+
+LANES_INLINE void lanes_store(double *row, V a) { memcpy(row, &a, sizeof a); }
+
+#include "hoop_kernels.h"
+
+/* Shots in flight, a row of lanes for each quantity. */
+typedef struct {
+    double x[LANES_WIDTH], y[LANES_WIDTH], z[LANES_WIDTH], vx[LANES_WIDTH], vy[LANES_WIDTH], vz[LANES_WIDTH], wx[LANES_WIDTH], wy[LANES_WIDTH], wz[LANES_WIDTH];
+    double ball_radius[LANES_WIDTH], ring_radius[LANES_WIDTH], wire_radius[LANES_WIDTH], board_distance[LANES_WIDTH], board_half_width[LANES_WIDTH], board_bottom[LANES_WIDTH], board_top[LANES_WIDTH], bridge_half_width[LANES_WIDTH], restitution[LANES_WIDTH], gravity[LANES_WIDTH], end_depth[LANES_WIDTH];
+    double clock[LANES_WIDTH];     /* time of the last contact */
+    double last[LANES_WIDTH];      /* surface of the last contact, -1: none */
+    double first[LANES_WIDTH];     /* surface of the first one */
+    double contacts[LANES_WIDTH];
+    double uncertain[LANES_WIDTH]; /* 1 or 0 */
+    double count_ring[LANES_WIDTH];
+    double count_backboard[LANES_WIDTH];
+    double count_bridge[LANES_WIDTH];
+    double outcome[LANES_WIDTH];   /* -1: in flight */
+    double occupied[LANES_WIDTH];  /* 1: holds a shot */
+    double fresh[LANES_WIDTH];     /* 1: and has not been looked at */
+    size_t shot[LANES_WIDTH];
+} LANES(hoop_pool);
+
+/* Put the next shot into a lane. */
+static void LANES(hoop_begin)(LANES(hoop_pool) *pool, int lane, const hoop_job *job, size_t shot)
+{
+    const double *state = job->states + HOOP_STATE * shot;
+    pool->x[lane] = state[0];
+    pool->y[lane] = state[1];
+    pool->z[lane] = state[2];
+    pool->vx[lane] = state[3];
+    pool->vy[lane] = state[4];
+    pool->vz[lane] = state[5];
+    pool->wx[lane] = state[6];
+    pool->wy[lane] = state[7];
+    pool->wz[lane] = state[8];
+    pool->ball_radius[lane] = job->parameters[0][job->strides[0] * (int64_t)shot];
+    pool->ring_radius[lane] = job->parameters[1][job->strides[1] * (int64_t)shot];
+    pool->wire_radius[lane] = job->parameters[2][job->strides[2] * (int64_t)shot];
+    pool->board_distance[lane] = job->parameters[3][job->strides[3] * (int64_t)shot];
+    pool->board_half_width[lane] = job->parameters[4][job->strides[4] * (int64_t)shot];
+    pool->board_bottom[lane] = job->parameters[5][job->strides[5] * (int64_t)shot];
+    pool->board_top[lane] = job->parameters[6][job->strides[6] * (int64_t)shot];
+    pool->bridge_half_width[lane] = job->parameters[7][job->strides[7] * (int64_t)shot];
+    pool->restitution[lane] = job->parameters[8][job->strides[8] * (int64_t)shot];
+    pool->gravity[lane] = job->parameters[9][job->strides[9] * (int64_t)shot];
+    pool->end_depth[lane] = job->parameters[10][job->strides[10] * (int64_t)shot];
+    pool->clock[lane] = 0.0;
+    pool->last[lane] = -1.0;
+    pool->first[lane] = -1.0;
+    pool->contacts[lane] = 0.0;
+    pool->uncertain[lane] = 0.0;
+    pool->count_ring[lane] = 0.0;
+    pool->count_backboard[lane] = 0.0;
+    pool->count_bridge[lane] = 0.0;
+    pool->outcome[lane] = -1.0;
+    pool->occupied[lane] = 1.0;
+    pool->fresh[lane] = 1.0;
+    pool->shot[lane] = shot;
+}
+
+/* Write the results of the shot in a lane and free it. */
+static void LANES(hoop_finish)(LANES(hoop_pool) *pool, int lane, const hoop_job *job)
+{
+    const hoop_results *out = job->results;
+    const size_t shot = pool->shot[lane];
+    const int invalid = (int)pool->outcome[lane] == HOOP_INVALID;
+    if (out->outcome)
+        out->outcome[shot] = (uint8_t)pool->outcome[lane];
+    if (out->contacts)
+        out->contacts[shot] = (int32_t)pool->contacts[lane];
+    if (out->counts) {
+        out->counts[HOOP_SURFACES * shot + 0] = (int32_t)pool->count_ring[lane];
+        out->counts[HOOP_SURFACES * shot + 1] = (int32_t)pool->count_backboard[lane];
+        out->counts[HOOP_SURFACES * shot + 2] = (int32_t)pool->count_bridge[lane];
+    }
+    if (out->first)
+        out->first[shot] = (int8_t)pool->first[lane];
+    if (out->time)
+        out->time[shot] = invalid ? NAN : pool->clock[lane];
+    if (out->state) {
+        out->state[HOOP_STATE * shot + 0] = invalid ? NAN : pool->x[lane];
+        out->state[HOOP_STATE * shot + 1] = invalid ? NAN : pool->y[lane];
+        out->state[HOOP_STATE * shot + 2] = invalid ? NAN : pool->z[lane];
+        out->state[HOOP_STATE * shot + 3] = invalid ? NAN : pool->vx[lane];
+        out->state[HOOP_STATE * shot + 4] = invalid ? NAN : pool->vy[lane];
+        out->state[HOOP_STATE * shot + 5] = invalid ? NAN : pool->vz[lane];
+        out->state[HOOP_STATE * shot + 6] = invalid ? NAN : pool->wx[lane];
+        out->state[HOOP_STATE * shot + 7] = invalid ? NAN : pool->wy[lane];
+        out->state[HOOP_STATE * shot + 8] = invalid ? NAN : pool->wz[lane];
+    }
+    if (out->uncertain)
+        out->uncertain[shot] = pool->uncertain[lane] > 0.0;
+    pool->occupied[lane] = 0.0;
+}
+
+/* Run the job: fill the lanes, take every lane to its next event, free those that ended. */
+static void LANES(hoop_run)(const hoop_job *job)
+{
+    LANES(hoop_pool) pool;
+    memset(&pool, 0, sizeof pool);
+    const V most_contacts = K((double)job->max_contacts);
+    const V zero = K(0.0), one = K(1.0), none = K(-1.0), never = K(INFINITY);
+    size_t next = 0;
+
+    if (job->results->event_counts)
+        memset(job->results->event_counts, 0, job->shots * sizeof(int32_t));
+    for (;;) {
+        int occupied = 0, refilled = 0;
+        if (job->stop && *job->stop)
+            next = job->shots;
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            if (pool.occupied[lane] == 0.0 && next < job->shots) {
+                LANES(hoop_begin)(&pool, lane, job, next++);
+                refilled = 1;
+            }
+            occupied |= pool.occupied[lane] != 0.0;
+        }
+        if (!occupied)
+            return;
+
+        V x = lanes_load(pool.x);
+        V y = lanes_load(pool.y);
+        V z = lanes_load(pool.z);
+        V vx = lanes_load(pool.vx);
+        V vy = lanes_load(pool.vy);
+        V vz = lanes_load(pool.vz);
+        V wx = lanes_load(pool.wx);
+        V wy = lanes_load(pool.wy);
+        V wz = lanes_load(pool.wz);
+        const V ball_radius = lanes_load(pool.ball_radius);
+        const V ring_radius = lanes_load(pool.ring_radius);
+        const V wire_radius = lanes_load(pool.wire_radius);
+        const V board_distance = lanes_load(pool.board_distance);
+        const V board_half_width = lanes_load(pool.board_half_width);
+        const V board_bottom = lanes_load(pool.board_bottom);
+        const V board_top = lanes_load(pool.board_top);
+        const V bridge_half_width = lanes_load(pool.bridge_half_width);
+        const V restitution = lanes_load(pool.restitution);
+        const V gravity = lanes_load(pool.gravity);
+        const V end_depth = lanes_load(pool.end_depth);
+        V clock = lanes_load(pool.clock);
+        V last = lanes_load(pool.last);
+        V contacts = lanes_load(pool.contacts);
+        V uncertain = lanes_load(pool.uncertain);
+        const M flying = lanes_load(pool.occupied) > zero;
+
+        /* A new shot is looked at once; one that is not valid ends here. */
+        if (refilled) {
+            const M fresh = flying & (lanes_load(pool.fresh) > zero);
+            M good = LANES(hoop_valid)(x, y, z, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, restitution, gravity, end_depth).valid > zero;
+            good &= x - x == zero;
+            good &= y - y == zero;
+            good &= z - z == zero;
+            good &= vx - vx == zero;
+            good &= vy - vy == zero;
+            good &= vz - vz == zero;
+            good &= wx - wx == zero;
+            good &= wy - wy == zero;
+            good &= wz - wz == zero;
+            good &= ball_radius - ball_radius == zero;
+            good &= ring_radius - ring_radius == zero;
+            good &= wire_radius - wire_radius == zero;
+            good &= board_distance - board_distance == zero;
+            good &= board_half_width - board_half_width == zero;
+            good &= board_bottom - board_bottom == zero;
+            good &= board_top - board_top == zero;
+            good &= bridge_half_width - bridge_half_width == zero;
+            good &= restitution - restitution == zero;
+            good &= gravity - gravity == zero;
+            good &= end_depth - end_depth == zero;
+            lanes_store(pool.fresh, zero);
+            if (lanes_any(fresh & NOT(good))) {
+                lanes_store(pool.outcome, lanes_select(fresh & NOT(good), K((double)HOOP_INVALID), none));
+                for (int lane = 0; lane < LANES_WIDTH; lane++)
+                    if (pool.outcome[lane] >= 0.0 && pool.occupied[lane] != 0.0)
+                        LANES(hoop_finish)(&pool, lane, job);
+                continue;
+            }
+        }
+
+        /* The earliest arrival: its time and surface, the bound on its delay, and the earliest
+           time of a decision that lies within its rounding error. */
+        V when = never, which = none, late = zero, doubt = never;
+        {
+            const V leaving = lanes_select(last == K(1.0), one, zero);
+            const LANES(hoop_backboard_arrival_out) a = LANES(hoop_backboard_arrival)(leaving, x, vx, ball_radius, board_distance);
+            const M meets = (a.rate < zero) | ((a.rate <= zero) & (a.bend < zero) & (a.time == zero));
+            M arrives = meets & (a.time >= zero) & (a.time < never);
+            const V margin = LANES(hoop_backboard_margin)(a.time, x, vx, ball_radius, board_distance).margin;
+            const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, zero, a.rate, lanes_abs(a.bend));
+            M unsure = arrives & NOT(c.clearance > zero);
+            const LANES(hoop_flight_out) f = LANES(hoop_flight)(a.time, x, y, z, vx, vy, vz, gravity);
+            const LANES(hoop_backboard_bounds_out) g = LANES(hoop_backboard_bounds)(f.y, f.z, board_half_width, board_bottom, board_top);
+            const V slack = LANES(hoop_displacement)(c.delay, a.time, x, y, z, vx, vy, vz, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
+            M within = (g.g0 <= zero) & (g.g1 <= zero) & (g.g2 <= zero) & (g.g3 <= zero);
+            M near = (g.g0 <= slack) & (g.g1 <= slack) & (g.g2 <= slack) & (g.g3 <= slack);
+            M surely = (g.g0 < -slack) & (g.g1 < -slack) & (g.g2 < -slack) & (g.g3 < -slack);
+            unsure = (unsure & near) | (arrives & near & NOT(surely));
+            arrives &= within;
+            doubt = lanes_select(unsure & (a.time < doubt), a.time, doubt);
+                        {
+                const M tie = arrives & (lanes_abs(a.time - when) <= c.delay + late);
+                const V sooner = lanes_select(a.time < when, a.time, when);
+                doubt = lanes_select(tie & (sooner < doubt), sooner, doubt);
+                const M earlier = arrives & (a.time < when);
+                when = lanes_select(earlier, a.time, when);
+                which = lanes_select(earlier, K(1.0), which);
+                late = lanes_select(earlier, c.delay, late);
+            }
+        }
+        {
+            const V leaving = lanes_select(last == K(2.0), one, zero);
+            const LANES(hoop_bridge_arrival_out) a = LANES(hoop_bridge_arrival)(leaving, z, vz, ball_radius, wire_radius, gravity);
+            const M meets = (a.rate < zero) | ((a.rate <= zero) & (a.bend < zero) & (a.time == zero));
+            M arrives = meets & (a.time >= zero) & (a.time < never);
+            const V margin = LANES(hoop_bridge_margin)(a.time, z, vz, ball_radius, wire_radius, gravity).margin;
+            const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, zero, a.rate, lanes_abs(a.bend));
+            M unsure = arrives & NOT(c.clearance > zero);
+            const LANES(hoop_flight_out) f = LANES(hoop_flight)(a.time, x, y, z, vx, vy, vz, gravity);
+            const LANES(hoop_bridge_bounds_out) g = LANES(hoop_bridge_bounds)(f.x, f.y, ring_radius, board_distance, bridge_half_width);
+            const V slack = LANES(hoop_displacement)(c.delay, a.time, x, y, z, vx, vy, vz, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
+            M within = (g.g0 <= zero) & (g.g1 <= zero) & (g.g2 <= zero) & (g.g3 <= zero) & (g.g4 <= zero);
+            M near = (g.g0 <= slack) & (g.g1 <= slack) & (g.g2 <= slack) & (g.g3 <= slack) & (g.g4 <= slack);
+            M surely = (g.g0 < -slack) & (g.g1 < -slack) & (g.g2 < -slack) & (g.g3 < -slack) & (g.g4 < -slack);
+            unsure = (unsure & near) | (arrives & near & NOT(surely));
+            arrives &= within;
+            doubt = lanes_select(unsure & (a.time < doubt), a.time, doubt);
+                        {
+                const M tie = arrives & (lanes_abs(a.time - when) <= c.delay + late);
+                const V sooner = lanes_select(a.time < when, a.time, when);
+                doubt = lanes_select(tie & (sooner < doubt), sooner, doubt);
+                const M earlier = arrives & (a.time < when);
+                when = lanes_select(earlier, a.time, when);
+                which = lanes_select(earlier, K(2.0), which);
+                late = lanes_select(earlier, c.delay, late);
+            }
+        }
+        {
+            const V leaving = lanes_select(last == K(3.0), one, zero);
+            const LANES(hoop_end_arrival_out) a = LANES(hoop_end_arrival)(leaving, z, vz, gravity, end_depth);
+            const M meets = (a.rate < zero) | ((a.rate <= zero) & (a.bend < zero) & (a.time == zero));
+            M arrives = meets & (a.time >= zero) & (a.time < never);
+            const V margin = LANES(hoop_end_margin)(a.time, z, vz, gravity, end_depth).margin;
+            const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, zero, a.rate, lanes_abs(a.bend));
+            M unsure = arrives & NOT(c.clearance > zero);
+            doubt = lanes_select(unsure & (a.time < doubt), a.time, doubt);
+                        {
+                const M tie = arrives & (lanes_abs(a.time - when) <= c.delay + late);
+                const V sooner = lanes_select(a.time < when, a.time, when);
+                doubt = lanes_select(tie & (sooner < doubt), sooner, doubt);
+                const M earlier = arrives & (a.time < when);
+                when = lanes_select(earlier, a.time, when);
+                which = lanes_select(earlier, K(3.0), which);
+                late = lanes_select(earlier, c.delay, late);
+            }
+        }
+        {
+            /* Nothing later than the planes' first arrival matters. */
+            const V horizon = when + late;
+            const V leaving = lanes_select(last == K(0.0), one, zero);
+            const LANES(hoop_ring_prepare_out) p = LANES(hoop_ring_prepare)(horizon, x, y, z, vx, vy, vz, ball_radius, ring_radius, wire_radius, gravity);
+            const M gone = last == K(0.0);
+            const V flat = lanes_select(gone, zero, p.margin);
+            const V tilt = lanes_select(gone, p.leaving_margin, zero);
+            V t = zero, end = zero, arrival = never, delay = zero;
+            M searching = flying & NOT(flying);
+            const V low2 = lanes_select(p.low2 > zero, p.low2, zero);
+            const V high2 = lanes_select(p.high2 < horizon, p.high2, horizon);
+            {
+                const M opens = flying & (low2 < high2);
+                t = lanes_select(opens, low2, t);
+                end = lanes_select(opens, high2, end);
+                searching |= opens;
+            }
+            const V low1 = lanes_select(p.low1 > zero, p.low1, zero);
+            const V high1 = lanes_select(p.high1 < horizon, p.high1, horizon);
+            {
+                const M opens = flying & (low1 < high1);
+                t = lanes_select(opens, low1, t);
+                end = lanes_select(opens, high1, end);
+                searching |= opens;
+            }
+            const V low0 = lanes_select(p.low0 > zero, p.low0, zero);
+            const V high0 = lanes_select(p.high0 < horizon, p.high0, horizon);
+            {
+                const M opens = flying & (low0 < high0);
+                t = lanes_select(opens, low0, t);
+                end = lanes_select(opens, high0, end);
+                searching |= opens;
+            }
+            for (int step = 0; lanes_any(searching); step++) {
+                const V margin = flat + tilt * t;
+                const LANES(hoop_ring_advance_out) a = LANES(hoop_ring_advance)(t, end, leaving, margin, p.rate_margin, x, y, z, vx, vy, vz, p.steady, p.swing, ball_radius, ring_radius, wire_radius, gravity);
+                const M falling = (a.rate < zero) | ((a.rate <= p.rate_margin) & (a.bend < zero));
+                const M hit = searching & (a.gap - margin <= margin) & falling;
+                if (lanes_any(hit)) {
+                    const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, p.rate_margin, a.gap, a.rate, p.ceiling);
+                    const M clear = c.clearance > zero;
+                    const V polished = t + c.correction;
+                    V found = lanes_select(clear & (polished >= zero), polished, t);
+                    arrival = lanes_select(hit, found, arrival);
+                    delay = lanes_select(hit & clear, c.delay, delay);
+                    doubt = lanes_select(hit & NOT(clear) & (t < doubt), t, doubt);
+                    searching &= NOT(hit);
+                }
+                const M exhausted = searching & (a.step >= end - t);
+                const V passed = end;
+                t = lanes_select(searching, t + a.step, t);
+                if (lanes_any(exhausted)) {
+                    M more = searching & NOT(searching);
+                    {
+                        const M opens = exhausted & (low2 < high2) & (low2 >= passed);
+                        t = lanes_select(opens, low2, t);
+                        end = lanes_select(opens, high2, end);
+                        more |= opens;
+                    }
+                    {
+                        const M opens = exhausted & (low1 < high1) & (low1 >= passed);
+                        t = lanes_select(opens, low1, t);
+                        end = lanes_select(opens, high1, end);
+                        more |= opens;
+                    }
+                    {
+                        const M opens = exhausted & (low0 < high0) & (low0 >= passed);
+                        t = lanes_select(opens, low0, t);
+                        end = lanes_select(opens, high0, end);
+                        more |= opens;
+                    }
+                    searching &= NOT(exhausted) | more;
+                }
+                if (step == 200) {
+                    doubt = lanes_select(searching & (t < doubt), t, doubt);
+                    searching &= NOT(searching);
+                }
+            }
+            const M arrives = arrival < never;
+                        {
+                const M tie = arrives & (lanes_abs(arrival - when) <= delay + late);
+                const V sooner = lanes_select(arrival < when, arrival, when);
+                doubt = lanes_select(tie & (sooner < doubt), sooner, doubt);
+                const M earlier = arrives & (arrival < when);
+                when = lanes_select(earlier, arrival, when);
+                which = lanes_select(earlier, K(0.0), which);
+                late = lanes_select(earlier, delay, late);
+            }
+        }
+
+        /* Fly there, and meet what is there. */
+        const M stays = which < zero;
+        const M ends = which == K(3.0);
+        const M touches = flying & NOT(stays) & NOT(ends);
+        const V t = lanes_select(stays, zero, when);
+        const LANES(hoop_flight_out) f = LANES(hoop_flight)(t, x, y, z, vx, vy, vz, gravity);
+        const V wx_before = wx, wy_before = wy, wz_before = wz;
+        x = lanes_select(stays, x, f.x);
+        y = lanes_select(stays, y, f.y);
+        z = lanes_select(stays, z, f.z);
+        vx = f.vx;
+        vy = f.vy;
+        vz = lanes_select(stays, vz, f.vz);
+        clock = clock + t;
+        const V x_before = x, y_before = y, z_before = z, vx_before = vx, vy_before = vy, vz_before = vz;
+        M doubtful = doubt <= when + late;
+        {
+            const V slack = LANES(hoop_displacement)(late, t, lanes_load(pool.x), lanes_load(pool.y), lanes_load(pool.z), lanes_load(pool.vx), lanes_load(pool.vy), lanes_load(pool.vz), ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
+            const V miss = LANES(hoop_target)(x, y, ring_radius).target;
+            doubtful |= ends & (lanes_abs(miss) <= slack);
+            uncertain = lanes_select(doubtful, one, uncertain);
+            V outcome = lanes_select(stays, K((double)HOOP_SHORT), none);
+            outcome = lanes_select(ends, lanes_select(miss <= zero, K((double)HOOP_MADE), K((double)HOOP_MISSED)), outcome);
+            contacts = lanes_select(touches, contacts + one, contacts);
+            outcome = lanes_select(touches & (contacts >= most_contacts), K((double)HOOP_CAPPED), outcome);
+            lanes_store(pool.outcome, outcome);
+        }
+        V nx = zero, ny = zero, nz = one;
+        {
+            const M here = which == K(0.0);
+            const LANES(hoop_ring_normal_out) n = LANES(hoop_ring_normal)(x, y, z, ball_radius, ring_radius, wire_radius);
+            nx = lanes_select(here, n.nx, nx);
+            ny = lanes_select(here, n.ny, ny);
+            nz = lanes_select(here, n.nz, nz);
+            const V count = lanes_load(pool.count_ring);
+            lanes_store(pool.count_ring, lanes_select(here, count + one, count));
+        }
+        {
+            const M here = which == K(1.0);
+            const LANES(hoop_backboard_normal_out) n = LANES(hoop_backboard_normal)();
+            nx = lanes_select(here, n.nx, nx);
+            ny = lanes_select(here, n.ny, ny);
+            nz = lanes_select(here, n.nz, nz);
+            const LANES(hoop_backboard_place_out) at = LANES(hoop_backboard_place)(y, z, ball_radius, board_distance);
+            x = lanes_select(here, at.x, x);
+            y = lanes_select(here, at.y, y);
+            z = lanes_select(here, at.z, z);
+            const V count = lanes_load(pool.count_backboard);
+            lanes_store(pool.count_backboard, lanes_select(here, count + one, count));
+        }
+        {
+            const M here = which == K(2.0);
+            const LANES(hoop_bridge_normal_out) n = LANES(hoop_bridge_normal)();
+            nx = lanes_select(here, n.nx, nx);
+            ny = lanes_select(here, n.ny, ny);
+            nz = lanes_select(here, n.nz, nz);
+            const LANES(hoop_bridge_place_out) at = LANES(hoop_bridge_place)(x, y, ball_radius, wire_radius);
+            x = lanes_select(here, at.x, x);
+            y = lanes_select(here, at.y, y);
+            z = lanes_select(here, at.z, z);
+            const V count = lanes_load(pool.count_bridge);
+            lanes_store(pool.count_bridge, lanes_select(here, count + one, count));
+        }
+        {
+            const LANES(hoop_impact_out) after = LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, ball_radius, restitution);
+            vx = lanes_select(touches, after.vx, vx);
+            vy = lanes_select(touches, after.vy, vy);
+            vz = lanes_select(touches, after.vz, vz);
+            wx = lanes_select(touches, after.wx, wx);
+            wy = lanes_select(touches, after.wy, wy);
+            wz = lanes_select(touches, after.wz, wz);
+        }
+        const V first = lanes_load(pool.first);
+        lanes_store(pool.first, lanes_select(touches & (first < zero), which, first));
+        last = lanes_select(touches, which, last);
+        lanes_store(pool.x, x);
+        lanes_store(pool.y, y);
+        lanes_store(pool.z, z);
+        lanes_store(pool.vx, vx);
+        lanes_store(pool.vy, vy);
+        lanes_store(pool.vz, vz);
+        lanes_store(pool.wx, wx);
+        lanes_store(pool.wy, wy);
+        lanes_store(pool.wz, wz);
+        lanes_store(pool.clock, clock);
+        lanes_store(pool.last, last);
+        lanes_store(pool.contacts, contacts);
+        lanes_store(pool.uncertain, uncertain);
+
+        if (job->results->events) {
+            double surface[LANES_WIDTH];
+            double before[HOOP_STATE][LANES_WIDTH];
+            lanes_store(surface, which);
+            lanes_store(before[0], x_before);
+            lanes_store(before[1], y_before);
+            lanes_store(before[2], z_before);
+            lanes_store(before[3], vx_before);
+            lanes_store(before[4], vy_before);
+            lanes_store(before[5], vz_before);
+            lanes_store(before[6], wx_before);
+            lanes_store(before[7], wy_before);
+            lanes_store(before[8], wz_before);
+            for (int lane = 0; lane < LANES_WIDTH; lane++) {
+                if (pool.occupied[lane] == 0.0 || surface[lane] < 0.0)
+                    continue;
+                const size_t shot = pool.shot[lane];
+                int32_t *used = job->results->event_counts + shot;
+                hoop_event *event = job->results->events + shot * ((size_t)job->max_contacts + 1) + (size_t)(*used)++;
+                event->shot = (int64_t)shot;
+                event->surface = (int64_t)surface[lane];
+                event->time = pool.clock[lane];
+                event->before[0] = before[0][lane];
+                event->after[0] = pool.x[lane];
+                event->before[1] = before[1][lane];
+                event->after[1] = pool.y[lane];
+                event->before[2] = before[2][lane];
+                event->after[2] = pool.z[lane];
+                event->before[3] = before[3][lane];
+                event->after[3] = pool.vx[lane];
+                event->before[4] = before[4][lane];
+                event->after[4] = pool.vy[lane];
+                event->before[5] = before[5][lane];
+                event->after[5] = pool.vz[lane];
+                event->before[6] = before[6][lane];
+                event->after[6] = pool.wx[lane];
+                event->before[7] = before[7][lane];
+                event->after[7] = pool.wy[lane];
+                event->before[8] = before[8][lane];
+                event->after[8] = pool.wz[lane];
+            }
+        }
+        for (int lane = 0; lane < LANES_WIDTH; lane++)
+            if (pool.occupied[lane] != 0.0 && pool.outcome[lane] >= 0.0)
+                LANES(hoop_finish)(&pool, lane, job);
+    }
+}
+
+#undef V
+#undef M
+#undef K
+#undef NOT
+#undef lanes_select
+#undef lanes_abs
+#undef lanes_sqrt
+#undef lanes_any
+#undef lanes_load
+#undef lanes_store

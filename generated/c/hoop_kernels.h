@@ -1,0 +1,644 @@
+/* Kernels of the scene hoop, in C.
+
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation b1a78b63d82011d8,
+   with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
+   and run `make generate`.
+   Included once for every vector width, after these are defined:
+     V, M          a vector of doubles and its comparison result (or double and int)
+     K(c)          the constant c in every lane
+     LANES(name)   the name of a function for this width
+     lanes_sqrt, lanes_abs, lanes_select */
+
+/* Position and velocity at time t of a flight.
+   Eq. 3. 11 operations: 3 additions, 2 subtractions, 6 multiplications. */
+typedef struct {
+    V x, y, z, vx, vy, vz;
+} LANES(hoop_flight_out);
+
+LANES_INLINE LANES(hoop_flight_out)
+LANES(hoop_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V gravity)
+{
+    return (LANES(hoop_flight_out)){ x + (t * vx), y + (t * vy), z + (t * (vz - ((K(0.5) * gravity) * t))), vx, vy, vz - (gravity * t) };
+}
+
+/* The contact frame R = [n1 n2 n3] of a unit normal.
+   Eqs. 7-10, Eq. 7 with the smallest component. 72 operations: 6 additions, 3 subtractions, 18 multiplications, 12 divisions, 3 square roots, 9 negations, 3 comparisons, 18 selections. */
+typedef struct {
+    V n11, n12, n13, n21, n22, n23, n31, n32, n33;
+} LANES(hoop_contact_frame_out);
+
+LANES_INLINE LANES(hoop_contact_frame_out)
+LANES(hoop_contact_frame)(V nx, V ny, V nz)
+{
+    const V s0 = nx * nx;
+    const V s1 = ny * ny;
+    const V s2 = nz * nz;
+    const V s3 = lanes_sqrt((K(1.0) - s0));
+    const V s4 = lanes_sqrt((K(1.0) - s1));
+    const V s5 = nx * ny;
+    const V s6 = lanes_sqrt((K(1.0) - s2));
+    const V s7 = nx * nz;
+    const M s8 = s1 <= s2;
+    const V s9 = lanes_select(s8, (-(s5 / s4)), (-(s7 / s6)));
+    const M s10 = s0 <= s2;
+    const M s11 = s0 <= s1;
+    const V s12 = lanes_select(s8, (-((nz * s4) + ((s1 * nz) / s4))), ((ny * s6) + ((ny * s2) / s6)));
+    const V s13 = ny * nz;
+    const V s14 = lanes_select(s8, s4, (-(s13 / s6)));
+    const V s15 = lanes_select(s8, K(0.0), (-((nx * s6) + ((nx * s2) / s6))));
+    const V s16 = lanes_select(s8, (-(s13 / s4)), s6);
+    const V s17 = lanes_select(s8, ((nx * s4) + ((nx * s1) / s4)), K(0.0));
+    const V s18 = lanes_select(s11, lanes_select(s10, (-((ny * s3) + ((s0 * ny) / s3))), s17), s17);
+    return (LANES(hoop_contact_frame_out)){ lanes_select(s11, lanes_select(s10, s3, s9), s9), lanes_select(s11, lanes_select(s10, K(0.0), s12), s12), nx, lanes_select(s11, lanes_select(s10, (-(s5 / s3)), s14), s14), lanes_select(s11, lanes_select(s10, ((nz * s3) + ((s0 * nz) / s3)), s15), s15), ny, lanes_select(s11, lanes_select(s10, (-(s7 / s3)), s16), s16), s18, nz };
+}
+
+/* Velocity and spin after a contact, through the contact frame.
+   Eqs. 11-17 by the closed-form inverse. 96 operations: 21 additions, 11 subtractions, 57 multiplications, 6 divisions, 1 negation. */
+typedef struct {
+    V vx, vy, vz, wx, wy, wz;
+} LANES(hoop_impact_through_frame_out);
+
+LANES_INLINE LANES(hoop_impact_through_frame_out)
+LANES(hoop_impact_through_frame)(V vx, V vy, V vz, V wx, V wy, V wz, V n11, V n12, V n13, V n21, V n22, V n23, V n31, V n32, V n33, V ball_radius, V restitution)
+{
+    const V s0 = ((n12 * wx) + (n22 * wy)) + (n32 * wz);
+    const V s1 = K(0.4) * ball_radius;
+    const V s2 = K(0.6) * n11;
+    const V s3 = K(0.6) * n21;
+    const V s4 = K(0.6) * n31;
+    const V s5 = (((s1 * s0) + (s2 * vx)) + (s3 * vy)) + (s4 * vz);
+    const V s6 = K(0.6) * n12;
+    const V s7 = K(0.6) * n22;
+    const V s8 = K(0.6) * n32;
+    const V s9 = ((n11 * wx) + (n21 * wy)) + (n31 * wz);
+    const V s10 = (((s6 * vx) + (s7 * vy)) + (s8 * vz)) - (s1 * s9);
+    const V s11 = ((n13 * vx) + (n23 * vy)) + (n33 * vz);
+    const V s12 = ((n13 * wx) + (n23 * wy)) + (n33 * wz);
+    const V s13 = K(0.6666666666666666) * ball_radius;
+    const V s14 = (((n12 * vx) + (n22 * vy)) + (n32 * vz)) - (s13 * s9);
+    const V s15 = -((((s13 * s0) + (n11 * vx)) + (n21 * vy)) + (n31 * vz));
+    return (LANES(hoop_impact_through_frame_out)){ ((n11 * s5) + (n12 * s10)) - ((n13 * restitution) * s11), ((n21 * s5) + (n22 * s10)) - ((n23 * restitution) * s11), ((n31 * s5) + (n32 * s10)) - ((n33 * restitution) * s11), ((n13 * s12) - ((s2 * s14) / ball_radius)) - ((s6 * s15) / ball_radius), ((n23 * s12) - ((s3 * s14) / ball_radius)) - ((s7 * s15) / ball_radius), ((n33 * s12) - ((s4 * s14) / ball_radius)) - ((s8 * s15) / ball_radius) };
+}
+
+/* Velocity and spin after a contact, frame-free.
+   Eqs. 11-17, the frame eliminated. 62 operations: 10 additions, 12 subtractions, 37 multiplications, 3 divisions. */
+typedef struct {
+    V vx, vy, vz, wx, wy, wz;
+} LANES(hoop_impact_out);
+
+LANES_INLINE LANES(hoop_impact_out)
+LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V ball_radius, V restitution)
+{
+    const V s0 = K(0.4) * ball_radius;
+    const V s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const V s2 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
+    const V s3 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
+    const V s4 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
+    const V s5 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    return (LANES(hoop_impact_out)){ s2 - ((nx * restitution) * s1), s3 - ((ny * restitution) * s1), s4 - ((nz * restitution) * s1), (((ny * s4) - (nz * s3)) / ball_radius) + (nx * s5), (((nz * s2) - (nx * s4)) / ball_radius) + (ny * s5), (((nx * s3) - (ny * s2)) / ball_radius) + (nz * s5) };
+}
+
+/* Positive clearance if a crossing is certain, the bound on its delay, Newton's correction.
+   Taylor's theorem with the margins of the gap and its rate. 12 operations: 1 addition, 1 subtraction, 4 multiplications, 2 divisions, 2 negations, 1 comparison, 1 selection. */
+typedef struct {
+    V clearance, delay, correction;
+} LANES(hoop_crossing_out);
+
+LANES_INLINE LANES(hoop_crossing_out)
+LANES(hoop_crossing)(V margin, V rate_margin, V gap, V rate, V ceiling)
+{
+    const V s0 = -(rate + rate_margin);
+    return (LANES(hoop_crossing_out)){ lanes_select((K(0.0) < s0), ((s0 * s0) - ((K(8.0) * ceiling) * margin)), s0), (K(6.0) * margin) / s0, -(gap / rate) };
+}
+
+/* Bound on the error of a length at a computed arrival.
+   running error analysis. 55 operations: 21 additions, 26 multiplications, 8 absolute values. */
+typedef struct {
+    V margin;
+} LANES(hoop_displacement_out);
+
+LANES_INLINE LANES(hoop_displacement_out)
+LANES(hoop_displacement)(V delay, V horizon, V x, V y, V z, V vx, V vy, V vz, V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V gravity, V end_depth)
+{
+    const V s0 = (((((K(4.445228907190568e-16) * ball_radius) + (K(4.445228907190568e-16) * board_distance)) + (K(4.445228907190568e-16) * board_half_width)) + (K(4.445228907190568e-16) * bridge_half_width)) + (K(4.445228907190568e-16) * end_depth)) + (K(4.445228907190568e-16) * ring_radius);
+    const V s1 = lanes_abs(vx);
+    const V s2 = lanes_abs(vy);
+    const V s3 = lanes_abs(vz);
+    const V s4 = (s0 + (K(4.445228907190568e-16) * wire_radius)) + ((K(1.0009765625) * delay) * ((((gravity * horizon) + s1) + s2) + s3));
+    const V s5 = K(6.667843360785852e-16) * horizon;
+    const V s6 = (s4 + ((K(1.0009765625) * horizon) * (((K(1.6653345369377348e-16) * gravity) * horizon) + (K(1.1102230246251565e-16) * s3)))) + (s5 * (((K(0.5) * gravity) * horizon) + s3));
+    const V s7 = ((((s6 + (s5 * s1)) + (s5 * s2)) + (K(4.445228907190568e-16) * lanes_abs(board_bottom))) + (K(4.445228907190568e-16) * lanes_abs(board_top))) + (K(5.55653613398821e-16) * lanes_abs(x));
+    return (LANES(hoop_displacement_out)){ (s7 + (K(5.55653613398821e-16) * lanes_abs(y))) + (K(5.55653613398821e-16) * lanes_abs(z)) };
+}
+
+/* 1 where parameters are allowed and the ball overlaps no surface, else 0.
+   Table 2 and the scene's requirements. 85 operations: 6 additions, 18 subtractions, 6 multiplications, 2 square roots, 3 negations, 25 comparisons, 25 selections. */
+typedef struct {
+    V valid;
+} LANES(hoop_valid_out);
+
+LANES_INLINE LANES(hoop_valid_out)
+LANES(hoop_valid)(V x, V y, V z, V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V restitution, V gravity, V end_depth)
+{
+    const V s0 = lanes_sqrt(((x * x) + (y * y)));
+    const V s1 = ball_radius + wire_radius;
+    const V s2 = K(2.0) * ball_radius;
+    const V s3 = ball_radius - board_distance;
+    const V s4 = s0 - ring_radius;
+    const M s5 = ((lanes_sqrt(((z * z) + (s4 * s4))) - ball_radius) - wire_radius) < K(0.0);
+    const V s6 = lanes_select(s5, K(0.0), K(1.0));
+    const V s7 = lanes_select(((y - board_half_width) < K(0.0)), lanes_select(((-(board_half_width + y)) < K(0.0)), lanes_select((((s3 - s2) - x) < K(0.0)), lanes_select(((x - s3) < K(0.0)), K(0.0), s6), s6), s6), s6);
+    const V s8 = lanes_select(((z - board_top) < K(0.0)), lanes_select(((board_bottom - z) < K(0.0)), s7, s6), s6);
+    const V s9 = lanes_select(((-(bridge_half_width + y)) < K(0.0)), lanes_select(((((s1 - s2) - (K(2.0) * wire_radius)) - z) < K(0.0)), lanes_select(((z - s1) < K(0.0)), K(0.0), s8), s8), s8);
+    const V s10 = lanes_select(((-(board_distance + x)) < K(0.0)), lanes_select((x < K(0.0)), lanes_select(((ring_radius - s0) < K(0.0)), lanes_select(((y - bridge_half_width) < K(0.0)), s9, s8), s8), s8), s8);
+    const V s11 = lanes_select((K(0.0) < ring_radius), lanes_select((K(0.0) < ball_radius), lanes_select((K(0.0) < ((ring_radius - ball_radius) - wire_radius)), s10, K(0.0)), K(0.0)), K(0.0));
+    const V s12 = lanes_select((K(0.0) <= restitution), lanes_select((K(0.0) < bridge_half_width), lanes_select((K(0.0) < board_half_width), lanes_select((K(0.0) < board_distance), lanes_select((K(0.0) < wire_radius), s11, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
+    return (LANES(hoop_valid_out)){ lanes_select((K(0.0) < end_depth), lanes_select((K(0.0) < gravity), lanes_select((restitution <= K(1.0)), s12, K(0.0)), K(0.0)), K(0.0)) };
+}
+
+/* Not positive where a crossing of the end plane is made.
+   Table 2, success. 5 operations: 1 addition, 1 subtraction, 2 multiplications, 1 square root. */
+typedef struct {
+    V target;
+} LANES(hoop_target_out);
+
+LANES_INLINE LANES(hoop_target_out)
+LANES(hoop_target)(V x, V y, V ring_radius)
+{
+    return (LANES(hoop_target_out)){ lanes_sqrt(((x * x) + (y * y))) - ring_radius };
+}
+
+/* Coefficients in time of the event polynomial, constant first.
+   Eq. 3 in Table 2. 64 operations: 12 additions, 8 subtractions, 43 multiplications, 1 negation. */
+typedef struct {
+    V c0, c1, c2, c3, c4, c5, c6, c7, c8;
+} LANES(hoop_ring_coefficients_out);
+
+LANES_INLINE LANES(hoop_ring_coefficients_out)
+LANES(hoop_ring_coefficients)(V x, V y, V z, V vx, V vy, V vz, V ball_radius, V ring_radius, V wire_radius, V gravity)
+{
+    const V s0 = ring_radius * ring_radius;
+    const V s1 = x * x;
+    const V s2 = y * y;
+    const V s3 = ball_radius + wire_radius;
+    const V s4 = (((s0 + s1) + s2) + (z * z)) - (s3 * s3);
+    const V s5 = K(4.0) * s0;
+    const V s6 = ((K(2.0) * vx) * x) + ((K(2.0) * vy) * y);
+    const V s7 = s6 + ((K(2.0) * vz) * z);
+    const V s8 = K(2.0) * s7;
+    const V s9 = (vx * vx) + (vy * vy);
+    const V s10 = vz * vz;
+    const V s11 = (s9 + s10) - (gravity * z);
+    const V s12 = (K(2.0) * gravity) * vz;
+    const V s13 = gravity * gravity;
+    const V s14 = K(0.5) * s13;
+    return (LANES(hoop_ring_coefficients_out)){ (s4 * s4) - (s5 * (s1 + s2)), (s8 * s4) - (s5 * s6), (((K(2.0) * s11) * s4) + (s7 * s7)) - (s5 * s9), (s8 * s11) - (s12 * s4), ((s14 * s4) + (s11 * s11)) - (s12 * s7), (s14 * s7) - (s12 * s11), (s13 * s10) + (s14 * s11), -((K(0.5) * (gravity * s13)) * vz), K(0.0625) * (s13 * s13) };
+}
+
+/* Coefficients of the event polynomial over t, after a contact at t = 0.
+   Eq. 3 in Table 2, the exact root divided out. 60 operations: 11 additions, 7 subtractions, 41 multiplications, 1 negation. */
+typedef struct {
+    V c0, c1, c2, c3, c4, c5, c6, c7;
+} LANES(hoop_ring_deflated_out);
+
+LANES_INLINE LANES(hoop_ring_deflated_out)
+LANES(hoop_ring_deflated)(V x, V y, V z, V vx, V vy, V vz, V ball_radius, V ring_radius, V wire_radius, V gravity)
+{
+    const V s0 = ((K(2.0) * vx) * x) + ((K(2.0) * vy) * y);
+    const V s1 = s0 + ((K(2.0) * vz) * z);
+    const V s2 = ring_radius * ring_radius;
+    const V s3 = ball_radius + wire_radius;
+    const V s4 = (((s2 + (x * x)) + (y * y)) + (z * z)) - (s3 * s3);
+    const V s5 = K(2.0) * s1;
+    const V s6 = K(4.0) * s2;
+    const V s7 = (vx * vx) + (vy * vy);
+    const V s8 = vz * vz;
+    const V s9 = (s7 + s8) - (gravity * z);
+    const V s10 = (K(2.0) * gravity) * vz;
+    const V s11 = gravity * gravity;
+    const V s12 = K(0.5) * s11;
+    return (LANES(hoop_ring_deflated_out)){ (s5 * s4) - (s6 * s0), (((K(2.0) * s9) * s4) + (s1 * s1)) - (s6 * s7), (s5 * s9) - (s10 * s4), ((s12 * s4) + (s9 * s9)) - (s10 * s1), (s12 * s1) - (s10 * s9), (s11 * s8) + (s12 * s9), -((K(0.5) * (gravity * s11)) * vz), K(0.0625) * (s11 * s11) };
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. 12 operations: 2 additions, 1 subtraction, 5 multiplications, 3 divisions, 1 square root. */
+typedef struct {
+    V nx, ny, nz;
+} LANES(hoop_ring_normal_out);
+
+LANES_INLINE LANES(hoop_ring_normal_out)
+LANES(hoop_ring_normal)(V x, V y, V z, V ball_radius, V ring_radius, V wire_radius)
+{
+    const V s0 = ball_radius + wire_radius;
+    const V s1 = lanes_sqrt(((x * x) + (y * y)));
+    const V s2 = s1 - ring_radius;
+    const V s3 = s0 * s1;
+    return (LANES(hoop_ring_normal_out)){ (x * s2) / s3, (y * s2) / s3, z / s0 };
+}
+
+/* Constants, windows and margins of the search along a flight.
+   bounds of the event condition. 295 operations: 75 additions, 16 subtractions, 126 multiplications, 18 divisions, 4 square roots, 1 negation, 8 absolute values, 20 comparisons, 27 selections. */
+typedef struct {
+    V steady, swing, low0, high0, low1, high1, low2, high2, margin, leaving_margin, rate_margin, ceiling;
+} LANES(hoop_ring_prepare_out);
+
+LANES_INLINE LANES(hoop_ring_prepare_out)
+LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V ball_radius, V ring_radius, V wire_radius, V gravity)
+{
+    const V s0 = vz * vz;
+    const V s1 = vx * vx;
+    const V s2 = vy * vy;
+    const V s3 = s1 + s2;
+    const V s4 = ((K(2.0) * s0) + ((K(4.0) * gravity) * z)) + (K(2.0) * s3);
+    const V s5 = (vy * x) - (vx * y);
+    const V s6 = s5 * s5;
+    const V s7 = ball_radius + wire_radius;
+    const V s8 = K(1.0000009536743164) * s7;
+    const V s9 = K(2.0) * gravity;
+    const V s10 = lanes_abs(z);
+    const V s11 = K(8.881784197001252e-16) * (s0 + (s9 * (s10 + s8)));
+    const V s12 = (s0 + (s9 * (z + s8))) + s11;
+    const V s13 = lanes_abs(vz);
+    const V s14 = lanes_sqrt(s12);
+    const V s15 = K(8.881784197001252e-16) * (s13 + s14);
+    const M s16 = K(0.0) <= s12;
+    const V s17 = lanes_select(s16, (((vz - s15) - s14) / gravity), K(INFINITY));
+    const V s18 = ring_radius + s8;
+    const V s19 = s18 * s18;
+    const V s20 = (K(1.7763568394002505e-15) * s3) * (s19 + ((x * x) + (y * y)));
+    const V s21 = ((s19 * s3) + s20) - s6;
+    const V s22 = (vx * x) + (vy * y);
+    const V s23 = lanes_sqrt(s21);
+    const V s24 = K(8.881784197001252e-16) * ((lanes_abs(s22) + lanes_abs(s5)) + s23);
+    const M s25 = K(0.0) <= s21;
+    const M s26 = K(2.409919865102884e-181) < s3;
+    const V s27 = lanes_select(s26, lanes_select(s25, ((-((s22 + s23) + s24)) / s3), K(INFINITY)), (-K(INFINITY)));
+    const V s28 = ring_radius - s8;
+    const V s29 = s28 * s28;
+    const V s30 = ((s29 * s3) - s20) - s6;
+    const V s31 = lanes_sqrt(lanes_select((s30 < K(0.0)), K(0.0), s30));
+    const V s32 = lanes_select(s26, lanes_select(s25, (((s23 + s24) - s22) / s3), (-K(INFINITY))), K(INFINITY));
+    const M s33 = K(0.0) < lanes_select(s26, s30, K(0.0));
+    const V s34 = lanes_select(s33, (((s24 - s22) - s31) / s3), s32);
+    const V s35 = (s0 + (s9 * (z - s8))) - s11;
+    const V s36 = vz + s15;
+    const V s37 = lanes_sqrt(lanes_select((s35 < K(0.0)), K(0.0), s35));
+    const V s38 = lanes_select(s16, ((s36 + s14) / gravity), (-K(INFINITY)));
+    const M s39 = K(0.0) < s35;
+    const V s40 = lanes_select(s39, ((s36 - s37) / gravity), s38);
+    const V s41 = lanes_select((s34 < s40), s34, s40);
+    const V s42 = lanes_select(s33, (((s31 - s22) - s24) / s3), K(INFINITY));
+    const V s43 = lanes_select((s17 < s42), s42, s17);
+    const V s44 = lanes_select((s32 < s40), s32, s40);
+    const V s45 = lanes_select(s39, (((vz + s37) - s15) / gravity), K(INFINITY));
+    const M s46 = s43 <= s44;
+    const V s47 = lanes_select(s46, s44, lanes_select((s34 < s38), s34, s38));
+    const V s48 = lanes_select((s32 < s38), s32, s38);
+    const V s49 = lanes_select((K(0.0) < s41), s41, K(0.0));
+    const V s50 = lanes_select((s49 < s47), s47, s49);
+    const V s51 = lanes_select((s50 < s48), s48, s50);
+    const V s52 = lanes_select((s51 < horizon), s51, horizon);
+    const V s53 = gravity * s52;
+    const V s54 = s53 + s13;
+    const V s55 = lanes_abs(vx);
+    const V s56 = lanes_abs(vy);
+    const V s57 = (s55 * s18) + (s56 * s18);
+    const V s58 = (K(1.0009765625) * (((K(4.440896333665362e-16) * s54) * s7) + (((K(4.440896333665362e-16) * s57) * s7) / s28))) * s52;
+    const V s59 = K(1.1102230246251565e-16) * s13;
+    const V s60 = ((K(1.6653345369377348e-16) * gravity) * s52) + s59;
+    const V s61 = ((K(0.5) * gravity) * s52) + s13;
+    const V s62 = ((s60 * s52) + ((K(2.220446049250313e-16) * s61) * s52)) + (K(1.1102230246251565e-16) * s10);
+    const V s63 = (((K(2.0019569434243767) * ((K(1.1102230246251565e-16) * ball_radius) + (K(1.1102230246251565e-16) * wire_radius))) * s7) + s58) + ((K(2.001955034211278) * s62) * s7);
+    const V s64 = K(2.220446049250313e-16) * s55;
+    const V s65 = s64 * s52;
+    const V s66 = K(2.220446049250313e-16) * s56;
+    const V s67 = s66 * s52;
+    const V s68 = lanes_abs(x);
+    const V s69 = K(1.1102230246251565e-16) * s68;
+    const V s70 = lanes_abs(y);
+    const V s71 = K(1.1102230246251565e-16) * s70;
+    const V s72 = ((s65 + s67) + s69) + s71;
+    const V s73 = K(2.220446049250313e-16) * s18;
+    const V s74 = (s72 + (K(1.1102240834163406e-16) * s7)) + s73;
+    const V s75 = s7 * s7;
+    const V s76 = K(2.0) * s13;
+    const V s77 = ((s3 * s52) + ((K(2.0) * s55) * s68)) + ((K(2.0) * s56) * s70);
+    const V s78 = K(2.001955034211278) * (((s72 + s73) / s29) + (K(1.1102230246251565e-16) / s28));
+    const V s79 = (((((K(2.001955034211278) * s60) * s7) + ((K(6.667849719736811e-16) * s61) * s7)) + ((K(4.445233146491208e-16) * s54) * s7)) + ((K(1.0009765625) * (s53 + s76)) * s62)) + ((s78 * s77) * s7);
+    const V s80 = (s79 + (((K(4.445233146491208e-16) * s57) * s7) / s28)) + (((K(1.0009765625) * s77) * ((s72 + (K(3.330672250249022e-16) * s7)) + (K(1.1102230246251565e-15) * s18))) / s28);
+    const V s81 = (((((K(2.220446049250313e-16) * s1) + (K(2.220446049250313e-16) * s2)) * s52) + ((K(2.220446049250313e-16) * s3) * s52)) + ((K(8.881784197001252e-16) * s55) * s68)) + ((K(8.881784197001252e-16) * s56) * s70);
+    const V s82 = ((K(2.001955034211278) * (((K(3.3306690738754696e-16) * gravity) * s52) + s59)) * s7) + ((K(6.667849719736811e-16) * s54) * s7);
+    const V s83 = (s82 + ((K(1.0009765625) * ((s9 * s52) + s76)) * s62)) + ((s78 * s57) * s7);
+    const V s84 = K(2.001955034211278) * (((((s65 + s69) * s55) + ((s67 + s71) * s56)) + (s64 * s18)) + (s66 * s18));
+    const V s85 = ((s83 + (((K(2.001953125) * s57) * s74) / s28)) + (((K(8.890466292982415e-16) * s57) * s7) / s28)) + ((s84 * s7) / s28);
+    return (LANES(hoop_ring_prepare_out)){ s4, (K(2.0) * ring_radius) * s6, lanes_select((s17 < s27), s27, s17), s41, lanes_select(s46, s43, lanes_select((s45 < s27), s27, s45)), s47, lanes_select((s45 < s42), s42, s45), s48, ((s63 + ((K(2.001955034211278) * s74) * s7)) + (K(4.44523738579589e-16) * s75)) + (K(6.667856078693835e-16) * s75), (s80 + (((K(6.667849719736811e-16) * s77) * s7) / s28)) + (((K(2.001955034211278) * s81) * s7) / s28), s85, ((K(6.000005722045898) * gravity) * s7) + s4 };
+}
+
+/* Gap, rate and bend at time t, and a step that no root lies within.
+   Newton from the left under a curvature bound. 139 operations: 29 additions, 16 subtractions, 48 multiplications, 7 divisions, 5 square roots, 1 negation, 2 absolute values, 14 comparisons, 17 selections. */
+typedef struct {
+    V gap, rate, bend, step;
+} LANES(hoop_ring_advance_out);
+
+LANES_INLINE LANES(hoop_ring_advance_out)
+LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V ball_radius, V ring_radius, V wire_radius, V gravity)
+{
+    const V s0 = vz - ((K(0.5) * gravity) * t);
+    const V s1 = z + (t * s0);
+    const V s2 = (vx * vx) + (vy * vy);
+    const V s3 = lanes_sqrt(((x * x) + (y * y)));
+    const V s4 = x + (t * vx);
+    const V s5 = y + (t * vy);
+    const V s6 = (s4 * s4) + (s5 * s5);
+    const V s7 = lanes_sqrt(s6);
+    const V s8 = s7 - ring_radius;
+    const V s9 = (((t * s2) + (K(2.0) * ((vx * x) + (vy * y)))) * ((s3 - ring_radius) + s8)) / (s3 + s7);
+    const V s10 = ball_radius + wire_radius;
+    const V s11 = lanes_select((K(0.0) < leaving), (t * (((z + s1) * s0) + s9)), (((s8 * s8) + (s1 * s1)) - (s10 * s10)));
+    const V s12 = vz - (gravity * t);
+    const V s13 = (vx * s4) + (vy * s5);
+    const V s14 = K(2.0) * ((s12 * s1) + ((s8 * s13) / s7));
+    const V s15 = K(6.0) * gravity;
+    const V s16 = s15 * s1;
+    const V s17 = swing / (s7 * s6);
+    const V s18 = K(1.0000009536743164) * s10;
+    const V s19 = (s16 + s17) - steady;
+    const V s20 = s11 - margin;
+    const V s21 = lanes_select((s20 < K(0.0)), K(0.0), s20);
+    const V s22 = s14 - rate_margin;
+    const V s23 = s22 * s22;
+    const V s24 = ((K(2.0) * s19) * s21) + s23;
+    const V s25 = lanes_sqrt(s24);
+    const M s26 = s22 < K(0.0);
+    const V s27 = K(2.0) * s21;
+    const V s28 = K(2.0) * lanes_select((K(0.0) <= s24), (lanes_select(s26, s27, (s22 + s25)) / lanes_select(s26, (s25 - s22), lanes_select((s19 < K(0.0)), K(0.0), s19))), K(INFINITY));
+    const V s29 = end - t;
+    const V s30 = lanes_select((s28 < s29), s28, s29);
+    const V s31 = (s30 * lanes_select((s12 < K(0.0)), K(0.0), s12)) + s1;
+    const V s32 = s15 * lanes_select((s18 < s31), s18, s31);
+    const V s33 = -(s13 / s2);
+    const V s34 = lanes_select((s30 < s33), s30, s33);
+    const V s35 = lanes_select((K(0.0) < s34), s34, K(0.0));
+    const V s36 = ring_radius + s18;
+    const V s37 = ((((s2 * s35) + (K(2.0) * s13)) * s35) + s6) - (K(9.094947017729282e-13) * (s36 * s36));
+    const V s38 = ring_radius - s18;
+    const V s39 = s38 * s38;
+    const V s40 = lanes_select((s37 < s39), s39, s37);
+    const V s41 = swing / (lanes_sqrt(s40) * s40);
+    const V s42 = ((s32 + s41) + (K(9.094947017729282e-13) * ((s41 + lanes_abs(steady)) + lanes_abs(s32)))) - steady;
+    const V s43 = ((K(2.0) * s42) * s21) + s23;
+    const V s44 = lanes_sqrt(s43);
+    const V s45 = lanes_select((K(0.0) <= s43), (lanes_select(s26, s27, (s22 + s44)) / lanes_select(s26, (s44 - s22), lanes_select((s42 < K(0.0)), K(0.0), s42))), K(INFINITY));
+    return (LANES(hoop_ring_advance_out)){ s11, s14, (steady - s16) - s17, lanes_select((s45 < s30), s45, s30) };
+}
+
+/* Coefficients in time of the event polynomial, constant first.
+   Eq. 3 in Table 2. 2 operations: 2 subtractions. */
+typedef struct {
+    V c0, c1;
+} LANES(hoop_backboard_coefficients_out);
+
+LANES_INLINE LANES(hoop_backboard_coefficients_out)
+LANES(hoop_backboard_coefficients)(V x, V vx, V ball_radius, V board_distance)
+{
+    return (LANES(hoop_backboard_coefficients_out)){ x - (ball_radius - board_distance), vx };
+}
+
+/* Coefficients of the event polynomial over t, after a contact at t = 0.
+   Eq. 3 in Table 2, the exact root divided out. No operations. */
+typedef struct {
+    V c0;
+} LANES(hoop_backboard_deflated_out);
+
+LANES_INLINE LANES(hoop_backboard_deflated_out)
+LANES(hoop_backboard_deflated)(V vx)
+{
+    return (LANES(hoop_backboard_deflated_out)){ vx };
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. No operations. */
+typedef struct {
+    V nx, ny, nz;
+} LANES(hoop_backboard_normal_out);
+
+LANES_INLINE LANES(hoop_backboard_normal_out)
+LANES(hoop_backboard_normal)(void)
+{
+    return (LANES(hoop_backboard_normal_out)){ K(1.0), K(0.0), K(0.0) };
+}
+
+/* The g of Eq. 2: a contact counts where none is positive.
+   Eq. 2, Table 2. 5 operations: 1 addition, 3 subtractions, 1 negation. */
+typedef struct {
+    V g0, g1, g2, g3;
+} LANES(hoop_backboard_bounds_out);
+
+LANES_INLINE LANES(hoop_backboard_bounds_out)
+LANES(hoop_backboard_bounds)(V y, V z, V board_half_width, V board_bottom, V board_top)
+{
+    return (LANES(hoop_backboard_bounds_out)){ -(board_half_width + y), y - board_half_width, board_bottom - z, z - board_top };
+}
+
+/* Time of the only arrival, the gap's rate there and its bend.
+   Eq. 3 in Table 2, solved. 6 operations: 2 subtractions, 1 division, 1 negation, 1 comparison, 1 selection. */
+typedef struct {
+    V time, rate, bend;
+} LANES(hoop_backboard_arrival_out);
+
+LANES_INLINE LANES(hoop_backboard_arrival_out)
+LANES(hoop_backboard_arrival)(V leaving, V x, V vx, V ball_radius, V board_distance)
+{
+    return (LANES(hoop_backboard_arrival_out)){ -(lanes_select((K(0.0) < leaving), K(0.0), (x - (ball_radius - board_distance))) / vx), vx, K(0.0) };
+}
+
+/* Rounding-error bound of the gap up to the horizon.
+   running error analysis. 10 operations: 3 additions, 5 multiplications, 2 absolute values. */
+typedef struct {
+    V margin;
+} LANES(hoop_backboard_margin_out);
+
+LANES_INLINE LANES(hoop_backboard_margin_out)
+LANES(hoop_backboard_margin)(V horizon, V x, V vx, V ball_radius, V board_distance)
+{
+    return (LANES(hoop_backboard_margin_out)){ (((K(6.667843360785852e-16) * ball_radius) + (K(8.890457814381136e-16) * board_distance)) + ((K(6.667843360785852e-16) * horizon) * lanes_abs(vx))) + (K(4.445228907190568e-16) * lanes_abs(x)) };
+}
+
+/* The point of the contact plane nearest to a position.
+   Table 2. 1 operation: 1 subtraction. */
+typedef struct {
+    V x, y, z;
+} LANES(hoop_backboard_place_out);
+
+LANES_INLINE LANES(hoop_backboard_place_out)
+LANES(hoop_backboard_place)(V y, V z, V ball_radius, V board_distance)
+{
+    return (LANES(hoop_backboard_place_out)){ ball_radius - board_distance, y, z };
+}
+
+/* Coefficients in time of the event polynomial, constant first.
+   Eq. 3 in Table 2. 4 operations: 1 addition, 1 subtraction, 1 multiplication, 1 negation. */
+typedef struct {
+    V c0, c1, c2;
+} LANES(hoop_bridge_coefficients_out);
+
+LANES_INLINE LANES(hoop_bridge_coefficients_out)
+LANES(hoop_bridge_coefficients)(V z, V vz, V ball_radius, V wire_radius, V gravity)
+{
+    return (LANES(hoop_bridge_coefficients_out)){ z - (ball_radius + wire_radius), vz, -(K(0.5) * gravity) };
+}
+
+/* Coefficients of the event polynomial over t, after a contact at t = 0.
+   Eq. 3 in Table 2, the exact root divided out. 2 operations: 1 multiplication, 1 negation. */
+typedef struct {
+    V c0, c1;
+} LANES(hoop_bridge_deflated_out);
+
+LANES_INLINE LANES(hoop_bridge_deflated_out)
+LANES(hoop_bridge_deflated)(V vz, V gravity)
+{
+    return (LANES(hoop_bridge_deflated_out)){ vz, -(K(0.5) * gravity) };
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. No operations. */
+typedef struct {
+    V nx, ny, nz;
+} LANES(hoop_bridge_normal_out);
+
+LANES_INLINE LANES(hoop_bridge_normal_out)
+LANES(hoop_bridge_normal)(void)
+{
+    return (LANES(hoop_bridge_normal_out)){ K(0.0), K(0.0), K(1.0) };
+}
+
+/* The g of Eq. 2: a contact counts where none is positive.
+   Eq. 2, Table 2. 10 operations: 3 additions, 2 subtractions, 2 multiplications, 1 square root, 2 negations. */
+typedef struct {
+    V g0, g1, g2, g3, g4;
+} LANES(hoop_bridge_bounds_out);
+
+LANES_INLINE LANES(hoop_bridge_bounds_out)
+LANES(hoop_bridge_bounds)(V x, V y, V ring_radius, V board_distance, V bridge_half_width)
+{
+    return (LANES(hoop_bridge_bounds_out)){ -(bridge_half_width + y), y - bridge_half_width, ring_radius - lanes_sqrt(((x * x) + (y * y))), x, -(board_distance + x) };
+}
+
+/* Time of the only arrival, the gap's rate there and its bend.
+   Eq. 3 in Table 2, solved. 18 operations: 3 additions, 2 subtractions, 4 multiplications, 1 division, 1 square root, 2 negations, 2 comparisons, 3 selections. */
+typedef struct {
+    V time, rate, bend;
+} LANES(hoop_bridge_arrival_out);
+
+LANES_INLINE LANES(hoop_bridge_arrival_out)
+LANES(hoop_bridge_arrival)(V leaving, V z, V vz, V ball_radius, V wire_radius, V gravity)
+{
+    const V s0 = lanes_select((K(0.0) < leaving), K(0.0), (z - (ball_radius + wire_radius)));
+    const V s1 = lanes_sqrt(((vz * vz) + ((K(2.0) * gravity) * s0)));
+    const M s2 = vz < K(0.0);
+    return (LANES(hoop_bridge_arrival_out)){ lanes_select(s2, (K(2.0) * s0), (vz + s1)) / lanes_select(s2, (s1 - vz), gravity), -s1, -gravity };
+}
+
+/* Rounding-error bound of the gap up to the horizon.
+   running error analysis. 20 operations: 6 additions, 12 multiplications, 2 absolute values. */
+typedef struct {
+    V margin;
+} LANES(hoop_bridge_margin_out);
+
+LANES_INLINE LANES(hoop_bridge_margin_out)
+LANES(hoop_bridge_margin)(V horizon, V z, V vz, V ball_radius, V wire_radius, V gravity)
+{
+    const V s0 = lanes_abs(vz);
+    const V s1 = (((K(6.667843360785852e-16) * ball_radius) + (K(6.667843360785852e-16) * wire_radius)) + ((K(2.001953125) * horizon) * (((K(1.6653345369377348e-16) * gravity) * horizon) + (K(1.1102230246251565e-16) * s0)))) + ((K(6.667843360785852e-16) * horizon) * (((K(0.5) * gravity) * horizon) + s0));
+    return (LANES(hoop_bridge_margin_out)){ s1 + (K(4.445228907190568e-16) * lanes_abs(z)) };
+}
+
+/* The point of the contact plane nearest to a position.
+   Table 2. 1 operation: 1 addition. */
+typedef struct {
+    V x, y, z;
+} LANES(hoop_bridge_place_out);
+
+LANES_INLINE LANES(hoop_bridge_place_out)
+LANES(hoop_bridge_place)(V x, V y, V ball_radius, V wire_radius)
+{
+    return (LANES(hoop_bridge_place_out)){ x, y, ball_radius + wire_radius };
+}
+
+/* Coefficients in time of the event polynomial, constant first.
+   Eq. 3 in Table 2. 3 operations: 1 addition, 1 multiplication, 1 negation. */
+typedef struct {
+    V c0, c1, c2;
+} LANES(hoop_end_coefficients_out);
+
+LANES_INLINE LANES(hoop_end_coefficients_out)
+LANES(hoop_end_coefficients)(V z, V vz, V gravity, V end_depth)
+{
+    return (LANES(hoop_end_coefficients_out)){ end_depth + z, vz, -(K(0.5) * gravity) };
+}
+
+/* Coefficients of the event polynomial over t, after a contact at t = 0.
+   Eq. 3 in Table 2, the exact root divided out. 2 operations: 1 multiplication, 1 negation. */
+typedef struct {
+    V c0, c1;
+} LANES(hoop_end_deflated_out);
+
+LANES_INLINE LANES(hoop_end_deflated_out)
+LANES(hoop_end_deflated)(V vz, V gravity)
+{
+    return (LANES(hoop_end_deflated_out)){ vz, -(K(0.5) * gravity) };
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. No operations. */
+typedef struct {
+    V nx, ny, nz;
+} LANES(hoop_end_normal_out);
+
+LANES_INLINE LANES(hoop_end_normal_out)
+LANES(hoop_end_normal)(void)
+{
+    return (LANES(hoop_end_normal_out)){ K(0.0), K(0.0), K(1.0) };
+}
+
+/* Time of the only arrival, the gap's rate there and its bend.
+   Eq. 3 in Table 2, solved. 17 operations: 3 additions, 1 subtraction, 4 multiplications, 1 division, 1 square root, 2 negations, 2 comparisons, 3 selections. */
+typedef struct {
+    V time, rate, bend;
+} LANES(hoop_end_arrival_out);
+
+LANES_INLINE LANES(hoop_end_arrival_out)
+LANES(hoop_end_arrival)(V leaving, V z, V vz, V gravity, V end_depth)
+{
+    const V s0 = lanes_select((K(0.0) < leaving), K(0.0), (end_depth + z));
+    const V s1 = lanes_sqrt(((vz * vz) + ((K(2.0) * gravity) * s0)));
+    const M s2 = vz < K(0.0);
+    return (LANES(hoop_end_arrival_out)){ lanes_select(s2, (K(2.0) * s0), (vz + s1)) / lanes_select(s2, (s1 - vz), gravity), -s1, -gravity };
+}
+
+/* Rounding-error bound of the gap up to the horizon.
+   running error analysis. 18 operations: 5 additions, 11 multiplications, 2 absolute values. */
+typedef struct {
+    V margin;
+} LANES(hoop_end_margin_out);
+
+LANES_INLINE LANES(hoop_end_margin_out)
+LANES(hoop_end_margin)(V horizon, V z, V vz, V gravity, V end_depth)
+{
+    const V s0 = lanes_abs(vz);
+    const V s1 = ((K(2.222614453595284e-16) * end_depth) + ((K(2.001953125) * horizon) * (((K(1.6653345369377348e-16) * gravity) * horizon) + (K(1.1102230246251565e-16) * s0)))) + ((K(6.667843360785852e-16) * horizon) * (((K(0.5) * gravity) * horizon) + s0));
+    return (LANES(hoop_end_margin_out)){ s1 + (K(4.445228907190568e-16) * lanes_abs(z)) };
+}
+
+/* The point of the contact plane nearest to a position.
+   Table 2. 1 operation: 1 negation. */
+typedef struct {
+    V x, y, z;
+} LANES(hoop_end_place_out);
+
+LANES_INLINE LANES(hoop_end_place_out)
+LANES(hoop_end_place)(V x, V y, V end_depth)
+{
+    return (LANES(hoop_end_place_out)){ x, y, -end_depth };
+}
+

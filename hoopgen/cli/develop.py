@@ -1,0 +1,83 @@
+"""``hoopgen generate``, ``check`` and ``bench``: for work in a source checkout."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import click
+
+from hoopgen.cli.options import examples
+
+__all__ = ["bench", "check", "generate"]
+
+
+def _checkout() -> Path:
+    """Find the source checkout this hoopgen runs from."""
+    import hoopgen
+
+    root = Path(hoopgen.__file__).resolve().parent.parent
+    if not (root / "pyproject.toml").is_file() or not (root / "derive").is_dir():
+        raise click.UsageError("hoopgen does not run from a source checkout; give --root")
+    return root
+
+
+_root_option = click.option(
+    "--root",
+    type=click.Path(exists=True, file_okay=False, path_type=Path),
+    help="The source checkout; by default the one hoopgen runs from.",
+)
+
+
+@click.command(epilog=examples("hoopgen generate", "hoopgen generate --root ../hoopgen"))
+@_root_option
+def generate(root: Path | None) -> None:
+    """Write generated/ anew from derive/ and templates/.
+
+    Files that would not change are not touched.
+    """
+    from hoopgen import codegen
+
+    root = root or _checkout()
+    written = codegen.generate(root)
+    for path in written:
+        click.echo(path.relative_to(root) if path.is_relative_to(root) else path)
+    if not written:
+        click.echo("nothing to write: generated/ is up to date")
+
+
+@click.command(epilog=examples("hoopgen check", "hoopgen check --root ../hoopgen"))
+@_root_option
+@click.pass_context
+def check(ctx: click.Context, root: Path | None) -> None:
+    """Compare generated/ with what derive/ and templates/ give.
+
+    Exit status 1 when a file is stale, missing or extra.
+    """
+    from hoopgen import codegen
+
+    differences = codegen.check(root or _checkout())
+    for difference in differences:
+        click.echo(difference)
+    if differences:
+        ctx.exit(1)
+    click.echo("generated/ is up to date")
+
+
+@click.command(
+    context_settings={"ignore_unknown_options": True},
+    epilog=examples("hoopgen bench", "hoopgen bench -- --help"),
+)
+@click.argument("arguments", nargs=-1, type=click.UNPROCESSED)
+@click.pass_context
+def bench(ctx: click.Context, arguments: tuple[str, ...]) -> None:
+    """Measure how fast hoopgen is, in a source checkout.
+
+    Arguments go to `python -m benchmarks`, which runs in the checkout's folder.
+    """
+    root = _checkout()
+    if not (root / "benchmarks").is_dir():
+        raise click.ClickException(f"no benchmarks in {root}")
+    command = [sys.executable, "-m", "benchmarks", *arguments]
+    ctx.exit(subprocess.run(command, cwd=root, check=False).returncode)

@@ -1,0 +1,134 @@
+"""``hoopgen paper``: the article's seven shots, beside what its figures show."""
+
+from __future__ import annotations
+
+import textwrap
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from hoopgen.cli.options import backend_option, examples
+from hoopgen.cli.table import NO_BREAK, table
+
+if TYPE_CHECKING:
+    from hoopgen.paper import Result
+
+__all__ = ["paper"]
+
+
+@click.command(
+    epilog=examples(
+        "hoopgen paper",
+        "hoopgen paper --events",
+        "hoopgen paper --out figures --format svg",
+    )
+)
+@click.option(
+    "--out",
+    type=click.Path(file_okay=False, path_type=Path),
+    help="Draw Figs. 5-7 into this folder.",
+)
+@click.option(
+    "--format",
+    "formats",
+    default="png,svg",
+    show_default=True,
+    help="Of the pictures: png, svg, pdf; several with commas.",
+)
+@click.option("--events", is_flag=True, help="List every event of every shot.")
+@backend_option
+@click.pass_context
+def paper(ctx: click.Context, out: Path | None, formats: str, events: bool, backend: str) -> None:
+    """Simulate the seven shots of the article and compare them with its figures.
+
+    Releases are those of Table 3, in feet; the hoop is the preset "paper". Exit status 1 when a
+    shot does not do what the article's figure shows.
+    """
+    from hoopgen.paper import run
+
+    suffixes = [] if out is None else _suffixes(formats)
+    results = run(backend=backend)
+    click.echo(_overview(results))
+    click.echo(_notes(results))
+    if events:
+        click.echo(_logs(results))
+    if out is not None:
+        click.echo(f"\n{_draw(results, out, suffixes)} pictures in {out}")
+    wrong = [result.case.name for result in results if not result.agrees]
+    if wrong:
+        click.echo(f"\nNot as in the article: {'; '.join(wrong)}", err=True)
+        ctx.exit(1)
+
+
+def _suffixes(text: str) -> list[str]:
+    from hoopgen.plots import FORMATS
+
+    suffixes = [part.strip().lower() for part in text.split(",")]
+    for suffix in suffixes:
+        if suffix not in FORMATS:
+            raise click.BadParameter(
+                f"{suffix!r} is none of {', '.join(FORMATS)}", param_hint="'--format'"
+            )
+    return suffixes
+
+
+def _overview(results: tuple[Result, ...]) -> str:
+    from hoopgen.cli.report import story
+
+    headers = ["figure", "events (s)", "outcome", "uncertain", "the article shows", "agrees"]
+    rows = [
+        [
+            result.case.name.replace(" ", NO_BREAK),
+            story(result.events),
+            result.outcome.name.lower(),
+            "yes" if result.uncertain else "no",
+            result.case.shown.text,
+            "yes" if result.agrees else f"NO: {', '.join(result.differences)}",
+        ]
+        for result in results
+    ]
+    return table(headers, rows, wrap={1: 31, 4: 22, 5: 12})
+
+
+def _notes(results: tuple[Result, ...]) -> str:
+    """List what is wrong or unclear in print, each once."""
+    notes: dict[str, str] = {}
+    for result in results:
+        if result.case.note:
+            notes.setdefault(result.case.note, result.case.figure)
+    lines = [
+        textwrap.fill(f"{figure}: {note}", 98, initial_indent="  ", subsequent_indent=" " * 6)
+        for note, figure in notes.items()
+    ]
+    return "\n".join(["", "In print:", *lines])
+
+
+def _logs(results: tuple[Result, ...]) -> str:
+    from hoopgen.cli.report import event_table
+
+    logs = (
+        f"\nFig. {result.case.name}: {result.case.title}\n"
+        + event_table(result.case.state, result.events)
+        for result in results
+    )
+    return "\n".join(logs)
+
+
+def _draw(results: tuple[Result, ...], folder: Path, suffixes: list[str]) -> int:
+    """Write the pictures and count them."""
+    from hoopgen import plots
+
+    folder.mkdir(parents=True, exist_ok=True)
+    count = 0
+    for result in results:
+        figure = plots.plot_trajectory(
+            result.trajectory,
+            result.parameters,
+            outcome=result.outcome,
+            title=f"Fig. {result.case.figure}. {result.case.title}",
+        )
+        for suffix in suffixes:
+            plots.save(figure, folder / f"figure-{result.case.slug}.{suffix}")
+            count += 1
+    return count

@@ -1,0 +1,73 @@
+"""A shot in words: its contacts in short, and its events in a table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from itertools import groupby
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import hoopgen
+from hoopgen.cli.table import NO_BREAK, table
+
+__all__ = ["event_table", "story", "surface_name"]
+
+_FEW = 3  # events in a row on one surface that are told one by one
+
+
+def surface_name(index: int) -> str:
+    """Name a surface of the event log; the plane after the last is the end."""
+    return hoopgen.SURFACES[index] if index < len(hoopgen.SURFACES) else "end"
+
+
+def story(events: NDArray[Any]) -> str:
+    """Tell events in short: ``ring 0.829, ring 0.915, end 1.409``; s.
+
+    A longer run on one surface is told by its number, its first and its last time:
+    ``ring ×40 0.292-0.958``. Lines break between events only.
+    """
+    return ", ".join(_runs(events)) or "none"
+
+
+def _runs(events: NDArray[Any]) -> Iterable[str]:
+    for surface, run in groupby(events, key=lambda event: int(event["surface"])):
+        times = [float(event["time"]) for event in run]
+        name = surface_name(surface)
+        if len(times) > _FEW:
+            yield f"{name} ×{len(times)}{NO_BREAK}{times[0]:.3f}–{times[-1]:.3f}"
+        else:
+            yield from (f"{name}{NO_BREAK}{time:.3f}" for time in times)
+
+
+def event_table(release: NDArray[np.float64], events: NDArray[Any]) -> str:
+    """Lay out a shot's events, the release first, in m, m/s and s."""
+    headers = ["#", "time", "surface", "x", "y", "z", "vx", "vy", "vz", "vx", "vy", "vz"]
+    first = ["", _time(0.0), "release", *_numbers(release[:3]), *[""] * 3, *_numbers(release[3:6])]
+    rows = [first]
+    for number, event in enumerate(events, 1):
+        before, after = event["before"], event["after"]
+        surface = int(event["surface"])
+        ended = surface >= len(hoopgen.SURFACES)
+        rows.append(
+            [
+                "" if ended else str(number),
+                _time(float(event["time"])),
+                surface_name(surface),
+                *_numbers(before[:3]),
+                *_numbers(before[3:6]),
+                *([""] * 3 if ended else _numbers(after[3:6])),
+            ]
+        )
+    groups = [(3, 5, "position (m)"), (6, 8, "before (m/s)"), (9, 11, "after (m/s)")]
+    return table(headers, rows, right=[0, 1, *range(3, 12)], groups=groups)
+
+
+def _time(seconds: float) -> str:
+    return f"{seconds:.6f}"
+
+
+def _numbers(values: Sequence[float] | NDArray[np.float64]) -> list[str]:
+    # Adding zero makes -0.000 a plain 0.000.
+    return [f"{round(float(value), 4) + 0.0:.4f}" for value in values]

@@ -1,0 +1,208 @@
+"""``hoopgen shot``: one release, followed to its end."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hoopgen.cli.options import Quantity, backend_option, examples, preset_options, scene
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    import hoopgen
+
+__all__ = ["shot"]
+
+_UNITS = """\b
+Units are written in words, with or without a blank between:
+  length  m cm mm ft in, 6ft8in too     speed  m/s ft/s km/h mph
+  angle   deg rad                       spin   rad/s deg/s Hz rev/s rpm
+A bare number is in the unit in brackets: SI, but degrees for an angle.
+
+"""
+
+
+@click.command(
+    epilog=_UNITS
+    + examples(
+        "hoopgen shot --speed 7.17 --elevation 51 --distance 13.75ft --height 7ft",
+        "hoopgen shot --speed 16mph --elevation 0.9rad --distance 4.2 --height 2.1 --backspin 3Hz",
+        "hoopgen shot --speed 9.2 --elevation 48 --distance 22ft --height 7ft --angle 90deg",
+        "hoopgen shot --speed 7.2 --elevation 52 --distance 13.75ft --height 7ft --preset nba \\",
+        "    --set restitution=0.75 --picture shot.svg",
+    )
+)
+@click.option("--speed", type=Quantity("speed"), required=True, help="Speed at release.")
+@click.option(
+    "--elevation",
+    type=Quantity("angle", bare="deg"),
+    required=True,
+    help="Angle of release above the horizontal. A bare 51 is 51 degrees.",
+)
+@click.option(
+    "--height",
+    type=Quantity("length"),
+    required=True,
+    help="Of the ball's centre above the floor; the ring is at 10 ft = 3.048 m.",
+)
+@click.option(
+    "--distance",
+    type=Quantity("length"),
+    required=True,
+    help="On the floor plan, to the centre of the ring.",
+)
+@click.option(
+    "--azimuth",
+    type=Quantity("angle", bare="deg"),
+    default=0.0,
+    help="Aim; 0 at the centre of the ring, positive to the shooter's left.",
+)
+@click.option(
+    "--backspin",
+    type=Quantity("spin"),
+    default=0.0,
+    help="About the horizontal axis across the flight.",
+)
+@click.option("--sidespin", type=Quantity("spin"), default=0.0, help="About the vertical axis.")
+@click.option(
+    "--angle",
+    type=Quantity("angle", bare="deg"),
+    default=0.0,
+    help="Where on the floor: 0 straight in front of the board, around the ring to +y.",
+)
+@preset_options
+@click.option(
+    "--max-contacts",
+    type=click.IntRange(min=1),
+    default=40,
+    show_default=True,
+    help="Contacts after which a shot is given up as capped.",
+)
+@backend_option
+@click.option(
+    "--picture",
+    type=click.Path(dir_okay=False, path_type=Path),
+    help="Draw the shot: .png, .svg or .pdf.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Write everything as JSON, numbers in full.")
+def shot(
+    preset: str,
+    settings: tuple[tuple[str, float], ...],
+    max_contacts: int,
+    backend: str,
+    picture: Path | None,
+    as_json: bool,
+    **release: float,
+) -> None:
+    """Simulate one shot: its events, its outcome, its picture.
+
+    The ball is released at a height and a distance, with a speed and an angle. Each contact is
+    listed with its time and place and with the velocity before and after it.
+    """
+    import hoopgen
+
+    parameters = scene(preset, settings)
+    state = hoopgen.release(**release).reshape(9)
+    shots = hoopgen.simulate(
+        state.reshape(1, 9),
+        parameters=parameters,
+        max_contacts=max_contacts,
+        backend=backend,
+        record=True,
+    )
+    if shots.outcome[0] == hoopgen.Outcome.INVALID:
+        raise click.ClickException(
+            "this shot is invalid: the ball starts inside a surface, is too big for the ring, "
+            "or a size or gravity is not above zero"
+        )
+    if picture is not None:
+        _draw(shots, parameters, _title(shots, preset, settings), picture)
+    if as_json:
+        click.echo(json.dumps(_record(shots, state, parameters), indent=2, allow_nan=False))
+    else:
+        click.echo(_summary(shots, state))
+
+
+def _summary(shots: hoopgen.Shots, state: NDArray[np.float64]) -> str:
+    import hoopgen
+    from hoopgen.cli.report import event_table
+
+    counts = zip(hoopgen.SURFACES, shots.counts[0], strict=True)
+    by_surface = ", ".join(f"{name} {count}" for name, count in counts)
+    lines = [
+        event_table(state, shots.trajectory(0).events),
+        "",
+        f"outcome    {_outcome_text(shots)}",
+        f"contacts   {shots.contacts[0]} ({by_surface})",
+    ]
+    if shots.uncertain[0]:
+        lines.append("uncertain  yes: some decision is within the bound on its rounding error")
+    return "\n".join(lines)
+
+
+def _outcome_text(shots: hoopgen.Shots) -> str:
+    """Say the outcome, and when and where the ball met the end plane."""
+    import hoopgen
+
+    outcome = hoopgen.Outcome(int(shots.outcome[0]))
+    said = outcome.name.lower()
+    if outcome == hoopgen.Outcome.CAPPED:
+        return f"{said}: {shots.contacts[0]} contacts, and not yet at the end plane"
+    if outcome == hoopgen.Outcome.SHORT:
+        return f"{said}: the ball never comes down through the end plane"
+    off_centre = math.hypot(shots.state[0, 0], shots.state[0, 1])
+    return f"{said}, {off_centre:.3f} m from the centre of the ring after {shots.time[0]:.3f} s"
+
+
+def _title(shots: hoopgen.Shots, preset: str, settings: tuple[tuple[str, float], ...]) -> str:
+    import hoopgen
+
+    outcome = hoopgen.Outcome(int(shots.outcome[0])).name.capitalize()
+    changed = "".join(f", {name.replace('_', ' ')} {value:.6g}" for name, value in settings)
+    return f"{outcome} ({preset} preset{changed})"
+
+
+def _draw(shots: hoopgen.Shots, parameters: Mapping[str, float], title: str, picture: Path) -> None:
+    import hoopgen
+    from hoopgen import plots
+
+    outcome = hoopgen.Outcome(int(shots.outcome[0]))
+    figure = plots.plot_trajectory(shots.trajectory(0), parameters, outcome=outcome, title=title)
+    plots.save(figure, picture)
+
+
+def _record(
+    shots: hoopgen.Shots, state: NDArray[np.float64], parameters: Mapping[str, float]
+) -> dict[str, Any]:
+    """Collect everything about the shot in types that JSON knows."""
+    import hoopgen
+    from hoopgen.cli.report import surface_name
+
+    first = int(shots.first[0])
+    return {
+        "outcome": hoopgen.Outcome(int(shots.outcome[0])).name.lower(),
+        "uncertain": bool(shots.uncertain[0]),
+        "contacts": int(shots.contacts[0]),
+        "counts": dict(zip(hoopgen.SURFACES, shots.counts[0].tolist(), strict=True)),
+        "first": surface_name(first) if first >= 0 else None,
+        "time": float(shots.time[0]),
+        "state": shots.state[0].tolist(),
+        "release": state.tolist(),
+        "parameters": {name: float(value) for name, value in parameters.items()},
+        "events": [
+            {
+                "surface": surface_name(int(event["surface"])),
+                "time": float(event["time"]),
+                "before": event["before"].tolist(),
+                "after": event["after"].tolist(),
+            }
+            for event in shots.trajectory(0).events
+        ],
+    }

@@ -1,0 +1,106 @@
+"""Printing programs: one small table of spellings per target."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from .program import Program
+
+
+@dataclass(frozen=True)
+class Spelling:
+    """How a target writes the operations; `{0}` … are the operands, already printed."""
+
+    operations: dict[str, str]
+    constant: str
+    infinity: str
+    assignment: str
+
+
+_INFIX = {
+    "add": "({0} + {1})",
+    "sub": "({0} - {1})",
+    "mul": "({0} * {1})",
+    "div": "({0} / {1})",
+    "neg": "(-{0})",
+}
+
+NUMPY = Spelling(
+    operations=_INFIX
+    | {
+        "sqrt": "sqrt({0})",
+        "abs": "absolute({0})",
+        "less": "({0} < {1})",
+        "at_most": "({0} <= {1})",
+        "select": "where({0}, {1}, {2})",
+    },
+    constant="{0}",
+    infinity="inf",
+    assignment="{name} = {value}",
+)
+
+C = Spelling(
+    operations=_INFIX
+    | {
+        "sqrt": "lanes_sqrt({0})",
+        "abs": "lanes_abs({0})",
+        "less": "({0} < {1})",
+        "at_most": "({0} <= {1})",
+        "select": "lanes_select({0}, {1}, {2})",
+    },
+    constant="K({0})",
+    infinity="K(INFINITY)",
+    assignment="const {type} {name} = {value};",
+)
+
+
+@dataclass(frozen=True)
+class Body:
+    """A printed program: statements, then one expression for each output."""
+
+    statements: list[str]
+    outputs: list[str]
+
+
+def constant(value: float, spelling: Spelling) -> str:
+    """Return a double so that it reads back to the same bits."""
+    if math.isinf(value):
+        return spelling.infinity if value > 0 else f"(-{spelling.infinity})"
+    return spelling.constant.format(repr(value))
+
+
+def print_program(program: Program, spelling: Spelling) -> Body:
+    """Return the statements and output expressions of a program in one target's spelling."""
+    named = program.named()
+    text: list[str] = []
+    statements: list[str] = []
+    for index, operation in enumerate(program.operations):
+        if operation.name == "argument":
+            text.append(operation.symbol)
+        elif operation.name == "constant":
+            text.append(constant(operation.value, spelling))
+        else:
+            operands = (text[operand] for operand in operation.operands)
+            value = spelling.operations[operation.name].format(*operands)
+            if index in named:
+                name = f"s{len(statements)}"
+                kind = "M" if operation.name in ("less", "at_most") else "V"
+                statements.append(
+                    spelling.assignment.format(name=name, type=kind, value=_bare(value))
+                )
+                value = name
+            text.append(value)
+    return Body(statements, [_bare(text[output]) for output in program.outputs])
+
+
+def _bare(text: str) -> str:
+    """Return text without a pair of parentheses that encloses all of it."""
+    if not (text.startswith("(") and text.endswith(")")):
+        return text
+    depth = 0
+    for position, character in enumerate(text):
+        depth += {"(": 1, ")": -1}.get(character, 0)
+        if depth == 0 and position < len(text) - 1:
+            return text
+    return text[1:-1]

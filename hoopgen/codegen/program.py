@@ -1,0 +1,186 @@
+"""Lowering: SymPy expressions to straight-line programs of IEEE 754 operations.
+
+Every operation is binary, in one fixed order, and equal operations are computed once. All targets
+print the same program, which is why they give the same bits.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import sympy as sp
+from sympy.core.sorting import default_sort_key
+
+from hoopgen.derive.choice import Held, IfAtMost, IfLess
+from hoopgen.derive.kernel import Kernel
+
+INLINE_DEPTH = 6
+"""An operation used once is printed inside its user, up to this depth."""
+
+
+@dataclass(frozen=True)
+class Operation:
+    """One operation: its name, and its operands as indices of earlier operations.
+
+    Names: argument, constant, add, sub, mul, div, neg, sqrt, abs, less, at_most, select.
+    """
+
+    name: str
+    operands: tuple[int, ...] = ()
+    symbol: str = ""
+    value: float = 0.0
+
+
+@dataclass
+class Program:
+    """A kernel, lowered.
+
+    Attributes
+    ----------
+    kernel
+        What it computes.
+    operations
+        In an order in which each comes after its operands.
+    outputs
+        Indices of the kernel's outputs.
+    """
+
+    kernel: Kernel
+    operations: list[Operation] = field(default_factory=list)
+    outputs: list[int] = field(default_factory=list)
+    _index: dict[Operation, int] = field(default_factory=dict)
+    _lowered: dict[sp.Basic, int] = field(default_factory=dict)
+
+    @property
+    def cost(self) -> Counter[str]:
+        """How many of each operation one evaluation takes; inputs and constants are free."""
+        free = {"argument", "constant"}
+        return Counter(o.name for o in self.operations if o.name not in free)
+
+    def _add(self, name: str, *operands: int, symbol: str = "", value: float = 0.0) -> int:
+        operation = Operation(name, operands, symbol, value)
+        if operation not in self._index:
+            self._index[operation] = len(self.operations)
+            self.operations.append(operation)
+        return self._index[operation]
+
+    def lower(self, expression: sp.Basic) -> int:
+        """Append what computes `expression` and return its index."""
+        if expression not in self._lowered:
+            self._lowered[expression] = self._lower(expression)
+        return self._lowered[expression]
+
+    def _lower(self, expression: sp.Basic) -> int:
+        if expression.is_Symbol:
+            return self._add("argument", symbol=str(expression))
+        if expression.is_Number:
+            return self._constant(expression)
+        if expression.is_Add:
+            return self._sum(expression)
+        if expression.is_Mul:
+            return self._product(expression)
+        if expression.is_Pow:
+            return self._power(expression.base, expression.exp)
+        if isinstance(expression, Held):
+            return self.lower(expression.args[0])
+        if isinstance(expression, sp.Abs):
+            return self._add("abs", self.lower(expression.args[0]))
+        if isinstance(expression, IfLess | IfAtMost):
+            left, right, then, other = (self.lower(a) for a in expression.args)
+            name = "less" if isinstance(expression, IfLess) else "at_most"
+            return self._add("select", self._add(name, left, right), then, other)
+        raise TypeError(f"kernel {self.kernel.name}: cannot lower {type(expression).__name__}")
+
+    def _constant(self, number: sp.Number) -> int:
+        # float() of an exact rational is correctly rounded; adding 0.0 turns -0.0 into 0.0.
+        return self._add("constant", value=float(number) + 0.0)
+
+    def _sum(self, expression: sp.Add) -> int:
+        """Lower a sum from left to right, positive terms first."""
+        terms = sorted(expression.args, key=default_sort_key)
+        negative = [term for term in terms if term.could_extract_minus_sign()]
+        positive = [term for term in terms if term not in negative]
+        if not positive:
+            return self._add("neg", self.lower(-expression))
+        total = self.lower(positive[0])
+        for term in positive[1:]:
+            total = self._add("add", total, self.lower(term))
+        for term in negative:
+            total = self._add("sub", total, self.lower(-term))
+        return total
+
+    def _product(self, expression: sp.Mul) -> int:
+        """Lower a product from left to right, its divisors multiplied and divided by once."""
+        coefficient, factors = expression.as_coeff_mul()
+        if coefficient.is_negative:
+            return self._add("neg", self.lower(-expression))
+        above: list[int] = [] if coefficient == 1 else [self._constant(coefficient)]
+        below: list[int] = []
+        for factor in sorted(factors, key=default_sort_key):
+            base, exponent = factor.as_base_exp()
+            if exponent.is_negative:
+                below.append(self._power(base, -exponent))
+            else:
+                above.append(self.lower(factor))
+        numerator = self._chain(above) if above else self._constant(sp.Integer(1))
+        return self._add("div", numerator, self._chain(below)) if below else numerator
+
+    def _chain(self, factors: Sequence[int]) -> int:
+        total = factors[0]
+        for factor in factors[1:]:
+            total = self._add("mul", total, factor)
+        return total
+
+    def _power(self, base: sp.Expr, exponent: sp.Expr) -> int:
+        """Lower integer and half-integer powers to products and one square root."""
+        if exponent.is_negative:
+            return self._add("div", self._constant(sp.Integer(1)), self._power(base, -exponent))
+        whole, half = divmod(2 * exponent, 2)
+        if not whole.is_Integer or half not in (0, 1):
+            raise TypeError(f"kernel {self.kernel.name}: no exact power {exponent}")
+        factor = self.lower(base)
+        result = self._add("sqrt", factor) if half else None
+        square = factor
+        remaining = int(whole)
+        while remaining:
+            if remaining & 1:
+                result = square if result is None else self._add("mul", result, square)
+            remaining >>= 1
+            if remaining:
+                square = self._add("mul", square, square)
+        assert result is not None  # SymPy has turned a zeroth power into 1
+        return result
+
+    def named(self) -> set[int]:
+        """Return the operations that are worth a line of their own."""
+        uses = Counter(operand for o in self.operations for operand in o.operands)
+        uses.update(self.outputs)
+        depth: list[int] = []
+        named: set[int] = set()
+        for index, operation in enumerate(self.operations):
+            if operation.name in ("argument", "constant"):
+                depth.append(0)
+                continue
+            own = 1 + max(depth[operand] for operand in operation.operands)
+            if uses[index] > 1 or own >= INLINE_DEPTH:
+                named.add(index)
+                own = 0
+            depth.append(own)
+        return named
+
+
+def lower(kernel: Kernel) -> Program:
+    """Return the program of a kernel.
+
+    Raises
+    ------
+    TypeError
+        If an expression holds something that is not exactly rounded by IEEE 754 doubles.
+    """
+    program = Program(kernel)
+    for argument in kernel.arguments:
+        program._add("argument", symbol=argument.name)
+    program.outputs = [program.lower(expression) for expression in kernel.expressions]
+    return program

@@ -1,0 +1,120 @@
+"""The C engine, through ctypes: no call holds the interpreter's lock."""
+
+from __future__ import annotations
+
+import ctypes
+import importlib.machinery
+from collections.abc import Sequence
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .raw import Raw
+
+WIDTHS = (1, 2, 4, 8)
+"""Vector widths that the source can be built for; which there are depends on the processor."""
+
+_RESULT_FIELDS = (
+    "outcome",
+    "contacts",
+    "counts",
+    "first",
+    "time",
+    "state",
+    "uncertain",
+    "events",
+    "event_counts",
+)
+
+
+class _Results(ctypes.Structure):
+    _fields_ = [(name, ctypes.c_void_p) for name in _RESULT_FIELDS]
+
+
+class Library:
+    """A compiled scene.
+
+    Parameters
+    ----------
+    path
+        The shared library.
+    scene
+        Name of the scene, which its functions' names begin with.
+
+    Raises
+    ------
+    OSError
+        If it cannot be loaded.
+    """
+
+    def __init__(self, path: Path, scene: str) -> None:
+        library = ctypes.CDLL(str(path))
+        self._simulate = getattr(library, f"{scene}_simulate")
+        self._simulate.restype = ctypes.c_int
+        self._simulate.argtypes = [
+            ctypes.c_size_t,
+            ctypes.c_void_p,
+            ctypes.c_void_p,
+            ctypes.c_void_p,
+            ctypes.c_int32,
+            ctypes.c_int,
+            ctypes.c_void_p,
+            ctypes.c_void_p,
+        ]
+
+    def run(
+        self,
+        states: NDArray[np.float64],
+        parameters: Sequence[NDArray[np.float64]],
+        max_contacts: int,
+        out: Raw,
+        stop: NDArray[np.int32],
+        width: int = 0,
+    ) -> None:
+        """Simulate shots and write what `out` has room for.
+
+        Parameters
+        ----------
+        states
+            (n, 9), C order.
+        parameters
+            Each of shape () or (n,), contiguous.
+        stop
+            (1,); a nonzero value from another thread ends the run early.
+        width
+            Vector lanes, 0 for the widest.
+
+        Raises
+        ------
+        ValueError
+            If that width is not there.
+        """
+        pointers = (ctypes.c_void_p * len(parameters))(*(p.ctypes.data for p in parameters))
+        strides = (ctypes.c_int64 * len(parameters))(*(p.ndim for p in parameters))
+        arrays = ((name, getattr(out, name)) for name in _RESULT_FIELDS)
+        results = _Results(**{n: None if a is None else a.ctypes.data for n, a in arrays})
+        used = self._simulate(
+            len(states),
+            states.ctypes.data,
+            pointers,
+            strides,
+            max_contacts,
+            width,
+            stop.ctypes.data,
+            ctypes.byref(results),
+        )
+        if used < 0:
+            raise ValueError(f"width {width}: this processor or build does not have it")
+
+
+@cache
+def installed() -> Library | None:
+    """Return the hoop's compiled engine, or None where it was not built."""
+    suffix = importlib.machinery.EXTENSION_SUFFIXES[0]
+    path = Path(__file__).with_name("_hoop" + suffix)
+    try:
+        return Library(path, "hoop")
+    except OSError:
+        return None

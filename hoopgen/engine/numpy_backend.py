@@ -1,0 +1,391 @@
+"""The event loop in NumPy: one segment of every shot in flight at a time.
+
+The steps, and every operation outside the kernels, are those of templates/c/engine.h.j2 in the same
+order: the two give the same bits. Shots that end leave the arrays.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .raw import Raw
+
+Floats = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+Column = Floats | float
+Outputs = tuple[Any, ...]
+
+BLOCK = 1 << 14
+"""Shots that are simulated together: their arrays fit the second-level cache."""
+
+STEP_LIMIT = 200
+"""As in the C engine: steps after which a search gives up and the shot is uncertain."""
+
+POSITION = ("x", "y", "z")
+MOTION = ("vx", "vy", "vz", "wx", "wy", "wz")
+STATE = POSITION + MOTION
+MADE, MISSED, CAPPED, SHORT, INVALID = range(5)
+IN_FLIGHT = -1
+
+
+@dataclass
+class Arrivals:
+    """The earliest arrival found so far, for every shot in flight."""
+
+    when: Floats
+    which: NDArray[np.int64]
+    late: Floats
+    doubt: Floats
+
+    @classmethod
+    def none(cls, shots: int) -> Arrivals:
+        """Return that nothing has been found."""
+        never = np.full(shots, np.inf)
+        return cls(never, np.full(shots, -1), np.zeros(shots), never)
+
+    def question(self, where: Mask, time: Floats) -> None:
+        """Note decisions at `time` that lie within their rounding error."""
+        self.doubt = np.where(where & (time < self.doubt), time, self.doubt)
+
+    def propose(self, arrives: Mask, time: Floats, delay: Floats, index: int) -> None:
+        """Take arrivals on surface `index` that are earlier than those found so far."""
+        tie = arrives & (np.abs(time - self.when) <= delay + self.late)
+        self.question(tie, np.where(time < self.when, time, self.when))
+        earlier = arrives & (time < self.when)
+        self.when = np.where(earlier, time, self.when)
+        self.which = np.where(earlier, index, self.which)
+        self.late = np.where(earlier, delay, self.late)
+
+
+@dataclass
+class Flights:
+    """The shots of a block that are in flight, as columns.
+
+    Attributes
+    ----------
+    columns
+        State and parameters by name; a parameter that all shots share is a number.
+    row
+        Their rows in the block.
+    """
+
+    columns: dict[str, Column]
+    row: NDArray[np.int64]
+    clock: Floats = field(init=False)
+    last: NDArray[np.int64] = field(init=False)
+    contacts: NDArray[np.int32] = field(init=False)
+
+    def __post_init__(self) -> None:
+        shots = len(self.row)
+        self.clock = np.zeros(shots)
+        self.last = np.full(shots, -1)
+        self.contacts = np.zeros(shots, np.int32)
+
+    def keep(self, which: Mask) -> None:
+        """Drop all other shots."""
+        self.columns = _take(self.columns, which)
+        self.row, self.clock = self.row[which], self.clock[which]
+        self.last, self.contacts = self.last[which], self.contacts[which]
+
+    def state(self) -> Floats:
+        """Return the states, (shots, 9)."""
+        return np.stack([np.asarray(self.columns[name]) for name in STATE], axis=1)
+
+
+def run(
+    kernels: ModuleType,
+    states: Floats,
+    parameters: Sequence[Column],
+    max_contacts: int,
+    out: Raw,
+    stopped: Callable[[], bool] = lambda: False,
+) -> None:
+    """Simulate shots and write what `out` has room for.
+
+    Parameters
+    ----------
+    kernels
+        A generated module of NumPy kernels.
+    states
+        (n, 9), C order; SI units.
+    parameters
+        A number or an array (n,) for each parameter, in the order of ``kernels.PARAMETERS``.
+    stopped
+        Asked between blocks; no further block is begun once it returns True.
+    """
+    for start in range(0, len(states), BLOCK):
+        if stopped():
+            return
+        rows = slice(start, start + BLOCK)
+        columns: dict[str, Column] = dict(zip(STATE, states[rows].T, strict=True))
+        for name, value in zip(kernels.PARAMETERS, parameters, strict=True):
+            columns[name] = value if np.ndim(value) == 0 else np.asarray(value)[rows]
+        block_out = out.rows(start, start + BLOCK)
+        with np.errstate(all="ignore"):
+            _run_block(kernels, columns, max_contacts, block_out, start)
+
+
+def _run_block(
+    kernels: ModuleType, columns: dict[str, Column], max_contacts: int, out: Raw, offset: int
+) -> None:
+    shots = len(np.asarray(columns["x"]))
+    flights = Flights(columns, np.arange(shots))
+    for array, initial in ((out.counts, 0), (out.first, -1), (out.uncertain, False)):
+        if array is not None:
+            array[:] = initial
+    if out.event_counts is not None:
+        out.event_counts[:] = 0
+    good = _call(kernels.valid, columns)[0] > 0.0
+    for column in columns.values():
+        good = good & (column - column == 0.0)
+    _finish(flights, ~good, np.full(shots, INVALID), out)
+    flights.keep(good)
+    while len(flights.row):
+        _advance(kernels, flights, max_contacts, out, offset)
+
+
+def _advance(
+    kernels: ModuleType, flights: Flights, max_contacts: int, out: Raw, offset: int
+) -> None:
+    """Take every shot to its next event; write and drop those that end there."""
+    surfaces = kernels.SURFACES
+    end = len(surfaces) - 1
+    columns = flights.columns
+    arrivals = _first_arrivals(kernels, columns, flights.last)
+
+    stays = arrivals.which < 0
+    ends = arrivals.which == end
+    touches = ~stays & ~ends
+    t = np.where(stays, 0.0, arrivals.when)
+    slack = _call(kernels.displacement, columns, horizon=t, delay=arrivals.late)[0]
+    for name, value in zip(STATE, _call(kernels.flight, columns, t=t), strict=False):
+        columns[name] = np.where(stays, columns[name], value)
+    flights.clock = flights.clock + t
+    before = flights.state() if out.events is not None else None
+    miss = _call(kernels.target, columns)[0]
+    doubtful = arrivals.doubt <= arrivals.when + arrivals.late
+    doubtful = doubtful | (ends & (np.abs(miss) <= slack))
+    flights.contacts = flights.contacts + touches.astype(np.int32)
+    outcome = np.where(stays, SHORT, IN_FLIGHT)
+    outcome = np.where(ends, np.where(miss <= 0.0, MADE, MISSED), outcome)
+    outcome = np.where(touches & (flights.contacts >= max_contacts), CAPPED, outcome)
+
+    _collide(kernels, columns, arrivals.which, touches)
+    if out.uncertain is not None:
+        out.uncertain[flights.row] |= doubtful
+    if out.counts is not None:
+        out.counts[flights.row[touches], arrivals.which[touches]] += 1
+    if out.first is not None:
+        opening = touches & (flights.last < 0)
+        out.first[flights.row[opening]] = arrivals.which[opening]
+    flights.last = np.where(touches, arrivals.which, flights.last)
+    if before is not None:
+        _record(flights, ~stays, arrivals.which, before, out, offset)
+    over = outcome != IN_FLIGHT
+    if over.any():
+        _finish(flights, over, outcome, out)
+        flights.keep(~over)
+
+
+def _first_arrivals(
+    kernels: ModuleType, columns: Mapping[str, Column], last: NDArray[np.int64]
+) -> Arrivals:
+    """Return the earliest admissible arrival on any surface (Eq. 4)."""
+    arrivals = Arrivals.none(len(last))
+    for index, (name, windows, bounded) in enumerate(kernels.SURFACES):
+        if not windows:
+            _plane_arrival(kernels, columns, last == index, index, name, bounded, arrivals)
+    for index, (name, windows, _) in enumerate(kernels.SURFACES):
+        if windows:
+            _curved_arrival(kernels, columns, last == index, index, name, windows, arrivals)
+    return arrivals
+
+
+def _plane_arrival(
+    kernels: ModuleType,
+    columns: Mapping[str, Column],
+    gone: Mask,
+    index: int,
+    name: str,
+    bounded: bool,
+    arrivals: Arrivals,
+) -> None:
+    leaving = np.where(gone, 1.0, 0.0)
+    time, rate, bend = _call(getattr(kernels, f"{name}_arrival"), columns, leaving=leaving)
+    meets = (rate < 0.0) | ((rate <= 0.0) & (bend < 0.0) & (time == 0.0))
+    arrives = meets & (time >= 0.0) & (time < np.inf)
+    margin = _call(getattr(kernels, f"{name}_margin"), columns, horizon=time)[0]
+    crossing = {"margin": margin, "rate_margin": 0.0, "gap": 0.0, "rate": rate}
+    clearance, delay, _ = _call(kernels.crossing, crossing, ceiling=np.abs(bend))
+    unsure = arrives & ~(clearance > 0.0)
+    if bounded:
+        x, y, z, *_ = _call(kernels.flight, columns, t=time)
+        bounds = _call(getattr(kernels, f"{name}_bounds"), columns, x=x, y=y, z=z)
+        slack = _call(kernels.displacement, columns, horizon=time, delay=delay)[0]
+        within = np.logical_and.reduce([g <= 0.0 for g in bounds])
+        near = np.logical_and.reduce([g <= slack for g in bounds])
+        surely = np.logical_and.reduce([g < -slack for g in bounds])
+        unsure = (unsure & near) | (arrives & near & ~surely)
+        arrives = arrives & within
+    arrivals.question(unsure, time)
+    arrivals.propose(arrives, time, delay, index)
+
+
+@dataclass
+class Search:
+    """Shots whose next contact with one curved surface is being looked for."""
+
+    shot: NDArray[np.int64]
+    columns: dict[str, Column]
+    lows: list[Floats]
+    highs: list[Floats]
+    t: Floats
+    end: Floats
+
+    def keep(self, which: Mask) -> None:
+        """Drop all other shots."""
+        self.shot, self.columns = self.shot[which], _take(self.columns, which)
+        self.lows = [low[which] for low in self.lows]
+        self.highs = [high[which] for high in self.highs]
+        self.t, self.end = self.t[which], self.end[which]
+
+    def open(self, where: Mask, after: Floats | float) -> Mask:
+        """Enter the first window that begins no earlier than `after`; return where there is one."""
+        opened = np.zeros(len(self.t), np.bool_)
+        for low, high in zip(reversed(self.lows), reversed(self.highs), strict=True):
+            opens = where & (low < high) & (low >= after)
+            self.t = np.where(opens, low, self.t)
+            self.end = np.where(opens, high, self.end)
+            opened |= opens
+        return opened
+
+
+def _curved_arrival(
+    kernels: ModuleType,
+    columns: Mapping[str, Column],
+    gone: Mask,
+    index: int,
+    name: str,
+    windows: int,
+    arrivals: Arrivals,
+) -> None:
+    shots = len(gone)
+    prepare, advance = getattr(kernels, f"{name}_prepare"), getattr(kernels, f"{name}_advance")
+    horizon = arrivals.when + arrivals.late
+    outputs = _call(prepare, columns, horizon=horizon)
+    prepared = dict(zip(kernels.OUTPUTS[f"{name}_prepare"], outputs, strict=True))
+    lows = [np.broadcast_to(prepared.pop(f"low{k}"), shots) for k in range(windows)]
+    highs = [np.broadcast_to(prepared.pop(f"high{k}"), shots) for k in range(windows)]
+    flat = np.where(gone, 0.0, prepared.pop("margin"))
+    tilt = np.where(gone, prepared.pop("leaving_margin"), 0.0)
+    search = Search(
+        np.arange(shots),
+        {**columns, **prepared, "flat": flat, "tilt": tilt, "leaving": np.where(gone, 1.0, 0.0)},
+        [np.where(low > 0.0, low, 0.0) for low in lows],
+        [np.where(high < horizon, high, horizon) for high in highs],
+        np.zeros(shots),
+        np.zeros(shots),
+    )
+    search.keep(search.open(np.ones(shots, np.bool_), 0.0))
+    arrival, delay = np.full(shots, np.inf), np.zeros(shots)
+    question = np.full(shots, np.inf)
+    for step in range(STEP_LIMIT + 1):
+        if not len(search.shot):
+            break
+        t, own = search.t, search.columns
+        margin = own["flat"] + own["tilt"] * t
+        gap, rate, bend, stride = _call(advance, own, t=t, end=search.end, margin=margin)
+        falling = (rate < 0.0) | ((rate <= own["rate_margin"]) & (bend < 0.0))
+        hit = (gap - margin <= margin) & falling
+        if hit.any():
+            crossing = _call(kernels.crossing, own, margin=margin, gap=gap, rate=rate)
+            clearance, late, correction = crossing
+            clear = clearance > 0.0
+            polished = t + correction
+            found = np.where(clear & (polished >= 0.0), polished, t)
+            arrival[search.shot[hit]] = found[hit]
+            delay[search.shot[hit & clear]] = late[hit & clear]
+            question[search.shot[hit & ~clear]] = t[hit & ~clear]
+        exhausted = ~hit & (stride >= search.end - t)
+        passed = search.end
+        search.t = np.where(hit, t, t + stride)
+        going = ~hit & (~exhausted | search.open(exhausted, passed))
+        if step == STEP_LIMIT:
+            question[search.shot[going]] = search.t[going]
+        if not going.all():
+            search.keep(going)
+    arrivals.question(question < np.inf, question)
+    arrivals.propose(arrival < np.inf, arrival, delay, index)
+
+
+def _collide(
+    kernels: ModuleType,
+    columns: dict[str, Column],
+    which: NDArray[np.int64],
+    touches: Mask,
+) -> None:
+    """Put the ball onto the surface it meets and give it its motion after the contact."""
+    normal: list[Any] = [0.0, 0.0, 1.0]
+    for index, (name, windows, _) in enumerate(kernels.SURFACES[:-1]):
+        here = which == index
+        own = _call(getattr(kernels, f"{name}_normal"), columns)
+        normal = [np.where(here, mine, other) for mine, other in zip(own, normal, strict=True)]
+        if not windows:
+            placed = _call(getattr(kernels, f"{name}_place"), columns)
+            for axis, value in zip(POSITION, placed, strict=True):
+                columns[axis] = np.where(here, value, columns[axis])
+    nx, ny, nz = normal
+    after = _call(kernels.impact, columns, nx=nx, ny=ny, nz=nz)
+    for name, value in zip(MOTION, after, strict=True):
+        columns[name] = np.where(touches, value, columns[name])
+
+
+def _record(
+    flights: Flights,
+    happened: Mask,
+    which: NDArray[np.int64],
+    before: Floats,
+    out: Raw,
+    offset: int,
+) -> None:
+    assert out.events is not None
+    assert out.event_counts is not None
+    row = flights.row[happened]
+    rows = (row, out.event_counts[row])
+    out.events["shot"][rows] = row + offset
+    out.events["surface"][rows] = which[happened]
+    out.events["time"][rows] = flights.clock[happened]
+    out.events["before"][rows] = before[happened]
+    out.events["after"][rows] = flights.state()[happened]
+    out.event_counts[row] += 1
+
+
+def _finish(flights: Flights, over: Mask, outcome: NDArray[np.int64], out: Raw) -> None:
+    """Write the results of the shots that are over."""
+    row = flights.row[over]
+    invalid = outcome[over] == INVALID
+    if out.outcome is not None:
+        out.outcome[row] = outcome[over]
+    if out.contacts is not None:
+        out.contacts[row] = flights.contacts[over]
+    if out.time is not None:
+        out.time[row] = np.where(invalid, np.nan, flights.clock[over])
+    if out.state is not None:
+        out.state[row] = np.where(invalid[:, None], np.nan, flights.state()[over])
+
+
+def _call(kernel: Callable[..., Outputs], columns: Mapping[str, Any], **renamed: Any) -> Outputs:
+    """Evaluate a kernel, its arguments taken by name."""
+    code = kernel.__code__  # type: ignore[attr-defined]
+    names = code.co_varnames[: code.co_argcount]
+    return kernel(*[renamed[n] if n in renamed else columns[n] for n in names])
+
+
+def _take(columns: Mapping[str, Column], which: Mask) -> dict[str, Column]:
+    return {n: c if np.ndim(c) == 0 else np.asarray(c)[which] for n, c in columns.items()}

@@ -1,0 +1,129 @@
+"""Parameters of the hoop: named numbers, and the presets of the article and the rule books."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hoopgen.generated.numpy import hoop
+
+NAMES = tuple(hoop.PARAMETERS)
+
+Value = float | NDArray[np.float64]
+
+
+class Parameters(Mapping[str, Any]):
+    """A read-only mapping from parameter names to values that merges with ``|``.
+
+    Parameters
+    ----------
+    values
+        Names and values; SI units.
+    """
+
+    def __init__(self, values: Mapping[str, Any]) -> None:
+        self._values = dict(values)
+
+    def __getitem__(self, name: str) -> Any:
+        return self._values[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+    def __or__(self, other: Mapping[str, Any]) -> Parameters:
+        """Return these parameters with those of `other` in their place."""
+        return Parameters(self._values | dict(other))
+
+    def __ror__(self, other: Mapping[str, Any]) -> Parameters:
+        return Parameters(dict(other) | self._values)
+
+    def __repr__(self) -> str:
+        return f"Parameters({self._values!r})"
+
+
+def _preset(
+    ball_radius: float,
+    ring_radius: float,
+    wire_radius: float,
+    board_distance: float,
+    board: tuple[float, float],
+) -> Parameters:
+    """Return a preset; the board's lower edge is 0.15 m below the ring's top edge."""
+    width, height = board
+    bottom = wire_radius - 0.15
+    return PAPER | {
+        "ball_radius": ball_radius,
+        "ring_radius": ring_radius,
+        "wire_radius": wire_radius,
+        "board_distance": board_distance,
+        "board_half_width": width / 2,
+        "board_bottom": bottom,
+        "board_top": bottom + height,
+        "end_depth": 0.2 * ball_radius,
+    }
+
+
+PAPER = Parameters({name: default for name, (default, _, _) in hoop.PARAMETERS.items()})
+"""Inside the rule books' tolerances, and every sequence of the article's Table 3 comes out."""
+
+NBA = _preset(
+    0.1213,  # 30 in round
+    0.2286 + 0.0079375,  # 18 in across inside, 5/8 in wire
+    0.0079375,
+    0.2286 + 0.1524,  # 9 in + 6 in
+    (1.8288, 1.0668),
+)
+"""NBA rule book."""
+
+FIBA = _preset(
+    0.1213,
+    0.2270 + 0.0090,  # 450-459 mm across inside, 16-20 mm wire
+    0.0090,
+    0.2270 + 0.151,
+    (1.80, 1.05),
+)
+"""FIBA equipment rules, middle of the tolerances."""
+
+
+def resolve(parameters: Mapping[str, Any], shots: int) -> list[NDArray[np.float64]]:
+    """Return the parameters in calling order, each of shape () or (shots,).
+
+    Raises
+    ------
+    TypeError
+        If `parameters` is not a mapping, or a value cannot become float64.
+    ValueError
+        If a name is unknown or missing, a shape is wrong, or a restitution for all shots is
+        outside [0, 1].
+    """
+    if not isinstance(parameters, Mapping):
+        raise TypeError(f"parameters: expected a mapping of names to values, got {parameters!r}")
+    unknown = [str(name) for name in parameters if name not in NAMES]
+    missing = [name for name in NAMES if name not in parameters]
+    if unknown or missing:
+        wrong = [f"unknown {', '.join(unknown)}"] if unknown else []
+        wrong += [f"missing {', '.join(missing)}"] if missing else []
+        raise ValueError(f"parameters: {'; '.join(wrong)}. The names are {', '.join(NAMES)}")
+    values = []
+    for name in NAMES:
+        try:
+            value = np.asarray(parameters[name], dtype=np.float64)
+        except (TypeError, ValueError):
+            given = parameters[name]
+            raise TypeError(f"parameters[{name!r}]: expected numbers, got {given!r}") from None
+        if value.shape not in ((), (shots,)):
+            raise ValueError(
+                f"parameters[{name!r}]: expected one number or {shots}, one a shot; "
+                f"got shape {value.shape}"
+            )
+        values.append(np.ascontiguousarray(value) if value.ndim else value)
+    restitution = values[NAMES.index("restitution")]
+    if restitution.ndim == 0 and not 0.0 <= restitution <= 1.0:
+        raise ValueError(f"parameters['restitution']: expected 0 to 1, got {restitution}")
+    return values

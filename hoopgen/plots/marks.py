@@ -1,0 +1,211 @@
+"""Numbered badges for contacts, and the key that tells what each of them is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+import hoopgen
+from hoopgen.plots.layout import Box, place_labels
+from hoopgen.plots.style import COLOURS
+from hoopgen.plots.views import View
+
+__all__ = ["KEY_ROW", "Mark", "collect_marks", "draw_badges", "draw_key", "key_rows"]
+
+Points = NDArray[np.float64]
+
+KEY_ROW = 0.22
+"""Height of a row of the key, inches."""
+
+_KEY_COLUMN = 1.68
+_TEXT_SIZE = 7.0
+_POINTS_PER_INCH = 72.0
+_HERE = 0.75  # ball radii: contacts nearer together than this share a badge
+_SHAPES = {"ring": "round,pad=0.3,rounding_size=0.75", "backboard": "square,pad=0.3"}
+_SHAPE = "round,pad=0.3,rounding_size=0.2"
+
+
+@dataclass(frozen=True)
+class Mark:
+    """What a badge stands for: a contact, or several in a row at one place.
+
+    Attributes
+    ----------
+    label
+        In the badge: ``"2"``, ``"9-40"``, ``"end"``; empty for what has no place.
+    kind
+        A surface's name, ``"release"`` or ``"end"``.
+    text
+        In the key; empty for none.
+    position
+        Of the ball's centre, shape (3,), m.
+    """
+
+    label: str
+    kind: str
+    text: str
+    position: Points
+
+
+def collect_marks(
+    release: Points, events: NDArray[Any], ball_radius: float, outcome: hoopgen.Outcome | None
+) -> tuple[Mark, ...]:
+    """Turn a shot's events into badges: release, contacts, and the end."""
+    contacts = events[events["surface"] < len(hoopgen.SURFACES)]
+    marks = [Mark("release", "release", "", release)]
+    for first, last in _groups(contacts, _HERE * ball_radius):
+        marks.append(_contact_mark(contacts, first, last))
+    said = "" if outcome is None else f", {outcome.name.lower()}"
+    if len(events) > len(contacts):
+        end = events[-1]
+        marks.append(Mark("end", "end", f"{end['time']:.3f} s{said}", end["before"][:3]))
+    elif outcome is not None:
+        marks.append(Mark("", "end", _unended(outcome, len(contacts)), release))
+    return tuple(marks)
+
+
+def _unended(outcome: hoopgen.Outcome, contacts: int) -> str:
+    """Say why a shot has no end."""
+    if outcome == hoopgen.Outcome.CAPPED:
+        return f"capped after {contacts} contacts"
+    return f"{outcome.name.lower()}: not down through the end plane"
+
+
+def _groups(contacts: NDArray[Any], reach: float) -> list[tuple[int, int]]:
+    """Cut the contacts into runs on one surface within reach of the run's first one."""
+    groups: list[tuple[int, int]] = []
+    for row in range(len(contacts)):
+        if groups:
+            first = groups[-1][0]
+            away = contacts["before"][row, :3] - contacts["before"][first, :3]
+            same = contacts["surface"][row] == contacts["surface"][first]
+            if same and np.linalg.norm(away) < reach:
+                groups[-1] = (first, row)
+                continue
+        groups.append((row, row))
+    return groups
+
+
+def _contact_mark(contacts: NDArray[Any], first: int, last: int) -> Mark:
+    name = hoopgen.SURFACES[int(contacts["surface"][first])]
+    start, stop = contacts["time"][first], contacts["time"][last]
+    position = contacts["before"][first, :3]
+    if first == last:
+        return Mark(f"{first + 1}", name, f"{name} {start:.3f} s", position)
+    text = f"{name} {start:.3f}\N{EN DASH}{stop:.3f} s"
+    return Mark(f"{first + 1}\N{EN DASH}{last + 1}", name, text, position)
+
+
+def draw_badges(
+    axes: Axes,
+    view: View,
+    marks: tuple[Mark, ...],
+    obstacles: Points,
+    bounds: tuple[float, float, float, float],
+    ball_radius: float,
+    scale: float,
+) -> None:
+    """Put each badge near its ball, over as little as can be, with a line to the ball's centre.
+
+    Parameters
+    ----------
+    axes, view
+        Where, and from where it is seen.
+    marks
+        What to label; those without a place in the scene are left out.
+    obstacles
+        Points in the picture better left visible, shape (n, 2).
+    bounds
+        Left, right, bottom, top of the picture, m.
+    ball_radius
+        m.
+    scale
+        Inches of the picture per metre.
+    """
+    shown = [mark for mark in marks if mark.label]
+    boxes = [_box(mark, view, ball_radius, scale) for mark in shown]
+    for mark, box, centre in zip(shown, boxes, place_labels(boxes, obstacles, bounds), strict=True):
+        colour = COLOURS[mark.kind]
+        axes.plot(
+            [box.anchor[0], centre[0]],
+            [box.anchor[1], centre[1]],
+            color=colour,
+            lw=0.6,
+            zorder=90,
+            marker="o",
+            ms=2.6,
+            markevery=[0],
+        )
+        _write_badge(axes, centre, mark)
+
+
+def _box(mark: Mark, view: View, ball_radius: float, scale: float) -> Box:
+    points = _POINTS_PER_INCH * scale  # per metre
+    width = (0.68 * _TEXT_SIZE * len(mark.label) + 6.0) / points
+    at = view.flatten(mark.position)
+    return Box(
+        (float(at[0]), float(at[1])), ball_radius + 2.0 / points, width, 1.9 * _TEXT_SIZE / points
+    )
+
+
+def _write_badge(axes: Axes, centre: tuple[float, float], mark: Mark) -> None:
+    colour = COLOURS[mark.kind]
+    disc = mark.kind == "ring" and len(mark.label) == 1
+    hollow = mark.kind in ("bridge", "release", "end")
+    axes.text(
+        *centre,
+        mark.label,
+        ha="center",
+        va="center",
+        fontsize=_TEXT_SIZE,
+        fontweight="bold",
+        color=colour if hollow else COLOURS["paper"],
+        zorder=100,
+        bbox={
+            "boxstyle": "circle,pad=0.22" if disc else _SHAPES.get(mark.kind, _SHAPE),
+            "fc": COLOURS["paper"] if hollow else colour,
+            "ec": colour,
+            "lw": 0.8,
+        },
+    )
+
+
+def key_rows(marks: tuple[Mark, ...], width: float) -> int:
+    """Count the rows of the key on a page of that width, inches."""
+    entries = sum(bool(mark.text) for mark in marks)
+    return -(-entries // _columns(width))
+
+
+def draw_key(figure: Figure, marks: tuple[Mark, ...], left: float, bottom: float) -> None:
+    """Write the key; left and bottom in inches."""
+    width, height = figure.get_size_inches()
+    entries = [mark for mark in marks if mark.text]
+    columns = _columns(width - left)
+    rows = -(-len(entries) // columns)
+    axes = figure.add_axes((0.0, 0.0, 1.0, 1.0), label="key", zorder=-1)
+    axes.set_axis_off()
+    axes.set_xlim(0.0, width)
+    axes.set_ylim(0.0, height)
+    for number, mark in enumerate(entries):
+        row, column = divmod(number, columns)
+        x = left + column * _KEY_COLUMN
+        y = bottom + (rows - row - 0.5) * KEY_ROW
+        if mark.label:
+            _write_badge(axes, (x + 0.2, y), mark)
+        axes.text(
+            x + (0.43 if mark.label else 0.1),
+            y,
+            mark.text,
+            ha="left",
+            va="center",
+            fontsize=_TEXT_SIZE + 0.5,
+        )
+
+
+def _columns(width: float) -> int:
+    return max(1, int((width + 0.1) // _KEY_COLUMN))

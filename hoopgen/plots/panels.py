@@ -1,0 +1,290 @@
+"""One view on the page: its axes in metres, the scene, the path and the badges."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MultipleLocator
+from numpy.typing import NDArray
+
+from hoopgen.plots.marks import Mark, draw_badges
+from hoopgen.plots.scene import draw_ball, draw_hoop, draw_path, scene_points
+from hoopgen.plots.style import COLOURS
+from hoopgen.plots.views import View
+
+__all__ = ["Drawing", "Panel", "Room", "draw_panel"]
+
+Points = NDArray[np.float64]
+Limits = tuple[float, float, float, float]
+Place = Sequence[float]
+
+_STEPS = (0.25, 0.5, 1.0, 2.0, 5.0, 10.0)  # m between ticks, the first with room for its numbers
+_TICK_ROOM = 0.36  # inches
+_POINTS_PER_INCH = 72.0
+_FEW = 3  # ticks on an axis, at least
+_CORNER = 0.3  # of a step: of two ticks at a corner of the room, one is left out
+
+
+@dataclass(frozen=True)
+class Room:
+    """A box along the axes that holds all that is drawn, m."""
+
+    low: tuple[float, float, float]
+    high: tuple[float, float, float]
+
+    def corners(self) -> Points:
+        """List its corners, shape (8, 3)."""
+        sides = np.array([self.low, self.high])
+        grid = np.stack(np.meshgrid(*sides.T, indexing="ij"), axis=-1)
+        return grid.reshape(-1, 3)
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """What all views of a shot share, in metres.
+
+    Attributes
+    ----------
+    path
+        The ball's centre, shape (n, 3).
+    beats
+        Where it is at regular times, shape (m, 3).
+    dots
+        Where it is at its contacts, shape (k, 3).
+    marks
+        What is labelled.
+    parameters
+        Of the scene.
+    room
+        What is shown.
+    """
+
+    path: Points
+    beats: Points
+    dots: Points
+    marks: tuple[Mark, ...]
+    parameters: Mapping[str, float]
+    room: Room
+
+
+@dataclass(frozen=True)
+class Panel:
+    """A view and its place on the page.
+
+    Attributes
+    ----------
+    view
+        From where.
+    limits
+        Left, right, bottom, top of the picture, m.
+    scale
+        Inches of the page per metre.
+    left, bottom
+        Of the axes, inches.
+    """
+
+    view: View
+    limits: Limits
+    scale: float
+    left: float
+    bottom: float
+
+    @property
+    def width(self) -> float:
+        """Of the axes, inches."""
+        return (self.limits[1] - self.limits[0]) * self.scale
+
+    @property
+    def height(self) -> float:
+        """Of the axes, inches."""
+        return (self.limits[3] - self.limits[2]) * self.scale
+
+
+def draw_panel(figure: Figure, panel: Panel, drawing: Drawing) -> Axes:
+    """Draw a view of a shot.
+
+    Parameters
+    ----------
+    figure
+        The page.
+    panel
+        The view and its place.
+    drawing
+        The shot.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+        With equal aspect, labelled with the view's name.
+    """
+    view = panel.view
+    axes = _add_axes(figure, panel)
+    written = _draw_floor(axes, panel, drawing) if view.labels is None else []
+    if view.labels is not None:
+        _dress_flat(axes, panel, drawing)
+    radius = drawing.parameters["ball_radius"]
+    draw_hoop(axes, view, drawing.parameters, panel.scale)
+    draw_path(axes, view, drawing.path)
+    for mark in drawing.marks:
+        if mark.label:
+            draw_ball(axes, view, mark.position, radius, ghost=mark.kind == "release")
+    _draw_dots(axes, view, drawing)
+    lines = np.vstack([drawing.path, scene_points(drawing.parameters)])
+    obstacles = np.vstack([view.flatten(lines), *written])
+    draw_badges(axes, view, drawing.marks, obstacles, panel.limits, radius, panel.scale)
+    return axes
+
+
+def _add_axes(figure: Figure, panel: Panel) -> Axes:
+    width, height = figure.get_size_inches()
+    place = (
+        panel.left / width,
+        panel.bottom / height,
+        panel.width / width,
+        panel.height / height,
+    )
+    axes = figure.add_axes(place, label=panel.view.name)
+    axes.set_xlim(panel.limits[0], panel.limits[1])
+    axes.set_ylim(panel.limits[2], panel.limits[3])
+    axes.set_aspect("equal")
+    axes.set_title(panel.view.name, loc="left", fontsize=8.0, color="#444444", pad=4.0)
+    return axes
+
+
+def _dress_flat(axes: Axes, panel: Panel, drawing: Drawing) -> None:
+    """Give a side or top view its labels, and the end plane where it is seen edge on."""
+    view = panel.view
+    assert view.labels is not None
+    axes.set_xlabel(view.labels[0])
+    axes.set_ylabel(view.labels[1])
+    left, right, bottom, top = panel.limits
+    for axis, span in ((axes.xaxis, right - left), (axes.yaxis, top - bottom)):
+        axis.set_major_locator(MultipleLocator(_step(span, panel.scale)))
+        axis.set_major_formatter(lambda value, _: _number(value))
+    axes.grid(color="#ECECEC", lw=0.5)
+    axes.set_axisbelow(True)
+    if view.up[2] == 1.0:
+        depth = -drawing.parameters["end_depth"]
+        axes.axhline(depth, color=COLOURS["end"], lw=0.7, ls=(0, (5, 3)), zorder=5)
+
+
+def _draw_dots(axes: Axes, view: View, drawing: Drawing) -> None:
+    _dots(axes, view.flatten(drawing.beats), 2.2, COLOURS["path"])
+    _dots(axes, view.flatten(drawing.dots), 2.6, COLOURS["backboard"])
+
+
+def _dots(axes: Axes, at: Points, size: float, colour: str) -> None:
+    axes.plot(at[:, 0], at[:, 1], ls="none", marker="o", ms=size, mfc=colour, mec="none", zorder=60)
+
+
+def _draw_floor(axes: Axes, panel: Panel, drawing: Drawing) -> list[Points]:
+    """Draw the three axes of a 3D view on the edges of its room, and the path's shadow.
+
+    Returns points under its numbers and names, in the picture's metres.
+    """
+    axes.set_axis_off()
+    view, room, floor = panel.view, drawing.room, drawing.room.low[2]
+    seen = panel.scale * np.linalg.norm(view.flatten(np.eye(3)), axis=1)
+    steps = [_step(*side) for side in zip(np.subtract(room.high, room.low), seen, strict=True)]
+    xs, ys, zs = map(_ticks, room.low, room.high, steps)
+    near = np.where(view.towards > 0.0, room.high, room.low)
+    for x in (room.low[0], *xs, room.high[0]):
+        _line(axes, view, (x, room.low[1], floor), (x, room.high[1], floor))
+    for y in (room.low[1], *ys, room.high[1]):
+        _line(axes, view, (room.low[0], y, floor), (room.high[0], y, floor))
+    left = min(room.corners().tolist(), key=lambda corner: float(view.flatten(corner)[0]))
+    _line(axes, view, (left[0], left[1], floor), (left[0], left[1], room.high[2]), "#777777")
+    clear = [x for x in xs if abs(x - near[0]) > _CORNER * steps[0]]
+    written = [
+        *_name_edge(axes, panel, room, 0, (0.0, near[1], floor), clear),
+        *_name_edge(axes, panel, room, 1, (near[0], 0.0, floor), ys),
+    ]
+    high = [z for z in zs if z - floor > _CORNER * steps[2]]
+    written += _name_edge(axes, panel, room, 2, (left[0], left[1], 0.0), high)
+    shadow = view.flatten(_dropped(drawing.path, floor))
+    axes.plot(shadow[:, 0], shadow[:, 1], color="#B0B0B0", lw=1.0, zorder=1)
+    for mark in drawing.marks:
+        foot = _dropped(mark.position, floor)
+        _line(axes, view, tuple(mark.position), tuple(foot), "#C4C4C4", dashed=True)
+    return written
+
+
+def _dropped(points: Points, floor: float) -> Points:
+    """Give the points straight below on the floor."""
+    return points * (1.0, 1.0, 0.0) + (0.0, 0.0, floor)
+
+
+def _step(span: float, scale: float) -> float:
+    """Choose the distance of ticks on an axis of that many metres, so many inches each."""
+    fine = _STEPS if span < _FEW * _STEPS[1] else _STEPS[1:]
+    return next((step for step in fine if step * scale >= _TICK_ROOM), _STEPS[-1])
+
+
+def _ticks(low: float, high: float, step: float) -> list[float]:
+    first, last = int(np.ceil(low / step)), int(np.floor(high / step))
+    return [step * count for count in range(first, last + 1)]
+
+
+def _line(
+    axes: Axes,
+    view: View,
+    start: Place,
+    stop: Place,
+    colour: str = "#DDDDDD",
+    *,
+    dashed: bool = False,
+) -> None:
+    flat = view.flatten([start, stop])
+    dashes = (0, (2, 2)) if dashed else "-"
+    axes.plot(flat[:, 0], flat[:, 1], color=colour, lw=0.6, ls=dashes, zorder=0)
+
+
+def _name_edge(
+    axes: Axes, panel: Panel, room: Room, axis: int, edge: Place, ticks: list[float]
+) -> list[Points]:
+    """Write the ticks of an edge of the room, and the axis' name, on its outer side.
+
+    Returns points under them, in the picture's metres.
+    """
+    view = panel.view
+    along = np.eye(3)[axis]
+    middle = view.flatten(edge + (room.low[axis] + room.high[axis]) / 2.0 * along)
+    away = middle - view.flatten(room.corners()).mean(axis=0)
+    flat = view.flatten(along)
+    across = np.array([flat[1], -flat[0]]) / np.hypot(*flat)
+    outward = across * np.sign(across @ away)
+    notes = [(view.flatten(edge + tick * along), _number(tick)) for tick in ticks]
+    offset = (12.0 if axis == 2 else 9.0) * outward
+    for at, text in notes:
+        _note(axes, at, offset, text, 7.5)
+    turned = 90.0 if axis == 2 else 0.0
+    _note(axes, middle, 29.0 * outward, f"{'xyz'[axis]} (m)", 8.5, turned)
+    point = 1.0 / (_POINTS_PER_INCH * panel.scale)  # in metres
+    texts = [middle + 29.0 * point * outward, *(at + offset * point for at, _ in notes)]
+    reach = 5.0 * point * np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]])
+    return [text + reach for text in texts]
+
+
+def _number(value: float) -> str:
+    return f"{round(value, 6) + 0.0:g}".replace("-", "\N{MINUS SIGN}")
+
+
+def _note(
+    axes: Axes, at: Points, offset: Points, text: str, size: float, rotation: float = 0.0
+) -> None:
+    axes.annotate(
+        text,
+        (float(at[0]), float(at[1])),
+        (float(offset[0]), float(offset[1])),
+        textcoords="offset points",
+        ha="center",
+        va="center",
+        fontsize=size,
+        rotation=rotation,
+        color="#333333",
+        annotation_clip=False,
+    )

@@ -1,0 +1,206 @@
+"""One shot's path in side, top and 3D view, with the ball drawn to scale at its contacts."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any, Protocol
+
+import numpy as np
+from matplotlib.figure import Figure
+from numpy.typing import ArrayLike, NDArray
+
+import hoopgen
+from hoopgen.plots.marks import KEY_ROW, collect_marks, draw_key, key_rows
+from hoopgen.plots.panels import Drawing, Panel, Room, draw_panel
+from hoopgen.plots.scene import scene_corners
+from hoopgen.plots.style import style
+from hoopgen.plots.views import SIDE, TOP, View, oblique
+
+__all__ = ["plot_trajectory"]
+
+Points = NDArray[np.float64]
+Limits = tuple[float, float, float, float]
+
+
+class Path(Protocol):
+    """What of `hoopgen.Trajectory` is drawn."""
+
+    @property
+    def events(self) -> NDArray[Any]: ...
+    @property
+    def duration(self) -> float: ...
+    def at(self, t: ArrayLike) -> NDArray[np.float64]: ...
+
+
+PAGE = 7.1
+"""Greatest width of the page, inches: two columns of a journal."""
+
+BEAT = 0.1
+"""Seconds between the dots on the path."""
+
+# Inches around and between the panels, for their labels.
+_LEFT, _RIGHT, _BETWEEN, _BELOW, _ABOVE = 0.62, 0.15, 0.72, 0.5, 0.66
+_TALLEST, _TALLEST_OVER = 5.6, 4.6  # of side and top views together; over a 3D view
+_NARROWEST = 5.3  # of a page, for the title and the key
+_WIDEST_BESIDE = 3.2  # of the side and top views, to have the 3D view beside them
+_BOX_BELOW = 3.5
+_LABELS = 0.48  # around a 3D view
+_PAD = 0.06  # m
+_FLAT = 1e-6  # m
+_ROUND = 0.25  # m: the room's sides
+_ELEVATION = np.radians(25.0)
+_ALONG, _ACROSS = np.radians(62.0), np.radians(36.0)  # azimuth, for a long and for a wide room
+
+
+def plot_trajectory(
+    trajectory: Path,
+    parameters: Mapping[str, float],
+    *,
+    outcome: hoopgen.Outcome | None = None,
+    title: str = "",
+    three_d: bool | None = None,
+) -> Figure:
+    """Draw a shot to scale: from the side, from above and, out of plane, in space.
+
+    Parameters
+    ----------
+    trajectory
+        ``shots.trajectory(i)`` of `hoopgen.simulate` with ``record=True``.
+    parameters
+        Of the scene, one number each.
+    outcome
+        Said beside the end; by default nothing is said.
+    title
+        Above the picture.
+    three_d
+        Whether there is a 3D view; by default where the ball leaves the plane y = 0.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        To be written with `hoopgen.plots.save`; not known to pyplot.
+    """
+    drawing = _collect(trajectory, parameters, outcome)
+    if three_d is None:
+        three_d = bool(np.abs(drawing.path[:, 1]).max() > _FLAT)
+    with style():
+        page = _arrange(drawing, three_d)
+        figure = Figure(figsize=(page.width, page.height))
+        for panel in page.panels:
+            draw_panel(figure, panel, drawing)
+        _draw_title(figure, title, _release_text(trajectory))
+        draw_key(figure, drawing.marks, page.panels[0].left, 0.12)
+    return figure
+
+
+def _collect(
+    trajectory: Path, parameters: Mapping[str, float], outcome: hoopgen.Outcome | None
+) -> Drawing:
+    events, duration = trajectory.events, trajectory.duration
+    path = trajectory.at(_times(events["time"], duration))[:, :3]
+    beats = trajectory.at(_beats(duration))[:, :3]
+    marks = collect_marks(path[0], events, parameters["ball_radius"], outcome)
+    return Drawing(path, beats, events["before"][:, :3], marks, parameters, _room(path, parameters))
+
+
+def _beats(duration: float) -> NDArray[np.float64]:
+    times = BEAT * np.arange(1, int(duration / BEAT) + 1)
+    return times[times < duration]
+
+
+def _times(contacts: NDArray[np.float64], duration: float) -> NDArray[np.float64]:
+    """Choose times that show each flight as a smooth curve, its ends among them."""
+    corners = np.unique(np.concatenate([[0.0], contacts, [duration]]))
+    flights = [
+        np.linspace(start, stop, max(2, int(160 * (stop - start))), endpoint=False)
+        for start, stop in pairwise(corners)
+    ]
+    return np.concatenate([*flights, [duration]])
+
+
+def _room(path: Points, parameters: Mapping[str, float]) -> Room:
+    radius = parameters["ball_radius"]
+    points = np.vstack([path - radius, path + radius, scene_corners(parameters)])
+    low, high = points.min(axis=0), points.max(axis=0)
+    low, high = np.floor(low / _ROUND) * _ROUND, np.ceil(high / _ROUND) * _ROUND
+    return Room((low[0], low[1], low[2]), (high[0], high[1], high[2]))
+
+
+@dataclass(frozen=True)
+class _Page:
+    width: float
+    height: float
+    panels: tuple[Panel, ...]
+
+
+def _arrange(drawing: Drawing, three_d: bool) -> _Page:
+    """Place the views: side over top, the 3D view beside them or, for a long shot, below."""
+    side, top = _flat_limits(drawing, SIDE), _flat_limits(drawing, TOP)
+    across, up = side[1] - side[0], side[3] - side[2] + top[3] - top[2]
+    widest = PAGE - _LEFT - _RIGHT
+    beside = three_d and across * _TALLEST / up < _WIDEST_BESIDE
+    tallest = _TALLEST_OVER if three_d and not beside else _TALLEST
+    scale = min(widest / across, tallest / up)
+    column = across * scale
+    width = PAGE if three_d else max(_LEFT + column + _RIGHT, _NARROWEST)
+    left = _LEFT if beside else _LEFT + (width - _LEFT - column - _RIGHT) / 2.0
+    key = 0.15 + KEY_ROW * key_rows(drawing.marks, width - _LEFT)
+    bottom = key + _BELOW + (_BOX_BELOW if three_d and not beside else 0.0)
+    lower = Panel(TOP, top, scale, left, bottom)
+    upper = Panel(SIDE, side, scale, left, bottom + lower.height + _BETWEEN)
+    height = upper.bottom + upper.height + _ABOVE
+    if not three_d:
+        return _Page(width, height, (upper, lower))
+    edge = left + column + 0.1
+    box = (edge, key, width - edge, height - key - _ABOVE)
+    space = _space_panel(
+        drawing, box if beside else (_LEFT, key, width - _LEFT - _RIGHT, _BOX_BELOW - 0.3)
+    )
+    return _Page(width, height, (upper, lower, space))
+
+
+def _flat_limits(drawing: Drawing, view: View) -> Limits:
+    """Bound what a side or top view shows: the scene and the ball all along its path."""
+    radius = drawing.parameters["ball_radius"]
+    path = view.flatten(drawing.path)
+    scene = view.flatten(scene_corners(drawing.parameters))
+    points = np.vstack([path - radius, path + radius, scene])
+    low, high = points.min(axis=0) - _PAD, points.max(axis=0) + _PAD
+    return float(low[0]), float(high[0]), float(low[1]), float(high[1])
+
+
+def _space_panel(drawing: Drawing, box: tuple[float, float, float, float]) -> Panel:
+    """Fit the 3D view into a box of the page (left, bottom, width, height in inches)."""
+    length, breadth, _ = np.subtract(drawing.room.high, drawing.room.low)
+    azimuth = _ALONG if length > 1.5 * breadth else _ACROSS
+    from_left = drawing.path[:, 1].mean() < 0.0
+    view = oblique(-azimuth if from_left else azimuth, _ELEVATION)
+    corners = view.flatten(drawing.room.corners())
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    size = high - low
+    scale = min((box[2] - 2 * _LABELS) / size[0], (box[3] - 2 * _LABELS) / size[1])
+    middle, half = (low + high) / 2.0, np.array(box[2:]) / scale / 2.0
+    (left, bottom), (right, top) = middle - half, middle + half
+    limits = (float(left), float(right), float(bottom), float(top))
+    return Panel(view, limits, float(scale), box[0], box[1])
+
+
+def _release_text(trajectory: Path) -> str:
+    """Say how the ball is released, in one line."""
+    _, _, _, vx, vy, vz, *spin = (float(value) for value in trajectory.at(np.zeros(1))[0])
+    speed = np.hypot(np.hypot(vx, vy), vz)
+    angle = np.degrees(np.arctan2(vz, np.hypot(vx, vy)))
+    said = f"Released at {speed:.2f} m/s, {angle:.1f}\N{DEGREE SIGN} up"
+    turning = [
+        f"$\\omega_{axis} = {w:.4g}$ rad/s" for axis, w in zip("xyz", spin, strict=True) if w
+    ]
+    return f"{said}, {', '.join(turning) or 'no spin'}. Dots on the path every {BEAT} s."
+
+
+def _draw_title(figure: Figure, title: str, text: str) -> None:
+    width, height = figure.get_size_inches()
+    x = _LEFT / width
+    figure.text(x, 1.0 - 0.16 / height, title, fontsize=10, fontweight="bold", va="center")
+    figure.text(x, 1.0 - 0.35 / height, text, fontsize=7.5, color="#333333", va="center")

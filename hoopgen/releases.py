@@ -1,0 +1,97 @@
+"""Releases: from speed and angles to states."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+RING_HEIGHT = 3.048
+"""m, of the ring above the floor: 10 ft."""
+
+
+def release(
+    speed: ArrayLike,
+    elevation: ArrayLike,
+    azimuth: ArrayLike = 0.0,
+    backspin: ArrayLike = 0.0,
+    sidespin: ArrayLike = 0.0,
+    *,
+    height: ArrayLike,
+    distance: ArrayLike,
+    angle: ArrayLike = 0.0,
+) -> NDArray[np.float64]:
+    """Return the states of shots released from a place on the court.
+
+    All arguments broadcast.
+
+    Parameters
+    ----------
+    speed
+        m/s.
+    elevation
+        Angle of the velocity above the horizontal, rad.
+    azimuth
+        Direction of the velocity on the floor plan, rad: 0 aims at the ring's centre, positive to
+        the shooter's left.
+    backspin
+        rad/s about the horizontal axis across the line of flight; positive spins the top of the
+        ball towards the shooter (wy > 0 for a shot along -x).
+    sidespin
+        rad/s about the vertical.
+    height
+        Of the ball's centre above the floor, m; the ring is at 3.048.
+    distance
+        From the ring's centre on the floor plan, m.
+    angle
+        Of the place around the ring's centre, rad: 0 straight in front, on +x, counter-clockwise
+        seen from above.
+
+    Returns
+    -------
+    ndarray
+        States of shape (..., 9), the arguments' common shape before the last axis.
+
+    Raises
+    ------
+    TypeError
+        If an argument cannot become float64.
+    ValueError
+        If the shapes do not broadcast.
+    """
+    arguments = {
+        "speed": speed,
+        "elevation": elevation,
+        "azimuth": azimuth,
+        "backspin": backspin,
+        "sidespin": sidespin,
+        "height": height,
+        "distance": distance,
+        "angle": angle,
+    }
+    arrays = {}
+    for name, value in arguments.items():
+        try:
+            arrays[name] = np.asarray(value, dtype=np.float64)
+        except (TypeError, ValueError):
+            raise TypeError(f"{name}: expected numbers, got {value!r}") from None
+    try:
+        columns = dict(zip(arrays, np.broadcast_arrays(*arrays.values()), strict=True))
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items() if array.ndim)
+        raise ValueError(f"release: the shapes do not broadcast: {shapes}") from None
+    # Towards the centre is angle + pi; the shooter's left, seen from above, is counter-clockwise.
+    heading = columns["azimuth"] + columns["angle"]
+    ahead_x, ahead_y = -np.cos(heading), -np.sin(heading)
+    level = columns["speed"] * np.cos(columns["elevation"])
+    state = np.empty((*columns["speed"].shape, 9))
+    state[..., 0] = columns["distance"] * np.cos(columns["angle"])
+    state[..., 1] = columns["distance"] * np.sin(columns["angle"])
+    state[..., 2] = columns["height"] - RING_HEIGHT
+    state[..., 3] = level * ahead_x
+    state[..., 4] = level * ahead_y
+    state[..., 5] = columns["speed"] * np.sin(columns["elevation"])
+    # Backspin turns about the axis ahead × up rotated by half a turn: for ahead = -x it is +y.
+    state[..., 6] = columns["backspin"] * ahead_y
+    state[..., 7] = columns["backspin"] * -ahead_x
+    state[..., 8] = columns["sidespin"]
+    return state + 0.0  # no negative zeros

@@ -1,0 +1,158 @@
+"""Results of a batch, and the path of one shot."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.generated.numpy import hoop
+
+SURFACES = tuple(name for name, _, _ in hoop.SURFACES[:-1])
+"""Surfaces, in the order of ``Shots.counts``; the event log numbers the end plane after them."""
+
+
+class Outcome(IntEnum):
+    """How a shot ended."""
+
+    MADE = 0
+    """Crossed the end plane downwards inside the ring."""
+    MISSED = 1
+    """Crossed it outside."""
+    CAPPED = 2
+    """Had max_contacts contacts before it."""
+    SHORT = 3
+    """Can never cross it downwards."""
+    INVALID = 4
+    """Not finite, a parameter not allowed, or a ball that starts inside a surface."""
+
+
+@dataclass(frozen=True)
+class Trajectory:
+    """The path of one shot from its release to its end.
+
+    Attributes
+    ----------
+    release
+        State at time 0, (9,).
+    events
+        Its rows of the event log; the end is the last one.
+    gravity
+        m/s².
+    """
+
+    release: NDArray[np.float64]
+    events: NDArray[Any]
+    gravity: float
+
+    @property
+    def duration(self) -> float:
+        """Time of the last event, s; 0 if there is none."""
+        return float(self.events["time"][-1]) if len(self.events) else 0.0
+
+    def at(self, t: ArrayLike) -> NDArray[np.float64]:
+        """Return the states at the times `t`; at a contact, the state after it.
+
+        Parameters
+        ----------
+        t
+            Times since the release, s, within [0, duration]; any shape.
+
+        Returns
+        -------
+        ndarray
+            Shape (*t.shape, 9).
+
+        Raises
+        ------
+        ValueError
+            If a time is not within the trajectory.
+        """
+        times = np.asarray(t, dtype=np.float64)
+        if not np.all((times >= 0.0) & (times <= self.duration)):
+            raise ValueError(f"t: expected times from 0 to {self.duration} s, got {t!r}")
+        starts = np.concatenate([[0.0], self.events["time"]])
+        states = np.concatenate([self.release[None], self.events["after"]])
+        segment = np.searchsorted(starts, times, side="right") - 1
+        origin = states[segment]
+        moved = hoop.flight(
+            times - starts[segment], *np.moveaxis(origin[..., :6], -1, 0), self.gravity
+        )
+        return np.stack([*np.broadcast_arrays(*moved), *np.moveaxis(origin[..., 6:], -1, 0)], -1)
+
+
+class Shots:
+    """Results of a batch; arrays by shot. A field that was not asked for raises AttributeError.
+
+    Attributes
+    ----------
+    outcome
+        uint8 (n,), an `Outcome`.
+    contacts
+        int32 (n,), contacts before the end.
+    counts
+        int32 (n, k), contacts by surface, in the order of `SURFACES`.
+    first
+        int8 (n,), first surface touched, -1 for none.
+    time
+        float64 (n,), s: at the end plane; capped or short, at the last contact.
+    state
+        float64 (n, 9), then.
+    uncertain
+        bool (n,), some decision of the shot lies within its rounding-error bound.
+    events
+        With ``record=True``: the event log, rows in order of shot, then time.
+    """
+
+    outcome: NDArray[np.uint8]
+    contacts: NDArray[np.int32]
+    counts: NDArray[np.int32]
+    first: NDArray[np.int8]
+    time: NDArray[np.float64]
+    state: NDArray[np.float64]
+    uncertain: NDArray[np.bool_]
+    events: NDArray[Any]
+
+    def __init__(
+        self,
+        fields: dict[str, NDArray[Any]],
+        states: NDArray[np.float64],
+        gravity: NDArray[np.float64],
+    ) -> None:
+        self._fields = fields
+        self._states = states
+        self._gravity = gravity
+
+    def __getattr__(self, name: str) -> NDArray[Any]:
+        fields = self.__dict__.get("_fields", {})
+        if name in fields:
+            return fields[name]  # type: ignore[no-any-return]
+        if name == "events":
+            raise AttributeError("events: simulate with record=True to keep the event log")
+        if name in Shots.__annotations__:
+            raise AttributeError(f"{name}: not among the fields asked for: {', '.join(fields)}")
+        raise AttributeError(f"Shots has no attribute {name!r}")
+
+    def __len__(self) -> int:
+        return len(self._states)
+
+    def __repr__(self) -> str:
+        return f"Shots({len(self)} shots: {', '.join(self._fields)})"
+
+    def trajectory(self, shot: int) -> Trajectory:
+        """Return the path of one shot; needs ``record=True``.
+
+        Raises
+        ------
+        IndexError
+            If there is no such shot.
+        """
+        if not -len(self) <= shot < len(self):
+            raise IndexError(f"shot {shot}: there are {len(self)}")
+        index = shot % len(self)
+        low, high = np.searchsorted(self.events["shot"], [index, index + 1])
+        gravity = self._gravity if self._gravity.ndim == 0 else self._gravity[index]
+        return Trajectory(self._states[index], self.events[low:high], float(gravity))

@@ -1,0 +1,199 @@
+"""`simulate`: checks its input, shares the shots among threads, and gathers the results."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.generated.numpy import hoop
+
+from .engine import native, numpy_backend
+from .engine.raw import FIELDS, STATE_SIZE, Raw, allocate, allocate_events
+from .parameters import NAMES, PAPER, resolve
+from .results import SURFACES, Shots
+
+CHUNK = 1 << 16
+"""Shots that a thread takes at a time: well under a tenth of a second."""
+
+RECORD_CHUNK = 1 << 10
+"""The same when recording, since room is made for every contact that could be."""
+
+
+@dataclass(frozen=True)
+class _Batch:
+    states: NDArray[np.float64]
+    parameters: list[NDArray[np.float64]]
+    max_contacts: int
+    library: native.Library | None
+    stop: NDArray[np.int32]
+
+    def run(self, start: int, stop: int, out: Raw) -> None:
+        """Simulate some of the shots into their rows of `out`."""
+        states = self.states[start:stop]
+        parameters = [p[start:stop] if p.ndim else p for p in self.parameters]
+        if self.library is not None:
+            self.library.run(states, parameters, self.max_contacts, out, self.stop)
+        else:
+            columns = [p if p.ndim else float(p) for p in parameters]
+            stopped = lambda: bool(self.stop[0])  # noqa: E731
+            numpy_backend.run(hoop, states, columns, self.max_contacts, out, stopped)
+
+
+def simulate(
+    states: ArrayLike,
+    parameters: Mapping[str, Any] = PAPER,
+    *,
+    max_contacts: int = 40,
+    backend: Literal["auto", "c", "numpy"] = "auto",
+    threads: int | None = None,
+    fields: Literal["all"] | Sequence[str] = "all",
+    record: bool = False,
+) -> Shots:
+    """Simulate shots from contact to contact until they end.
+
+    Parameters
+    ----------
+    states
+        Releases, (n, 9) or (9,): x y z (m), vx vy vz (m/s), wx wy wz (rad/s); origin at the ring's
+        centre, z up, backboard at negative x.
+    parameters
+        Name to value, one for all shots or (n,). `PAPER`, `NBA` and `FIBA` merge with ``|``.
+    max_contacts
+        A shot with so many contacts ends as capped; at least 1.
+    backend
+        "auto" is "c" where it was built, else "numpy". The results are the same bits.
+    threads
+        How many work; None for as many as the process may use.
+    fields
+        "all", or the names of the results that are wanted.
+    record
+        Whether to keep the event log, which `Shots.trajectory` needs.
+
+    Returns
+    -------
+    Shots
+        By shot, whatever the backend and the number of threads. A shot that cannot be simulated
+        is INVALID, with NaN results, and does not disturb the others.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not as described; the message says what is.
+    RuntimeError
+        If backend "c" is asked for and was not built.
+    """
+    releases = _states(states)
+    shots = len(releases)
+    values = resolve(parameters, shots)
+    if not isinstance(max_contacts, int | np.integer) or not 1 <= max_contacts < 2**31:
+        raise ValueError(f"max_contacts: expected a whole number from 1, got {max_contacts!r}")
+    wanted = _fields(fields)
+    batch = _Batch(
+        releases, values, int(max_contacts), _library(backend), np.zeros(1, np.int32)
+    )
+    out = allocate(shots, len(SURFACES), wanted)
+    logs = _run(batch, out, _threads(threads), record)
+    results = {name: getattr(out, name) for name in wanted}
+    if record:
+        results["events"] = np.concatenate(logs) if logs else allocate_events(0, 1).events[:, 0]
+    return Shots(results, releases, values[NAMES.index("gravity")])
+
+
+def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[Any]]:
+    """Run the batch in chunks; return the chunks' event logs, in order."""
+    shots = len(batch.states)
+
+    def work(start: int) -> NDArray[Any] | None:
+        stop = min(start + size, shots)
+        rows = out.rows(start, stop)
+        if not record:
+            batch.run(start, stop, rows)
+            return None
+        room = allocate_events(stop - start, batch.max_contacts)
+        assert room.events is not None
+        assert room.event_counts is not None
+        batch.run(start, stop, Raw(**{**vars(rows), **_present(room)}))
+        used = np.arange(batch.max_contacts + 1) < room.event_counts[:, None]
+        log = room.events[used]
+        log["shot"] += start
+        return log
+
+    size = RECORD_CHUNK if record else CHUNK
+    starts = range(0, shots, size)
+    if threads == 1 or len(starts) < 2:
+        logs = [work(start) for start in starts]
+    else:
+        with ThreadPoolExecutor(threads) as pool:
+            try:
+                logs = list(pool.map(work, starts))
+            except BaseException:
+                batch.stop[0] = 1
+                pool.shutdown(wait=False, cancel_futures=True)
+                raise
+    return [log for log in logs if log is not None]
+
+
+def _present(raw: Raw) -> dict[str, NDArray[Any]]:
+    return {name: array for name, array in vars(raw).items() if array is not None}
+
+
+def _states(states: ArrayLike) -> NDArray[np.float64]:
+    try:
+        array = np.asarray(states, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise TypeError(f"states: expected numbers of shape (n, 9) or (9,), got {states!r}") from None
+    if array.ndim == 1:
+        array = array[None]
+    if array.ndim != 2 or array.shape[1] != STATE_SIZE:
+        raise ValueError(
+            f"states: expected shape (n, 9) or (9,), got {np.shape(states)}; "
+            "a row is x y z vx vy vz wx wy wz"
+        )
+    return np.ascontiguousarray(array)
+
+
+def _fields(fields: str | Sequence[str]) -> tuple[str, ...]:
+    if isinstance(fields, str):
+        fields = FIELDS if fields == "all" else (fields,)
+    unknown = [str(name) for name in fields if name not in FIELDS]
+    if unknown:
+        raise ValueError(
+            f"fields: unknown {', '.join(unknown)}. 'all', or some of {', '.join(FIELDS)}"
+        )
+    return tuple(fields)
+
+
+def _threads(threads: int | None) -> int:
+    if threads is None:
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if not isinstance(threads, int | np.integer) or threads < 1:
+        raise ValueError(f"threads: expected a whole number from 1, or None, got {threads!r}")
+    return int(threads)
+
+
+def _library(backend: str) -> native.Library | None:
+    if backend not in ("auto", "c", "numpy"):
+        raise ValueError(f"backend: expected 'auto', 'c' or 'numpy', got {backend!r}")
+    if backend == "numpy":
+        return None
+    library = native.installed()
+    if library is None and backend == "c":
+        raise RuntimeError(
+            "backend: 'c' was not built; install again with a C compiler, or use 'numpy'"
+        )
+    if library is None:
+        _say_once()
+    return library
+
+
+@cache
+def _say_once() -> None:
+    print("hoopgen: the C engine was not built; NumPy serves, slower.", file=sys.stderr)

@@ -1,0 +1,56 @@
+"""What pyproject.toml cannot say: three folders become sub-packages, and C is built for ctypes."""
+
+import sysconfig
+from pathlib import Path
+
+from setuptools import Extension, find_namespace_packages, setup
+from setuptools.command.build_ext import build_ext
+
+ROOMS = ("derive", "templates", "generated")
+
+# -ffp-contract=off keeps every operation as written, and so the bits of the NumPy target.
+# No -march: the C file chooses its vector width at run time.
+UNIX_FLAGS = ["-O3", "-std=c11", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"]
+MSVC_FLAGS = ["/O2", "/std:c11", "/fp:precise"]
+
+
+class BuildPlainLibrary(build_ext):
+    """Build a shared library that ctypes loads: no PyInit, no libpython."""
+
+    def build_extension(self, ext: Extension) -> None:
+        msvc = self.compiler.compiler_type == "msvc"
+        ext.extra_compile_args = MSVC_FLAGS if msvc else UNIX_FLAGS
+        super().build_extension(ext)
+
+    def copy_extensions_to_source(self) -> None:
+        # Where the compiler fails, an editable install must not keep the library of older sources.
+        for ext in self.extensions:
+            path = Path(*ext.name.split("."))
+            path.with_name(path.name + sysconfig.get_config_var("EXT_SUFFIX")).unlink(True)
+        super().copy_extensions_to_source()
+
+    def get_export_symbols(self, ext: Extension) -> list[str]:
+        return ext.export_symbols
+
+    def get_libraries(self, ext: Extension) -> list[str]:
+        return ext.libraries
+
+
+def packages(folder: str) -> list[str]:
+    # Namespace packages too: a folder that holds only data has no __init__.py.
+    return find_namespace_packages(include=[folder, f"{folder}.*"], exclude=["*__pycache__*"])
+
+
+setup(
+    packages=packages("hoopgen") + [f"hoopgen.{name}" for room in ROOMS for name in packages(room)],
+    package_dir={f"hoopgen.{room}": room for room in ROOMS},
+    ext_modules=[
+        Extension(
+            "hoopgen.engine._hoop",
+            sources=["generated/c/hoop.c"],
+            depends=["setup.py", *sorted(map(str, Path("generated/c").glob("*.h")))],
+            optional=True,  # without a compiler NumPy serves
+        )
+    ],
+    cmdclass={"build_ext": BuildPlainLibrary},
+)
