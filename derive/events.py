@@ -23,7 +23,7 @@ import sympy as sp
 from .choice import IfAtMost, IfLess, hold, hold_all, largest, smallest
 from .flight import flight, flight_polynomials
 from .polynomials import Coefficients, bernstein, compose, derivative, horner, taylor
-from .rounding import SAFETY, Rounded, exact, flight_rounding, rounding
+from .rounding import SAFETY, Rounded, exact, flight_rounding, rounding, start_rounding
 from .surfaces import Plane, Surface
 from .symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, position, t, velocity
 
@@ -39,8 +39,8 @@ margin, rate_margin = sp.symbols("margin rate_margin", nonnegative=True)
 """Bounds on the errors of the computed gap and of its computed rate."""
 delay = sp.Symbol("delay", nonnegative=True)
 """Bound on how far a computed arrival is from the true one, s."""
-value, rate, ceiling = sp.symbols("gap rate ceiling", real=True)
-"""The gap F, its rate F' and an upper bound of F''."""
+rate, ceiling = sp.symbols("rate ceiling", real=True)
+"""The gap's rate F' and an upper bound of F''."""
 
 
 def event_coefficients(surface: Surface, gravity: sp.Expr) -> Coefficients:
@@ -90,18 +90,17 @@ def plane_margin(plane: Plane, gravity: sp.Expr) -> sp.Expr:
 
 
 def crossing() -> dict[str, sp.Expr]:
-    """Return what certifies a crossing at a computed arrival, its delay, and Newton's correction.
+    """Return what certifies a crossing at a computed arrival, and bounds its delay.
 
     A search stops where the computed gap is at most 2 m, so that F <= 3 m. With the slope
     r = -F' - m' > 0 and F'' <= C, F(t + s) <= 3 m - r s + C s²/2, which is negative at s = r/C if
     r² > 6 C m: the crossing is certain if `clearance` > 0. It is then within 6 m / r of the
-    computed time, before and after Newton's correction.
+    computed time, before and after Newton's corrections.
     """
     slope = hold(-rate - rate_margin)
     return {
         "clearance": IfLess(0, slope, slope**2 - 8 * ceiling * margin, slope),
         "delay": 6 * margin / slope,
-        "correction": -value / rate,
     }
 
 
@@ -184,6 +183,11 @@ class Approach(ABC):
         latest = smallest(horizon, largest(0, *(high for _, high in self.windows)))
         bounds = self.margins | {"ceiling": self.ceiling}
         return outputs | {name: bound.subs(horizon, latest) for name, bound in bounds.items()}
+
+    def refine(self) -> dict[str, sp.Expr]:
+        """Return Newton's next value of a root near t, for roots that are certain."""
+        gap = IfLess(0, leaving, hold(self.leaving_gap), hold(self.gap))
+        return {"time": t - gap / hold(self.rate)}
 
     def advance(self) -> dict[str, sp.Expr]:
         """Return gap, rate, bend and the step that no root can lie within.
@@ -291,7 +295,7 @@ class PolynomialApproach(Approach):
                 strict=True,
             )
         )
-        start = {symbol: exact(symbol) for symbol in (*POSITION, *VELOCITY)}
+        start = start_rounding(position, velocity)
         start[t] = Rounded(horizon)
         condition = self.surface.condition
         gradient = [sp.diff(condition, coordinate) for coordinate in POSITION]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from . import events
+from . import events, sensitivity
 from .choice import IfAtMost, IfLess
 from .events import approach, crossing, deflated_coefficients, event_coefficients
 from .flight import flight
@@ -14,6 +14,7 @@ from .frame import contact_frame
 from .impact import impact, impact_through_frame
 from .kernel import Kernel, kernel
 from .ring import steady, swing
+from .rounding import position_error, velocity_error
 from .scene import Scene
 from .surfaces import Plane, Surface
 from .symbols import NORMAL, POSITION, STATE, VELOCITY, normal, position, spin, t, velocity
@@ -55,9 +56,11 @@ class Model:
 
 def _order(scene: Scene) -> tuple[sp.Symbol, ...]:
     searching = (t, events.end, events.leaving, events.margin, events.rate_margin)
-    crossing_ = (events.value, events.rate, events.ceiling, events.delay, events.horizon)
+    crossing_ = (events.rate, events.ceiling, events.delay, events.horizon)
     return (
         *(*searching, *crossing_, *STATE, *NORMAL, *FRAME),
+        *(position_error, velocity_error, sensitivity.clock, sensitivity.clock_error),
+        *(*sensitivity.ERRORS, *sensitivity.dn),
         *(steady, swing, *scene.symbols),
     )
 
@@ -140,7 +143,7 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
             "crossing",
             crossing(),
             order,
-            "Positive clearance if a crossing is certain, the bound on its delay, Newton's correction.",
+            "Positive clearance if a crossing is certain, and the bound on its delay.",
             "Taylor's theorem with the margins of the gap and its rate",
         ),
         kernel(
@@ -153,6 +156,27 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
             order,
             "Bound on the error of a length at a computed arrival.",
             "running error analysis",
+        ),
+        kernel(
+            "carry_flight",
+            sensitivity.carried_to_contact(scene.gravity),
+            order,
+            "Errors of a state at the end of a flight to a surface, from those at its start.",
+            "derivative of Eq. 3 and of the contact time, with roundings",
+        ),
+        kernel(
+            "carry_impact",
+            sensitivity.carried_through_impact(ball_radius, restitution),
+            order,
+            "Errors of velocity and spin after a contact, from those before it.",
+            "derivative of the frame-free Eq. 17, with roundings",
+        ),
+        kernel(
+            "error_bounds",
+            sensitivity.bounds(),
+            order,
+            "Bounds on the errors of a state and its time, from the carried errors.",
+            "the carried errors times a guard",
         ),
         kernel(
             "valid",
@@ -226,6 +250,12 @@ def _surface_kernels(
             "Table 2",
         )
     else:
+        add(
+            "carry_normal",
+            sensitivity.carried_normal(surface),
+            "Error of the normal, from that of the position.",
+            "derivative of Table 2's normal",
+        )
         search = approach(surface, gravity)
         windows, constants = len(search.windows), tuple(search.constants)
         add(
@@ -233,6 +263,12 @@ def _surface_kernels(
             search.prepare(),
             "Constants, windows and margins of the search along a flight.",
             "bounds of the event condition",
+        )
+        add(
+            "refine",
+            search.refine(),
+            "Newton's next value of a root near t.",
+            "Newton's method",
         )
         add(
             "advance",

@@ -21,7 +21,7 @@ import sympy as sp
 from .choice import IfAtMost, IfLess, hold, hold_all, largest, size, smallest
 from .events import Approach, Window, horizon, time_rounding
 from .flight import flight
-from .rounding import SAFETY, Rounded, exact, flight_rounding, rounding
+from .rounding import SAFETY, Rounded, flight_rounding, position_error, rounding, start_rounding
 from .surfaces import Surface
 from .symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, position, t, velocity
 
@@ -270,8 +270,8 @@ class RingApproach(Approach):
         }
         gap = rounding((depth**2 + z**2) - reach**2, known).error
         slope = rounding(2 * (depth * (x * vx + y * vy) * inverse + z * vz), known)
-        # F/t from the start: P and Z carry only their own roundings, rho that of the position.
-        start = {symbol: exact(symbol) for symbol in (*POSITION, *VELOCITY)}
+        # F/t from the start: P and Z carry their own errors, rho those of the position.
+        start = start_rounding(position, velocity)
         start[t] = Rounded(horizon)
         _, q, speed_squared, _ = self._polar()
         outward = rounding(2 * q + speed_squared * t, start)
@@ -284,7 +284,7 @@ class RingApproach(Approach):
                 outward_symbol: outward,
                 upward_symbol: upward,
                 # Also the roundings of rho + rho0 - 2 R_H in any order.
-                rho0: Rounded(reach, 8 * u * outermost),
+                rho0: Rounded(reach, 2 * position_error + 8 * u * outermost),
             },
         ).error
         return {

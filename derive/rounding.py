@@ -15,6 +15,9 @@ import sympy as sp
 from .choice import Held
 from .symbols import UNIT_ROUNDOFF
 
+position_error, velocity_error = sp.symbols("position_error velocity_error", nonnegative=True)
+"""Bounds on the error of each component of a computed position and velocity (`sensitivity.py`)."""
+
 SAFETY = 1 + sp.Rational(1, 2**10)
 """Covers terms of order u² and the rounding of the bound's own evaluation."""
 
@@ -80,14 +83,21 @@ def _product(factors: list[Rounded]) -> Rounded:
     return Rounded(magnitude, carried + (len(factors) - 1) * UNIT_ROUNDOFF * magnitude)
 
 
+def start_rounding(position: sp.Matrix, velocity: sp.Matrix) -> dict[sp.Expr, Rounded]:
+    """Return bounds for the state at the start of a flight: its size, and what it may be off by."""
+    known = {symbol: Rounded(sp.Abs(symbol), position_error) for symbol in position}
+    return known | {symbol: Rounded(sp.Abs(symbol), velocity_error) for symbol in velocity}
+
+
 def flight_rounding(
     position: sp.Matrix, velocity: sp.Matrix, gravity: sp.Expr, time: sp.Expr, latest: sp.Expr
 ) -> dict[str, list[Rounded]]:
     """Return bounds for the three coordinates and velocities of a flight up to time `latest`.
 
-    `time` itself is an exact double there: what is bounded is the evaluation at that double.
+    `time` itself is an exact double there: what is bounded is the evaluation at that double, of a
+    flight whose start is off by at most `position_error` and `velocity_error`.
     """
-    known = {symbol: exact(symbol) for symbol in (*position, *velocity)}
+    known = start_rounding(position, velocity)
     known[time] = Rounded(latest)
     x, y, z = position
     vx, vy, vz = velocity

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -242,7 +242,7 @@ def run(
     cases: Iterable[Case] = CASES,
     *,
     parameters: Mapping[str, float] | None = None,
-    backend: str = "auto",
+    backend: Literal["auto", "c", "numpy"] = "auto",
 ) -> tuple[Result, ...]:
     """Simulate the article's shots, 40 contacts at most, as the article does.
 

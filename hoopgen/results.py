@@ -103,6 +103,9 @@ class Shots:
         float64 (n, 9), then.
     uncertain
         bool (n,), some decision of the shot lies within its rounding-error bound.
+    time_error, state_error
+        float64 (n,) and (n, 3), when asked for by name: bounds on the errors of `time` and of each
+        component of the position, velocity and spin in `state`, for shots that are not uncertain.
     events
         With ``record=True``: the event log, rows in order of shot, then time.
     """
@@ -114,6 +117,8 @@ class Shots:
     time: NDArray[np.float64]
     state: NDArray[np.float64]
     uncertain: NDArray[np.bool_]
+    time_error: NDArray[np.float64]
+    state_error: NDArray[np.float64]
     events: NDArray[Any]
 
     def __init__(

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.generated.numpy import hoop
 
 from .engine import native, numpy_backend
-from .engine.raw import FIELDS, STATE_SIZE, Raw, allocate, allocate_events
+from .engine.raw import BOUNDS, FIELDS, STATE_SIZE, Raw, allocate, allocate_events
 from .parameters import NAMES, PAPER, resolve
 from .results import SURFACES, Shots
 
@@ -73,7 +73,8 @@ def simulate(
     threads
         How many work; None for as many as the process may use.
     fields
-        "all", or the names of the results that are wanted.
+        "all", or the names of the results that are wanted; by name also "time_error" and
+        "state_error", the bounds on the errors of time and state.
     record
         Whether to keep the event log, which `Shots.trajectory` needs.
 
@@ -163,10 +164,10 @@ def _states(states: ArrayLike) -> NDArray[np.float64]:
 def _fields(fields: str | Sequence[str]) -> tuple[str, ...]:
     if isinstance(fields, str):
         fields = FIELDS if fields == "all" else (fields,)
-    unknown = [str(name) for name in fields if name not in FIELDS]
+    unknown = [str(name) for name in fields if name not in FIELDS + BOUNDS]
     if unknown:
         raise ValueError(
-            f"fields: unknown {', '.join(unknown)}. 'all', or some of {', '.join(FIELDS)}"
+            f"fields: unknown {', '.join(unknown)}. 'all', or some of {', '.join(FIELDS + BOUNDS)}"
         )
     return tuple(fields)
 

@@ -263,7 +263,7 @@ def test_shot_draws_its_picture(tmp_path: Path, suffix: str) -> None:
         ([*SHOT, "--set", "restitution"], "'restitution' is not name=value"),
         ([*SHOT, "--set", "restitution=0.7m"], "a plain number is wanted"),
         ([*SHOT, "--set", "restitution=2"], "restitution"),
-        ([*SHOT, "--set", "ring_radius=0.1"], "too big for the ring"),
+        ([*SHOT, "--set", "ring_radius=0.1", "--backend", "numpy"], "too big for the ring"),
         ([*SHOT, "--preset", "ncaa"], "'ncaa' is not one of"),
         ([*SHOT, "--max-contacts", "-1"], "-1 is not in the range"),
         ([*SHOT, "--picture", "shot.bmp"], ".png, .svg, .pdf"),
@@ -353,7 +353,7 @@ def test_bench_hands_on_arguments_and_status(monkeypatch: pytest.MonkeyPatch) ->
 
 def test_a_real_process_prints_a_shot() -> None:
     done = subprocess.run(
-        [sys.executable, "-c", "from hoopgen.cli import main; main()", *SHOT],
+        [sys.executable, "-c", "from hoopgen.cli import main; main()", *SHOT, "--backend", "numpy"],
         capture_output=True,
         text=True,
         encoding="utf-8",

@@ -1,6 +1,6 @@
 /* hoop: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene hoop, derivation b1a78b63d82011d8,
+   Generated from templates/c/scene.c.j2, scene hoop, derivation 80114b4e924bca64,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 

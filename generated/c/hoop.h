@@ -1,6 +1,6 @@
 /* hoop: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene hoop, derivation b1a78b63d82011d8,
+   Generated from templates/c/scene.h.j2, scene hoop, derivation 80114b4e924bca64,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Plain C11, no dependencies but sqrt. Compile hoop.c, next to which this file and the kernels
@@ -78,6 +78,8 @@ typedef struct {
     int8_t *first;           /* first surface touched, -1: none */
     double *time;            /* at the end plane; capped or short: at the last contact */
     double *state;           /* [shot][HOOP_STATE], then */
+    double *time_error;      /* bound on the error of `time` */
+    double *state_error;     /* [shot][3], of each component of position, velocity and spin */
     uint8_t *uncertain;      /* 1: a decision lies within its rounding-error bound */
     hoop_event *events;   /* [shot][max_contacts + 1] */
     int32_t *event_counts;   /* rows of `events` used, by shot */

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation b1a78b63d82011d8,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 80114b4e924bca64,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -66,6 +66,9 @@ LANES_INLINE void lanes_store(double *row, V a) { memcpy(row, &a, sizeof a); }
 typedef struct {
     double x[LANES_WIDTH], y[LANES_WIDTH], z[LANES_WIDTH], vx[LANES_WIDTH], vy[LANES_WIDTH], vz[LANES_WIDTH], wx[LANES_WIDTH], wy[LANES_WIDTH], wz[LANES_WIDTH];
     double ball_radius[LANES_WIDTH], ring_radius[LANES_WIDTH], wire_radius[LANES_WIDTH], board_distance[LANES_WIDTH], board_half_width[LANES_WIDTH], board_bottom[LANES_WIDTH], board_top[LANES_WIDTH], bridge_half_width[LANES_WIDTH], restitution[LANES_WIDTH], gravity[LANES_WIDTH], end_depth[LANES_WIDTH];
+    double dx[LANES_WIDTH], dy[LANES_WIDTH], dz[LANES_WIDTH], dvx[LANES_WIDTH], dvy[LANES_WIDTH], dvz[LANES_WIDTH], dwx[LANES_WIDTH], dwy[LANES_WIDTH], dwz[LANES_WIDTH]; /* carried errors of the state */
+    double clock_error[LANES_WIDTH];
+    double bounds[4][LANES_WIDTH]; /* of the errors: position, velocity, spin, time */
     double clock[LANES_WIDTH];     /* time of the last contact */
     double last[LANES_WIDTH];      /* surface of the last contact, -1: none */
     double first[LANES_WIDTH];     /* surface of the first one */
@@ -104,6 +107,16 @@ static void LANES(hoop_begin)(LANES(hoop_pool) *pool, int lane, const hoop_job *
     pool->restitution[lane] = job->parameters[8][job->strides[8] * (int64_t)shot];
     pool->gravity[lane] = job->parameters[9][job->strides[9] * (int64_t)shot];
     pool->end_depth[lane] = job->parameters[10][job->strides[10] * (int64_t)shot];
+    pool->dx[lane] = 0.0;
+    pool->dy[lane] = 0.0;
+    pool->dz[lane] = 0.0;
+    pool->dvx[lane] = 0.0;
+    pool->dvy[lane] = 0.0;
+    pool->dvz[lane] = 0.0;
+    pool->dwx[lane] = 0.0;
+    pool->dwy[lane] = 0.0;
+    pool->dwz[lane] = 0.0;
+    pool->clock_error[lane] = 0.0;
     pool->clock[lane] = 0.0;
     pool->last[lane] = -1.0;
     pool->first[lane] = -1.0;
@@ -148,6 +161,11 @@ static void LANES(hoop_finish)(LANES(hoop_pool) *pool, int lane, const hoop_job 
         out->state[HOOP_STATE * shot + 7] = invalid ? NAN : pool->wy[lane];
         out->state[HOOP_STATE * shot + 8] = invalid ? NAN : pool->wz[lane];
     }
+    if (out->time_error)
+        out->time_error[shot] = invalid ? NAN : pool->bounds[3][lane];
+    if (out->state_error)
+        for (int k = 0; k < 3; k++)
+            out->state_error[3 * shot + (size_t)k] = invalid ? NAN : pool->bounds[k][lane];
     if (out->uncertain)
         out->uncertain[shot] = pool->uncertain[lane] > 0.0;
     pool->occupied[lane] = 0.0;
@@ -198,6 +216,16 @@ static void LANES(hoop_run)(const hoop_job *job)
         const V restitution = lanes_load(pool.restitution);
         const V gravity = lanes_load(pool.gravity);
         const V end_depth = lanes_load(pool.end_depth);
+        V dx = lanes_load(pool.dx);
+        V dy = lanes_load(pool.dy);
+        V dz = lanes_load(pool.dz);
+        V dvx = lanes_load(pool.dvx);
+        V dvy = lanes_load(pool.dvy);
+        V dvz = lanes_load(pool.dvz);
+        V dwx = lanes_load(pool.dwx);
+        V dwy = lanes_load(pool.dwy);
+        V dwz = lanes_load(pool.dwz);
+        V clock_error = lanes_load(pool.clock_error);
         V clock = lanes_load(pool.clock);
         V last = lanes_load(pool.last);
         V contacts = lanes_load(pool.contacts);
@@ -238,6 +266,10 @@ static void LANES(hoop_run)(const hoop_job *job)
             }
         }
 
+        /* How far the state may be from the true one. */
+        const LANES(hoop_error_bounds_out) bounds = LANES(hoop_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+        const V position_error = bounds.position_error, velocity_error = bounds.velocity_error;
+
         /* The earliest arrival: its time and surface, the bound on its delay, and the earliest
            time of a decision that lies within its rounding error. */
         V when = never, which = none, late = zero, doubt = never;
@@ -246,12 +278,12 @@ static void LANES(hoop_run)(const hoop_job *job)
             const LANES(hoop_backboard_arrival_out) a = LANES(hoop_backboard_arrival)(leaving, x, vx, ball_radius, board_distance);
             const M meets = (a.rate < zero) | ((a.rate <= zero) & (a.bend < zero) & (a.time == zero));
             M arrives = meets & (a.time >= zero) & (a.time < never);
-            const V margin = LANES(hoop_backboard_margin)(a.time, x, vx, ball_radius, board_distance).margin;
-            const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, zero, a.rate, lanes_abs(a.bend));
+            const V margin = LANES(hoop_backboard_margin)(a.time, x, vx, position_error, velocity_error, ball_radius, board_distance).margin;
+            const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, a.rate, lanes_abs(a.bend));
             M unsure = arrives & NOT(c.clearance > zero);
             const LANES(hoop_flight_out) f = LANES(hoop_flight)(a.time, x, y, z, vx, vy, vz, gravity);
             const LANES(hoop_backboard_bounds_out) g = LANES(hoop_backboard_bounds)(f.y, f.z, board_half_width, board_bottom, board_top);
-            const V slack = LANES(hoop_displacement)(c.delay, a.time, x, y, z, vx, vy, vz, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
+            const V slack = LANES(hoop_displacement)(c.delay, a.time, x, y, z, vx, vy, vz, position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
             M within = (g.g0 <= zero) & (g.g1 <= zero) & (g.g2 <= zero) & (g.g3 <= zero);
             M near = (g.g0 <= slack) & (g.g1 <= slack) & (g.g2 <= slack) & (g.g3 <= slack);
             M surely = (g.g0 < -slack) & (g.g1 < -slack) & (g.g2 < -slack) & (g.g3 < -slack);
@@ -273,12 +305,12 @@ static void LANES(hoop_run)(const hoop_job *job)
             const LANES(hoop_bridge_arrival_out) a = LANES(hoop_bridge_arrival)(leaving, z, vz, ball_radius, wire_radius, gravity);
             const M meets = (a.rate < zero) | ((a.rate <= zero) & (a.bend < zero) & (a.time == zero));
             M arrives = meets & (a.time >= zero) & (a.time < never);
-            const V margin = LANES(hoop_bridge_margin)(a.time, z, vz, ball_radius, wire_radius, gravity).margin;
-            const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, zero, a.rate, lanes_abs(a.bend));
+            const V margin = LANES(hoop_bridge_margin)(a.time, z, vz, position_error, velocity_error, ball_radius, wire_radius, gravity).margin;
+            const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, a.rate, lanes_abs(a.bend));
             M unsure = arrives & NOT(c.clearance > zero);
             const LANES(hoop_flight_out) f = LANES(hoop_flight)(a.time, x, y, z, vx, vy, vz, gravity);
             const LANES(hoop_bridge_bounds_out) g = LANES(hoop_bridge_bounds)(f.x, f.y, ring_radius, board_distance, bridge_half_width);
-            const V slack = LANES(hoop_displacement)(c.delay, a.time, x, y, z, vx, vy, vz, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
+            const V slack = LANES(hoop_displacement)(c.delay, a.time, x, y, z, vx, vy, vz, position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
             M within = (g.g0 <= zero) & (g.g1 <= zero) & (g.g2 <= zero) & (g.g3 <= zero) & (g.g4 <= zero);
             M near = (g.g0 <= slack) & (g.g1 <= slack) & (g.g2 <= slack) & (g.g3 <= slack) & (g.g4 <= slack);
             M surely = (g.g0 < -slack) & (g.g1 < -slack) & (g.g2 < -slack) & (g.g3 < -slack) & (g.g4 < -slack);
@@ -300,8 +332,8 @@ static void LANES(hoop_run)(const hoop_job *job)
             const LANES(hoop_end_arrival_out) a = LANES(hoop_end_arrival)(leaving, z, vz, gravity, end_depth);
             const M meets = (a.rate < zero) | ((a.rate <= zero) & (a.bend < zero) & (a.time == zero));
             M arrives = meets & (a.time >= zero) & (a.time < never);
-            const V margin = LANES(hoop_end_margin)(a.time, z, vz, gravity, end_depth).margin;
-            const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, zero, a.rate, lanes_abs(a.bend));
+            const V margin = LANES(hoop_end_margin)(a.time, z, vz, position_error, velocity_error, gravity, end_depth).margin;
+            const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, a.rate, lanes_abs(a.bend));
             M unsure = arrives & NOT(c.clearance > zero);
             doubt = lanes_select(unsure & (a.time < doubt), a.time, doubt);
                         {
@@ -318,12 +350,12 @@ static void LANES(hoop_run)(const hoop_job *job)
             /* Nothing later than the planes' first arrival matters. */
             const V horizon = when + late;
             const V leaving = lanes_select(last == K(0.0), one, zero);
-            const LANES(hoop_ring_prepare_out) p = LANES(hoop_ring_prepare)(horizon, x, y, z, vx, vy, vz, ball_radius, ring_radius, wire_radius, gravity);
+            const LANES(hoop_ring_prepare_out) p = LANES(hoop_ring_prepare)(horizon, x, y, z, vx, vy, vz, position_error, velocity_error, ball_radius, ring_radius, wire_radius, gravity);
             const M gone = last == K(0.0);
             const V flat = lanes_select(gone, zero, p.margin);
             const V tilt = lanes_select(gone, p.leaving_margin, zero);
             V t = zero, end = zero, arrival = never, delay = zero;
-            M searching = flying & NOT(flying);
+            M searching = flying & NOT(flying), certain = searching;
             const V low2 = lanes_select(p.low2 > zero, p.low2, zero);
             const V high2 = lanes_select(p.high2 < horizon, p.high2, horizon);
             {
@@ -354,11 +386,10 @@ static void LANES(hoop_run)(const hoop_job *job)
                 const M falling = (a.rate < zero) | ((a.rate <= p.rate_margin) & (a.bend < zero));
                 const M hit = searching & (a.gap - margin <= margin) & falling;
                 if (lanes_any(hit)) {
-                    const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, p.rate_margin, a.gap, a.rate, p.ceiling);
+                    const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, p.rate_margin, a.rate, p.ceiling);
                     const M clear = c.clearance > zero;
-                    const V polished = t + c.correction;
-                    V found = lanes_select(clear & (polished >= zero), polished, t);
-                    arrival = lanes_select(hit, found, arrival);
+                    certain |= hit & clear;
+                    arrival = lanes_select(hit, lanes_select(clear, t - a.gap / a.rate, t), arrival);
                     delay = lanes_select(hit & clear, c.delay, delay);
                     doubt = lanes_select(hit & NOT(clear) & (t < doubt), t, doubt);
                     searching &= NOT(hit);
@@ -393,6 +424,12 @@ static void LANES(hoop_run)(const hoop_job *job)
                     searching &= NOT(searching);
                 }
             }
+            {
+                const V t = arrival;
+                const V refined = LANES(hoop_ring_refine)(t, leaving, x, y, z, vx, vy, vz, ball_radius, ring_radius, wire_radius, gravity).time;
+                arrival = lanes_select(certain, refined, arrival);
+                arrival = lanes_select(arrival < zero, zero, arrival);
+            }
             const M arrives = arrival < never;
                         {
                 const M tie = arrives & (lanes_abs(arrival - when) <= delay + late);
@@ -422,7 +459,7 @@ static void LANES(hoop_run)(const hoop_job *job)
         const V x_before = x, y_before = y, z_before = z, vx_before = vx, vy_before = vy, vz_before = vz;
         M doubtful = doubt <= when + late;
         {
-            const V slack = LANES(hoop_displacement)(late, t, lanes_load(pool.x), lanes_load(pool.y), lanes_load(pool.z), lanes_load(pool.vx), lanes_load(pool.vy), lanes_load(pool.vz), ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
+            const V slack = LANES(hoop_displacement)(late, t, lanes_load(pool.x), lanes_load(pool.y), lanes_load(pool.z), lanes_load(pool.vx), lanes_load(pool.vy), lanes_load(pool.vz), position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
             const V miss = LANES(hoop_target)(x, y, ring_radius).target;
             doubtful |= ends & (lanes_abs(miss) <= slack);
             uncertain = lanes_select(doubtful, one, uncertain);
@@ -432,7 +469,8 @@ static void LANES(hoop_run)(const hoop_job *job)
             outcome = lanes_select(touches & (contacts >= most_contacts), K((double)HOOP_CAPPED), outcome);
             lanes_store(pool.outcome, outcome);
         }
-        V nx = zero, ny = zero, nz = one;
+        const LANES(hoop_end_normal_out) level = LANES(hoop_end_normal)();
+        V nx = level.nx, ny = level.ny, nz = level.nz;
         {
             const M here = which == K(0.0);
             const LANES(hoop_ring_normal_out) n = LANES(hoop_ring_normal)(x, y, z, ball_radius, ring_radius, wire_radius);
@@ -448,10 +486,6 @@ static void LANES(hoop_run)(const hoop_job *job)
             nx = lanes_select(here, n.nx, nx);
             ny = lanes_select(here, n.ny, ny);
             nz = lanes_select(here, n.nz, nz);
-            const LANES(hoop_backboard_place_out) at = LANES(hoop_backboard_place)(y, z, ball_radius, board_distance);
-            x = lanes_select(here, at.x, x);
-            y = lanes_select(here, at.y, y);
-            z = lanes_select(here, at.z, z);
             const V count = lanes_load(pool.count_backboard);
             lanes_store(pool.count_backboard, lanes_select(here, count + one, count));
         }
@@ -461,12 +495,49 @@ static void LANES(hoop_run)(const hoop_job *job)
             nx = lanes_select(here, n.nx, nx);
             ny = lanes_select(here, n.ny, ny);
             nz = lanes_select(here, n.nz, nz);
+            const V count = lanes_load(pool.count_bridge);
+            lanes_store(pool.count_bridge, lanes_select(here, count + one, count));
+        }
+
+        /* What this segment adds to the errors, and what the contact makes of them. */
+        {
+            const LANES(hoop_carry_flight_out) carried = LANES(hoop_carry_flight)(t, x, y, z, vx, vy, vz, nx, ny, nz, clock, dx, dy, dz, dvx, dvy, dvz, gravity);
+            clock_error = lanes_select(stays, clock_error, clock_error + carried.delay);
+            dx = lanes_select(stays, dx, carried.dx);
+            dy = lanes_select(stays, dy, carried.dy);
+            dz = lanes_select(stays, dz, carried.dz);
+            dvx = lanes_select(stays, dvx, carried.dvx);
+            dvy = lanes_select(stays, dvy, carried.dvy);
+            dvz = lanes_select(stays, dvz, carried.dvz);
+            V dnx = zero, dny = zero, dnz = zero;
+            {
+                const M here = which == K(0.0);
+                const LANES(hoop_ring_carry_normal_out) turned = LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, ball_radius, ring_radius, wire_radius);
+                dnx = lanes_select(here, turned.dnx, dnx);
+                dny = lanes_select(here, turned.dny, dny);
+                dnz = lanes_select(here, turned.dnz, dnz);
+            }
+            const LANES(hoop_carry_impact_out) after = LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, ball_radius, restitution);
+            dvx = lanes_select(touches, after.dvx, dvx);
+            dvy = lanes_select(touches, after.dvy, dvy);
+            dvz = lanes_select(touches, after.dvz, dvz);
+            dwx = lanes_select(touches, after.dwx, dwx);
+            dwy = lanes_select(touches, after.dwy, dwy);
+            dwz = lanes_select(touches, after.dwz, dwz);
+        }
+        {
+            const M here = which == K(1.0);
+            const LANES(hoop_backboard_place_out) at = LANES(hoop_backboard_place)(y, z, ball_radius, board_distance);
+            x = lanes_select(here, at.x, x);
+            y = lanes_select(here, at.y, y);
+            z = lanes_select(here, at.z, z);
+        }
+        {
+            const M here = which == K(2.0);
             const LANES(hoop_bridge_place_out) at = LANES(hoop_bridge_place)(x, y, ball_radius, wire_radius);
             x = lanes_select(here, at.x, x);
             y = lanes_select(here, at.y, y);
             z = lanes_select(here, at.z, z);
-            const V count = lanes_load(pool.count_bridge);
-            lanes_store(pool.count_bridge, lanes_select(here, count + one, count));
         }
         {
             const LANES(hoop_impact_out) after = LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, ball_radius, restitution);
@@ -489,11 +560,28 @@ static void LANES(hoop_run)(const hoop_job *job)
         lanes_store(pool.wx, wx);
         lanes_store(pool.wy, wy);
         lanes_store(pool.wz, wz);
+        lanes_store(pool.dx, dx);
+        lanes_store(pool.dy, dy);
+        lanes_store(pool.dz, dz);
+        lanes_store(pool.dvx, dvx);
+        lanes_store(pool.dvy, dvy);
+        lanes_store(pool.dvz, dvz);
+        lanes_store(pool.dwx, dwx);
+        lanes_store(pool.dwy, dwy);
+        lanes_store(pool.dwz, dwz);
+        lanes_store(pool.clock_error, clock_error);
         lanes_store(pool.clock, clock);
         lanes_store(pool.last, last);
         lanes_store(pool.contacts, contacts);
         lanes_store(pool.uncertain, uncertain);
 
+        if (job->results->time_error || job->results->state_error) {
+            const LANES(hoop_error_bounds_out) now = LANES(hoop_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+            lanes_store(pool.bounds[0], now.position_error);
+            lanes_store(pool.bounds[1], now.velocity_error);
+            lanes_store(pool.bounds[2], now.spin_error);
+            lanes_store(pool.bounds[3], now.time_error);
+        }
         if (job->results->events) {
             double surface[LANES_WIDTH];
             double before[HOOP_STATE][LANES_WIDTH];

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation b1a78b63d82011d8,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 80114b4e924bca64,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -98,37 +98,122 @@ LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V ball_
     return (LANES(hoop_impact_out)){ s2 - ((nx * restitution) * s1), s3 - ((ny * restitution) * s1), s4 - ((nz * restitution) * s1), (((ny * s4) - (nz * s3)) / ball_radius) + (nx * s5), (((nz * s2) - (nx * s4)) / ball_radius) + (ny * s5), (((nx * s3) - (ny * s2)) / ball_radius) + (nz * s5) };
 }
 
-/* Positive clearance if a crossing is certain, the bound on its delay, Newton's correction.
-   Taylor's theorem with the margins of the gap and its rate. 12 operations: 1 addition, 1 subtraction, 4 multiplications, 2 divisions, 2 negations, 1 comparison, 1 selection. */
+/* Positive clearance if a crossing is certain, and the bound on its delay.
+   Taylor's theorem with the margins of the gap and its rate. 10 operations: 1 addition, 1 subtraction, 4 multiplications, 1 division, 1 negation, 1 comparison, 1 selection. */
 typedef struct {
-    V clearance, delay, correction;
+    V clearance, delay;
 } LANES(hoop_crossing_out);
 
 LANES_INLINE LANES(hoop_crossing_out)
-LANES(hoop_crossing)(V margin, V rate_margin, V gap, V rate, V ceiling)
+LANES(hoop_crossing)(V margin, V rate_margin, V rate, V ceiling)
 {
     const V s0 = -(rate + rate_margin);
-    return (LANES(hoop_crossing_out)){ lanes_select((K(0.0) < s0), ((s0 * s0) - ((K(8.0) * ceiling) * margin)), s0), (K(6.0) * margin) / s0, -(gap / rate) };
+    return (LANES(hoop_crossing_out)){ lanes_select((K(0.0) < s0), ((s0 * s0) - ((K(8.0) * ceiling) * margin)), s0), (K(6.0) * margin) / s0 };
 }
 
 /* Bound on the error of a length at a computed arrival.
-   running error analysis. 55 operations: 21 additions, 26 multiplications, 8 absolute values. */
+   running error analysis. 61 operations: 24 additions, 29 multiplications, 8 absolute values. */
 typedef struct {
     V margin;
 } LANES(hoop_displacement_out);
 
 LANES_INLINE LANES(hoop_displacement_out)
-LANES(hoop_displacement)(V delay, V horizon, V x, V y, V z, V vx, V vy, V vz, V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V gravity, V end_depth)
+LANES(hoop_displacement)(V delay, V horizon, V x, V y, V z, V vx, V vy, V vz, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V gravity, V end_depth)
 {
-    const V s0 = (((((K(4.445228907190568e-16) * ball_radius) + (K(4.445228907190568e-16) * board_distance)) + (K(4.445228907190568e-16) * board_half_width)) + (K(4.445228907190568e-16) * bridge_half_width)) + (K(4.445228907190568e-16) * end_depth)) + (K(4.445228907190568e-16) * ring_radius);
+    const V s0 = (((((K(4.445228907190568e-16) * ball_radius) + (K(4.445228907190568e-16) * board_distance)) + (K(4.445228907190568e-16) * board_half_width)) + (K(4.445228907190568e-16) * bridge_half_width)) + (K(4.445228907190568e-16) * end_depth)) + (K(3.0029296875) * position_error);
     const V s1 = lanes_abs(vx);
     const V s2 = lanes_abs(vy);
     const V s3 = lanes_abs(vz);
-    const V s4 = (s0 + (K(4.445228907190568e-16) * wire_radius)) + ((K(1.0009765625) * delay) * ((((gravity * horizon) + s1) + s2) + s3));
+    const V s4 = ((s0 + (K(4.445228907190568e-16) * ring_radius)) + (K(4.445228907190568e-16) * wire_radius)) + ((K(1.0009765625) * delay) * ((((gravity * horizon) + s1) + s2) + s3));
     const V s5 = K(6.667843360785852e-16) * horizon;
-    const V s6 = (s4 + ((K(1.0009765625) * horizon) * (((K(1.6653345369377348e-16) * gravity) * horizon) + (K(1.1102230246251565e-16) * s3)))) + (s5 * (((K(0.5) * gravity) * horizon) + s3));
+    const V s6 = ((s4 + ((K(2.001953125) * horizon) * velocity_error)) + (s5 * (((K(0.5) * gravity) * horizon) + s3))) + ((K(1.0009765625) * horizon) * ((velocity_error + ((K(1.6653345369377348e-16) * gravity) * horizon)) + (K(1.1102230246251565e-16) * s3)));
     const V s7 = ((((s6 + (s5 * s1)) + (s5 * s2)) + (K(4.445228907190568e-16) * lanes_abs(board_bottom))) + (K(4.445228907190568e-16) * lanes_abs(board_top))) + (K(5.55653613398821e-16) * lanes_abs(x));
     return (LANES(hoop_displacement_out)){ (s7 + (K(5.55653613398821e-16) * lanes_abs(y))) + (K(5.55653613398821e-16) * lanes_abs(z)) };
+}
+
+/* Errors of a state at the end of a flight to a surface, from those at its start.
+   derivative of Eq. 3 and of the contact time, with roundings. 65 operations: 19 additions, 1 subtraction, 23 multiplications, 5 divisions, 4 negations, 7 absolute values, 3 comparisons, 3 selections. */
+typedef struct {
+    V dx, dy, dz, dvx, dvy, dvz, delay;
+} LANES(hoop_carry_flight_out);
+
+LANES_INLINE LANES(hoop_carry_flight_out)
+LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V dx, V dy, V dz, V dvx, V dvy, V dvz, V gravity)
+{
+    const V s0 = dx + (dvx * t);
+    const V s1 = K(2.0) * t;
+    const V s2 = K(4.440892098500626e-16) * ((s1 * lanes_abs(vx)) + lanes_abs(x));
+    const V s3 = s0 + lanes_select((s0 < K(0.0)), (-s2), s2);
+    const V s4 = dy + (dvy * t);
+    const V s5 = K(4.440892098500626e-16) * ((s1 * lanes_abs(vy)) + lanes_abs(y));
+    const V s6 = s4 + lanes_select((s4 < K(0.0)), (-s5), s5);
+    const V s7 = dz + (dvz * t);
+    const V s8 = K(4.440892098500626e-16) * (((gravity * (t * t)) + (s1 * lanes_abs(vz))) + lanes_abs(z));
+    const V s9 = s7 + lanes_select((s7 < K(0.0)), (-s8), s8);
+    const V s10 = -(((nx * s3) + (ny * s6)) + (nz * s9));
+    const V s11 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    return (LANES(hoop_carry_flight_out)){ ((vx * s10) / s11) + s3, ((vy * s10) / s11) + s6, ((vz * s10) / s11) + s9, dvx, dvy, dvz - ((gravity * s10) / s11), lanes_abs((s10 / s11)) + (K(4.440892098500626e-16) * (clock + t)) };
+}
+
+/* Errors of velocity and spin after a contact, from those before it.
+   derivative of the frame-free Eq. 17, with roundings. 187 operations: 43 additions, 30 subtractions, 90 multiplications, 4 divisions, 2 negations, 6 absolute values, 6 comparisons, 6 selections. */
+typedef struct {
+    V dvx, dvy, dvz, dwx, dwy, dwz;
+} LANES(hoop_carry_impact_out);
+
+LANES_INLINE LANES(hoop_carry_impact_out)
+LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V ball_radius, V restitution)
+{
+    const V s0 = K(0.4) * ball_radius;
+    const V s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const V s2 = (((((dnx * vx) + (dny * vy)) + (dnz * vz)) + (dvx * nx)) + (dvy * ny)) + (dvz * nz);
+    const V s3 = (s0 * ((((dnz * wy) + (dwy * nz)) - (dny * wz)) - (dwz * ny))) + (K(0.6) * ((dvx - (dnx * s1)) - (nx * s2)));
+    const V s4 = (s3 - ((dnx * restitution) * s1)) - ((nx * restitution) * s2);
+    const V s5 = ((ball_radius * ((lanes_abs(wx) + lanes_abs(wy)) + lanes_abs(wz))) + lanes_abs(vx)) + lanes_abs(vy);
+    const V s6 = K(4.440892098500626e-16) * (s5 + lanes_abs(vz));
+    const V s7 = -s6;
+    const V s8 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (K(0.6) * ((dvy - (dny * s1)) - (ny * s2)));
+    const V s9 = (s8 - ((dny * restitution) * s1)) - ((ny * restitution) * s2);
+    const V s10 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (K(0.6) * ((dvz - (dnz * s1)) - (nz * s2)));
+    const V s11 = (s10 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2);
+    const V s12 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
+    const V s13 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
+    const V s14 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    const V s15 = (((((dny * s12) + (ny * s10)) - (dnz * s13)) - (nz * s8)) / ball_radius) + (dnx * s14);
+    const V s16 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz);
+    const V s17 = s15 + (nx * s16);
+    const V s18 = s6 / ball_radius;
+    const V s19 = -s18;
+    const V s20 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
+    const V s21 = (((((dnz * s20) + (nz * s3)) - (dnx * s12)) - (nx * s10)) / ball_radius) + (dny * s14);
+    const V s22 = s21 + (ny * s16);
+    const V s23 = (((((dnx * s13) + (nx * s8)) - (dny * s20)) - (ny * s3)) / ball_radius) + (dnz * s14);
+    const V s24 = s23 + (nz * s16);
+    return (LANES(hoop_carry_impact_out)){ s4 + lanes_select((s4 < K(0.0)), s7, s6), s9 + lanes_select((s9 < K(0.0)), s7, s6), s11 + lanes_select((s11 < K(0.0)), s7, s6), s17 + lanes_select((s17 < K(0.0)), s19, s18), s22 + lanes_select((s22 < K(0.0)), s19, s18), s24 + lanes_select((s24 < K(0.0)), s19, s18) };
+}
+
+/* Bounds on the errors of a state and its time, from the carried errors.
+   the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+typedef struct {
+    V position_error, velocity_error, spin_error, time_error;
+} LANES(hoop_error_bounds_out);
+
+LANES_INLINE LANES(hoop_error_bounds_out)
+LANES(hoop_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
+{
+    const V s0 = lanes_abs(dx);
+    const V s1 = lanes_abs(dy);
+    const V s2 = lanes_select((s0 < s1), s1, s0);
+    const V s3 = lanes_abs(dz);
+    const V s4 = lanes_abs(dvx);
+    const V s5 = lanes_abs(dvy);
+    const V s6 = lanes_select((s4 < s5), s5, s4);
+    const V s7 = lanes_abs(dvz);
+    const V s8 = lanes_abs(dwx);
+    const V s9 = lanes_abs(dwy);
+    const V s10 = lanes_select((s8 < s9), s9, s8);
+    const V s11 = lanes_abs(dwz);
+    return (LANES(hoop_error_bounds_out)){ K(16.0) * lanes_select((s2 < s3), s3, s2), K(16.0) * lanes_select((s6 < s7), s7, s6), K(16.0) * lanes_select((s10 < s11), s11, s10), K(16.0) * clock_error };
 }
 
 /* 1 where parameters are allowed and the ball overlaps no surface, else 0.
@@ -236,14 +321,36 @@ LANES(hoop_ring_normal)(V x, V y, V z, V ball_radius, V ring_radius, V wire_radi
     return (LANES(hoop_ring_normal_out)){ (x * s2) / s3, (y * s2) / s3, z / s0 };
 }
 
+/* Error of the normal, from that of the position.
+   derivative of Table 2's normal. 36 operations: 5 additions, 3 subtractions, 20 multiplications, 7 divisions, 1 square root. */
+typedef struct {
+    V dnx, dny, dnz;
+} LANES(hoop_ring_carry_normal_out);
+
+LANES_INLINE LANES(hoop_ring_carry_normal_out)
+LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V ball_radius, V ring_radius, V wire_radius)
+{
+    const V s0 = ball_radius + wire_radius;
+    const V s1 = (x * x) + (y * y);
+    const V s2 = lanes_sqrt(s1);
+    const V s3 = s2 - ring_radius;
+    const V s4 = s0 * s2;
+    const V s5 = ((K(2.0) * dx) * x) + ((K(2.0) * dy) * y);
+    const V s6 = K(0.5) * x;
+    const V s7 = s0 * s1;
+    const V s8 = s0 * (s2 * s1);
+    const V s9 = K(0.5) * y;
+    return (LANES(hoop_ring_carry_normal_out)){ (((dx * s3) / s4) + ((s6 * s5) / s7)) - (((s6 * s3) * s5) / s8), (((dy * s3) / s4) + ((s9 * s5) / s7)) - (((s9 * s3) * s5) / s8), dz / s0 };
+}
+
 /* Constants, windows and margins of the search along a flight.
-   bounds of the event condition. 295 operations: 75 additions, 16 subtractions, 126 multiplications, 18 divisions, 4 square roots, 1 negation, 8 absolute values, 20 comparisons, 27 selections. */
+   bounds of the event condition. 325 operations: 94 additions, 16 subtractions, 137 multiplications, 18 divisions, 4 square roots, 1 negation, 8 absolute values, 20 comparisons, 27 selections. */
 typedef struct {
     V steady, swing, low0, high0, low1, high1, low2, high2, margin, leaving_margin, rate_margin, ceiling;
 } LANES(hoop_ring_prepare_out);
 
 LANES_INLINE LANES(hoop_ring_prepare_out)
-LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V gravity)
 {
     const V s0 = vz * vz;
     const V s1 = vx * vx;
@@ -304,34 +411,63 @@ LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V ball_radi
     const V s56 = lanes_abs(vy);
     const V s57 = (s55 * s18) + (s56 * s18);
     const V s58 = (K(1.0009765625) * (((K(4.440896333665362e-16) * s54) * s7) + (((K(4.440896333665362e-16) * s57) * s7) / s28))) * s52;
-    const V s59 = K(1.1102230246251565e-16) * s13;
-    const V s60 = ((K(1.6653345369377348e-16) * gravity) * s52) + s59;
-    const V s61 = ((K(0.5) * gravity) * s52) + s13;
-    const V s62 = ((s60 * s52) + ((K(2.220446049250313e-16) * s61) * s52)) + (K(1.1102230246251565e-16) * s10);
+    const V s59 = ((K(0.5) * gravity) * s52) + s13;
+    const V s60 = K(1.1102230246251565e-16) * s13;
+    const V s61 = (velocity_error + ((K(1.6653345369377348e-16) * gravity) * s52)) + s60;
+    const V s62 = ((position_error + ((K(2.220446049250313e-16) * s59) * s52)) + (s61 * s52)) + (K(1.1102230246251565e-16) * s10);
     const V s63 = (((K(2.0019569434243767) * ((K(1.1102230246251565e-16) * ball_radius) + (K(1.1102230246251565e-16) * wire_radius))) * s7) + s58) + ((K(2.001955034211278) * s62) * s7);
-    const V s64 = K(2.220446049250313e-16) * s55;
-    const V s65 = s64 * s52;
-    const V s66 = K(2.220446049250313e-16) * s56;
-    const V s67 = s66 * s52;
-    const V s68 = lanes_abs(x);
-    const V s69 = K(1.1102230246251565e-16) * s68;
-    const V s70 = lanes_abs(y);
-    const V s71 = K(1.1102230246251565e-16) * s70;
-    const V s72 = ((s65 + s67) + s69) + s71;
-    const V s73 = K(2.220446049250313e-16) * s18;
-    const V s74 = (s72 + (K(1.1102240834163406e-16) * s7)) + s73;
-    const V s75 = s7 * s7;
-    const V s76 = K(2.0) * s13;
-    const V s77 = ((s3 * s52) + ((K(2.0) * s55) * s68)) + ((K(2.0) * s56) * s70);
-    const V s78 = K(2.001955034211278) * (((s72 + s73) / s29) + (K(1.1102230246251565e-16) / s28));
-    const V s79 = (((((K(2.001955034211278) * s60) * s7) + ((K(6.667849719736811e-16) * s61) * s7)) + ((K(4.445233146491208e-16) * s54) * s7)) + ((K(1.0009765625) * (s53 + s76)) * s62)) + ((s78 * s77) * s7);
-    const V s80 = (s79 + (((K(4.445233146491208e-16) * s57) * s7) / s28)) + (((K(1.0009765625) * s77) * ((s72 + (K(3.330672250249022e-16) * s7)) + (K(1.1102230246251565e-15) * s18))) / s28);
-    const V s81 = (((((K(2.220446049250313e-16) * s1) + (K(2.220446049250313e-16) * s2)) * s52) + ((K(2.220446049250313e-16) * s3) * s52)) + ((K(8.881784197001252e-16) * s55) * s68)) + ((K(8.881784197001252e-16) * s56) * s70);
-    const V s82 = ((K(2.001955034211278) * (((K(3.3306690738754696e-16) * gravity) * s52) + s59)) * s7) + ((K(6.667849719736811e-16) * s54) * s7);
-    const V s83 = (s82 + ((K(1.0009765625) * ((s9 * s52) + s76)) * s62)) + ((s78 * s57) * s7);
-    const V s84 = K(2.001955034211278) * (((((s65 + s69) * s55) + ((s67 + s71) * s56)) + (s64 * s18)) + (s66 * s18));
-    const V s85 = ((s83 + (((K(2.001953125) * s57) * s74) / s28)) + (((K(8.890466292982415e-16) * s57) * s7) / s28)) + ((s84 * s7) / s28);
-    return (LANES(hoop_ring_prepare_out)){ s4, (K(2.0) * ring_radius) * s6, lanes_select((s17 < s27), s27, s17), s41, lanes_select(s46, s43, lanes_select((s45 < s27), s27, s45)), s47, lanes_select((s45 < s42), s42, s45), s48, ((s63 + ((K(2.001955034211278) * s74) * s7)) + (K(4.44523738579589e-16) * s75)) + (K(6.667856078693835e-16) * s75), (s80 + (((K(6.667849719736811e-16) * s77) * s7) / s28)) + (((K(2.001955034211278) * s81) * s7) / s28), s85, ((K(6.000005722045898) * gravity) * s7) + s4 };
+    const V s64 = K(2.0) * position_error;
+    const V s65 = K(2.0) * velocity_error;
+    const V s66 = s65 * s52;
+    const V s67 = K(2.220446049250313e-16) * s55;
+    const V s68 = s67 * s52;
+    const V s69 = K(2.220446049250313e-16) * s56;
+    const V s70 = s69 * s52;
+    const V s71 = lanes_abs(x);
+    const V s72 = K(1.1102230246251565e-16) * s71;
+    const V s73 = lanes_abs(y);
+    const V s74 = K(1.1102230246251565e-16) * s73;
+    const V s75 = ((((s64 + s66) + s68) + s70) + s72) + s74;
+    const V s76 = K(2.220446049250313e-16) * s18;
+    const V s77 = (s75 + (K(1.1102240834163406e-16) * s7)) + s76;
+    const V s78 = s7 * s7;
+    const V s79 = K(2.0) * s13;
+    const V s80 = ((s3 * s52) + ((K(2.0) * s55) * s71)) + ((K(2.0) * s56) * s73);
+    const V s81 = K(2.001955034211278) * (((s75 + s76) / s29) + (K(1.1102230246251565e-16) / s28));
+    const V s82 = (((((K(6.667849719736811e-16) * s59) * s7) + ((K(4.445233146491208e-16) * s54) * s7)) + ((K(1.0009765625) * (s53 + s79)) * s62)) + ((K(2.001955034211278) * s61) * s7)) + ((s81 * s80) * s7);
+    const V s83 = (((((K(4.0) * position_error) + s66) + s68) + s70) + s72) + s74;
+    const V s84 = (s82 + (((K(4.445233146491208e-16) * s57) * s7) / s28)) + (((K(1.0009765625) * s80) * ((s83 + (K(3.330672250249022e-16) * s7)) + (K(1.1102230246251565e-15) * s18))) / s28);
+    const V s85 = (((((s64 * s55) + (s64 * s56)) + (s65 * s71)) + (s65 * s73)) + ((K(2.220446049250313e-16) * s3) * s52)) + (((((K(2.220446049250313e-16) * s1) + (K(2.220446049250313e-16) * s2)) + (s65 * s55)) + (s65 * s56)) * s52);
+    const V s86 = (K(2.001955034211278) * ((s85 + ((K(8.881784197001252e-16) * s55) * s71)) + ((K(8.881784197001252e-16) * s56) * s73))) * s7;
+    const V s87 = (K(2.001955034211278) * ((velocity_error + ((K(3.3306690738754696e-16) * gravity) * s52)) + s60)) * s7;
+    const V s88 = (((K(6.667849719736811e-16) * s54) * s7) + ((K(1.0009765625) * ((s9 * s52) + s79)) * s62)) + s87;
+    const V s89 = position_error + (velocity_error * s52);
+    const V s90 = (((((s89 + s68) + s72) * s55) + (((s89 + s70) + s74) * s56)) + (s67 * s18)) + (s69 * s18);
+    const V s91 = (((s88 + ((s81 * s57) * s7)) + (((K(2.001953125) * s57) * s77) / s28)) + (((K(8.890466292982415e-16) * s57) * s7) / s28)) + (((K(2.001955034211278) * s90) * s7) / s28);
+    return (LANES(hoop_ring_prepare_out)){ s4, (K(2.0) * ring_radius) * s6, lanes_select((s17 < s27), s27, s17), s41, lanes_select(s46, s43, lanes_select((s45 < s27), s27, s45)), s47, lanes_select((s45 < s42), s42, s45), s48, ((s63 + ((K(2.001955034211278) * s77) * s7)) + (K(4.44523738579589e-16) * s78)) + (K(6.667856078693835e-16) * s78), (s84 + (((K(6.667849719736811e-16) * s80) * s7) / s28)) + (s86 / s28), s91, ((K(6.000005722045898) * gravity) * s7) + s4 };
+}
+
+/* Newton's next value of a root near t.
+   Newton's method. 56 operations: 16 additions, 6 subtractions, 27 multiplications, 3 divisions, 2 square roots, 1 comparison, 1 selection. */
+typedef struct {
+    V time;
+} LANES(hoop_ring_refine_out);
+
+LANES_INLINE LANES(hoop_ring_refine_out)
+LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V ball_radius, V ring_radius, V wire_radius, V gravity)
+{
+    const V s0 = vz - ((K(0.5) * gravity) * t);
+    const V s1 = z + (t * s0);
+    const V s2 = x + (t * vx);
+    const V s3 = y + (t * vy);
+    const V s4 = lanes_sqrt(((s2 * s2) + (s3 * s3)));
+    const V s5 = s4 - ring_radius;
+    const V s6 = lanes_sqrt(((x * x) + (y * y)));
+    const V s7 = (((t * ((vx * vx) + (vy * vy))) + (K(2.0) * ((vx * x) + (vy * y)))) * ((s6 - ring_radius) + s5)) / (s6 + s4);
+    const V s8 = ball_radius + wire_radius;
+    const V s9 = K(0.5) * lanes_select((K(0.0) < leaving), (t * (((z + s1) * s0) + s7)), (((s5 * s5) + (s1 * s1)) - (s8 * s8)));
+    const V s10 = s9 / (((vz - (gravity * t)) * s1) + ((s5 * ((vx * s2) + (vy * s3))) / s4));
+    return (LANES(hoop_ring_refine_out)){ t - s10 };
 }
 
 /* Gap, rate and bend at time t, and a step that no root lies within.
@@ -453,15 +589,16 @@ LANES(hoop_backboard_arrival)(V leaving, V x, V vx, V ball_radius, V board_dista
 }
 
 /* Rounding-error bound of the gap up to the horizon.
-   running error analysis. 10 operations: 3 additions, 5 multiplications, 2 absolute values. */
+   running error analysis. 15 operations: 5 additions, 8 multiplications, 2 absolute values. */
 typedef struct {
     V margin;
 } LANES(hoop_backboard_margin_out);
 
 LANES_INLINE LANES(hoop_backboard_margin_out)
-LANES(hoop_backboard_margin)(V horizon, V x, V vx, V ball_radius, V board_distance)
+LANES(hoop_backboard_margin)(V horizon, V x, V vx, V position_error, V velocity_error, V ball_radius, V board_distance)
 {
-    return (LANES(hoop_backboard_margin_out)){ (((K(6.667843360785852e-16) * ball_radius) + (K(8.890457814381136e-16) * board_distance)) + ((K(6.667843360785852e-16) * horizon) * lanes_abs(vx))) + (K(4.445228907190568e-16) * lanes_abs(x)) };
+    const V s0 = (((((K(6.667843360785852e-16) * ball_radius) + (K(8.890457814381136e-16) * board_distance)) + (K(2.001953125) * position_error)) + ((K(2.001953125) * horizon) * velocity_error)) + ((K(6.667843360785852e-16) * horizon) * lanes_abs(vx))) + (K(4.445228907190568e-16) * lanes_abs(x));
+    return (LANES(hoop_backboard_margin_out)){ s0 };
 }
 
 /* The point of the contact plane nearest to a position.
@@ -540,16 +677,16 @@ LANES(hoop_bridge_arrival)(V leaving, V z, V vz, V ball_radius, V wire_radius, V
 }
 
 /* Rounding-error bound of the gap up to the horizon.
-   running error analysis. 20 operations: 6 additions, 12 multiplications, 2 absolute values. */
+   running error analysis. 23 operations: 8 additions, 13 multiplications, 2 absolute values. */
 typedef struct {
     V margin;
 } LANES(hoop_bridge_margin_out);
 
 LANES_INLINE LANES(hoop_bridge_margin_out)
-LANES(hoop_bridge_margin)(V horizon, V z, V vz, V ball_radius, V wire_radius, V gravity)
+LANES(hoop_bridge_margin)(V horizon, V z, V vz, V position_error, V velocity_error, V ball_radius, V wire_radius, V gravity)
 {
     const V s0 = lanes_abs(vz);
-    const V s1 = (((K(6.667843360785852e-16) * ball_radius) + (K(6.667843360785852e-16) * wire_radius)) + ((K(2.001953125) * horizon) * (((K(1.6653345369377348e-16) * gravity) * horizon) + (K(1.1102230246251565e-16) * s0)))) + ((K(6.667843360785852e-16) * horizon) * (((K(0.5) * gravity) * horizon) + s0));
+    const V s1 = ((((K(6.667843360785852e-16) * ball_radius) + (K(2.001953125) * position_error)) + (K(6.667843360785852e-16) * wire_radius)) + ((K(6.667843360785852e-16) * horizon) * (((K(0.5) * gravity) * horizon) + s0))) + ((K(2.001953125) * horizon) * ((velocity_error + ((K(1.6653345369377348e-16) * gravity) * horizon)) + (K(1.1102230246251565e-16) * s0)));
     return (LANES(hoop_bridge_margin_out)){ s1 + (K(4.445228907190568e-16) * lanes_abs(z)) };
 }
 
@@ -617,16 +754,16 @@ LANES(hoop_end_arrival)(V leaving, V z, V vz, V gravity, V end_depth)
 }
 
 /* Rounding-error bound of the gap up to the horizon.
-   running error analysis. 18 operations: 5 additions, 11 multiplications, 2 absolute values. */
+   running error analysis. 21 operations: 7 additions, 12 multiplications, 2 absolute values. */
 typedef struct {
     V margin;
 } LANES(hoop_end_margin_out);
 
 LANES_INLINE LANES(hoop_end_margin_out)
-LANES(hoop_end_margin)(V horizon, V z, V vz, V gravity, V end_depth)
+LANES(hoop_end_margin)(V horizon, V z, V vz, V position_error, V velocity_error, V gravity, V end_depth)
 {
     const V s0 = lanes_abs(vz);
-    const V s1 = ((K(2.222614453595284e-16) * end_depth) + ((K(2.001953125) * horizon) * (((K(1.6653345369377348e-16) * gravity) * horizon) + (K(1.1102230246251565e-16) * s0)))) + ((K(6.667843360785852e-16) * horizon) * (((K(0.5) * gravity) * horizon) + s0));
+    const V s1 = (((K(2.222614453595284e-16) * end_depth) + (K(2.001953125) * position_error)) + ((K(6.667843360785852e-16) * horizon) * (((K(0.5) * gravity) * horizon) + s0))) + ((K(2.001953125) * horizon) * ((velocity_error + ((K(1.6653345369377348e-16) * gravity) * horizon)) + (K(1.1102230246251565e-16) * s0)));
     return (LANES(hoop_end_margin_out)){ s1 + (K(4.445228907190568e-16) * lanes_abs(z)) };
 }
 

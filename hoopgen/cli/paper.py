@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import click
 
@@ -39,7 +39,13 @@ __all__ = ["paper"]
 @click.option("--events", is_flag=True, help="List every event of every shot.")
 @backend_option
 @click.pass_context
-def paper(ctx: click.Context, out: Path | None, formats: str, events: bool, backend: str) -> None:
+def paper(
+    ctx: click.Context,
+    out: Path | None,
+    formats: str,
+    events: bool,
+    backend: Literal["auto", "c", "numpy"],
+) -> None:
     """Simulate the seven shots of the article and compare them with its figures.
 
     Releases are those of Table 3, in feet; the hoop is the preset "paper". Exit status 1 when a

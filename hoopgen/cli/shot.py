@@ -6,7 +6,7 @@ import json
 import math
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import click
 
@@ -96,7 +96,7 @@ def shot(
     preset: str,
     settings: tuple[tuple[str, float], ...],
     max_contacts: int,
-    backend: str,
+    backend: Literal["auto", "c", "numpy"],
     picture: Path | None,
     as_json: bool,
     **release: float,
@@ -166,7 +166,7 @@ def _title(shots: hoopgen.Shots, preset: str, settings: tuple[tuple[str, float],
 
     outcome = hoopgen.Outcome(int(shots.outcome[0])).name.capitalize()
     changed = "".join(f", {name.replace('_', ' ')} {value:.6g}" for name, value in settings)
-    return f"{outcome} ({preset} preset{changed})"
+    return f"{outcome} ({preset.upper()} preset{changed})"
 
 
 def _draw(shots: hoopgen.Shots, parameters: Mapping[str, float], title: str, picture: Path) -> None:

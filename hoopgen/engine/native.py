@@ -23,6 +23,8 @@ _RESULT_FIELDS = (
     "first",
     "time",
     "state",
+    "time_error",
+    "state_error",
     "uncertain",
     "events",
     "event_counts",

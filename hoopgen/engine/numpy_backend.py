@@ -6,7 +6,7 @@ order: the two give the same bits. Shots that end leave the arrays.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from types import ModuleType
 from typing import Any
@@ -30,6 +30,8 @@ STEP_LIMIT = 200
 POSITION = ("x", "y", "z")
 MOTION = ("vx", "vy", "vz", "wx", "wy", "wz")
 STATE = POSITION + MOTION
+ERRORS = ("dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz")
+CARRIED = ERRORS[:6]
 MADE, MISSED, CAPPED, SHORT, INVALID = range(5)
 IN_FLIGHT = -1
 
@@ -70,7 +72,7 @@ class Flights:
     Attributes
     ----------
     columns
-        State and parameters by name; a parameter that all shots share is a number.
+        State, parameters and carried errors by name; a parameter that all shots share is a number.
     row
         Their rows in the block.
     """
@@ -84,6 +86,7 @@ class Flights:
     def __post_init__(self) -> None:
         shots = len(self.row)
         self.clock = np.zeros(shots)
+        self.columns |= {name: np.zeros(shots) for name in (*ERRORS, "clock_error")}
         self.last = np.full(shots, -1)
         self.contacts = np.zeros(shots, np.int32)
 
@@ -144,7 +147,7 @@ def _run_block(
     good = _call(kernels.valid, columns)[0] > 0.0
     for column in columns.values():
         good = good & (column - column == 0.0)
-    _finish(flights, ~good, np.full(shots, INVALID), out)
+    _finish(kernels, flights, ~good, np.full(shots, INVALID), out)
     flights.keep(good)
     while len(flights.row):
         _advance(kernels, flights, max_contacts, out, offset)
@@ -157,6 +160,8 @@ def _advance(
     surfaces = kernels.SURFACES
     end = len(surfaces) - 1
     columns = flights.columns
+    bounds = _call(kernels.error_bounds, columns)
+    columns["position_error"], columns["velocity_error"] = bounds[:2]
     arrivals = _first_arrivals(kernels, columns, flights.last)
 
     stays = arrivals.which < 0
@@ -176,7 +181,7 @@ def _advance(
     outcome = np.where(ends, np.where(miss <= 0.0, MADE, MISSED), outcome)
     outcome = np.where(touches & (flights.contacts >= max_contacts), CAPPED, outcome)
 
-    _collide(kernels, columns, arrivals.which, touches)
+    _collide(kernels, columns, arrivals.which, stays, touches, t, flights.clock)
     if out.uncertain is not None:
         out.uncertain[flights.row] |= doubtful
     if out.counts is not None:
@@ -189,7 +194,7 @@ def _advance(
         _record(flights, ~stays, arrivals.which, before, out, offset)
     over = outcome != IN_FLIGHT
     if over.any():
-        _finish(flights, over, outcome, out)
+        _finish(kernels, flights, over, outcome, out)
         flights.keep(~over)
 
 
@@ -221,8 +226,8 @@ def _plane_arrival(
     meets = (rate < 0.0) | ((rate <= 0.0) & (bend < 0.0) & (time == 0.0))
     arrives = meets & (time >= 0.0) & (time < np.inf)
     margin = _call(getattr(kernels, f"{name}_margin"), columns, horizon=time)[0]
-    crossing = {"margin": margin, "rate_margin": 0.0, "gap": 0.0, "rate": rate}
-    clearance, delay, _ = _call(kernels.crossing, crossing, ceiling=np.abs(bend))
+    crossing = {"margin": margin, "rate_margin": 0.0, "rate": rate}
+    clearance, delay = _call(kernels.crossing, crossing, ceiling=np.abs(bend))
     unsure = arrives & ~(clearance > 0.0)
     if bounded:
         x, y, z, *_ = _call(kernels.flight, columns, t=time)
@@ -284,9 +289,10 @@ def _curved_arrival(
     highs = [np.broadcast_to(prepared.pop(f"high{k}"), shots) for k in range(windows)]
     flat = np.where(gone, 0.0, prepared.pop("margin"))
     tilt = np.where(gone, prepared.pop("leaving_margin"), 0.0)
+    leaving = np.where(gone, 1.0, 0.0)
     search = Search(
         np.arange(shots),
-        {**columns, **prepared, "flat": flat, "tilt": tilt, "leaving": np.where(gone, 1.0, 0.0)},
+        {**columns, **prepared, "flat": flat, "tilt": tilt, "leaving": leaving},
         [np.where(low > 0.0, low, 0.0) for low in lows],
         [np.where(high < horizon, high, horizon) for high in highs],
         np.zeros(shots),
@@ -294,6 +300,7 @@ def _curved_arrival(
     )
     search.keep(search.open(np.ones(shots, np.bool_), 0.0))
     arrival, delay = np.full(shots, np.inf), np.zeros(shots)
+    certain = np.zeros(shots, np.bool_)
     question = np.full(shots, np.inf)
     for step in range(STEP_LIMIT + 1):
         if not len(search.shot):
@@ -304,12 +311,10 @@ def _curved_arrival(
         falling = (rate < 0.0) | ((rate <= own["rate_margin"]) & (bend < 0.0))
         hit = (gap - margin <= margin) & falling
         if hit.any():
-            crossing = _call(kernels.crossing, own, margin=margin, gap=gap, rate=rate)
-            clearance, late, correction = crossing
+            clearance, late = _call(kernels.crossing, own, margin=margin, rate=rate)
             clear = clearance > 0.0
-            polished = t + correction
-            found = np.where(clear & (polished >= 0.0), polished, t)
-            arrival[search.shot[hit]] = found[hit]
+            certain[search.shot[hit & clear]] = True
+            arrival[search.shot[hit]] = np.where(clear, t - gap / rate, t)[hit]
             delay[search.shot[hit & clear]] = late[hit & clear]
             question[search.shot[hit & ~clear]] = t[hit & ~clear]
         exhausted = ~hit & (stride >= search.end - t)
@@ -320,6 +325,10 @@ def _curved_arrival(
             question[search.shot[going]] = search.t[going]
         if not going.all():
             search.keep(going)
+    refine = getattr(kernels, f"{name}_refine")
+    refined = _call(refine, columns, t=arrival, leaving=leaving)[0]
+    arrival = np.where(certain, refined, arrival)
+    arrival = np.where(arrival < 0.0, 0.0, arrival)
     arrivals.question(question < np.inf, question)
     arrivals.propose(arrival < np.inf, arrival, delay, index)
 
@@ -328,22 +337,40 @@ def _collide(
     kernels: ModuleType,
     columns: dict[str, Column],
     which: NDArray[np.int64],
+    stays: Mask,
     touches: Mask,
+    t: Floats,
+    clock: Floats,
 ) -> None:
     """Put the ball onto the surface it meets and give it its motion after the contact."""
-    normal: list[Any] = [0.0, 0.0, 1.0]
-    for index, (name, windows, _) in enumerate(kernels.SURFACES[:-1]):
-        here = which == index
+    normal = {"nx": 0.0, "ny": 0.0, "nz": 0.0}
+    turned = {"dnx": 0.0, "dny": 0.0, "dnz": 0.0}
+    for index, (name, _, _) in enumerate(kernels.SURFACES):
         own = _call(getattr(kernels, f"{name}_normal"), columns)
-        normal = [np.where(here, mine, other) for mine, other in zip(own, normal, strict=True)]
+        _choose(which == index, own, normal, normal)
+    *shifted, delay = _call(kernels.carry_flight, columns, t=t, clock=clock, **normal)
+    _choose(~stays, shifted, CARRIED, columns)
+    for index, (name, windows, _) in enumerate(kernels.SURFACES):
+        if windows:
+            own = _call(getattr(kernels, f"{name}_carry_normal"), columns)
+            _choose(which == index, own, turned, turned)
+    _choose(~stays, [columns["clock_error"] + delay], ["clock_error"], columns)
+    after_errors = _call(kernels.carry_impact, columns, **normal, **turned)
+    after = _call(kernels.impact, columns, **normal)
+    for index, (name, windows, _) in enumerate(kernels.SURFACES[:-1]):
         if not windows:
             placed = _call(getattr(kernels, f"{name}_place"), columns)
-            for axis, value in zip(POSITION, placed, strict=True):
-                columns[axis] = np.where(here, value, columns[axis])
-    nx, ny, nz = normal
-    after = _call(kernels.impact, columns, nx=nx, ny=ny, nz=nz)
-    for name, value in zip(MOTION, after, strict=True):
-        columns[name] = np.where(touches, value, columns[name])
+            _choose(which == index, placed, POSITION, columns)
+    _choose(touches, after_errors, ERRORS[3:], columns)
+    _choose(touches, after, MOTION, columns)
+
+
+def _choose(
+    where: Mask, values: Sequence[Any], names: Iterable[str], columns: dict[str, Any]
+) -> None:
+    """Put `values` into the named columns where the mask holds."""
+    for name, value in zip(list(names), values, strict=True):
+        columns[name] = np.where(where, value, columns[name])
 
 
 def _record(
@@ -366,7 +393,9 @@ def _record(
     out.event_counts[row] += 1
 
 
-def _finish(flights: Flights, over: Mask, outcome: NDArray[np.int64], out: Raw) -> None:
+def _finish(
+    kernels: ModuleType, flights: Flights, over: Mask, outcome: NDArray[np.int64], out: Raw
+) -> None:
     """Write the results of the shots that are over."""
     row = flights.row[over]
     invalid = outcome[over] == INVALID
@@ -378,6 +407,13 @@ def _finish(flights: Flights, over: Mask, outcome: NDArray[np.int64], out: Raw) 
         out.time[row] = np.where(invalid, np.nan, flights.clock[over])
     if out.state is not None:
         out.state[row] = np.where(invalid[:, None], np.nan, flights.state()[over])
+    if out.time_error is not None or out.state_error is not None:
+        *state_error, time_error = _call(kernels.error_bounds, flights.columns)
+        if out.time_error is not None:
+            out.time_error[row] = np.where(invalid, np.nan, time_error[over])
+        if out.state_error is not None:
+            bounds = np.stack(state_error, axis=1)[over]
+            out.state_error[row] = np.where(invalid[:, None], np.nan, bounds)
 
 
 def _call(kernel: Callable[..., Outputs], columns: Mapping[str, Any], **renamed: Any) -> Outputs:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 STATE_SIZE = 9
 FIELDS = ("outcome", "contacts", "counts", "first", "time", "state", "uncertain")
+BOUNDS = ("time_error", "state_error")
 
 EVENT = np.dtype(
     [
@@ -31,6 +32,8 @@ _DTYPES: dict[str, Any] = {
     "time": np.float64,
     "state": np.float64,
     "uncertain": np.bool_,
+    "time_error": np.float64,
+    "state_error": np.float64,
 }
 
 
@@ -51,6 +54,8 @@ class Raw:
     time: NDArray[np.float64] | None = None
     state: NDArray[np.float64] | None = None
     uncertain: NDArray[np.bool_] | None = None
+    time_error: NDArray[np.float64] | None = None
+    state_error: NDArray[np.float64] | None = None
     events: NDArray[Any] | None = None
     event_counts: NDArray[np.int32] | None = None
 
@@ -62,7 +67,7 @@ class Raw:
 
 def allocate(shots: int, surfaces: int, wanted: Sequence[str]) -> Raw:
     """Return uninitialised results of `shots` shots for the fields that are wanted."""
-    tails = {"counts": (surfaces,), "state": (STATE_SIZE,)}
+    tails = {"counts": (surfaces,), "state": (STATE_SIZE,), "state_error": (3,)}
     return Raw(
         **{name: np.empty((shots, *tails.get(name, ())), _DTYPES[name]) for name in wanted}
     )

@@ -106,7 +106,7 @@ def _collect(
 
 
 def _beats(duration: float) -> NDArray[np.float64]:
-    times = BEAT * np.arange(1, int(duration / BEAT) + 1)
+    times = BEAT * np.arange(1.0, duration / BEAT + 1.0)
     return times[times < duration]
 
 

@@ -1,0 +1,116 @@
+"""How far a computed state can be from the true one, estimated along the shot's own path.
+
+A vector of errors D = (dx, dv, dw) is carried from contact to contact by the derivative of the
+segment's map (flight, contact time, normal, impact), and grows at each by that segment's roundings,
+each added with the sign of the component it meets, so that they never cancel. Products of
+worst-case factors would grow much faster than errors do: after a few contacts D points where the
+errors grow most, as they do themselves. `GUARD` covers the directions that D has not met.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import sympy as sp
+
+from .choice import Held, IfAtMost, IfLess, hold, largest, size
+from .flight import flight
+from .impact import impact
+from .surfaces import Surface
+from .symbols import POSITION, UNIT_ROUNDOFF, normal, position, spin, t, velocity
+
+GUARD = 16
+"""Bounds are this many times the carried errors; `make exactness` holds them against the judge."""
+
+dx = sp.symbols("dx dy dz", real=True)
+dv = sp.symbols("dvx dvy dvz", real=True)
+dw = sp.symbols("dwx dwy dwz", real=True)
+dn = sp.symbols("dnx dny dnz", real=True)
+ERRORS = dx + dv + dw
+clock, clock_error = sp.symbols("clock clock_error", nonnegative=True)
+"""Time since the release, and the sum of what the contacts' times were off by, s."""
+
+
+def directional(expression: sp.Expr, tangents: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
+    """Return the derivative of `expression` along `tangents`, held where the expression is held.
+
+    Raises
+    ------
+    TypeError
+        If the expression holds a function without a derivative rule here.
+    """
+
+    @cache
+    def derive(e: sp.Expr) -> sp.Expr:
+        if e.is_Symbol:
+            return tangents.get(e, sp.Integer(0))
+        if not e.args or not e.free_symbols & set(tangents):
+            return sp.Integer(0)
+        if e.is_Add:
+            return sp.Add(*map(derive, e.args))
+        if e.is_Mul:
+            rest = [sp.Mul(*(f for j, f in enumerate(e.args) if j != i)) for i in range(len(e.args))]
+            return sp.Add(*(derive(f) * r for f, r in zip(e.args, rest, strict=True)))
+        if e.is_Pow and e.exp.is_Rational:
+            return e.exp * e.base ** (e.exp - 1) * derive(e.base)
+        if isinstance(e, Held):
+            return hold(derive(e.args[0]))
+        if isinstance(e, IfLess | IfAtMost):
+            return e.func(e.args[0], e.args[1], derive(e.args[2]), derive(e.args[3]))
+        raise TypeError(f"no derivative rule for {type(e).__name__}")
+
+    return derive(expression)
+
+
+def _away(error: sp.Expr, rounding: sp.Expr) -> sp.Expr:
+    """Return the error, further from zero by `rounding`."""
+    return error + IfLess(error, 0, -rounding, rounding)
+
+
+def carried_to_contact(gravity: sp.Expr) -> dict[str, sp.Expr]:
+    """Return the errors at the end of a flight of time t that meets a surface there.
+
+    Arguments are the errors at its start, and the state and normal at its end. The contact of the
+    erring flight is dt = -(n·dx)/(n·v) later: there its error lies in the surface.
+    """
+    shifts = []
+    for k, (error, drift) in enumerate(zip(dx, dv, strict=True)):
+        flown = 2 * size(velocity[k]) * t + (gravity * t**2 if k == 2 else 0)
+        rounding = 4 * UNIT_ROUNDOFF * hold(size(position[k]) + flown)
+        shifts.append(hold(_away(hold(error + drift * t), rounding)))
+    shift = sp.Matrix(shifts)
+    delay = hold(-shift.dot(normal) / hold(velocity.dot(normal)))
+    _, fallen = flight(gravity, delay)
+    falling = [after - before for after, before in zip(fallen, velocity, strict=True)]
+    outputs = dict(zip(map(str, dx), shift + delay * velocity, strict=True))
+    outputs |= {str(s): s + f for s, f in zip(dv, falling, strict=True)}
+    return outputs | {"delay": size(delay) + 4 * UNIT_ROUNDOFF * hold(clock + t)}
+
+
+def carried_normal(surface: Surface) -> dict[str, sp.Expr]:
+    """Return the error of a surface's normal that an error of the position makes."""
+    tangents = dict(zip(POSITION, dx, strict=True))
+    turned = [directional(component, tangents) for component in surface.normal]
+    return dict(zip(map(str, dn), turned, strict=True))
+
+
+def carried_through_impact(ball_radius: sp.Expr, restitution: sp.Expr) -> dict[str, sp.Expr]:
+    """Return the errors of velocity and spin after a contact, from those before it."""
+    inputs = (*velocity, *spin, *normal)
+    tangents = dict(zip(inputs, (*dv, *dw, *dn), strict=True))
+    after = impact(normal, velocity, spin, ball_radius, restitution)
+    speed = hold(sum(map(size, velocity)) + ball_radius * hold(sum(map(size, spin))))
+    outputs = {}
+    for names, vector, scale in ((dv, after[0], speed), (dw, after[1], speed / ball_radius)):
+        for name, component in zip(names, vector, strict=True):
+            change = hold(directional(component, tangents))
+            outputs[str(name)] = _away(change, 4 * UNIT_ROUNDOFF * scale)
+    return outputs
+
+
+def bounds() -> dict[str, sp.Expr]:
+    """Return the bounds on the errors of a state and its time that the carried errors stand for."""
+    sizes = [largest(*(size(e) for e in errors)) for errors in (dx, dv, dw)]
+    names = ("position_error", "velocity_error", "spin_error", "time_error")
+    return {name: GUARD * s for name, s in zip(names, (*sizes, clock_error), strict=True)}
+
