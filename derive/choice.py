@@ -59,8 +59,8 @@ class Held(sp.Function):
 
     @classmethod
     def eval(cls, quantity: sp.Expr) -> sp.Expr | None:
-        """Hold only what SymPy could spread something over."""
-        return None if quantity.is_Add or isinstance(quantity, _Choice) else quantity
+        """Hold whatever SymPy could spread something over or merge with its surroundings."""
+        return quantity if quantity.is_Atom or isinstance(quantity, Held) else None
 
 
 def hold(quantity: sp.Expr) -> sp.Expr:

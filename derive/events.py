@@ -23,9 +23,9 @@ import sympy as sp
 from .choice import IfAtMost, IfLess, hold, hold_all, largest, smallest
 from .flight import flight, flight_polynomials
 from .polynomials import Coefficients, bernstein, compose, derivative, horner, taylor
-from .rounding import SAFETY, Rounded, exact, flight_rounding, rounding, start_rounding
+from .rounding import SAFETY, Rounded, flight_rounding, rounding, start_rounding
 from .surfaces import Plane, Surface
-from .symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, position, t, velocity
+from .symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
 
 Window = tuple[sp.Expr, sp.Expr]
 
@@ -83,10 +83,9 @@ def plane_arrival(plane: Plane, gravity: sp.Expr) -> dict[str, sp.Expr]:
 
 def plane_margin(plane: Plane, gravity: sp.Expr) -> sp.Expr:
     """Return a bound on the rounding error of the plane's gap up to the time `horizon`."""
-    bounds = flight_rounding(position, velocity, gravity, t, horizon)
-    known = dict(zip(POSITION, bounds["position"], strict=True))
+    there, _ = flight_rounding(gravity, horizon)
     # Twice: once for the gap at the computed time, once for the root's own arithmetic.
-    return 2 * SAFETY * rounding(plane.distance, known).error
+    return 2 * SAFETY * rounding(plane.distance, dict.fromkeys(POSITION, there)).error
 
 
 def crossing() -> dict[str, sp.Expr]:
@@ -110,11 +109,9 @@ def displacement(gravity: sp.Expr, lengths: Sequence[sp.Expr]) -> sp.Expr:
     Each of them is a length whose gradient is at most 1: the position's rounding errors, the
     distance flown during the delay, and the roundings of sums with the scene's lengths.
     """
-    bounds = flight_rounding(position, velocity, gravity, t, horizon)
-    moved = sum(bound.error for bound in bounds["position"])
-    flown = delay * sum(bound.magnitude for bound in bounds["velocity"])
-    size = sum(bound.magnitude for bound in bounds["position"]) + sum(map(sp.Abs, lengths))
-    return SAFETY * (moved + flown + 4 * UNIT_ROUNDOFF * size)
+    there, moving = flight_rounding(gravity, horizon)
+    size = there.magnitude + hold(sum(map(sp.Abs, lengths)))
+    return SAFETY * (3 * there.error + delay * moving.magnitude + 4 * UNIT_ROUNDOFF * hold(size))
 
 
 def time_rounding(rate: Rounded) -> sp.Expr:
@@ -160,6 +157,11 @@ class Approach(ABC):
     @abstractmethod
     def bend(self) -> sp.Expr:
         """F'' at time t."""
+
+    @property
+    def clear(self) -> sp.Expr:
+        """Positive if there certainly is no contact before the horizon; by default unknown."""
+        return sp.Integer(0)
 
     @abstractmethod
     def curvature(self, width: sp.Expr) -> sp.Expr:
@@ -281,21 +283,14 @@ class PolynomialApproach(Approach):
     def ceiling(self) -> sp.Expr:
         """|F''| with every term taken positive, up to the horizon."""
         second = derivative(derivative(self._coefficients))
-        known = {symbol: exact(symbol) for symbol in (*POSITION, *VELOCITY)}
-        return horner([rounding(c, known).magnitude for c in second], horizon)
+        return horner([rounding(c, start_rounding()).magnitude for c in second], horizon)
 
     @property
     def margins(self) -> dict[str, sp.Expr]:
         """By running error analysis of the gap, the deflated polynomial and the rate."""
-        bounds = flight_rounding(position, velocity, self.gravity, t, horizon)
-        moving = dict(
-            zip(
-                (*POSITION, *VELOCITY),
-                (*bounds["position"], *bounds["velocity"]),
-                strict=True,
-            )
-        )
-        start = start_rounding(position, velocity)
+        there, moved = flight_rounding(self.gravity, horizon)
+        moving = dict.fromkeys(POSITION, there) | dict.fromkeys(VELOCITY, moved)
+        start = start_rounding()
         start[t] = Rounded(horizon)
         condition = self.surface.condition
         gradient = [sp.diff(condition, coordinate) for coordinate in POSITION]

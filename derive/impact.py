@@ -89,5 +89,5 @@ def impact(
     rolling = hold_all((3 * tangential + 2 * ball_radius * across) / 5)
     after = rolling - restitution * approach * normal
     turning = hold_all(normal.cross(rolling))
-    spin_after = turning / ball_radius + hold(spin.dot(normal)) * normal
+    spin_after = turning * hold(1 / ball_radius) + hold(spin.dot(normal)) * normal
     return after, spin_after

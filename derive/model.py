@@ -13,8 +13,8 @@ from .flight import flight
 from .frame import contact_frame
 from .impact import impact, impact_through_frame
 from .kernel import Kernel, kernel
-from .ring import steady, swing
-from .rounding import position_error, velocity_error
+from .ring import CONSTANTS
+from .rounding import extent, position_error, speed, velocity_error
 from .scene import Scene
 from .surfaces import Plane, Surface
 from .symbols import NORMAL, POSITION, STATE, VELOCITY, normal, position, spin, t, velocity
@@ -59,9 +59,10 @@ def _order(scene: Scene) -> tuple[sp.Symbol, ...]:
     crossing_ = (events.rate, events.ceiling, events.delay, events.horizon)
     return (
         *(*searching, *crossing_, *STATE, *NORMAL, *FRAME),
-        *(position_error, velocity_error, sensitivity.clock, sensitivity.clock_error),
+        *(extent, speed, position_error, velocity_error, sensitivity.clock, sensitivity.clock_error),
         *(*sensitivity.ERRORS, *sensitivity.dn),
-        *(steady, swing, *scene.symbols),
+        *CONSTANTS,
+        *scene.symbols,
     )
 
 
@@ -145,6 +146,16 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
             order,
             "Positive clearance if a crossing is certain, and the bound on its delay.",
             "Taylor's theorem with the margins of the gap and its rate",
+        ),
+        kernel(
+            "scale",
+            {
+                "extent": sp.Add(*map(sp.Abs, POSITION)),
+                "speed": sp.Add(*map(sp.Abs, VELOCITY)),
+            },
+            order,
+            "Sums of the sizes of the coordinates and of the velocities.",
+            "what rounding errors are measured by",
         ),
         kernel(
             "displacement",
@@ -258,6 +269,12 @@ def _surface_kernels(
         )
         search = approach(surface, gravity)
         windows, constants = len(search.windows), tuple(search.constants)
+        add(
+            "clear",
+            {"clear": search.clear},
+            "Positive if there certainly is no contact before the horizon.",
+            "bounds of the event condition",
+        )
         add(
             "prepare",
             search.prepare(),

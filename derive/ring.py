@@ -21,15 +21,20 @@ import sympy as sp
 from .choice import IfAtMost, IfLess, hold, hold_all, largest, size, smallest
 from .events import Approach, Window, horizon, time_rounding
 from .flight import flight
-from .rounding import SAFETY, Rounded, flight_rounding, position_error, rounding, start_rounding
+from .rounding import SAFETY, Rounded, flight_rounding, extent, position_error, rounding, speed, start_rounding, velocity_error
 from .surfaces import Surface
-from .symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, position, t, velocity
+from .symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
 
 WIDER = 1 + sp.Rational(1, 2**20)
 """Windows are drawn for a ring this much thicker: contact cannot begin on their edges."""
 
 steady, swing = sp.symbols("steady swing", real=True)
 """2 (V² + vz² + 2 g z) and 2 R_H L², constant along a flight."""
+
+rho_start, per_square = sp.symbols("rho_start per_square", nonnegative=True)
+"""rho at the flight's start, and 1/V²."""
+
+CONSTANTS = (steady, swing, rho_start, per_square)
 
 
 @dataclass(frozen=True)
@@ -72,8 +77,9 @@ class Ring(Surface):
     def normal(self) -> sp.Matrix:
         """From the nearest point of the wire's centre circle, (x_C, y_C, 0), over R."""
         x, y, z = POSITION
-        outward = (self.rho - self.ring_radius) / (self.rho * self.reach)
-        return sp.Matrix([x * outward, y * outward, z / self.reach])
+        per_reach, rho = hold(1 / self.reach), hold(self.rho)
+        outward = hold(hold(rho - self.ring_radius) * per_reach * hold(1 / rho))
+        return sp.Matrix([x * outward, y * outward, z * per_reach])
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
@@ -100,13 +106,15 @@ class RingApproach(Approach):
 
     @property
     def constants(self) -> dict[str, sp.Expr]:
-        """The two constants of F''."""
+        """The two constants of F'', rho at the start, and 1/V²."""
         _, _, speed_squared, moment = self._polar()
         _, _, z = POSITION
         _, _, vz = VELOCITY
         return {
             "steady": 2 * (speed_squared + vz**2) + 4 * self.gravity * z,
             "swing": 2 * self.ring.ring_radius * moment**2,
+            "rho_start": self.ring.rho,
+            "per_square": 1 / speed_squared,
         }
 
     @property
@@ -148,11 +156,12 @@ class RingApproach(Approach):
         to_bottom = hold(vz**2 + 2 * g * hold(z + reach) + error)
         to_top = hold(vz**2 + 2 * g * hold(z - reach) - error)
         outer, inner = sp.sqrt(to_bottom), sp.sqrt(largest(to_top, 0))
-        pad = 8 * UNIT_ROUNDOFF * hold(sp.Abs(vz) + outer)
-        first = IfAtMost(0, to_bottom, (vz - outer - pad) / g, sp.oo)
-        last = IfAtMost(0, to_bottom, (vz + outer + pad) / g, -sp.oo)
-        up = IfLess(0, to_top, (vz - inner + pad) / g, last)
-        down = IfLess(0, to_top, (vz + inner - pad) / g, sp.oo)
+        pad = hold(16 * UNIT_ROUNDOFF * hold(sp.Abs(vz) + outer))
+        per_g = hold(1 / g)
+        first = IfAtMost(0, to_bottom, hold(vz - outer - pad) * per_g, sp.oo)
+        last = hold(IfAtMost(0, to_bottom, hold(vz + outer + pad) * per_g, -sp.oo))
+        up = IfLess(0, to_top, hold(vz - inner + pad) * per_g, last)
+        down = IfLess(0, to_top, hold(vz + inner - pad) * per_g, sp.oo)
         return (first, up), (down, last)
 
     def _annulus_intervals(self) -> tuple[Window, Window]:
@@ -168,15 +177,16 @@ class RingApproach(Approach):
         enters = hold(speed_squared * outermost**2 - moment**2 + error)
         passes = hold(speed_squared * innermost**2 - moment**2 - error)
         outer, inner = sp.sqrt(enters), sp.sqrt(largest(passes, 0))
-        pad = 8 * UNIT_ROUNDOFF * hold(size(q) + size(moment) + outer)
+        pad = hold(16 * UNIT_ROUNDOFF * hold(size(q) + size(moment) + outer))
+        per = hold(1 / speed_squared)
         hardly = sp.Rational(1, 2**600)
-        first = IfAtMost(0, enters, (-q - outer - pad) / speed_squared, sp.oo)
-        last = IfAtMost(0, enters, (-q + outer + pad) / speed_squared, -sp.oo)
+        first = IfAtMost(0, enters, hold(-q - outer - pad) * per, sp.oo)
+        last = IfAtMost(0, enters, hold(-q + outer + pad) * per, -sp.oo)
         first = IfLess(hardly, speed_squared, first, -sp.oo)
         last = IfLess(hardly, speed_squared, last, sp.oo)
         through = IfLess(hardly, speed_squared, passes, 0)
-        inward = IfLess(0, through, (-q - inner + pad) / speed_squared, last)
-        outward = IfLess(0, through, (-q + inner - pad) / speed_squared, sp.oo)
+        inward = IfLess(0, through, hold(-q - inner + pad) * per, last)
+        outward = IfLess(0, through, hold(-q + inner - pad) * per, sp.oo)
         return (first, inward), (outward, last)
 
     def _here(self) -> tuple[sp.Matrix, sp.Matrix, sp.Expr]:
@@ -201,25 +211,25 @@ class RingApproach(Approach):
         _, q, speed_squared, _ = self._polar()
         _, _, z0 = POSITION
         _, _, vz = VELOCITY
-        rho0, radius = self.ring.rho, self.ring.ring_radius
+        radius = self.ring.ring_radius
         outward = 2 * q + speed_squared * t
         upward = vz - self.gravity * t / 2
-        inward = hold(hold(rho - radius) + hold(rho0 - radius))
-        radial = hold(outward) * inward / hold(rho + rho0)
+        inward = hold(hold(rho - radius) + hold(rho_start - radius))
+        radial = hold(outward) * inward / hold(rho + rho_start)
         return t * hold(radial + hold(upward) * hold(there[2] + z0))
 
     @property
     def rate(self) -> sp.Expr:
         """F' = 2 ((rho - R_H) rho' + z z')."""
         there, moving, rho = self._here()
-        sideways = hold(there[0] * moving[0] + there[1] * moving[1]) / rho
+        sideways = hold(hold(there[0] * moving[0] + there[1] * moving[1]) * hold(1 / rho))
         return 2 * hold(hold(rho - self.ring.ring_radius) * sideways + there[2] * moving[2])
 
     @property
     def bend(self) -> sp.Expr:
         """F'' as in the head of this file."""
         there, _, rho = self._here()
-        return steady - 6 * self.gravity * there[2] - swing / rho**3
+        return steady - 6 * self.gravity * there[2] - swing * hold(1 / rho) ** 3
 
     def curvature(self, width: sp.Expr) -> sp.Expr:
         """-F'' is largest where z is highest and rho smallest; each is bounded on its own."""
@@ -227,7 +237,7 @@ class RingApproach(Approach):
         _, _, speed_squared, _ = self._polar()
         highest = smallest(hold(there[2] + largest(moving[2], 0) * width), self._reach)
         q = hold(there[0] * moving[0] + there[1] * moving[1])
-        ahead = hold(largest(0, smallest(-q / speed_squared, width)))
+        ahead = hold(largest(0, smallest(-q * per_square, width)))
         nearest = hold(rho**2 + ahead * hold(2 * q + speed_squared * ahead))
         innermost, outermost = self._radii()
         least = hold(
@@ -237,6 +247,62 @@ class RingApproach(Approach):
         turn = swing / (least * sp.sqrt(least))
         slack = sp.Rational(1, 2**40) * hold(size(fall) + turn + size(steady))
         return fall + turn - steady + slack
+
+    @property
+    def clear(self) -> sp.Expr:
+        """Positive if the ball certainly misses the ring before the horizon, by one evaluation.
+
+        For a ball that rises above the ring and comes down again, it misses if
+
+        - it is beyond the annulus and nearing while it rises through the ring's level;
+        - when it sinks back into that level, at t1, the parabola below F has no root; there
+          F'' >= m as long as rho >= I, the annulus's inner radius;
+        - and it is then inside the hole at the horizon, which it has not left since entering it,
+          rho² being convex in time; or it never enters the hole.
+
+        Everything is multiplied through by the positive rho² I³. The slack of 2^-30 (R_H + R)²
+        exceeds every rounding and carried error as long as the flight is not 2^16 times as large.
+        """
+        g, radius = self.gravity, self.ring.ring_radius
+        innermost, outermost = self._radii()
+        x, y, z = POSITION
+        vx, vy, vz = VELOCITY
+        rho_squared, q, speed_squared, moment = self._polar()
+        to_top = hold(vz**2 + 2 * g * hold(z - self._reach))
+        per_g = 1 / g
+        inner = sp.sqrt(to_top)
+        rises, sinks = hold(hold(vz - inner) * per_g), hold(hold(vz + inner) * per_g)
+        away = hold(q + speed_squared * rises)
+        then = hold(rho_squared + rises * hold(q + away))
+
+        there, moving = (hold_all(vector) for vector in flight(g, sinks))
+        now_squared = hold(there[0] ** 2 + there[1] ** 2)
+        rho = sp.sqrt(now_squared)
+        slack = sp.Rational(1, 2**30) * outermost**2
+        depth = hold(rho - radius)
+        gap = hold(depth**2 + there[2] ** 2 - self.ring.reach**2 - slack)
+        sideways = hold(there[0] * vx + there[1] * vy)
+        slope_rho = 2 * hold(depth * sideways + rho * there[2] * moving[2])
+        least = hold(self.constants["steady"] - 6 * g * self._reach)
+        bend = hold(least * innermost**3 - self.constants["swing"])
+        discriminant = hold(
+            slope_rho**2 * innermost**3 - 2 * bend * gap * now_squared
+        )
+        last_x, last_y = hold(x + vx * horizon), hold(y + vy * horizon)
+        in_hole = hold(last_x**2 + last_y**2 - innermost**2 + slack)
+        off_hole = hold(speed_squared * hold(innermost**2 + slack) - moment**2)
+        furthest = hold(extent + horizon * hold(speed + g * horizon))
+        carried = hold(position_error + velocity_error * horizon)
+
+        verdict = IfLess(in_hole, 0, 1, IfLess(off_hole, 0, 1, 0))
+        verdict = IfLess(discriminant, 0, verdict, 0)
+        verdict = IfLess(0, gap, IfLess(0, bend, verdict, 0), 0)
+        verdict = IfLess(horizon, hold(sinks - sp.Rational(1, 2**30) * horizon), 1, verdict)
+        nearing = IfLess(away, 0, IfLess(outermost**2, then, verdict, 0), 0)
+        verdict = IfLess(rises, 0, verdict, nearing)
+        verdict = IfLess(0, to_top, verdict, 0)
+        verdict = IfLess(furthest, 2**16 * outermost, verdict, 0)
+        return IfLess(carried, sp.Rational(1, 2**34) * outermost, verdict, 0)
 
     @property
     def ceiling(self) -> sp.Expr:
@@ -252,30 +318,30 @@ class RingApproach(Approach):
         u = UNIT_ROUNDOFF
         reach = self._reach
         innermost, outermost = self._radii()
-        bounds = flight_rounding(position, velocity, self.gravity, t, horizon)
-        shift = [bound.error for bound in bounds["position"]]
-        speed = [bound.magnitude for bound in bounds["velocity"]]
-        rho_error = shift[0] + shift[1] + 2 * u * outermost
+        steep = hold(1 / innermost)
+        there, moving = flight_rounding(self.gravity, horizon)
+        shift = there.error
+        rho_error = hold(2 * shift + 2 * u * outermost)
         x, y, z, rho, inverse, depth = sp.symbols("x y z rho inverse depth", real=True)
         vx, vy, vz, rho0 = sp.symbols("vx vy vz rho0", real=True)
         known = {
-            x: Rounded(outermost, shift[0]),
-            y: Rounded(outermost, shift[1]),
-            z: Rounded(reach, shift[2]),
-            vx: Rounded(speed[0]),
-            vy: Rounded(speed[1]),
-            vz: Rounded(speed[2], bounds["velocity"][2].error),
-            depth: Rounded(reach, rho_error + u * reach),
-            inverse: Rounded(1 / innermost, rho_error / innermost**2 + u / innermost),
+            x: Rounded(outermost, shift),
+            y: Rounded(outermost, shift),
+            z: Rounded(reach, shift),
+            vx: moving,
+            vy: moving,
+            vz: moving,
+            depth: Rounded(reach, hold(rho_error + u * reach)),
+            inverse: Rounded(steep, hold(rho_error * steep + u) * steep),
         }
         gap = rounding((depth**2 + z**2) - reach**2, known).error
         slope = rounding(2 * (depth * (x * vx + y * vy) * inverse + z * vz), known)
         # F/t from the start: P and Z carry their own errors, rho those of the position.
-        start = start_rounding(position, velocity)
+        start = start_rounding()
         start[t] = Rounded(horizon)
         _, q, speed_squared, _ = self._polar()
-        outward = rounding(2 * q + speed_squared * t, start)
-        upward = rounding(velocity[2] - self.gravity * t / 2, start)
+        outward = _held(rounding(2 * q + speed_squared * t, start))
+        upward = _held(rounding(VELOCITY[2] - self.gravity * t / 2, start))
         outward_symbol, upward_symbol = sp.symbols("outward upward", real=True)
         deflated = rounding(
             outward_symbol * (depth + rho0) * inverse + upward_symbol * (z + z),
@@ -292,6 +358,10 @@ class RingApproach(Approach):
             "leaving_margin": SAFETY * (deflated + time_rounding(slope)),
             "rate_margin": SAFETY * slope.error,
         }
+
+
+def _held(bound: Rounded) -> Rounded:
+    return Rounded(hold(bound.magnitude), hold(bound.error))
 
 
 def _meet(left: Window, right: Window) -> Window:

@@ -12,11 +12,14 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .choice import Held
-from .symbols import UNIT_ROUNDOFF
+from .choice import Held, hold
+from .symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
 
 position_error, velocity_error = sp.symbols("position_error velocity_error", nonnegative=True)
 """Bounds on the error of each component of a computed position and velocity (`sensitivity.py`)."""
+
+extent, speed = sp.symbols("extent speed", nonnegative=True)
+"""Sums of the sizes of the coordinates and of the velocities at the start of a flight."""
 
 SAFETY = 1 + sp.Rational(1, 2**10)
 """Covers terms of order u² and the rounding of the bound's own evaluation."""
@@ -83,27 +86,26 @@ def _product(factors: list[Rounded]) -> Rounded:
     return Rounded(magnitude, carried + (len(factors) - 1) * UNIT_ROUNDOFF * magnitude)
 
 
-def start_rounding(position: sp.Matrix, velocity: sp.Matrix) -> dict[sp.Expr, Rounded]:
+def start_rounding() -> dict[sp.Expr, Rounded]:
     """Return bounds for the state at the start of a flight: its size, and what it may be off by."""
-    known = {symbol: Rounded(sp.Abs(symbol), position_error) for symbol in position}
-    return known | {symbol: Rounded(sp.Abs(symbol), velocity_error) for symbol in velocity}
+    known = {symbol: Rounded(extent, position_error) for symbol in POSITION}
+    return known | {symbol: Rounded(speed, velocity_error) for symbol in VELOCITY}
 
 
-def flight_rounding(
-    position: sp.Matrix, velocity: sp.Matrix, gravity: sp.Expr, time: sp.Expr, latest: sp.Expr
-) -> dict[str, list[Rounded]]:
-    """Return bounds for the three coordinates and velocities of a flight up to time `latest`.
+def flight_rounding(gravity: sp.Expr, latest: sp.Expr) -> tuple[Rounded, Rounded]:
+    """Return bounds for any coordinate and any velocity of a flight up to the time `latest`.
 
-    `time` itself is an exact double there: what is bounded is the evaluation at that double, of a
-    flight whose start is off by at most `position_error` and `velocity_error`.
+    The time itself is an exact double: what is bounded is the evaluation of Eq. 3 at that double,
+    of a flight whose start is off by at most `position_error` and `velocity_error`. No more than
+    four roundings meet in a coordinate, each at most u times the largest it can be.
     """
-    known = start_rounding(position, velocity)
-    known[time] = Rounded(latest)
-    x, y, z = position
-    vx, vy, vz = velocity
-    coordinates = [x + vx * time, y + vy * time, z + time * (vz - gravity * time / 2)]
-    velocities = [vx, vy, vz - gravity * time]
-    return {
-        "position": [rounding(e, known) for e in coordinates],
-        "velocity": [rounding(e, known) for e in velocities],
-    }
+    fastest = speed + gravity * latest
+    furthest = extent + latest * hold(fastest)
+    position = Rounded(
+        hold(furthest),
+        hold(position_error + velocity_error * latest + 4 * UNIT_ROUNDOFF * hold(furthest)),
+    )
+    velocity = Rounded(
+        hold(fastest), hold(velocity_error + 2 * UNIT_ROUNDOFF * hold(fastest))
+    )
+    return position, velocity

@@ -53,6 +53,8 @@ def directional(expression: sp.Expr, tangents: dict[sp.Symbol, sp.Expr]) -> sp.E
             return sp.Add(*(derive(f) * r for f, r in zip(e.args, rest, strict=True)))
         if e.is_Pow and e.exp.is_Rational:
             return e.exp * e.base ** (e.exp - 1) * derive(e.base)
+        if isinstance(e, Held) and e.args[0].is_Pow and e.args[0].exp == -1:
+            return hold(-(e**2) * derive(e.args[0].base))  # the inverse, once computed, serves
         if isinstance(e, Held):
             return hold(derive(e.args[0]))
         if isinstance(e, IfLess | IfAtMost):

@@ -1,6 +1,6 @@
 /* hoop: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene hoop, derivation 80114b4e924bca64,
+   Generated from templates/c/scene.c.j2, scene hoop, derivation 92ca6b4b89fd8d64,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 
@@ -23,6 +23,7 @@ typedef struct {
     const double *states;
     const double *const *parameters;
     const int64_t *strides;
+    int varying; /* whether any parameter has one value per shot */
     int32_t max_contacts;
     const volatile int32_t *stop;
     const hoop_results *results;
@@ -96,8 +97,10 @@ int hoop_simulate(size_t shots, const double *states, const double *const *param
                   const int64_t *strides, int32_t max_contacts, int width,
                   const volatile int32_t *stop, const hoop_results *results)
 {
-    const hoop_job job = {shots, states, parameters, strides, max_contacts, stop, results};
+    hoop_job job = {shots, states, parameters, strides, 0, max_contacts, stop, results};
     const int most = widest();
+    for (int k = 0; k < HOOP_PARAMETERS; k++)
+        job.varying |= strides[k] != 0;
     if (width == 0)
         width = most;
     if (width > most || max_contacts < 1)

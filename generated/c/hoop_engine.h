@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 80114b4e924bca64,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 92ca6b4b89fd8d64,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -83,8 +83,8 @@ typedef struct {
     size_t shot[LANES_WIDTH];
 } LANES(hoop_pool);
 
-/* Put the next shot into a lane. */
-static void LANES(hoop_begin)(LANES(hoop_pool) *pool, int lane, const hoop_job *job, size_t shot)
+/* Put the next shot into a lane; all that starts at zero is set when it is first looked at. */
+LANES_INLINE void LANES(hoop_begin)(LANES(hoop_pool) *pool, int lane, const hoop_job *job, size_t shot)
 {
     const double *state = job->states + HOOP_STATE * shot;
     pool->x[lane] = state[0];
@@ -96,43 +96,26 @@ static void LANES(hoop_begin)(LANES(hoop_pool) *pool, int lane, const hoop_job *
     pool->wx[lane] = state[6];
     pool->wy[lane] = state[7];
     pool->wz[lane] = state[8];
-    pool->ball_radius[lane] = job->parameters[0][job->strides[0] * (int64_t)shot];
-    pool->ring_radius[lane] = job->parameters[1][job->strides[1] * (int64_t)shot];
-    pool->wire_radius[lane] = job->parameters[2][job->strides[2] * (int64_t)shot];
-    pool->board_distance[lane] = job->parameters[3][job->strides[3] * (int64_t)shot];
-    pool->board_half_width[lane] = job->parameters[4][job->strides[4] * (int64_t)shot];
-    pool->board_bottom[lane] = job->parameters[5][job->strides[5] * (int64_t)shot];
-    pool->board_top[lane] = job->parameters[6][job->strides[6] * (int64_t)shot];
-    pool->bridge_half_width[lane] = job->parameters[7][job->strides[7] * (int64_t)shot];
-    pool->restitution[lane] = job->parameters[8][job->strides[8] * (int64_t)shot];
-    pool->gravity[lane] = job->parameters[9][job->strides[9] * (int64_t)shot];
-    pool->end_depth[lane] = job->parameters[10][job->strides[10] * (int64_t)shot];
-    pool->dx[lane] = 0.0;
-    pool->dy[lane] = 0.0;
-    pool->dz[lane] = 0.0;
-    pool->dvx[lane] = 0.0;
-    pool->dvy[lane] = 0.0;
-    pool->dvz[lane] = 0.0;
-    pool->dwx[lane] = 0.0;
-    pool->dwy[lane] = 0.0;
-    pool->dwz[lane] = 0.0;
-    pool->clock_error[lane] = 0.0;
-    pool->clock[lane] = 0.0;
-    pool->last[lane] = -1.0;
-    pool->first[lane] = -1.0;
-    pool->contacts[lane] = 0.0;
-    pool->uncertain[lane] = 0.0;
-    pool->count_ring[lane] = 0.0;
-    pool->count_backboard[lane] = 0.0;
-    pool->count_bridge[lane] = 0.0;
-    pool->outcome[lane] = -1.0;
+    if (job->varying) {
+        pool->ball_radius[lane] = job->parameters[0][job->strides[0] * (int64_t)shot];
+        pool->ring_radius[lane] = job->parameters[1][job->strides[1] * (int64_t)shot];
+        pool->wire_radius[lane] = job->parameters[2][job->strides[2] * (int64_t)shot];
+        pool->board_distance[lane] = job->parameters[3][job->strides[3] * (int64_t)shot];
+        pool->board_half_width[lane] = job->parameters[4][job->strides[4] * (int64_t)shot];
+        pool->board_bottom[lane] = job->parameters[5][job->strides[5] * (int64_t)shot];
+        pool->board_top[lane] = job->parameters[6][job->strides[6] * (int64_t)shot];
+        pool->bridge_half_width[lane] = job->parameters[7][job->strides[7] * (int64_t)shot];
+        pool->restitution[lane] = job->parameters[8][job->strides[8] * (int64_t)shot];
+        pool->gravity[lane] = job->parameters[9][job->strides[9] * (int64_t)shot];
+        pool->end_depth[lane] = job->parameters[10][job->strides[10] * (int64_t)shot];
+    }
     pool->occupied[lane] = 1.0;
     pool->fresh[lane] = 1.0;
     pool->shot[lane] = shot;
 }
 
 /* Write the results of the shot in a lane and free it. */
-static void LANES(hoop_finish)(LANES(hoop_pool) *pool, int lane, const hoop_job *job)
+LANES_INLINE void LANES(hoop_finish)(LANES(hoop_pool) *pool, int lane, const hoop_job *job)
 {
     const hoop_results *out = job->results;
     const size_t shot = pool->shot[lane];
@@ -178,10 +161,25 @@ static void LANES(hoop_run)(const hoop_job *job)
     memset(&pool, 0, sizeof pool);
     const V most_contacts = K((double)job->max_contacts);
     const V zero = K(0.0), one = K(1.0), none = K(-1.0), never = K(INFINITY);
+    const int wants_errors = job->results->time_error || job->results->state_error;
     size_t next = 0;
 
     if (job->results->event_counts)
         memset(job->results->event_counts, 0, job->shots * sizeof(int32_t));
+    if (!job->varying)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            pool.ball_radius[lane] = *job->parameters[0];
+            pool.ring_radius[lane] = *job->parameters[1];
+            pool.wire_radius[lane] = *job->parameters[2];
+            pool.board_distance[lane] = *job->parameters[3];
+            pool.board_half_width[lane] = *job->parameters[4];
+            pool.board_bottom[lane] = *job->parameters[5];
+            pool.board_top[lane] = *job->parameters[6];
+            pool.bridge_half_width[lane] = *job->parameters[7];
+            pool.restitution[lane] = *job->parameters[8];
+            pool.gravity[lane] = *job->parameters[9];
+            pool.end_depth[lane] = *job->parameters[10];
+        }
     for (;;) {
         int occupied = 0, refilled = 0;
         if (job->stop && *job->stop)
@@ -228,37 +226,79 @@ static void LANES(hoop_run)(const hoop_job *job)
         V clock_error = lanes_load(pool.clock_error);
         V clock = lanes_load(pool.clock);
         V last = lanes_load(pool.last);
+        V first = lanes_load(pool.first);
         V contacts = lanes_load(pool.contacts);
         V uncertain = lanes_load(pool.uncertain);
+        V count_ring = lanes_load(pool.count_ring);
+        V count_backboard = lanes_load(pool.count_backboard);
+        V count_bridge = lanes_load(pool.count_bridge);
         const M flying = lanes_load(pool.occupied) > zero;
 
         /* A new shot is looked at once; one that is not valid ends here. */
         if (refilled) {
             const M fresh = flying & (lanes_load(pool.fresh) > zero);
+            dx = lanes_select(fresh, zero, dx);
+            dy = lanes_select(fresh, zero, dy);
+            dz = lanes_select(fresh, zero, dz);
+            dvx = lanes_select(fresh, zero, dvx);
+            dvy = lanes_select(fresh, zero, dvy);
+            dvz = lanes_select(fresh, zero, dvz);
+            dwx = lanes_select(fresh, zero, dwx);
+            dwy = lanes_select(fresh, zero, dwy);
+            dwz = lanes_select(fresh, zero, dwz);
+            clock_error = lanes_select(fresh, zero, clock_error);
+            clock = lanes_select(fresh, zero, clock);
+            last = lanes_select(fresh, none, last);
+            first = lanes_select(fresh, none, first);
+            contacts = lanes_select(fresh, zero, contacts);
+            uncertain = lanes_select(fresh, zero, uncertain);
+            count_ring = lanes_select(fresh, zero, count_ring);
+            count_backboard = lanes_select(fresh, zero, count_backboard);
+            count_bridge = lanes_select(fresh, zero, count_bridge);
             M good = LANES(hoop_valid)(x, y, z, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, restitution, gravity, end_depth).valid > zero;
-            good &= x - x == zero;
-            good &= y - y == zero;
-            good &= z - z == zero;
-            good &= vx - vx == zero;
-            good &= vy - vy == zero;
-            good &= vz - vz == zero;
-            good &= wx - wx == zero;
-            good &= wy - wy == zero;
-            good &= wz - wz == zero;
-            good &= ball_radius - ball_radius == zero;
-            good &= ring_radius - ring_radius == zero;
-            good &= wire_radius - wire_radius == zero;
-            good &= board_distance - board_distance == zero;
-            good &= board_half_width - board_half_width == zero;
-            good &= board_bottom - board_bottom == zero;
-            good &= board_top - board_top == zero;
-            good &= bridge_half_width - bridge_half_width == zero;
-            good &= restitution - restitution == zero;
-            good &= gravity - gravity == zero;
-            good &= end_depth - end_depth == zero;
+            V sum = zero;
+            sum = sum + (x - x);
+            sum = sum + (y - y);
+            sum = sum + (z - z);
+            sum = sum + (vx - vx);
+            sum = sum + (vy - vy);
+            sum = sum + (vz - vz);
+            sum = sum + (wx - wx);
+            sum = sum + (wy - wy);
+            sum = sum + (wz - wz);
+            sum = sum + (ball_radius - ball_radius);
+            sum = sum + (ring_radius - ring_radius);
+            sum = sum + (wire_radius - wire_radius);
+            sum = sum + (board_distance - board_distance);
+            sum = sum + (board_half_width - board_half_width);
+            sum = sum + (board_bottom - board_bottom);
+            sum = sum + (board_top - board_top);
+            sum = sum + (bridge_half_width - bridge_half_width);
+            sum = sum + (restitution - restitution);
+            sum = sum + (gravity - gravity);
+            sum = sum + (end_depth - end_depth);
+            good &= sum == zero;
             lanes_store(pool.fresh, zero);
             if (lanes_any(fresh & NOT(good))) {
                 lanes_store(pool.outcome, lanes_select(fresh & NOT(good), K((double)HOOP_INVALID), none));
+                lanes_store(pool.dx, dx);
+                lanes_store(pool.dy, dy);
+                lanes_store(pool.dz, dz);
+                lanes_store(pool.dvx, dvx);
+                lanes_store(pool.dvy, dvy);
+                lanes_store(pool.dvz, dvz);
+                lanes_store(pool.dwx, dwx);
+                lanes_store(pool.dwy, dwy);
+                lanes_store(pool.dwz, dwz);
+                lanes_store(pool.clock_error, clock_error);
+                lanes_store(pool.clock, clock);
+                lanes_store(pool.last, last);
+                lanes_store(pool.first, first);
+                lanes_store(pool.contacts, contacts);
+                lanes_store(pool.uncertain, uncertain);
+                lanes_store(pool.count_ring, count_ring);
+                lanes_store(pool.count_backboard, count_backboard);
+                lanes_store(pool.count_bridge, count_bridge);
                 for (int lane = 0; lane < LANES_WIDTH; lane++)
                     if (pool.outcome[lane] >= 0.0 && pool.occupied[lane] != 0.0)
                         LANES(hoop_finish)(&pool, lane, job);
@@ -269,72 +309,21 @@ static void LANES(hoop_run)(const hoop_job *job)
         /* How far the state may be from the true one. */
         const LANES(hoop_error_bounds_out) bounds = LANES(hoop_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
         const V position_error = bounds.position_error, velocity_error = bounds.velocity_error;
+        const LANES(hoop_scale_out) scale = LANES(hoop_scale)(x, y, z, vx, vy, vz);
+        const V extent = scale.extent, speed = scale.speed;
 
         /* The earliest arrival: its time and surface, the bound on its delay, and the earliest
            time of a decision that lies within its rounding error. */
         V when = never, which = none, late = zero, doubt = never;
         {
-            const V leaving = lanes_select(last == K(1.0), one, zero);
-            const LANES(hoop_backboard_arrival_out) a = LANES(hoop_backboard_arrival)(leaving, x, vx, ball_radius, board_distance);
-            const M meets = (a.rate < zero) | ((a.rate <= zero) & (a.bend < zero) & (a.time == zero));
-            M arrives = meets & (a.time >= zero) & (a.time < never);
-            const V margin = LANES(hoop_backboard_margin)(a.time, x, vx, position_error, velocity_error, ball_radius, board_distance).margin;
-            const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, a.rate, lanes_abs(a.bend));
-            M unsure = arrives & NOT(c.clearance > zero);
-            const LANES(hoop_flight_out) f = LANES(hoop_flight)(a.time, x, y, z, vx, vy, vz, gravity);
-            const LANES(hoop_backboard_bounds_out) g = LANES(hoop_backboard_bounds)(f.y, f.z, board_half_width, board_bottom, board_top);
-            const V slack = LANES(hoop_displacement)(c.delay, a.time, x, y, z, vx, vy, vz, position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
-            M within = (g.g0 <= zero) & (g.g1 <= zero) & (g.g2 <= zero) & (g.g3 <= zero);
-            M near = (g.g0 <= slack) & (g.g1 <= slack) & (g.g2 <= slack) & (g.g3 <= slack);
-            M surely = (g.g0 < -slack) & (g.g1 < -slack) & (g.g2 < -slack) & (g.g3 < -slack);
-            unsure = (unsure & near) | (arrives & near & NOT(surely));
-            arrives &= within;
-            doubt = lanes_select(unsure & (a.time < doubt), a.time, doubt);
-                        {
-                const M tie = arrives & (lanes_abs(a.time - when) <= c.delay + late);
-                const V sooner = lanes_select(a.time < when, a.time, when);
-                doubt = lanes_select(tie & (sooner < doubt), sooner, doubt);
-                const M earlier = arrives & (a.time < when);
-                when = lanes_select(earlier, a.time, when);
-                which = lanes_select(earlier, K(1.0), which);
-                late = lanes_select(earlier, c.delay, late);
-            }
-        }
-        {
-            const V leaving = lanes_select(last == K(2.0), one, zero);
-            const LANES(hoop_bridge_arrival_out) a = LANES(hoop_bridge_arrival)(leaving, z, vz, ball_radius, wire_radius, gravity);
-            const M meets = (a.rate < zero) | ((a.rate <= zero) & (a.bend < zero) & (a.time == zero));
-            M arrives = meets & (a.time >= zero) & (a.time < never);
-            const V margin = LANES(hoop_bridge_margin)(a.time, z, vz, position_error, velocity_error, ball_radius, wire_radius, gravity).margin;
-            const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, a.rate, lanes_abs(a.bend));
-            M unsure = arrives & NOT(c.clearance > zero);
-            const LANES(hoop_flight_out) f = LANES(hoop_flight)(a.time, x, y, z, vx, vy, vz, gravity);
-            const LANES(hoop_bridge_bounds_out) g = LANES(hoop_bridge_bounds)(f.x, f.y, ring_radius, board_distance, bridge_half_width);
-            const V slack = LANES(hoop_displacement)(c.delay, a.time, x, y, z, vx, vy, vz, position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
-            M within = (g.g0 <= zero) & (g.g1 <= zero) & (g.g2 <= zero) & (g.g3 <= zero) & (g.g4 <= zero);
-            M near = (g.g0 <= slack) & (g.g1 <= slack) & (g.g2 <= slack) & (g.g3 <= slack) & (g.g4 <= slack);
-            M surely = (g.g0 < -slack) & (g.g1 < -slack) & (g.g2 < -slack) & (g.g3 < -slack) & (g.g4 < -slack);
-            unsure = (unsure & near) | (arrives & near & NOT(surely));
-            arrives &= within;
-            doubt = lanes_select(unsure & (a.time < doubt), a.time, doubt);
-                        {
-                const M tie = arrives & (lanes_abs(a.time - when) <= c.delay + late);
-                const V sooner = lanes_select(a.time < when, a.time, when);
-                doubt = lanes_select(tie & (sooner < doubt), sooner, doubt);
-                const M earlier = arrives & (a.time < when);
-                when = lanes_select(earlier, a.time, when);
-                which = lanes_select(earlier, K(2.0), which);
-                late = lanes_select(earlier, c.delay, late);
-            }
-        }
-        {
             const V leaving = lanes_select(last == K(3.0), one, zero);
             const LANES(hoop_end_arrival_out) a = LANES(hoop_end_arrival)(leaving, z, vz, gravity, end_depth);
             const M meets = (a.rate < zero) | ((a.rate <= zero) & (a.bend < zero) & (a.time == zero));
             M arrives = meets & (a.time >= zero) & (a.time < never);
-            const V margin = LANES(hoop_end_margin)(a.time, z, vz, position_error, velocity_error, gravity, end_depth).margin;
+            const V margin = LANES(hoop_end_margin)(a.time, extent, speed, position_error, velocity_error, gravity, end_depth).margin;
             const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, a.rate, lanes_abs(a.bend));
-            M unsure = arrives & NOT(c.clearance > zero);
+            arrives &= a.time - when <= late + c.delay;
+            const M unsure = arrives & NOT(c.clearance > zero);
             doubt = lanes_select(unsure & (a.time < doubt), a.time, doubt);
                         {
                 const M tie = arrives & (lanes_abs(a.time - when) <= c.delay + late);
@@ -347,10 +336,70 @@ static void LANES(hoop_run)(const hoop_job *job)
             }
         }
         {
-            /* Nothing later than the planes' first arrival matters. */
-            const V horizon = when + late;
+            const V leaving = lanes_select(last == K(1.0), one, zero);
+            const LANES(hoop_backboard_arrival_out) a = LANES(hoop_backboard_arrival)(leaving, x, vx, ball_radius, board_distance);
+            const M meets = (a.rate < zero) | ((a.rate <= zero) & (a.bend < zero) & (a.time == zero));
+            M arrives = meets & (a.time >= zero) & (a.time < never);
+            const V margin = LANES(hoop_backboard_margin)(a.time, extent, speed, position_error, velocity_error, ball_radius, board_distance, gravity).margin;
+            const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, a.rate, lanes_abs(a.bend));
+            arrives &= a.time - when <= late + c.delay;
+            if (lanes_any(flying & arrives)) {
+                const LANES(hoop_flight_out) f = LANES(hoop_flight)(a.time, x, y, z, vx, vy, vz, gravity);
+                const LANES(hoop_backboard_bounds_out) g = LANES(hoop_backboard_bounds)(f.y, f.z, board_half_width, board_bottom, board_top);
+                const V slack = LANES(hoop_displacement)(c.delay, a.time, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
+                const M within = (g.g0 <= zero) & (g.g1 <= zero) & (g.g2 <= zero) & (g.g3 <= zero);
+                const M near = (g.g0 <= slack) & (g.g1 <= slack) & (g.g2 <= slack) & (g.g3 <= slack);
+                const M surely = (g.g0 < -slack) & (g.g1 < -slack) & (g.g2 < -slack) & (g.g3 < -slack);
+                const M unsure = arrives & near & NOT(surely & (c.clearance > zero));
+                doubt = lanes_select(unsure & (a.time < doubt), a.time, doubt);
+                arrives &= within;
+                            {
+                const M tie = arrives & (lanes_abs(a.time - when) <= c.delay + late);
+                const V sooner = lanes_select(a.time < when, a.time, when);
+                doubt = lanes_select(tie & (sooner < doubt), sooner, doubt);
+                const M earlier = arrives & (a.time < when);
+                when = lanes_select(earlier, a.time, when);
+                which = lanes_select(earlier, K(1.0), which);
+                late = lanes_select(earlier, c.delay, late);
+            }
+            }
+        }
+        {
+            const V leaving = lanes_select(last == K(2.0), one, zero);
+            const LANES(hoop_bridge_arrival_out) a = LANES(hoop_bridge_arrival)(leaving, z, vz, ball_radius, wire_radius, gravity);
+            const M meets = (a.rate < zero) | ((a.rate <= zero) & (a.bend < zero) & (a.time == zero));
+            M arrives = meets & (a.time >= zero) & (a.time < never);
+            const V margin = LANES(hoop_bridge_margin)(a.time, extent, speed, position_error, velocity_error, ball_radius, wire_radius, gravity).margin;
+            const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, a.rate, lanes_abs(a.bend));
+            arrives &= a.time - when <= late + c.delay;
+            if (lanes_any(flying & arrives)) {
+                const LANES(hoop_flight_out) f = LANES(hoop_flight)(a.time, x, y, z, vx, vy, vz, gravity);
+                const LANES(hoop_bridge_bounds_out) g = LANES(hoop_bridge_bounds)(f.x, f.y, ring_radius, board_distance, bridge_half_width);
+                const V slack = LANES(hoop_displacement)(c.delay, a.time, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
+                const M within = (g.g0 <= zero) & (g.g1 <= zero) & (g.g2 <= zero) & (g.g3 <= zero) & (g.g4 <= zero);
+                const M near = (g.g0 <= slack) & (g.g1 <= slack) & (g.g2 <= slack) & (g.g3 <= slack) & (g.g4 <= slack);
+                const M surely = (g.g0 < -slack) & (g.g1 < -slack) & (g.g2 < -slack) & (g.g3 < -slack) & (g.g4 < -slack);
+                const M unsure = arrives & near & NOT(surely & (c.clearance > zero));
+                doubt = lanes_select(unsure & (a.time < doubt), a.time, doubt);
+                arrives &= within;
+                            {
+                const M tie = arrives & (lanes_abs(a.time - when) <= c.delay + late);
+                const V sooner = lanes_select(a.time < when, a.time, when);
+                doubt = lanes_select(tie & (sooner < doubt), sooner, doubt);
+                const M earlier = arrives & (a.time < when);
+                when = lanes_select(earlier, a.time, when);
+                which = lanes_select(earlier, K(2.0), which);
+                late = lanes_select(earlier, c.delay, late);
+            }
+            }
+        }
+        /* Nothing later than what has been found matters. */
+        const V horizon_ring = when + late;
+        const M open_ring = flying & NOT(LANES(hoop_ring_clear)(horizon_ring, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, gravity).clear > zero);
+        if (lanes_any(open_ring)) {
+            const V horizon = horizon_ring;
             const V leaving = lanes_select(last == K(0.0), one, zero);
-            const LANES(hoop_ring_prepare_out) p = LANES(hoop_ring_prepare)(horizon, x, y, z, vx, vy, vz, position_error, velocity_error, ball_radius, ring_radius, wire_radius, gravity);
+            const LANES(hoop_ring_prepare_out) p = LANES(hoop_ring_prepare)(horizon, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, gravity);
             const M gone = last == K(0.0);
             const V flat = lanes_select(gone, zero, p.margin);
             const V tilt = lanes_select(gone, p.leaving_margin, zero);
@@ -359,7 +408,7 @@ static void LANES(hoop_run)(const hoop_job *job)
             const V low2 = lanes_select(p.low2 > zero, p.low2, zero);
             const V high2 = lanes_select(p.high2 < horizon, p.high2, horizon);
             {
-                const M opens = flying & (low2 < high2);
+                const M opens = open_ring & (low2 < high2);
                 t = lanes_select(opens, low2, t);
                 end = lanes_select(opens, high2, end);
                 searching |= opens;
@@ -367,7 +416,7 @@ static void LANES(hoop_run)(const hoop_job *job)
             const V low1 = lanes_select(p.low1 > zero, p.low1, zero);
             const V high1 = lanes_select(p.high1 < horizon, p.high1, horizon);
             {
-                const M opens = flying & (low1 < high1);
+                const M opens = open_ring & (low1 < high1);
                 t = lanes_select(opens, low1, t);
                 end = lanes_select(opens, high1, end);
                 searching |= opens;
@@ -375,14 +424,14 @@ static void LANES(hoop_run)(const hoop_job *job)
             const V low0 = lanes_select(p.low0 > zero, p.low0, zero);
             const V high0 = lanes_select(p.high0 < horizon, p.high0, horizon);
             {
-                const M opens = flying & (low0 < high0);
+                const M opens = open_ring & (low0 < high0);
                 t = lanes_select(opens, low0, t);
                 end = lanes_select(opens, high0, end);
                 searching |= opens;
             }
             for (int step = 0; lanes_any(searching); step++) {
                 const V margin = flat + tilt * t;
-                const LANES(hoop_ring_advance_out) a = LANES(hoop_ring_advance)(t, end, leaving, margin, p.rate_margin, x, y, z, vx, vy, vz, p.steady, p.swing, ball_radius, ring_radius, wire_radius, gravity);
+                const LANES(hoop_ring_advance_out) a = LANES(hoop_ring_advance)(t, end, leaving, margin, p.rate_margin, x, y, z, vx, vy, vz, p.steady, p.swing, p.rho_start, p.per_square, ball_radius, ring_radius, wire_radius, gravity);
                 const M falling = (a.rate < zero) | ((a.rate <= p.rate_margin) & (a.bend < zero));
                 const M hit = searching & (a.gap - margin <= margin) & falling;
                 if (lanes_any(hit)) {
@@ -426,7 +475,7 @@ static void LANES(hoop_run)(const hoop_job *job)
             }
             {
                 const V t = arrival;
-                const V refined = LANES(hoop_ring_refine)(t, leaving, x, y, z, vx, vy, vz, ball_radius, ring_radius, wire_radius, gravity).time;
+                const V refined = LANES(hoop_ring_refine)(t, leaving, x, y, z, vx, vy, vz, p.rho_start, ball_radius, ring_radius, wire_radius, gravity).time;
                 arrival = lanes_select(certain, refined, arrival);
                 arrival = lanes_select(arrival < zero, zero, arrival);
             }
@@ -459,7 +508,7 @@ static void LANES(hoop_run)(const hoop_job *job)
         const V x_before = x, y_before = y, z_before = z, vx_before = vx, vy_before = vy, vz_before = vz;
         M doubtful = doubt <= when + late;
         {
-            const V slack = LANES(hoop_displacement)(late, t, lanes_load(pool.x), lanes_load(pool.y), lanes_load(pool.z), lanes_load(pool.vx), lanes_load(pool.vy), lanes_load(pool.vz), position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
+            const V slack = LANES(hoop_displacement)(late, t, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
             const V miss = LANES(hoop_target)(x, y, ring_radius).target;
             doubtful |= ends & (lanes_abs(miss) <= slack);
             uncertain = lanes_select(doubtful, one, uncertain);
@@ -469,88 +518,86 @@ static void LANES(hoop_run)(const hoop_job *job)
             outcome = lanes_select(touches & (contacts >= most_contacts), K((double)HOOP_CAPPED), outcome);
             lanes_store(pool.outcome, outcome);
         }
-        const LANES(hoop_end_normal_out) level = LANES(hoop_end_normal)();
-        V nx = level.nx, ny = level.ny, nz = level.nz;
-        {
-            const M here = which == K(0.0);
-            const LANES(hoop_ring_normal_out) n = LANES(hoop_ring_normal)(x, y, z, ball_radius, ring_radius, wire_radius);
-            nx = lanes_select(here, n.nx, nx);
-            ny = lanes_select(here, n.ny, ny);
-            nz = lanes_select(here, n.nz, nz);
-            const V count = lanes_load(pool.count_ring);
-            lanes_store(pool.count_ring, lanes_select(here, count + one, count));
-        }
-        {
-            const M here = which == K(1.0);
-            const LANES(hoop_backboard_normal_out) n = LANES(hoop_backboard_normal)();
-            nx = lanes_select(here, n.nx, nx);
-            ny = lanes_select(here, n.ny, ny);
-            nz = lanes_select(here, n.nz, nz);
-            const V count = lanes_load(pool.count_backboard);
-            lanes_store(pool.count_backboard, lanes_select(here, count + one, count));
-        }
-        {
-            const M here = which == K(2.0);
-            const LANES(hoop_bridge_normal_out) n = LANES(hoop_bridge_normal)();
-            nx = lanes_select(here, n.nx, nx);
-            ny = lanes_select(here, n.ny, ny);
-            nz = lanes_select(here, n.nz, nz);
-            const V count = lanes_load(pool.count_bridge);
-            lanes_store(pool.count_bridge, lanes_select(here, count + one, count));
-        }
-
-        /* What this segment adds to the errors, and what the contact makes of them. */
-        {
-            const LANES(hoop_carry_flight_out) carried = LANES(hoop_carry_flight)(t, x, y, z, vx, vy, vz, nx, ny, nz, clock, dx, dy, dz, dvx, dvy, dvz, gravity);
-            clock_error = lanes_select(stays, clock_error, clock_error + carried.delay);
-            dx = lanes_select(stays, dx, carried.dx);
-            dy = lanes_select(stays, dy, carried.dy);
-            dz = lanes_select(stays, dz, carried.dz);
-            dvx = lanes_select(stays, dvx, carried.dvx);
-            dvy = lanes_select(stays, dvy, carried.dvy);
-            dvz = lanes_select(stays, dvz, carried.dvz);
-            V dnx = zero, dny = zero, dnz = zero;
+        if (lanes_any(touches) || wants_errors) {
+            const LANES(hoop_end_normal_out) level = LANES(hoop_end_normal)();
+            V nx = level.nx, ny = level.ny, nz = level.nz;
             {
                 const M here = which == K(0.0);
-                const LANES(hoop_ring_carry_normal_out) turned = LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, ball_radius, ring_radius, wire_radius);
-                dnx = lanes_select(here, turned.dnx, dnx);
-                dny = lanes_select(here, turned.dny, dny);
-                dnz = lanes_select(here, turned.dnz, dnz);
+                const LANES(hoop_ring_normal_out) n = LANES(hoop_ring_normal)(x, y, z, ball_radius, ring_radius, wire_radius);
+                nx = lanes_select(here, n.nx, nx);
+                ny = lanes_select(here, n.ny, ny);
+                nz = lanes_select(here, n.nz, nz);
+                count_ring = lanes_select(here, count_ring + one, count_ring);
             }
-            const LANES(hoop_carry_impact_out) after = LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, ball_radius, restitution);
-            dvx = lanes_select(touches, after.dvx, dvx);
-            dvy = lanes_select(touches, after.dvy, dvy);
-            dvz = lanes_select(touches, after.dvz, dvz);
-            dwx = lanes_select(touches, after.dwx, dwx);
-            dwy = lanes_select(touches, after.dwy, dwy);
-            dwz = lanes_select(touches, after.dwz, dwz);
+            {
+                const M here = which == K(1.0);
+                const LANES(hoop_backboard_normal_out) n = LANES(hoop_backboard_normal)();
+                nx = lanes_select(here, n.nx, nx);
+                ny = lanes_select(here, n.ny, ny);
+                nz = lanes_select(here, n.nz, nz);
+                count_backboard = lanes_select(here, count_backboard + one, count_backboard);
+            }
+            {
+                const M here = which == K(2.0);
+                const LANES(hoop_bridge_normal_out) n = LANES(hoop_bridge_normal)();
+                nx = lanes_select(here, n.nx, nx);
+                ny = lanes_select(here, n.ny, ny);
+                nz = lanes_select(here, n.nz, nz);
+                count_bridge = lanes_select(here, count_bridge + one, count_bridge);
+            }
+
+            /* What this segment adds to the errors, and what the contact makes of them. */
+            {
+                const LANES(hoop_carry_flight_out) carried = LANES(hoop_carry_flight)(t, x, y, z, vx, vy, vz, nx, ny, nz, clock, dx, dy, dz, dvx, dvy, dvz, gravity);
+                clock_error = lanes_select(stays, clock_error, clock_error + carried.delay);
+                dx = lanes_select(stays, dx, carried.dx);
+                dy = lanes_select(stays, dy, carried.dy);
+                dz = lanes_select(stays, dz, carried.dz);
+                dvx = lanes_select(stays, dvx, carried.dvx);
+                dvy = lanes_select(stays, dvy, carried.dvy);
+                dvz = lanes_select(stays, dvz, carried.dvz);
+                V dnx = zero, dny = zero, dnz = zero;
+                {
+                    const M here = which == K(0.0);
+                    const LANES(hoop_ring_carry_normal_out) turned = LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, ball_radius, ring_radius, wire_radius);
+                    dnx = lanes_select(here, turned.dnx, dnx);
+                    dny = lanes_select(here, turned.dny, dny);
+                    dnz = lanes_select(here, turned.dnz, dnz);
+                }
+                const LANES(hoop_carry_impact_out) after = LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, ball_radius, restitution);
+                dvx = lanes_select(touches, after.dvx, dvx);
+                dvy = lanes_select(touches, after.dvy, dvy);
+                dvz = lanes_select(touches, after.dvz, dvz);
+                dwx = lanes_select(touches, after.dwx, dwx);
+                dwy = lanes_select(touches, after.dwy, dwy);
+                dwz = lanes_select(touches, after.dwz, dwz);
+            }
+            {
+                const M here = which == K(1.0);
+                const LANES(hoop_backboard_place_out) at = LANES(hoop_backboard_place)(y, z, ball_radius, board_distance);
+                x = lanes_select(here, at.x, x);
+                y = lanes_select(here, at.y, y);
+                z = lanes_select(here, at.z, z);
+            }
+            {
+                const M here = which == K(2.0);
+                const LANES(hoop_bridge_place_out) at = LANES(hoop_bridge_place)(x, y, ball_radius, wire_radius);
+                x = lanes_select(here, at.x, x);
+                y = lanes_select(here, at.y, y);
+                z = lanes_select(here, at.z, z);
+            }
+            {
+                const LANES(hoop_impact_out) after = LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, ball_radius, restitution);
+                vx = lanes_select(touches, after.vx, vx);
+                vy = lanes_select(touches, after.vy, vy);
+                vz = lanes_select(touches, after.vz, vz);
+                wx = lanes_select(touches, after.wx, wx);
+                wy = lanes_select(touches, after.wy, wy);
+                wz = lanes_select(touches, after.wz, wz);
+            }
+            first = lanes_select(touches & (first < zero), which, first);
+            last = lanes_select(touches, which, last);
         }
-        {
-            const M here = which == K(1.0);
-            const LANES(hoop_backboard_place_out) at = LANES(hoop_backboard_place)(y, z, ball_radius, board_distance);
-            x = lanes_select(here, at.x, x);
-            y = lanes_select(here, at.y, y);
-            z = lanes_select(here, at.z, z);
-        }
-        {
-            const M here = which == K(2.0);
-            const LANES(hoop_bridge_place_out) at = LANES(hoop_bridge_place)(x, y, ball_radius, wire_radius);
-            x = lanes_select(here, at.x, x);
-            y = lanes_select(here, at.y, y);
-            z = lanes_select(here, at.z, z);
-        }
-        {
-            const LANES(hoop_impact_out) after = LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, ball_radius, restitution);
-            vx = lanes_select(touches, after.vx, vx);
-            vy = lanes_select(touches, after.vy, vy);
-            vz = lanes_select(touches, after.vz, vz);
-            wx = lanes_select(touches, after.wx, wx);
-            wy = lanes_select(touches, after.wy, wy);
-            wz = lanes_select(touches, after.wz, wz);
-        }
-        const V first = lanes_load(pool.first);
-        lanes_store(pool.first, lanes_select(touches & (first < zero), which, first));
-        last = lanes_select(touches, which, last);
         lanes_store(pool.x, x);
         lanes_store(pool.y, y);
         lanes_store(pool.z, z);
@@ -572,10 +619,14 @@ static void LANES(hoop_run)(const hoop_job *job)
         lanes_store(pool.clock_error, clock_error);
         lanes_store(pool.clock, clock);
         lanes_store(pool.last, last);
+        lanes_store(pool.first, first);
         lanes_store(pool.contacts, contacts);
         lanes_store(pool.uncertain, uncertain);
+        lanes_store(pool.count_ring, count_ring);
+        lanes_store(pool.count_backboard, count_backboard);
+        lanes_store(pool.count_bridge, count_bridge);
 
-        if (job->results->time_error || job->results->state_error) {
+        if (wants_errors) {
             const LANES(hoop_error_bounds_out) now = LANES(hoop_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
             lanes_store(pool.bounds[0], now.position_error);
             lanes_store(pool.bounds[1], now.velocity_error);

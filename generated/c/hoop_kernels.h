@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 80114b4e924bca64,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 92ca6b4b89fd8d64,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -81,7 +81,7 @@ LANES(hoop_impact_through_frame)(V vx, V vy, V vz, V wx, V wy, V wz, V n11, V n1
 }
 
 /* Velocity and spin after a contact, frame-free.
-   Eqs. 11-17, the frame eliminated. 62 operations: 10 additions, 12 subtractions, 37 multiplications, 3 divisions. */
+   Eqs. 11-17, the frame eliminated. 63 operations: 10 additions, 12 subtractions, 40 multiplications, 1 division. */
 typedef struct {
     V vx, vy, vz, wx, wy, wz;
 } LANES(hoop_impact_out);
@@ -95,7 +95,8 @@ LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V ball_
     const V s3 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
     const V s4 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
     const V s5 = ((nx * wx) + (ny * wy)) + (nz * wz);
-    return (LANES(hoop_impact_out)){ s2 - ((nx * restitution) * s1), s3 - ((ny * restitution) * s1), s4 - ((nz * restitution) * s1), (((ny * s4) - (nz * s3)) / ball_radius) + (nx * s5), (((nz * s2) - (nx * s4)) / ball_radius) + (ny * s5), (((nx * s3) - (ny * s2)) / ball_radius) + (nz * s5) };
+    const V s6 = K(1.0) / ball_radius;
+    return (LANES(hoop_impact_out)){ s2 - ((nx * restitution) * s1), s3 - ((ny * restitution) * s1), s4 - ((nz * restitution) * s1), (nx * s5) + (s6 * ((ny * s4) - (nz * s3))), (ny * s5) + (s6 * ((nz * s2) - (nx * s4))), (nz * s5) + (s6 * ((nx * s3) - (ny * s2))) };
 }
 
 /* Positive clearance if a crossing is certain, and the bound on its delay.
@@ -111,28 +112,36 @@ LANES(hoop_crossing)(V margin, V rate_margin, V rate, V ceiling)
     return (LANES(hoop_crossing_out)){ lanes_select((K(0.0) < s0), ((s0 * s0) - ((K(8.0) * ceiling) * margin)), s0), (K(6.0) * margin) / s0 };
 }
 
+/* Sums of the sizes of the coordinates and of the velocities.
+   what rounding errors are measured by. 10 operations: 4 additions, 6 absolute values. */
+typedef struct {
+    V extent, speed;
+} LANES(hoop_scale_out);
+
+LANES_INLINE LANES(hoop_scale_out)
+LANES(hoop_scale)(V x, V y, V z, V vx, V vy, V vz)
+{
+    return (LANES(hoop_scale_out)){ (lanes_abs(x) + lanes_abs(y)) + lanes_abs(z), (lanes_abs(vx) + lanes_abs(vy)) + lanes_abs(vz) };
+}
+
 /* Bound on the error of a length at a computed arrival.
-   running error analysis. 61 operations: 24 additions, 29 multiplications, 8 absolute values. */
+   running error analysis. 25 operations: 15 additions, 8 multiplications, 2 absolute values. */
 typedef struct {
     V margin;
 } LANES(hoop_displacement_out);
 
 LANES_INLINE LANES(hoop_displacement_out)
-LANES(hoop_displacement)(V delay, V horizon, V x, V y, V z, V vx, V vy, V vz, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V gravity, V end_depth)
+LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V gravity, V end_depth)
 {
-    const V s0 = (((((K(4.445228907190568e-16) * ball_radius) + (K(4.445228907190568e-16) * board_distance)) + (K(4.445228907190568e-16) * board_half_width)) + (K(4.445228907190568e-16) * bridge_half_width)) + (K(4.445228907190568e-16) * end_depth)) + (K(3.0029296875) * position_error);
-    const V s1 = lanes_abs(vx);
-    const V s2 = lanes_abs(vy);
-    const V s3 = lanes_abs(vz);
-    const V s4 = ((s0 + (K(4.445228907190568e-16) * ring_radius)) + (K(4.445228907190568e-16) * wire_radius)) + ((K(1.0009765625) * delay) * ((((gravity * horizon) + s1) + s2) + s3));
-    const V s5 = K(6.667843360785852e-16) * horizon;
-    const V s6 = ((s4 + ((K(2.001953125) * horizon) * velocity_error)) + (s5 * (((K(0.5) * gravity) * horizon) + s3))) + ((K(1.0009765625) * horizon) * ((velocity_error + ((K(1.6653345369377348e-16) * gravity) * horizon)) + (K(1.1102230246251565e-16) * s3)));
-    const V s7 = ((((s6 + (s5 * s1)) + (s5 * s2)) + (K(4.445228907190568e-16) * lanes_abs(board_bottom))) + (K(4.445228907190568e-16) * lanes_abs(board_top))) + (K(5.55653613398821e-16) * lanes_abs(x));
-    return (LANES(hoop_displacement_out)){ (s7 + (K(5.55653613398821e-16) * lanes_abs(y))) + (K(5.55653613398821e-16) * lanes_abs(z)) };
+    const V s0 = speed + (gravity * horizon);
+    const V s1 = extent + (horizon * s0);
+    const V s2 = (((((ball_radius + board_distance) + board_half_width) + bridge_half_width) + end_depth) + ring_radius) + wire_radius;
+    const V s3 = ((K(1.0009765625) * delay) * s0) + (K(4.445228907190568e-16) * (s1 + ((s2 + lanes_abs(board_bottom)) + lanes_abs(board_top))));
+    return (LANES(hoop_displacement_out)){ s3 + (K(3.0029296875) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s1))) };
 }
 
 /* Errors of a state at the end of a flight to a surface, from those at its start.
-   derivative of Eq. 3 and of the contact time, with roundings. 65 operations: 19 additions, 1 subtraction, 23 multiplications, 5 divisions, 4 negations, 7 absolute values, 3 comparisons, 3 selections. */
+   derivative of Eq. 3 and of the contact time, with roundings. 61 operations: 19 additions, 1 subtraction, 23 multiplications, 1 division, 4 negations, 7 absolute values, 3 comparisons, 3 selections. */
 typedef struct {
     V dx, dy, dz, dvx, dvy, dvz, delay;
 } LANES(hoop_carry_flight_out);
@@ -150,13 +159,12 @@ LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz,
     const V s7 = dz + (dvz * t);
     const V s8 = K(4.440892098500626e-16) * (((gravity * (t * t)) + (s1 * lanes_abs(vz))) + lanes_abs(z));
     const V s9 = s7 + lanes_select((s7 < K(0.0)), (-s8), s8);
-    const V s10 = -(((nx * s3) + (ny * s6)) + (nz * s9));
-    const V s11 = ((nx * vx) + (ny * vy)) + (nz * vz);
-    return (LANES(hoop_carry_flight_out)){ ((vx * s10) / s11) + s3, ((vy * s10) / s11) + s6, ((vz * s10) / s11) + s9, dvx, dvy, dvz - ((gravity * s10) / s11), lanes_abs((s10 / s11)) + (K(4.440892098500626e-16) * (clock + t)) };
+    const V s10 = (-(((nx * s3) + (ny * s6)) + (nz * s9))) / (((nx * vx) + (ny * vy)) + (nz * vz));
+    return (LANES(hoop_carry_flight_out)){ (vx * s10) + s3, (vy * s10) + s6, (vz * s10) + s9, dvx, dvy, dvz - (gravity * s10), lanes_abs(s10) + (K(4.440892098500626e-16) * (clock + t)) };
 }
 
 /* Errors of velocity and spin after a contact, from those before it.
-   derivative of the frame-free Eq. 17, with roundings. 187 operations: 43 additions, 30 subtractions, 90 multiplications, 4 divisions, 2 negations, 6 absolute values, 6 comparisons, 6 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 188 operations: 43 additions, 30 subtractions, 93 multiplications, 2 divisions, 2 negations, 6 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
     V dvx, dvy, dvz, dwx, dwy, dwz;
 } LANES(hoop_carry_impact_out);
@@ -176,20 +184,18 @@ LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V
     const V s9 = (s8 - ((dny * restitution) * s1)) - ((ny * restitution) * s2);
     const V s10 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (K(0.6) * ((dvz - (dnz * s1)) - (nz * s2)));
     const V s11 = (s10 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2);
-    const V s12 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
-    const V s13 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
-    const V s14 = ((nx * wx) + (ny * wy)) + (nz * wz);
-    const V s15 = (((((dny * s12) + (ny * s10)) - (dnz * s13)) - (nz * s8)) / ball_radius) + (dnx * s14);
-    const V s16 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz);
-    const V s17 = s15 + (nx * s16);
+    const V s12 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    const V s13 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz);
+    const V s14 = K(1.0) / ball_radius;
+    const V s15 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
+    const V s16 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
+    const V s17 = ((dnx * s12) + (nx * s13)) + (s14 * ((((dny * s15) + (ny * s10)) - (dnz * s16)) - (nz * s8)));
     const V s18 = s6 / ball_radius;
     const V s19 = -s18;
     const V s20 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
-    const V s21 = (((((dnz * s20) + (nz * s3)) - (dnx * s12)) - (nx * s10)) / ball_radius) + (dny * s14);
-    const V s22 = s21 + (ny * s16);
-    const V s23 = (((((dnx * s13) + (nx * s8)) - (dny * s20)) - (ny * s3)) / ball_radius) + (dnz * s14);
-    const V s24 = s23 + (nz * s16);
-    return (LANES(hoop_carry_impact_out)){ s4 + lanes_select((s4 < K(0.0)), s7, s6), s9 + lanes_select((s9 < K(0.0)), s7, s6), s11 + lanes_select((s11 < K(0.0)), s7, s6), s17 + lanes_select((s17 < K(0.0)), s19, s18), s22 + lanes_select((s22 < K(0.0)), s19, s18), s24 + lanes_select((s24 < K(0.0)), s19, s18) };
+    const V s21 = ((dny * s12) + (ny * s13)) + (s14 * ((((dnz * s20) + (nz * s3)) - (dnx * s15)) - (nx * s10)));
+    const V s22 = ((dnz * s12) + (nz * s13)) + (s14 * ((((dnx * s16) + (nx * s8)) - (dny * s20)) - (ny * s3)));
+    return (LANES(hoop_carry_impact_out)){ s4 + lanes_select((s4 < K(0.0)), s7, s6), s9 + lanes_select((s9 < K(0.0)), s7, s6), s11 + lanes_select((s11 < K(0.0)), s7, s6), s17 + lanes_select((s17 < K(0.0)), s19, s18), s21 + lanes_select((s21 < K(0.0)), s19, s18), s22 + lanes_select((s22 < K(0.0)), s19, s18) };
 }
 
 /* Bounds on the errors of a state and its time, from the carried errors.
@@ -306,7 +312,7 @@ LANES(hoop_ring_deflated)(V x, V y, V z, V vx, V vy, V vz, V ball_radius, V ring
 }
 
 /* Outward unit normal n3 at a contact.
-   Table 2. 12 operations: 2 additions, 1 subtraction, 5 multiplications, 3 divisions, 1 square root. */
+   Table 2. 13 operations: 2 additions, 1 subtraction, 7 multiplications, 2 divisions, 1 square root. */
 typedef struct {
     V nx, ny, nz;
 } LANES(hoop_ring_normal_out);
@@ -314,15 +320,14 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_normal_out)
 LANES(hoop_ring_normal)(V x, V y, V z, V ball_radius, V ring_radius, V wire_radius)
 {
-    const V s0 = ball_radius + wire_radius;
+    const V s0 = K(1.0) / (ball_radius + wire_radius);
     const V s1 = lanes_sqrt(((x * x) + (y * y)));
-    const V s2 = s1 - ring_radius;
-    const V s3 = s0 * s1;
-    return (LANES(hoop_ring_normal_out)){ (x * s2) / s3, (y * s2) / s3, z / s0 };
+    const V s2 = (s0 * (s1 - ring_radius)) * (K(1.0) / s1);
+    return (LANES(hoop_ring_normal_out)){ x * s2, y * s2, z * s0 };
 }
 
 /* Error of the normal, from that of the position.
-   derivative of Table 2's normal. 36 operations: 5 additions, 3 subtractions, 20 multiplications, 7 divisions, 1 square root. */
+   derivative of Table 2's normal. 32 operations: 6 additions, 1 subtraction, 20 multiplications, 3 divisions, 1 square root, 1 negation. */
 typedef struct {
     V dnx, dny, dnz;
 } LANES(hoop_ring_carry_normal_out);
@@ -330,176 +335,201 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_carry_normal_out)
 LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V ball_radius, V ring_radius, V wire_radius)
 {
+    const V s0 = K(1.0) / (ball_radius + wire_radius);
+    const V s1 = lanes_sqrt(((x * x) + (y * y)));
+    const V s2 = s1 - ring_radius;
+    const V s3 = K(1.0) / s1;
+    const V s4 = (s0 * s2) * s3;
+    const V s5 = (K(0.5) * (((K(2.0) * dx) * x) + ((K(2.0) * dy) * y))) / s1;
+    const V s6 = ((s5 * s0) * s3) + (((-(s5 * (s3 * s3))) * s0) * s2);
+    return (LANES(hoop_ring_carry_normal_out)){ (dx * s4) + (x * s6), (dy * s4) + (y * s6), dz * s0 };
+}
+
+/* Positive if there certainly is no contact before the horizon.
+   bounds of the event condition. 131 operations: 27 additions, 15 subtractions, 61 multiplications, 2 divisions, 2 square roots, 12 comparisons, 12 selections. */
+typedef struct {
+    V clear;
+} LANES(hoop_ring_clear_out);
+
+LANES_INLINE LANES(hoop_ring_clear_out)
+LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V gravity)
+{
     const V s0 = ball_radius + wire_radius;
-    const V s1 = (x * x) + (y * y);
-    const V s2 = lanes_sqrt(s1);
-    const V s3 = s2 - ring_radius;
-    const V s4 = s0 * s2;
-    const V s5 = ((K(2.0) * dx) * x) + ((K(2.0) * dy) * y);
-    const V s6 = K(0.5) * x;
-    const V s7 = s0 * s1;
-    const V s8 = s0 * (s2 * s1);
-    const V s9 = K(0.5) * y;
-    return (LANES(hoop_ring_carry_normal_out)){ (((dx * s3) / s4) + ((s6 * s5) / s7)) - (((s6 * s3) * s5) / s8), (((dy * s3) / s4) + ((s9 * s5) / s7)) - (((s9 * s3) * s5) / s8), dz / s0 };
+    const V s1 = K(1.0000009536743164) * s0;
+    const V s2 = ring_radius + s1;
+    const V s3 = vz * vz;
+    const V s4 = s3 + ((K(2.0) * gravity) * (z - s1));
+    const V s5 = lanes_sqrt(s4);
+    const V s6 = (vz - s5) / gravity;
+    const V s7 = (vz + s5) / gravity;
+    const V s8 = x + (vx * s7);
+    const V s9 = y + (vy * s7);
+    const V s10 = (s8 * s8) + (s9 * s9);
+    const V s11 = lanes_sqrt(s10);
+    const V s12 = s11 - ring_radius;
+    const V s13 = z + ((vz - ((K(0.5) * gravity) * s7)) * s7);
+    const V s14 = s2 * s2;
+    const V s15 = K(9.313225746154785e-10) * s14;
+    const V s16 = (((s12 * s12) + (s13 * s13)) - (s0 * s0)) - s15;
+    const V s17 = ring_radius - s1;
+    const V s18 = s17 * s17;
+    const V s19 = s17 * s18;
+    const V s20 = (vx * vx) + (vy * vy);
+    const V s21 = s19 * ((((K(2.0) * s3) + ((K(4.0) * gravity) * z)) + (K(2.0) * s20)) - ((K(6.000005722045898) * gravity) * s0));
+    const V s22 = (vy * x) - (vx * y);
+    const V s23 = s22 * s22;
+    const V s24 = s21 - ((K(2.0) * ring_radius) * s23);
+    const V s25 = (s12 * ((vx * s8) + (vy * s9))) + ((s13 * (vz - (gravity * s7))) * s11);
+    const V s26 = x + (horizon * vx);
+    const V s27 = y + (horizon * vy);
+    const V s28 = lanes_select(((((s15 + (s26 * s26)) + (s27 * s27)) - s18) < K(0.0)), K(1.0), lanes_select((((s20 * (s18 + s15)) - s23) < K(0.0)), K(1.0), K(0.0)));
+    const V s29 = lanes_select(((((K(4.0) * s19) * (s25 * s25)) - (((K(2.0) * s24) * s10) * s16)) < K(0.0)), s28, K(0.0));
+    const V s30 = lanes_select((horizon < (s7 - (K(9.313225746154785e-10) * horizon))), K(1.0), lanes_select((K(0.0) < s16), lanes_select((K(0.0) < s24), s29, K(0.0)), K(0.0)));
+    const V s31 = (vx * x) + (vy * y);
+    const V s32 = (s6 * s20) + s31;
+    const V s33 = lanes_select((s32 < K(0.0)), lanes_select((s14 < ((s6 * (s31 + s32)) + ((x * x) + (y * y)))), s30, K(0.0)), K(0.0));
+    const V s34 = lanes_select(((extent + (horizon * (speed + (gravity * horizon)))) < (K(65536.0) * s2)), lanes_select((K(0.0) < s4), lanes_select((s6 < K(0.0)), s30, s33), K(0.0)), K(0.0));
+    return (LANES(hoop_ring_clear_out)){ lanes_select(((position_error + (horizon * velocity_error)) < (K(5.820766091346741e-11) * s2)), s34, K(0.0)) };
 }
 
 /* Constants, windows and margins of the search along a flight.
-   bounds of the event condition. 325 operations: 94 additions, 16 subtractions, 137 multiplications, 18 divisions, 4 square roots, 1 negation, 8 absolute values, 20 comparisons, 27 selections. */
+   bounds of the event condition. 282 operations: 69 additions, 16 subtractions, 137 multiplications, 3 divisions, 5 square roots, 1 negation, 4 absolute values, 20 comparisons, 27 selections. */
 typedef struct {
-    V steady, swing, low0, high0, low1, high1, low2, high2, margin, leaving_margin, rate_margin, ceiling;
+    V steady, swing, rho_start, per_square, low0, high0, low1, high1, low2, high2, margin, leaving_margin, rate_margin, ceiling;
 } LANES(hoop_ring_prepare_out);
 
 LANES_INLINE LANES(hoop_ring_prepare_out)
-LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V gravity)
 {
     const V s0 = vz * vz;
-    const V s1 = vx * vx;
-    const V s2 = vy * vy;
-    const V s3 = s1 + s2;
-    const V s4 = ((K(2.0) * s0) + ((K(4.0) * gravity) * z)) + (K(2.0) * s3);
-    const V s5 = (vy * x) - (vx * y);
-    const V s6 = s5 * s5;
+    const V s1 = (vx * vx) + (vy * vy);
+    const V s2 = ((K(2.0) * s0) + ((K(4.0) * gravity) * z)) + (K(2.0) * s1);
+    const V s3 = (vy * x) - (vx * y);
+    const V s4 = s3 * s3;
+    const V s5 = (x * x) + (y * y);
+    const V s6 = K(1.0) / s1;
     const V s7 = ball_radius + wire_radius;
     const V s8 = K(1.0000009536743164) * s7;
     const V s9 = K(2.0) * gravity;
-    const V s10 = lanes_abs(z);
-    const V s11 = K(8.881784197001252e-16) * (s0 + (s9 * (s10 + s8)));
-    const V s12 = (s0 + (s9 * (z + s8))) + s11;
-    const V s13 = lanes_abs(vz);
-    const V s14 = lanes_sqrt(s12);
-    const V s15 = K(8.881784197001252e-16) * (s13 + s14);
-    const M s16 = K(0.0) <= s12;
-    const V s17 = lanes_select(s16, (((vz - s15) - s14) / gravity), K(INFINITY));
-    const V s18 = ring_radius + s8;
-    const V s19 = s18 * s18;
-    const V s20 = (K(1.7763568394002505e-15) * s3) * (s19 + ((x * x) + (y * y)));
-    const V s21 = ((s19 * s3) + s20) - s6;
-    const V s22 = (vx * x) + (vy * y);
-    const V s23 = lanes_sqrt(s21);
-    const V s24 = K(8.881784197001252e-16) * ((lanes_abs(s22) + lanes_abs(s5)) + s23);
-    const M s25 = K(0.0) <= s21;
-    const M s26 = K(2.409919865102884e-181) < s3;
-    const V s27 = lanes_select(s26, lanes_select(s25, ((-((s22 + s23) + s24)) / s3), K(INFINITY)), (-K(INFINITY)));
-    const V s28 = ring_radius - s8;
-    const V s29 = s28 * s28;
-    const V s30 = ((s29 * s3) - s20) - s6;
-    const V s31 = lanes_sqrt(lanes_select((s30 < K(0.0)), K(0.0), s30));
-    const V s32 = lanes_select(s26, lanes_select(s25, (((s23 + s24) - s22) / s3), (-K(INFINITY))), K(INFINITY));
-    const M s33 = K(0.0) < lanes_select(s26, s30, K(0.0));
-    const V s34 = lanes_select(s33, (((s24 - s22) - s31) / s3), s32);
-    const V s35 = (s0 + (s9 * (z - s8))) - s11;
-    const V s36 = vz + s15;
-    const V s37 = lanes_sqrt(lanes_select((s35 < K(0.0)), K(0.0), s35));
-    const V s38 = lanes_select(s16, ((s36 + s14) / gravity), (-K(INFINITY)));
-    const M s39 = K(0.0) < s35;
-    const V s40 = lanes_select(s39, ((s36 - s37) / gravity), s38);
-    const V s41 = lanes_select((s34 < s40), s34, s40);
-    const V s42 = lanes_select(s33, (((s31 - s22) - s24) / s3), K(INFINITY));
-    const V s43 = lanes_select((s17 < s42), s42, s17);
-    const V s44 = lanes_select((s32 < s40), s32, s40);
-    const V s45 = lanes_select(s39, (((vz + s37) - s15) / gravity), K(INFINITY));
-    const M s46 = s43 <= s44;
-    const V s47 = lanes_select(s46, s44, lanes_select((s34 < s38), s34, s38));
-    const V s48 = lanes_select((s32 < s38), s32, s38);
-    const V s49 = lanes_select((K(0.0) < s41), s41, K(0.0));
-    const V s50 = lanes_select((s49 < s47), s47, s49);
-    const V s51 = lanes_select((s50 < s48), s48, s50);
-    const V s52 = lanes_select((s51 < horizon), s51, horizon);
-    const V s53 = gravity * s52;
-    const V s54 = s53 + s13;
-    const V s55 = lanes_abs(vx);
-    const V s56 = lanes_abs(vy);
-    const V s57 = (s55 * s18) + (s56 * s18);
-    const V s58 = (K(1.0009765625) * (((K(4.440896333665362e-16) * s54) * s7) + (((K(4.440896333665362e-16) * s57) * s7) / s28))) * s52;
-    const V s59 = ((K(0.5) * gravity) * s52) + s13;
-    const V s60 = K(1.1102230246251565e-16) * s13;
-    const V s61 = (velocity_error + ((K(1.6653345369377348e-16) * gravity) * s52)) + s60;
-    const V s62 = ((position_error + ((K(2.220446049250313e-16) * s59) * s52)) + (s61 * s52)) + (K(1.1102230246251565e-16) * s10);
-    const V s63 = (((K(2.0019569434243767) * ((K(1.1102230246251565e-16) * ball_radius) + (K(1.1102230246251565e-16) * wire_radius))) * s7) + s58) + ((K(2.001955034211278) * s62) * s7);
-    const V s64 = K(2.0) * position_error;
-    const V s65 = K(2.0) * velocity_error;
-    const V s66 = s65 * s52;
-    const V s67 = K(2.220446049250313e-16) * s55;
-    const V s68 = s67 * s52;
-    const V s69 = K(2.220446049250313e-16) * s56;
-    const V s70 = s69 * s52;
-    const V s71 = lanes_abs(x);
-    const V s72 = K(1.1102230246251565e-16) * s71;
-    const V s73 = lanes_abs(y);
-    const V s74 = K(1.1102230246251565e-16) * s73;
-    const V s75 = ((((s64 + s66) + s68) + s70) + s72) + s74;
-    const V s76 = K(2.220446049250313e-16) * s18;
-    const V s77 = (s75 + (K(1.1102240834163406e-16) * s7)) + s76;
-    const V s78 = s7 * s7;
-    const V s79 = K(2.0) * s13;
-    const V s80 = ((s3 * s52) + ((K(2.0) * s55) * s71)) + ((K(2.0) * s56) * s73);
-    const V s81 = K(2.001955034211278) * (((s75 + s76) / s29) + (K(1.1102230246251565e-16) / s28));
-    const V s82 = (((((K(6.667849719736811e-16) * s59) * s7) + ((K(4.445233146491208e-16) * s54) * s7)) + ((K(1.0009765625) * (s53 + s79)) * s62)) + ((K(2.001955034211278) * s61) * s7)) + ((s81 * s80) * s7);
-    const V s83 = (((((K(4.0) * position_error) + s66) + s68) + s70) + s72) + s74;
-    const V s84 = (s82 + (((K(4.445233146491208e-16) * s57) * s7) / s28)) + (((K(1.0009765625) * s80) * ((s83 + (K(3.330672250249022e-16) * s7)) + (K(1.1102230246251565e-15) * s18))) / s28);
-    const V s85 = (((((s64 * s55) + (s64 * s56)) + (s65 * s71)) + (s65 * s73)) + ((K(2.220446049250313e-16) * s3) * s52)) + (((((K(2.220446049250313e-16) * s1) + (K(2.220446049250313e-16) * s2)) + (s65 * s55)) + (s65 * s56)) * s52);
-    const V s86 = (K(2.001955034211278) * ((s85 + ((K(8.881784197001252e-16) * s55) * s71)) + ((K(8.881784197001252e-16) * s56) * s73))) * s7;
-    const V s87 = (K(2.001955034211278) * ((velocity_error + ((K(3.3306690738754696e-16) * gravity) * s52)) + s60)) * s7;
-    const V s88 = (((K(6.667849719736811e-16) * s54) * s7) + ((K(1.0009765625) * ((s9 * s52) + s79)) * s62)) + s87;
-    const V s89 = position_error + (velocity_error * s52);
-    const V s90 = (((((s89 + s68) + s72) * s55) + (((s89 + s70) + s74) * s56)) + (s67 * s18)) + (s69 * s18);
-    const V s91 = (((s88 + ((s81 * s57) * s7)) + (((K(2.001953125) * s57) * s77) / s28)) + (((K(8.890466292982415e-16) * s57) * s7) / s28)) + (((K(2.001955034211278) * s90) * s7) / s28);
-    return (LANES(hoop_ring_prepare_out)){ s4, (K(2.0) * ring_radius) * s6, lanes_select((s17 < s27), s27, s17), s41, lanes_select(s46, s43, lanes_select((s45 < s27), s27, s45)), s47, lanes_select((s45 < s42), s42, s45), s48, ((s63 + ((K(2.001955034211278) * s77) * s7)) + (K(4.44523738579589e-16) * s78)) + (K(6.667856078693835e-16) * s78), (s84 + (((K(6.667849719736811e-16) * s80) * s7) / s28)) + (s86 / s28), s91, ((K(6.000005722045898) * gravity) * s7) + s4 };
+    const V s10 = K(8.881784197001252e-16) * (s0 + (s9 * (lanes_abs(z) + s8)));
+    const V s11 = (s0 + (s9 * (z + s8))) + s10;
+    const V s12 = K(1.0) / gravity;
+    const V s13 = lanes_sqrt(s11);
+    const V s14 = K(1.7763568394002505e-15) * (lanes_abs(vz) + s13);
+    const M s15 = K(0.0) <= s11;
+    const V s16 = lanes_select(s15, (s12 * ((vz - s13) - s14)), K(INFINITY));
+    const V s17 = ring_radius + s8;
+    const V s18 = s17 * s17;
+    const V s19 = (K(1.7763568394002505e-15) * s1) * (s18 + s5);
+    const V s20 = ((s18 * s1) + s19) - s4;
+    const V s21 = (vx * x) + (vy * y);
+    const V s22 = lanes_sqrt(s20);
+    const V s23 = K(1.7763568394002505e-15) * ((lanes_abs(s21) + lanes_abs(s3)) + s22);
+    const M s24 = K(0.0) <= s20;
+    const M s25 = K(2.409919865102884e-181) < s1;
+    const V s26 = lanes_select(s25, lanes_select(s24, ((-((s21 + s22) + s23)) * s6), K(INFINITY)), (-K(INFINITY)));
+    const V s27 = ring_radius - s8;
+    const V s28 = (((s27 * s27) * s1) - s19) - s4;
+    const V s29 = lanes_sqrt(lanes_select((s28 < K(0.0)), K(0.0), s28));
+    const V s30 = lanes_select(s25, lanes_select(s24, (((s22 + s23) - s21) * s6), (-K(INFINITY))), K(INFINITY));
+    const M s31 = K(0.0) < lanes_select(s25, s28, K(0.0));
+    const V s32 = lanes_select(s31, (((s23 - s21) - s29) * s6), s30);
+    const V s33 = (s0 + (s9 * (z - s8))) - s10;
+    const V s34 = lanes_sqrt(lanes_select((s33 < K(0.0)), K(0.0), s33));
+    const V s35 = lanes_select(s15, (s12 * ((vz + s13) + s14)), (-K(INFINITY)));
+    const M s36 = K(0.0) < s33;
+    const V s37 = lanes_select(s36, (s12 * ((vz + s14) - s34)), s35);
+    const V s38 = lanes_select((s32 < s37), s32, s37);
+    const V s39 = lanes_select(s31, (((s29 - s21) - s23) * s6), K(INFINITY));
+    const V s40 = lanes_select((s16 < s39), s39, s16);
+    const V s41 = lanes_select((s30 < s37), s30, s37);
+    const V s42 = lanes_select(s36, (s12 * ((vz + s34) - s14)), K(INFINITY));
+    const M s43 = s40 <= s41;
+    const V s44 = lanes_select(s43, s41, lanes_select((s32 < s35), s32, s35));
+    const V s45 = lanes_select((s30 < s35), s30, s35);
+    const V s46 = lanes_select((K(0.0) < s38), s38, K(0.0));
+    const V s47 = lanes_select((s46 < s44), s44, s46);
+    const V s48 = lanes_select((s47 < s45), s45, s47);
+    const V s49 = lanes_select((s48 < horizon), s48, horizon);
+    const V s50 = speed + (gravity * s49);
+    const V s51 = K(1.0) / s27;
+    const V s52 = K(1.0009765625) * (((K(4.440896333665362e-16) * s7) * s50) + ((((K(8.881792667330725e-16) * s7) * s17) * s50) * s51));
+    const V s53 = (position_error + (velocity_error * s49)) + (K(4.440892098500626e-16) * (extent + (s50 * s49)));
+    const V s54 = (K(2.220446049250313e-16) * s17) + (K(2.0) * s53);
+    const V s55 = (K(1.1102240834163406e-16) * s7) + s54;
+    const V s56 = K(2.001955034211278) * s7;
+    const V s57 = (((K(2.0019569434243767) * ((K(1.1102230246251565e-16) * ball_radius) + (K(1.1102230246251565e-16) * wire_radius))) * s7) + (s52 * s49)) + (s56 * s55);
+    const V s58 = s7 * s7;
+    const V s59 = speed + ((K(0.5) * gravity) * s49);
+    const V s60 = K(6.667849719736811e-16) * s7;
+    const V s61 = (((s60 * s59) + ((K(4.445233146491208e-16) * s7) * s50)) + (s56 * (((K(1.1102230246251565e-16) * speed) + velocity_error) + ((K(1.6653345369377348e-16) * gravity) * s49)))) + ((K(2.001953125) * s59) * s53);
+    const V s62 = K(4.0) * extent;
+    const V s63 = speed * speed;
+    const V s64 = (s62 * speed) + ((K(2.0) * s63) * s49);
+    const V s65 = (K(1.0009765625) * ((((K(2.0) * position_error) + (K(2.220448166832681e-16) * s7)) + (K(8.881784197001252e-16) * s17)) + s55)) * s64;
+    const V s66 = K(4.440892098500626e-16) * s63;
+    const V s67 = (((((K(1.7763568394002505e-15) * extent) * speed) + (s62 * velocity_error)) + ((K(4.0) * position_error) * speed)) + (s66 * s49)) + ((s66 + ((K(4.0) * speed) * velocity_error)) * s49);
+    const V s68 = K(1.1102230246251565e-16) + (s54 * s51);
+    const V s69 = ((((s61 + (s65 * s51)) + ((s60 * s64) * s51)) + ((s56 * s67) * s51)) + ((((K(8.890466292982415e-16) * s7) * s17) * s50) * s51)) + (((s56 * s64) * s68) * s51);
+    const V s70 = velocity_error + (K(2.220446049250313e-16) * s50);
+    const V s71 = (K(2.001955034211278) * ((((K(2.0) * s17) * s70) + ((K(4.440892098500626e-16) * s17) * s50)) + ((K(2.0) * s50) * s53))) * s7;
+    const V s72 = (((((s56 * s70) + (s60 * s50)) + ((K(2.001953125) * s50) * s53)) + (s71 * s51)) + ((((K(1.778093258596483e-15) * s7) * s17) * s50) * s51)) + ((((K(4.00390625) * s17) * s50) * s55) * s51);
+    const V s73 = s72 + (((((K(4.003910068422556) * s7) * s17) * s50) * s68) * s51);
+    return (LANES(hoop_ring_prepare_out)){ s2, (K(2.0) * ring_radius) * s4, lanes_sqrt(s5), s6, lanes_select((s16 < s26), s26, s16), s38, lanes_select(s43, s40, lanes_select((s42 < s26), s26, s42)), s44, lanes_select((s42 < s39), s39, s42), s45, ((s57 + (s56 * s53)) + (K(4.44523738579589e-16) * s58)) + (K(6.667856078693835e-16) * s58), s69, s73, ((K(6.000005722045898) * gravity) * s7) + s2 };
 }
 
 /* Newton's next value of a root near t.
-   Newton's method. 56 operations: 16 additions, 6 subtractions, 27 multiplications, 3 divisions, 2 square roots, 1 comparison, 1 selection. */
+   Newton's method. 53 operations: 15 additions, 6 subtractions, 26 multiplications, 3 divisions, 1 square root, 1 comparison, 1 selection. */
 typedef struct {
     V time;
 } LANES(hoop_ring_refine_out);
 
 LANES_INLINE LANES(hoop_ring_refine_out)
-LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_start, V ball_radius, V ring_radius, V wire_radius, V gravity)
 {
-    const V s0 = vz - ((K(0.5) * gravity) * t);
-    const V s1 = z + (t * s0);
-    const V s2 = x + (t * vx);
-    const V s3 = y + (t * vy);
-    const V s4 = lanes_sqrt(((s2 * s2) + (s3 * s3)));
-    const V s5 = s4 - ring_radius;
-    const V s6 = lanes_sqrt(((x * x) + (y * y)));
-    const V s7 = (((t * ((vx * vx) + (vy * vy))) + (K(2.0) * ((vx * x) + (vy * y)))) * ((s6 - ring_radius) + s5)) / (s6 + s4);
+    const V s0 = x + (t * vx);
+    const V s1 = y + (t * vy);
+    const V s2 = lanes_sqrt(((s0 * s0) + (s1 * s1)));
+    const V s3 = s2 - ring_radius;
+    const V s4 = vz - ((K(0.5) * gravity) * t);
+    const V s5 = z + (t * s4);
+    const V s6 = K(2.0) * (((((vx * s0) + (vy * s1)) * (K(1.0) / s2)) * s3) + ((vz - (gravity * t)) * s5));
+    const V s7 = (((t * ((vx * vx) + (vy * vy))) + (K(2.0) * ((vx * x) + (vy * y)))) * ((rho_start - ring_radius) + s3)) / (rho_start + s2);
     const V s8 = ball_radius + wire_radius;
-    const V s9 = K(0.5) * lanes_select((K(0.0) < leaving), (t * (((z + s1) * s0) + s7)), (((s5 * s5) + (s1 * s1)) - (s8 * s8)));
-    const V s10 = s9 / (((vz - (gravity * t)) * s1) + ((s5 * ((vx * s2) + (vy * s3))) / s4));
-    return (LANES(hoop_ring_refine_out)){ t - s10 };
+    const V s9 = lanes_select((K(0.0) < leaving), (t * (((z + s5) * s4) + s7)), (((s3 * s3) + (s5 * s5)) - (s8 * s8))) / s6;
+    return (LANES(hoop_ring_refine_out)){ t - s9 };
 }
 
 /* Gap, rate and bend at time t, and a step that no root lies within.
-   Newton from the left under a curvature bound. 139 operations: 29 additions, 16 subtractions, 48 multiplications, 7 divisions, 5 square roots, 1 negation, 2 absolute values, 14 comparisons, 17 selections. */
+   Newton from the left under a curvature bound. 137 operations: 28 additions, 16 subtractions, 50 multiplications, 5 divisions, 4 square roots, 1 negation, 2 absolute values, 14 comparisons, 17 selections. */
 typedef struct {
     V gap, rate, bend, step;
 } LANES(hoop_ring_advance_out);
 
 LANES_INLINE LANES(hoop_ring_advance_out)
-LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V per_square, V ball_radius, V ring_radius, V wire_radius, V gravity)
 {
     const V s0 = vz - ((K(0.5) * gravity) * t);
     const V s1 = z + (t * s0);
-    const V s2 = (vx * vx) + (vy * vy);
-    const V s3 = lanes_sqrt(((x * x) + (y * y)));
-    const V s4 = x + (t * vx);
-    const V s5 = y + (t * vy);
-    const V s6 = (s4 * s4) + (s5 * s5);
-    const V s7 = lanes_sqrt(s6);
-    const V s8 = s7 - ring_radius;
-    const V s9 = (((t * s2) + (K(2.0) * ((vx * x) + (vy * y)))) * ((s3 - ring_radius) + s8)) / (s3 + s7);
-    const V s10 = ball_radius + wire_radius;
-    const V s11 = lanes_select((K(0.0) < leaving), (t * (((z + s1) * s0) + s9)), (((s8 * s8) + (s1 * s1)) - (s10 * s10)));
-    const V s12 = vz - (gravity * t);
-    const V s13 = (vx * s4) + (vy * s5);
-    const V s14 = K(2.0) * ((s12 * s1) + ((s8 * s13) / s7));
+    const V s2 = x + (t * vx);
+    const V s3 = y + (t * vy);
+    const V s4 = (s2 * s2) + (s3 * s3);
+    const V s5 = lanes_sqrt(s4);
+    const V s6 = (vx * vx) + (vy * vy);
+    const V s7 = s5 - ring_radius;
+    const V s8 = (((t * s6) + (K(2.0) * ((vx * x) + (vy * y)))) * ((rho_start - ring_radius) + s7)) / (rho_start + s5);
+    const V s9 = ball_radius + wire_radius;
+    const V s10 = lanes_select((K(0.0) < leaving), (t * (((z + s1) * s0) + s8)), (((s7 * s7) + (s1 * s1)) - (s9 * s9)));
+    const V s11 = (vx * s2) + (vy * s3);
+    const V s12 = K(1.0) / s5;
+    const V s13 = vz - (gravity * t);
+    const V s14 = K(2.0) * (((s11 * s12) * s7) + (s13 * s1));
     const V s15 = K(6.0) * gravity;
     const V s16 = s15 * s1;
-    const V s17 = swing / (s7 * s6);
-    const V s18 = K(1.0000009536743164) * s10;
+    const V s17 = swing * (s12 * (s12 * s12));
+    const V s18 = K(1.0000009536743164) * s9;
     const V s19 = (s16 + s17) - steady;
-    const V s20 = s11 - margin;
+    const V s20 = s10 - margin;
     const V s21 = lanes_select((s20 < K(0.0)), K(0.0), s20);
     const V s22 = s14 - rate_margin;
     const V s23 = s22 * s22;
@@ -510,13 +540,13 @@ LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V x, V 
     const V s28 = K(2.0) * lanes_select((K(0.0) <= s24), (lanes_select(s26, s27, (s22 + s25)) / lanes_select(s26, (s25 - s22), lanes_select((s19 < K(0.0)), K(0.0), s19))), K(INFINITY));
     const V s29 = end - t;
     const V s30 = lanes_select((s28 < s29), s28, s29);
-    const V s31 = (s30 * lanes_select((s12 < K(0.0)), K(0.0), s12)) + s1;
+    const V s31 = (s30 * lanes_select((s13 < K(0.0)), K(0.0), s13)) + s1;
     const V s32 = s15 * lanes_select((s18 < s31), s18, s31);
-    const V s33 = -(s13 / s2);
+    const V s33 = -(per_square * s11);
     const V s34 = lanes_select((s30 < s33), s30, s33);
     const V s35 = lanes_select((K(0.0) < s34), s34, K(0.0));
     const V s36 = ring_radius + s18;
-    const V s37 = ((((s2 * s35) + (K(2.0) * s13)) * s35) + s6) - (K(9.094947017729282e-13) * (s36 * s36));
+    const V s37 = ((((s6 * s35) + (K(2.0) * s11)) * s35) + s4) - (K(9.094947017729282e-13) * (s36 * s36));
     const V s38 = ring_radius - s18;
     const V s39 = s38 * s38;
     const V s40 = lanes_select((s37 < s39), s39, s37);
@@ -525,7 +555,7 @@ LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V x, V 
     const V s43 = ((K(2.0) * s42) * s21) + s23;
     const V s44 = lanes_sqrt(s43);
     const V s45 = lanes_select((K(0.0) <= s43), (lanes_select(s26, s27, (s22 + s44)) / lanes_select(s26, (s44 - s22), lanes_select((s42 < K(0.0)), K(0.0), s42))), K(INFINITY));
-    return (LANES(hoop_ring_advance_out)){ s11, s14, (steady - s16) - s17, lanes_select((s45 < s30), s45, s30) };
+    return (LANES(hoop_ring_advance_out)){ s10, s14, (steady - s16) - s17, lanes_select((s45 < s30), s45, s30) };
 }
 
 /* Coefficients in time of the event polynomial, constant first.
@@ -589,16 +619,16 @@ LANES(hoop_backboard_arrival)(V leaving, V x, V vx, V ball_radius, V board_dista
 }
 
 /* Rounding-error bound of the gap up to the horizon.
-   running error analysis. 15 operations: 5 additions, 8 multiplications, 2 absolute values. */
+   running error analysis. 15 operations: 7 additions, 8 multiplications. */
 typedef struct {
     V margin;
 } LANES(hoop_backboard_margin_out);
 
 LANES_INLINE LANES(hoop_backboard_margin_out)
-LANES(hoop_backboard_margin)(V horizon, V x, V vx, V position_error, V velocity_error, V ball_radius, V board_distance)
+LANES(hoop_backboard_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V ball_radius, V board_distance, V gravity)
 {
-    const V s0 = (((((K(6.667843360785852e-16) * ball_radius) + (K(8.890457814381136e-16) * board_distance)) + (K(2.001953125) * position_error)) + ((K(2.001953125) * horizon) * velocity_error)) + ((K(6.667843360785852e-16) * horizon) * lanes_abs(vx))) + (K(4.445228907190568e-16) * lanes_abs(x));
-    return (LANES(hoop_backboard_margin_out)){ s0 };
+    const V s0 = extent + (horizon * (speed + (gravity * horizon)));
+    return (LANES(hoop_backboard_margin_out)){ (((K(6.667843360785852e-16) * ball_radius) + (K(8.890457814381136e-16) * board_distance)) + (K(2.222614453595284e-16) * s0)) + (K(2.001953125) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s0))) };
 }
 
 /* The point of the contact plane nearest to a position.
@@ -677,17 +707,16 @@ LANES(hoop_bridge_arrival)(V leaving, V z, V vz, V ball_radius, V wire_radius, V
 }
 
 /* Rounding-error bound of the gap up to the horizon.
-   running error analysis. 23 operations: 8 additions, 13 multiplications, 2 absolute values. */
+   running error analysis. 15 operations: 7 additions, 8 multiplications. */
 typedef struct {
     V margin;
 } LANES(hoop_bridge_margin_out);
 
 LANES_INLINE LANES(hoop_bridge_margin_out)
-LANES(hoop_bridge_margin)(V horizon, V z, V vz, V position_error, V velocity_error, V ball_radius, V wire_radius, V gravity)
+LANES(hoop_bridge_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V ball_radius, V wire_radius, V gravity)
 {
-    const V s0 = lanes_abs(vz);
-    const V s1 = ((((K(6.667843360785852e-16) * ball_radius) + (K(2.001953125) * position_error)) + (K(6.667843360785852e-16) * wire_radius)) + ((K(6.667843360785852e-16) * horizon) * (((K(0.5) * gravity) * horizon) + s0))) + ((K(2.001953125) * horizon) * ((velocity_error + ((K(1.6653345369377348e-16) * gravity) * horizon)) + (K(1.1102230246251565e-16) * s0)));
-    return (LANES(hoop_bridge_margin_out)){ s1 + (K(4.445228907190568e-16) * lanes_abs(z)) };
+    const V s0 = extent + (horizon * (speed + (gravity * horizon)));
+    return (LANES(hoop_bridge_margin_out)){ (((K(6.667843360785852e-16) * ball_radius) + (K(6.667843360785852e-16) * wire_radius)) + (K(2.222614453595284e-16) * s0)) + (K(2.001953125) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s0))) };
 }
 
 /* The point of the contact plane nearest to a position.
@@ -703,7 +732,7 @@ LANES(hoop_bridge_place)(V x, V y, V ball_radius, V wire_radius)
 }
 
 /* Coefficients in time of the event polynomial, constant first.
-   Eq. 3 in Table 2. 3 operations: 1 addition, 1 multiplication, 1 negation. */
+   Eq. 3 in Table 2. 4 operations: 1 subtraction, 1 multiplication, 2 negations. */
 typedef struct {
     V c0, c1, c2;
 } LANES(hoop_end_coefficients_out);
@@ -711,7 +740,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_end_coefficients_out)
 LANES(hoop_end_coefficients)(V z, V vz, V gravity, V end_depth)
 {
-    return (LANES(hoop_end_coefficients_out)){ end_depth + z, vz, -(K(0.5) * gravity) };
+    return (LANES(hoop_end_coefficients_out)){ z - (-end_depth), vz, -(K(0.5) * gravity) };
 }
 
 /* Coefficients of the event polynomial over t, after a contact at t = 0.
@@ -739,7 +768,7 @@ LANES(hoop_end_normal)(void)
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
-   Eq. 3 in Table 2, solved. 17 operations: 3 additions, 1 subtraction, 4 multiplications, 1 division, 1 square root, 2 negations, 2 comparisons, 3 selections. */
+   Eq. 3 in Table 2, solved. 18 operations: 2 additions, 2 subtractions, 4 multiplications, 1 division, 1 square root, 3 negations, 2 comparisons, 3 selections. */
 typedef struct {
     V time, rate, bend;
 } LANES(hoop_end_arrival_out);
@@ -747,24 +776,23 @@ typedef struct {
 LANES_INLINE LANES(hoop_end_arrival_out)
 LANES(hoop_end_arrival)(V leaving, V z, V vz, V gravity, V end_depth)
 {
-    const V s0 = lanes_select((K(0.0) < leaving), K(0.0), (end_depth + z));
+    const V s0 = lanes_select((K(0.0) < leaving), K(0.0), (z - (-end_depth)));
     const V s1 = lanes_sqrt(((vz * vz) + ((K(2.0) * gravity) * s0)));
     const M s2 = vz < K(0.0);
     return (LANES(hoop_end_arrival_out)){ lanes_select(s2, (K(2.0) * s0), (vz + s1)) / lanes_select(s2, (s1 - vz), gravity), -s1, -gravity };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
-   running error analysis. 21 operations: 7 additions, 12 multiplications, 2 absolute values. */
+   running error analysis. 13 operations: 6 additions, 7 multiplications. */
 typedef struct {
     V margin;
 } LANES(hoop_end_margin_out);
 
 LANES_INLINE LANES(hoop_end_margin_out)
-LANES(hoop_end_margin)(V horizon, V z, V vz, V position_error, V velocity_error, V gravity, V end_depth)
+LANES(hoop_end_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V gravity, V end_depth)
 {
-    const V s0 = lanes_abs(vz);
-    const V s1 = (((K(2.222614453595284e-16) * end_depth) + (K(2.001953125) * position_error)) + ((K(6.667843360785852e-16) * horizon) * (((K(0.5) * gravity) * horizon) + s0))) + ((K(2.001953125) * horizon) * ((velocity_error + ((K(1.6653345369377348e-16) * gravity) * horizon)) + (K(1.1102230246251565e-16) * s0)));
-    return (LANES(hoop_end_margin_out)){ s1 + (K(4.445228907190568e-16) * lanes_abs(z)) };
+    const V s0 = extent + (horizon * (speed + (gravity * horizon)));
+    return (LANES(hoop_end_margin_out)){ ((K(6.667843360785852e-16) * end_depth) + (K(2.222614453595284e-16) * s0)) + (K(2.001953125) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s0))) };
 }
 
 /* The point of the contact plane nearest to a position.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 80114b4e924bca64,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 92ca6b4b89fd8d64,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -43,6 +43,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "impact_through_frame": ("vx", "vy", "vz", "wx", "wy", "wz",),
     "impact": ("vx", "vy", "vz", "wx", "wy", "wz",),
     "crossing": ("clearance", "delay",),
+    "scale": ("extent", "speed",),
     "displacement": ("margin",),
     "carry_flight": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "delay",),
     "carry_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
@@ -53,7 +54,8 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_deflated": ("c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7",),
     "ring_normal": ("nx", "ny", "nz",),
     "ring_carry_normal": ("dnx", "dny", "dnz",),
-    "ring_prepare": ("steady", "swing", "low0", "high0", "low1", "high1", "low2", "high2", "margin", "leaving_margin", "rate_margin", "ceiling",),
+    "ring_clear": ("clear",),
+    "ring_prepare": ("steady", "swing", "rho_start", "per_square", "low0", "high0", "low1", "high1", "low2", "high2", "margin", "leaving_margin", "rate_margin", "ceiling",),
     "ring_refine": ("time",),
     "ring_advance": ("gap", "rate", "bend", "step",),
     "backboard_coefficients": ("c0", "c1",),
@@ -145,7 +147,7 @@ def impact_through_frame(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, n
 def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, ball_radius: Any, restitution: Any) -> tuple[Any, ...]:
     """Velocity and spin after a contact, frame-free.
 
-    Eqs. 11-17, the frame eliminated. 62 operations: 10 additions, 12 subtractions, 37 multiplications, 3 divisions.
+    Eqs. 11-17, the frame eliminated. 63 operations: 10 additions, 12 subtractions, 40 multiplications, 1 division.
     Returns vx, vy, vz, wx, wy, wz.
     """
     s0 = 0.4 * ball_radius
@@ -154,7 +156,8 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
     s3 = (s0 * ((nx * wz) - (nz * wx))) + (0.6 * (vy - (ny * s1)))
     s4 = (s0 * ((ny * wx) - (nx * wy))) + (0.6 * (vz - (nz * s1)))
     s5 = ((nx * wx) + (ny * wy)) + (nz * wz)
-    return s2 - ((nx * restitution) * s1), s3 - ((ny * restitution) * s1), s4 - ((nz * restitution) * s1), (((ny * s4) - (nz * s3)) / ball_radius) + (nx * s5), (((nz * s2) - (nx * s4)) / ball_radius) + (ny * s5), (((nx * s3) - (ny * s2)) / ball_radius) + (nz * s5)
+    s6 = 1.0 / ball_radius
+    return s2 - ((nx * restitution) * s1), s3 - ((ny * restitution) * s1), s4 - ((nz * restitution) * s1), (nx * s5) + (s6 * ((ny * s4) - (nz * s3))), (ny * s5) + (s6 * ((nz * s2) - (nx * s4))), (nz * s5) + (s6 * ((nx * s3) - (ny * s2)))
 
 
 def crossing(margin: Any, rate_margin: Any, rate: Any, ceiling: Any) -> tuple[Any, ...]:
@@ -167,27 +170,32 @@ def crossing(margin: Any, rate_margin: Any, rate: Any, ceiling: Any) -> tuple[An
     return where((0.0 < s0), ((s0 * s0) - ((8.0 * ceiling) * margin)), s0), (6.0 * margin) / s0
 
 
-def displacement(delay: Any, horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
+def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
+    """Sums of the sizes of the coordinates and of the velocities.
+
+    what rounding errors are measured by. 10 operations: 4 additions, 6 absolute values.
+    Returns extent, speed.
+    """
+    return (absolute(x) + absolute(y)) + absolute(z), (absolute(vx) + absolute(vy)) + absolute(vz)
+
+
+def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
     """Bound on the error of a length at a computed arrival.
 
-    running error analysis. 61 operations: 24 additions, 29 multiplications, 8 absolute values.
+    running error analysis. 25 operations: 15 additions, 8 multiplications, 2 absolute values.
     Returns margin.
     """
-    s0 = (((((4.445228907190568e-16 * ball_radius) + (4.445228907190568e-16 * board_distance)) + (4.445228907190568e-16 * board_half_width)) + (4.445228907190568e-16 * bridge_half_width)) + (4.445228907190568e-16 * end_depth)) + (3.0029296875 * position_error)
-    s1 = absolute(vx)
-    s2 = absolute(vy)
-    s3 = absolute(vz)
-    s4 = ((s0 + (4.445228907190568e-16 * ring_radius)) + (4.445228907190568e-16 * wire_radius)) + ((1.0009765625 * delay) * ((((gravity * horizon) + s1) + s2) + s3))
-    s5 = 6.667843360785852e-16 * horizon
-    s6 = ((s4 + ((2.001953125 * horizon) * velocity_error)) + (s5 * (((0.5 * gravity) * horizon) + s3))) + ((1.0009765625 * horizon) * ((velocity_error + ((1.6653345369377348e-16 * gravity) * horizon)) + (1.1102230246251565e-16 * s3)))
-    s7 = ((((s6 + (s5 * s1)) + (s5 * s2)) + (4.445228907190568e-16 * absolute(board_bottom))) + (4.445228907190568e-16 * absolute(board_top))) + (5.55653613398821e-16 * absolute(x))
-    return (s7 + (5.55653613398821e-16 * absolute(y))) + (5.55653613398821e-16 * absolute(z)),
+    s0 = speed + (gravity * horizon)
+    s1 = extent + (horizon * s0)
+    s2 = (((((ball_radius + board_distance) + board_half_width) + bridge_half_width) + end_depth) + ring_radius) + wire_radius
+    s3 = ((1.0009765625 * delay) * s0) + (4.445228907190568e-16 * (s1 + ((s2 + absolute(board_bottom)) + absolute(board_top))))
+    return s3 + (3.0029296875 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * s1))),
 
 
 def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, gravity: Any) -> tuple[Any, ...]:
     """Errors of a state at the end of a flight to a surface, from those at its start.
 
-    derivative of Eq. 3 and of the contact time, with roundings. 65 operations: 19 additions, 1 subtraction, 23 multiplications, 5 divisions, 4 negations, 7 absolute values, 3 comparisons, 3 selections.
+    derivative of Eq. 3 and of the contact time, with roundings. 61 operations: 19 additions, 1 subtraction, 23 multiplications, 1 division, 4 negations, 7 absolute values, 3 comparisons, 3 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, delay.
     """
     s0 = dx + (dvx * t)
@@ -200,15 +208,14 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     s7 = dz + (dvz * t)
     s8 = 4.440892098500626e-16 * (((gravity * (t * t)) + (s1 * absolute(vz))) + absolute(z))
     s9 = s7 + where((s7 < 0.0), (-s8), s8)
-    s10 = -(((nx * s3) + (ny * s6)) + (nz * s9))
-    s11 = ((nx * vx) + (ny * vy)) + (nz * vz)
-    return ((vx * s10) / s11) + s3, ((vy * s10) / s11) + s6, ((vz * s10) / s11) + s9, dvx, dvy, dvz - ((gravity * s10) / s11), absolute((s10 / s11)) + (4.440892098500626e-16 * (clock + t))
+    s10 = (-(((nx * s3) + (ny * s6)) + (nz * s9))) / (((nx * vx) + (ny * vy)) + (nz * vz))
+    return (vx * s10) + s3, (vy * s10) + s6, (vz * s10) + s9, dvx, dvy, dvz - (gravity * s10), absolute(s10) + (4.440892098500626e-16 * (clock + t))
 
 
 def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, ball_radius: Any, restitution: Any) -> tuple[Any, ...]:
     """Errors of velocity and spin after a contact, from those before it.
 
-    derivative of the frame-free Eq. 17, with roundings. 187 operations: 43 additions, 30 subtractions, 90 multiplications, 4 divisions, 2 negations, 6 absolute values, 6 comparisons, 6 selections.
+    derivative of the frame-free Eq. 17, with roundings. 188 operations: 43 additions, 30 subtractions, 93 multiplications, 2 divisions, 2 negations, 6 absolute values, 6 comparisons, 6 selections.
     Returns dvx, dvy, dvz, dwx, dwy, dwz.
     """
     s0 = 0.4 * ball_radius
@@ -223,20 +230,18 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
     s9 = (s8 - ((dny * restitution) * s1)) - ((ny * restitution) * s2)
     s10 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (0.6 * ((dvz - (dnz * s1)) - (nz * s2)))
     s11 = (s10 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2)
-    s12 = (s0 * ((ny * wx) - (nx * wy))) + (0.6 * (vz - (nz * s1)))
-    s13 = (s0 * ((nx * wz) - (nz * wx))) + (0.6 * (vy - (ny * s1)))
-    s14 = ((nx * wx) + (ny * wy)) + (nz * wz)
-    s15 = (((((dny * s12) + (ny * s10)) - (dnz * s13)) - (nz * s8)) / ball_radius) + (dnx * s14)
-    s16 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz)
-    s17 = s15 + (nx * s16)
+    s12 = ((nx * wx) + (ny * wy)) + (nz * wz)
+    s13 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz)
+    s14 = 1.0 / ball_radius
+    s15 = (s0 * ((ny * wx) - (nx * wy))) + (0.6 * (vz - (nz * s1)))
+    s16 = (s0 * ((nx * wz) - (nz * wx))) + (0.6 * (vy - (ny * s1)))
+    s17 = ((dnx * s12) + (nx * s13)) + (s14 * ((((dny * s15) + (ny * s10)) - (dnz * s16)) - (nz * s8)))
     s18 = s6 / ball_radius
     s19 = -s18
     s20 = (s0 * ((nz * wy) - (ny * wz))) + (0.6 * (vx - (nx * s1)))
-    s21 = (((((dnz * s20) + (nz * s3)) - (dnx * s12)) - (nx * s10)) / ball_radius) + (dny * s14)
-    s22 = s21 + (ny * s16)
-    s23 = (((((dnx * s13) + (nx * s8)) - (dny * s20)) - (ny * s3)) / ball_radius) + (dnz * s14)
-    s24 = s23 + (nz * s16)
-    return s4 + where((s4 < 0.0), s7, s6), s9 + where((s9 < 0.0), s7, s6), s11 + where((s11 < 0.0), s7, s6), s17 + where((s17 < 0.0), s19, s18), s22 + where((s22 < 0.0), s19, s18), s24 + where((s24 < 0.0), s19, s18)
+    s21 = ((dny * s12) + (ny * s13)) + (s14 * ((((dnz * s20) + (nz * s3)) - (dnx * s15)) - (nx * s10)))
+    s22 = ((dnz * s12) + (nz * s13)) + (s14 * ((((dnx * s16) + (nx * s8)) - (dny * s20)) - (ny * s3)))
+    return s4 + where((s4 < 0.0), s7, s6), s9 + where((s9 < 0.0), s7, s6), s11 + where((s11 < 0.0), s7, s6), s17 + where((s17 < 0.0), s19, s18), s21 + where((s21 < 0.0), s19, s18), s22 + where((s22 < 0.0), s19, s18)
 
 
 def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
@@ -340,183 +345,204 @@ def ring_deflated(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, ball_radius
 def ring_normal(x: Any, y: Any, z: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any) -> tuple[Any, ...]:
     """Outward unit normal n3 at a contact.
 
-    Table 2. 12 operations: 2 additions, 1 subtraction, 5 multiplications, 3 divisions, 1 square root.
+    Table 2. 13 operations: 2 additions, 1 subtraction, 7 multiplications, 2 divisions, 1 square root.
     Returns nx, ny, nz.
     """
-    s0 = ball_radius + wire_radius
+    s0 = 1.0 / (ball_radius + wire_radius)
     s1 = sqrt(((x * x) + (y * y)))
-    s2 = s1 - ring_radius
-    s3 = s0 * s1
-    return (x * s2) / s3, (y * s2) / s3, z / s0
+    s2 = (s0 * (s1 - ring_radius)) * (1.0 / s1)
+    return x * s2, y * s2, z * s0
 
 
 def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any) -> tuple[Any, ...]:
     """Error of the normal, from that of the position.
 
-    derivative of Table 2's normal. 36 operations: 5 additions, 3 subtractions, 20 multiplications, 7 divisions, 1 square root.
+    derivative of Table 2's normal. 32 operations: 6 additions, 1 subtraction, 20 multiplications, 3 divisions, 1 square root, 1 negation.
     Returns dnx, dny, dnz.
     """
+    s0 = 1.0 / (ball_radius + wire_radius)
+    s1 = sqrt(((x * x) + (y * y)))
+    s2 = s1 - ring_radius
+    s3 = 1.0 / s1
+    s4 = (s0 * s2) * s3
+    s5 = (0.5 * (((2.0 * dx) * x) + ((2.0 * dy) * y))) / s1
+    s6 = ((s5 * s0) * s3) + (((-(s5 * (s3 * s3))) * s0) * s2)
+    return (dx * s4) + (x * s6), (dy * s4) + (y * s6), dz * s0
+
+
+def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+    """Positive if there certainly is no contact before the horizon.
+
+    bounds of the event condition. 131 operations: 27 additions, 15 subtractions, 61 multiplications, 2 divisions, 2 square roots, 12 comparisons, 12 selections.
+    Returns clear.
+    """
     s0 = ball_radius + wire_radius
-    s1 = (x * x) + (y * y)
-    s2 = sqrt(s1)
-    s3 = s2 - ring_radius
-    s4 = s0 * s2
-    s5 = ((2.0 * dx) * x) + ((2.0 * dy) * y)
-    s6 = 0.5 * x
-    s7 = s0 * s1
-    s8 = s0 * (s2 * s1)
-    s9 = 0.5 * y
-    return (((dx * s3) / s4) + ((s6 * s5) / s7)) - (((s6 * s3) * s5) / s8), (((dy * s3) / s4) + ((s9 * s5) / s7)) - (((s9 * s3) * s5) / s8), dz / s0
+    s1 = 1.0000009536743164 * s0
+    s2 = ring_radius + s1
+    s3 = vz * vz
+    s4 = s3 + ((2.0 * gravity) * (z - s1))
+    s5 = sqrt(s4)
+    s6 = (vz - s5) / gravity
+    s7 = (vz + s5) / gravity
+    s8 = x + (vx * s7)
+    s9 = y + (vy * s7)
+    s10 = (s8 * s8) + (s9 * s9)
+    s11 = sqrt(s10)
+    s12 = s11 - ring_radius
+    s13 = z + ((vz - ((0.5 * gravity) * s7)) * s7)
+    s14 = s2 * s2
+    s15 = 9.313225746154785e-10 * s14
+    s16 = (((s12 * s12) + (s13 * s13)) - (s0 * s0)) - s15
+    s17 = ring_radius - s1
+    s18 = s17 * s17
+    s19 = s17 * s18
+    s20 = (vx * vx) + (vy * vy)
+    s21 = s19 * ((((2.0 * s3) + ((4.0 * gravity) * z)) + (2.0 * s20)) - ((6.000005722045898 * gravity) * s0))
+    s22 = (vy * x) - (vx * y)
+    s23 = s22 * s22
+    s24 = s21 - ((2.0 * ring_radius) * s23)
+    s25 = (s12 * ((vx * s8) + (vy * s9))) + ((s13 * (vz - (gravity * s7))) * s11)
+    s26 = x + (horizon * vx)
+    s27 = y + (horizon * vy)
+    s28 = where(((((s15 + (s26 * s26)) + (s27 * s27)) - s18) < 0.0), 1.0, where((((s20 * (s18 + s15)) - s23) < 0.0), 1.0, 0.0))
+    s29 = where(((((4.0 * s19) * (s25 * s25)) - (((2.0 * s24) * s10) * s16)) < 0.0), s28, 0.0)
+    s30 = where((horizon < (s7 - (9.313225746154785e-10 * horizon))), 1.0, where((0.0 < s16), where((0.0 < s24), s29, 0.0), 0.0))
+    s31 = (vx * x) + (vy * y)
+    s32 = (s6 * s20) + s31
+    s33 = where((s32 < 0.0), where((s14 < ((s6 * (s31 + s32)) + ((x * x) + (y * y)))), s30, 0.0), 0.0)
+    s34 = where(((extent + (horizon * (speed + (gravity * horizon)))) < (65536.0 * s2)), where((0.0 < s4), where((s6 < 0.0), s30, s33), 0.0), 0.0)
+    return where(((position_error + (horizon * velocity_error)) < (5.820766091346741e-11 * s2)), s34, 0.0),
 
 
-def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
     """Constants, windows and margins of the search along a flight.
 
-    bounds of the event condition. 325 operations: 94 additions, 16 subtractions, 137 multiplications, 18 divisions, 4 square roots, 1 negation, 8 absolute values, 20 comparisons, 27 selections.
-    Returns steady, swing, low0, high0, low1, high1, low2, high2, margin, leaving_margin, rate_margin, ceiling.
+    bounds of the event condition. 282 operations: 69 additions, 16 subtractions, 137 multiplications, 3 divisions, 5 square roots, 1 negation, 4 absolute values, 20 comparisons, 27 selections.
+    Returns steady, swing, rho_start, per_square, low0, high0, low1, high1, low2, high2, margin, leaving_margin, rate_margin, ceiling.
     """
     s0 = vz * vz
-    s1 = vx * vx
-    s2 = vy * vy
-    s3 = s1 + s2
-    s4 = ((2.0 * s0) + ((4.0 * gravity) * z)) + (2.0 * s3)
-    s5 = (vy * x) - (vx * y)
-    s6 = s5 * s5
+    s1 = (vx * vx) + (vy * vy)
+    s2 = ((2.0 * s0) + ((4.0 * gravity) * z)) + (2.0 * s1)
+    s3 = (vy * x) - (vx * y)
+    s4 = s3 * s3
+    s5 = (x * x) + (y * y)
+    s6 = 1.0 / s1
     s7 = ball_radius + wire_radius
     s8 = 1.0000009536743164 * s7
     s9 = 2.0 * gravity
-    s10 = absolute(z)
-    s11 = 8.881784197001252e-16 * (s0 + (s9 * (s10 + s8)))
-    s12 = (s0 + (s9 * (z + s8))) + s11
-    s13 = absolute(vz)
-    s14 = sqrt(s12)
-    s15 = 8.881784197001252e-16 * (s13 + s14)
-    s16 = 0.0 <= s12
-    s17 = where(s16, (((vz - s15) - s14) / gravity), inf)
-    s18 = ring_radius + s8
-    s19 = s18 * s18
-    s20 = (1.7763568394002505e-15 * s3) * (s19 + ((x * x) + (y * y)))
-    s21 = ((s19 * s3) + s20) - s6
-    s22 = (vx * x) + (vy * y)
-    s23 = sqrt(s21)
-    s24 = 8.881784197001252e-16 * ((absolute(s22) + absolute(s5)) + s23)
-    s25 = 0.0 <= s21
-    s26 = 2.409919865102884e-181 < s3
-    s27 = where(s26, where(s25, ((-((s22 + s23) + s24)) / s3), inf), (-inf))
-    s28 = ring_radius - s8
-    s29 = s28 * s28
-    s30 = ((s29 * s3) - s20) - s6
-    s31 = sqrt(where((s30 < 0.0), 0.0, s30))
-    s32 = where(s26, where(s25, (((s23 + s24) - s22) / s3), (-inf)), inf)
-    s33 = 0.0 < where(s26, s30, 0.0)
-    s34 = where(s33, (((s24 - s22) - s31) / s3), s32)
-    s35 = (s0 + (s9 * (z - s8))) - s11
-    s36 = vz + s15
-    s37 = sqrt(where((s35 < 0.0), 0.0, s35))
-    s38 = where(s16, ((s36 + s14) / gravity), (-inf))
-    s39 = 0.0 < s35
-    s40 = where(s39, ((s36 - s37) / gravity), s38)
-    s41 = where((s34 < s40), s34, s40)
-    s42 = where(s33, (((s31 - s22) - s24) / s3), inf)
-    s43 = where((s17 < s42), s42, s17)
-    s44 = where((s32 < s40), s32, s40)
-    s45 = where(s39, (((vz + s37) - s15) / gravity), inf)
-    s46 = s43 <= s44
-    s47 = where(s46, s44, where((s34 < s38), s34, s38))
-    s48 = where((s32 < s38), s32, s38)
-    s49 = where((0.0 < s41), s41, 0.0)
-    s50 = where((s49 < s47), s47, s49)
-    s51 = where((s50 < s48), s48, s50)
-    s52 = where((s51 < horizon), s51, horizon)
-    s53 = gravity * s52
-    s54 = s53 + s13
-    s55 = absolute(vx)
-    s56 = absolute(vy)
-    s57 = (s55 * s18) + (s56 * s18)
-    s58 = (1.0009765625 * (((4.440896333665362e-16 * s54) * s7) + (((4.440896333665362e-16 * s57) * s7) / s28))) * s52
-    s59 = ((0.5 * gravity) * s52) + s13
-    s60 = 1.1102230246251565e-16 * s13
-    s61 = (velocity_error + ((1.6653345369377348e-16 * gravity) * s52)) + s60
-    s62 = ((position_error + ((2.220446049250313e-16 * s59) * s52)) + (s61 * s52)) + (1.1102230246251565e-16 * s10)
-    s63 = (((2.0019569434243767 * ((1.1102230246251565e-16 * ball_radius) + (1.1102230246251565e-16 * wire_radius))) * s7) + s58) + ((2.001955034211278 * s62) * s7)
-    s64 = 2.0 * position_error
-    s65 = 2.0 * velocity_error
-    s66 = s65 * s52
-    s67 = 2.220446049250313e-16 * s55
-    s68 = s67 * s52
-    s69 = 2.220446049250313e-16 * s56
-    s70 = s69 * s52
-    s71 = absolute(x)
-    s72 = 1.1102230246251565e-16 * s71
-    s73 = absolute(y)
-    s74 = 1.1102230246251565e-16 * s73
-    s75 = ((((s64 + s66) + s68) + s70) + s72) + s74
-    s76 = 2.220446049250313e-16 * s18
-    s77 = (s75 + (1.1102240834163406e-16 * s7)) + s76
-    s78 = s7 * s7
-    s79 = 2.0 * s13
-    s80 = ((s3 * s52) + ((2.0 * s55) * s71)) + ((2.0 * s56) * s73)
-    s81 = 2.001955034211278 * (((s75 + s76) / s29) + (1.1102230246251565e-16 / s28))
-    s82 = (((((6.667849719736811e-16 * s59) * s7) + ((4.445233146491208e-16 * s54) * s7)) + ((1.0009765625 * (s53 + s79)) * s62)) + ((2.001955034211278 * s61) * s7)) + ((s81 * s80) * s7)
-    s83 = (((((4.0 * position_error) + s66) + s68) + s70) + s72) + s74
-    s84 = (s82 + (((4.445233146491208e-16 * s57) * s7) / s28)) + (((1.0009765625 * s80) * ((s83 + (3.330672250249022e-16 * s7)) + (1.1102230246251565e-15 * s18))) / s28)
-    s85 = (((((s64 * s55) + (s64 * s56)) + (s65 * s71)) + (s65 * s73)) + ((2.220446049250313e-16 * s3) * s52)) + (((((2.220446049250313e-16 * s1) + (2.220446049250313e-16 * s2)) + (s65 * s55)) + (s65 * s56)) * s52)
-    s86 = (2.001955034211278 * ((s85 + ((8.881784197001252e-16 * s55) * s71)) + ((8.881784197001252e-16 * s56) * s73))) * s7
-    s87 = (2.001955034211278 * ((velocity_error + ((3.3306690738754696e-16 * gravity) * s52)) + s60)) * s7
-    s88 = (((6.667849719736811e-16 * s54) * s7) + ((1.0009765625 * ((s9 * s52) + s79)) * s62)) + s87
-    s89 = position_error + (velocity_error * s52)
-    s90 = (((((s89 + s68) + s72) * s55) + (((s89 + s70) + s74) * s56)) + (s67 * s18)) + (s69 * s18)
-    s91 = (((s88 + ((s81 * s57) * s7)) + (((2.001953125 * s57) * s77) / s28)) + (((8.890466292982415e-16 * s57) * s7) / s28)) + (((2.001955034211278 * s90) * s7) / s28)
-    return s4, (2.0 * ring_radius) * s6, where((s17 < s27), s27, s17), s41, where(s46, s43, where((s45 < s27), s27, s45)), s47, where((s45 < s42), s42, s45), s48, ((s63 + ((2.001955034211278 * s77) * s7)) + (4.44523738579589e-16 * s78)) + (6.667856078693835e-16 * s78), (s84 + (((6.667849719736811e-16 * s80) * s7) / s28)) + (s86 / s28), s91, ((6.000005722045898 * gravity) * s7) + s4
+    s10 = 8.881784197001252e-16 * (s0 + (s9 * (absolute(z) + s8)))
+    s11 = (s0 + (s9 * (z + s8))) + s10
+    s12 = 1.0 / gravity
+    s13 = sqrt(s11)
+    s14 = 1.7763568394002505e-15 * (absolute(vz) + s13)
+    s15 = 0.0 <= s11
+    s16 = where(s15, (s12 * ((vz - s13) - s14)), inf)
+    s17 = ring_radius + s8
+    s18 = s17 * s17
+    s19 = (1.7763568394002505e-15 * s1) * (s18 + s5)
+    s20 = ((s18 * s1) + s19) - s4
+    s21 = (vx * x) + (vy * y)
+    s22 = sqrt(s20)
+    s23 = 1.7763568394002505e-15 * ((absolute(s21) + absolute(s3)) + s22)
+    s24 = 0.0 <= s20
+    s25 = 2.409919865102884e-181 < s1
+    s26 = where(s25, where(s24, ((-((s21 + s22) + s23)) * s6), inf), (-inf))
+    s27 = ring_radius - s8
+    s28 = (((s27 * s27) * s1) - s19) - s4
+    s29 = sqrt(where((s28 < 0.0), 0.0, s28))
+    s30 = where(s25, where(s24, (((s22 + s23) - s21) * s6), (-inf)), inf)
+    s31 = 0.0 < where(s25, s28, 0.0)
+    s32 = where(s31, (((s23 - s21) - s29) * s6), s30)
+    s33 = (s0 + (s9 * (z - s8))) - s10
+    s34 = sqrt(where((s33 < 0.0), 0.0, s33))
+    s35 = where(s15, (s12 * ((vz + s13) + s14)), (-inf))
+    s36 = 0.0 < s33
+    s37 = where(s36, (s12 * ((vz + s14) - s34)), s35)
+    s38 = where((s32 < s37), s32, s37)
+    s39 = where(s31, (((s29 - s21) - s23) * s6), inf)
+    s40 = where((s16 < s39), s39, s16)
+    s41 = where((s30 < s37), s30, s37)
+    s42 = where(s36, (s12 * ((vz + s34) - s14)), inf)
+    s43 = s40 <= s41
+    s44 = where(s43, s41, where((s32 < s35), s32, s35))
+    s45 = where((s30 < s35), s30, s35)
+    s46 = where((0.0 < s38), s38, 0.0)
+    s47 = where((s46 < s44), s44, s46)
+    s48 = where((s47 < s45), s45, s47)
+    s49 = where((s48 < horizon), s48, horizon)
+    s50 = speed + (gravity * s49)
+    s51 = 1.0 / s27
+    s52 = 1.0009765625 * (((4.440896333665362e-16 * s7) * s50) + ((((8.881792667330725e-16 * s7) * s17) * s50) * s51))
+    s53 = (position_error + (velocity_error * s49)) + (4.440892098500626e-16 * (extent + (s50 * s49)))
+    s54 = (2.220446049250313e-16 * s17) + (2.0 * s53)
+    s55 = (1.1102240834163406e-16 * s7) + s54
+    s56 = 2.001955034211278 * s7
+    s57 = (((2.0019569434243767 * ((1.1102230246251565e-16 * ball_radius) + (1.1102230246251565e-16 * wire_radius))) * s7) + (s52 * s49)) + (s56 * s55)
+    s58 = s7 * s7
+    s59 = speed + ((0.5 * gravity) * s49)
+    s60 = 6.667849719736811e-16 * s7
+    s61 = (((s60 * s59) + ((4.445233146491208e-16 * s7) * s50)) + (s56 * (((1.1102230246251565e-16 * speed) + velocity_error) + ((1.6653345369377348e-16 * gravity) * s49)))) + ((2.001953125 * s59) * s53)
+    s62 = 4.0 * extent
+    s63 = speed * speed
+    s64 = (s62 * speed) + ((2.0 * s63) * s49)
+    s65 = (1.0009765625 * ((((2.0 * position_error) + (2.220448166832681e-16 * s7)) + (8.881784197001252e-16 * s17)) + s55)) * s64
+    s66 = 4.440892098500626e-16 * s63
+    s67 = (((((1.7763568394002505e-15 * extent) * speed) + (s62 * velocity_error)) + ((4.0 * position_error) * speed)) + (s66 * s49)) + ((s66 + ((4.0 * speed) * velocity_error)) * s49)
+    s68 = 1.1102230246251565e-16 + (s54 * s51)
+    s69 = ((((s61 + (s65 * s51)) + ((s60 * s64) * s51)) + ((s56 * s67) * s51)) + ((((8.890466292982415e-16 * s7) * s17) * s50) * s51)) + (((s56 * s64) * s68) * s51)
+    s70 = velocity_error + (2.220446049250313e-16 * s50)
+    s71 = (2.001955034211278 * ((((2.0 * s17) * s70) + ((4.440892098500626e-16 * s17) * s50)) + ((2.0 * s50) * s53))) * s7
+    s72 = (((((s56 * s70) + (s60 * s50)) + ((2.001953125 * s50) * s53)) + (s71 * s51)) + ((((1.778093258596483e-15 * s7) * s17) * s50) * s51)) + ((((4.00390625 * s17) * s50) * s55) * s51)
+    s73 = s72 + (((((4.003910068422556 * s7) * s17) * s50) * s68) * s51)
+    return s2, (2.0 * ring_radius) * s4, sqrt(s5), s6, where((s16 < s26), s26, s16), s38, where(s43, s40, where((s42 < s26), s26, s42)), s44, where((s42 < s39), s39, s42), s45, ((s57 + (s56 * s53)) + (4.44523738579589e-16 * s58)) + (6.667856078693835e-16 * s58), s69, s73, ((6.000005722045898 * gravity) * s7) + s2
 
 
-def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
     """Newton's next value of a root near t.
 
-    Newton's method. 56 operations: 16 additions, 6 subtractions, 27 multiplications, 3 divisions, 2 square roots, 1 comparison, 1 selection.
+    Newton's method. 53 operations: 15 additions, 6 subtractions, 26 multiplications, 3 divisions, 1 square root, 1 comparison, 1 selection.
     Returns time.
+    """
+    s0 = x + (t * vx)
+    s1 = y + (t * vy)
+    s2 = sqrt(((s0 * s0) + (s1 * s1)))
+    s3 = s2 - ring_radius
+    s4 = vz - ((0.5 * gravity) * t)
+    s5 = z + (t * s4)
+    s6 = 2.0 * (((((vx * s0) + (vy * s1)) * (1.0 / s2)) * s3) + ((vz - (gravity * t)) * s5))
+    s7 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((vx * x) + (vy * y)))) * ((rho_start - ring_radius) + s3)) / (rho_start + s2)
+    s8 = ball_radius + wire_radius
+    s9 = where((0.0 < leaving), (t * (((z + s5) * s4) + s7)), (((s3 * s3) + (s5 * s5)) - (s8 * s8))) / s6
+    return t - s9,
+
+
+def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, per_square: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+    """Gap, rate and bend at time t, and a step that no root lies within.
+
+    Newton from the left under a curvature bound. 137 operations: 28 additions, 16 subtractions, 50 multiplications, 5 divisions, 4 square roots, 1 negation, 2 absolute values, 14 comparisons, 17 selections.
+    Returns gap, rate, bend, step.
     """
     s0 = vz - ((0.5 * gravity) * t)
     s1 = z + (t * s0)
     s2 = x + (t * vx)
     s3 = y + (t * vy)
-    s4 = sqrt(((s2 * s2) + (s3 * s3)))
-    s5 = s4 - ring_radius
-    s6 = sqrt(((x * x) + (y * y)))
-    s7 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((vx * x) + (vy * y)))) * ((s6 - ring_radius) + s5)) / (s6 + s4)
-    s8 = ball_radius + wire_radius
-    s9 = 0.5 * where((0.0 < leaving), (t * (((z + s1) * s0) + s7)), (((s5 * s5) + (s1 * s1)) - (s8 * s8)))
-    s10 = s9 / (((vz - (gravity * t)) * s1) + ((s5 * ((vx * s2) + (vy * s3))) / s4))
-    return t - s10,
-
-
-def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
-    """Gap, rate and bend at time t, and a step that no root lies within.
-
-    Newton from the left under a curvature bound. 139 operations: 29 additions, 16 subtractions, 48 multiplications, 7 divisions, 5 square roots, 1 negation, 2 absolute values, 14 comparisons, 17 selections.
-    Returns gap, rate, bend, step.
-    """
-    s0 = vz - ((0.5 * gravity) * t)
-    s1 = z + (t * s0)
-    s2 = (vx * vx) + (vy * vy)
-    s3 = sqrt(((x * x) + (y * y)))
-    s4 = x + (t * vx)
-    s5 = y + (t * vy)
-    s6 = (s4 * s4) + (s5 * s5)
-    s7 = sqrt(s6)
-    s8 = s7 - ring_radius
-    s9 = (((t * s2) + (2.0 * ((vx * x) + (vy * y)))) * ((s3 - ring_radius) + s8)) / (s3 + s7)
-    s10 = ball_radius + wire_radius
-    s11 = where((0.0 < leaving), (t * (((z + s1) * s0) + s9)), (((s8 * s8) + (s1 * s1)) - (s10 * s10)))
-    s12 = vz - (gravity * t)
-    s13 = (vx * s4) + (vy * s5)
-    s14 = 2.0 * ((s12 * s1) + ((s8 * s13) / s7))
+    s4 = (s2 * s2) + (s3 * s3)
+    s5 = sqrt(s4)
+    s6 = (vx * vx) + (vy * vy)
+    s7 = s5 - ring_radius
+    s8 = (((t * s6) + (2.0 * ((vx * x) + (vy * y)))) * ((rho_start - ring_radius) + s7)) / (rho_start + s5)
+    s9 = ball_radius + wire_radius
+    s10 = where((0.0 < leaving), (t * (((z + s1) * s0) + s8)), (((s7 * s7) + (s1 * s1)) - (s9 * s9)))
+    s11 = (vx * s2) + (vy * s3)
+    s12 = 1.0 / s5
+    s13 = vz - (gravity * t)
+    s14 = 2.0 * (((s11 * s12) * s7) + (s13 * s1))
     s15 = 6.0 * gravity
     s16 = s15 * s1
-    s17 = swing / (s7 * s6)
-    s18 = 1.0000009536743164 * s10
+    s17 = swing * (s12 * (s12 * s12))
+    s18 = 1.0000009536743164 * s9
     s19 = (s16 + s17) - steady
-    s20 = s11 - margin
+    s20 = s10 - margin
     s21 = where((s20 < 0.0), 0.0, s20)
     s22 = s14 - rate_margin
     s23 = s22 * s22
@@ -527,13 +553,13 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     s28 = 2.0 * where((0.0 <= s24), (where(s26, s27, (s22 + s25)) / where(s26, (s25 - s22), where((s19 < 0.0), 0.0, s19))), inf)
     s29 = end - t
     s30 = where((s28 < s29), s28, s29)
-    s31 = (s30 * where((s12 < 0.0), 0.0, s12)) + s1
+    s31 = (s30 * where((s13 < 0.0), 0.0, s13)) + s1
     s32 = s15 * where((s18 < s31), s18, s31)
-    s33 = -(s13 / s2)
+    s33 = -(per_square * s11)
     s34 = where((s30 < s33), s30, s33)
     s35 = where((0.0 < s34), s34, 0.0)
     s36 = ring_radius + s18
-    s37 = ((((s2 * s35) + (2.0 * s13)) * s35) + s6) - (9.094947017729282e-13 * (s36 * s36))
+    s37 = ((((s6 * s35) + (2.0 * s11)) * s35) + s4) - (9.094947017729282e-13 * (s36 * s36))
     s38 = ring_radius - s18
     s39 = s38 * s38
     s40 = where((s37 < s39), s39, s37)
@@ -542,7 +568,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     s43 = ((2.0 * s42) * s21) + s23
     s44 = sqrt(s43)
     s45 = where((0.0 <= s43), (where(s26, s27, (s22 + s44)) / where(s26, (s44 - s22), where((s42 < 0.0), 0.0, s42))), inf)
-    return s11, s14, (steady - s16) - s17, where((s45 < s30), s45, s30)
+    return s10, s14, (steady - s16) - s17, where((s45 < s30), s45, s30)
 
 
 def backboard_coefficients(x: Any, vx: Any, ball_radius: Any, board_distance: Any) -> tuple[Any, ...]:
@@ -590,14 +616,14 @@ def backboard_arrival(leaving: Any, x: Any, vx: Any, ball_radius: Any, board_dis
     return -(where((0.0 < leaving), 0.0, (x - (ball_radius - board_distance))) / vx), vx, 0.0
 
 
-def backboard_margin(horizon: Any, x: Any, vx: Any, position_error: Any, velocity_error: Any, ball_radius: Any, board_distance: Any) -> tuple[Any, ...]:
+def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, board_distance: Any, gravity: Any) -> tuple[Any, ...]:
     """Rounding-error bound of the gap up to the horizon.
 
-    running error analysis. 15 operations: 5 additions, 8 multiplications, 2 absolute values.
+    running error analysis. 15 operations: 7 additions, 8 multiplications.
     Returns margin.
     """
-    s0 = (((((6.667843360785852e-16 * ball_radius) + (8.890457814381136e-16 * board_distance)) + (2.001953125 * position_error)) + ((2.001953125 * horizon) * velocity_error)) + ((6.667843360785852e-16 * horizon) * absolute(vx))) + (4.445228907190568e-16 * absolute(x))
-    return s0,
+    s0 = extent + (horizon * (speed + (gravity * horizon)))
+    return (((6.667843360785852e-16 * ball_radius) + (8.890457814381136e-16 * board_distance)) + (2.222614453595284e-16 * s0)) + (2.001953125 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * s0))),
 
 
 def backboard_place(y: Any, z: Any, ball_radius: Any, board_distance: Any) -> tuple[Any, ...]:
@@ -657,15 +683,14 @@ def bridge_arrival(leaving: Any, z: Any, vz: Any, ball_radius: Any, wire_radius:
     return where(s2, (2.0 * s0), (vz + s1)) / where(s2, (s1 - vz), gravity), -s1, -gravity
 
 
-def bridge_margin(horizon: Any, z: Any, vz: Any, position_error: Any, velocity_error: Any, ball_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
     """Rounding-error bound of the gap up to the horizon.
 
-    running error analysis. 23 operations: 8 additions, 13 multiplications, 2 absolute values.
+    running error analysis. 15 operations: 7 additions, 8 multiplications.
     Returns margin.
     """
-    s0 = absolute(vz)
-    s1 = ((((6.667843360785852e-16 * ball_radius) + (2.001953125 * position_error)) + (6.667843360785852e-16 * wire_radius)) + ((6.667843360785852e-16 * horizon) * (((0.5 * gravity) * horizon) + s0))) + ((2.001953125 * horizon) * ((velocity_error + ((1.6653345369377348e-16 * gravity) * horizon)) + (1.1102230246251565e-16 * s0)))
-    return s1 + (4.445228907190568e-16 * absolute(z)),
+    s0 = extent + (horizon * (speed + (gravity * horizon)))
+    return (((6.667843360785852e-16 * ball_radius) + (6.667843360785852e-16 * wire_radius)) + (2.222614453595284e-16 * s0)) + (2.001953125 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * s0))),
 
 
 def bridge_place(x: Any, y: Any, ball_radius: Any, wire_radius: Any) -> tuple[Any, ...]:
@@ -680,10 +705,10 @@ def bridge_place(x: Any, y: Any, ball_radius: Any, wire_radius: Any) -> tuple[An
 def end_coefficients(z: Any, vz: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
     """Coefficients in time of the event polynomial, constant first.
 
-    Eq. 3 in Table 2. 3 operations: 1 addition, 1 multiplication, 1 negation.
+    Eq. 3 in Table 2. 4 operations: 1 subtraction, 1 multiplication, 2 negations.
     Returns c0, c1, c2.
     """
-    return end_depth + z, vz, -(0.5 * gravity)
+    return z - (-end_depth), vz, -(0.5 * gravity)
 
 
 def end_deflated(vz: Any, gravity: Any) -> tuple[Any, ...]:
@@ -707,24 +732,23 @@ def end_normal() -> tuple[Any, ...]:
 def end_arrival(leaving: Any, z: Any, vz: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
     """Time of the only arrival, the gap's rate there and its bend.
 
-    Eq. 3 in Table 2, solved. 17 operations: 3 additions, 1 subtraction, 4 multiplications, 1 division, 1 square root, 2 negations, 2 comparisons, 3 selections.
+    Eq. 3 in Table 2, solved. 18 operations: 2 additions, 2 subtractions, 4 multiplications, 1 division, 1 square root, 3 negations, 2 comparisons, 3 selections.
     Returns time, rate, bend.
     """
-    s0 = where((0.0 < leaving), 0.0, (end_depth + z))
+    s0 = where((0.0 < leaving), 0.0, (z - (-end_depth)))
     s1 = sqrt(((vz * vz) + ((2.0 * gravity) * s0)))
     s2 = vz < 0.0
     return where(s2, (2.0 * s0), (vz + s1)) / where(s2, (s1 - vz), gravity), -s1, -gravity
 
 
-def end_margin(horizon: Any, z: Any, vz: Any, position_error: Any, velocity_error: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
+def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
     """Rounding-error bound of the gap up to the horizon.
 
-    running error analysis. 21 operations: 7 additions, 12 multiplications, 2 absolute values.
+    running error analysis. 13 operations: 6 additions, 7 multiplications.
     Returns margin.
     """
-    s0 = absolute(vz)
-    s1 = (((2.222614453595284e-16 * end_depth) + (2.001953125 * position_error)) + ((6.667843360785852e-16 * horizon) * (((0.5 * gravity) * horizon) + s0))) + ((2.001953125 * horizon) * ((velocity_error + ((1.6653345369377348e-16 * gravity) * horizon)) + (1.1102230246251565e-16 * s0)))
-    return s1 + (4.445228907190568e-16 * absolute(z)),
+    s0 = extent + (horizon * (speed + (gravity * horizon)))
+    return ((6.667843360785852e-16 * end_depth) + (2.222614453595284e-16 * s0)) + (2.001953125 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * s0))),
 
 
 def end_place(x: Any, y: Any, end_depth: Any) -> tuple[Any, ...]:

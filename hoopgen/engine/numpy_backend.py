@@ -162,6 +162,7 @@ def _advance(
     columns = flights.columns
     bounds = _call(kernels.error_bounds, columns)
     columns["position_error"], columns["velocity_error"] = bounds[:2]
+    columns["extent"], columns["speed"] = _call(kernels.scale, columns)
     arrivals = _first_arrivals(kernels, columns, flights.last)
 
     stays = arrivals.which < 0
@@ -203,10 +204,12 @@ def _first_arrivals(
 ) -> Arrivals:
     """Return the earliest admissible arrival on any surface (Eq. 4)."""
     arrivals = Arrivals.none(len(last))
-    for index, (name, windows, bounded) in enumerate(kernels.SURFACES):
+    surfaces = list(enumerate(kernels.SURFACES))
+    # The end plane first: what certainly comes after it needs no further look.
+    for index, (name, windows, bounded) in surfaces[-1:] + surfaces[:-1]:
         if not windows:
             _plane_arrival(kernels, columns, last == index, index, name, bounded, arrivals)
-    for index, (name, windows, _) in enumerate(kernels.SURFACES):
+    for index, (name, windows, _) in surfaces:
         if windows:
             _curved_arrival(kernels, columns, last == index, index, name, windows, arrivals)
     return arrivals
@@ -228,6 +231,7 @@ def _plane_arrival(
     margin = _call(getattr(kernels, f"{name}_margin"), columns, horizon=time)[0]
     crossing = {"margin": margin, "rate_margin": 0.0, "rate": rate}
     clearance, delay = _call(kernels.crossing, crossing, ceiling=np.abs(bend))
+    arrives = arrives & (time - arrivals.when <= arrivals.late + delay)
     unsure = arrives & ~(clearance > 0.0)
     if bounded:
         x, y, z, *_ = _call(kernels.flight, columns, t=time)
@@ -236,7 +240,7 @@ def _plane_arrival(
         within = np.logical_and.reduce([g <= 0.0 for g in bounds])
         near = np.logical_and.reduce([g <= slack for g in bounds])
         surely = np.logical_and.reduce([g < -slack for g in bounds])
-        unsure = (unsure & near) | (arrives & near & ~surely)
+        unsure = arrives & near & ~(surely & (clearance > 0.0))
         arrives = arrives & within
     arrivals.question(unsure, time)
     arrivals.propose(arrives, time, delay, index)
@@ -283,6 +287,7 @@ def _curved_arrival(
     shots = len(gone)
     prepare, advance = getattr(kernels, f"{name}_prepare"), getattr(kernels, f"{name}_advance")
     horizon = arrivals.when + arrivals.late
+    possible = ~(_call(getattr(kernels, f"{name}_clear"), columns, horizon=horizon)[0] > 0.0)
     outputs = _call(prepare, columns, horizon=horizon)
     prepared = dict(zip(kernels.OUTPUTS[f"{name}_prepare"], outputs, strict=True))
     lows = [np.broadcast_to(prepared.pop(f"low{k}"), shots) for k in range(windows)]
@@ -298,7 +303,7 @@ def _curved_arrival(
         np.zeros(shots),
         np.zeros(shots),
     )
-    search.keep(search.open(np.ones(shots, np.bool_), 0.0))
+    search.keep(search.open(possible, 0.0))
     arrival, delay = np.full(shots, np.inf), np.zeros(shots)
     certain = np.zeros(shots, np.bool_)
     question = np.full(shots, np.inf)
@@ -326,7 +331,7 @@ def _curved_arrival(
         if not going.all():
             search.keep(going)
     refine = getattr(kernels, f"{name}_refine")
-    refined = _call(refine, columns, t=arrival, leaving=leaving)[0]
+    refined = _call(refine, {**columns, **prepared}, t=arrival, leaving=leaving)[0]
     arrival = np.where(certain, refined, arrival)
     arrival = np.where(arrival < 0.0, 0.0, arrival)
     arrivals.question(question < np.inf, question)
