@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 
 import hoopgen
 from benchmarks.peers import PEERS, Flown, Peer
-from benchmarks.workloads import PAPER, WORKLOADS, States
+from benchmarks.workloads import WORKLOADS, States
+from hoopgen import PAPER
 
 MAX_CONTACTS = 40
 

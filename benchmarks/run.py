@@ -1,5 +1,6 @@
 """The whole comparison: settings in, results out."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
@@ -9,7 +10,8 @@ from benchmarks.errors import Errors, errors
 from benchmarks.machine import Limits, facts, limits, operations_a_segment
 from benchmarks.peers import PEERS
 from benchmarks.timing import Rates, Spread, first_call, per_shot, rounds, runs, seconds
-from benchmarks.workloads import PAPER, TABLE_3, WORKLOADS, free_throw, swish_shot
+from benchmarks.workloads import TABLE_3, WORKLOADS, States, free_throw, swish_shot
+from hoopgen import PAPER
 
 
 @dataclass(frozen=True)
@@ -98,12 +100,12 @@ def _single(settings: Settings) -> dict[str, Spread]:
     costs: dict[str, list[float]] = {name: [] for name in calls}
     for _ in range(4 * settings.repeats):
         for name, call in calls.items():
-            costs[name].append(seconds(lambda call=call: [call() for _ in range(100)]) / 100)
+            costs[name].append(seconds(call, 100))
     return {name: Spread.of(values) for name, values in costs.items()}
 
 
 def _table_4(settings: Settings) -> dict[str, dict[str, Runs]]:
-    methods = {
+    methods: dict[str, Callable[[States], object]] = {
         "hoopgen C": partial(hoopgen.simulate, parameters=PAPER, backend="c"),
         "hoopgen NumPy": partial(hoopgen.simulate, parameters=PAPER, backend="numpy"),
         **{peer.label: partial(peer.fly, parameters=PAPER) for peer in PEERS},

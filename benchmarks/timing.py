@@ -46,16 +46,16 @@ class Rates:
         return Spread.of(a / b for a, b in zip(self.rates, other.rates, strict=True))
 
 
-def seconds(call: Callable[[], object]) -> float:
-    """Wall-clock time of a call."""
+def seconds(call: Callable[[], object], repeats: int = 1) -> float:
+    """Wall-clock time of a call, the mean of some in a row."""
     start = perf_counter()
-    call()
-    return perf_counter() - start
+    for _ in range(repeats):
+        call()
+    return (perf_counter() - start) / repeats
 
 
 def affordable(fly: Callable[[States], object], states: States, budget: float) -> int:
-    """How many of the shots, a power of two, fly within about `budget` seconds; at least 8. The
-    last of the trials is the warm-up."""
+    """How many of the shots, a power of two, fly within about `budget` seconds; at least 8."""
     shots = 8
     while True:
         # The first call in a process may compile or load: not counted.
@@ -73,10 +73,12 @@ def rounds(
     """`count` rounds of a workload of `size` shots, by the contenders' keys. Everybody flies once a
     round, each round starting with another; who flies a part takes the next part each round."""
     states = workload.make(size)
-    shots = {one.key: size if one.whole else affordable(one.fly, states, budget) for one in field}
+    shots = {
+        one.key: min(one.at_most, size) if one.at_most else affordable(one.fly, states, budget)
+        for one in field
+    }
     for one in field:
-        if one.whole:
-            one.fly(states)
+        one.fly(states[: shots[one.key]])
     rates: dict[str, list[float]] = {one.key: [] for one in field}
     for turn in range(count):
         first = turn % len(field)
@@ -97,10 +99,8 @@ def per_shot(
         fly(states[:size])
     for _ in range(count):
         for size in sizes:
-            repeats = max(1, 10**6 // size)
-            part = states[:size]
-            taken = seconds(lambda part=part, repeats=repeats: [fly(part) for _ in range(repeats)])
-            costs[size].append(taken / (size * repeats))
+            taken = seconds(partial(fly, states[:size]), max(1, 10**6 // size))
+            costs[size].append(taken / size)
     return {size: Spread.of(values) for size, values in costs.items()}
 
 

@@ -10,6 +10,10 @@ so stepping to the first root of that parabola cannot pass a root of F, a parabo
 proves that there is none, and near a simple root the steps converge quadratically. With F less its
 margin m in the parabola the same holds for the true F, of which only rounded values are known; the
 search ends where F <= 2 m, a distance that every step still makes headway in.
+
+It may end earlier. Where the slope r = -F' - m' fulfils r² > 2^8 C (F + 2 m) with |F''| <= C, one
+root follows and is simple (Kantorovich, with h = C F / r² < 2^-8), and three steps of Newton's
+method reach it to 2^-56 of the first of them.
 """
 
 from __future__ import annotations
@@ -40,7 +44,7 @@ margin, rate_margin = sp.symbols("margin rate_margin", nonnegative=True)
 delay = sp.Symbol("delay", nonnegative=True)
 """Bound on how far a computed arrival is from the true one, s."""
 rate, ceiling = sp.symbols("rate ceiling", real=True)
-"""The gap's rate F' and an upper bound of F''."""
+"""The gap's rate F' and a bound on |F''|."""
 
 
 def event_coefficients(surface: Surface, gravity: sp.Expr) -> Coefficients:
@@ -91,14 +95,13 @@ def plane_margin(plane: Plane, gravity: sp.Expr) -> sp.Expr:
 def crossing() -> dict[str, sp.Expr]:
     """Return what certifies a crossing at a computed arrival, and bounds its delay.
 
-    A search stops where the computed gap is at most 2 m, so that F <= 3 m. With the slope
-    r = -F' - m' > 0 and F'' <= C, F(t + s) <= 3 m - r s + C s²/2, which is negative at s = r/C if
-    r² > 6 C m: the crossing is certain if `clearance` > 0. It is then within 6 m / r of the
-    computed time, before and after Newton's corrections.
+    At a computed root F <= m. With the slope r = -F' - m' > 0 and |F''| <= C,
+    F(t + s) <= m - r s + C s²/2, which is negative at s = r/C if r² > 2 C m: the crossing is
+    certain if `clearance` > 0, and then within 2 m / r. The bounds are taken three times as wide.
     """
     slope = hold(-rate - rate_margin)
     return {
-        "clearance": IfLess(0, slope, slope**2 - 8 * ceiling * margin, slope),
+        "clearance": IfLess(0, slope, slope**2 - 6 * ceiling * margin, slope),
         "delay": 6 * margin / slope,
     }
 
@@ -170,7 +173,7 @@ class Approach(ABC):
     @property
     @abstractmethod
     def ceiling(self) -> sp.Expr:
-        """Upper bound of F'' up to the horizon."""
+        """Bound on |F''| up to the horizon."""
 
     @property
     @abstractmethod
@@ -187,27 +190,33 @@ class Approach(ABC):
         return outputs | {name: bound.subs(horizon, latest) for name, bound in bounds.items()}
 
     def refine(self) -> dict[str, sp.Expr]:
-        """Return Newton's next value of a root near t, for roots that are certain."""
+        """Return Newton's next value of a root near t, and the rate there."""
         gap = IfLess(0, leaving, hold(self.leaving_gap), hold(self.gap))
-        return {"time": t - gap / hold(self.rate)}
+        rate_here = hold(self.rate)
+        return {"time": t - gap / rate_here, "rate": rate_here}
 
     def advance(self) -> dict[str, sp.Expr]:
-        """Return gap, rate, bend and the step that no root can lie within.
+        """Return gap, rate, bend, the step that no root can lie within, and the clearance.
 
-        The curvature is bounded on a window twice as long as the root of the local parabola says,
-        so that M is nearly exact; where even that window ends first, so does the step.
+        The curvature is bounded on a window twice as long as the local line (falling) or, on
+        leaving the surface, the local parabola says, so that M is nearly exact; where even that
+        window ends first, so does the step. A falling gap with a positive clearance has one simple root nearby.
         """
         gap = IfLess(0, leaving, hold(self.leaving_gap), hold(self.gap))
         low_gap = hold(largest(hold(gap - margin), 0))
         slope = hold(hold(self.rate) - rate_margin)
-        guess = _first_root(low_gap, slope, hold(-self.bend))
-        width = hold(smallest(hold(end - t), 2 * guess))
+        numerator = IfLess(slope, 0, 2 * low_gap, 4 * slope)
+        denominator = IfLess(slope, 0, -slope, largest(hold(-self.bend), 0))
+        rising = IfAtMost(0, slope, low_gap, 0)
+        guess = IfLess(0, rising, sp.oo, numerator / hold(denominator))
+        width = hold(smallest(hold(end - t), guess))
         step = _first_root(low_gap, slope, hold(self.curvature(width)))
         return {
             "gap": gap,
             "rate": self.rate,
             "bend": self.bend,
             "step": smallest(width, step),
+            "clearance": slope**2 - 2**8 * ceiling * hold(low_gap + 3 * margin),
         }
 
 

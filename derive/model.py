@@ -284,13 +284,13 @@ def _surface_kernels(
         add(
             "refine",
             search.refine(),
-            "Newton's next value of a root near t.",
+            "Newton's next value of a root near t, and the rate there.",
             "Newton's method",
         )
         add(
             "advance",
             search.advance(),
-            "Gap, rate and bend at time t, and a step that no root lies within.",
+            "Gap, rate and bend at time t, a step that no root lies within, and the root's clearance.",
             "Newton from the left under a curvature bound",
         )
     return SurfaceKernels(surface, made, windows, constants)

@@ -31,10 +31,10 @@ WIDER = 1 + sp.Rational(1, 2**20)
 steady, swing = sp.symbols("steady swing", real=True)
 """2 (V² + vz² + 2 g z) and 2 R_H L², constant along a flight."""
 
-rho_start, per_square = sp.symbols("rho_start per_square", nonnegative=True)
-"""rho at the flight's start, and 1/V²."""
+rho_start = sp.Symbol("rho_start", nonnegative=True)
+"""rho at the flight's start."""
 
-CONSTANTS = (steady, swing, rho_start, per_square)
+CONSTANTS = (steady, swing, rho_start)
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ class RingApproach(Approach):
 
     @property
     def constants(self) -> dict[str, sp.Expr]:
-        """The two constants of F'', rho at the start, and 1/V²."""
+        """The two constants of F'', and rho at the start."""
         _, _, speed_squared, moment = self._polar()
         _, _, z = POSITION
         _, _, vz = VELOCITY
@@ -114,7 +114,6 @@ class RingApproach(Approach):
             "steady": 2 * (speed_squared + vz**2) + 4 * self.gravity * z,
             "swing": 2 * self.ring.ring_radius * moment**2,
             "rho_start": self.ring.rho,
-            "per_square": 1 / speed_squared,
         }
 
     @property
@@ -194,6 +193,18 @@ class RingApproach(Approach):
         there, moving = map(hold_all, flight(self.gravity))
         return there, moving, sp.sqrt(hold(there[0] ** 2 + there[1] ** 2))
 
+    def _inverses(self, rho: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        """Return 1/rho and 1/(rho + rho0) by one division."""
+        both = hold(rho + rho_start)
+        inverse = hold(1 / hold(rho * both))
+        return hold(inverse * both), hold(inverse * rho)
+
+    def _outward_speed(self) -> sp.Expr:
+        """rho'."""
+        there, moving, rho = self._here()
+        per_rho, _ = self._inverses(rho)
+        return hold(hold(there[0] * moving[0] + there[1] * moving[1]) * per_rho)
+
     @property
     def gap(self) -> sp.Expr:
         """F at the position at time t."""
@@ -215,36 +226,34 @@ class RingApproach(Approach):
         outward = 2 * q + speed_squared * t
         upward = vz - self.gravity * t / 2
         inward = hold(hold(rho - radius) + hold(rho_start - radius))
-        radial = hold(outward) * inward / hold(rho + rho_start)
+        radial = hold(hold(outward) * inward) * self._inverses(rho)[1]
         return t * hold(radial + hold(upward) * hold(there[2] + z0))
 
     @property
     def rate(self) -> sp.Expr:
         """F' = 2 ((rho - R_H) rho' + z z')."""
         there, moving, rho = self._here()
-        sideways = hold(hold(there[0] * moving[0] + there[1] * moving[1]) * hold(1 / rho))
-        return 2 * hold(hold(rho - self.ring.ring_radius) * sideways + there[2] * moving[2])
+        depth = hold(rho - self.ring.ring_radius)
+        return 2 * hold(depth * self._outward_speed() + there[2] * moving[2])
 
     @property
     def bend(self) -> sp.Expr:
         """F'' as in the head of this file."""
         there, _, rho = self._here()
-        return steady - 6 * self.gravity * there[2] - swing * hold(1 / rho) ** 3
+        return steady - 6 * self.gravity * there[2] - swing * self._inverses(rho)[0] ** 3
 
     def curvature(self, width: sp.Expr) -> sp.Expr:
-        """-F'' is largest where z is highest and rho smallest; each is bounded on its own."""
+        """-F'' is largest where z is highest and rho smallest; each is bounded on its own.
+
+        rho is convex in time, and so never below its tangent.
+        """
         there, moving, rho = self._here()
-        _, _, speed_squared, _ = self._polar()
         highest = smallest(hold(there[2] + largest(moving[2], 0) * width), self._reach)
-        q = hold(there[0] * moving[0] + there[1] * moving[1])
-        ahead = hold(largest(0, smallest(-q * per_square, width)))
-        nearest = hold(rho**2 + ahead * hold(2 * q + speed_squared * ahead))
         innermost, outermost = self._radii()
-        least = hold(
-            largest(hold(nearest - sp.Rational(1, 2**40) * outermost**2), innermost**2)
-        )
+        tangent = hold(rho + smallest(self._outward_speed(), 0) * width)
+        least = largest(hold(tangent - sp.Rational(1, 2**40) * outermost), innermost)
         fall = 6 * self.gravity * highest
-        turn = swing / (least * sp.sqrt(least))
+        turn = swing * hold(1 / hold(least)) ** 3
         slack = sp.Rational(1, 2**40) * hold(size(fall) + turn + size(steady))
         return fall + turn - steady + slack
 
@@ -306,8 +315,10 @@ class RingApproach(Approach):
 
     @property
     def ceiling(self) -> sp.Expr:
-        """F'' is at most its constant and the gravity term at the lowest z."""
-        return hold(self.constants["steady"]) + 6 * self.gravity * self._reach
+        """Each term of F'' at its largest: |z| <= R and rho >= I in every window."""
+        innermost, _ = self._radii()
+        turn = self.constants["swing"] * hold(1 / innermost) ** 3
+        return size(self.constants["steady"]) + 6 * self.gravity * self._reach + turn
 
     @property
     def margins(self) -> dict[str, sp.Expr]:
@@ -332,7 +343,7 @@ class RingApproach(Approach):
             vy: moving,
             vz: moving,
             depth: Rounded(reach, hold(rho_error + u * reach)),
-            inverse: Rounded(steep, hold(rho_error * steep + u) * steep),
+            inverse: Rounded(steep, hold(rho_error * steep + 6 * u) * steep),
         }
         gap = rounding((depth**2 + z**2) - reach**2, known).error
         slope = rounding(2 * (depth * (x * vx + y * vy) * inverse + z * vz), known)

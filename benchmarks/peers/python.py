@@ -45,7 +45,7 @@ def _flight(state: Array, gravity: float, t: float) -> Array:
 
 def _inside_bounds(scene: Scene, surface: int, state: Array) -> bool:
     """The inequality constraints of Table 2, and the sense of arrival that it leaves out."""
-    x, y, z, vx, _, vz = state[:6].tolist()
+    x, y, z, vx, _, vz = map(float, state[:6])
     if surface == BACKBOARD:
         return (
             vx < 0

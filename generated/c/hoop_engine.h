@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 92ca6b4b89fd8d64,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation d1a47607a3d1f065,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -431,18 +431,13 @@ static void LANES(hoop_run)(const hoop_job *job)
             }
             for (int step = 0; lanes_any(searching); step++) {
                 const V margin = flat + tilt * t;
-                const LANES(hoop_ring_advance_out) a = LANES(hoop_ring_advance)(t, end, leaving, margin, p.rate_margin, x, y, z, vx, vy, vz, p.steady, p.swing, p.rho_start, p.per_square, ball_radius, ring_radius, wire_radius, gravity);
+                const LANES(hoop_ring_advance_out) a = LANES(hoop_ring_advance)(t, end, leaving, margin, p.rate_margin, p.ceiling, x, y, z, vx, vy, vz, p.steady, p.swing, p.rho_start, ball_radius, ring_radius, wire_radius, gravity);
                 const M falling = (a.rate < zero) | ((a.rate <= p.rate_margin) & (a.bend < zero));
-                const M hit = searching & (a.gap - margin <= margin) & falling;
-                if (lanes_any(hit)) {
-                    const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, p.rate_margin, a.rate, p.ceiling);
-                    const M clear = c.clearance > zero;
-                    certain |= hit & clear;
-                    arrival = lanes_select(hit, lanes_select(clear, t - a.gap / a.rate, t), arrival);
-                    delay = lanes_select(hit & clear, c.delay, delay);
-                    doubt = lanes_select(hit & NOT(clear) & (t < doubt), t, doubt);
-                    searching &= NOT(hit);
-                }
+                const M clear = falling & (a.clearance > zero);
+                const M hit = searching & falling & ((a.gap - margin <= margin) | clear);
+                arrival = lanes_select(hit, lanes_select(clear, t - a.gap / a.rate, t), arrival);
+                certain |= hit & clear;
+                searching &= NOT(hit);
                 const M exhausted = searching & (a.step >= end - t);
                 const V passed = end;
                 t = lanes_select(searching, t + a.step, t);
@@ -473,13 +468,20 @@ static void LANES(hoop_run)(const hoop_job *job)
                     searching &= NOT(searching);
                 }
             }
-            {
-                const V t = arrival;
-                const V refined = LANES(hoop_ring_refine)(t, leaving, x, y, z, vx, vy, vz, p.rho_start, ball_radius, ring_radius, wire_radius, gravity).time;
-                arrival = lanes_select(certain, refined, arrival);
-                arrival = lanes_select(arrival < zero, zero, arrival);
-            }
             const M arrives = arrival < never;
+            {
+                V t = arrival;
+                LANES(hoop_ring_refine_out) r = LANES(hoop_ring_refine)(t, leaving, x, y, z, vx, vy, vz, p.rho_start, ball_radius, ring_radius, wire_radius, gravity);
+                t = lanes_select(certain, r.time, t);
+                r = LANES(hoop_ring_refine)(t, leaving, x, y, z, vx, vy, vz, p.rho_start, ball_radius, ring_radius, wire_radius, gravity);
+                t = lanes_select(certain, r.time, t);
+                const V margin = flat + tilt * t;
+                const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, p.rate_margin, r.rate, p.ceiling);
+                certain &= c.clearance > zero;
+                arrival = lanes_select(t < zero, zero, t);
+                delay = lanes_select(certain, c.delay, zero);
+                doubt = lanes_select(arrives & NOT(certain) & (arrival < doubt), arrival, doubt);
+            }
                         {
                 const M tie = arrives & (lanes_abs(arrival - when) <= delay + late);
                 const V sooner = lanes_select(arrival < when, arrival, when);

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 92ca6b4b89fd8d64,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation d1a47607a3d1f065,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -109,7 +109,7 @@ LANES_INLINE LANES(hoop_crossing_out)
 LANES(hoop_crossing)(V margin, V rate_margin, V rate, V ceiling)
 {
     const V s0 = -(rate + rate_margin);
-    return (LANES(hoop_crossing_out)){ lanes_select((K(0.0) < s0), ((s0 * s0) - ((K(8.0) * ceiling) * margin)), s0), (K(6.0) * margin) / s0 };
+    return (LANES(hoop_crossing_out)){ lanes_select((K(0.0) < s0), ((s0 * s0) - ((K(6.0) * ceiling) * margin)), s0), (K(6.0) * margin) / s0 };
 }
 
 /* Sums of the sizes of the coordinates and of the velocities.
@@ -393,9 +393,9 @@ LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V s
 }
 
 /* Constants, windows and margins of the search along a flight.
-   bounds of the event condition. 282 operations: 69 additions, 16 subtractions, 137 multiplications, 3 divisions, 5 square roots, 1 negation, 4 absolute values, 20 comparisons, 27 selections. */
+   bounds of the event condition. 287 operations: 70 additions, 16 subtractions, 140 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 20 comparisons, 27 selections. */
 typedef struct {
-    V steady, swing, rho_start, per_square, low0, high0, low1, high1, low2, high2, margin, leaving_margin, rate_margin, ceiling;
+    V steady, swing, rho_start, low0, high0, low1, high1, low2, high2, margin, leaving_margin, rate_margin, ceiling;
 } LANES(hoop_ring_prepare_out);
 
 LANES_INLINE LANES(hoop_ring_prepare_out)
@@ -406,8 +406,8 @@ LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V
     const V s2 = ((K(2.0) * s0) + ((K(4.0) * gravity) * z)) + (K(2.0) * s1);
     const V s3 = (vy * x) - (vx * y);
     const V s4 = s3 * s3;
-    const V s5 = (x * x) + (y * y);
-    const V s6 = K(1.0) / s1;
+    const V s5 = (K(2.0) * ring_radius) * s4;
+    const V s6 = (x * x) + (y * y);
     const V s7 = ball_radius + wire_radius;
     const V s8 = K(1.0000009536743164) * s7;
     const V s9 = K(2.0) * gravity;
@@ -420,68 +420,69 @@ LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V
     const V s16 = lanes_select(s15, (s12 * ((vz - s13) - s14)), K(INFINITY));
     const V s17 = ring_radius + s8;
     const V s18 = s17 * s17;
-    const V s19 = (K(1.7763568394002505e-15) * s1) * (s18 + s5);
+    const V s19 = (K(1.7763568394002505e-15) * s1) * (s18 + s6);
     const V s20 = ((s18 * s1) + s19) - s4;
     const V s21 = (vx * x) + (vy * y);
     const V s22 = lanes_sqrt(s20);
     const V s23 = K(1.7763568394002505e-15) * ((lanes_abs(s21) + lanes_abs(s3)) + s22);
-    const M s24 = K(0.0) <= s20;
-    const M s25 = K(2.409919865102884e-181) < s1;
-    const V s26 = lanes_select(s25, lanes_select(s24, ((-((s21 + s22) + s23)) * s6), K(INFINITY)), (-K(INFINITY)));
-    const V s27 = ring_radius - s8;
-    const V s28 = (((s27 * s27) * s1) - s19) - s4;
-    const V s29 = lanes_sqrt(lanes_select((s28 < K(0.0)), K(0.0), s28));
-    const V s30 = lanes_select(s25, lanes_select(s24, (((s22 + s23) - s21) * s6), (-K(INFINITY))), K(INFINITY));
-    const M s31 = K(0.0) < lanes_select(s25, s28, K(0.0));
-    const V s32 = lanes_select(s31, (((s23 - s21) - s29) * s6), s30);
-    const V s33 = (s0 + (s9 * (z - s8))) - s10;
-    const V s34 = lanes_sqrt(lanes_select((s33 < K(0.0)), K(0.0), s33));
-    const V s35 = lanes_select(s15, (s12 * ((vz + s13) + s14)), (-K(INFINITY)));
-    const M s36 = K(0.0) < s33;
-    const V s37 = lanes_select(s36, (s12 * ((vz + s14) - s34)), s35);
-    const V s38 = lanes_select((s32 < s37), s32, s37);
-    const V s39 = lanes_select(s31, (((s29 - s21) - s23) * s6), K(INFINITY));
-    const V s40 = lanes_select((s16 < s39), s39, s16);
-    const V s41 = lanes_select((s30 < s37), s30, s37);
-    const V s42 = lanes_select(s36, (s12 * ((vz + s34) - s14)), K(INFINITY));
-    const M s43 = s40 <= s41;
-    const V s44 = lanes_select(s43, s41, lanes_select((s32 < s35), s32, s35));
-    const V s45 = lanes_select((s30 < s35), s30, s35);
-    const V s46 = lanes_select((K(0.0) < s38), s38, K(0.0));
-    const V s47 = lanes_select((s46 < s44), s44, s46);
+    const V s24 = K(1.0) / s1;
+    const M s25 = K(0.0) <= s20;
+    const M s26 = K(2.409919865102884e-181) < s1;
+    const V s27 = lanes_select(s26, lanes_select(s25, ((-((s21 + s22) + s23)) * s24), K(INFINITY)), (-K(INFINITY)));
+    const V s28 = ring_radius - s8;
+    const V s29 = (((s28 * s28) * s1) - s19) - s4;
+    const V s30 = lanes_sqrt(lanes_select((s29 < K(0.0)), K(0.0), s29));
+    const V s31 = lanes_select(s26, lanes_select(s25, (((s22 + s23) - s21) * s24), (-K(INFINITY))), K(INFINITY));
+    const M s32 = K(0.0) < lanes_select(s26, s29, K(0.0));
+    const V s33 = lanes_select(s32, (((s23 - s21) - s30) * s24), s31);
+    const V s34 = (s0 + (s9 * (z - s8))) - s10;
+    const V s35 = lanes_sqrt(lanes_select((s34 < K(0.0)), K(0.0), s34));
+    const V s36 = lanes_select(s15, (s12 * ((vz + s13) + s14)), (-K(INFINITY)));
+    const M s37 = K(0.0) < s34;
+    const V s38 = lanes_select(s37, (s12 * ((vz + s14) - s35)), s36);
+    const V s39 = lanes_select((s33 < s38), s33, s38);
+    const V s40 = lanes_select(s32, (((s30 - s21) - s23) * s24), K(INFINITY));
+    const V s41 = lanes_select((s16 < s40), s40, s16);
+    const V s42 = lanes_select((s31 < s38), s31, s38);
+    const V s43 = lanes_select(s37, (s12 * ((vz + s35) - s14)), K(INFINITY));
+    const M s44 = s41 <= s42;
+    const V s45 = lanes_select(s44, s42, lanes_select((s33 < s36), s33, s36));
+    const V s46 = lanes_select((s31 < s36), s31, s36);
+    const V s47 = lanes_select((K(0.0) < s39), s39, K(0.0));
     const V s48 = lanes_select((s47 < s45), s45, s47);
-    const V s49 = lanes_select((s48 < horizon), s48, horizon);
-    const V s50 = speed + (gravity * s49);
-    const V s51 = K(1.0) / s27;
-    const V s52 = K(1.0009765625) * (((K(4.440896333665362e-16) * s7) * s50) + ((((K(8.881792667330725e-16) * s7) * s17) * s50) * s51));
-    const V s53 = (position_error + (velocity_error * s49)) + (K(4.440892098500626e-16) * (extent + (s50 * s49)));
-    const V s54 = (K(2.220446049250313e-16) * s17) + (K(2.0) * s53);
-    const V s55 = (K(1.1102240834163406e-16) * s7) + s54;
-    const V s56 = K(2.001955034211278) * s7;
-    const V s57 = (((K(2.0019569434243767) * ((K(1.1102230246251565e-16) * ball_radius) + (K(1.1102230246251565e-16) * wire_radius))) * s7) + (s52 * s49)) + (s56 * s55);
-    const V s58 = s7 * s7;
-    const V s59 = speed + ((K(0.5) * gravity) * s49);
-    const V s60 = K(6.667849719736811e-16) * s7;
-    const V s61 = (((s60 * s59) + ((K(4.445233146491208e-16) * s7) * s50)) + (s56 * (((K(1.1102230246251565e-16) * speed) + velocity_error) + ((K(1.6653345369377348e-16) * gravity) * s49)))) + ((K(2.001953125) * s59) * s53);
-    const V s62 = K(4.0) * extent;
-    const V s63 = speed * speed;
-    const V s64 = (s62 * speed) + ((K(2.0) * s63) * s49);
-    const V s65 = (K(1.0009765625) * ((((K(2.0) * position_error) + (K(2.220448166832681e-16) * s7)) + (K(8.881784197001252e-16) * s17)) + s55)) * s64;
-    const V s66 = K(4.440892098500626e-16) * s63;
-    const V s67 = (((((K(1.7763568394002505e-15) * extent) * speed) + (s62 * velocity_error)) + ((K(4.0) * position_error) * speed)) + (s66 * s49)) + ((s66 + ((K(4.0) * speed) * velocity_error)) * s49);
-    const V s68 = K(1.1102230246251565e-16) + (s54 * s51);
-    const V s69 = ((((s61 + (s65 * s51)) + ((s60 * s64) * s51)) + ((s56 * s67) * s51)) + ((((K(8.890466292982415e-16) * s7) * s17) * s50) * s51)) + (((s56 * s64) * s68) * s51);
-    const V s70 = velocity_error + (K(2.220446049250313e-16) * s50);
-    const V s71 = (K(2.001955034211278) * ((((K(2.0) * s17) * s70) + ((K(4.440892098500626e-16) * s17) * s50)) + ((K(2.0) * s50) * s53))) * s7;
-    const V s72 = (((((s56 * s70) + (s60 * s50)) + ((K(2.001953125) * s50) * s53)) + (s71 * s51)) + ((((K(1.778093258596483e-15) * s7) * s17) * s50) * s51)) + ((((K(4.00390625) * s17) * s50) * s55) * s51);
-    const V s73 = s72 + (((((K(4.003910068422556) * s7) * s17) * s50) * s68) * s51);
-    return (LANES(hoop_ring_prepare_out)){ s2, (K(2.0) * ring_radius) * s4, lanes_sqrt(s5), s6, lanes_select((s16 < s26), s26, s16), s38, lanes_select(s43, s40, lanes_select((s42 < s26), s26, s42)), s44, lanes_select((s42 < s39), s39, s42), s45, ((s57 + (s56 * s53)) + (K(4.44523738579589e-16) * s58)) + (K(6.667856078693835e-16) * s58), s69, s73, ((K(6.000005722045898) * gravity) * s7) + s2 };
+    const V s49 = lanes_select((s48 < s46), s46, s48);
+    const V s50 = lanes_select((s49 < horizon), s49, horizon);
+    const V s51 = speed + (gravity * s50);
+    const V s52 = K(1.0) / s28;
+    const V s53 = K(1.0009765625) * (((K(4.440896333665362e-16) * s7) * s51) + ((((K(8.881792667330725e-16) * s7) * s17) * s51) * s52));
+    const V s54 = (position_error + (velocity_error * s50)) + (K(4.440892098500626e-16) * (extent + (s51 * s50)));
+    const V s55 = (K(2.220446049250313e-16) * s17) + (K(2.0) * s54);
+    const V s56 = (K(1.1102240834163406e-16) * s7) + s55;
+    const V s57 = K(2.001955034211278) * s7;
+    const V s58 = (((K(2.0019569434243767) * ((K(1.1102230246251565e-16) * ball_radius) + (K(1.1102230246251565e-16) * wire_radius))) * s7) + (s53 * s50)) + (s57 * s56);
+    const V s59 = s7 * s7;
+    const V s60 = speed + ((K(0.5) * gravity) * s50);
+    const V s61 = K(6.667849719736811e-16) * s7;
+    const V s62 = (((s61 * s60) + ((K(4.445233146491208e-16) * s7) * s51)) + (s57 * (((K(1.1102230246251565e-16) * speed) + velocity_error) + ((K(1.6653345369377348e-16) * gravity) * s50)))) + ((K(2.001953125) * s60) * s54);
+    const V s63 = K(4.0) * extent;
+    const V s64 = speed * speed;
+    const V s65 = (s63 * speed) + ((K(2.0) * s64) * s50);
+    const V s66 = (K(1.0009765625) * ((((K(2.0) * position_error) + (K(2.220448166832681e-16) * s7)) + (K(8.881784197001252e-16) * s17)) + s56)) * s65;
+    const V s67 = K(4.440892098500626e-16) * s64;
+    const V s68 = (((((K(1.7763568394002505e-15) * extent) * speed) + (s63 * velocity_error)) + ((K(4.0) * position_error) * speed)) + (s67 * s50)) + ((s67 + ((K(4.0) * speed) * velocity_error)) * s50);
+    const V s69 = K(6.661338147750939e-16) + (s55 * s52);
+    const V s70 = ((((s62 + (s66 * s52)) + ((s61 * s65) * s52)) + ((s57 * s68) * s52)) + ((((K(8.890466292982415e-16) * s7) * s17) * s51) * s52)) + (((s57 * s65) * s69) * s52);
+    const V s71 = velocity_error + (K(2.220446049250313e-16) * s51);
+    const V s72 = (K(2.001955034211278) * ((((K(2.0) * s17) * s71) + ((K(4.440892098500626e-16) * s17) * s51)) + ((K(2.0) * s51) * s54))) * s7;
+    const V s73 = (((((s57 * s71) + (s61 * s51)) + ((K(2.001953125) * s51) * s54)) + (s72 * s52)) + ((((K(1.778093258596483e-15) * s7) * s17) * s51) * s52)) + ((((K(4.00390625) * s17) * s51) * s56) * s52);
+    const V s74 = s73 + (((((K(4.003910068422556) * s7) * s17) * s51) * s69) * s52);
+    return (LANES(hoop_ring_prepare_out)){ s2, s5, lanes_sqrt(s6), lanes_select((s16 < s27), s27, s16), s39, lanes_select(s44, s41, lanes_select((s43 < s27), s27, s43)), s45, lanes_select((s43 < s40), s40, s43), s46, ((s58 + (s57 * s54)) + (K(4.44523738579589e-16) * s59)) + (K(6.667856078693835e-16) * s59), s70, s74, (((K(6.000005722045898) * gravity) * s7) + (s5 * (s52 * (s52 * s52)))) + lanes_abs(s2) };
 }
 
-/* Newton's next value of a root near t.
-   Newton's method. 53 operations: 15 additions, 6 subtractions, 26 multiplications, 3 divisions, 1 square root, 1 comparison, 1 selection. */
+/* Newton's next value of a root near t, and the rate there.
+   Newton's method. 56 operations: 15 additions, 6 subtractions, 30 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection. */
 typedef struct {
-    V time;
+    V time, rate;
 } LANES(hoop_ring_refine_out);
 
 LANES_INLINE LANES(hoop_ring_refine_out)
@@ -490,72 +491,67 @@ LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_s
     const V s0 = x + (t * vx);
     const V s1 = y + (t * vy);
     const V s2 = lanes_sqrt(((s0 * s0) + (s1 * s1)));
-    const V s3 = s2 - ring_radius;
-    const V s4 = vz - ((K(0.5) * gravity) * t);
-    const V s5 = z + (t * s4);
-    const V s6 = K(2.0) * (((((vx * s0) + (vy * s1)) * (K(1.0) / s2)) * s3) + ((vz - (gravity * t)) * s5));
-    const V s7 = (((t * ((vx * vx) + (vy * vy))) + (K(2.0) * ((vx * x) + (vy * y)))) * ((rho_start - ring_radius) + s3)) / (rho_start + s2);
-    const V s8 = ball_radius + wire_radius;
-    const V s9 = lanes_select((K(0.0) < leaving), (t * (((z + s5) * s4) + s7)), (((s3 * s3) + (s5 * s5)) - (s8 * s8))) / s6;
-    return (LANES(hoop_ring_refine_out)){ t - s9 };
+    const V s3 = rho_start + s2;
+    const V s4 = K(1.0) / (s3 * s2);
+    const V s5 = s2 - ring_radius;
+    const V s6 = vz - ((K(0.5) * gravity) * t);
+    const V s7 = z + (t * s6);
+    const V s8 = K(2.0) * ((((s3 * s4) * ((vx * s0) + (vy * s1))) * s5) + ((vz - (gravity * t)) * s7));
+    const V s9 = (((t * ((vx * vx) + (vy * vy))) + (K(2.0) * ((vx * x) + (vy * y)))) * ((rho_start - ring_radius) + s5)) * (s2 * s4);
+    const V s10 = ball_radius + wire_radius;
+    const V s11 = lanes_select((K(0.0) < leaving), (t * (s9 + ((z + s7) * s6))), (((s5 * s5) + (s7 * s7)) - (s10 * s10))) / s8;
+    return (LANES(hoop_ring_refine_out)){ t - s11, s8 };
 }
 
-/* Gap, rate and bend at time t, and a step that no root lies within.
-   Newton from the left under a curvature bound. 137 operations: 28 additions, 16 subtractions, 50 multiplications, 5 divisions, 4 square roots, 1 negation, 2 absolute values, 14 comparisons, 17 selections. */
+/* Gap, rate and bend at time t, a step that no root lies within, and the root's clearance.
+   Newton from the left under a curvature bound. 134 operations: 26 additions, 16 subtractions, 52 multiplications, 4 divisions, 2 square roots, 1 negation, 2 absolute values, 14 comparisons, 17 selections. */
 typedef struct {
-    V gap, rate, bend, step;
+    V gap, rate, bend, step, clearance;
 } LANES(hoop_ring_advance_out);
 
 LANES_INLINE LANES(hoop_ring_advance_out)
-LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V per_square, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V ball_radius, V ring_radius, V wire_radius, V gravity)
 {
-    const V s0 = vz - ((K(0.5) * gravity) * t);
-    const V s1 = z + (t * s0);
-    const V s2 = x + (t * vx);
-    const V s3 = y + (t * vy);
-    const V s4 = (s2 * s2) + (s3 * s3);
-    const V s5 = lanes_sqrt(s4);
-    const V s6 = (vx * vx) + (vy * vy);
-    const V s7 = s5 - ring_radius;
-    const V s8 = (((t * s6) + (K(2.0) * ((vx * x) + (vy * y)))) * ((rho_start - ring_radius) + s7)) / (rho_start + s5);
+    const V s0 = x + (t * vx);
+    const V s1 = y + (t * vy);
+    const V s2 = lanes_sqrt(((s0 * s0) + (s1 * s1)));
+    const V s3 = s2 - ring_radius;
+    const V s4 = rho_start + s2;
+    const V s5 = K(1.0) / (s4 * s2);
+    const V s6 = (((t * ((vx * vx) + (vy * vy))) + (K(2.0) * ((vx * x) + (vy * y)))) * ((rho_start - ring_radius) + s3)) * (s2 * s5);
+    const V s7 = vz - ((K(0.5) * gravity) * t);
+    const V s8 = z + (t * s7);
     const V s9 = ball_radius + wire_radius;
-    const V s10 = lanes_select((K(0.0) < leaving), (t * (((z + s1) * s0) + s8)), (((s7 * s7) + (s1 * s1)) - (s9 * s9)));
-    const V s11 = (vx * s2) + (vy * s3);
-    const V s12 = K(1.0) / s5;
+    const V s10 = lanes_select((K(0.0) < leaving), (t * (s6 + ((z + s8) * s7))), (((s3 * s3) + (s8 * s8)) - (s9 * s9)));
+    const V s11 = s4 * s5;
+    const V s12 = s11 * ((vx * s0) + (vy * s1));
     const V s13 = vz - (gravity * t);
-    const V s14 = K(2.0) * (((s11 * s12) * s7) + (s13 * s1));
+    const V s14 = K(2.0) * ((s12 * s3) + (s13 * s8));
     const V s15 = K(6.0) * gravity;
-    const V s16 = s15 * s1;
-    const V s17 = swing * (s12 * (s12 * s12));
+    const V s16 = s15 * s8;
+    const V s17 = swing * (s11 * (s11 * s11));
     const V s18 = K(1.0000009536743164) * s9;
-    const V s19 = (s16 + s17) - steady;
+    const V s19 = s14 - rate_margin;
     const V s20 = s10 - margin;
     const V s21 = lanes_select((s20 < K(0.0)), K(0.0), s20);
-    const V s22 = s14 - rate_margin;
-    const V s23 = s22 * s22;
-    const V s24 = ((K(2.0) * s19) * s21) + s23;
-    const V s25 = lanes_sqrt(s24);
-    const M s26 = s22 < K(0.0);
-    const V s27 = K(2.0) * s21;
-    const V s28 = K(2.0) * lanes_select((K(0.0) <= s24), (lanes_select(s26, s27, (s22 + s25)) / lanes_select(s26, (s25 - s22), lanes_select((s19 < K(0.0)), K(0.0), s19))), K(INFINITY));
-    const V s29 = end - t;
-    const V s30 = lanes_select((s28 < s29), s28, s29);
-    const V s31 = (s30 * lanes_select((s13 < K(0.0)), K(0.0), s13)) + s1;
-    const V s32 = s15 * lanes_select((s18 < s31), s18, s31);
-    const V s33 = -(per_square * s11);
-    const V s34 = lanes_select((s30 < s33), s30, s33);
-    const V s35 = lanes_select((K(0.0) < s34), s34, K(0.0));
-    const V s36 = ring_radius + s18;
-    const V s37 = ((((s6 * s35) + (K(2.0) * s11)) * s35) + s4) - (K(9.094947017729282e-13) * (s36 * s36));
-    const V s38 = ring_radius - s18;
-    const V s39 = s38 * s38;
-    const V s40 = lanes_select((s37 < s39), s39, s37);
-    const V s41 = swing / (lanes_sqrt(s40) * s40);
-    const V s42 = ((s32 + s41) + (K(9.094947017729282e-13) * ((s41 + lanes_abs(steady)) + lanes_abs(s32)))) - steady;
-    const V s43 = ((K(2.0) * s42) * s21) + s23;
-    const V s44 = lanes_sqrt(s43);
-    const V s45 = lanes_select((K(0.0) <= s43), (lanes_select(s26, s27, (s22 + s44)) / lanes_select(s26, (s44 - s22), lanes_select((s42 < K(0.0)), K(0.0), s42))), K(INFINITY));
-    return (LANES(hoop_ring_advance_out)){ s10, s14, (steady - s16) - s17, lanes_select((s45 < s30), s45, s30) };
+    const V s22 = (s16 + s17) - steady;
+    const M s23 = s19 < K(0.0);
+    const V s24 = K(2.0) * s21;
+    const V s25 = lanes_select((K(0.0) < lanes_select((K(0.0) <= s19), s21, K(0.0))), K(INFINITY), (lanes_select(s23, s24, (K(4.0) * s19)) / lanes_select(s23, (-s19), lanes_select((s22 < K(0.0)), K(0.0), s22))));
+    const V s26 = end - t;
+    const V s27 = lanes_select((s25 < s26), s25, s26);
+    const V s28 = (s27 * lanes_select((s13 < K(0.0)), K(0.0), s13)) + s8;
+    const V s29 = s15 * lanes_select((s18 < s28), s18, s28);
+    const V s30 = ((s27 * lanes_select((K(0.0) < s12), K(0.0), s12)) + s2) - (K(9.094947017729282e-13) * (ring_radius + s18));
+    const V s31 = ring_radius - s18;
+    const V s32 = K(1.0) / lanes_select((s30 < s31), s31, s30);
+    const V s33 = swing * (s32 * (s32 * s32));
+    const V s34 = ((s29 + s33) + (K(9.094947017729282e-13) * ((s33 + lanes_abs(steady)) + lanes_abs(s29)))) - steady;
+    const V s35 = s19 * s19;
+    const V s36 = ((K(2.0) * s34) * s21) + s35;
+    const V s37 = lanes_sqrt(s36);
+    const V s38 = lanes_select((K(0.0) <= s36), (lanes_select(s23, s24, (s19 + s37)) / lanes_select(s23, (s37 - s19), lanes_select((s34 < K(0.0)), K(0.0), s34))), K(INFINITY));
+    return (LANES(hoop_ring_advance_out)){ s10, s14, (steady - s16) - s17, lanes_select((s38 < s27), s38, s27), s35 - ((K(256.0) * ceiling) * ((K(3.0) * margin) + s21)) };
 }
 
 /* Coefficients in time of the event polynomial, constant first.

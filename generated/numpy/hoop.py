@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 92ca6b4b89fd8d64,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation d1a47607a3d1f065,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -55,9 +55,9 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_normal": ("nx", "ny", "nz",),
     "ring_carry_normal": ("dnx", "dny", "dnz",),
     "ring_clear": ("clear",),
-    "ring_prepare": ("steady", "swing", "rho_start", "per_square", "low0", "high0", "low1", "high1", "low2", "high2", "margin", "leaving_margin", "rate_margin", "ceiling",),
-    "ring_refine": ("time",),
-    "ring_advance": ("gap", "rate", "bend", "step",),
+    "ring_prepare": ("steady", "swing", "rho_start", "low0", "high0", "low1", "high1", "low2", "high2", "margin", "leaving_margin", "rate_margin", "ceiling",),
+    "ring_refine": ("time", "rate",),
+    "ring_advance": ("gap", "rate", "bend", "step", "clearance",),
     "backboard_coefficients": ("c0", "c1",),
     "backboard_deflated": ("c0",),
     "backboard_normal": ("nx", "ny", "nz",),
@@ -167,7 +167,7 @@ def crossing(margin: Any, rate_margin: Any, rate: Any, ceiling: Any) -> tuple[An
     Returns clearance, delay.
     """
     s0 = -(rate + rate_margin)
-    return where((0.0 < s0), ((s0 * s0) - ((8.0 * ceiling) * margin)), s0), (6.0 * margin) / s0
+    return where((0.0 < s0), ((s0 * s0) - ((6.0 * ceiling) * margin)), s0), (6.0 * margin) / s0
 
 
 def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
@@ -417,16 +417,16 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
 def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
     """Constants, windows and margins of the search along a flight.
 
-    bounds of the event condition. 282 operations: 69 additions, 16 subtractions, 137 multiplications, 3 divisions, 5 square roots, 1 negation, 4 absolute values, 20 comparisons, 27 selections.
-    Returns steady, swing, rho_start, per_square, low0, high0, low1, high1, low2, high2, margin, leaving_margin, rate_margin, ceiling.
+    bounds of the event condition. 287 operations: 70 additions, 16 subtractions, 140 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 20 comparisons, 27 selections.
+    Returns steady, swing, rho_start, low0, high0, low1, high1, low2, high2, margin, leaving_margin, rate_margin, ceiling.
     """
     s0 = vz * vz
     s1 = (vx * vx) + (vy * vy)
     s2 = ((2.0 * s0) + ((4.0 * gravity) * z)) + (2.0 * s1)
     s3 = (vy * x) - (vx * y)
     s4 = s3 * s3
-    s5 = (x * x) + (y * y)
-    s6 = 1.0 / s1
+    s5 = (2.0 * ring_radius) * s4
+    s6 = (x * x) + (y * y)
     s7 = ball_radius + wire_radius
     s8 = 1.0000009536743164 * s7
     s9 = 2.0 * gravity
@@ -439,136 +439,132 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     s16 = where(s15, (s12 * ((vz - s13) - s14)), inf)
     s17 = ring_radius + s8
     s18 = s17 * s17
-    s19 = (1.7763568394002505e-15 * s1) * (s18 + s5)
+    s19 = (1.7763568394002505e-15 * s1) * (s18 + s6)
     s20 = ((s18 * s1) + s19) - s4
     s21 = (vx * x) + (vy * y)
     s22 = sqrt(s20)
     s23 = 1.7763568394002505e-15 * ((absolute(s21) + absolute(s3)) + s22)
-    s24 = 0.0 <= s20
-    s25 = 2.409919865102884e-181 < s1
-    s26 = where(s25, where(s24, ((-((s21 + s22) + s23)) * s6), inf), (-inf))
-    s27 = ring_radius - s8
-    s28 = (((s27 * s27) * s1) - s19) - s4
-    s29 = sqrt(where((s28 < 0.0), 0.0, s28))
-    s30 = where(s25, where(s24, (((s22 + s23) - s21) * s6), (-inf)), inf)
-    s31 = 0.0 < where(s25, s28, 0.0)
-    s32 = where(s31, (((s23 - s21) - s29) * s6), s30)
-    s33 = (s0 + (s9 * (z - s8))) - s10
-    s34 = sqrt(where((s33 < 0.0), 0.0, s33))
-    s35 = where(s15, (s12 * ((vz + s13) + s14)), (-inf))
-    s36 = 0.0 < s33
-    s37 = where(s36, (s12 * ((vz + s14) - s34)), s35)
-    s38 = where((s32 < s37), s32, s37)
-    s39 = where(s31, (((s29 - s21) - s23) * s6), inf)
-    s40 = where((s16 < s39), s39, s16)
-    s41 = where((s30 < s37), s30, s37)
-    s42 = where(s36, (s12 * ((vz + s34) - s14)), inf)
-    s43 = s40 <= s41
-    s44 = where(s43, s41, where((s32 < s35), s32, s35))
-    s45 = where((s30 < s35), s30, s35)
-    s46 = where((0.0 < s38), s38, 0.0)
-    s47 = where((s46 < s44), s44, s46)
+    s24 = 1.0 / s1
+    s25 = 0.0 <= s20
+    s26 = 2.409919865102884e-181 < s1
+    s27 = where(s26, where(s25, ((-((s21 + s22) + s23)) * s24), inf), (-inf))
+    s28 = ring_radius - s8
+    s29 = (((s28 * s28) * s1) - s19) - s4
+    s30 = sqrt(where((s29 < 0.0), 0.0, s29))
+    s31 = where(s26, where(s25, (((s22 + s23) - s21) * s24), (-inf)), inf)
+    s32 = 0.0 < where(s26, s29, 0.0)
+    s33 = where(s32, (((s23 - s21) - s30) * s24), s31)
+    s34 = (s0 + (s9 * (z - s8))) - s10
+    s35 = sqrt(where((s34 < 0.0), 0.0, s34))
+    s36 = where(s15, (s12 * ((vz + s13) + s14)), (-inf))
+    s37 = 0.0 < s34
+    s38 = where(s37, (s12 * ((vz + s14) - s35)), s36)
+    s39 = where((s33 < s38), s33, s38)
+    s40 = where(s32, (((s30 - s21) - s23) * s24), inf)
+    s41 = where((s16 < s40), s40, s16)
+    s42 = where((s31 < s38), s31, s38)
+    s43 = where(s37, (s12 * ((vz + s35) - s14)), inf)
+    s44 = s41 <= s42
+    s45 = where(s44, s42, where((s33 < s36), s33, s36))
+    s46 = where((s31 < s36), s31, s36)
+    s47 = where((0.0 < s39), s39, 0.0)
     s48 = where((s47 < s45), s45, s47)
-    s49 = where((s48 < horizon), s48, horizon)
-    s50 = speed + (gravity * s49)
-    s51 = 1.0 / s27
-    s52 = 1.0009765625 * (((4.440896333665362e-16 * s7) * s50) + ((((8.881792667330725e-16 * s7) * s17) * s50) * s51))
-    s53 = (position_error + (velocity_error * s49)) + (4.440892098500626e-16 * (extent + (s50 * s49)))
-    s54 = (2.220446049250313e-16 * s17) + (2.0 * s53)
-    s55 = (1.1102240834163406e-16 * s7) + s54
-    s56 = 2.001955034211278 * s7
-    s57 = (((2.0019569434243767 * ((1.1102230246251565e-16 * ball_radius) + (1.1102230246251565e-16 * wire_radius))) * s7) + (s52 * s49)) + (s56 * s55)
-    s58 = s7 * s7
-    s59 = speed + ((0.5 * gravity) * s49)
-    s60 = 6.667849719736811e-16 * s7
-    s61 = (((s60 * s59) + ((4.445233146491208e-16 * s7) * s50)) + (s56 * (((1.1102230246251565e-16 * speed) + velocity_error) + ((1.6653345369377348e-16 * gravity) * s49)))) + ((2.001953125 * s59) * s53)
-    s62 = 4.0 * extent
-    s63 = speed * speed
-    s64 = (s62 * speed) + ((2.0 * s63) * s49)
-    s65 = (1.0009765625 * ((((2.0 * position_error) + (2.220448166832681e-16 * s7)) + (8.881784197001252e-16 * s17)) + s55)) * s64
-    s66 = 4.440892098500626e-16 * s63
-    s67 = (((((1.7763568394002505e-15 * extent) * speed) + (s62 * velocity_error)) + ((4.0 * position_error) * speed)) + (s66 * s49)) + ((s66 + ((4.0 * speed) * velocity_error)) * s49)
-    s68 = 1.1102230246251565e-16 + (s54 * s51)
-    s69 = ((((s61 + (s65 * s51)) + ((s60 * s64) * s51)) + ((s56 * s67) * s51)) + ((((8.890466292982415e-16 * s7) * s17) * s50) * s51)) + (((s56 * s64) * s68) * s51)
-    s70 = velocity_error + (2.220446049250313e-16 * s50)
-    s71 = (2.001955034211278 * ((((2.0 * s17) * s70) + ((4.440892098500626e-16 * s17) * s50)) + ((2.0 * s50) * s53))) * s7
-    s72 = (((((s56 * s70) + (s60 * s50)) + ((2.001953125 * s50) * s53)) + (s71 * s51)) + ((((1.778093258596483e-15 * s7) * s17) * s50) * s51)) + ((((4.00390625 * s17) * s50) * s55) * s51)
-    s73 = s72 + (((((4.003910068422556 * s7) * s17) * s50) * s68) * s51)
-    return s2, (2.0 * ring_radius) * s4, sqrt(s5), s6, where((s16 < s26), s26, s16), s38, where(s43, s40, where((s42 < s26), s26, s42)), s44, where((s42 < s39), s39, s42), s45, ((s57 + (s56 * s53)) + (4.44523738579589e-16 * s58)) + (6.667856078693835e-16 * s58), s69, s73, ((6.000005722045898 * gravity) * s7) + s2
+    s49 = where((s48 < s46), s46, s48)
+    s50 = where((s49 < horizon), s49, horizon)
+    s51 = speed + (gravity * s50)
+    s52 = 1.0 / s28
+    s53 = 1.0009765625 * (((4.440896333665362e-16 * s7) * s51) + ((((8.881792667330725e-16 * s7) * s17) * s51) * s52))
+    s54 = (position_error + (velocity_error * s50)) + (4.440892098500626e-16 * (extent + (s51 * s50)))
+    s55 = (2.220446049250313e-16 * s17) + (2.0 * s54)
+    s56 = (1.1102240834163406e-16 * s7) + s55
+    s57 = 2.001955034211278 * s7
+    s58 = (((2.0019569434243767 * ((1.1102230246251565e-16 * ball_radius) + (1.1102230246251565e-16 * wire_radius))) * s7) + (s53 * s50)) + (s57 * s56)
+    s59 = s7 * s7
+    s60 = speed + ((0.5 * gravity) * s50)
+    s61 = 6.667849719736811e-16 * s7
+    s62 = (((s61 * s60) + ((4.445233146491208e-16 * s7) * s51)) + (s57 * (((1.1102230246251565e-16 * speed) + velocity_error) + ((1.6653345369377348e-16 * gravity) * s50)))) + ((2.001953125 * s60) * s54)
+    s63 = 4.0 * extent
+    s64 = speed * speed
+    s65 = (s63 * speed) + ((2.0 * s64) * s50)
+    s66 = (1.0009765625 * ((((2.0 * position_error) + (2.220448166832681e-16 * s7)) + (8.881784197001252e-16 * s17)) + s56)) * s65
+    s67 = 4.440892098500626e-16 * s64
+    s68 = (((((1.7763568394002505e-15 * extent) * speed) + (s63 * velocity_error)) + ((4.0 * position_error) * speed)) + (s67 * s50)) + ((s67 + ((4.0 * speed) * velocity_error)) * s50)
+    s69 = 6.661338147750939e-16 + (s55 * s52)
+    s70 = ((((s62 + (s66 * s52)) + ((s61 * s65) * s52)) + ((s57 * s68) * s52)) + ((((8.890466292982415e-16 * s7) * s17) * s51) * s52)) + (((s57 * s65) * s69) * s52)
+    s71 = velocity_error + (2.220446049250313e-16 * s51)
+    s72 = (2.001955034211278 * ((((2.0 * s17) * s71) + ((4.440892098500626e-16 * s17) * s51)) + ((2.0 * s51) * s54))) * s7
+    s73 = (((((s57 * s71) + (s61 * s51)) + ((2.001953125 * s51) * s54)) + (s72 * s52)) + ((((1.778093258596483e-15 * s7) * s17) * s51) * s52)) + ((((4.00390625 * s17) * s51) * s56) * s52)
+    s74 = s73 + (((((4.003910068422556 * s7) * s17) * s51) * s69) * s52)
+    return s2, s5, sqrt(s6), where((s16 < s27), s27, s16), s39, where(s44, s41, where((s43 < s27), s27, s43)), s45, where((s43 < s40), s40, s43), s46, ((s58 + (s57 * s54)) + (4.44523738579589e-16 * s59)) + (6.667856078693835e-16 * s59), s70, s74, (((6.000005722045898 * gravity) * s7) + (s5 * (s52 * (s52 * s52)))) + absolute(s2)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
-    """Newton's next value of a root near t.
+    """Newton's next value of a root near t, and the rate there.
 
-    Newton's method. 53 operations: 15 additions, 6 subtractions, 26 multiplications, 3 divisions, 1 square root, 1 comparison, 1 selection.
-    Returns time.
+    Newton's method. 56 operations: 15 additions, 6 subtractions, 30 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection.
+    Returns time, rate.
+    """
+    s0 = x + (t * vx)
+    s1 = y + (t * vy)
+    s2 = sqrt(((s0 * s0) + (s1 * s1)))
+    s3 = rho_start + s2
+    s4 = 1.0 / (s3 * s2)
+    s5 = s2 - ring_radius
+    s6 = vz - ((0.5 * gravity) * t)
+    s7 = z + (t * s6)
+    s8 = 2.0 * ((((s3 * s4) * ((vx * s0) + (vy * s1))) * s5) + ((vz - (gravity * t)) * s7))
+    s9 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((vx * x) + (vy * y)))) * ((rho_start - ring_radius) + s5)) * (s2 * s4)
+    s10 = ball_radius + wire_radius
+    s11 = where((0.0 < leaving), (t * (s9 + ((z + s7) * s6))), (((s5 * s5) + (s7 * s7)) - (s10 * s10))) / s8
+    return t - s11, s8
+
+
+def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+    """Gap, rate and bend at time t, a step that no root lies within, and the root's clearance.
+
+    Newton from the left under a curvature bound. 134 operations: 26 additions, 16 subtractions, 52 multiplications, 4 divisions, 2 square roots, 1 negation, 2 absolute values, 14 comparisons, 17 selections.
+    Returns gap, rate, bend, step, clearance.
     """
     s0 = x + (t * vx)
     s1 = y + (t * vy)
     s2 = sqrt(((s0 * s0) + (s1 * s1)))
     s3 = s2 - ring_radius
-    s4 = vz - ((0.5 * gravity) * t)
-    s5 = z + (t * s4)
-    s6 = 2.0 * (((((vx * s0) + (vy * s1)) * (1.0 / s2)) * s3) + ((vz - (gravity * t)) * s5))
-    s7 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((vx * x) + (vy * y)))) * ((rho_start - ring_radius) + s3)) / (rho_start + s2)
-    s8 = ball_radius + wire_radius
-    s9 = where((0.0 < leaving), (t * (((z + s5) * s4) + s7)), (((s3 * s3) + (s5 * s5)) - (s8 * s8))) / s6
-    return t - s9,
-
-
-def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, per_square: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
-    """Gap, rate and bend at time t, and a step that no root lies within.
-
-    Newton from the left under a curvature bound. 137 operations: 28 additions, 16 subtractions, 50 multiplications, 5 divisions, 4 square roots, 1 negation, 2 absolute values, 14 comparisons, 17 selections.
-    Returns gap, rate, bend, step.
-    """
-    s0 = vz - ((0.5 * gravity) * t)
-    s1 = z + (t * s0)
-    s2 = x + (t * vx)
-    s3 = y + (t * vy)
-    s4 = (s2 * s2) + (s3 * s3)
-    s5 = sqrt(s4)
-    s6 = (vx * vx) + (vy * vy)
-    s7 = s5 - ring_radius
-    s8 = (((t * s6) + (2.0 * ((vx * x) + (vy * y)))) * ((rho_start - ring_radius) + s7)) / (rho_start + s5)
+    s4 = rho_start + s2
+    s5 = 1.0 / (s4 * s2)
+    s6 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((vx * x) + (vy * y)))) * ((rho_start - ring_radius) + s3)) * (s2 * s5)
+    s7 = vz - ((0.5 * gravity) * t)
+    s8 = z + (t * s7)
     s9 = ball_radius + wire_radius
-    s10 = where((0.0 < leaving), (t * (((z + s1) * s0) + s8)), (((s7 * s7) + (s1 * s1)) - (s9 * s9)))
-    s11 = (vx * s2) + (vy * s3)
-    s12 = 1.0 / s5
+    s10 = where((0.0 < leaving), (t * (s6 + ((z + s8) * s7))), (((s3 * s3) + (s8 * s8)) - (s9 * s9)))
+    s11 = s4 * s5
+    s12 = s11 * ((vx * s0) + (vy * s1))
     s13 = vz - (gravity * t)
-    s14 = 2.0 * (((s11 * s12) * s7) + (s13 * s1))
+    s14 = 2.0 * ((s12 * s3) + (s13 * s8))
     s15 = 6.0 * gravity
-    s16 = s15 * s1
-    s17 = swing * (s12 * (s12 * s12))
+    s16 = s15 * s8
+    s17 = swing * (s11 * (s11 * s11))
     s18 = 1.0000009536743164 * s9
-    s19 = (s16 + s17) - steady
+    s19 = s14 - rate_margin
     s20 = s10 - margin
     s21 = where((s20 < 0.0), 0.0, s20)
-    s22 = s14 - rate_margin
-    s23 = s22 * s22
-    s24 = ((2.0 * s19) * s21) + s23
-    s25 = sqrt(s24)
-    s26 = s22 < 0.0
-    s27 = 2.0 * s21
-    s28 = 2.0 * where((0.0 <= s24), (where(s26, s27, (s22 + s25)) / where(s26, (s25 - s22), where((s19 < 0.0), 0.0, s19))), inf)
-    s29 = end - t
-    s30 = where((s28 < s29), s28, s29)
-    s31 = (s30 * where((s13 < 0.0), 0.0, s13)) + s1
-    s32 = s15 * where((s18 < s31), s18, s31)
-    s33 = -(per_square * s11)
-    s34 = where((s30 < s33), s30, s33)
-    s35 = where((0.0 < s34), s34, 0.0)
-    s36 = ring_radius + s18
-    s37 = ((((s6 * s35) + (2.0 * s11)) * s35) + s4) - (9.094947017729282e-13 * (s36 * s36))
-    s38 = ring_radius - s18
-    s39 = s38 * s38
-    s40 = where((s37 < s39), s39, s37)
-    s41 = swing / (sqrt(s40) * s40)
-    s42 = ((s32 + s41) + (9.094947017729282e-13 * ((s41 + absolute(steady)) + absolute(s32)))) - steady
-    s43 = ((2.0 * s42) * s21) + s23
-    s44 = sqrt(s43)
-    s45 = where((0.0 <= s43), (where(s26, s27, (s22 + s44)) / where(s26, (s44 - s22), where((s42 < 0.0), 0.0, s42))), inf)
-    return s10, s14, (steady - s16) - s17, where((s45 < s30), s45, s30)
+    s22 = (s16 + s17) - steady
+    s23 = s19 < 0.0
+    s24 = 2.0 * s21
+    s25 = where((0.0 < where((0.0 <= s19), s21, 0.0)), inf, (where(s23, s24, (4.0 * s19)) / where(s23, (-s19), where((s22 < 0.0), 0.0, s22))))
+    s26 = end - t
+    s27 = where((s25 < s26), s25, s26)
+    s28 = (s27 * where((s13 < 0.0), 0.0, s13)) + s8
+    s29 = s15 * where((s18 < s28), s18, s28)
+    s30 = ((s27 * where((0.0 < s12), 0.0, s12)) + s2) - (9.094947017729282e-13 * (ring_radius + s18))
+    s31 = ring_radius - s18
+    s32 = 1.0 / where((s30 < s31), s31, s30)
+    s33 = swing * (s32 * (s32 * s32))
+    s34 = ((s29 + s33) + (9.094947017729282e-13 * ((s33 + absolute(steady)) + absolute(s29)))) - steady
+    s35 = s19 * s19
+    s36 = ((2.0 * s34) * s21) + s35
+    s37 = sqrt(s36)
+    s38 = where((0.0 <= s36), (where(s23, s24, (s19 + s37)) / where(s23, (s37 - s19), where((s34 < 0.0), 0.0, s34))), inf)
+    return s10, s14, (steady - s16) - s17, where((s38 < s27), s38, s27), s35 - ((256.0 * ceiling) * ((3.0 * margin) + s21))
 
 
 def backboard_coefficients(x: Any, vx: Any, ball_radius: Any, board_distance: Any) -> tuple[Any, ...]:

@@ -304,7 +304,7 @@ def _curved_arrival(
         np.zeros(shots),
     )
     search.keep(search.open(possible, 0.0))
-    arrival, delay = np.full(shots, np.inf), np.zeros(shots)
+    arrival = np.full(shots, np.inf)
     certain = np.zeros(shots, np.bool_)
     question = np.full(shots, np.inf)
     for step in range(STEP_LIMIT + 1):
@@ -312,16 +312,12 @@ def _curved_arrival(
             break
         t, own = search.t, search.columns
         margin = own["flat"] + own["tilt"] * t
-        gap, rate, bend, stride = _call(advance, own, t=t, end=search.end, margin=margin)
+        gap, rate, bend, stride, clearance = _call(advance, own, t=t, end=search.end, margin=margin)
         falling = (rate < 0.0) | ((rate <= own["rate_margin"]) & (bend < 0.0))
-        hit = (gap - margin <= margin) & falling
-        if hit.any():
-            clearance, late = _call(kernels.crossing, own, margin=margin, rate=rate)
-            clear = clearance > 0.0
-            certain[search.shot[hit & clear]] = True
-            arrival[search.shot[hit]] = np.where(clear, t - gap / rate, t)[hit]
-            delay[search.shot[hit & clear]] = late[hit & clear]
-            question[search.shot[hit & ~clear]] = t[hit & ~clear]
+        clear = falling & (clearance > 0.0)
+        hit = falling & ((gap - margin <= margin) | clear)
+        arrival[search.shot[hit]] = np.where(clear, t - gap / rate, t)[hit]
+        certain[search.shot[hit & clear]] = True
         exhausted = ~hit & (stride >= search.end - t)
         passed = search.end
         search.t = np.where(hit, t, t + stride)
@@ -330,12 +326,19 @@ def _curved_arrival(
             question[search.shot[going]] = search.t[going]
         if not going.all():
             search.keep(going)
+    own = {**columns, **prepared, "leaving": leaving}
     refine = getattr(kernels, f"{name}_refine")
-    refined = _call(refine, {**columns, **prepared}, t=arrival, leaving=leaving)[0]
-    arrival = np.where(certain, refined, arrival)
+    arrives = arrival < np.inf
+    for _ in range(2):
+        refined, rate = _call(refine, own, t=arrival)
+        arrival = np.where(certain, refined, arrival)
+    margin = flat + tilt * arrival
+    clearance, late = _call(kernels.crossing, own, margin=margin, rate=rate)
+    certain &= clearance > 0.0
     arrival = np.where(arrival < 0.0, 0.0, arrival)
     arrivals.question(question < np.inf, question)
-    arrivals.propose(arrival < np.inf, arrival, delay, index)
+    arrivals.question(arrives & ~certain, arrival)
+    arrivals.propose(arrives, arrival, np.where(certain, late, 0.0), index)
 
 
 def _collide(
