@@ -1,8 +1,7 @@
-"""The machine: what it is, how fast it moves memory and multiplies, and what a shot asks of it."""
+"""The machine: what it is, how fast it moves memory and multiplies."""
 
 import ctypes
 import platform
-import re
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -110,27 +109,3 @@ def limits(count: int) -> Limits:
         best(partial(_operations, fused=False)),
         best(partial(_operations, fused=True)),
     )
-
-
-ARITHMETIC = ("addition", "subtraction", "multiplication", "division", "square root")
-
-
-def operations_a_segment() -> float | None:
-    """Arithmetic that hoopgen's C spends on a flight and its contact, None without its sources. A
-    lower bound: every kernel that the event loop calls, once a call, the ring's search one step."""
-    folder = Path(__file__).parents[1] / "generated" / "c"
-    try:
-        kernels = (folder / "hoop_kernels.h").read_text(encoding="utf-8")
-        loop = (folder / "hoop_engine.h").read_text(encoding="utf-8")
-    except OSError:
-        return None
-    costs: dict[str, int] = {}
-    # The comment before a kernel counts its operations: "11 operations: 3 additions, ...".
-    for comment, name in re.findall(
-        r"/\*([^/]*?)\*/\s*typedef struct.*?LANES\((\w+)_out\)", kernels, re.S
-    ):
-        counts = re.findall(r"(\d+) ([a-z ]+?)s?[,.]", comment)
-        costs[name] = sum(int(count) for count, what in counts if what in ARITHMETIC)
-    calls = [name for name in re.findall(r"LANES\((\w+)\)\(", loop) if name in costs]
-    # Once a shot, not once a segment.
-    return float(sum(costs[name] for name in calls if name != "hoop_valid")) or None

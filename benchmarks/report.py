@@ -89,7 +89,11 @@ def _speed(results: Results) -> list[str]:
         for many, one, label in pairs
     ]
     shots = [
-        ["contacts a shot", *(number(results.contacts[w.key]) for w in WORKLOADS)],
+        ["contacts a shot", *(number(results.work[w.key].contacts) for w in WORKLOADS)],
+        [
+            "hoopgen is uncertain of",
+            *(f"{100 * results.work[w.key].uncertain:.2f} %" for w in WORKLOADS),
+        ],
         *(
             [f"shots a turn, {one.label}", *(f"{rates[w.key][one.key].shots:,}" for w in WORKLOADS)]
             for one in contenders()
@@ -215,10 +219,10 @@ def _limits(results: Results) -> list[str]:
             f"{number(moved / 1e9)} GB/s",
             f"{100 * moved / limits.bandwidth[CORES]:.1f} %",
         ]
-        if results.operations is None:
+        operations = results.work[workload.key].operations
+        if operations is None:
             cells += ["not counted", "not counted"]
         else:
-            operations = results.operations * (1 + results.contacts[workload.key])
             share = rate * operations / limits.operations[CORES]
             cells += [number(operations), f"{100 * share:.1f} %"]
         rows.append(cells)
@@ -231,9 +235,9 @@ def _limits(results: Results) -> list[str]:
         "",
         *_table(["", "memory", "apart", "fused"], machine),
         f"hoopgen C, {CORES} threads, outcome, contacts and time. Bytes: the state read, the",
-        "results written. Operations: a lower bound from the counts in the generated kernels, each",
-        "call of the event loop once a flight, the ring's search as one step; the peak is that of",
-        "multiplications and additions apart.",
+        "results written. Operations: + - * / and square roots of the kernels, each as one, for a",
+        "shot by itself; what the lanes of a vector do for each other's sake is not counted. The",
+        "peak is that of multiplications and additions apart.",
         "",
         *_table(head, rows),
     ]

@@ -7,7 +7,8 @@ from functools import partial
 import hoopgen
 from benchmarks.contenders import CORES, RESULTS, contenders
 from benchmarks.errors import Errors, errors
-from benchmarks.machine import Limits, facts, limits, operations_a_segment
+from benchmarks.machine import Limits, facts, limits
+from benchmarks.operations import operations
 from benchmarks.peers import PEERS
 from benchmarks.timing import Rates, Spread, first_call, per_shot, rounds, runs, seconds
 from benchmarks.workloads import TABLE_3, WORKLOADS, States, free_throw, swish_shot
@@ -55,13 +56,23 @@ class Runs:
 
 
 @dataclass(frozen=True)
+class Work:
+    """What a shot of a workload asks for: contacts, hoopgen's arithmetic where its sources are at
+    hand; and the share of the shots that hoopgen calls uncertain."""
+
+    contacts: float
+    uncertain: float
+    operations: float | None
+
+
+@dataclass(frozen=True)
 class Results:
     """Everything measured. Rates and errors by workload and contender."""
 
     facts: dict[str, str]
     rates: dict[str, dict[str, Rates]]
-    contacts: dict[str, float]
-    """Contacts a shot, by workload."""
+    work: dict[str, Work]
+    """By workload."""
     flatness: dict[int, dict[int, Spread]]
     """Seconds a shot, by threads and number of shots, W2."""
     single: dict[str, Spread]
@@ -70,7 +81,6 @@ class Results:
     table_4: dict[str, dict[str, Runs]]
     """By method and shot."""
     limits: Limits
-    operations: float | None
     errors: dict[str, dict[str, Errors]]
 
 
@@ -131,12 +141,18 @@ def run(settings: Settings) -> Results:
 
     field = contenders()
     rates: dict[str, dict[str, Rates]] = {}
-    contacts: dict[str, float] = {}
+    work: dict[str, Work] = {}
     for workload in WORKLOADS:
         say(f"{workload.key} {workload.label}")
         size = workload.size // settings.share
         rates[workload.key] = rounds(field, workload, size, settings.rounds, settings.budget)
-        contacts[workload.key] = float(hoopgen.simulate(workload.make(size)).contacts.mean())
+        states = workload.make(size)
+        shots = hoopgen.simulate(states, parameters=PAPER)
+        work[workload.key] = Work(
+            float(shots.contacts.mean()),
+            float(shots.uncertain.mean()),
+            operations(states[: settings.judged]),
+        )
     say("errors")
     medians = {
         workload: {key: rate.spread.median for key, rate in of_all.items()}
@@ -152,12 +168,11 @@ def run(settings: Settings) -> Results:
     return Results(
         facts(),
         rates,
-        contacts,
+        work,
         flatness,
         single,
         first,
         table_4,
         limits(settings.repeats),
-        operations_a_segment(),
         wrong,
     )

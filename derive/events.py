@@ -11,9 +11,10 @@ proves that there is none, and near a simple root the steps converge quadratical
 margin m in the parabola the same holds for the true F, of which only rounded values are known; the
 search ends where F <= 2 m, a distance that every step still makes headway in.
 
-It may end earlier. Where the slope r = -F' - m' fulfils r² > 2^8 C (F + 2 m) with |F''| <= C, one
-root follows and is simple (Kantorovich, with h = C F / r² < 2^-8), and three steps of Newton's
-method reach it to 2^-56 of the first of them.
+It may end earlier. Where the slope r = -F' - m' fulfils r² > 8 C (2^5 (F - m) + m) with |F''| <= C,
+one root follows and is simple, also of the true F (Kantorovich, with h = C F / r²). Three steps of
+Newton's method reach it: F > 2 m means h < 2^-7, and the steps end within 2^-48 of the first of
+them; F <= 2 m means that the first is within the root's own error.
 """
 
 from __future__ import annotations
@@ -216,7 +217,7 @@ class Approach(ABC):
             "rate": self.rate,
             "bend": self.bend,
             "step": smallest(width, step),
-            "clearance": slope**2 - 2**8 * ceiling * hold(low_gap + 3 * margin),
+            "clearance": slope**2 - 8 * ceiling * hold(2**5 * low_gap + margin),
         }
 
 

@@ -19,7 +19,7 @@ from .impact import impact
 from .surfaces import Surface
 from .symbols import POSITION, UNIT_ROUNDOFF, normal, position, spin, t, velocity
 
-GUARD = 16
+GUARD = 8
 """Bounds are this many times the carried errors; `make exactness` holds them against the judge."""
 
 dx = sp.symbols("dx dy dz", real=True)
@@ -78,7 +78,7 @@ def carried_to_contact(gravity: sp.Expr) -> dict[str, sp.Expr]:
     shifts = []
     for k, (error, drift) in enumerate(zip(dx, dv, strict=True)):
         flown = 2 * size(velocity[k]) * t + (gravity * t**2 if k == 2 else 0)
-        rounding = 4 * UNIT_ROUNDOFF * hold(size(position[k]) + flown)
+        rounding = UNIT_ROUNDOFF * hold(size(position[k]) + flown)
         shifts.append(hold(_away(hold(error + drift * t), rounding)))
     shift = sp.Matrix(shifts)
     delay = hold(-shift.dot(normal) / hold(velocity.dot(normal)))
@@ -106,7 +106,7 @@ def carried_through_impact(ball_radius: sp.Expr, restitution: sp.Expr) -> dict[s
     for names, vector, scale in ((dv, after[0], speed), (dw, after[1], speed / ball_radius)):
         for name, component in zip(names, vector, strict=True):
             change = hold(directional(component, tangents))
-            outputs[str(name)] = _away(change, 4 * UNIT_ROUNDOFF * scale)
+            outputs[str(name)] = _away(change, 2 * UNIT_ROUNDOFF * scale)
     return outputs
 
 

@@ -17,6 +17,7 @@ import hoopgen  # noqa: E402
 from benchmarks import peers, workloads  # noqa: E402
 from benchmarks.contenders import contenders  # noqa: E402
 from benchmarks.errors import judge  # noqa: E402
+from benchmarks.operations import operations  # noqa: E402
 from benchmarks.peers import native, python  # noqa: E402
 from benchmarks.run import Settings  # noqa: E402
 from benchmarks.timing import Rates, Spread, rounds  # noqa: E402
@@ -144,3 +145,10 @@ def test_rounds_time_every_contender_every_time() -> None:
 
 def test_ratios_are_taken_round_by_round() -> None:
     assert Rates(1, (2.0, 8.0, 6.0)).over(Rates(1, (1.0, 2.0, 6.0))) == Spread(2.0, 1.5, 3.0)
+
+
+def test_operations_grow_with_the_contacts() -> None:
+    swish, swirl = (operations(w.make(50)) for w in workloads.WORKLOADS[::3])
+    assert swish is not None
+    assert swirl is not None
+    assert 50 < swish < swirl / 10

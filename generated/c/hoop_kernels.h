@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation d1a47607a3d1f065,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 7f86af7c4406ff74,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -151,13 +151,13 @@ LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz,
 {
     const V s0 = dx + (dvx * t);
     const V s1 = K(2.0) * t;
-    const V s2 = K(4.440892098500626e-16) * ((s1 * lanes_abs(vx)) + lanes_abs(x));
+    const V s2 = K(1.1102230246251565e-16) * ((s1 * lanes_abs(vx)) + lanes_abs(x));
     const V s3 = s0 + lanes_select((s0 < K(0.0)), (-s2), s2);
     const V s4 = dy + (dvy * t);
-    const V s5 = K(4.440892098500626e-16) * ((s1 * lanes_abs(vy)) + lanes_abs(y));
+    const V s5 = K(1.1102230246251565e-16) * ((s1 * lanes_abs(vy)) + lanes_abs(y));
     const V s6 = s4 + lanes_select((s4 < K(0.0)), (-s5), s5);
     const V s7 = dz + (dvz * t);
-    const V s8 = K(4.440892098500626e-16) * (((gravity * (t * t)) + (s1 * lanes_abs(vz))) + lanes_abs(z));
+    const V s8 = K(1.1102230246251565e-16) * (((gravity * (t * t)) + (s1 * lanes_abs(vz))) + lanes_abs(z));
     const V s9 = s7 + lanes_select((s7 < K(0.0)), (-s8), s8);
     const V s10 = (-(((nx * s3) + (ny * s6)) + (nz * s9))) / (((nx * vx) + (ny * vy)) + (nz * vz));
     return (LANES(hoop_carry_flight_out)){ (vx * s10) + s3, (vy * s10) + s6, (vz * s10) + s9, dvx, dvy, dvz - (gravity * s10), lanes_abs(s10) + (K(4.440892098500626e-16) * (clock + t)) };
@@ -178,7 +178,7 @@ LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V
     const V s3 = (s0 * ((((dnz * wy) + (dwy * nz)) - (dny * wz)) - (dwz * ny))) + (K(0.6) * ((dvx - (dnx * s1)) - (nx * s2)));
     const V s4 = (s3 - ((dnx * restitution) * s1)) - ((nx * restitution) * s2);
     const V s5 = ((ball_radius * ((lanes_abs(wx) + lanes_abs(wy)) + lanes_abs(wz))) + lanes_abs(vx)) + lanes_abs(vy);
-    const V s6 = K(4.440892098500626e-16) * (s5 + lanes_abs(vz));
+    const V s6 = K(2.220446049250313e-16) * (s5 + lanes_abs(vz));
     const V s7 = -s6;
     const V s8 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (K(0.6) * ((dvy - (dny * s1)) - (ny * s2)));
     const V s9 = (s8 - ((dny * restitution) * s1)) - ((ny * restitution) * s2);
@@ -219,7 +219,7 @@ LANES(hoop_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V
     const V s9 = lanes_abs(dwy);
     const V s10 = lanes_select((s8 < s9), s9, s8);
     const V s11 = lanes_abs(dwz);
-    return (LANES(hoop_error_bounds_out)){ K(16.0) * lanes_select((s2 < s3), s3, s2), K(16.0) * lanes_select((s6 < s7), s7, s6), K(16.0) * lanes_select((s10 < s11), s11, s10), K(16.0) * clock_error };
+    return (LANES(hoop_error_bounds_out)){ K(8.0) * lanes_select((s2 < s3), s3, s2), K(8.0) * lanes_select((s6 < s7), s7, s6), K(8.0) * lanes_select((s10 < s11), s11, s10), K(8.0) * clock_error };
 }
 
 /* 1 where parameters are allowed and the ball overlaps no surface, else 0.
@@ -551,7 +551,7 @@ LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceili
     const V s36 = ((K(2.0) * s34) * s21) + s35;
     const V s37 = lanes_sqrt(s36);
     const V s38 = lanes_select((K(0.0) <= s36), (lanes_select(s23, s24, (s19 + s37)) / lanes_select(s23, (s37 - s19), lanes_select((s34 < K(0.0)), K(0.0), s34))), K(INFINITY));
-    return (LANES(hoop_ring_advance_out)){ s10, s14, (steady - s16) - s17, lanes_select((s38 < s27), s38, s27), s35 - ((K(256.0) * ceiling) * ((K(3.0) * margin) + s21)) };
+    return (LANES(hoop_ring_advance_out)){ s10, s14, (steady - s16) - s17, lanes_select((s38 < s27), s38, s27), s35 - ((K(8.0) * ceiling) * (margin + (K(32.0) * s21))) };
 }
 
 /* Coefficients in time of the event polynomial, constant first.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation d1a47607a3d1f065,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 7f86af7c4406ff74,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -200,13 +200,13 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     """
     s0 = dx + (dvx * t)
     s1 = 2.0 * t
-    s2 = 4.440892098500626e-16 * ((s1 * absolute(vx)) + absolute(x))
+    s2 = 1.1102230246251565e-16 * ((s1 * absolute(vx)) + absolute(x))
     s3 = s0 + where((s0 < 0.0), (-s2), s2)
     s4 = dy + (dvy * t)
-    s5 = 4.440892098500626e-16 * ((s1 * absolute(vy)) + absolute(y))
+    s5 = 1.1102230246251565e-16 * ((s1 * absolute(vy)) + absolute(y))
     s6 = s4 + where((s4 < 0.0), (-s5), s5)
     s7 = dz + (dvz * t)
-    s8 = 4.440892098500626e-16 * (((gravity * (t * t)) + (s1 * absolute(vz))) + absolute(z))
+    s8 = 1.1102230246251565e-16 * (((gravity * (t * t)) + (s1 * absolute(vz))) + absolute(z))
     s9 = s7 + where((s7 < 0.0), (-s8), s8)
     s10 = (-(((nx * s3) + (ny * s6)) + (nz * s9))) / (((nx * vx) + (ny * vy)) + (nz * vz))
     return (vx * s10) + s3, (vy * s10) + s6, (vz * s10) + s9, dvx, dvy, dvz - (gravity * s10), absolute(s10) + (4.440892098500626e-16 * (clock + t))
@@ -224,7 +224,7 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
     s3 = (s0 * ((((dnz * wy) + (dwy * nz)) - (dny * wz)) - (dwz * ny))) + (0.6 * ((dvx - (dnx * s1)) - (nx * s2)))
     s4 = (s3 - ((dnx * restitution) * s1)) - ((nx * restitution) * s2)
     s5 = ((ball_radius * ((absolute(wx) + absolute(wy)) + absolute(wz))) + absolute(vx)) + absolute(vy)
-    s6 = 4.440892098500626e-16 * (s5 + absolute(vz))
+    s6 = 2.220446049250313e-16 * (s5 + absolute(vz))
     s7 = -s6
     s8 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (0.6 * ((dvy - (dny * s1)) - (ny * s2)))
     s9 = (s8 - ((dny * restitution) * s1)) - ((ny * restitution) * s2)
@@ -262,7 +262,7 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
     s9 = absolute(dwy)
     s10 = where((s8 < s9), s9, s8)
     s11 = absolute(dwz)
-    return 16.0 * where((s2 < s3), s3, s2), 16.0 * where((s6 < s7), s7, s6), 16.0 * where((s10 < s11), s11, s10), 16.0 * clock_error
+    return 8.0 * where((s2 < s3), s3, s2), 8.0 * where((s6 < s7), s7, s6), 8.0 * where((s10 < s11), s11, s10), 8.0 * clock_error
 
 
 def valid(x: Any, y: Any, z: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, restitution: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
@@ -564,7 +564,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     s36 = ((2.0 * s34) * s21) + s35
     s37 = sqrt(s36)
     s38 = where((0.0 <= s36), (where(s23, s24, (s19 + s37)) / where(s23, (s37 - s19), where((s34 < 0.0), 0.0, s34))), inf)
-    return s10, s14, (steady - s16) - s17, where((s38 < s27), s38, s27), s35 - ((256.0 * ceiling) * ((3.0 * margin) + s21))
+    return s10, s14, (steady - s16) - s17, where((s38 < s27), s38, s27), s35 - ((8.0 * ceiling) * (margin + (32.0 * s21)))
 
 
 def backboard_coefficients(x: Any, vx: Any, ball_radius: Any, board_distance: Any) -> tuple[Any, ...]:

@@ -1,0 +1,222 @@
+"""The formulas of derive/, made ready for ball arithmetic.
+
+SymPy expressions become straight-line Python that works on whatever numbers it is given, here
+Arb's balls. Nothing is reordered or simplified, and a rational number is never rounded.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+import sympy as sp
+
+from hoopgen.derive.choice import Held
+from hoopgen.derive.events import event_coefficients
+from hoopgen.derive.flight import flight
+from hoopgen.derive.impact import impact
+from hoopgen.derive.scene import Scene
+from hoopgen.derive.scenes import HOOP
+from hoopgen.derive.surfaces import Plane, Surface
+from hoopgen.derive.symbols import NORMAL, POSITION, SPIN, VELOCITY, normal, spin, t, velocity
+
+Function = Callable[..., list[Any]]
+
+_MOTION = (*VELOCITY, *SPIN)
+
+
+def compiled(expressions: Sequence[sp.Expr], *arguments: Sequence[sp.Symbol]) -> Function:
+    """Return a Python function from sequences of numbers to the list of the expressions' values.
+
+    Parameters
+    ----------
+    expressions
+        Sums, products, powers by whole and half numbers, absolute values.
+    arguments
+        The symbols of each argument, in the order of its items.
+
+    Raises
+    ------
+    TypeError
+        If an expression holds anything else.
+    """
+    writer = _Writer()
+    for place, symbols in enumerate(arguments):
+        for item, symbol in enumerate(symbols):
+            writer.names[symbol] = f"a{place}[{item}]"
+    results = [writer.write(sp.sympify(expression)) for expression in expressions]
+    head = f"def function({', '.join(f'a{place}' for place in range(len(arguments)))}):"
+    source = "\n    ".join([head, *writer.lines, f"return [{', '.join(results)}]"])
+    namespace: dict[str, Any] = {}
+    exec(source, namespace)  # noqa: S102 - the source is made above, from derive/ alone
+    made: Function = namespace["function"]
+    return made
+
+
+class _Writer:
+    """Writes each subexpression once, as an assignment."""
+
+    def __init__(self) -> None:
+        self.names: dict[sp.Expr, str] = {}
+        self.lines: list[str] = []
+
+    def write(self, expression: sp.Expr) -> str:
+        """Return the name of the expression's value, writing it if it is new."""
+        if expression not in self.names:
+            if isinstance(expression, Held):
+                return self.write(expression.args[0])
+            formula = self._formula(expression)
+            if expression.is_Integer:
+                return formula
+            name = f"v{len(self.lines)}"
+            self.lines.append(f"{name} = {formula}")
+            self.names[expression] = name
+        return self.names[expression]
+
+    def _formula(self, expression: sp.Expr) -> str:
+        if expression.is_Integer:
+            return f"({int(expression)})"
+        if expression.is_Add:
+            return " + ".join(self.write(term) for term in expression.args)
+        if expression.is_Mul:
+            return self._product(expression)
+        if expression.is_Pow and expression.exp.is_Rational:
+            return self._power(expression.base, expression.exp)
+        if isinstance(expression, sp.Abs):
+            return f"abs({self.write(expression.args[0])})"
+        raise TypeError(f"no ball arithmetic for {expression}")
+
+    def _product(self, expression: sp.Expr) -> str:
+        number, factors = expression.as_coeff_mul()
+        if not number.is_Rational:
+            raise TypeError(f"no ball arithmetic for {number}")
+        parts = [self.write(factor) for factor in factors]
+        if number == -1:
+            return f"-({' * '.join(parts)})"
+        product = " * ".join(([f"({number.p})"] if number.p != 1 else []) + parts)
+        return product if number.q == 1 else f"({product}) / {number.q}"
+
+    def _power(self, base: sp.Expr, exponent: sp.Rational) -> str:
+        if exponent < 0:
+            return f"1 / {self.write(base**-exponent)}"
+        name = self.write(base)
+        if exponent.q == 2:
+            name = self._assign(f"{name}.sqrt()")
+        elif exponent.q != 1:
+            raise TypeError(f"no ball arithmetic for the power {exponent}")
+        return " * ".join([name] * exponent.p)
+
+    def _assign(self, formula: str) -> str:
+        name = f"v{len(self.lines)}"
+        self.lines.append(f"{name} = {formula}")
+        return name
+
+
+@dataclass(frozen=True)
+class SurfaceFormulas:
+    """What the judge needs of one surface; each function takes (state, parameters).
+
+    Attributes
+    ----------
+    name
+        As in derive/.
+    coefficients
+        Of the event polynomial along the flight, constant first.
+    bounds
+        The g of Eq. 2.
+    normal
+        n3 at the state's position.
+    inside
+        Expressions that are all negative exactly when the ball overlaps the body.
+    distance
+        Signed distance, as a list of one.
+    axis, offset
+        Of a plane: the coordinate that its normal points along, and that coordinate at contact,
+        as a list of one, from the parameters alone. For any other surface the axis is -1.
+    """
+
+    name: str
+    coefficients: Function
+    bounds: Function
+    normal: Function
+    inside: Function
+    distance: Function
+    axis: int
+    offset: Function
+
+
+@dataclass(frozen=True)
+class Formulas:
+    """What the judge needs of a scene.
+
+    Attributes
+    ----------
+    surfaces
+        What can be touched, then the finish.
+    flight
+        (state, parameters, (time,)) to position and velocity.
+    impact
+        (state, parameters, normal) to velocity and spin.
+    target
+        (state, parameters): not positive where made.
+    requirements
+        (parameters,): each must be positive.
+    names, signs, uppers
+        Of the parameters, in order: name, allowed sign, largest value or None.
+    restitution
+        The parameter's place.
+    """
+
+    surfaces: tuple[SurfaceFormulas, ...]
+    flight: Function
+    impact: Function
+    target: Function
+    requirements: Function
+    names: tuple[str, ...]
+    signs: tuple[str, ...]
+    uppers: tuple[float | None, ...]
+    restitution: int
+
+
+def _surface(surface: Surface, scene: Scene) -> SurfaceFormulas:
+    place, motion = (*POSITION, *VELOCITY), scene.symbols
+    axis, offset = -1, sp.Integer(0)
+    if isinstance(surface, Plane):
+        axis = next(k for k, component in enumerate(surface.direction) if component)
+        offset = surface.offset * surface.direction[axis]  # its square is 1
+
+    def by_state(expressions: Sequence[sp.Expr]) -> Function:
+        return compiled(expressions, place, motion)
+
+    return SurfaceFormulas(
+        surface.name,
+        by_state(event_coefficients(surface, scene.gravity)),
+        by_state(surface.bounds),
+        by_state(list(surface.normal)),
+        by_state(surface.inside),
+        by_state([surface.distance]),
+        axis,
+        compiled([offset], motion),
+    )
+
+
+@cache
+def formulas(scene: Scene = HOOP) -> Formulas:
+    """Return the scene's formulas, compiled once."""
+    state = (*POSITION, *VELOCITY, *SPIN)
+    parameters = scene.symbols
+    after = impact(normal, velocity, spin, scene.ball_radius, scene.restitution)
+    there = flight(scene.gravity)
+    return Formulas(
+        tuple(_surface(surface, scene) for surface in (*scene.surfaces, scene.finish)),
+        compiled([e for vector in there for e in vector], state, parameters, (t,)),
+        compiled([e for vector in after for e in vector], state, parameters, NORMAL),
+        compiled([scene.target], state, parameters),
+        compiled(scene.requirements, parameters),
+        tuple(p.symbol.name for p in scene.parameters),
+        tuple(p.sign for p in scene.parameters),
+        tuple(p.upper for p in scene.parameters),
+        parameters.index(scene.restitution),
+    )

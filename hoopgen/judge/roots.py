@@ -1,0 +1,141 @@
+"""The first root of a polynomial known as balls, proved.
+
+Boxes of time are taken from the left. Descartes' rule of signs, through the map that takes the
+box to (0, oo), proves that there is no root in a box, or exactly one; else the box is split. The
+one root is then enclosed by Newton's method in intervals. No answer is guessed: where the signs of
+balls stay unknown, the answer is "maybe, from here on".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from flint import arb, arb_poly, ctx
+
+_SPLIT = 0.48828125
+"""Where a box is split: no root of a plain shot falls just there, as it would on the middle."""
+
+_MAP = arb_poly([1, 1])
+
+
+@dataclass(frozen=True)
+class Arrival:
+    """A time at which there is an arrival; or, if not certain, may be one, then or later."""
+
+    time: arb
+    certain: bool
+
+
+def sign(ball: arb) -> int | None:
+    """Return 1, 0 or -1, or None where the ball does not tell."""
+    if ball > 0:
+        return 1
+    if ball < 0:
+        return -1
+    return 0 if ball.is_zero() else None
+
+
+def root_bound(coefficients: Sequence[arb]) -> arb | None:
+    """Return Fujiwara's bound on the size of all roots; None if the degree is not certain."""
+    leading = coefficients[-1]
+    if not (leading > 0 or leading < 0):
+        return None
+    degree = len(coefficients) - 1
+    largest = arb(0)
+    for k, coefficient in enumerate(coefficients[:-1]):
+        largest = largest.max(abs(coefficient / leading).root(degree - k))
+    return (2 * largest + 1).upper()
+
+
+def first_arrival(coefficients: Sequence[arb], end: arb) -> Arrival | None:
+    """Return the first root in (0, end) of a polynomial that is certainly positive at 0.
+
+    There it goes from positive to negative. None is a proof that there is no root.
+    """
+    polynomial = arb_poly(coefficients)
+    degree = len(coefficients) - 1
+    narrowest = end * arb(2) ** -(ctx.prec // 2)
+    boxes = [(arb(0), end)]
+    while boxes:
+        low, high = boxes.pop()
+        fewest, most = _variations(polynomial, degree, low, high - low)
+        if most == 0:
+            continue
+        if fewest == most == 1:
+            return _enclosed(polynomial, low, high)
+        if high - low < narrowest:
+            return Arrival(low, False)
+        split = (low + (high - low) * _SPLIT).mid()
+        boxes += [(split, high), (low, split)]
+    return None
+
+
+def _variations(polynomial: arb_poly, degree: int, low: arb, width: arb) -> tuple[int, int]:
+    """Return the fewest and the most sign changes of the polynomial mapped from the box.
+
+    No root lies in the open box if there is none, exactly one if there is exactly one.
+    """
+    local = polynomial(arb_poly([low, width])).coeffs()
+    local += [arb(0)] * (degree + 1 - len(local))
+    mapped = arb_poly(local[::-1])(_MAP).coeffs()
+    fewest = most = 0
+    last = 1  # the polynomial at the left end, positive up to the first root
+    unknown = False
+    # The constant of the mapped polynomial is the value at the box's right end.
+    for coefficient in reversed(mapped):
+        if coefficient > 0:
+            now = 1
+        elif coefficient < 0:
+            now = -1
+        else:
+            unknown = unknown or not coefficient.is_zero()
+            continue
+        if now != last:
+            fewest += 1
+            most += 1
+        elif unknown:
+            most += 2
+        last, unknown = now, False
+    return fewest, most + unknown
+
+
+def _enclosed(polynomial: arb_poly, low: arb, high: arb) -> Arrival:
+    """Enclose the only root in the box; what cannot be enclosed is not certain."""
+    slope = polynomial.derivative()
+    middle = _approximate(polynomial, slope, low, high)
+    residue = polynomial(middle)
+    step = residue / slope(middle)
+    if step.is_finite():
+        room = middle + arb(0, (2 * step.abs_upper()) + arb(2) ** -(2 * ctx.prec))
+        enclosure = middle - residue / slope(room)
+        if enclosure.is_finite() and room.contains(enclosure) and low <= room and room <= high:
+            return Arrival(enclosure, True)
+    return Arrival(low, False)
+
+
+def _approximate(polynomial: arb_poly, slope: arb_poly, low: arb, high: arb) -> arb:
+    """Return a number near the root: bisection, then Newton's steps from inside the box."""
+    for _ in range(8):
+        middle = ((low + high) / 2).mid()
+        if polynomial(middle) > 0:
+            low = middle
+        else:
+            high = middle
+    middle = ((low + high) / 2).mid()
+    last = None
+    for _ in range(4 * ctx.prec):
+        step = (polynomial(middle) / slope(middle)).mid()
+        there = (middle - step).mid()
+        if not (low <= there and there <= high):
+            there = ((low + high) / 2).mid()
+            step = there - middle
+        if polynomial(there) > 0:
+            low = there
+        else:
+            high = there
+        middle, size = there, abs(step)
+        if size.is_zero() or (last is not None and size >= last / 2 and size < last.max(1) * arb(2) ** -(ctx.prec // 2)):
+            break
+        last = size
+    return middle

@@ -1,0 +1,152 @@
+"""Compiling C for tests: with the flags of setup.py, and kernels as functions of arrays."""
+
+from __future__ import annotations
+
+import ast
+import ctypes
+import os
+import shutil
+import subprocess
+import sysconfig
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from hoopgen.derive.kernel import Kernel
+
+ROOT = Path(__file__).resolve().parents[1]
+COMPILER = (os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc").split()
+WARNINGS = ("-Wall", "-Wextra", "-Wconversion", "-Werror")
+WIDTHS = (1, 2, 4, 8)
+"""Of the kernels; GCC and Clang make vectors of any width out of what the processor has."""
+
+needs_compiler = pytest.mark.skipif(
+    os.name != "posix" or shutil.which(COMPILER[0]) is None, reason="no C compiler"
+)
+
+Floats = NDArray[np.float64]
+
+_HEAD = """\
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+#define LANES_PASTE_(name, width) name##_w##width
+#define LANES_PASTE(name, width) LANES_PASTE_(name, width)
+#define LANES(name) LANES_PASTE(name, LANES_WIDTH)
+#define LANES_INLINE static inline
+"""
+
+_FUNCTION = """
+void run_{name}(size_t rows, const double *const *in, double *const *out)
+{{
+    (void)in;
+    for (size_t row = 0; row < rows; row += LANES_WIDTH) {{
+        const LANES({scene}_{name}_out) o = LANES({scene}_{name})({arguments});
+{stores}
+    }}
+}}
+"""
+
+
+def setup_flags() -> list[str]:
+    """Return the compiler flags of setup.py, which does not run here."""
+    for statement in ast.parse((ROOT / "setup.py").read_text(encoding="utf-8")).body:
+        if isinstance(statement, ast.Assign) and ast.unparse(statement.targets[0]) == "UNIX_FLAGS":
+            return list(ast.literal_eval(statement.value))
+    raise LookupError("setup.py: no UNIX_FLAGS")
+
+
+def compiles(*arguments: str | Path) -> None:
+    """Run the compiler; fail with what it says."""
+    result = subprocess.run(
+        [*COMPILER, *arguments], capture_output=True, text=True, check=False, timeout=300
+    )
+    assert result.returncode == 0, result.stderr
+
+
+def shared_library(source: Path, *flags: str) -> Path:
+    """Compile a C file to a shared library beside it."""
+    library = source.with_suffix(".so")
+    compiles(*setup_flags(), *flags, "-shared", "-fPIC", source, "-o", library, "-lm")
+    return library
+
+
+def macros(scene: str) -> str:
+    """Return what the generated engine of a scene defines before it includes the kernels."""
+    engine = (ROOT / f"generated/c/{scene}_engine.h").read_text(encoding="utf-8")
+    head, found, _ = engine.partition(f'#include "{scene}_kernels.h"')
+    assert found
+    return head
+
+
+class CKernels:
+    """The kernels of a generated header, as functions of arrays.
+
+    Parameters
+    ----------
+    header
+        The text of the header.
+    kernels
+        What is in it.
+    scene
+        What its names begin with.
+    folder
+        Where to compile.
+    width
+        Vector lanes.
+    """
+
+    def __init__(
+        self, header: str, kernels: Iterable[Kernel], scene: str, folder: Path, width: int = 1
+    ) -> None:
+        self._kernels = {kernel.name: kernel for kernel in kernels}
+        self._width = width
+        (folder / f"kernels_w{width}.h").write_text(header, encoding="utf-8")
+        source = folder / f"kernels_w{width}.c"
+        parts = [_HEAD, f"#define LANES_WIDTH {width}\n", macros("hoop")]
+        parts += [f'#include "kernels_w{width}.h"\n']
+        parts += [self._function(kernel, scene) for kernel in self._kernels.values()]
+        source.write_text("".join(parts), encoding="utf-8")
+        # Vectors wider than the processor's go through memory: an ABI of this library's own.
+        self._library = ctypes.CDLL(str(shared_library(source, "-O1", "-Wno-psabi")))
+
+    @staticmethod
+    def _function(kernel: Kernel, scene: str) -> str:
+        arguments = (f"lanes_load(in[{i}] + row)" for i in range(len(kernel.arguments)))
+        stores = (
+            f"        lanes_store(out[{i}] + row, o.{name});"
+            for i, name in enumerate(kernel.output_names)
+        )
+        return _FUNCTION.format(
+            name=kernel.name,
+            scene=scene,
+            arguments=", ".join(arguments),
+            stores="\n".join(stores),
+        )
+
+    def __call__(self, name: str, columns: Sequence[Floats], rows: int) -> list[Floats]:
+        """Evaluate a kernel for every row of its arguments' columns."""
+        padded = -rows % self._width
+        into = [np.concatenate([column, np.ones(padded)]) for column in columns]
+        out = [np.empty(rows + padded) for _ in self._kernels[name].outputs]
+        getattr(self._library, f"run_{name}")(
+            ctypes.c_size_t(rows + padded), _pointers(into), _pointers(out)
+        )
+        return [column[:rows] for column in out]
+
+
+def _pointers(columns: Sequence[Floats]) -> ctypes.Array[ctypes.c_void_p]:
+    return (ctypes.c_void_p * len(columns))(*(column.ctypes.data for column in columns))
+
+
+def same_bits(left: object, right: object) -> NDArray[np.bool_]:
+    """Return where two arrays are the same double: a zero keeps its sign, a NaN is any NaN.
+
+    IEEE 754 leaves the sign and payload of a NaN open, and compilers swap operands.
+    """
+    a, b = (np.asarray(side, dtype=np.float64) for side in (left, right))
+    return (a.view(np.int64) == b.view(np.int64)) | (np.isnan(a) & np.isnan(b))

@@ -1,0 +1,327 @@
+"""Every generated kernel against its expressions at 50 digits, and NumPy against C, bit for bit."""
+
+from __future__ import annotations
+
+import inspect
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from compiled import ROOT, WIDTHS, CKernels, Floats, needs_compiler, same_bits
+from mpmath import mp, mpf
+
+from hoopgen.derive.choice import Held, IfAtMost, IfLess, release
+from hoopgen.derive.kernel import Kernel
+from hoopgen.derive.model import Model, build
+from hoopgen.derive.scenes.hoop import HOOP
+from hoopgen.generated.numpy import hoop
+
+# One worker: the derivation takes a few seconds.
+pytestmark = pytest.mark.xdist_group("kernels")
+
+DIGITS = 50
+UNIT_ROUNDOFF = mpf(2) ** -53
+NAMES = tuple(hoop.OUTPUTS)
+ROWS = 40
+"""States at which kernels are compared with 50 digits."""
+
+EXTREMES = [0.0, -0.0, 5e-324, -5e-324, 2.5e-308, 1e-150, -1e-150, 1e150, -1e150]
+EXTREMES += [1.7e308, -1.7e308, np.inf, -np.inf, np.nan, 1.0, -1.0, 0.1, -3.0, 1 + 2.0**-52]
+
+
+# The evaluation at 50 digits
+
+
+@dataclass(frozen=True)
+class Exactly:
+    """A value, and how far any evaluation in doubles can be from it.
+
+    The bound is the running error: each operation adds one relative rounding of at most u = 2^-53
+    to what its operands carry, and a sum of n terms, in any order, at most (1 + u)^(n-1) - 1 of the
+    sum of the terms' sizes. It holds for every program that computes the expression as written,
+    without underflow; a choice that the errors of its sides could turn is bounded by both its
+    branches. Infinite: nothing is known.
+    """
+
+    value: mpf
+    error: mpf = field(default_factory=lambda: mpf(0))
+
+    @property
+    def size(self) -> mpf:
+        """The largest magnitude that the computed value can have."""
+        return abs(self.value) + self.error
+
+    @property
+    def least(self) -> mpf:
+        """The smallest."""
+        return max(abs(self.value) - self.error, mpf(0))
+
+
+class Evaluator:
+    """Evaluates SymPy expressions as they stand, each shared part once.
+
+    Parameters
+    ----------
+    inputs
+        Value of each symbol, by name.
+    """
+
+    def __init__(self, inputs: Mapping[str, float]) -> None:
+        self._inputs = inputs
+        self._known: dict[sp.Basic, Exactly] = {}
+
+    def __call__(self, expression: sp.Basic) -> Exactly:
+        """Return value and error bound of an expression."""
+        if expression not in self._known:
+            self._known[expression] = self._evaluate(expression)
+        return self._known[expression]
+
+    def _evaluate(self, e: sp.Basic) -> Exactly:
+        if e.is_Symbol:
+            return Exactly(mpf(float(self._inputs[e.name])))
+        if e.is_Number:
+            return _number(e)
+        if isinstance(e, Held):
+            return self(e.args[0])
+        if isinstance(e, sp.Abs):
+            inner = self(e.args[0])
+            return Exactly(abs(inner.value), inner.error)
+        if e.is_Pow:
+            return _power(self(e.base), Fraction(int(e.exp.p), int(e.exp.q)))
+        parts = [self(argument) for argument in e.args]
+        if e.is_Add:
+            return _sum(parts)
+        if e.is_Mul:
+            return _product(parts)
+        if isinstance(e, IfLess | IfAtMost):
+            return _choice(isinstance(e, IfLess), *parts)
+        raise TypeError(type(e).__name__)
+
+
+def _number(e: sp.Number) -> Exactly:
+    if not e.is_finite:
+        return Exactly(mp.inf if e > 0 else -mp.inf)
+    value = Fraction(int(e.p), int(e.q))
+    exact = mpf(value.numerator) / value.denominator
+    return Exactly(exact, mpf(0) if Fraction(float(value)) == value else UNIT_ROUNDOFF * abs(exact))
+
+
+def _finite(*parts: Exactly) -> bool:
+    return all(mp.isfinite(part.value) for part in parts)
+
+
+def _sum(parts: list[Exactly]) -> Exactly:
+    value = mp.fsum(part.value for part in parts)
+    if not _finite(*parts):
+        return Exactly(value)
+    grown = (1 + UNIT_ROUNDOFF) ** (len(parts) - 1) - 1
+    return Exactly(value, sum(p.error for p in parts) + grown * sum(p.size for p in parts))
+
+
+def _product(parts: list[Exactly]) -> Exactly:
+    value = mp.fprod(part.value for part in parts)
+    if not _finite(*parts):
+        return Exactly(value)
+    grown = (1 + UNIT_ROUNDOFF) ** (len(parts) - 1)
+    return Exactly(value, grown * mp.fprod(part.size for part in parts) - abs(value))
+
+
+def _power(base: Exactly, exponent: Fraction) -> Exactly:
+    half = exponent.denominator == 2
+    if half and base.value < 0:
+        return Exactly(mp.nan, mpf(0) if base.error < -base.value else mp.inf)
+    if exponent < 0 and base.value == 0:
+        return Exactly(mp.inf, mpf(0) if base.error == 0 else mp.inf)
+    value = base.value ** (mpf(exponent.numerator) / exponent.denominator)
+    if not _finite(base):
+        return Exactly(value)
+    if base.error > 0 and base.least == 0 and (half or exponent < 0):
+        return Exactly(value, mp.inf)
+    # Products, one root, one division: the exponent's size bounds what they multiply u by.
+    grown = (1 + UNIT_ROUNDOFF) ** (abs(exponent) // 1 + half + (exponent < 0))
+    power = mpf(exponent.numerator) / exponent.denominator
+    ends = base.size**power, (base.least**power if base.least or power > 0 else mpf(0))
+    upper, lower = max(ends) * grown, min(ends) / grown
+    turned = base.error > abs(base.value) and exponent.numerator % 2 == 1
+    lower = -upper if turned else lower
+    return Exactly(value, max(upper - abs(value), abs(value) - lower))
+
+
+def _choice(strict: bool, left: Exactly, right: Exactly, then: Exactly, other: Exactly) -> Exactly:
+    if mp.isnan(left.value) or mp.isnan(right.value):
+        unsure = left.error + right.error > 0
+        holds = False
+    else:
+        holds = left.value < right.value if strict else left.value <= right.value
+        apart = mpf(0) if left.value == right.value else abs(left.value - right.value)
+        unsure = left.error + right.error > 0 and apart <= left.error + right.error
+    chosen, left_out = (then, other) if holds else (other, then)
+    if not unsure or chosen == left_out:
+        return chosen
+    if not _finite(chosen, left_out):
+        return Exactly(chosen.value, mp.inf)
+    reach = abs(chosen.value - left_out.value) + left_out.error
+    return Exactly(chosen.value, max(chosen.error, reach))
+
+
+# The kernels, and where they are evaluated
+
+
+@cache
+def model() -> Model:
+    """Return the hoop's kernels, derived anew."""
+    return build(HOOP)
+
+
+def derived(name: str) -> Kernel:
+    """Return a kernel by name."""
+    return next(kernel for kernel in model().kernels if kernel.name == name)
+
+
+def evaluate_numpy(name: str, columns: Mapping[str, Floats], rows: int) -> list[Floats]:
+    """Return the outputs of a generated NumPy kernel, each of shape (rows,)."""
+    function = getattr(hoop, name)
+    with np.errstate(all="ignore"):
+        outputs = function(*(columns[argument] for argument in arguments(function)))
+    return [np.broadcast_to(np.asarray(o, np.float64), (rows,)) for o in outputs]
+
+
+def arguments(function: Callable[..., Any]) -> list[str]:
+    """Return the names of a kernel's arguments."""
+    return list(inspect.signature(function).parameters)
+
+
+def all_arguments() -> list[str]:
+    """Return the names of all kernels' arguments."""
+    return list(dict.fromkeys(a for name in NAMES for a in arguments(getattr(hoop, name))))
+
+
+def random_columns(seed: int, rows: int) -> dict[str, Floats]:
+    """Return a column for every argument of any kernel: flights about a hoop of any make.
+
+    What one kernel passes to another (constants of the search, margins) is what it computes.
+    """
+    rng = np.random.default_rng(seed)
+    columns: dict[str, Floats] = {}
+    for name, (default, _, _) in hoop.PARAMETERS.items():
+        columns[name] = default * rng.uniform(0.8, 1.25, rows)
+    # Half of the flights start at any place near or far, half are shots that come down at the hoop.
+    start = rng.choice([0.3, 3.0], (rows, 1)) * rng.normal(0, 1, (rows, 3))
+    start[: rows // 2, 0] += 3.0
+    way = rng.normal(0, 4, (rows, 3))
+    arrival = rng.uniform(0.4, 1.2, rows)
+    goal = rng.normal(0, 0.2, (rows, 3)) - start
+    goal[:, 2] += columns["gravity"] * arrival**2 / 2
+    way[: rows // 2] = (goal / arrival[:, None])[: rows // 2]
+    spin = rng.normal(0, 20, (rows, 3))
+    state = np.hstack([start, way, spin])
+    columns |= zip(("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), state.T, strict=True)
+    normal = rng.normal(0, 1, (3, rows))
+    columns |= zip(("nx", "ny", "nz"), normal / np.linalg.norm(normal, axis=0), strict=True)
+    columns["leaving"] = rng.choice([0.0, 1.0], rows)
+    columns["rate"] = rng.normal(-2, 2, rows)
+    for name in all_arguments():
+        if re.fullmatch(r"n[123][123]|d[vwn]?[xyz]", name):
+            columns[name] = rng.uniform(-1, 1, rows) * (1e-15 if name[0] == "d" else 1)
+        elif name == "margin" or name.endswith("_error"):
+            columns[name] = 1e-15 * rng.uniform(0, 1, rows)
+        elif name in ("t", "horizon", "end", "delay", "clock"):
+            columns[name] = arrival * rng.uniform(0, 1.2, rows)
+    columns["end"] += columns["t"]
+    for name in NAMES:
+        if all(argument in columns for argument in arguments(getattr(hoop, name))):
+            outputs = evaluate_numpy(name, columns, rows)
+            for output, column in zip(hoop.OUTPUTS[name], outputs, strict=True):
+                columns.setdefault(output, np.array(column))
+    assert not set(all_arguments()) - set(columns)
+    return columns
+
+
+def extreme_columns(seed: int, rows: int) -> dict[str, Floats]:
+    """Return columns of extreme values, with ordinary ones between them."""
+    rng = np.random.default_rng(seed)
+    columns = random_columns(seed, rows)
+    for name, column in columns.items():
+        extreme = rng.random(rows) < rng.choice([0.1, 0.5, 1.0], rows)
+        columns[name] = np.where(extreme, rng.choice(EXTREMES, rows), column)
+    return columns
+
+
+@pytest.fixture(scope="module")
+def c_kernels(tmp_path_factory: pytest.TempPathFactory) -> Callable[[int], CKernels]:
+    header = (ROOT / "generated/c/hoop_kernels.h").read_text(encoding="utf-8")
+    folder = tmp_path_factory.mktemp("kernels")
+    return cache(lambda width: CKernels(header, model().kernels, "hoop", folder, width))
+
+
+# The tests
+
+
+def test_each_derived_kernel_is_generated_with_its_arguments_and_outputs() -> None:
+    assert tuple(kernel.name for kernel in model().kernels) == NAMES
+    for kernel in model().kernels:
+        assert arguments(getattr(hoop, kernel.name)) == [s.name for s in kernel.arguments]
+        assert hoop.OUTPUTS[kernel.name] == kernel.output_names
+
+
+@pytest.mark.parametrize("name", ["flight", "impact", "target", "ring_coefficients", "ring_normal"])
+def test_the_evaluator_agrees_with_sympy(name: str) -> None:
+    """Its 50 digits are those of SymPy's evalf, but for the last few."""
+    columns = random_columns(2, 3)
+    for row in range(3):
+        inputs = {argument: float(column[row]) for argument, column in columns.items()}
+        with mp.workdps(DIGITS):
+            evaluator = Evaluator(inputs)
+            for expression in derived(name).expressions:
+                numbers = {s: sp.Rational(inputs[s.name]) for s in expression.free_symbols}
+                exact = mpf(release(expression).subs(numbers).evalf(DIGITS)._mpf_)
+                found = evaluator(expression)
+                scale = found.error / UNIT_ROUNDOFF  # of the largest intermediate value
+                assert abs(found.value - exact) <= scale * mpf(10) ** (5 - DIGITS)
+
+
+def test_the_evaluator_chooses_as_ieee_754_does() -> None:
+    a, b = sp.symbols("a b", real=True)
+    evaluator = Evaluator({"a": 1.0, "b": 2.0})
+    root = sp.sqrt(a - b)
+    assert evaluator(IfLess(a, b, a, b)).value == 1
+    assert evaluator(IfLess(b, a, a, b)).value == 2
+    assert evaluator(IfLess(a, a + 0, b, a)).value == 1
+    assert evaluator(IfAtMost(a, 2 * a - a, b, a)).value == 2
+    assert evaluator(IfAtMost(root, a, a, b)).value == 2, "a comparison with NaN does not hold"
+    assert evaluator(IfLess(a, sp.oo, Held(a + b), -sp.oo)).value == 3
+    assert mp.isnan(evaluator(root).value)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_numpy_is_as_near_to_fifty_digits_as_its_roundings_allow(name: str) -> None:
+    """Each output is within the running-error bound of its expression: no operation is wrong.
+
+    An infinite or undefined value is the same one. The bound is rigorous, so there is no factor.
+    """
+    columns = random_columns(1, ROWS)
+    kernel, outputs = derived(name), evaluate_numpy(name, columns, ROWS)
+    decided = 0
+    for row in range(ROWS):
+        with mp.workdps(DIGITS):
+            evaluator = Evaluator({a: column[row] for a, column in columns.items()})
+            for (output, expression), column in zip(kernel.outputs, outputs, strict=True):
+                exact, computed = evaluator(expression), mpf(float(column[row]))
+                if exact.error == mp.inf:
+                    continue  # a choice or a root that rounding errors decide
+                decided += 1
+                if not mp.isfinite(exact.value):
+                    assert repr(computed) == repr(exact.value), output
+                    continue
+                assert abs(computed - exact.value) <= exact.error, (
+                    f"{name}: {output} = {computed} for {mp.nstr(exact.value, 20)}, off by "
+                    f"{mp.nstr(abs(computed - exact.value) / exact.error, 3)} of its bound"
+                )
+    # If the bound left more open, it would prove little.
+    assert decided >= 0.9 * ROWS * len(outputs)
