@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import hoopgen
-from benchmarks.peers import PEERS, Flown, Peer
+from benchmarks.peers import PEERS, Flown
 from benchmarks.workloads import WORKLOADS, States
 from hoopgen import PAPER
 
@@ -26,18 +26,50 @@ class Errors:
     time_95: float
 
 
-def judge(states: States) -> tuple[Flown, NDArray[np.bool_]]:
-    """The right answers, and which of the shots have one: hoopgen's, where it is certain."""
-    shots = hoopgen.simulate(states, parameters=PAPER, max_contacts=MAX_CONTACTS, record=True)
+def by_hoopgen(states: States) -> Flown:
+    """hoopgen as one of those judged, with the surfaces in sequence."""
+    shots = hoopgen.simulate(states, PAPER, max_contacts=MAX_CONTACTS, record=True)
     events = shots.events[np.isin(shots.events["surface"], range(len(hoopgen.SURFACES)))]
     first = np.searchsorted(events["shot"], events["shot"])
     surfaces = np.full((len(states), MAX_CONTACTS), -1, np.int8)
     surfaces[events["shot"], np.arange(len(events)) - first] = events["surface"]
-    return Flown(shots.outcome, shots.contacts, shots.time, surfaces), ~shots.uncertain
+    return Flown(shots.outcome, shots.contacts, shots.time, surfaces)
 
 
-def compare(flown: Flown, right: Flown, known: NDArray[np.bool_]) -> Errors:
+@dataclass(frozen=True)
+class Verdict:
+    """The right answers, which of the shots have one, and who says so."""
+
+    right: Flown
+    known: NDArray[np.bool_]
+    judge: str
+
+    def cut(self, n: int) -> "Verdict":
+        """Return the verdict on the first n shots."""
+        right = self.right
+        first = Flown(right.outcome[:n], right.contacts[:n], right.time[:n], right.surfaces[:n])
+        return Verdict(first, self.known[:n], self.judge)
+
+
+def judge(states: States) -> Verdict:
+    """Ball arithmetic if it is installed, else hoopgen where it is certain."""
+    try:
+        from hoopgen.judge import certify
+    except ImportError:
+        certain = ~hoopgen.simulate(states, PAPER, max_contacts=MAX_CONTACTS).uncertain
+        return Verdict(by_hoopgen(states), certain, "hoopgen where it is certain")
+    proved = certify(states, PAPER, max_contacts=MAX_CONTACTS)
+    surfaces = np.full((len(states), MAX_CONTACTS), -1, np.int8)
+    for row, proof in zip(surfaces, proved.proofs, strict=True):
+        touched = [surface for surface in proof.surfaces if surface < len(hoopgen.SURFACES)]
+        row[: len(touched)] = touched
+    right = Flown(proved.outcome, proved.contacts, proved.time, surfaces)
+    return Verdict(right, proved.decided, "proofs in ball arithmetic")
+
+
+def compare(flown: Flown, verdict: Verdict) -> Errors:
     """Errors over the shots whose right answer is known."""
+    right, known = verdict.right, verdict.known
     outcome = (flown.outcome != right.outcome)[known]
     sequence = outcome | (flown.surfaces != right.surfaces).any(axis=1)[known]
     late = np.abs(flown.time - right.time)[known][~sequence]
@@ -47,27 +79,16 @@ def compare(flown: Flown, right: Flown, known: NDArray[np.bool_]) -> Errors:
 
 def errors(
     shots: int, rates: Mapping[str, Mapping[str, float]], budget: float
-) -> dict[str, dict[str, Errors]]:
-    """Errors of each peer on each workload's first `shots` shots, or as many of them as it flies in
-    `budget` seconds; `rates` are its shots a second, by workload and peer."""
-
-    def one(peer: Peer, states: States, right: Flown, known: NDArray[np.bool_], n: int) -> Errors:
-        flown = peer.fly(states[:n], PAPER, MAX_CONTACTS, record=True)
-        cut = Flown(right.outcome[:n], right.contacts[:n], right.time[:n], right.surfaces[:n])
-        return compare(flown, cut, known[:n])
-
+) -> tuple[str, dict[str, dict[str, Errors]]]:
+    """The judge, and the errors of hoopgen and each peer by workload: on its first `shots` shots,
+    or as many of them as a peer flies in `budget` seconds; `rates` are its shots a second."""
     result: dict[str, dict[str, Errors]] = {}
     for workload in WORKLOADS:
         states = workload.make(shots)
-        right, known = judge(states)
-        result[workload.key] = {
-            peer.key: one(
-                peer,
-                states,
-                right,
-                known,
-                max(8, min(shots, int(budget * rates[workload.key][peer.key]))),
-            )
-            for peer in PEERS
-        }
-    return result
+        verdict = judge(states)
+        result[workload.key] = {"hoopgen": compare(by_hoopgen(states), verdict)}
+        for peer in PEERS:
+            n = max(8, min(shots, int(budget * rates[workload.key][peer.key])))
+            flown = peer.fly(states[:n], PAPER, MAX_CONTACTS, record=True)
+            result[workload.key][peer.key] = compare(flown, verdict.cut(n))
+    return verdict.judge, result

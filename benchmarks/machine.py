@@ -1,6 +1,7 @@
 """The machine: what it is, how fast it moves memory and multiplies."""
 
 import ctypes
+import os
 import platform
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
@@ -38,11 +39,19 @@ def _version(package: str) -> str:
         return "not installed"
 
 
+def _load() -> str:
+    """Processes that ran in the last minute: above zero the machine was not ours alone."""
+    try:
+        return f"{os.getloadavg()[0]:.2f}"
+    except (AttributeError, OSError):
+        return "unknown"
+
+
 def facts() -> dict[str, str]:
     """Everything a reader needs to set the numbers in proportion."""
     return {
         "processor": processor(),
-        "cores used": str(CORES),
+        "cores used": f"{CORES}, {_load()} busy before",
         "system": f"{platform.system()} {platform.machine()}",
         "python": platform.python_version(),
         **{package: _version(package) for package in PACKAGES},

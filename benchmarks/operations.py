@@ -5,12 +5,13 @@ import re
 import subprocess
 import tempfile
 from pathlib import Path
+from typing import Any
+from unittest.mock import patch
 
-import numpy as np
-
-from benchmarks.peers.native import COMPILER, OUR_FLAGS, SCENE
+import hoopgen
+from benchmarks.peers.native import COMPILER, OUR_FLAGS
 from benchmarks.workloads import States
-from hoopgen import PAPER
+from hoopgen.engine import native
 
 GENERATED = Path(__file__).parents[1] / "generated" / "c"
 ARITHMETIC = ("addition", "subtraction", "multiplication", "division", "square root")
@@ -20,6 +21,14 @@ _KERNEL = re.compile(
     r"/\*(?P<comment>(?:(?!\*/).)*)\*/\s*typedef struct.*?\nLANES\(\w+\)\([^)]*\)\n\{\n", re.DOTALL
 )
 _COUNT = re.compile(r"(\d+) ([a-z ]+?)s?[,.]")
+
+
+class OneLane(native.Library):
+    """A compiled scene, run without vectors."""
+
+    def run(self, *arguments: Any, **named: Any) -> None:
+        """Simulate shots one by one."""
+        super().run(*arguments, **(named | {"width": 1}))
 
 
 def _with_counter(kernel: re.Match[str]) -> str:
@@ -45,21 +54,8 @@ def operations(states: States) -> float | None:
         target = Path(folder) / "counting.so"
         command = [COMPILER, *OUR_FLAGS, "-w", "-shared", "-fPIC", f"{folder}/hoop.c"]
         subprocess.run([*command, "-o", str(target), "-lm"], check=True)
-        library = ctypes.CDLL(str(target))
-    values = np.array([PAPER[name] for name in SCENE])
-    pointers = values.ctypes.data + 8 * np.arange(len(SCENE), dtype=np.uint64)
-    strides = np.zeros(len(SCENE), np.int64)
-    nothing_wanted = np.zeros(32, np.uint64)
-    rows = np.ascontiguousarray(states)
-    width = library.hoop_simulate(
-        ctypes.c_size_t(len(rows)),
-        ctypes.c_void_p(rows.ctypes.data),
-        ctypes.c_void_p(pointers.ctypes.data),
-        ctypes.c_void_p(strides.ctypes.data),
-        ctypes.c_int32(40),
-        ctypes.c_int(1),
-        None,
-        ctypes.c_void_p(nothing_wanted.ctypes.data),
-    )
-    assert width == 1
-    return ctypes.c_double.in_dll(library, "hoop_counter").value / len(rows)
+        counting = OneLane(target, "hoop")
+        counter = ctypes.c_double.in_dll(ctypes.CDLL(str(target)), "hoop_counter")
+    with patch.object(native, "installed", lambda: counting):
+        hoopgen.simulate(states, backend="c", threads=1, fields=("outcome",))
+    return counter.value / len(states)

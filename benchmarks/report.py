@@ -132,15 +132,16 @@ def _errors(results: Results) -> list[str]:
             f"{error.time_95:.1e}",
         ]
 
+    judged = {"hoopgen": "hoopgen", **{peer.key: peer.label for peer in PEERS}}
     return [
-        "## Errors of the peers",
+        "## Errors",
         "",
-        "Against hoopgen, on shots that it is certain of. The error in time is that of the shots",
-        "whose outcome and sequence of surfaces are right.",
+        f"Against {results.judge}. The error in time is that of the shots whose",
+        "outcome and sequence of surfaces are right.",
         "",
         *_table(
             ["", "shots", "wrong outcome", "wrong sequence", "time, median (s)", "time, 95 % (s)"],
-            [row(peer.label, peer.key, w.key) for w in WORKLOADS for peer in PEERS],
+            [row(label, key, w.key) for w in WORKLOADS for key, label in judged.items()],
         ),
     ]
 

@@ -81,6 +81,8 @@ class Results:
     table_4: dict[str, dict[str, Runs]]
     """By method and shot."""
     limits: Limits
+    judge: str
+    """Who knows the right answers."""
     errors: dict[str, dict[str, Errors]]
 
 
@@ -139,7 +141,7 @@ def run(settings: Settings) -> Results:
     def say(what: str) -> None:
         print(what, flush=True)
 
-    field = contenders()
+    machine, field = facts(), contenders()
     rates: dict[str, dict[str, Rates]] = {}
     work: dict[str, Work] = {}
     for workload in WORKLOADS:
@@ -158,7 +160,7 @@ def run(settings: Settings) -> Results:
         workload: {key: rate.spread.median for key, rate in of_all.items()}
         for workload, of_all in rates.items()
     }
-    wrong = errors(settings.judged, medians, settings.judging)
+    judge, wrong = errors(settings.judged, medians, settings.judging)
     say("number of shots, single shots, new processes")
     flatness, single = _flatness(settings), _single(settings)
     first = first_call(settings.processes)
@@ -166,7 +168,7 @@ def run(settings: Settings) -> Results:
     table_4 = _table_4(settings)
     say("limits of the machine")
     return Results(
-        facts(),
+        machine,
         rates,
         work,
         flatness,
@@ -174,5 +176,6 @@ def run(settings: Settings) -> Results:
         first,
         table_4,
         limits(settings.repeats),
+        judge,
         wrong,
     )

@@ -28,7 +28,17 @@ import sympy as sp
 from .choice import IfAtMost, IfLess, hold, hold_all, largest, smallest
 from .flight import flight, flight_polynomials
 from .polynomials import Coefficients, bernstein, compose, derivative, horner, taylor
-from .rounding import SAFETY, Rounded, flight_rounding, rounding, start_rounding
+from .rounding import (
+    SAFETY,
+    Rounded,
+    flight_rounding,
+    flight_size,
+    position_error,
+    rounding,
+    speed,
+    start_rounding,
+    velocity_error,
+)
 from .surfaces import Plane, Surface
 from .symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
 
@@ -46,6 +56,13 @@ delay = sp.Symbol("delay", nonnegative=True)
 """Bound on how far a computed arrival is from the true one, s."""
 rate, ceiling = sp.symbols("rate ceiling", real=True)
 """The gap's rate F' and a bound on |F''|."""
+
+
+share = sp.Symbol("share", nonnegative=True)
+"""Errors of a state, relative to its flight, that a search allows for."""
+
+SHARES = [sp.Rational(1, 2**k) for k in (25, 30, 35, 40, 45)]
+"""Those that are tried, one after another, where a root is not certain."""
 
 
 def event_coefficients(surface: Surface, gravity: sp.Expr) -> Coefficients:
@@ -118,6 +135,29 @@ def displacement(gravity: sp.Expr, lengths: Sequence[sp.Expr]) -> sp.Expr:
     return SAFETY * (3 * there.error + delay * moving.magnitude + 4 * UNIT_ROUNDOFF * hold(size))
 
 
+def allowance(gravity: sp.Expr) -> dict[str, sp.Expr]:
+    """Return the errors of a state that a search allows for, and by how much the errors exceed it.
+
+    They do not depend on the errors, so that the search takes the same steps whatever these are.
+    """
+    furthest, fastest = flight_size(gravity, horizon)
+    level, velocity_level = hold(share * furthest), hold(share * fastest)
+    return {
+        "level": level,
+        "velocity_level": velocity_level,
+        "excess": largest(hold(position_error - level), hold(velocity_error - velocity_level)),
+    }
+
+
+def padded_horizon(gravity: sp.Expr) -> dict[str, sp.Expr]:
+    """Return a time after which no event is wanted, given the earliest arrival found.
+
+    It does not depend on the bound on that arrival's delay, which must not exceed `pad`.
+    """
+    pad = hold(t + speed / gravity) * sp.Rational(1, 2**20)
+    return {"horizon": t + hold(pad), "pad": pad}
+
+
 def time_rounding(rate: Rounded) -> sp.Expr:
     """Return what the gap changes, per unit of time, between two neighbouring doubles of time.
 
@@ -179,16 +219,15 @@ class Approach(ABC):
     @property
     @abstractmethod
     def margins(self) -> dict[str, sp.Expr]:
-        """Rounding-error bounds: `margin` of F, `leaving_margin` of F/t, `rate_margin` of F'."""
+        """Error bounds up to the horizon: `margin` of F, `leaving_margin` of F/t, `rate_margin`."""
 
     def prepare(self) -> dict[str, sp.Expr]:
         """Return the outputs of the kernel that opens the search of a flight."""
         outputs = dict(self.constants)
         for k, (low, high) in enumerate(self.windows):
             outputs |= {f"low{k}": low, f"high{k}": high}
-        latest = smallest(horizon, largest(0, *(high for _, high in self.windows)))
-        bounds = self.margins | {"ceiling": self.ceiling}
-        return outputs | {name: bound.subs(horizon, latest) for name, bound in bounds.items()}
+        latest = hold(smallest(horizon, largest(0, *(high for _, high in self.windows))))
+        return outputs | {"ceiling": self.ceiling.subs(horizon, latest), "latest": latest}
 
     def refine(self) -> dict[str, sp.Expr]:
         """Return Newton's next value of a root near t, and the rate there."""

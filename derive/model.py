@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from . import events, sensitivity
-from .choice import IfAtMost, IfLess
+from .choice import IfAtMost, IfLess, hold, largest, size
 from .events import approach, crossing, deflated_coefficients, event_coefficients
 from .flight import flight
 from .frame import contact_frame
@@ -17,7 +17,21 @@ from .ring import CONSTANTS
 from .rounding import extent, position_error, speed, velocity_error
 from .scene import Scene
 from .surfaces import Plane, Surface
-from .symbols import NORMAL, POSITION, STATE, VELOCITY, normal, position, spin, t, velocity
+from .symbols import (
+    NORMAL,
+    POSITION,
+    STATE,
+    UNIT_ROUNDOFF,
+    VELOCITY,
+    normal,
+    position,
+    spin,
+    t,
+    velocity,
+)
+
+last = sp.Symbol("last", real=True)
+"""Index of the surface that the ball touched last, -1 for none."""
 
 FRAME = sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"n{i + 1}{j + 1}", real=True))
 """The contact frame's components, R of Eq. 10."""
@@ -56,7 +70,7 @@ class Model:
 
 def _order(scene: Scene) -> tuple[sp.Symbol, ...]:
     searching = (t, events.end, events.leaving, events.margin, events.rate_margin)
-    crossing_ = (events.rate, events.ceiling, events.delay, events.horizon)
+    crossing_ = (events.rate, events.ceiling, events.delay, events.share, events.horizon)
     return (
         *(*searching, *crossing_, *STATE, *NORMAL, *FRAME),
         *(extent, speed, position_error, velocity_error, sensitivity.clock, sensitivity.clock_error),
@@ -80,18 +94,23 @@ def _plain(expression: sp.Basic) -> sp.Basic:
     return expression.xreplace({s: sp.Symbol(s.name, real=True) for s in expression.free_symbols})
 
 
-def _valid(scene: Scene) -> sp.Expr:
-    """Return 1 where a finite state and parameters can be simulated, else 0.
+def _valid(scene: Scene) -> dict[str, sp.Expr]:
+    """Return whether finite state and parameters can be simulated, and whether that is in doubt.
 
-    Each condition in turn falls through to the rest or to 0; a ball outside a surface is one for
-    which any of the surface's `inside` is not negative.
+    A ball is inside a surface if the largest of the surface's `inside` is negative; in doubt if
+    it is within the rounding of its evaluation. The surface that the ball leaves is not asked.
+    Each condition in turn falls through to the rest or to 0.
     """
+    lengths = [sp.Abs(_plain(p.symbol)) for p in scene.parameters if p.unit == "m"]
+    slack = hold(16 * UNIT_ROUNDOFF * hold(sum(map(sp.Abs, POSITION)) + sum(lengths)))
     verdict: sp.Expr = sp.Integer(1)
-    for surface in scene.surfaces:
-        overlap: sp.Expr = sp.Integer(0)
-        for part in surface.inside:
-            overlap = IfLess(_plain(part), 0, overlap, verdict)
-        verdict = overlap
+    doubt: sp.Expr = sp.Integer(0)
+    for index, surface in enumerate(scene.surfaces):
+        overlap = hold(largest(*map(_plain, surface.inside)))
+        left = hold(sp.Abs(last - index))
+        verdict = IfLess(left, sp.Rational(1, 2), verdict, IfAtMost(0, overlap, verdict, 0))
+        near = IfAtMost(size(overlap), slack, 1, doubt)
+        doubt = IfLess(left, sp.Rational(1, 2), doubt, near)
     for requirement in scene.requirements:
         verdict = IfLess(0, _plain(requirement), verdict, 0)
     for parameter in scene.parameters:
@@ -102,7 +121,7 @@ def _valid(scene: Scene) -> sp.Expr:
             verdict = IfAtMost(0, value, verdict, 0)
         if parameter.upper is not None:
             verdict = IfAtMost(value, parameter.upper, verdict, 0)
-    return verdict
+    return {"valid": verdict, "doubt": doubt}
 
 
 def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
@@ -110,7 +129,7 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
     after = impact(normal, velocity, spin, ball_radius, restitution)
     through = impact_through_frame(FRAME, velocity, spin, ball_radius, restitution)
     motion = (*VELOCITY, *STATE[6:])
-    plain_order = (*STATE, *(sp.Symbol(s.name, real=True) for s in scene.symbols))
+    plain_order = (last, *STATE, *(sp.Symbol(s.name, real=True) for s in scene.symbols))
     return [
         kernel(
             "flight",
@@ -146,6 +165,20 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
             order,
             "Positive clearance if a crossing is certain, and the bound on its delay.",
             "Taylor's theorem with the margins of the gap and its rate",
+        ),
+        kernel(
+            "allowance",
+            events.allowance(scene.gravity),
+            order,
+            "Errors of a state that a search allows for, and by how much the errors exceed them.",
+            "a share of the size of the flight",
+        ),
+        kernel(
+            "horizon",
+            events.padded_horizon(scene.gravity),
+            order,
+            "A time after which no event is wanted, and how long that is after t.",
+            "the earliest arrival, with room for its delay",
         ),
         kernel(
             "scale",
@@ -191,9 +224,9 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
         ),
         kernel(
             "valid",
-            {"valid": _valid(scene)},
+            _valid(scene),
             plain_order,
-            "1 where parameters are allowed and the ball overlaps no surface, else 0.",
+            "1 where parameters are allowed and no surface is overlapped; 1 where that is in doubt.",
             "Table 2 and the scene's requirements",
         ),
         kernel(
@@ -278,8 +311,14 @@ def _surface_kernels(
         add(
             "prepare",
             search.prepare(),
-            "Constants, windows and margins of the search along a flight.",
+            "Constants and windows of the search along a flight, and the errors it allows for.",
             "bounds of the event condition",
+        )
+        add(
+            "margins",
+            search.margins,
+            "Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.",
+            "running error analysis",
         )
         add(
             "refine",

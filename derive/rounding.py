@@ -92,6 +92,12 @@ def start_rounding() -> dict[sp.Expr, Rounded]:
     return known | {symbol: Rounded(speed, velocity_error) for symbol in VELOCITY}
 
 
+def flight_size(gravity: sp.Expr, latest: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Return bounds on every coordinate and every velocity of a flight up to the time `latest`."""
+    fastest = hold(speed + gravity * latest)
+    return hold(extent + latest * fastest), fastest
+
+
 def flight_rounding(gravity: sp.Expr, latest: sp.Expr) -> tuple[Rounded, Rounded]:
     """Return bounds for any coordinate and any velocity of a flight up to the time `latest`.
 
@@ -99,13 +105,8 @@ def flight_rounding(gravity: sp.Expr, latest: sp.Expr) -> tuple[Rounded, Rounded
     of a flight whose start is off by at most `position_error` and `velocity_error`. No more than
     four roundings meet in a coordinate, each at most u times the largest it can be.
     """
-    fastest = speed + gravity * latest
-    furthest = extent + latest * hold(fastest)
-    position = Rounded(
-        hold(furthest),
-        hold(position_error + velocity_error * latest + 4 * UNIT_ROUNDOFF * hold(furthest)),
+    furthest, fastest = flight_size(gravity, latest)
+    shift = hold(position_error + velocity_error * latest + 4 * UNIT_ROUNDOFF * furthest)
+    return Rounded(furthest, shift), Rounded(
+        fastest, hold(velocity_error + 2 * UNIT_ROUNDOFF * fastest)
     )
-    velocity = Rounded(
-        hold(fastest), hold(velocity_error + 2 * UNIT_ROUNDOFF * hold(fastest))
-    )
-    return position, velocity

@@ -31,6 +31,7 @@ RECORD_CHUNK = 1 << 10
 class _Batch:
     states: NDArray[np.float64]
     parameters: list[NDArray[np.float64]]
+    leaving: NDArray[np.int8] | None
     max_contacts: int
     library: native.Library | None
     stop: NDArray[np.int32]
@@ -39,12 +40,13 @@ class _Batch:
         """Simulate some of the shots into their rows of `out`."""
         states = self.states[start:stop]
         parameters = [p[start:stop] if p.ndim else p for p in self.parameters]
+        leaving = None if self.leaving is None else self.leaving[start:stop]
         if self.library is not None:
-            self.library.run(states, parameters, self.max_contacts, out, self.stop)
+            self.library.run(states, parameters, leaving, self.max_contacts, out, self.stop)
         else:
             columns = [p if p.ndim else float(p) for p in parameters]
             stopped = lambda: bool(self.stop[0])  # noqa: E731
-            numpy_backend.run(hoop, states, columns, self.max_contacts, out, stopped)
+            numpy_backend.run(hoop, states, columns, leaving, self.max_contacts, out, stopped)
 
 
 def simulate(
@@ -56,6 +58,7 @@ def simulate(
     threads: int | None = None,
     fields: Literal["all"] | Sequence[str] = "all",
     record: bool = False,
+    leaving: ArrayLike | None = None,
 ) -> Shots:
     """Simulate shots from contact to contact until they end.
 
@@ -77,6 +80,9 @@ def simulate(
         "state_error", the bounds on the errors of time and state.
     record
         Whether to keep the event log, which `Shots.trajectory` needs.
+    leaving
+        To go on from recorded `after` states: the surface that each shot touches at the start and
+        leaves, an index into `SURFACES` or -1 for none; one for all or (n,).
 
     Returns
     -------
@@ -98,7 +104,12 @@ def simulate(
         raise ValueError(f"max_contacts: expected a whole number from 1, got {max_contacts!r}")
     wanted = _fields(fields)
     batch = _Batch(
-        releases, values, int(max_contacts), _library(backend), np.zeros(1, np.int32)
+        releases,
+        values,
+        _leaving(leaving, shots),
+        int(max_contacts),
+        _library(backend),
+        np.zeros(1, np.int32),
     )
     out = allocate(shots, len(SURFACES), wanted)
     logs = _run(batch, out, _threads(threads), record)
@@ -159,6 +170,18 @@ def _states(states: ArrayLike) -> NDArray[np.float64]:
             "a row is x y z vx vy vz wx wy wz"
         )
     return np.ascontiguousarray(array)
+
+
+def _leaving(leaving: ArrayLike | None, shots: int) -> NDArray[np.int8] | None:
+    if leaving is None:
+        return None
+    array = np.asarray(leaving)
+    whole = np.issubdtype(array.dtype, np.integer)
+    if not whole or array.shape not in ((), (shots,)):
+        raise ValueError(f"leaving: expected whole numbers, one or {shots}, got {leaving!r}")
+    if np.any((array < -1) | (array >= len(SURFACES))):
+        raise ValueError(f"leaving: expected -1 to {len(SURFACES) - 1}, got {leaving!r}")
+    return np.ascontiguousarray(np.broadcast_to(array, shots), dtype=np.int8)
 
 
 def _fields(fields: str | Sequence[str]) -> tuple[str, ...]:

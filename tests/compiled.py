@@ -13,9 +13,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
-
 from hoopgen.derive.kernel import Kernel
+from numpy.typing import NDArray
 
 ROOT = Path(__file__).resolve().parents[1]
 COMPILER = (os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc").split()
@@ -112,7 +111,7 @@ class CKernels:
         parts += [self._function(kernel, scene) for kernel in self._kernels.values()]
         source.write_text("".join(parts), encoding="utf-8")
         # Vectors wider than the processor's go through memory: an ABI of this library's own.
-        self._library = ctypes.CDLL(str(shared_library(source, "-O1", "-Wno-psabi")))
+        self._library = ctypes.CDLL(str(shared_library(source, "-Wno-psabi")))
 
     @staticmethod
     def _function(kernel: Kernel, scene: str) -> str:

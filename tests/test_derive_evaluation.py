@@ -7,10 +7,13 @@ are as in IEEE 754 in both.
 
 from __future__ import annotations
 
+import math
 import operator
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import dataclass
 from functools import cache, reduce
+from itertools import pairwise
 from typing import Any
 
 import mpmath
@@ -21,6 +24,7 @@ from hoopgen.derive.choice import Held, IfAtMost, IfLess, hold, largest, size, s
 from hoopgen.derive.events import Approach
 from hoopgen.derive.kernel import Kernel
 from hoopgen.derive.scenes import HOOP
+from hypothesis import strategies as st
 from mpmath import mpf
 from numpy.typing import NDArray
 
@@ -63,47 +67,64 @@ def root(a: mpf) -> mpf:
     return mpmath.sqrt(a) if a >= 0 else NAN
 
 
-def power(base: mpf, exponent: sp.Rational) -> mpf:
-    """Return an integer or half-integer power."""
-    whole, half = divmod(abs(2 * exponent), 2)
-    result = base ** int(whole) * (root(base) if half else 1)
-    return divide(mpf(1), result) if exponent < 0 else result
+def power(exponent: sp.Rational) -> Callable[[mpf], mpf]:
+    """Return the function that raises to an integer or half-integer power."""
+    whole, half = map(int, divmod(abs(2 * exponent), 2))
+    inverse = exponent < 0
+
+    def raised(base: mpf, _: mpf) -> mpf:
+        result = base**whole * (root(base) if half else 1)
+        return divide(mpf(1), result) if inverse else result
+
+    return raised
+
+
+def meaning(part: sp.Basic) -> Callable[..., mpf]:
+    """Return what computes an expression from its parts."""
+    if part.is_Rational:
+        return lambda p=part.p, q=part.q: mpf(p) / q
+    if part in (sp.oo, -sp.oo):
+        return lambda limit=INFINITY if part is sp.oo else -INFINITY: limit
+    if part.is_Add:
+        return lambda *terms: reduce(operator.add, terms)
+    if part.is_Mul:
+        return lambda *factors: reduce(operator.mul, factors)
+    if part.is_Pow:
+        return power(part.exp)
+    if isinstance(part, Held):
+        return lambda quantity: quantity
+    if isinstance(part, sp.Abs):
+        return abs
+    if isinstance(part, IfLess):
+        return lambda left, right, then, other: then if left < right else other
+    if isinstance(part, IfAtMost):
+        return lambda left, right, then, other: then if left <= right else other
+    raise TypeError(f"no value for {type(part).__name__}")
+
+
+Step = tuple[str, Callable[..., mpf] | None, tuple[int, ...]]
 
 
 @cache
-def parts_first(expression: sp.Expr) -> tuple[sp.Basic, ...]:
-    """Return the parts of an expression, each once and after its own parts."""
-    return tuple(dict.fromkeys(sp.postorder_traversal(expression)))
+def plan(expression: sp.Expr) -> list[Step]:
+    """Return what to do for each part of an expression, its own parts first."""
+    order: dict[sp.Basic, int] = {}
+    steps: list[Step] = []
+    for part in sp.postorder_traversal(expression):
+        if part not in order:
+            order[part] = len(order)
+            name = part.name if part.is_Symbol else ""
+            inner = tuple(order[argument] for argument in part.args)
+            steps.append((name, None if name else meaning(part), inner))
+    return steps
 
 
 def exactly(expression: sp.Expr | int, values: Values) -> mpf:
     """Return the expression's value at the working precision; `values` are by symbol name."""
-    done: dict[sp.Basic, Any] = {}
-    for part in parts_first(sp.sympify(expression)):
-        inner = [done[argument] for argument in part.args]
-        if part.is_Symbol:
-            done[part] = mpf(values[part.name])
-        elif part.is_Rational:
-            done[part] = mpf(part.p) / part.q
-        elif part.is_infinite:
-            done[part] = INFINITY if part.is_extended_positive else -INFINITY
-        elif part.is_Add:
-            done[part] = reduce(operator.add, inner)
-        elif part.is_Mul:
-            done[part] = reduce(operator.mul, inner)
-        elif part.is_Pow:
-            done[part] = power(inner[0], part.exp)
-        elif isinstance(part, Held):
-            done[part] = inner[0]
-        elif isinstance(part, sp.Abs):
-            done[part] = abs(inner[0])
-        elif isinstance(part, IfLess):
-            done[part] = inner[2] if inner[0] < inner[1] else inner[3]
-        elif isinstance(part, IfAtMost):
-            done[part] = inner[2] if inner[0] <= inner[1] else inner[3]
-        else:
-            raise TypeError(f"no value for {type(part).__name__}")
-    return done[sp.sympify(expression)]
+    done: list[mpf] = []
+    for name, compute, inner in plan(sp.sympify(expression)):
+        done.append(mpf(values[name]) if compute is None else compute(*[done[i] for i in inner]))
+    return done[-1]
 
 
 @cache
@@ -137,6 +158,114 @@ def along(approach: Approach, state: Values) -> dict[str, Any]:
     values["speed"] = sum(abs(mpf(values[name])) for name in ("vx", "vy", "vz"))
     constants = {name: exactly(e, values) for name, e in approach.constants.items()}
     return values | constants
+
+
+@dataclass(frozen=True)
+class Path:
+    """A flight near the ring in mpmath: what the derivation's claims are held against."""
+
+    values: dict[str, Any]
+
+    def __getitem__(self, name: str) -> mpf:
+        return mpf(self.values[name])
+
+    @property
+    def reach(self) -> mpf:
+        """R."""
+        return self["ball_radius"] + self["wire_radius"]
+
+    def place(self, t: mpf) -> tuple[mpf, mpf]:
+        """Return rho and z (Eq. 3)."""
+        x, y = self["x"] + self["vx"] * t, self["y"] + self["vy"] * t
+        z = self["z"] + t * (self["vz"] - self["gravity"] * t / 2)
+        return mpmath.sqrt(x * x + y * y), z
+
+    def gap(self, t: mpf) -> mpf:
+        """Return F of Table 2's ring."""
+        rho, z = self.place(t)
+        return (rho - self["ring_radius"]) ** 2 + z * z - self.reach**2
+
+    def near(self) -> list[tuple[mpf, mpf]]:
+        """Return the intervals of time in which |z| <= R and |rho - R_H| <= R.
+
+        Between neighbouring roots of z = ±R and rho = R_H ± R either holds all along or nowhere.
+        """
+        x, y, vx, vy = (self[name] for name in ("x", "y", "vx", "vy"))
+        times = []
+        for level in (self.reach, -self.reach):
+            times += quadratic(-self["gravity"] / 2, self["vz"], self["z"] - level)
+        for radius in (self["ring_radius"] - self.reach, self["ring_radius"] + self.reach):
+            times += quadratic(
+                vx * vx + vy * vy, 2 * (x * vx + y * vy), x * x + y * y - radius * radius
+            )
+        times.sort()
+        return [pair for pair in pairwise(times) if self._is_near((pair[0] + pair[1]) / 2)]
+
+    def _is_near(self, t: mpf) -> bool:
+        rho, z = self.place(t)
+        return bool(abs(z) <= self.reach and abs(rho - self["ring_radius"]) <= self.reach)
+
+
+def quadratic(a: mpf, b: mpf, c: mpf) -> list[mpf]:
+    """Return the real roots of a t² + b t + c, by digits enough for its two forms to cancel."""
+    with mpmath.extradps(400):
+        if a == 0:
+            return [] if b == 0 else [-c / b]
+        discriminant = b * b - 4 * a * c
+        if discriminant < 0:
+            return []
+        return [
+            (-b - mpmath.sqrt(discriminant)) / (2 * a),
+            (-b + mpmath.sqrt(discriminant)) / (2 * a),
+        ]
+
+
+GEOMETRIES = (
+    (0.235, 0.12128, 0.01),
+    (0.235, 0.001, 0.0001),
+    (1.0, 0.5, 0.4999),
+    (30.0, 0.12, 0.01),
+)
+"""Radii of ring, ball and wire."""
+
+
+@st.composite
+def paths(draw: st.DrawFn) -> Path:
+    """Draw flights that touch the ring, graze it or pass it by, some of them peculiar."""
+    ring_radius, ball_radius, wire_radius = draw(st.sampled_from(GEOMETRIES))
+    reach = (ball_radius + wire_radius) * draw(st.sampled_from((1.0, 0.5)) | st.floats(0.9, 1.1))
+    along, around, heading = (draw(st.floats(0, 6.3)) for _ in range(3))
+    kind = draw(st.sampled_from(("any", "any", "radial", "vertical", "slow", "tangent", "apex")))
+    speed = 10 ** draw(st.floats(-3, 2))
+    if kind == "vertical":
+        speed = 0.0
+    elif kind == "slow":
+        speed = 10 ** draw(st.floats(-320, -3))
+    elif kind == "radial":
+        along, heading = 0.0, draw(st.sampled_from((0.0, math.pi)))
+    elif kind == "tangent":
+        heading = along + math.pi / 2
+    time, gravity = draw(st.floats(0, 2)), PARAMETERS["gravity"]
+    out, rising = ring_radius + reach * math.cos(around), draw(st.floats(-10, 10))
+    # sin(pi) is not zero in doubles; a radial path is to be exactly radial.
+    sideways = 0.0 if kind == "radial" else 1.0
+    vx, vy = speed * math.cos(heading), sideways * speed * math.sin(heading)
+    vz = rising + gravity * time
+    height = reach * math.sin(around)
+    if kind == "apex":
+        vz, height = gravity * time, reach
+    values = {
+        "x": out * math.cos(along) - vx * time,
+        "y": sideways * out * math.sin(along) - vy * time,
+        "z": height - vz * time + gravity * time**2 / 2,
+        "vx": vx,
+        "vy": vy,
+        "vz": vz,
+        "ring_radius": ring_radius,
+        "ball_radius": ball_radius,
+        "wire_radius": wire_radius,
+    }
+    return Path(PARAMETERS | values)
 
 
 # -- Both evaluations themselves

@@ -14,13 +14,12 @@ import numpy as np
 import pytest
 import sympy as sp
 from compiled import ROOT, WIDTHS, CKernels, Floats, needs_compiler, same_bits
-from mpmath import mp, mpf
-
 from hoopgen.derive.choice import Held, IfAtMost, IfLess, release
 from hoopgen.derive.kernel import Kernel
 from hoopgen.derive.model import Model, build
 from hoopgen.derive.scenes.hoop import HOOP
 from hoopgen.generated.numpy import hoop
+from mpmath import mp, mpf
 
 # One worker: the derivation takes a few seconds.
 pytestmark = pytest.mark.xdist_group("kernels")
@@ -28,8 +27,8 @@ pytestmark = pytest.mark.xdist_group("kernels")
 DIGITS = 50
 UNIT_ROUNDOFF = mpf(2) ** -53
 NAMES = tuple(hoop.OUTPUTS)
-ROWS = 40
-"""States at which kernels are compared with 50 digits."""
+ROWS = 200
+"""Rows at which kernels are compared with 50 digits."""
 
 EXTREMES = [0.0, -0.0, 5e-324, -5e-324, 2.5e-308, 1e-150, -1e-150, 1e150, -1e150]
 EXTREMES += [1.7e308, -1.7e308, np.inf, -np.inf, np.nan, 1.0, -1.0, 0.1, -3.0, 1 + 2.0**-52]
@@ -70,11 +69,17 @@ class Evaluator:
     ----------
     inputs
         Value of each symbol, by name.
+
+    Attributes
+    ----------
+    sides
+        The choices that were met, and whether each one's condition held.
     """
 
     def __init__(self, inputs: Mapping[str, float]) -> None:
         self._inputs = inputs
         self._known: dict[sp.Basic, Exactly] = {}
+        self.sides: dict[sp.Basic, bool] = {}
 
     def __call__(self, expression: sp.Basic) -> Exactly:
         """Return value and error bound of an expression."""
@@ -100,7 +105,9 @@ class Evaluator:
         if e.is_Mul:
             return _product(parts)
         if isinstance(e, IfLess | IfAtMost):
-            return _choice(isinstance(e, IfLess), *parts)
+            left, right, then, other = parts
+            self.sides[e] = _holds(isinstance(e, IfLess), left.value, right.value)
+            return _choice(self.sides[e], left, right, then, other)
         raise TypeError(type(e).__name__)
 
 
@@ -153,16 +160,19 @@ def _power(base: Exactly, exponent: Fraction) -> Exactly:
     return Exactly(value, max(upper - abs(value), abs(value) - lower))
 
 
-def _choice(strict: bool, left: Exactly, right: Exactly, then: Exactly, other: Exactly) -> Exactly:
-    if mp.isnan(left.value) or mp.isnan(right.value):
-        unsure = left.error + right.error > 0
-        holds = False
-    else:
-        holds = left.value < right.value if strict else left.value <= right.value
-        apart = mpf(0) if left.value == right.value else abs(left.value - right.value)
-        unsure = left.error + right.error > 0 and apart <= left.error + right.error
+def _holds(strict: bool, left: mpf, right: mpf) -> bool:
+    if mp.isnan(left) or mp.isnan(right):
+        return False
+    return bool(left < right if strict else left <= right)
+
+
+def _choice(holds: bool, left: Exactly, right: Exactly, then: Exactly, other: Exactly) -> Exactly:
     chosen, left_out = (then, other) if holds else (other, then)
-    if not unsure or chosen == left_out:
+    errors = left.error + right.error
+    # Equal infinities are not apart; a NaN is, unless its operand's error could undo it.
+    apart = 0 if left.value == right.value else abs(left.value - right.value)
+    sure = errors == 0 or (mp.isfinite(errors) and not apart <= errors)
+    if sure or chosen == left_out:
         return chosen
     if not _finite(chosen, left_out):
         return Exactly(chosen.value, mp.inf)
@@ -205,12 +215,17 @@ def all_arguments() -> list[str]:
 def random_columns(seed: int, rows: int) -> dict[str, Floats]:
     """Return a column for every argument of any kernel: flights about a hoop of any make.
 
-    What one kernel passes to another (constants of the search, margins) is what it computes.
+    What one kernel passes to another (constants of the search, margins) is what it computes. Some
+    rows are of the kind that validity or the guards of a search are there for.
     """
     rng = np.random.default_rng(seed)
     columns: dict[str, Floats] = {}
     for name, (default, _, _) in hoop.PARAMETERS.items():
         columns[name] = default * rng.uniform(0.8, 1.25, rows)
+    for k, name in enumerate(hoop.PARAMETERS):
+        columns[name][2 + 3 * k] *= -1
+    columns["restitution"][::30] += 1
+    columns["wire_radius"][::30] += columns["ring_radius"][::30]
     # Half of the flights start at any place near or far, half are shots that come down at the hoop.
     start = rng.choice([0.3, 3.0], (rows, 1)) * rng.normal(0, 1, (rows, 3))
     start[: rows // 2, 0] += 3.0
@@ -219,12 +234,16 @@ def random_columns(seed: int, rows: int) -> dict[str, Floats]:
     goal = rng.normal(0, 0.2, (rows, 3)) - start
     goal[:, 2] += columns["gravity"] * arrival**2 / 2
     way[: rows // 2] = (goal / arrival[:, None])[: rows // 2]
+    way[::20, :2] = 0
+    start[1::20] *= 2.0**20
+    start[4::8] = _touching(columns, *rng.uniform(0, 1, (3, rows)))[4::8]
     spin = rng.normal(0, 20, (rows, 3))
     state = np.hstack([start, way, spin])
     columns |= zip(("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), state.T, strict=True)
     normal = rng.normal(0, 1, (3, rows))
     columns |= zip(("nx", "ny", "nz"), normal / np.linalg.norm(normal, axis=0), strict=True)
     columns["leaving"] = rng.choice([0.0, 1.0], rows)
+    columns["last"] = rng.integers(-1, len(hoop.SURFACES), rows).astype(float)
     columns["rate"] = rng.normal(-2, 2, rows)
     for name in all_arguments():
         if re.fullmatch(r"n[123][123]|d[vwn]?[xyz]", name):
@@ -233,14 +252,28 @@ def random_columns(seed: int, rows: int) -> dict[str, Floats]:
             columns[name] = 1e-15 * rng.uniform(0, 1, rows)
         elif name in ("t", "horizon", "end", "delay", "clock"):
             columns[name] = arrival * rng.uniform(0, 1.2, rows)
+    columns["position_error"][3::20] = 1.0
     columns["end"] += columns["t"]
     for name in NAMES:
-        if all(argument in columns for argument in arguments(getattr(hoop, name))):
-            outputs = evaluate_numpy(name, columns, rows)
-            for output, column in zip(hoop.OUTPUTS[name], outputs, strict=True):
-                columns.setdefault(output, np.array(column))
-    assert not set(all_arguments()) - set(columns)
+        for argument in arguments(getattr(hoop, name)):
+            columns.setdefault(argument, rng.uniform(0.1, 2, rows))
+        outputs = evaluate_numpy(name, columns, rows)
+        for output, column in zip(hoop.OUTPUTS[name], outputs, strict=True):
+            columns.setdefault(output, np.array(column))
     return columns
+
+
+def _touching(
+    parameters: Mapping[str, Floats], choice: Floats, side: Floats, depth: Floats
+) -> Floats:
+    """Return positions (rows, 3) of balls that touch a surface of the hoop or are inside it."""
+    reach = parameters["ball_radius"] + parameters["wire_radius"]
+    board, ring = parameters["board_distance"], parameters["ring_radius"]
+    depth = np.where(depth < 0.5, 0.0, -0.1 * depth)
+    on_board = [parameters["ball_radius"] - board + depth, side, side / 2]
+    on_bridge = [-board + 0.1 * side, 0.01 * side, reach + depth]
+    on_ring = [ring, 0 * side, reach + depth]
+    return np.transpose(np.select([choice < 0.3, choice < 0.6], [on_board, on_bridge], on_ring))
 
 
 def extreme_columns(seed: int, rows: int) -> dict[str, Floats]:
@@ -273,14 +306,15 @@ def test_each_derived_kernel_is_generated_with_its_arguments_and_outputs() -> No
 @pytest.mark.parametrize("name", ["flight", "impact", "target", "ring_coefficients", "ring_normal"])
 def test_the_evaluator_agrees_with_sympy(name: str) -> None:
     """Its 50 digits are those of SymPy's evalf, but for the last few."""
-    columns = random_columns(2, 3)
-    for row in range(3):
+    columns = random_columns(2, ROWS)
+    for row in (50, 100, 150):
         inputs = {argument: float(column[row]) for argument, column in columns.items()}
         with mp.workdps(DIGITS):
             evaluator = Evaluator(inputs)
             for expression in derived(name).expressions:
                 numbers = {s: sp.Rational(inputs[s.name]) for s in expression.free_symbols}
-                exact = mpf(release(expression).subs(numbers).evalf(DIGITS)._mpf_)
+                exact = release(expression).subs(numbers).evalf(DIGITS)
+                exact = mpf(sp.Float(exact, DIGITS)._mpf_)  # a zero is no Float
                 found = evaluator(expression)
                 scale = found.error / UNIT_ROUNDOFF  # of the largest intermediate value
                 assert abs(found.value - exact) <= scale * mpf(10) ** (5 - DIGITS)
@@ -307,15 +341,16 @@ def test_numpy_is_as_near_to_fifty_digits_as_its_roundings_allow(name: str) -> N
     """
     columns = random_columns(1, ROWS)
     kernel, outputs = derived(name), evaluate_numpy(name, columns, ROWS)
-    decided = 0
+    bounds = []
+    seen: dict[sp.Basic, set[bool]] = {}
     for row in range(ROWS):
         with mp.workdps(DIGITS):
             evaluator = Evaluator({a: column[row] for a, column in columns.items()})
             for (output, expression), column in zip(kernel.outputs, outputs, strict=True):
                 exact, computed = evaluator(expression), mpf(float(column[row]))
+                bounds.append(exact.error / (abs(exact.value) * UNIT_ROUNDOFF or 1))
                 if exact.error == mp.inf:
-                    continue  # a choice or a root that rounding errors decide
-                decided += 1
+                    continue  # rounding errors decide a choice, or the sign below a root
                 if not mp.isfinite(exact.value):
                     assert repr(computed) == repr(exact.value), output
                     continue
@@ -323,5 +358,49 @@ def test_numpy_is_as_near_to_fifty_digits_as_its_roundings_allow(name: str) -> N
                     f"{name}: {output} = {computed} for {mp.nstr(exact.value, 20)}, off by "
                     f"{mp.nstr(abs(computed - exact.value) / exact.error, 3)} of its bound"
                 )
-    # If the bound left more open, it would prove little.
-    assert decided >= 0.9 * ROWS * len(outputs)
+            for choice, side in evaluator.sides.items():
+                seen.setdefault(choice, set()).add(side)
+    # The bound would prove little if it were wide or open, or if a branch were never taken.
+    assert sorted(bounds)[len(bounds) // 2] < 64
+    assert sum(bound == mp.inf for bound in bounds) < 0.01 * len(bounds)
+    one_sided = [choice for choice, sides in seen.items() if len(sides) == 1]
+    assert not one_sided
+
+
+@needs_compiler
+@pytest.mark.parametrize("columns_of", [random_columns, extreme_columns])
+@pytest.mark.parametrize("width", WIDTHS)
+def test_c_gives_the_bits_of_numpy(
+    c_kernels: Callable[[int], CKernels],
+    width: int,
+    columns_of: Callable[[int, int], dict[str, Floats]],
+) -> None:
+    """For ordinary inputs and for zeros of both signs, denormals, 1e±150, infinities and NaN."""
+    rows = 3001
+    columns = columns_of(3, rows)
+    for name in NAMES:
+        names = arguments(getattr(hoop, name))
+        numpy = evaluate_numpy(name, columns, rows)
+        c = c_kernels(width)(name, [columns[argument] for argument in names], rows)
+        for output, left, right in zip(hoop.OUTPUTS[name], numpy, c, strict=True):
+            differ = np.flatnonzero(~same_bits(left, right))
+            assert not len(differ), (
+                f"{name}: {output} is {left[differ[0]]!r} in NumPy, {right[differ[0]]!r} in C, for "
+                f"{ {argument: columns[argument][differ[0]] for argument in names} }"
+            )
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_numbers_and_arrays_give_the_same_bits(name: str) -> None:
+    """A parameter that all shots share is a number there; nothing else changes."""
+    rows = 50
+    columns = random_columns(4, rows)
+    function = getattr(hoop, name)
+    for row in range(rows):
+        shared = {p: float(columns[p][row]) for p in hoop.PARAMETERS}
+        mixed = evaluate_numpy(name, columns | shared, rows)
+        full = evaluate_numpy(
+            name, columns | {p: np.full(rows, v) for p, v in shared.items()}, rows
+        )
+        for left, right in zip(mixed, full, strict=True):
+            assert same_bits(left, right).all(), function

@@ -1,6 +1,6 @@
 /* hoop: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene hoop, derivation 7f86af7c4406ff74,
+   Generated from templates/c/scene.c.j2, scene hoop, derivation 540e89c415727eb2,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 
@@ -23,6 +23,7 @@ typedef struct {
     const double *states;
     const double *const *parameters;
     const int64_t *strides;
+    const int8_t *leaving;
     int varying; /* whether any parameter has one value per shot */
     int32_t max_contacts;
     const volatile int32_t *stop;
@@ -94,10 +95,10 @@ static int widest(void)
 }
 
 int hoop_simulate(size_t shots, const double *states, const double *const *parameters,
-                  const int64_t *strides, int32_t max_contacts, int width,
+                  const int64_t *strides, const int8_t *leaving, int32_t max_contacts, int width,
                   const volatile int32_t *stop, const hoop_results *results)
 {
-    hoop_job job = {shots, states, parameters, strides, 0, max_contacts, stop, results};
+    hoop_job job = {shots, states, parameters, strides, leaving, 0, max_contacts, stop, results};
     const int most = widest();
     for (int k = 0; k < HOOP_PARAMETERS; k++)
         job.varying |= strides[k] != 0;

@@ -1,6 +1,6 @@
 /* hoop: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene hoop, derivation 7f86af7c4406ff74,
+   Generated from templates/c/scene.h.j2, scene hoop, derivation 540e89c415727eb2,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Plain C11, no dependencies but sqrt. Compile hoop.c, next to which this file and the kernels
@@ -90,6 +90,7 @@ typedef struct {
    states       [shot][HOOP_STATE]
    parameters   one pointer each, to one value or to one value per shot
    strides      by parameter: 0 for one value, 1 for one per shot
+   leaving      NULL, or by shot the surface that the ball touches at the start and leaves, -1: none
    max_contacts at least 1
    width        vector lanes: 1, 2, 4 or 8; 0 for the widest that this processor has
    stop         NULL, or a flag: when it becomes nonzero, no further shot is begun
@@ -97,7 +98,7 @@ typedef struct {
    Returns the width that was used, or -1 if that width is not there. */
 HOOPGEN_API int hoop_simulate(size_t shots, const double *states,
                               const double *const *parameters, const int64_t *strides,
-                              int32_t max_contacts, int width, const volatile int32_t *stop,
+                              const int8_t *leaving, int32_t max_contacts, int width, const volatile int32_t *stop,
                               const hoop_results *results);
 
 #ifdef __cplusplus

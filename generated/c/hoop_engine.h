@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 7f86af7c4406ff74,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 540e89c415727eb2,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -77,6 +77,7 @@ typedef struct {
     double count_ring[LANES_WIDTH];
     double count_backboard[LANES_WIDTH];
     double count_bridge[LANES_WIDTH];
+    double from[LANES_WIDTH];      /* surface that the shot starts on, -1: none */
     double outcome[LANES_WIDTH];   /* -1: in flight */
     double occupied[LANES_WIDTH];  /* 1: holds a shot */
     double fresh[LANES_WIDTH];     /* 1: and has not been looked at */
@@ -109,6 +110,7 @@ LANES_INLINE void LANES(hoop_begin)(LANES(hoop_pool) *pool, int lane, const hoop
         pool->gravity[lane] = job->parameters[9][job->strides[9] * (int64_t)shot];
         pool->end_depth[lane] = job->parameters[10][job->strides[10] * (int64_t)shot];
     }
+    pool->from[lane] = job->leaving ? (double)job->leaving[shot] : -1.0;
     pool->occupied[lane] = 1.0;
     pool->fresh[lane] = 1.0;
     pool->shot[lane] = shot;
@@ -248,14 +250,16 @@ static void LANES(hoop_run)(const hoop_job *job)
             dwz = lanes_select(fresh, zero, dwz);
             clock_error = lanes_select(fresh, zero, clock_error);
             clock = lanes_select(fresh, zero, clock);
-            last = lanes_select(fresh, none, last);
+            last = lanes_select(fresh, lanes_load(pool.from), last);
             first = lanes_select(fresh, none, first);
             contacts = lanes_select(fresh, zero, contacts);
             uncertain = lanes_select(fresh, zero, uncertain);
             count_ring = lanes_select(fresh, zero, count_ring);
             count_backboard = lanes_select(fresh, zero, count_backboard);
             count_bridge = lanes_select(fresh, zero, count_bridge);
-            M good = LANES(hoop_valid)(x, y, z, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, restitution, gravity, end_depth).valid > zero;
+            const LANES(hoop_valid_out) check = LANES(hoop_valid)(last, x, y, z, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, restitution, gravity, end_depth);
+            M good = check.valid > zero;
+            uncertain = lanes_select(fresh & (check.doubt > zero), one, uncertain);
             V sum = zero;
             sum = sum + (x - x);
             sum = sum + (y - y);
@@ -394,16 +398,18 @@ static void LANES(hoop_run)(const hoop_job *job)
             }
         }
         /* Nothing later than what has been found matters. */
-        const V horizon_ring = when + late;
-        const M open_ring = flying & NOT(LANES(hoop_ring_clear)(horizon_ring, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, gravity).clear > zero);
+        const LANES(hoop_horizon_out) until_ring = LANES(hoop_horizon)(when, speed, gravity);
+        const M open_ring = flying & NOT(LANES(hoop_ring_clear)(until_ring.horizon, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, gravity).clear > zero);
         if (lanes_any(open_ring)) {
-            const V horizon = horizon_ring;
-            const V leaving = lanes_select(last == K(0.0), one, zero);
-            const LANES(hoop_ring_prepare_out) p = LANES(hoop_ring_prepare)(horizon, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, gravity);
+            const V horizon = until_ring.horizon;
+            const LANES(hoop_ring_prepare_out) p = LANES(hoop_ring_prepare)(horizon, x, y, z, vx, vy, vz, ball_radius, ring_radius, wire_radius, gravity);
             const M gone = last == K(0.0);
-            const V flat = lanes_select(gone, zero, p.margin);
-            const V tilt = lanes_select(gone, p.leaving_margin, zero);
+            V share = K(2.9802322387695312e-08);
+            LANES(hoop_allowance_out) a = LANES(hoop_allowance)(share, p.latest, extent, speed, position_error, velocity_error, gravity);
+            LANES(hoop_ring_margins_out) allowed = LANES(hoop_ring_margins)(p.latest, extent, speed, a.level, a.velocity_level, ball_radius, ring_radius, wire_radius, gravity);
             V t = zero, end = zero, arrival = never, delay = zero;
+            const M beyond = open_ring & ((a.excess > zero) | (late > until_ring.pad));
+            doubt = lanes_select(beyond, zero, doubt);
             M searching = flying & NOT(flying), certain = searching;
             const V low2 = lanes_select(p.low2 > zero, p.low2, zero);
             const V high2 = lanes_select(p.high2 < horizon, p.high2, horizon);
@@ -430,17 +436,33 @@ static void LANES(hoop_run)(const hoop_job *job)
                 searching |= opens;
             }
             for (int step = 0; lanes_any(searching); step++) {
-                const V margin = flat + tilt * t;
-                const LANES(hoop_ring_advance_out) a = LANES(hoop_ring_advance)(t, end, leaving, margin, p.rate_margin, p.ceiling, x, y, z, vx, vy, vz, p.steady, p.swing, p.rho_start, ball_radius, ring_radius, wire_radius, gravity);
-                const M falling = (a.rate < zero) | ((a.rate <= p.rate_margin) & (a.bend < zero));
+                /* Near the surface that the ball left, F/t is known better than F. */
+                const V tilted = allowed.leaving_margin * t;
+                const M nearby = gone & (tilted < allowed.margin);
+                const V leaving = lanes_select(nearby, one, zero);
+                const V margin = lanes_select(nearby, tilted, allowed.margin);
+                const LANES(hoop_ring_advance_out) a = LANES(hoop_ring_advance)(t, end, leaving, margin, allowed.rate_margin, p.ceiling, x, y, z, vx, vy, vz, p.steady, p.swing, p.rho_start, ball_radius, ring_radius, wire_radius, gravity);
+                const M falling = (a.rate < zero) | ((a.rate <= allowed.rate_margin) & (a.bend < zero));
                 const M clear = falling & (a.clearance > zero);
-                const M hit = searching & falling & ((a.gap - margin <= margin) | clear);
+                M hit = searching & falling & ((a.gap - margin <= margin) | clear);
+                /* A root that is not certain is looked at again, with smaller errors allowed. */
+                const M vague = hit & NOT(clear) & (share > K(2.842170943040401e-14));
+                if (lanes_any(vague)) {
+                    share = lanes_select(vague, share * K(0.03125), share);
+                    const LANES(hoop_allowance_out) less = LANES(hoop_allowance)(share, p.latest, extent, speed, position_error, velocity_error, gravity);
+                    const LANES(hoop_ring_margins_out) fine = LANES(hoop_ring_margins)(p.latest, extent, speed, less.level, less.velocity_level, ball_radius, ring_radius, wire_radius, gravity);
+                    allowed.margin = lanes_select(vague, fine.margin, allowed.margin);
+                    allowed.leaving_margin = lanes_select(vague, fine.leaving_margin, allowed.leaving_margin);
+                    allowed.rate_margin = lanes_select(vague, fine.rate_margin, allowed.rate_margin);
+                    doubt = lanes_select(vague & (less.excess > zero) & (t < doubt), t, doubt);
+                    hit &= NOT(vague);
+                }
                 arrival = lanes_select(hit, lanes_select(clear, t - a.gap / a.rate, t), arrival);
                 certain |= hit & clear;
                 searching &= NOT(hit);
-                const M exhausted = searching & (a.step >= end - t);
+                const M exhausted = searching & NOT(vague) & (a.step >= end - t);
                 const V passed = end;
-                t = lanes_select(searching, t + a.step, t);
+                t = lanes_select(searching & NOT(vague), t + a.step, t);
                 if (lanes_any(exhausted)) {
                     M more = searching & NOT(searching);
                     {
@@ -471,12 +493,15 @@ static void LANES(hoop_run)(const hoop_job *job)
             const M arrives = arrival < never;
             {
                 V t = arrival;
+                const M nearby = gone & (allowed.leaving_margin * t < allowed.margin);
+                const V leaving = lanes_select(nearby, one, zero);
                 LANES(hoop_ring_refine_out) r = LANES(hoop_ring_refine)(t, leaving, x, y, z, vx, vy, vz, p.rho_start, ball_radius, ring_radius, wire_radius, gravity);
                 t = lanes_select(certain, r.time, t);
                 r = LANES(hoop_ring_refine)(t, leaving, x, y, z, vx, vy, vz, p.rho_start, ball_radius, ring_radius, wire_radius, gravity);
                 t = lanes_select(certain, r.time, t);
-                const V margin = flat + tilt * t;
-                const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, p.rate_margin, r.rate, p.ceiling);
+                const LANES(hoop_ring_margins_out) own = LANES(hoop_ring_margins)(p.latest, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, gravity);
+                const V margin = lanes_select(nearby, own.leaving_margin * t, own.margin);
+                const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, own.rate_margin, r.rate, p.ceiling);
                 certain &= c.clearance > zero;
                 arrival = lanes_select(t < zero, zero, t);
                 delay = lanes_select(certain, c.delay, zero);

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 7f86af7c4406ff74,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 540e89c415727eb2,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -110,6 +110,36 @@ LANES(hoop_crossing)(V margin, V rate_margin, V rate, V ceiling)
 {
     const V s0 = -(rate + rate_margin);
     return (LANES(hoop_crossing_out)){ lanes_select((K(0.0) < s0), ((s0 * s0) - ((K(6.0) * ceiling) * margin)), s0), (K(6.0) * margin) / s0 };
+}
+
+/* Errors of a state that a search allows for, and by how much the errors exceed them.
+   a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection. */
+typedef struct {
+    V level, velocity_level, excess;
+} LANES(hoop_allowance_out);
+
+LANES_INLINE LANES(hoop_allowance_out)
+LANES(hoop_allowance)(V share, V horizon, V extent, V speed, V position_error, V velocity_error, V gravity)
+{
+    const V s0 = speed + (gravity * horizon);
+    const V s1 = share * (extent + (horizon * s0));
+    const V s2 = share * s0;
+    const V s3 = position_error - s1;
+    const V s4 = velocity_error - s2;
+    return (LANES(hoop_allowance_out)){ s1, s2, lanes_select((s3 < s4), s4, s3) };
+}
+
+/* A time after which no event is wanted, and how long that is after t.
+   the earliest arrival, with room for its delay. 4 operations: 2 additions, 1 multiplication, 1 division. */
+typedef struct {
+    V horizon, pad;
+} LANES(hoop_horizon_out);
+
+LANES_INLINE LANES(hoop_horizon_out)
+LANES(hoop_horizon)(V t, V speed, V gravity)
+{
+    const V s0 = K(9.5367431640625e-07) * (t + (speed / gravity));
+    return (LANES(hoop_horizon_out)){ t + s0, s0 };
 }
 
 /* Sums of the sizes of the coordinates and of the velocities.
@@ -222,29 +252,57 @@ LANES(hoop_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V
     return (LANES(hoop_error_bounds_out)){ K(8.0) * lanes_select((s2 < s3), s3, s2), K(8.0) * lanes_select((s6 < s7), s7, s6), K(8.0) * lanes_select((s10 < s11), s11, s10), K(8.0) * clock_error };
 }
 
-/* 1 where parameters are allowed and the ball overlaps no surface, else 0.
-   Table 2 and the scene's requirements. 85 operations: 6 additions, 18 subtractions, 6 multiplications, 2 square roots, 3 negations, 25 comparisons, 25 selections. */
+/* 1 where parameters are allowed and no surface is overlapped; 1 where that is in doubt.
+   Table 2 and the scene's requirements. 132 operations: 17 additions, 20 subtractions, 7 multiplications, 2 square roots, 3 negations, 18 absolute values, 31 comparisons, 34 selections. */
 typedef struct {
-    V valid;
+    V valid, doubt;
 } LANES(hoop_valid_out);
 
 LANES_INLINE LANES(hoop_valid_out)
-LANES(hoop_valid)(V x, V y, V z, V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V restitution, V gravity, V end_depth)
+LANES(hoop_valid)(V last, V x, V y, V z, V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V restitution, V gravity, V end_depth)
 {
     const V s0 = lanes_sqrt(((x * x) + (y * y)));
-    const V s1 = ball_radius + wire_radius;
-    const V s2 = K(2.0) * ball_radius;
-    const V s3 = ball_radius - board_distance;
-    const V s4 = s0 - ring_radius;
-    const M s5 = ((lanes_sqrt(((z * z) + (s4 * s4))) - ball_radius) - wire_radius) < K(0.0);
-    const V s6 = lanes_select(s5, K(0.0), K(1.0));
-    const V s7 = lanes_select(((y - board_half_width) < K(0.0)), lanes_select(((-(board_half_width + y)) < K(0.0)), lanes_select((((s3 - s2) - x) < K(0.0)), lanes_select(((x - s3) < K(0.0)), K(0.0), s6), s6), s6), s6);
-    const V s8 = lanes_select(((z - board_top) < K(0.0)), lanes_select(((board_bottom - z) < K(0.0)), s7, s6), s6);
-    const V s9 = lanes_select(((-(bridge_half_width + y)) < K(0.0)), lanes_select(((((s1 - s2) - (K(2.0) * wire_radius)) - z) < K(0.0)), lanes_select(((z - s1) < K(0.0)), K(0.0), s8), s8), s8);
-    const V s10 = lanes_select(((-(board_distance + x)) < K(0.0)), lanes_select((x < K(0.0)), lanes_select(((ring_radius - s0) < K(0.0)), lanes_select(((y - bridge_half_width) < K(0.0)), s9, s8), s8), s8), s8);
-    const V s11 = lanes_select((K(0.0) < ring_radius), lanes_select((K(0.0) < ball_radius), lanes_select((K(0.0) < ((ring_radius - ball_radius) - wire_radius)), s10, K(0.0)), K(0.0)), K(0.0));
-    const V s12 = lanes_select((K(0.0) <= restitution), lanes_select((K(0.0) < bridge_half_width), lanes_select((K(0.0) < board_half_width), lanes_select((K(0.0) < board_distance), lanes_select((K(0.0) < wire_radius), s11, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
-    return (LANES(hoop_valid_out)){ lanes_select((K(0.0) < end_depth), lanes_select((K(0.0) < gravity), lanes_select((restitution <= K(1.0)), s12, K(0.0)), K(0.0)), K(0.0)) };
+    const V s1 = s0 - ring_radius;
+    const V s2 = (lanes_sqrt(((z * z) + (s1 * s1))) - ball_radius) - wire_radius;
+    const M s3 = lanes_abs(last) < K(0.5);
+    const V s4 = lanes_select(s3, K(1.0), lanes_select((K(0.0) <= s2), K(1.0), K(0.0)));
+    const V s5 = ball_radius - board_distance;
+    const V s6 = x - s5;
+    const V s7 = K(2.0) * ball_radius;
+    const V s8 = (s5 - s7) - x;
+    const V s9 = lanes_select((s6 < s8), s8, s6);
+    const V s10 = -(board_half_width + y);
+    const V s11 = lanes_select((s9 < s10), s10, s9);
+    const V s12 = y - board_half_width;
+    const V s13 = lanes_select((s11 < s12), s12, s11);
+    const V s14 = board_bottom - z;
+    const V s15 = lanes_select((s13 < s14), s14, s13);
+    const V s16 = z - board_top;
+    const V s17 = lanes_select((s15 < s16), s16, s15);
+    const M s18 = lanes_abs((last - K(1.0))) < K(0.5);
+    const V s19 = lanes_select(s18, s4, lanes_select((K(0.0) <= s17), s4, K(0.0)));
+    const V s20 = ball_radius + wire_radius;
+    const V s21 = z - s20;
+    const V s22 = ((s20 - s7) - (K(2.0) * wire_radius)) - z;
+    const V s23 = lanes_select((s21 < s22), s22, s21);
+    const V s24 = -(bridge_half_width + y);
+    const V s25 = lanes_select((s23 < s24), s24, s23);
+    const V s26 = y - bridge_half_width;
+    const V s27 = lanes_select((s25 < s26), s26, s25);
+    const V s28 = ring_radius - s0;
+    const V s29 = lanes_select((s27 < s28), s28, s27);
+    const V s30 = lanes_select((s29 < x), x, s29);
+    const V s31 = -(board_distance + x);
+    const V s32 = lanes_select((s30 < s31), s31, s30);
+    const M s33 = lanes_abs((last - K(2.0))) < K(0.5);
+    const V s34 = lanes_select((K(0.0) < ring_radius), lanes_select((K(0.0) < ball_radius), lanes_select((K(0.0) < ((ring_radius - ball_radius) - wire_radius)), lanes_select(s33, s19, lanes_select((K(0.0) <= s32), s19, K(0.0))), K(0.0)), K(0.0)), K(0.0));
+    const V s35 = lanes_select((K(0.0) <= restitution), lanes_select((K(0.0) < bridge_half_width), lanes_select((K(0.0) < board_half_width), lanes_select((K(0.0) < board_distance), lanes_select((K(0.0) < wire_radius), s34, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
+    const V s36 = ((((lanes_abs(ball_radius) + lanes_abs(board_bottom)) + lanes_abs(board_distance)) + lanes_abs(board_half_width)) + lanes_abs(board_top)) + lanes_abs(bridge_half_width);
+    const V s37 = ((((s36 + lanes_abs(end_depth)) + lanes_abs(ring_radius)) + lanes_abs(wire_radius)) + lanes_abs(x)) + lanes_abs(y);
+    const V s38 = K(1.7763568394002505e-15) * (s37 + lanes_abs(z));
+    const V s39 = lanes_select(s3, K(0.0), lanes_select((lanes_abs(s2) <= s38), K(1.0), K(0.0)));
+    const V s40 = lanes_select(s18, s39, lanes_select((lanes_abs(s17) <= s38), K(1.0), s39));
+    return (LANES(hoop_valid_out)){ lanes_select((K(0.0) < end_depth), lanes_select((K(0.0) < gravity), lanes_select((restitution <= K(1.0)), s35, K(0.0)), K(0.0)), K(0.0)), lanes_select(s33, s40, lanes_select((lanes_abs(s32) <= s38), K(1.0), s40)) };
 }
 
 /* Not positive where a crossing of the end plane is made.
@@ -392,14 +450,14 @@ LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V s
     return (LANES(hoop_ring_clear_out)){ lanes_select(((position_error + (horizon * velocity_error)) < (K(5.820766091346741e-11) * s2)), s34, K(0.0)) };
 }
 
-/* Constants, windows and margins of the search along a flight.
-   bounds of the event condition. 287 operations: 70 additions, 16 subtractions, 140 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 20 comparisons, 27 selections. */
+/* Constants and windows of the search along a flight, and the errors it allows for.
+   bounds of the event condition. 147 operations: 27 additions, 16 subtractions, 43 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 20 comparisons, 27 selections. */
 typedef struct {
-    V steady, swing, rho_start, low0, high0, low1, high1, low2, high2, margin, leaving_margin, rate_margin, ceiling;
+    V steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest;
 } LANES(hoop_ring_prepare_out);
 
 LANES_INLINE LANES(hoop_ring_prepare_out)
-LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V ball_radius, V ring_radius, V wire_radius, V gravity)
 {
     const V s0 = vz * vz;
     const V s1 = (vx * vx) + (vy * vy);
@@ -448,35 +506,49 @@ LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V
     const M s44 = s41 <= s42;
     const V s45 = lanes_select(s44, s42, lanes_select((s33 < s36), s33, s36));
     const V s46 = lanes_select((s31 < s36), s31, s36);
-    const V s47 = lanes_select((K(0.0) < s39), s39, K(0.0));
-    const V s48 = lanes_select((s47 < s45), s45, s47);
-    const V s49 = lanes_select((s48 < s46), s46, s48);
-    const V s50 = lanes_select((s49 < horizon), s49, horizon);
-    const V s51 = speed + (gravity * s50);
-    const V s52 = K(1.0) / s28;
-    const V s53 = K(1.0009765625) * (((K(4.440896333665362e-16) * s7) * s51) + ((((K(8.881792667330725e-16) * s7) * s17) * s51) * s52));
-    const V s54 = (position_error + (velocity_error * s50)) + (K(4.440892098500626e-16) * (extent + (s51 * s50)));
-    const V s55 = (K(2.220446049250313e-16) * s17) + (K(2.0) * s54);
-    const V s56 = (K(1.1102240834163406e-16) * s7) + s55;
-    const V s57 = K(2.001955034211278) * s7;
-    const V s58 = (((K(2.0019569434243767) * ((K(1.1102230246251565e-16) * ball_radius) + (K(1.1102230246251565e-16) * wire_radius))) * s7) + (s53 * s50)) + (s57 * s56);
-    const V s59 = s7 * s7;
-    const V s60 = speed + ((K(0.5) * gravity) * s50);
-    const V s61 = K(6.667849719736811e-16) * s7;
-    const V s62 = (((s61 * s60) + ((K(4.445233146491208e-16) * s7) * s51)) + (s57 * (((K(1.1102230246251565e-16) * speed) + velocity_error) + ((K(1.6653345369377348e-16) * gravity) * s50)))) + ((K(2.001953125) * s60) * s54);
-    const V s63 = K(4.0) * extent;
-    const V s64 = speed * speed;
-    const V s65 = (s63 * speed) + ((K(2.0) * s64) * s50);
-    const V s66 = (K(1.0009765625) * ((((K(2.0) * position_error) + (K(2.220448166832681e-16) * s7)) + (K(8.881784197001252e-16) * s17)) + s56)) * s65;
-    const V s67 = K(4.440892098500626e-16) * s64;
-    const V s68 = (((((K(1.7763568394002505e-15) * extent) * speed) + (s63 * velocity_error)) + ((K(4.0) * position_error) * speed)) + (s67 * s50)) + ((s67 + ((K(4.0) * speed) * velocity_error)) * s50);
-    const V s69 = K(6.661338147750939e-16) + (s55 * s52);
-    const V s70 = ((((s62 + (s66 * s52)) + ((s61 * s65) * s52)) + ((s57 * s68) * s52)) + ((((K(8.890466292982415e-16) * s7) * s17) * s51) * s52)) + (((s57 * s65) * s69) * s52);
-    const V s71 = velocity_error + (K(2.220446049250313e-16) * s51);
-    const V s72 = (K(2.001955034211278) * ((((K(2.0) * s17) * s71) + ((K(4.440892098500626e-16) * s17) * s51)) + ((K(2.0) * s51) * s54))) * s7;
-    const V s73 = (((((s57 * s71) + (s61 * s51)) + ((K(2.001953125) * s51) * s54)) + (s72 * s52)) + ((((K(1.778093258596483e-15) * s7) * s17) * s51) * s52)) + ((((K(4.00390625) * s17) * s51) * s56) * s52);
-    const V s74 = s73 + (((((K(4.003910068422556) * s7) * s17) * s51) * s69) * s52);
-    return (LANES(hoop_ring_prepare_out)){ s2, s5, lanes_sqrt(s6), lanes_select((s16 < s27), s27, s16), s39, lanes_select(s44, s41, lanes_select((s43 < s27), s27, s43)), s45, lanes_select((s43 < s40), s40, s43), s46, ((s58 + (s57 * s54)) + (K(4.44523738579589e-16) * s59)) + (K(6.667856078693835e-16) * s59), s70, s74, (((K(6.000005722045898) * gravity) * s7) + (s5 * (s52 * (s52 * s52)))) + lanes_abs(s2) };
+    const V s47 = K(1.0) / s28;
+    const V s48 = lanes_select((K(0.0) < s39), s39, K(0.0));
+    const V s49 = lanes_select((s48 < s45), s45, s48);
+    const V s50 = lanes_select((s49 < s46), s46, s49);
+    return (LANES(hoop_ring_prepare_out)){ s2, s5, lanes_sqrt(s6), lanes_select((s16 < s27), s27, s16), s39, lanes_select(s44, s41, lanes_select((s43 < s27), s27, s43)), s45, lanes_select((s43 < s40), s40, s43), s46, (((K(6.000005722045898) * gravity) * s7) + (s5 * (s47 * (s47 * s47)))) + lanes_abs(s2), lanes_select((s50 < horizon), s50, horizon) };
+}
+
+/* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
+   running error analysis. 146 operations: 45 additions, 1 subtraction, 99 multiplications, 1 division. */
+typedef struct {
+    V margin, leaving_margin, rate_margin;
+} LANES(hoop_ring_margins_out);
+
+LANES_INLINE LANES(hoop_ring_margins_out)
+LANES(hoop_ring_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V gravity)
+{
+    const V s0 = ball_radius + wire_radius;
+    const V s1 = speed + (gravity * horizon);
+    const V s2 = K(1.0000009536743164) * s0;
+    const V s3 = ring_radius + s2;
+    const V s4 = K(1.0) / (ring_radius - s2);
+    const V s5 = (K(1.0009765625) * horizon) * (((K(4.440896333665362e-16) * s0) * s1) + ((((K(8.881792667330725e-16) * s0) * s3) * s1) * s4));
+    const V s6 = (position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * (extent + (horizon * s1)));
+    const V s7 = (K(2.220446049250313e-16) * s3) + (K(2.0) * s6);
+    const V s8 = (K(1.1102240834163406e-16) * s0) + s7;
+    const V s9 = K(2.001955034211278) * s0;
+    const V s10 = (s5 + ((K(2.0019569434243767) * ((K(1.1102230246251565e-16) * ball_radius) + (K(1.1102230246251565e-16) * wire_radius))) * s0)) + (s9 * s8);
+    const V s11 = s0 * s0;
+    const V s12 = speed + ((K(0.5) * gravity) * horizon);
+    const V s13 = K(6.667849719736811e-16) * s0;
+    const V s14 = (((s13 * s12) + ((K(4.445233146491208e-16) * s0) * s1)) + (s9 * (((K(1.1102230246251565e-16) * speed) + velocity_error) + ((K(1.6653345369377348e-16) * gravity) * horizon)))) + ((K(2.001953125) * s12) * s6);
+    const V s15 = K(4.0) * extent;
+    const V s16 = speed * speed;
+    const V s17 = (s15 * speed) + ((K(2.0) * horizon) * s16);
+    const V s18 = (K(1.0009765625) * ((((K(2.0) * position_error) + (K(2.220448166832681e-16) * s0)) + (K(8.881784197001252e-16) * s3)) + s8)) * s17;
+    const V s19 = (((((K(1.7763568394002505e-15) * extent) * speed) + (s15 * velocity_error)) + ((K(4.440892098500626e-16) * horizon) * s16)) + (horizon * ((K(4.440892098500626e-16) * s16) + ((K(4.0) * speed) * velocity_error)))) + ((K(4.0) * position_error) * speed);
+    const V s20 = K(6.661338147750939e-16) + (s7 * s4);
+    const V s21 = ((((s14 + (s18 * s4)) + ((s13 * s17) * s4)) + ((s9 * s19) * s4)) + ((((K(8.890466292982415e-16) * s0) * s3) * s1) * s4)) + (((s9 * s17) * s20) * s4);
+    const V s22 = velocity_error + (K(2.220446049250313e-16) * s1);
+    const V s23 = (K(2.001955034211278) * ((((K(2.0) * s3) * s22) + ((K(4.440892098500626e-16) * s3) * s1)) + ((K(2.0) * s1) * s6))) * s0;
+    const V s24 = (((((s9 * s22) + (s13 * s1)) + ((K(2.001953125) * s1) * s6)) + (s23 * s4)) + ((((K(1.778093258596483e-15) * s0) * s3) * s1) * s4)) + ((((K(4.00390625) * s3) * s1) * s8) * s4);
+    const V s25 = s24 + (((((K(4.003910068422556) * s0) * s3) * s1) * s20) * s4);
+    return (LANES(hoop_ring_margins_out)){ ((s10 + (s9 * s6)) + (K(4.44523738579589e-16) * s11)) + (K(6.667856078693835e-16) * s11), s21, s25 };
 }
 
 /* Newton's next value of a root near t, and the rate there.

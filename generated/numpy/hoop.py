@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 7f86af7c4406ff74,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 540e89c415727eb2,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -37,25 +37,31 @@ SURFACES: tuple[tuple[str, int, bool], ...] = (
 )
 """Surfaces in order, the end plane last: name, windows of its search (0: a plane), bounded or not."""
 
+SHARES: tuple[float, ...] = (2.9802322387695312e-08, 9.313225746154785e-10, 2.9103830456733704e-11, 9.094947017729282e-13, 2.842170943040401e-14)
+"""Errors, relative to the flight, that a search allows for, one after another."""
+
 OUTPUTS: dict[str, tuple[str, ...]] = {
     "flight": ("x", "y", "z", "vx", "vy", "vz",),
     "contact_frame": ("n11", "n12", "n13", "n21", "n22", "n23", "n31", "n32", "n33",),
     "impact_through_frame": ("vx", "vy", "vz", "wx", "wy", "wz",),
     "impact": ("vx", "vy", "vz", "wx", "wy", "wz",),
     "crossing": ("clearance", "delay",),
+    "allowance": ("level", "velocity_level", "excess",),
+    "horizon": ("horizon", "pad",),
     "scale": ("extent", "speed",),
     "displacement": ("margin",),
     "carry_flight": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "delay",),
     "carry_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
     "error_bounds": ("position_error", "velocity_error", "spin_error", "time_error",),
-    "valid": ("valid",),
+    "valid": ("valid", "doubt",),
     "target": ("target",),
     "ring_coefficients": ("c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7", "c8",),
     "ring_deflated": ("c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7",),
     "ring_normal": ("nx", "ny", "nz",),
     "ring_carry_normal": ("dnx", "dny", "dnz",),
     "ring_clear": ("clear",),
-    "ring_prepare": ("steady", "swing", "rho_start", "low0", "high0", "low1", "high1", "low2", "high2", "margin", "leaving_margin", "rate_margin", "ceiling",),
+    "ring_prepare": ("steady", "swing", "rho_start", "low0", "high0", "low1", "high1", "low2", "high2", "ceiling", "latest",),
+    "ring_margins": ("margin", "leaving_margin", "rate_margin",),
     "ring_refine": ("time", "rate",),
     "ring_advance": ("gap", "rate", "bend", "step", "clearance",),
     "backboard_coefficients": ("c0", "c1",),
@@ -170,6 +176,30 @@ def crossing(margin: Any, rate_margin: Any, rate: Any, ceiling: Any) -> tuple[An
     return where((0.0 < s0), ((s0 * s0) - ((6.0 * ceiling) * margin)), s0), (6.0 * margin) / s0
 
 
+def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, gravity: Any) -> tuple[Any, ...]:
+    """Errors of a state that a search allows for, and by how much the errors exceed them.
+
+    a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection.
+    Returns level, velocity_level, excess.
+    """
+    s0 = speed + (gravity * horizon)
+    s1 = share * (extent + (horizon * s0))
+    s2 = share * s0
+    s3 = position_error - s1
+    s4 = velocity_error - s2
+    return s1, s2, where((s3 < s4), s4, s3)
+
+
+def horizon(t: Any, speed: Any, gravity: Any) -> tuple[Any, ...]:
+    """A time after which no event is wanted, and how long that is after t.
+
+    the earliest arrival, with room for its delay. 4 operations: 2 additions, 1 multiplication, 1 division.
+    Returns horizon, pad.
+    """
+    s0 = 9.5367431640625e-07 * (t + (speed / gravity))
+    return t + s0, s0
+
+
 def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
     """Sums of the sizes of the coordinates and of the velocities.
 
@@ -265,26 +295,54 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
     return 8.0 * where((s2 < s3), s3, s2), 8.0 * where((s6 < s7), s7, s6), 8.0 * where((s10 < s11), s11, s10), 8.0 * clock_error
 
 
-def valid(x: Any, y: Any, z: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, restitution: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
-    """1 where parameters are allowed and the ball overlaps no surface, else 0.
+def valid(last: Any, x: Any, y: Any, z: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, restitution: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
+    """1 where parameters are allowed and no surface is overlapped; 1 where that is in doubt.
 
-    Table 2 and the scene's requirements. 85 operations: 6 additions, 18 subtractions, 6 multiplications, 2 square roots, 3 negations, 25 comparisons, 25 selections.
-    Returns valid.
+    Table 2 and the scene's requirements. 132 operations: 17 additions, 20 subtractions, 7 multiplications, 2 square roots, 3 negations, 18 absolute values, 31 comparisons, 34 selections.
+    Returns valid, doubt.
     """
     s0 = sqrt(((x * x) + (y * y)))
-    s1 = ball_radius + wire_radius
-    s2 = 2.0 * ball_radius
-    s3 = ball_radius - board_distance
-    s4 = s0 - ring_radius
-    s5 = ((sqrt(((z * z) + (s4 * s4))) - ball_radius) - wire_radius) < 0.0
-    s6 = where(s5, 0.0, 1.0)
-    s7 = where(((y - board_half_width) < 0.0), where(((-(board_half_width + y)) < 0.0), where((((s3 - s2) - x) < 0.0), where(((x - s3) < 0.0), 0.0, s6), s6), s6), s6)
-    s8 = where(((z - board_top) < 0.0), where(((board_bottom - z) < 0.0), s7, s6), s6)
-    s9 = where(((-(bridge_half_width + y)) < 0.0), where(((((s1 - s2) - (2.0 * wire_radius)) - z) < 0.0), where(((z - s1) < 0.0), 0.0, s8), s8), s8)
-    s10 = where(((-(board_distance + x)) < 0.0), where((x < 0.0), where(((ring_radius - s0) < 0.0), where(((y - bridge_half_width) < 0.0), s9, s8), s8), s8), s8)
-    s11 = where((0.0 < ring_radius), where((0.0 < ball_radius), where((0.0 < ((ring_radius - ball_radius) - wire_radius)), s10, 0.0), 0.0), 0.0)
-    s12 = where((0.0 <= restitution), where((0.0 < bridge_half_width), where((0.0 < board_half_width), where((0.0 < board_distance), where((0.0 < wire_radius), s11, 0.0), 0.0), 0.0), 0.0), 0.0)
-    return where((0.0 < end_depth), where((0.0 < gravity), where((restitution <= 1.0), s12, 0.0), 0.0), 0.0),
+    s1 = s0 - ring_radius
+    s2 = (sqrt(((z * z) + (s1 * s1))) - ball_radius) - wire_radius
+    s3 = absolute(last) < 0.5
+    s4 = where(s3, 1.0, where((0.0 <= s2), 1.0, 0.0))
+    s5 = ball_radius - board_distance
+    s6 = x - s5
+    s7 = 2.0 * ball_radius
+    s8 = (s5 - s7) - x
+    s9 = where((s6 < s8), s8, s6)
+    s10 = -(board_half_width + y)
+    s11 = where((s9 < s10), s10, s9)
+    s12 = y - board_half_width
+    s13 = where((s11 < s12), s12, s11)
+    s14 = board_bottom - z
+    s15 = where((s13 < s14), s14, s13)
+    s16 = z - board_top
+    s17 = where((s15 < s16), s16, s15)
+    s18 = absolute((last - 1.0)) < 0.5
+    s19 = where(s18, s4, where((0.0 <= s17), s4, 0.0))
+    s20 = ball_radius + wire_radius
+    s21 = z - s20
+    s22 = ((s20 - s7) - (2.0 * wire_radius)) - z
+    s23 = where((s21 < s22), s22, s21)
+    s24 = -(bridge_half_width + y)
+    s25 = where((s23 < s24), s24, s23)
+    s26 = y - bridge_half_width
+    s27 = where((s25 < s26), s26, s25)
+    s28 = ring_radius - s0
+    s29 = where((s27 < s28), s28, s27)
+    s30 = where((s29 < x), x, s29)
+    s31 = -(board_distance + x)
+    s32 = where((s30 < s31), s31, s30)
+    s33 = absolute((last - 2.0)) < 0.5
+    s34 = where((0.0 < ring_radius), where((0.0 < ball_radius), where((0.0 < ((ring_radius - ball_radius) - wire_radius)), where(s33, s19, where((0.0 <= s32), s19, 0.0)), 0.0), 0.0), 0.0)
+    s35 = where((0.0 <= restitution), where((0.0 < bridge_half_width), where((0.0 < board_half_width), where((0.0 < board_distance), where((0.0 < wire_radius), s34, 0.0), 0.0), 0.0), 0.0), 0.0)
+    s36 = ((((absolute(ball_radius) + absolute(board_bottom)) + absolute(board_distance)) + absolute(board_half_width)) + absolute(board_top)) + absolute(bridge_half_width)
+    s37 = ((((s36 + absolute(end_depth)) + absolute(ring_radius)) + absolute(wire_radius)) + absolute(x)) + absolute(y)
+    s38 = 1.7763568394002505e-15 * (s37 + absolute(z))
+    s39 = where(s3, 0.0, where((absolute(s2) <= s38), 1.0, 0.0))
+    s40 = where(s18, s39, where((absolute(s17) <= s38), 1.0, s39))
+    return where((0.0 < end_depth), where((0.0 < gravity), where((restitution <= 1.0), s35, 0.0), 0.0), 0.0), where(s33, s40, where((absolute(s32) <= s38), 1.0, s40))
 
 
 def target(x: Any, y: Any, ring_radius: Any) -> tuple[Any, ...]:
@@ -414,11 +472,11 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     return where(((position_error + (horizon * velocity_error)) < (5.820766091346741e-11 * s2)), s34, 0.0),
 
 
-def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
-    """Constants, windows and margins of the search along a flight.
+def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+    """Constants and windows of the search along a flight, and the errors it allows for.
 
-    bounds of the event condition. 287 operations: 70 additions, 16 subtractions, 140 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 20 comparisons, 27 selections.
-    Returns steady, swing, rho_start, low0, high0, low1, high1, low2, high2, margin, leaving_margin, rate_margin, ceiling.
+    bounds of the event condition. 147 operations: 27 additions, 16 subtractions, 43 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 20 comparisons, 27 selections.
+    Returns steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest.
     """
     s0 = vz * vz
     s1 = (vx * vx) + (vy * vy)
@@ -467,35 +525,46 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     s44 = s41 <= s42
     s45 = where(s44, s42, where((s33 < s36), s33, s36))
     s46 = where((s31 < s36), s31, s36)
-    s47 = where((0.0 < s39), s39, 0.0)
-    s48 = where((s47 < s45), s45, s47)
-    s49 = where((s48 < s46), s46, s48)
-    s50 = where((s49 < horizon), s49, horizon)
-    s51 = speed + (gravity * s50)
-    s52 = 1.0 / s28
-    s53 = 1.0009765625 * (((4.440896333665362e-16 * s7) * s51) + ((((8.881792667330725e-16 * s7) * s17) * s51) * s52))
-    s54 = (position_error + (velocity_error * s50)) + (4.440892098500626e-16 * (extent + (s51 * s50)))
-    s55 = (2.220446049250313e-16 * s17) + (2.0 * s54)
-    s56 = (1.1102240834163406e-16 * s7) + s55
-    s57 = 2.001955034211278 * s7
-    s58 = (((2.0019569434243767 * ((1.1102230246251565e-16 * ball_radius) + (1.1102230246251565e-16 * wire_radius))) * s7) + (s53 * s50)) + (s57 * s56)
-    s59 = s7 * s7
-    s60 = speed + ((0.5 * gravity) * s50)
-    s61 = 6.667849719736811e-16 * s7
-    s62 = (((s61 * s60) + ((4.445233146491208e-16 * s7) * s51)) + (s57 * (((1.1102230246251565e-16 * speed) + velocity_error) + ((1.6653345369377348e-16 * gravity) * s50)))) + ((2.001953125 * s60) * s54)
-    s63 = 4.0 * extent
-    s64 = speed * speed
-    s65 = (s63 * speed) + ((2.0 * s64) * s50)
-    s66 = (1.0009765625 * ((((2.0 * position_error) + (2.220448166832681e-16 * s7)) + (8.881784197001252e-16 * s17)) + s56)) * s65
-    s67 = 4.440892098500626e-16 * s64
-    s68 = (((((1.7763568394002505e-15 * extent) * speed) + (s63 * velocity_error)) + ((4.0 * position_error) * speed)) + (s67 * s50)) + ((s67 + ((4.0 * speed) * velocity_error)) * s50)
-    s69 = 6.661338147750939e-16 + (s55 * s52)
-    s70 = ((((s62 + (s66 * s52)) + ((s61 * s65) * s52)) + ((s57 * s68) * s52)) + ((((8.890466292982415e-16 * s7) * s17) * s51) * s52)) + (((s57 * s65) * s69) * s52)
-    s71 = velocity_error + (2.220446049250313e-16 * s51)
-    s72 = (2.001955034211278 * ((((2.0 * s17) * s71) + ((4.440892098500626e-16 * s17) * s51)) + ((2.0 * s51) * s54))) * s7
-    s73 = (((((s57 * s71) + (s61 * s51)) + ((2.001953125 * s51) * s54)) + (s72 * s52)) + ((((1.778093258596483e-15 * s7) * s17) * s51) * s52)) + ((((4.00390625 * s17) * s51) * s56) * s52)
-    s74 = s73 + (((((4.003910068422556 * s7) * s17) * s51) * s69) * s52)
-    return s2, s5, sqrt(s6), where((s16 < s27), s27, s16), s39, where(s44, s41, where((s43 < s27), s27, s43)), s45, where((s43 < s40), s40, s43), s46, ((s58 + (s57 * s54)) + (4.44523738579589e-16 * s59)) + (6.667856078693835e-16 * s59), s70, s74, (((6.000005722045898 * gravity) * s7) + (s5 * (s52 * (s52 * s52)))) + absolute(s2)
+    s47 = 1.0 / s28
+    s48 = where((0.0 < s39), s39, 0.0)
+    s49 = where((s48 < s45), s45, s48)
+    s50 = where((s49 < s46), s46, s49)
+    return s2, s5, sqrt(s6), where((s16 < s27), s27, s16), s39, where(s44, s41, where((s43 < s27), s27, s43)), s45, where((s43 < s40), s40, s43), s46, (((6.000005722045898 * gravity) * s7) + (s5 * (s47 * (s47 * s47)))) + absolute(s2), where((s50 < horizon), s50, horizon)
+
+
+def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+    """Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
+
+    running error analysis. 146 operations: 45 additions, 1 subtraction, 99 multiplications, 1 division.
+    Returns margin, leaving_margin, rate_margin.
+    """
+    s0 = ball_radius + wire_radius
+    s1 = speed + (gravity * horizon)
+    s2 = 1.0000009536743164 * s0
+    s3 = ring_radius + s2
+    s4 = 1.0 / (ring_radius - s2)
+    s5 = (1.0009765625 * horizon) * (((4.440896333665362e-16 * s0) * s1) + ((((8.881792667330725e-16 * s0) * s3) * s1) * s4))
+    s6 = (position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * (extent + (horizon * s1)))
+    s7 = (2.220446049250313e-16 * s3) + (2.0 * s6)
+    s8 = (1.1102240834163406e-16 * s0) + s7
+    s9 = 2.001955034211278 * s0
+    s10 = (s5 + ((2.0019569434243767 * ((1.1102230246251565e-16 * ball_radius) + (1.1102230246251565e-16 * wire_radius))) * s0)) + (s9 * s8)
+    s11 = s0 * s0
+    s12 = speed + ((0.5 * gravity) * horizon)
+    s13 = 6.667849719736811e-16 * s0
+    s14 = (((s13 * s12) + ((4.445233146491208e-16 * s0) * s1)) + (s9 * (((1.1102230246251565e-16 * speed) + velocity_error) + ((1.6653345369377348e-16 * gravity) * horizon)))) + ((2.001953125 * s12) * s6)
+    s15 = 4.0 * extent
+    s16 = speed * speed
+    s17 = (s15 * speed) + ((2.0 * horizon) * s16)
+    s18 = (1.0009765625 * ((((2.0 * position_error) + (2.220448166832681e-16 * s0)) + (8.881784197001252e-16 * s3)) + s8)) * s17
+    s19 = (((((1.7763568394002505e-15 * extent) * speed) + (s15 * velocity_error)) + ((4.440892098500626e-16 * horizon) * s16)) + (horizon * ((4.440892098500626e-16 * s16) + ((4.0 * speed) * velocity_error)))) + ((4.0 * position_error) * speed)
+    s20 = 6.661338147750939e-16 + (s7 * s4)
+    s21 = ((((s14 + (s18 * s4)) + ((s13 * s17) * s4)) + ((s9 * s19) * s4)) + ((((8.890466292982415e-16 * s0) * s3) * s1) * s4)) + (((s9 * s17) * s20) * s4)
+    s22 = velocity_error + (2.220446049250313e-16 * s1)
+    s23 = (2.001955034211278 * ((((2.0 * s3) * s22) + ((4.440892098500626e-16 * s3) * s1)) + ((2.0 * s1) * s6))) * s0
+    s24 = (((((s9 * s22) + (s13 * s1)) + ((2.001953125 * s1) * s6)) + (s23 * s4)) + ((((1.778093258596483e-15 * s0) * s3) * s1) * s4)) + ((((4.00390625 * s3) * s1) * s8) * s4)
+    s25 = s24 + (((((4.003910068422556 * s0) * s3) * s1) * s20) * s4)
+    return ((s10 + (s9 * s6)) + (4.44523738579589e-16 * s11)) + (6.667856078693835e-16 * s11), s21, s25
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import jinja2
 
+from hoopgen.derive.events import SHARES
 from hoopgen.derive.kernel import Kernel
 from hoopgen.derive.model import Model, SurfaceKernels, build
 from hoopgen.derive.scene import Scene
@@ -178,6 +179,7 @@ def render_scene(scene: Scene) -> dict[str, str]:
         "finish": surfaces[-1],
         "all_surfaces": surfaces,
         "step_limit": STEP_LIMIT,
+        "shares": [float(share) for share in SHARES],
         "call": _caller(views, scene.name),
         "derivation": derivation_context(model),
     }

@@ -60,6 +60,7 @@ class Library:
             ctypes.c_void_p,
             ctypes.c_void_p,
             ctypes.c_void_p,
+            ctypes.c_void_p,
             ctypes.c_int32,
             ctypes.c_int,
             ctypes.c_void_p,
@@ -70,6 +71,7 @@ class Library:
         self,
         states: NDArray[np.float64],
         parameters: Sequence[NDArray[np.float64]],
+        leaving: NDArray[np.int8] | None,
         max_contacts: int,
         out: Raw,
         stop: NDArray[np.int32],
@@ -83,6 +85,8 @@ class Library:
             (n, 9), C order.
         parameters
             Each of shape () or (n,), contiguous.
+        leaving
+            (n,), the surface that each shot touches at the start and leaves, -1 for none.
         stop
             (1,); a nonzero value from another thread ends the run early.
         width
@@ -102,6 +106,7 @@ class Library:
             states.ctypes.data,
             pointers,
             strides,
+            None if leaving is None else leaving.ctypes.data,
             max_contacts,
             width,
             stop.ctypes.data,

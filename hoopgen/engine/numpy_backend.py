@@ -75,19 +75,20 @@ class Flights:
         State, parameters and carried errors by name; a parameter that all shots share is a number.
     row
         Their rows in the block.
+    last
+        The surfaces that they touched last, -1 for none.
     """
 
     columns: dict[str, Column]
     row: NDArray[np.int64]
+    last: NDArray[np.int64]
     clock: Floats = field(init=False)
-    last: NDArray[np.int64] = field(init=False)
     contacts: NDArray[np.int32] = field(init=False)
 
     def __post_init__(self) -> None:
         shots = len(self.row)
         self.clock = np.zeros(shots)
         self.columns |= {name: np.zeros(shots) for name in (*ERRORS, "clock_error")}
-        self.last = np.full(shots, -1)
         self.contacts = np.zeros(shots, np.int32)
 
     def keep(self, which: Mask) -> None:
@@ -105,6 +106,7 @@ def run(
     kernels: ModuleType,
     states: Floats,
     parameters: Sequence[Column],
+    leaving: NDArray[np.int8] | None,
     max_contacts: int,
     out: Raw,
     stopped: Callable[[], bool] = lambda: False,
@@ -119,6 +121,8 @@ def run(
         (n, 9), C order; SI units.
     parameters
         A number or an array (n,) for each parameter, in the order of ``kernels.PARAMETERS``.
+    leaving
+        Surface that each shot touches at the start and leaves, -1 for none.
     stopped
         Asked between blocks; no further block is begun once it returns True.
     """
@@ -130,23 +134,34 @@ def run(
         for name, value in zip(kernels.PARAMETERS, parameters, strict=True):
             columns[name] = value if np.ndim(value) == 0 else np.asarray(value)[rows]
         block_out = out.rows(start, start + BLOCK)
+        shots = len(states[rows])
+        last = np.full(shots, -1) if leaving is None else leaving[rows].astype(np.int64)
         with np.errstate(all="ignore"):
-            _run_block(kernels, columns, max_contacts, block_out, start)
+            _run_block(kernels, columns, last, max_contacts, block_out, start)
 
 
 def _run_block(
-    kernels: ModuleType, columns: dict[str, Column], max_contacts: int, out: Raw, offset: int
+    kernels: ModuleType,
+    columns: dict[str, Column],
+    leaving: NDArray[np.int64],
+    max_contacts: int,
+    out: Raw,
+    offset: int,
 ) -> None:
     shots = len(np.asarray(columns["x"]))
-    flights = Flights(columns, np.arange(shots))
-    for array, initial in ((out.counts, 0), (out.first, -1), (out.uncertain, False)):
+    finite = np.ones(shots, np.bool_)
+    for array, initial in ((out.counts, 0), (out.first, -1)):
         if array is not None:
             array[:] = initial
     if out.event_counts is not None:
         out.event_counts[:] = 0
-    good = _call(kernels.valid, columns)[0] > 0.0
     for column in columns.values():
-        good = good & (column - column == 0.0)
+        finite = finite & (column - column == 0.0)
+    flights = Flights(columns, np.arange(shots), leaving)
+    valid, doubtful = _call(kernels.valid, columns, last=flights.last)
+    good = finite & (valid > 0.0)
+    if out.uncertain is not None:
+        out.uncertain[:] = finite & (doubtful > 0.0)
     _finish(kernels, flights, ~good, np.full(shots, INVALID), out)
     flights.keep(good)
     while len(flights.row):
@@ -188,7 +203,7 @@ def _advance(
     if out.counts is not None:
         out.counts[flights.row[touches], arrivals.which[touches]] += 1
     if out.first is not None:
-        opening = touches & (flights.last < 0)
+        opening = touches & (flights.contacts == 1)
         out.first[flights.row[opening]] = arrivals.which[opening]
     flights.last = np.where(touches, arrivals.which, flights.last)
     if before is not None:
@@ -286,18 +301,32 @@ def _curved_arrival(
 ) -> None:
     shots = len(gone)
     prepare, advance = getattr(kernels, f"{name}_prepare"), getattr(kernels, f"{name}_advance")
-    horizon = arrivals.when + arrivals.late
+    horizon, pad = _call(kernels.horizon, columns, t=arrivals.when)
     possible = ~(_call(getattr(kernels, f"{name}_clear"), columns, horizon=horizon)[0] > 0.0)
     outputs = _call(prepare, columns, horizon=horizon)
     prepared = dict(zip(kernels.OUTPUTS[f"{name}_prepare"], outputs, strict=True))
     lows = [np.broadcast_to(prepared.pop(f"low{k}"), shots) for k in range(windows)]
     highs = [np.broadcast_to(prepared.pop(f"high{k}"), shots) for k in range(windows)]
-    flat = np.where(gone, 0.0, prepared.pop("margin"))
-    tilt = np.where(gone, prepared.pop("leaving_margin"), 0.0)
-    leaving = np.where(gone, 1.0, 0.0)
+    latest = prepared["latest"]
+    margins = getattr(kernels, f"{name}_margins")
+
+    def allow(share: Floats) -> list[Floats]:
+        """Return the excess of the errors and the margins when they may be `share` of the flight."""
+        level, velocity_level, excess = _call(
+            kernels.allowance, columns, share=share, horizon=latest
+        )
+        levels = {"position_error": level, "velocity_error": velocity_level}
+        return [excess, *_call(margins, columns, horizon=latest, **levels)]
+
+    share = np.full(shots, kernels.SHARES[0])
+    excess, flat, tilt, rate_margin = allow(share)
+    beyond = possible & ((excess > 0.0) | (arrivals.late > pad))
+    arrivals.doubt = np.where(beyond, 0.0, arrivals.doubt)
+    # Near the surface that a ball left, F/t is known better than F; nowhere for other balls.
+    elsewhere = np.where(gone, 1.0, np.inf)
     search = Search(
         np.arange(shots),
-        {**columns, **prepared, "flat": flat, "tilt": tilt, "leaving": leaving},
+        {**columns, **prepared},
         [np.where(low > 0.0, low, 0.0) for low in lows],
         [np.where(high < horizon, high, horizon) for high in highs],
         np.zeros(shots),
@@ -311,34 +340,61 @@ def _curved_arrival(
         if not len(search.shot):
             break
         t, own = search.t, search.columns
-        margin = own["flat"] + own["tilt"] * t
-        gap, rate, bend, stride, clearance = _call(advance, own, t=t, end=search.end, margin=margin)
-        falling = (rate < 0.0) | ((rate <= own["rate_margin"]) & (bend < 0.0))
+        leaving, margin = _nearby((tilt * elsewhere)[search.shot], flat[search.shot], t)
+        slack = rate_margin[search.shot]
+        gap, rate, bend, stride, clearance = _call(
+            advance, own, t=t, end=search.end, margin=margin, rate_margin=slack, leaving=leaving
+        )
+        falling = (rate < 0.0) | ((rate <= slack) & (bend < 0.0))
         clear = falling & (clearance > 0.0)
         hit = falling & ((gap - margin <= margin) | clear)
+        # A root that is not certain is looked at again, with smaller errors allowed.
+        vague = hit & ~clear & (share[search.shot] > kernels.SHARES[-1])
+        if vague.any():
+            again = np.zeros(shots, np.bool_)
+            again[search.shot[vague]] = True
+            share = np.where(again, share * (kernels.SHARES[1] / kernels.SHARES[0]), share)
+            excess, *fine = allow(share)
+            flat, tilt, rate_margin = (
+                np.where(again, new, old)
+                for new, old in zip(fine, (flat, tilt, rate_margin), strict=True)
+            )
+            doubtful = vague & (excess > 0.0)[search.shot]
+            question[search.shot[doubtful]] = np.fmin(question[search.shot[doubtful]], t[doubtful])
+            hit &= ~vague
         arrival[search.shot[hit]] = np.where(clear, t - gap / rate, t)[hit]
         certain[search.shot[hit & clear]] = True
-        exhausted = ~hit & (stride >= search.end - t)
+        exhausted = ~hit & ~vague & (stride >= search.end - t)
         passed = search.end
-        search.t = np.where(hit, t, t + stride)
+        search.t = np.where(hit | vague, t, t + stride)
         going = ~hit & (~exhausted | search.open(exhausted, passed))
         if step == STEP_LIMIT:
-            question[search.shot[going]] = search.t[going]
+            question[search.shot[going]] = np.fmin(question[search.shot[going]], search.t[going])
         if not going.all():
             search.keep(going)
+    leaving, _ = _nearby(tilt * elsewhere, flat, arrival)
     own = {**columns, **prepared, "leaving": leaving}
     refine = getattr(kernels, f"{name}_refine")
     arrives = arrival < np.inf
     for _ in range(2):
         refined, rate = _call(refine, own, t=arrival)
         arrival = np.where(certain, refined, arrival)
-    margin = flat + tilt * arrival
-    clearance, late = _call(kernels.crossing, own, margin=margin, rate=rate)
+    margin, leaving_margin, rate_margin = _call(margins, columns, horizon=latest)
+    margin = np.where(leaving > 0.0, leaving_margin * arrival, margin)
+    own |= {"margin": margin, "rate_margin": rate_margin}
+    clearance, late = _call(kernels.crossing, own, rate=rate)
     certain &= clearance > 0.0
     arrival = np.where(arrival < 0.0, 0.0, arrival)
     arrivals.question(question < np.inf, question)
     arrivals.question(arrives & ~certain, arrival)
     arrivals.propose(arrives, arrival, np.where(certain, late, 0.0), index)
+
+
+def _nearby(tilt: Floats, flat: Floats, t: Floats) -> tuple[Floats, Floats]:
+    """Return 1 where the deflated form serves, else 0, and the margin of the gap."""
+    tilted = tilt * t
+    nearby = tilted < flat
+    return np.where(nearby, 1.0, 0.0), np.where(nearby, tilted, flat)
 
 
 def _collide(

@@ -44,7 +44,7 @@ def root_bound(coefficients: Sequence[arb]) -> arb | None:
     degree = len(coefficients) - 1
     largest = arb(0)
     for k, coefficient in enumerate(coefficients[:-1]):
-        largest = largest.max(abs(coefficient / leading).root(degree - k))
+        largest = largest.max((coefficient / leading).abs_upper().root(degree - k))
     return (2 * largest + 1).upper()
 
 
@@ -115,27 +115,25 @@ def _enclosed(polynomial: arb_poly, low: arb, high: arb) -> Arrival:
 
 
 def _approximate(polynomial: arb_poly, slope: arb_poly, low: arb, high: arb) -> arb:
-    """Return a number near the root: bisection, then Newton's steps from inside the box."""
-    for _ in range(8):
-        middle = ((low + high) / 2).mid()
+    """Return a number near the root; nothing is proved here.
+
+    Newton's steps; where one leaves the bracket or does not shrink, the bracket is halved.
+    """
+    middle = ((low + high) / 2).mid()
+    last = high - low
+    near = arb(2) ** -(ctx.prec // 2)
+    for _ in range(2 * ctx.prec):
+        step = (polynomial(middle) / slope(middle)).mid()
+        there = (middle - step).mid()
+        size = abs(step)
+        if low <= there and there <= high and size <= last / 2:
+            middle, last = there, size
+            if size <= near * middle:  # the next step doubles the digits, and is the last
+                return (middle - polynomial(middle) / slope(middle)).mid()
+            continue
         if polynomial(middle) > 0:
             low = middle
         else:
             high = middle
-    middle = ((low + high) / 2).mid()
-    last = None
-    for _ in range(4 * ctx.prec):
-        step = (polynomial(middle) / slope(middle)).mid()
-        there = (middle - step).mid()
-        if not (low <= there and there <= high):
-            there = ((low + high) / 2).mid()
-            step = there - middle
-        if polynomial(there) > 0:
-            low = there
-        else:
-            high = there
-        middle, size = there, abs(step)
-        if size.is_zero() or (last is not None and size >= last / 2 and size < last.max(1) * arb(2) ** -(ctx.prec // 2)):
-            break
-        last = size
+        middle, last = ((low + high) / 2).mid(), high - low
     return middle

@@ -1,0 +1,16 @@
+"""The judge: what a shot does, proved in ball arithmetic, apart from the engines."""
+
+from __future__ import annotations
+
+try:
+    import flint as _flint  # noqa: F401
+    import sympy as _sympy  # noqa: F401
+except ImportError as error:
+    raise ImportError(
+        f"certify needs {error.name}: pip install 'hoopgen[certify]'", name=error.name
+    ) from None
+
+from .certificate import Certificate, Enclosure, Proof
+from .certify import MAX_BITS, certify
+
+__all__ = ["MAX_BITS", "Certificate", "Enclosure", "Proof", "certify"]

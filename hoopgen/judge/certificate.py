@@ -1,0 +1,156 @@
+"""What the judge returns: proved sequences, and enclosures of times and states."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from flint import arb, ctx
+from numpy.typing import NDArray
+
+from hoopgen.results import SURFACES
+
+UNDECIDED = 255
+"""In `Certificate.outcome`: none was proved."""
+
+
+class Enclosure(NamedTuple):
+    """A real number proved to be within (middle ± radius) 2^exponent; all three whole numbers."""
+
+    middle: int
+    radius: int
+    exponent: int
+
+    @property
+    def ball(self) -> arb:
+        """The same as an Arb ball."""
+        with ctx.workprec(max(64, self.middle.bit_length())):
+            scale = arb(2) ** self.exponent
+            return arb(self.middle) * scale + arb(0, arb(self.radius) * scale)
+
+    def __str__(self) -> str:
+        """Return the decimal digits that are proved, at most 40."""
+        text: str = self.ball.str(40, radius=False)
+        return text
+
+
+def enclosure(ball: arb) -> Enclosure:
+    """Return a finite ball in whole numbers."""
+    middle, place = map(int, ball.mid().man_exp())
+    radius, radius_place = map(int, ball.rad().man_exp())
+    if not radius:
+        return Enclosure(middle, 0, place)
+    exponent = min(place, radius_place)
+    return Enclosure(middle << (place - exponent), radius << (radius_place - exponent), exponent)
+
+
+def doubles(balls: Sequence[arb]) -> tuple[list[float], list[float]]:
+    """Return the doubles nearest to the balls' middles, and how far the truth can be from them."""
+    nearest = [float(ball) for ball in balls]
+    # An upper bound, rounded to nearest and then up once.
+    away = [float((ball - arb(n)).abs_upper()) for ball, n in zip(balls, nearest, strict=True)]
+    return nearest, [math.nextafter(a, math.inf) if a else 0.0 for a in away]
+
+
+class ProvedEvent(NamedTuple):
+    """A contact or the end: surface, time since the release, states before and after, (9,)."""
+
+    surface: int
+    time: Enclosure
+    before: tuple[Enclosure, ...]
+    after: tuple[Enclosure, ...]
+
+
+@dataclass(frozen=True)
+class Proof:
+    """One shot.
+
+    Attributes
+    ----------
+    outcome
+        An `Outcome`, or `UNDECIDED`.
+    bits
+        The precision at which every decision was proved; if undecided, the last one tried.
+    question
+        What could not be decided, else empty.
+    surfaces, times, time_radii
+        Of the events, as far as they are proved, the end included: index of the surface, the
+        double nearest to the time (s), and how far the truth can be from that.
+    time, time_radius
+        As `Shots.time`, and how far the truth can be from it; NaN if undecided or invalid.
+    state, state_radii
+        As `Shots.state`, likewise.
+    events
+        With record: the events with all digits.
+    """
+
+    outcome: int
+    bits: int
+    question: str
+    surfaces: list[int]
+    times: list[float]
+    time_radii: list[float]
+    time: float
+    time_radius: float
+    state: list[float]
+    state_radii: list[float]
+    events: tuple[ProvedEvent, ...]
+
+    @property
+    def decided(self) -> bool:
+        """True if every decision was proved."""
+        return self.outcome != UNDECIDED
+
+
+class Certificate:
+    """Proofs of a batch: arrays by shot, and each shot's own by index.
+
+    Attributes
+    ----------
+    proofs
+        `Proof` by shot.
+    decided
+        bool (n,), every decision was proved.
+    bits
+        int32 (n,), the precision that this took; undecided: the last one tried.
+    outcome
+        uint8 (n,), an `Outcome`, or `UNDECIDED`.
+    contacts, counts, first
+        As in `Shots`; of an undecided shot, as far as it is proved.
+    time, time_radius
+        float64 (n,), s: the doubles nearest to the proved times, and how far the truth can be from
+        those. NaN where undecided or invalid.
+    state, state_radius
+        float64 (n, 9), likewise.
+    """
+
+    def __init__(self, proofs: Sequence[Proof]) -> None:
+        self.proofs = tuple(proofs)
+        shots = len(proofs)
+        outcome = np.array([p.outcome for p in proofs], np.uint8)
+        self.outcome: NDArray[np.uint8] = outcome
+        self.decided: NDArray[np.bool_] = outcome != UNDECIDED
+        self.bits: NDArray[np.int32] = np.array([p.bits for p in proofs], np.int32)
+        counts = np.zeros((shots, len(SURFACES) + 1), np.int32)
+        for row, proof in zip(counts, proofs, strict=True):
+            row[:] = np.bincount(proof.surfaces, minlength=len(row)) if proof.surfaces else 0
+        self.counts: NDArray[np.int32] = np.ascontiguousarray(counts[:, :-1])
+        self.contacts: NDArray[np.int32] = self.counts.sum(axis=1, dtype=np.int32)
+        first = [p.surfaces[0] if p.surfaces else -1 for p in proofs]
+        self.first = np.array([-1 if k == len(SURFACES) else k for k in first], np.int8)
+        self.time: NDArray[np.float64] = np.array([p.time for p in proofs], float)
+        self.time_radius: NDArray[np.float64] = np.array([p.time_radius for p in proofs], float)
+        states = [p.state for p in proofs], [p.state_radii for p in proofs]
+        self.state, self.state_radius = (np.array(s, float).reshape(shots, 9) for s in states)
+
+    def __len__(self) -> int:
+        return len(self.proofs)
+
+    def __getitem__(self, shot: int) -> Proof:
+        return self.proofs[shot]
+
+    def __repr__(self) -> str:
+        return f"Certificate({len(self)} shots, {int(self.decided.sum())} decided)"

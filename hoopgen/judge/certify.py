@@ -1,0 +1,162 @@
+"""`certify`: more and more digits, until every decision of a shot is proved."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from flint import arb, ctx
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.parameters import PAPER, resolve
+from hoopgen.results import Outcome
+from hoopgen.simulation import _states as checked_states
+
+from .certificate import UNDECIDED, Certificate, Proof, ProvedEvent, doubles, enclosure
+from .flight import Flown, Undecided, fly
+from .formulas import formulas
+
+FIRST_BITS = 128
+MAX_BITS = 4096
+
+CHUNK = 64
+"""Shots that a process takes at a time; with fewer than two chunks there is one process."""
+
+
+def certify(
+    states: ArrayLike,
+    parameters: Mapping[str, Any] = PAPER,
+    *,
+    max_contacts: int = 40,
+    max_bits: int = MAX_BITS,
+    record: bool = False,
+    processes: int | None = None,
+) -> Certificate:
+    """Prove what shots do, in ball arithmetic and without any of the engines.
+
+    Every shot is flown from its exact doubles, with twice as many bits each time, until every
+    decision (is there an arrival, which is first, is it within the bounds, is it made) is proved,
+    and the final time and state are known to more than a double's digits. A true tie, an exact
+    touch or an exact edge is undecidable at any precision and reported as such.
+
+    Parameters
+    ----------
+    states, parameters, max_contacts
+        As in `simulate`.
+    max_bits
+        Where to give up; at least 128.
+    record
+        Whether to keep every event's time and states with all digits.
+    processes
+        How many work; None for as many as the process may use.
+
+    Returns
+    -------
+    Certificate
+        Outcomes, sequences, and times and states with radii, by shot.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not as described; the message says what is.
+    """
+    releases = checked_states(states)
+    values = np.stack(
+        [np.broadcast_to(p, len(releases)) for p in resolve(parameters, len(releases))], axis=-1
+    )
+    if not isinstance(max_contacts, int | np.integer) or not 1 <= max_contacts < 2**31:
+        raise ValueError(f"max_contacts: expected a whole number from 1, got {max_contacts!r}")
+    if not isinstance(max_bits, int | np.integer) or max_bits < FIRST_BITS:
+        raise ValueError(f"max_bits: expected a whole number from {FIRST_BITS}, got {max_bits!r}")
+    formulas()  # compiled here, once for all processes that are forked
+    task = _Task(int(max_contacts), int(max_bits), record)
+    chunks = [
+        (releases[k : k + CHUNK], values[k : k + CHUNK]) for k in range(0, len(releases), CHUNK)
+    ]
+    workers = _processes(processes)
+    if workers == 1 or len(chunks) < 2:
+        parts = [task(chunk) for chunk in chunks]
+    else:
+        with ProcessPoolExecutor(workers) as pool:
+            parts = list(pool.map(task, chunks))
+    return Certificate([proof for part in parts for proof in part])
+
+
+def _processes(processes: int | None) -> int:
+    if processes is None:
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if not isinstance(processes, int | np.integer) or processes < 1:
+        raise ValueError(f"processes: expected a whole number from 1, or None, got {processes!r}")
+    return int(processes)
+
+
+@dataclass(frozen=True)
+class _Task:
+    max_contacts: int
+    max_bits: int
+    record: bool
+
+    def __call__(self, chunk: tuple[NDArray[np.float64], NDArray[np.float64]]) -> list[Proof]:
+        """Prove the shots of a chunk."""
+        rows = zip(chunk[0].tolist(), chunk[1].tolist(), strict=True)
+        return [self.prove(state, parameters) for state, parameters in rows]
+
+    def prove(self, state: Sequence[float], parameters: Sequence[float]) -> Proof:
+        """Prove one shot, with as few doublings as it takes."""
+        bits = FIRST_BITS
+        while True:
+            with ctx.workprec(bits):
+                question = ""
+                try:
+                    flown = fly(formulas(), state, parameters, self.max_contacts)
+                except Undecided as undecided:
+                    question, flown = undecided.args
+                last = 2 * bits > self.max_bits
+                if last or (not question and _accurate(flown)):
+                    return self._proof(flown, bits, question)
+            bits *= 2
+
+    def _proof(self, flown: Flown, bits: int, question: str) -> Proof:
+        times, radii = doubles([event.time for event in flown.events])
+        final = [flown.time, *flown.state]
+        values, away = doubles(final)
+        if question or flown.outcome == Outcome.INVALID:
+            values = away = [math.nan] * len(final)
+        events = ()
+        if self.record:
+            events = tuple(
+                ProvedEvent(
+                    event.surface,
+                    enclosure(event.time),
+                    tuple(map(enclosure, event.before)),
+                    tuple(map(enclosure, event.after)),
+                )
+                for event in flown.events
+            )
+        return Proof(
+            UNDECIDED if question else int(flown.outcome),
+            bits,
+            question,
+            [event.surface for event in flown.events],
+            times,
+            radii,
+            values[0],
+            away[0],
+            values[1:],
+            away[1:],
+            events,
+        )
+
+
+def _accurate(flown: Flown) -> bool:
+    """Return whether the final time and state are known well enough to be rounded to doubles."""
+    relative, absolute = arb(2) ** -64, arb(2) ** -100
+    return flown.outcome == Outcome.INVALID or all(
+        ball.rad() <= abs(ball.mid()) * relative or ball.rad() <= absolute
+        for ball in (flown.time, *flown.state)
+    )

@@ -1,0 +1,266 @@
+"""One shot in balls: every event is the earliest certainly, or the shot is undecided.
+
+The states are exact doubles at the release and balls from the first contact on. What is exact by
+construction is kept exact: a ball is on the surface that it left last (the constant term of that
+event polynomial is dropped), on a plane one coordinate is the plane's, and with restitution 0 it
+leaves with a normal velocity of zero.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from flint import arb
+
+from hoopgen.results import Outcome
+
+from .formulas import Formulas, SurfaceFormulas
+from .roots import Arrival, first_arrival, root_bound, sign
+
+_NEVER = arb.pos_inf()
+
+
+class Undecided(Exception):
+    """A decision that the balls do not make at this precision; the message says which."""
+
+
+@dataclass(frozen=True)
+class Event:
+    """A contact or the end: surface, time since the release, states (9,) before and after."""
+
+    surface: int
+    time: arb
+    before: list[arb]
+    after: list[arb]
+
+
+@dataclass
+class Flown:
+    """A shot as far as it is proved."""
+
+    outcome: int
+    time: arb
+    state: list[arb]
+    events: list[Event] = field(default_factory=list)
+
+
+def fly(
+    formulas: Formulas, state: Sequence[float], parameters: Sequence[float], max_contacts: int
+) -> Flown:
+    """Return the shot's events and outcome, all proved at the current precision.
+
+    Raises
+    ------
+    Undecided
+        If some decision cannot be made; its `args[1]` is the shot as far as it is proved.
+    """
+    values = [arb(value) for value in parameters]
+    now = [arb(component) for component in state]
+    if not _valid(formulas, now, values):
+        return Flown(Outcome.INVALID, arb.nan(), [arb.nan()] * len(now))
+    flown = Flown(Outcome.SHORT, arb(0), now)
+    try:
+        _follow(formulas, values, max_contacts, flown)
+    except Undecided as question:
+        raise Undecided(question.args[0], flown) from None
+    return flown
+
+
+def _follow(formulas: Formulas, values: list[arb], max_contacts: int, flown: Flown) -> None:
+    """Add event after event."""
+    end = len(formulas.surfaces) - 1
+    last = -1
+    while True:
+        start = flown.state
+        found = _next(formulas, start, values, last)
+        if found is None:
+            flown.outcome = Outcome.SHORT
+            return
+        last, time = found
+        before = formulas.flight(start, values, (time,)) + start[6:]
+        flown.time = flown.time + time
+        if last == end:
+            flown.state = before
+            flown.outcome = _made(formulas, before, values)
+            flown.events.append(Event(last, flown.time, before, before))
+            return
+        after = _bounce(formulas, formulas.surfaces[last], before, values)
+        flown.state = after
+        flown.events.append(Event(last, flown.time, before, after))
+        if len(flown.events) >= max_contacts:
+            flown.outcome = Outcome.CAPPED
+            return
+
+
+def _made(formulas: Formulas, state: list[arb], values: list[arb]) -> int:
+    side = sign(formulas.target(state, values)[0])
+    if side is None:
+        raise Undecided("the ball crosses the end plane on the edge of the target")
+    return Outcome.MADE if side <= 0 else Outcome.MISSED
+
+
+def _valid(formulas: Formulas, state: list[arb], values: list[arb]) -> bool:
+    """Decide whether parameters are allowed and the ball is inside no surface."""
+    if not all(value.is_finite() for value in (*state, *values)):
+        return False
+    for value, allowed, upper in zip(values, formulas.signs, formulas.uppers, strict=True):
+        if allowed == "positive" and not value > 0:  # the values are exact
+            return False
+        if allowed == "nonnegative" and not value >= 0:
+            return False
+        if upper is not None and not value <= upper:
+            return False
+    for requirement in formulas.requirements(values):
+        side = sign(requirement)
+        if side is None:
+            raise Undecided("the parameters are on the edge of what is allowed")
+        if side <= 0:
+            return False
+    return not any(_overlaps(surface, state, values) for surface in formulas.surfaces[:-1])
+
+
+def _overlaps(surface: SurfaceFormulas, state: list[arb], values: list[arb]) -> bool:
+    sides = [sign(part) for part in surface.inside(state, values)]
+    if any(side is not None and side >= 0 for side in sides):
+        return False
+    if None in sides:
+        raise Undecided(f"the ball starts on the edge of the {surface.name}")
+    return True
+
+
+def _next(
+    formulas: Formulas, state: list[arb], values: list[arb], last: int
+) -> tuple[int, arb] | None:
+    """Return surface and time of the certainly earliest arrival; None if there is none."""
+    arrivals: dict[int, Arrival] = {}
+    latest = _NEVER
+    still = values[formulas.restitution].is_zero()
+    planes_first = sorted(range(len(formulas.surfaces)), key=lambda k: formulas.surfaces[k].axis < 0)
+    for k in planes_first:
+        arrival = _arrival(formulas, k, state, values, k == last, still, latest)
+        if arrival is not None:
+            arrivals[k] = arrival
+            if arrival.certain and arrival.time < latest:
+                latest = arrival.time.upper()
+    if not arrivals:
+        return None
+    certain = [k for k, arrival in arrivals.items() if arrival.certain]
+    best = min(certain, key=lambda k: float(arrivals[k].time.mid()), default=-1)
+    for k, arrival in arrivals.items():
+        if k != best and not (best >= 0 and arrivals[best].time < arrival.time):
+            name = formulas.surfaces[k].name
+            if not arrival.certain:
+                raise Undecided(f"whether the ball meets the {name}")
+            raise Undecided(f"whether the {name} or the {formulas.surfaces[best].name} comes first")
+    return best, arrivals[best].time
+
+
+def _arrival(
+    formulas: Formulas,
+    index: int,
+    state: list[arb],
+    values: list[arb],
+    gone: bool,
+    still: bool,
+    latest: arb,
+) -> Arrival | None:
+    """Return the first arrival at a surface, within its bounds.
+
+    Exactly vanishing low coefficients are divided out: that of t^0 if the ball is on the surface
+    (`gone`: it left it last), that of t^1 too if it left with restitution 0 (`still`). The sign of
+    the first that remains says whether the ball moves away, or is about to enter: an arrival now.
+    """
+    surface = formulas.surfaces[index]
+    coefficients = surface.coefficients(state, values)
+    zeros = 1 + still if gone else 0
+    while zeros < len(coefficients) and sign(coefficients[zeros]) == 0:
+        zeros += 1
+    rest = coefficients[zeros:]
+    if not rest:
+        return None
+    moving = sign(rest[0])
+    if moving is None and (zeros or surface.axis < 0):
+        return Arrival(arb(0), False)
+    if moving == -1 and zeros:
+        return _bounded(formulas, surface, state, values, Arrival(arb(0), True))
+    if moving == -1 and surface.axis < 0:
+        raise AssertionError(f"the ball is inside the {surface.name}")
+    if surface.axis >= 0:
+        arrival = _descent(rest, moving)
+    else:
+        arrival = _first(rest, latest)
+    return None if arrival is None else _bounded(formulas, surface, state, values, arrival)
+
+
+def _first(coefficients: list[arb], latest: arb) -> Arrival | None:
+    """Return the first arrival of a curved surface up to `latest`, or a little later."""
+    end = latest if latest.is_finite() else root_bound(coefficients)
+    if end is None:
+        return Arrival(arb(0), False)
+    return first_arrival(coefficients, (end * (1 + arb(2) ** -20)).upper())
+
+
+def _descent(coefficients: list[arb], moving: int | None) -> Arrival | None:
+    """Return the arrival of a plane, in t > 0: the root where the polynomial falls.
+
+    `moving` is the sign of the constant term, if known. Of degree two, the root of a t² + b t + c
+    with negative slope -sqrt(D) is 2 c / (sqrt(D) - b) = -(b + sqrt(D)) / (2 a).
+    """
+    while coefficients and coefficients[-1].is_zero():
+        coefficients = coefficients[:-1]
+    if len(coefficients) < 2:
+        return None
+    c, b = coefficients[:2]
+    if len(coefficients) == 2:
+        falling = sign(b)
+        if falling is None:
+            return None if moving == -1 else Arrival(c.abs_lower() / b.abs_upper(), False)
+        time = -c / b if falling < 0 else None
+    else:
+        a = coefficients[2]
+        discriminant = b * b - 4 * a * c
+        certain = sign(discriminant)
+        if certain in (0, -1):
+            return None
+        if certain is None:
+            apex = -b / (2 * a)
+            return None if apex < 0 and moving == -1 else Arrival(_from(apex, a, discriminant), False)
+        root = discriminant.sqrt()
+        time = 2 * c / (root - b) if b < 0 else -(b + root) / (2 * a)
+    if time is None or time < 0:
+        return None
+    return Arrival(time, time > 0)
+
+
+def _from(apex: arb, a: arb, discriminant: arb) -> arb:
+    """Enclose the roots of a parabola that may touch zero, by its apex and their distance."""
+    reach = (discriminant.abs_upper()).sqrt() / (2 * abs(a))
+    return apex + arb(0, reach.abs_upper())
+
+
+def _bounded(
+    formulas: Formulas,
+    surface: SurfaceFormulas,
+    state: list[arb],
+    values: list[arb],
+    arrival: Arrival,
+) -> Arrival | None:
+    """Drop the arrival if it certainly is out of bounds; it is certain if it certainly is not."""
+    there = formulas.flight(state, values, (arrival.time,))
+    sides = [sign(bound) for bound in surface.bounds(there, values)]
+    if 1 in sides:
+        return None
+    return Arrival(arrival.time, arrival.certain and None not in sides)
+
+
+def _bounce(
+    formulas: Formulas, surface: SurfaceFormulas, before: list[arb], values: list[arb]
+) -> list[arb]:
+    """Return the state after a contact, what is exact by construction kept so."""
+    after = before[:3] + formulas.impact(before, values, surface.normal(before, values))
+    if surface.axis >= 0:
+        after[surface.axis] = surface.offset(values)[0]
+        restitution = values[formulas.restitution]
+        after[3 + surface.axis] = -restitution * before[3 + surface.axis]
+    return after

@@ -1,0 +1,220 @@
+"""What every search promises, held against mpmath: bounds of F'', steps, roots, margins."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import mpmath
+import pytest
+import sympy as sp
+from hoopgen.derive.events import Approach, PolynomialApproach, approach
+from hoopgen.derive.scenes import HOOP
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from mpmath import mpf
+from test_derive_evaluation import INFINITY, Path, along, digits, exactly, in_doubles, paths
+
+RING = HOOP.surfaces[0]
+WIDTH = sp.Symbol("width", nonnegative=True)
+EXACT = {"margin": 0, "rate_margin": 0, "leaving": 0}
+parts_of_one = st.floats(0, 1)
+signs = st.tuples(*[st.sampled_from((-1, 1))] * 6)
+
+
+class Search:
+    """An approach with its expressions made once."""
+
+    def __init__(self, made: Approach) -> None:
+        self.approach = made
+        self.windows = made.windows
+        self.gap, self.leaving_gap = made.gap, made.leaving_gap
+        self.rate, self.bend = made.rate, made.bend
+        self.curvature, self.ceiling = made.curvature(WIDTH), made.ceiling
+        self.margins, self.advance, self.refine = made.margins, made.advance(), made.refine()
+
+    def values(self, path: Path) -> dict[str, Any]:
+        """Return the flight with the search's constants, no errors and no margins."""
+        return along(self.approach, path.values) | EXACT
+
+
+OWN = Search(approach(RING, HOOP.gravity))
+OCTIC = Search(PolynomialApproach(HOOP.gravity, RING))
+searches = pytest.mark.parametrize("search", [OWN, OCTIC], ids=["ring", "octic"])
+
+
+def sometimes(examples: int) -> settings:
+    """Return settings for that many examples, the same ones every time."""
+    return settings(deadline=None, derandomize=True, max_examples=examples)
+
+
+def window(path: Path, part: float) -> tuple[mpf, mpf]:
+    """Return a time in a window of the ring, by its part of the way, and the window's end."""
+    values = along(OWN.approach, path.values)
+    later = [
+        (max(exactly(low, values), mpf(0)), exactly(high, values)) for low, high in OWN.windows
+    ]
+    open_ = [(low, high) for low, high in later if low < high < INFINITY]
+    assume(open_)
+    low, high = open_[int(part * len(open_)) if part < 1 else -1]
+    return low + (high - low) * mpf(part), high
+
+
+def slopes(search: Search, values: dict[str, Any], t: mpf) -> tuple[mpf, mpf, mpf]:
+    """Return F, F' and F'' at a time."""
+    there = values | {"t": t}
+    return tuple(exactly(e, there) for e in (search.gap, search.rate, search.bend))
+
+
+# -- Bounds of the second derivative
+
+
+@searches
+@sometimes(150)
+@given(paths(), parts_of_one, parts_of_one)
+def test_the_curvature_bounds_how_much_the_gap_bends_down(
+    search: Search, path: Path, part: float, share: float
+) -> None:
+    """-F''(t + s) <= M for every s up to the width, as long as the window lasts."""
+    with digits(40):
+        t, end = window(path, part)
+        width = (end - t) * mpf(share) ** 3
+        values = search.values(path) | {"horizon": end}
+        bound = exactly(search.curvature, values | {"t": t, "width": width})
+        for k in range(9):
+            assert -slopes(search, values, t + width * k / 8)[2] <= bound
+
+
+@searches
+@sometimes(150)
+@given(paths(), parts_of_one)
+def test_the_ceiling_bounds_the_bend_in_every_window(
+    search: Search, path: Path, part: float
+) -> None:
+    """But for the windows' pads, a few hundred u of it."""
+    with digits(40):
+        t, end = window(path, part)
+        values = search.values(path) | {"horizon": end}
+        bend = slopes(search, values, t)[2]
+        assert abs(bend) <= exactly(search.ceiling, values) * (1 + mpf(2) ** -40)
+
+
+# -- Steps and roots
+
+
+@searches
+@sometimes(150)
+@given(paths(), parts_of_one)
+def test_a_step_passes_no_root(search: Search, path: Path, part: float) -> None:
+    """A positive gap stays positive up to the step, which ends with the window at the latest."""
+    with digits(40):
+        t, end = window(path, part)
+        values = search.values(path) | {"end": end, "horizon": end, "ceiling": 1}
+        gap, _, _ = slopes(search, values, t)
+        assume(gap > 0 and t < end)
+        step = exactly(search.advance["step"], values | {"t": t})
+        assert 0 < step <= end - t
+        for k in range(32):
+            assert exactly(search.gap, values | {"t": t + step * k / 32}) > 0
+        assert exactly(search.gap, values | {"t": t + step}) > -(mpf(10) ** -30)
+
+
+def first_arrival(search: Search, path: Path) -> mpf:
+    """Return where steps from the left end, infinite if they pass every window."""
+    values = search.values(path) | {"horizon": mpf(100), "ceiling": 1}
+    for low, high in search.windows:
+        t, end = max(exactly(low, values), mpf(0)), min(exactly(high, values), mpf(100))
+        while t < end:
+            ahead = values | {"t": t, "end": end}
+            gap, rate, _ = slopes(search, values, t)
+            if gap < mpf(10) ** -30 and rate < 0:
+                return t
+            step = exactly(search.advance["step"], ahead)
+            if step >= end - t:
+                break
+            t += step
+    return INFINITY
+
+
+@searches
+@sometimes(40)
+@given(paths())
+def test_steps_from_the_left_end_at_the_first_arrival_or_prove_that_there_is_none(
+    search: Search, path: Path
+) -> None:
+    """Against the real roots of the octic, found by another method."""
+    with digits(60):
+        values = search.values(path)
+        # Over a few seconds, from outside the ring, and clear of a graze.
+        assume(path.gap(mpf(0)) > mpf(10) ** -6 and path["vx"] ** 2 + path["vy"] ** 2 > 1e-6)
+        coefficients = [exactly(c, values) for c in reversed(OCTIC.approach._coefficients)]
+        roots = mpmath.polyroots(coefficients, maxsteps=500, extraprec=400)
+        real = [r.real for r in roots if abs(r.imag) < mpf(10) ** -25]
+        assume(all(abs(r.imag) > mpf(10) ** -8 or r.real in real for r in roots))
+        rates = {r: slopes(search, values, r)[1] for r in real if r > 0}
+        assume(all(abs(rate) > mpf(10) ** -8 for rate in rates.values()))
+        expected = min((r for r, rate in rates.items() if rate < 0), default=INFINITY)
+        found = first_arrival(search, path)
+        assert found == expected or abs(found - expected) < mpf(10) ** -18
+
+
+@searches
+@sometimes(100)
+@given(paths(), parts_of_one)
+def test_a_clearance_promises_one_simple_root_that_three_newton_steps_reach(
+    search: Search, path: Path, part: float
+) -> None:
+    with digits(120):
+        t, end = window(path, part**8)
+        values = search.values(path) | {"horizon": end, "end": end}
+        values["ceiling"] = exactly(search.ceiling, values)
+        # A step or two from the window brings most arrivals near enough.
+        for _ in range(3):
+            t += exactly(search.advance["step"], values | {"t": t}) * mpf(1 - 2**-20)
+        clearance = exactly(search.advance["clearance"], values | {"t": t})
+        gap, rate, _ = slopes(search, values, t)
+        assume(clearance > 0 and rate < 0 < gap)
+        first = gap / -rate
+        root = t
+        for _ in range(9):
+            root = exactly(search.refine["time"], values | {"t": root})
+        assert abs(exactly(search.gap, values | {"t": root})) < mpf(10) ** -90
+        assert 0 < root - t < mpf(1.01) * first
+        reached = t
+        for _ in range(3):
+            reached = exactly(search.refine["time"], values | {"t": reached})
+        assert abs(reached - root) <= mpf(2) ** -56 * first
+        for k in range(33):
+            assert slopes(search, values, t + 2 * first * k / 32)[1] < 0
+
+
+# -- Margins
+
+
+@searches
+@sometimes(150)
+@given(paths(), parts_of_one, signs, st.sampled_from((0.0, 1e-12, 1e-9)))
+def test_margins_bound_what_gap_and_rate_are_off_by_in_every_window(
+    search: Search, path: Path, part: float, directions: tuple[int, ...], error: float
+) -> None:
+    """Computed in doubles from a state that is off in each of its components."""
+    with digits(40):
+        t, end = window(path, part)
+        t = mpf(float(t))
+        assume(mpf(10) ** -200 < t <= end and path.place(t)[0] > 0)
+        values = search.values(path) | {"t": t, "horizon": end}
+        values |= {"position_error": error, "velocity_error": 2 * error}
+        bounds = {name: exactly(e, values) for name, e in search.margins.items()}
+        computed = in_doubles(
+            {"gap": search.gap, "rate": search.rate, "leaving": search.leaving_gap}, values
+        )
+        names = ("x", "y", "z", "vx", "vy", "vz")
+        off = {
+            name: mpf(path[name]) + sign * error * (2 if name in names[3:] else 1)
+            for name, sign in zip(names, directions, strict=True)
+        }
+        true = search.values(Path(path.values | off)) | {"t": t}
+        gap, rate, _ = slopes(search, true, t)
+        assert abs(gap - float(computed["gap"])) <= bounds["margin"]
+        assert abs(rate - float(computed["rate"])) <= bounds["rate_margin"]
+        left = exactly(search.leaving_gap, true)
+        assert abs(left - float(computed["leaving"])) <= bounds["leaving_margin"] * t

@@ -1,0 +1,135 @@
+"""The ring's own search: its formulas proved, its windows and its filter held against mpmath."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import sympy as sp
+from hoopgen.derive.choice import release
+from hoopgen.derive.events import approach
+from hoopgen.derive.flight import flight
+from hoopgen.derive.ring import CONSTANTS, Ring, RingApproach
+from hoopgen.derive.scenes import HOOP
+from hoopgen.derive.symbols import POSITION, VELOCITY, t
+from hypothesis import example, given, settings
+from mpmath import mpf
+from test_derive_evaluation import PARAMETERS, Path, digits, in_doubles, paths
+
+x, y, z = POSITION
+vx, vy, vz = VELOCITY
+g, radius = sp.symbols("gravity ring_radius", positive=True)
+SEARCH = RingApproach(g, Ring("ring", radius, sp.Symbol("reach", positive=True)))
+PLACE, MOTION = flight(g)
+FLOWN = dict(zip((*POSITION, *VELOCITY), (*PLACE, *MOTION), strict=True))
+"""Eq. 3 as a substitution: the state at time t."""
+RHO_SQUARED = PLACE[0] ** 2 + PLACE[1] ** 2
+RHO = sp.sqrt(RHO_SQUARED)
+SCENE_SEARCH = approach(HOOP.surfaces[0], HOOP.gravity)
+WINDOWS = {
+    f"{side}{k}": bound
+    for k, window in enumerate(SCENE_SEARCH.windows)
+    for side, bound in zip(("low", "high"), window, strict=True)
+}
+often = settings(deadline=None, derandomize=True, max_examples=300)
+
+
+def vanishes(expression: sp.Expr) -> bool:
+    """Return True if the expression is zero along every flight that is not on the ring's axis.
+
+    rho at t and at the start become symbols; the numerator is reduced by what their squares are.
+    """
+    rho, rho0 = sp.symbols("rho rho0", positive=True)
+    known = dict(zip(CONSTANTS, map(release, SEARCH.constants.values()), strict=True))
+    plain = release(expression).subs(known)
+    for length, square in ((rho, RHO_SQUARED), (rho0, x**2 + y**2)):
+        plain = plain.replace(
+            lambda e, s=square: e.is_Pow and e.base == s and not e.exp.is_Integer,
+            lambda e, r=length: r ** (2 * e.exp),
+        )
+    numerator, _ = sp.fraction(sp.together(plain))
+    squares = [rho**2 - sp.expand(RHO_SQUARED), rho0**2 - x**2 - y**2]
+    _, remainder = sp.reduced(sp.expand(numerator), squares, rho, rho0)
+    return bool(sp.expand(remainder) == 0)
+
+
+# -- The formulas at the head of ring.py
+
+
+def test_rho_turns_by_the_constant_moment_over_rho_cubed() -> None:
+    moment = x * vy - y * vx
+    assert sp.expand(moment.subs(FLOWN, simultaneous=True) - moment) == 0
+    assert vanishes(sp.diff(RHO, t, 2) - moment**2 / RHO**3)
+
+
+def test_rho_squared_is_quadratic_with_the_sideways_speed_squared_in_front() -> None:
+    *_, leading = sp.Poly(RHO_SQUARED, t).all_coeffs()[::-1]
+    assert sp.expand(leading - vx**2 - vy**2) == 0
+
+
+def test_steady_and_swing_are_constant_along_a_flight() -> None:
+    for name in ("steady", "swing"):
+        constant = release(SEARCH.constants[name])
+        assert sp.expand(constant.subs(FLOWN, simultaneous=True) - constant) == 0
+
+
+def test_the_gap_is_table_2_with_its_root_kept() -> None:
+    reach = SEARCH.ring.reach
+    assert vanishes(SEARCH.gap - ((RHO - radius) ** 2 + PLACE[2] ** 2 - reach**2))
+
+
+def test_the_second_derivative_of_the_gap_is_that_at_the_head_of_the_file() -> None:
+    moment = x * vy - y * vx
+    constant = 2 * (vx**2 + vy**2 + vz**2 + 2 * g * z)
+    stated = constant - 6 * g * PLACE[2] - 2 * radius * moment**2 / RHO**3
+    assert vanishes(sp.diff(release(SEARCH.gap), t, 2) - stated)
+    assert vanishes(SEARCH.bend - stated)
+
+
+def test_rate_is_the_gaps_derivative_and_bend_the_rates() -> None:
+    assert vanishes(sp.diff(release(SEARCH.gap), t) - SEARCH.rate)
+    assert vanishes(sp.diff(release(SEARCH.rate), t) - SEARCH.bend)
+
+
+def test_the_leaving_gap_is_the_gap_less_its_value_at_the_start() -> None:
+    gap = release(SEARCH.gap)
+    assert vanishes(SEARCH.leaving_gap - (gap - gap.subs(t, 0)))
+
+
+def test_refine_is_newtons_step() -> None:
+    outputs = SEARCH.refine()
+    for leaving, gap in ((0, SEARCH.gap), (1, SEARCH.leaving_gap)):
+        time = outputs["time"].subs(sp.Symbol("leaving", real=True), leaving)
+        assert vanishes((t - time) * SEARCH.rate - gap)
+
+
+# -- The windows
+
+
+def resting(**state: float) -> Path:
+    """Return a flight from the state given; the rest is zero."""
+    return Path(PARAMETERS | dict.fromkeys(("x", "y", "z", "vx", "vy", "vz"), 0.0) | state)
+
+
+@often
+@given(paths())
+@example(resting(z=1.0))
+@example(resting(x=0.235, z=1.0, vz=-3.0))
+@example(resting(x=0.3, z=1.0, vx=1e-320))
+@example(resting(x=0.5, z=-0.3, vx=-0.1, vz=3.0))
+@example(resting(x=0.3, z=0.13128, vy=4.0))
+def test_the_windows_hold_every_time_near_the_ring(path: Path) -> None:
+    """As doubles have them: no interval of |z| <= R and |rho - R_H| <= R is cut."""
+    bounds = in_doubles(WINDOWS, path.values)
+    windows = [(mpf(float(bounds[f"low{k}"])), mpf(float(bounds[f"high{k}"]))) for k in range(3)]
+    with digits(40):
+        for start, end in path.near():
+            assert any(low <= start and end <= high for low, high in windows)
+
+
+@often
+@given(paths())
+def test_the_windows_come_in_order_and_do_not_overlap(path: Path) -> None:
+    bounds = in_doubles(WINDOWS, path.values)
+    windows = [(bounds[f"low{k}"], bounds[f"high{k}"]) for k in range(3)]
+    open_ = [(low, high) for low, high in windows if low < high]
+    assert all(one[1] <= other[0] for one, other in pairwise(open_))
