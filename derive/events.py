@@ -62,7 +62,7 @@ share = sp.Symbol("share", nonnegative=True)
 """Errors of a state, relative to its flight, that a search allows for."""
 
 SHARES = [sp.Rational(1, 2**k) for k in (25, 30, 35, 40, 45)]
-"""Those that are tried, one after another, where a root is not certain."""
+"""Those that are tried, one after another and then 0, where a root is not certain."""
 
 
 def event_coefficients(surface: Surface, gravity: sp.Expr) -> Coefficients:

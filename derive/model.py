@@ -74,7 +74,7 @@ def _order(scene: Scene) -> tuple[sp.Symbol, ...]:
     return (
         *(*searching, *crossing_, *STATE, *NORMAL, *FRAME),
         *(extent, speed, position_error, velocity_error, sensitivity.clock, sensitivity.clock_error),
-        *(*sensitivity.ERRORS, *sensitivity.dn),
+        *(*sensitivity.ERRORS, *sensitivity.dn, sensitivity.curving, sensitivity.shift, sensitivity.turn),
         *CONSTANTS,
         *scene.symbols,
     )
@@ -264,6 +264,12 @@ def _surface_kernels(
         "normal",
         _components(NORMAL, surface.normal),
         "Outward unit normal n3 at a contact.",
+        "Table 2",
+    )
+    add(
+        "curvature",
+        {"curvature": surface.curvature},
+        "Bound on the rate at which the normal turns along the contact surface.",
         "Table 2",
     )
     if surface.bounds:

@@ -82,6 +82,11 @@ class Ring(Surface):
         return sp.Matrix([x * outward, y * outward, z * per_reach])
 
     @property
+    def curvature(self) -> sp.Expr:
+        """1/R around the wire; along it, |rho - R_H|/(rho R) is less than 1/(R_H - R)."""
+        return 1 / hold(smallest(self.reach, hold(self.ring_radius - self.reach)))
+
+    @property
     def inside(self) -> tuple[sp.Expr, ...]:
         """Nearer to the wire than touching."""
         return (self.distance,)

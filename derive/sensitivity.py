@@ -2,31 +2,40 @@
 
 A vector of errors D = (dx, dv, dw) is carried from contact to contact by the derivative of the
 segment's map (flight, contact time, normal, impact), and grows at each by that segment's roundings,
-each added with the sign of the component it meets, so that they never cancel. Products of
+each added with the sign of the component it meets, so that they do not cancel. Products of
 worst-case factors would grow much faster than errors do: after a few contacts D points where the
-errors grow most, as they do themselves. `GUARD` covers the directions that D has not met.
+errors grow most, as they do themselves. Where D happens to shrink in a segment, each of its
+components is lifted to 1/`LIFT` of what that one segment could at worst make of D's size before;
+`GUARD` covers what D has not met.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import cache
 
 import sympy as sp
 
-from .choice import Held, IfAtMost, IfLess, hold, largest, size
+from .choice import Held, IfAtMost, IfLess, hold, largest, size, smallest
 from .flight import flight
 from .impact import impact
 from .surfaces import Surface
 from .symbols import POSITION, UNIT_ROUNDOFF, normal, position, spin, t, velocity
 
-GUARD = 8
+GUARD = 12
 """Bounds are this many times the carried errors; `make exactness` holds them against the judge."""
+
+LIFT = 24
+"""See above. Less would make a growth of its own."""
 
 dx = sp.symbols("dx dy dz", real=True)
 dv = sp.symbols("dvx dvy dvz", real=True)
 dw = sp.symbols("dwx dwy dwz", real=True)
 dn = sp.symbols("dnx dny dnz", real=True)
 ERRORS = dx + dv + dw
+curving, shift, turn = sp.symbols("curving shift turn", nonnegative=True)
+"""Curvature of the surface that a ball meets again, infinite if it meets another one; and, at worst
+after one flight, the error of the position at the contact and of the normal."""
 clock, clock_error = sp.symbols("clock clock_error", nonnegative=True)
 """Time since the release, and the sum of what the contacts' times were off by, s."""
 
@@ -69,6 +78,16 @@ def _away(error: sp.Expr, rounding: sp.Expr) -> sp.Expr:
     return error + IfLess(error, 0, -rounding, rounding)
 
 
+def _greatest(components: Iterable[sp.Expr]) -> sp.Expr:
+    return hold(largest(*map(size, components)))
+
+
+def _lifted(error: sp.Expr, worst: sp.Expr) -> sp.Expr:
+    """Return the error, not nearer to zero than 1/LIFT of the worst."""
+    floor = hold(worst / LIFT)
+    return IfLess(size(error), floor, IfLess(error, 0, -floor, floor), error)
+
+
 def carried_to_contact(gravity: sp.Expr) -> dict[str, sp.Expr]:
     """Return the errors at the end of a flight of time t that meets a surface there.
 
@@ -80,20 +99,34 @@ def carried_to_contact(gravity: sp.Expr) -> dict[str, sp.Expr]:
         flown = 2 * size(velocity[k]) * t + (gravity * t**2 if k == 2 else 0)
         rounding = UNIT_ROUNDOFF * hold(size(position[k]) + flown)
         shifts.append(hold(_away(hold(error + drift * t), rounding)))
-    shift = sp.Matrix(shifts)
-    delay = hold(-shift.dot(normal) / hold(velocity.dot(normal)))
+    moved = sp.Matrix(shifts)
+    delay = hold(-moved.dot(normal) / hold(velocity.dot(normal)))
     _, fallen = flight(gravity, delay)
     falling = [after - before for after, before in zip(fallen, velocity, strict=True)]
-    outputs = dict(zip(map(str, dx), shift + delay * velocity, strict=True))
+    # An error along the surface that the ball left is across it only as far as the normal turned.
+    across = smallest(1, hold(_greatest(velocity) * t) * curving)
+    drift = hold(_greatest(dv) * t)
+    glancing = hold(_greatest(velocity) / size(hold(velocity.dot(normal))))
+    slid = hold(
+        hold(_greatest(dx) + drift) + hold(hold(across * _greatest(dx)) + drift) * glancing
+    )
+    outputs = {
+        str(name): _lifted(hold(value), slid)
+        for name, value in zip(dx, moved + delay * velocity, strict=True)
+    }
     outputs |= {str(s): s + f for s, f in zip(dv, falling, strict=True)}
-    return outputs | {"delay": size(delay) + 4 * UNIT_ROUNDOFF * hold(clock + t)}
+    return outputs | {
+        "delay": size(delay) + 4 * UNIT_ROUNDOFF * hold(clock + t),
+        "shift": slid,
+    }
 
 
 def carried_normal(surface: Surface) -> dict[str, sp.Expr]:
     """Return the error of a surface's normal that an error of the position makes."""
     tangents = dict(zip(POSITION, dx, strict=True))
     turned = [directional(component, tangents) for component in surface.normal]
-    return dict(zip(map(str, dn), turned, strict=True))
+    outputs = dict(zip(map(str, dn), turned, strict=True))
+    return outputs | {"turn": shift * hold(surface.curvature)}
 
 
 def carried_through_impact(ball_radius: sp.Expr, restitution: sp.Expr) -> dict[str, sp.Expr]:
@@ -102,11 +135,13 @@ def carried_through_impact(ball_radius: sp.Expr, restitution: sp.Expr) -> dict[s
     tangents = dict(zip(inputs, (*dv, *dw, *dn), strict=True))
     after = impact(normal, velocity, spin, ball_radius, restitution)
     speed = hold(sum(map(size, velocity)) + ball_radius * hold(sum(map(size, spin))))
+    worst = hold(_greatest(dv) + ball_radius * _greatest(dw) + speed * turn)
     outputs = {}
     for names, vector, scale in ((dv, after[0], speed), (dw, after[1], speed / ball_radius)):
         for name, component in zip(names, vector, strict=True):
             change = hold(directional(component, tangents))
-            outputs[str(name)] = _away(change, 2 * UNIT_ROUNDOFF * scale)
+            grown = hold(_away(change, 2 * UNIT_ROUNDOFF * scale))
+            outputs[str(name)] = _lifted(grown, worst if scale is speed else worst / ball_radius)
     return outputs
 
 

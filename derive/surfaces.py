@@ -48,6 +48,11 @@ class Surface(ABC):
         """Outward unit normal n3 at a contact, the gradient of the distance there."""
 
     @property
+    def curvature(self) -> sp.Expr:
+        """Bound on the rate (1/m) at which the normal turns along the contact surface."""
+        return sp.Integer(0)
+
+    @property
     @abstractmethod
     def inside(self) -> tuple[sp.Expr, ...]:
         """Expressions that are all negative exactly when the ball overlaps the body."""
@@ -128,6 +133,11 @@ class Sphere(Surface):
     def normal(self) -> sp.Matrix:
         """Radial; |p - c| = r at a contact."""
         return self._offset / self.radius
+
+    @property
+    def curvature(self) -> sp.Expr:
+        """1/r."""
+        return 1 / self.radius
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:

@@ -84,7 +84,8 @@ def meaning(part: sp.Basic) -> Callable[..., mpf]:
     if part.is_Rational:
         return lambda p=part.p, q=part.q: mpf(p) / q
     if part in (sp.oo, -sp.oo):
-        return lambda limit=INFINITY if part is sp.oo else -INFINITY: limit
+        limit = INFINITY if part is sp.oo else -INFINITY
+        return lambda: limit
     if part.is_Add:
         return lambda *terms: reduce(operator.add, terms)
     if part.is_Mul:
@@ -110,12 +111,16 @@ def plan(expression: sp.Expr) -> list[Step]:
     """Return what to do for each part of an expression, its own parts first."""
     order: dict[sp.Basic, int] = {}
     steps: list[Step] = []
-    for part in sp.postorder_traversal(expression):
+
+    def visit(part: sp.Basic) -> int:
         if part not in order:
-            order[part] = len(order)
+            inner = tuple(map(visit, part.args))
             name = part.name if part.is_Symbol else ""
-            inner = tuple(order[argument] for argument in part.args)
             steps.append((name, None if name else meaning(part), inner))
+            order[part] = len(order)
+        return order[part]
+
+    visit(expression)
     return steps
 
 

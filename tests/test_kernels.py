@@ -114,7 +114,7 @@ class Evaluator:
 def _number(e: sp.Number) -> Exactly:
     if not e.is_finite:
         return Exactly(mp.inf if e > 0 else -mp.inf)
-    value = Fraction(int(e.p), int(e.q))
+    value = Fraction(str(sp.Rational(e)))
     exact = mpf(value.numerator) / value.denominator
     return Exactly(exact, mpf(0) if Fraction(float(value)) == value else UNIT_ROUNDOFF * abs(exact))
 

@@ -85,8 +85,9 @@ def test_times_and_states_are_true_within_the_bounds_that_the_shot_carries(
 
 @pytest.mark.parametrize("slug", DECIDED)
 def test_the_bounds_are_near_the_unit_roundoff(simulate: Simulate, slug: str) -> None:
-    # A flight costs some tens of roundings, of which the bound takes 16 times the sum; a contact
+    # A flight costs some tens of roundings, and the bound allows for a multiple of them; a contact
     # multiplies errors by about v t / R, ten here; the hops of a swirl are short, and so is that.
+    shots = simulated(simulate, slug)
     contacts = int(shots.contacts[0])
     limit = 1000 * EPS * 10 ** min(contacts, 3) * 2 ** max(contacts - 3, 0)
     assert 0.0 < shots.time_error[0] <= limit

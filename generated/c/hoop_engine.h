@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 540e89c415727eb2,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 20634042f50c1c80,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -405,7 +405,7 @@ static void LANES(hoop_run)(const hoop_job *job)
             const LANES(hoop_ring_prepare_out) p = LANES(hoop_ring_prepare)(horizon, x, y, z, vx, vy, vz, ball_radius, ring_radius, wire_radius, gravity);
             const M gone = last == K(0.0);
             V share = K(2.9802322387695312e-08);
-            LANES(hoop_allowance_out) a = LANES(hoop_allowance)(share, p.latest, extent, speed, position_error, velocity_error, gravity);
+            const LANES(hoop_allowance_out) a = LANES(hoop_allowance)(share, p.latest, extent, speed, position_error, velocity_error, gravity);
             LANES(hoop_ring_margins_out) allowed = LANES(hoop_ring_margins)(p.latest, extent, speed, a.level, a.velocity_level, ball_radius, ring_radius, wire_radius, gravity);
             V t = zero, end = zero, arrival = never, delay = zero;
             const M beyond = open_ring & ((a.excess > zero) | (late > until_ring.pad));
@@ -446,9 +446,10 @@ static void LANES(hoop_run)(const hoop_job *job)
                 const M clear = falling & (a.clearance > zero);
                 M hit = searching & falling & ((a.gap - margin <= margin) | clear);
                 /* A root that is not certain is looked at again, with smaller errors allowed. */
-                const M vague = hit & NOT(clear) & (share > K(2.842170943040401e-14));
+                const M vague = hit & NOT(clear) & (share > zero);
                 if (lanes_any(vague)) {
-                    share = lanes_select(vague, share * K(0.03125), share);
+                    const V smaller = lanes_select(share > K(2.842170943040401e-14), share * K(0.03125), zero);
+                    share = lanes_select(vague, smaller, share);
                     const LANES(hoop_allowance_out) less = LANES(hoop_allowance)(share, p.latest, extent, speed, position_error, velocity_error, gravity);
                     const LANES(hoop_ring_margins_out) fine = LANES(hoop_ring_margins)(p.latest, extent, speed, less.level, less.velocity_level, ball_radius, ring_radius, wire_radius, gravity);
                     allowed.margin = lanes_select(vague, fine.margin, allowed.margin);
@@ -575,7 +576,12 @@ static void LANES(hoop_run)(const hoop_job *job)
 
             /* What this segment adds to the errors, and what the contact makes of them. */
             {
-                const LANES(hoop_carry_flight_out) carried = LANES(hoop_carry_flight)(t, x, y, z, vx, vy, vz, nx, ny, nz, clock, dx, dy, dz, dvx, dvy, dvz, gravity);
+                V curving = never;
+                curving = lanes_select((which == K(0.0)) & (last == which), LANES(hoop_ring_curvature)(ball_radius, ring_radius, wire_radius).curvature, curving);
+                curving = lanes_select((which == K(1.0)) & (last == which), LANES(hoop_backboard_curvature)().curvature, curving);
+                curving = lanes_select((which == K(2.0)) & (last == which), LANES(hoop_bridge_curvature)().curvature, curving);
+                const LANES(hoop_carry_flight_out) carried = LANES(hoop_carry_flight)(t, x, y, z, vx, vy, vz, nx, ny, nz, clock, dx, dy, dz, dvx, dvy, dvz, curving, gravity);
+                const V shift = carried.shift;
                 clock_error = lanes_select(stays, clock_error, clock_error + carried.delay);
                 dx = lanes_select(stays, dx, carried.dx);
                 dy = lanes_select(stays, dy, carried.dy);
@@ -583,15 +589,19 @@ static void LANES(hoop_run)(const hoop_job *job)
                 dvx = lanes_select(stays, dvx, carried.dvx);
                 dvy = lanes_select(stays, dvy, carried.dvy);
                 dvz = lanes_select(stays, dvz, carried.dvz);
-                V dnx = zero, dny = zero, dnz = zero;
+                dx = lanes_select(ends, shift, dx);
+                dy = lanes_select(ends, shift, dy);
+                dz = lanes_select(ends, shift, dz);
+                V dnx = zero, dny = zero, dnz = zero, turn = zero;
                 {
                     const M here = which == K(0.0);
-                    const LANES(hoop_ring_carry_normal_out) turned = LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, ball_radius, ring_radius, wire_radius);
+                    const LANES(hoop_ring_carry_normal_out) turned = LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, ball_radius, ring_radius, wire_radius);
                     dnx = lanes_select(here, turned.dnx, dnx);
                     dny = lanes_select(here, turned.dny, dny);
                     dnz = lanes_select(here, turned.dnz, dnz);
+                    turn = lanes_select(here, turned.turn, turn);
                 }
-                const LANES(hoop_carry_impact_out) after = LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, ball_radius, restitution);
+                const LANES(hoop_carry_impact_out) after = LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, ball_radius, restitution);
                 dvx = lanes_select(touches, after.dvx, dvx);
                 dvy = lanes_select(touches, after.dvy, dvy);
                 dvz = lanes_select(touches, after.dvz, dvz);

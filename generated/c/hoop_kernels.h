@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 540e89c415727eb2,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 20634042f50c1c80,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -171,36 +171,59 @@ LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error
 }
 
 /* Errors of a state at the end of a flight to a surface, from those at its start.
-   derivative of Eq. 3 and of the contact time, with roundings. 61 operations: 19 additions, 1 subtraction, 23 multiplications, 1 division, 4 negations, 7 absolute values, 3 comparisons, 3 selections. */
+   derivative of Eq. 3 and of the contact time, with roundings. 108 operations: 22 additions, 1 subtraction, 29 multiplications, 2 divisions, 5 negations, 17 absolute values, 16 comparisons, 16 selections. */
 typedef struct {
-    V dx, dy, dz, dvx, dvy, dvz, delay;
+    V dx, dy, dz, dvx, dvy, dvz, delay, shift;
 } LANES(hoop_carry_flight_out);
 
 LANES_INLINE LANES(hoop_carry_flight_out)
-LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V dx, V dy, V dz, V dvx, V dvy, V dvz, V gravity)
+LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V dx, V dy, V dz, V dvx, V dvy, V dvz, V curving, V gravity)
 {
     const V s0 = dx + (dvx * t);
-    const V s1 = K(2.0) * t;
-    const V s2 = K(1.1102230246251565e-16) * ((s1 * lanes_abs(vx)) + lanes_abs(x));
-    const V s3 = s0 + lanes_select((s0 < K(0.0)), (-s2), s2);
-    const V s4 = dy + (dvy * t);
-    const V s5 = K(1.1102230246251565e-16) * ((s1 * lanes_abs(vy)) + lanes_abs(y));
-    const V s6 = s4 + lanes_select((s4 < K(0.0)), (-s5), s5);
-    const V s7 = dz + (dvz * t);
-    const V s8 = K(1.1102230246251565e-16) * (((gravity * (t * t)) + (s1 * lanes_abs(vz))) + lanes_abs(z));
-    const V s9 = s7 + lanes_select((s7 < K(0.0)), (-s8), s8);
-    const V s10 = (-(((nx * s3) + (ny * s6)) + (nz * s9))) / (((nx * vx) + (ny * vy)) + (nz * vz));
-    return (LANES(hoop_carry_flight_out)){ (vx * s10) + s3, (vy * s10) + s6, (vz * s10) + s9, dvx, dvy, dvz - (gravity * s10), lanes_abs(s10) + (K(4.440892098500626e-16) * (clock + t)) };
+    const V s1 = lanes_abs(vx);
+    const V s2 = K(2.0) * t;
+    const V s3 = K(1.1102230246251565e-16) * ((s2 * s1) + lanes_abs(x));
+    const V s4 = s0 + lanes_select((s0 < K(0.0)), (-s3), s3);
+    const V s5 = dy + (dvy * t);
+    const V s6 = lanes_abs(vy);
+    const V s7 = K(1.1102230246251565e-16) * ((s2 * s6) + lanes_abs(y));
+    const V s8 = s5 + lanes_select((s5 < K(0.0)), (-s7), s7);
+    const V s9 = dz + (dvz * t);
+    const V s10 = lanes_abs(vz);
+    const V s11 = K(1.1102230246251565e-16) * (((gravity * (t * t)) + (s2 * s10)) + lanes_abs(z));
+    const V s12 = s9 + lanes_select((s9 < K(0.0)), (-s11), s11);
+    const V s13 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const V s14 = (-(((nx * s4) + (ny * s8)) + (nz * s12))) / s13;
+    const V s15 = (vx * s14) + s4;
+    const V s16 = lanes_select((s1 < s6), s6, s1);
+    const V s17 = lanes_select((s16 < s10), s10, s16);
+    const V s18 = lanes_abs(dvx);
+    const V s19 = lanes_abs(dvy);
+    const V s20 = lanes_select((s18 < s19), s19, s18);
+    const V s21 = lanes_abs(dvz);
+    const V s22 = t * lanes_select((s20 < s21), s21, s20);
+    const V s23 = lanes_abs(dx);
+    const V s24 = lanes_abs(dy);
+    const V s25 = lanes_select((s23 < s24), s24, s23);
+    const V s26 = lanes_abs(dz);
+    const V s27 = lanes_select((s25 < s26), s26, s25);
+    const V s28 = curving * (t * s17);
+    const V s29 = ((s17 / lanes_abs(s13)) * (s22 + (s27 * lanes_select((s28 < K(1.0)), s28, K(1.0))))) + (s22 + s27);
+    const V s30 = K(0.041666666666666664) * s29;
+    const V s31 = -s30;
+    const V s32 = (vy * s14) + s8;
+    const V s33 = (vz * s14) + s12;
+    return (LANES(hoop_carry_flight_out)){ lanes_select((lanes_abs(s15) < s30), lanes_select((s15 < K(0.0)), s31, s30), s15), lanes_select((lanes_abs(s32) < s30), lanes_select((s32 < K(0.0)), s31, s30), s32), lanes_select((lanes_abs(s33) < s30), lanes_select((s33 < K(0.0)), s31, s30), s33), dvx, dvy, dvz - (gravity * s14), lanes_abs(s14) + (K(4.440892098500626e-16) * (clock + t)), s29 };
 }
 
 /* Errors of velocity and spin after a contact, from those before it.
-   derivative of the frame-free Eq. 17, with roundings. 188 operations: 43 additions, 30 subtractions, 93 multiplications, 2 divisions, 2 negations, 6 absolute values, 6 comparisons, 6 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 240 operations: 45 additions, 30 subtractions, 96 multiplications, 3 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections. */
 typedef struct {
     V dvx, dvy, dvz, dwx, dwy, dwz;
 } LANES(hoop_carry_impact_out);
 
 LANES_INLINE LANES(hoop_carry_impact_out)
-LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V ball_radius, V restitution)
+LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V ball_radius, V restitution)
 {
     const V s0 = K(0.4) * ball_radius;
     const V s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
@@ -208,24 +231,43 @@ LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V
     const V s3 = (s0 * ((((dnz * wy) + (dwy * nz)) - (dny * wz)) - (dwz * ny))) + (K(0.6) * ((dvx - (dnx * s1)) - (nx * s2)));
     const V s4 = (s3 - ((dnx * restitution) * s1)) - ((nx * restitution) * s2);
     const V s5 = ((ball_radius * ((lanes_abs(wx) + lanes_abs(wy)) + lanes_abs(wz))) + lanes_abs(vx)) + lanes_abs(vy);
-    const V s6 = K(2.220446049250313e-16) * (s5 + lanes_abs(vz));
-    const V s7 = -s6;
-    const V s8 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (K(0.6) * ((dvy - (dny * s1)) - (ny * s2)));
-    const V s9 = (s8 - ((dny * restitution) * s1)) - ((ny * restitution) * s2);
-    const V s10 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (K(0.6) * ((dvz - (dnz * s1)) - (nz * s2)));
-    const V s11 = (s10 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2);
-    const V s12 = ((nx * wx) + (ny * wy)) + (nz * wz);
-    const V s13 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz);
-    const V s14 = K(1.0) / ball_radius;
-    const V s15 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
-    const V s16 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
-    const V s17 = ((dnx * s12) + (nx * s13)) + (s14 * ((((dny * s15) + (ny * s10)) - (dnz * s16)) - (nz * s8)));
-    const V s18 = s6 / ball_radius;
+    const V s6 = s5 + lanes_abs(vz);
+    const V s7 = K(2.220446049250313e-16) * s6;
+    const V s8 = -s7;
+    const V s9 = s4 + lanes_select((s4 < K(0.0)), s8, s7);
+    const V s10 = lanes_abs(dwx);
+    const V s11 = lanes_abs(dwy);
+    const V s12 = lanes_select((s10 < s11), s11, s10);
+    const V s13 = lanes_abs(dwz);
+    const V s14 = lanes_abs(dvx);
+    const V s15 = lanes_abs(dvy);
+    const V s16 = lanes_select((s14 < s15), s15, s14);
+    const V s17 = lanes_abs(dvz);
+    const V s18 = K(0.041666666666666664) * (((ball_radius * lanes_select((s12 < s13), s13, s12)) + (turn * s6)) + lanes_select((s16 < s17), s17, s16));
     const V s19 = -s18;
-    const V s20 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
-    const V s21 = ((dny * s12) + (ny * s13)) + (s14 * ((((dnz * s20) + (nz * s3)) - (dnx * s15)) - (nx * s10)));
-    const V s22 = ((dnz * s12) + (nz * s13)) + (s14 * ((((dnx * s16) + (nx * s8)) - (dny * s20)) - (ny * s3)));
-    return (LANES(hoop_carry_impact_out)){ s4 + lanes_select((s4 < K(0.0)), s7, s6), s9 + lanes_select((s9 < K(0.0)), s7, s6), s11 + lanes_select((s11 < K(0.0)), s7, s6), s17 + lanes_select((s17 < K(0.0)), s19, s18), s21 + lanes_select((s21 < K(0.0)), s19, s18), s22 + lanes_select((s22 < K(0.0)), s19, s18) };
+    const V s20 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (K(0.6) * ((dvy - (dny * s1)) - (ny * s2)));
+    const V s21 = (s20 - ((dny * restitution) * s1)) - ((ny * restitution) * s2);
+    const V s22 = s21 + lanes_select((s21 < K(0.0)), s8, s7);
+    const V s23 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (K(0.6) * ((dvz - (dnz * s1)) - (nz * s2)));
+    const V s24 = (s23 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2);
+    const V s25 = s24 + lanes_select((s24 < K(0.0)), s8, s7);
+    const V s26 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    const V s27 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz);
+    const V s28 = K(1.0) / ball_radius;
+    const V s29 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
+    const V s30 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
+    const V s31 = ((dnx * s26) + (nx * s27)) + (s28 * ((((dny * s29) + (ny * s23)) - (dnz * s30)) - (nz * s20)));
+    const V s32 = s7 / ball_radius;
+    const V s33 = -s32;
+    const V s34 = s31 + lanes_select((s31 < K(0.0)), s33, s32);
+    const V s35 = s18 / ball_radius;
+    const V s36 = -s35;
+    const V s37 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
+    const V s38 = ((dny * s26) + (ny * s27)) + (s28 * ((((dnz * s37) + (nz * s3)) - (dnx * s29)) - (nx * s23)));
+    const V s39 = s38 + lanes_select((s38 < K(0.0)), s33, s32);
+    const V s40 = ((dnz * s26) + (nz * s27)) + (s28 * ((((dnx * s30) + (nx * s20)) - (dny * s37)) - (ny * s3)));
+    const V s41 = s40 + lanes_select((s40 < K(0.0)), s33, s32);
+    return (LANES(hoop_carry_impact_out)){ lanes_select((lanes_abs(s9) < s18), lanes_select((s9 < K(0.0)), s19, s18), s9), lanes_select((lanes_abs(s22) < s18), lanes_select((s22 < K(0.0)), s19, s18), s22), lanes_select((lanes_abs(s25) < s18), lanes_select((s25 < K(0.0)), s19, s18), s25), lanes_select((lanes_abs(s34) < s35), lanes_select((s34 < K(0.0)), s36, s35), s34), lanes_select((lanes_abs(s39) < s35), lanes_select((s39 < K(0.0)), s36, s35), s39), lanes_select((lanes_abs(s41) < s35), lanes_select((s41 < K(0.0)), s36, s35), s41) };
 }
 
 /* Bounds on the errors of a state and its time, from the carried errors.
@@ -249,7 +291,7 @@ LANES(hoop_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V
     const V s9 = lanes_abs(dwy);
     const V s10 = lanes_select((s8 < s9), s9, s8);
     const V s11 = lanes_abs(dwz);
-    return (LANES(hoop_error_bounds_out)){ K(8.0) * lanes_select((s2 < s3), s3, s2), K(8.0) * lanes_select((s6 < s7), s7, s6), K(8.0) * lanes_select((s10 < s11), s11, s10), K(8.0) * clock_error };
+    return (LANES(hoop_error_bounds_out)){ K(12.0) * lanes_select((s2 < s3), s3, s2), K(12.0) * lanes_select((s6 < s7), s7, s6), K(12.0) * lanes_select((s10 < s11), s11, s10), K(12.0) * clock_error };
 }
 
 /* 1 where parameters are allowed and no surface is overlapped; 1 where that is in doubt.
@@ -384,23 +426,39 @@ LANES(hoop_ring_normal)(V x, V y, V z, V ball_radius, V ring_radius, V wire_radi
     return (LANES(hoop_ring_normal_out)){ x * s2, y * s2, z * s0 };
 }
 
-/* Error of the normal, from that of the position.
-   derivative of Table 2's normal. 32 operations: 6 additions, 1 subtraction, 20 multiplications, 3 divisions, 1 square root, 1 negation. */
+/* Bound on the rate at which the normal turns along the contact surface.
+   Table 2. 6 operations: 1 addition, 2 subtractions, 1 division, 1 comparison, 1 selection. */
 typedef struct {
-    V dnx, dny, dnz;
+    V curvature;
+} LANES(hoop_ring_curvature_out);
+
+LANES_INLINE LANES(hoop_ring_curvature_out)
+LANES(hoop_ring_curvature)(V ball_radius, V ring_radius, V wire_radius)
+{
+    const V s0 = (ring_radius - ball_radius) - wire_radius;
+    const V s1 = ball_radius + wire_radius;
+    return (LANES(hoop_ring_curvature_out)){ K(1.0) / lanes_select((s0 < s1), s0, s1) };
+}
+
+/* Error of the normal, from that of the position.
+   derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection. */
+typedef struct {
+    V dnx, dny, dnz, turn;
 } LANES(hoop_ring_carry_normal_out);
 
 LANES_INLINE LANES(hoop_ring_carry_normal_out)
-LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V ball_radius, V ring_radius, V wire_radius)
+LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V ball_radius, V ring_radius, V wire_radius)
 {
-    const V s0 = K(1.0) / (ball_radius + wire_radius);
-    const V s1 = lanes_sqrt(((x * x) + (y * y)));
-    const V s2 = s1 - ring_radius;
-    const V s3 = K(1.0) / s1;
-    const V s4 = (s0 * s2) * s3;
-    const V s5 = (K(0.5) * (((K(2.0) * dx) * x) + ((K(2.0) * dy) * y))) / s1;
-    const V s6 = ((s5 * s0) * s3) + (((-(s5 * (s3 * s3))) * s0) * s2);
-    return (LANES(hoop_ring_carry_normal_out)){ (dx * s4) + (x * s6), (dy * s4) + (y * s6), dz * s0 };
+    const V s0 = ball_radius + wire_radius;
+    const V s1 = K(1.0) / s0;
+    const V s2 = lanes_sqrt(((x * x) + (y * y)));
+    const V s3 = s2 - ring_radius;
+    const V s4 = K(1.0) / s2;
+    const V s5 = (s1 * s3) * s4;
+    const V s6 = (K(0.5) * (((K(2.0) * dx) * x) + ((K(2.0) * dy) * y))) / s2;
+    const V s7 = ((s6 * s1) * s4) + (((-(s6 * (s4 * s4))) * s1) * s3);
+    const V s8 = (ring_radius - ball_radius) - wire_radius;
+    return (LANES(hoop_ring_carry_normal_out)){ (dx * s5) + (x * s7), (dy * s5) + (y * s7), dz * s1, shift * (K(1.0) / lanes_select((s8 < s0), s8, s0)) };
 }
 
 /* Positive if there certainly is no contact before the horizon.
@@ -662,6 +720,18 @@ LANES(hoop_backboard_normal)(void)
     return (LANES(hoop_backboard_normal_out)){ K(1.0), K(0.0), K(0.0) };
 }
 
+/* Bound on the rate at which the normal turns along the contact surface.
+   Table 2. No operations. */
+typedef struct {
+    V curvature;
+} LANES(hoop_backboard_curvature_out);
+
+LANES_INLINE LANES(hoop_backboard_curvature_out)
+LANES(hoop_backboard_curvature)(void)
+{
+    return (LANES(hoop_backboard_curvature_out)){ K(0.0) };
+}
+
 /* The g of Eq. 2: a contact counts where none is positive.
    Eq. 2, Table 2. 5 operations: 1 addition, 3 subtractions, 1 negation. */
 typedef struct {
@@ -745,6 +815,18 @@ LANES_INLINE LANES(hoop_bridge_normal_out)
 LANES(hoop_bridge_normal)(void)
 {
     return (LANES(hoop_bridge_normal_out)){ K(0.0), K(0.0), K(1.0) };
+}
+
+/* Bound on the rate at which the normal turns along the contact surface.
+   Table 2. No operations. */
+typedef struct {
+    V curvature;
+} LANES(hoop_bridge_curvature_out);
+
+LANES_INLINE LANES(hoop_bridge_curvature_out)
+LANES(hoop_bridge_curvature)(void)
+{
+    return (LANES(hoop_bridge_curvature_out)){ K(0.0) };
 }
 
 /* The g of Eq. 2: a contact counts where none is positive.
@@ -833,6 +915,18 @@ LANES_INLINE LANES(hoop_end_normal_out)
 LANES(hoop_end_normal)(void)
 {
     return (LANES(hoop_end_normal_out)){ K(0.0), K(0.0), K(1.0) };
+}
+
+/* Bound on the rate at which the normal turns along the contact surface.
+   Table 2. No operations. */
+typedef struct {
+    V curvature;
+} LANES(hoop_end_curvature_out);
+
+LANES_INLINE LANES(hoop_end_curvature_out)
+LANES(hoop_end_curvature)(void)
+{
+    return (LANES(hoop_end_curvature_out)){ K(0.0) };
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.

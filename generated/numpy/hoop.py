@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 540e89c415727eb2,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 20634042f50c1c80,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -50,7 +50,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "horizon": ("horizon", "pad",),
     "scale": ("extent", "speed",),
     "displacement": ("margin",),
-    "carry_flight": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "delay",),
+    "carry_flight": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "delay", "shift",),
     "carry_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
     "error_bounds": ("position_error", "velocity_error", "spin_error", "time_error",),
     "valid": ("valid", "doubt",),
@@ -58,7 +58,8 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_coefficients": ("c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7", "c8",),
     "ring_deflated": ("c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7",),
     "ring_normal": ("nx", "ny", "nz",),
-    "ring_carry_normal": ("dnx", "dny", "dnz",),
+    "ring_curvature": ("curvature",),
+    "ring_carry_normal": ("dnx", "dny", "dnz", "turn",),
     "ring_clear": ("clear",),
     "ring_prepare": ("steady", "swing", "rho_start", "low0", "high0", "low1", "high1", "low2", "high2", "ceiling", "latest",),
     "ring_margins": ("margin", "leaving_margin", "rate_margin",),
@@ -67,6 +68,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "backboard_coefficients": ("c0", "c1",),
     "backboard_deflated": ("c0",),
     "backboard_normal": ("nx", "ny", "nz",),
+    "backboard_curvature": ("curvature",),
     "backboard_bounds": ("g0", "g1", "g2", "g3",),
     "backboard_arrival": ("time", "rate", "bend",),
     "backboard_margin": ("margin",),
@@ -74,6 +76,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "bridge_coefficients": ("c0", "c1", "c2",),
     "bridge_deflated": ("c0", "c1",),
     "bridge_normal": ("nx", "ny", "nz",),
+    "bridge_curvature": ("curvature",),
     "bridge_bounds": ("g0", "g1", "g2", "g3", "g4",),
     "bridge_arrival": ("time", "rate", "bend",),
     "bridge_margin": ("margin",),
@@ -81,6 +84,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "end_coefficients": ("c0", "c1", "c2",),
     "end_deflated": ("c0", "c1",),
     "end_normal": ("nx", "ny", "nz",),
+    "end_curvature": ("curvature",),
     "end_arrival": ("time", "rate", "bend",),
     "end_margin": ("margin",),
     "end_place": ("x", "y", "z",),
@@ -222,30 +226,53 @@ def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_err
     return s3 + (3.0029296875 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * s1))),
 
 
-def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, gravity: Any) -> tuple[Any, ...]:
+def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, curving: Any, gravity: Any) -> tuple[Any, ...]:
     """Errors of a state at the end of a flight to a surface, from those at its start.
 
-    derivative of Eq. 3 and of the contact time, with roundings. 61 operations: 19 additions, 1 subtraction, 23 multiplications, 1 division, 4 negations, 7 absolute values, 3 comparisons, 3 selections.
-    Returns dx, dy, dz, dvx, dvy, dvz, delay.
+    derivative of Eq. 3 and of the contact time, with roundings. 108 operations: 22 additions, 1 subtraction, 29 multiplications, 2 divisions, 5 negations, 17 absolute values, 16 comparisons, 16 selections.
+    Returns dx, dy, dz, dvx, dvy, dvz, delay, shift.
     """
     s0 = dx + (dvx * t)
-    s1 = 2.0 * t
-    s2 = 1.1102230246251565e-16 * ((s1 * absolute(vx)) + absolute(x))
-    s3 = s0 + where((s0 < 0.0), (-s2), s2)
-    s4 = dy + (dvy * t)
-    s5 = 1.1102230246251565e-16 * ((s1 * absolute(vy)) + absolute(y))
-    s6 = s4 + where((s4 < 0.0), (-s5), s5)
-    s7 = dz + (dvz * t)
-    s8 = 1.1102230246251565e-16 * (((gravity * (t * t)) + (s1 * absolute(vz))) + absolute(z))
-    s9 = s7 + where((s7 < 0.0), (-s8), s8)
-    s10 = (-(((nx * s3) + (ny * s6)) + (nz * s9))) / (((nx * vx) + (ny * vy)) + (nz * vz))
-    return (vx * s10) + s3, (vy * s10) + s6, (vz * s10) + s9, dvx, dvy, dvz - (gravity * s10), absolute(s10) + (4.440892098500626e-16 * (clock + t))
+    s1 = absolute(vx)
+    s2 = 2.0 * t
+    s3 = 1.1102230246251565e-16 * ((s2 * s1) + absolute(x))
+    s4 = s0 + where((s0 < 0.0), (-s3), s3)
+    s5 = dy + (dvy * t)
+    s6 = absolute(vy)
+    s7 = 1.1102230246251565e-16 * ((s2 * s6) + absolute(y))
+    s8 = s5 + where((s5 < 0.0), (-s7), s7)
+    s9 = dz + (dvz * t)
+    s10 = absolute(vz)
+    s11 = 1.1102230246251565e-16 * (((gravity * (t * t)) + (s2 * s10)) + absolute(z))
+    s12 = s9 + where((s9 < 0.0), (-s11), s11)
+    s13 = ((nx * vx) + (ny * vy)) + (nz * vz)
+    s14 = (-(((nx * s4) + (ny * s8)) + (nz * s12))) / s13
+    s15 = (vx * s14) + s4
+    s16 = where((s1 < s6), s6, s1)
+    s17 = where((s16 < s10), s10, s16)
+    s18 = absolute(dvx)
+    s19 = absolute(dvy)
+    s20 = where((s18 < s19), s19, s18)
+    s21 = absolute(dvz)
+    s22 = t * where((s20 < s21), s21, s20)
+    s23 = absolute(dx)
+    s24 = absolute(dy)
+    s25 = where((s23 < s24), s24, s23)
+    s26 = absolute(dz)
+    s27 = where((s25 < s26), s26, s25)
+    s28 = curving * (t * s17)
+    s29 = ((s17 / absolute(s13)) * (s22 + (s27 * where((s28 < 1.0), s28, 1.0)))) + (s22 + s27)
+    s30 = 0.041666666666666664 * s29
+    s31 = -s30
+    s32 = (vy * s14) + s8
+    s33 = (vz * s14) + s12
+    return where((absolute(s15) < s30), where((s15 < 0.0), s31, s30), s15), where((absolute(s32) < s30), where((s32 < 0.0), s31, s30), s32), where((absolute(s33) < s30), where((s33 < 0.0), s31, s30), s33), dvx, dvy, dvz - (gravity * s14), absolute(s14) + (4.440892098500626e-16 * (clock + t)), s29
 
 
-def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, ball_radius: Any, restitution: Any) -> tuple[Any, ...]:
+def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, ball_radius: Any, restitution: Any) -> tuple[Any, ...]:
     """Errors of velocity and spin after a contact, from those before it.
 
-    derivative of the frame-free Eq. 17, with roundings. 188 operations: 43 additions, 30 subtractions, 93 multiplications, 2 divisions, 2 negations, 6 absolute values, 6 comparisons, 6 selections.
+    derivative of the frame-free Eq. 17, with roundings. 240 operations: 45 additions, 30 subtractions, 96 multiplications, 3 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections.
     Returns dvx, dvy, dvz, dwx, dwy, dwz.
     """
     s0 = 0.4 * ball_radius
@@ -254,24 +281,43 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
     s3 = (s0 * ((((dnz * wy) + (dwy * nz)) - (dny * wz)) - (dwz * ny))) + (0.6 * ((dvx - (dnx * s1)) - (nx * s2)))
     s4 = (s3 - ((dnx * restitution) * s1)) - ((nx * restitution) * s2)
     s5 = ((ball_radius * ((absolute(wx) + absolute(wy)) + absolute(wz))) + absolute(vx)) + absolute(vy)
-    s6 = 2.220446049250313e-16 * (s5 + absolute(vz))
-    s7 = -s6
-    s8 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (0.6 * ((dvy - (dny * s1)) - (ny * s2)))
-    s9 = (s8 - ((dny * restitution) * s1)) - ((ny * restitution) * s2)
-    s10 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (0.6 * ((dvz - (dnz * s1)) - (nz * s2)))
-    s11 = (s10 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2)
-    s12 = ((nx * wx) + (ny * wy)) + (nz * wz)
-    s13 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz)
-    s14 = 1.0 / ball_radius
-    s15 = (s0 * ((ny * wx) - (nx * wy))) + (0.6 * (vz - (nz * s1)))
-    s16 = (s0 * ((nx * wz) - (nz * wx))) + (0.6 * (vy - (ny * s1)))
-    s17 = ((dnx * s12) + (nx * s13)) + (s14 * ((((dny * s15) + (ny * s10)) - (dnz * s16)) - (nz * s8)))
-    s18 = s6 / ball_radius
+    s6 = s5 + absolute(vz)
+    s7 = 2.220446049250313e-16 * s6
+    s8 = -s7
+    s9 = s4 + where((s4 < 0.0), s8, s7)
+    s10 = absolute(dwx)
+    s11 = absolute(dwy)
+    s12 = where((s10 < s11), s11, s10)
+    s13 = absolute(dwz)
+    s14 = absolute(dvx)
+    s15 = absolute(dvy)
+    s16 = where((s14 < s15), s15, s14)
+    s17 = absolute(dvz)
+    s18 = 0.041666666666666664 * (((ball_radius * where((s12 < s13), s13, s12)) + (turn * s6)) + where((s16 < s17), s17, s16))
     s19 = -s18
-    s20 = (s0 * ((nz * wy) - (ny * wz))) + (0.6 * (vx - (nx * s1)))
-    s21 = ((dny * s12) + (ny * s13)) + (s14 * ((((dnz * s20) + (nz * s3)) - (dnx * s15)) - (nx * s10)))
-    s22 = ((dnz * s12) + (nz * s13)) + (s14 * ((((dnx * s16) + (nx * s8)) - (dny * s20)) - (ny * s3)))
-    return s4 + where((s4 < 0.0), s7, s6), s9 + where((s9 < 0.0), s7, s6), s11 + where((s11 < 0.0), s7, s6), s17 + where((s17 < 0.0), s19, s18), s21 + where((s21 < 0.0), s19, s18), s22 + where((s22 < 0.0), s19, s18)
+    s20 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (0.6 * ((dvy - (dny * s1)) - (ny * s2)))
+    s21 = (s20 - ((dny * restitution) * s1)) - ((ny * restitution) * s2)
+    s22 = s21 + where((s21 < 0.0), s8, s7)
+    s23 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (0.6 * ((dvz - (dnz * s1)) - (nz * s2)))
+    s24 = (s23 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2)
+    s25 = s24 + where((s24 < 0.0), s8, s7)
+    s26 = ((nx * wx) + (ny * wy)) + (nz * wz)
+    s27 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz)
+    s28 = 1.0 / ball_radius
+    s29 = (s0 * ((ny * wx) - (nx * wy))) + (0.6 * (vz - (nz * s1)))
+    s30 = (s0 * ((nx * wz) - (nz * wx))) + (0.6 * (vy - (ny * s1)))
+    s31 = ((dnx * s26) + (nx * s27)) + (s28 * ((((dny * s29) + (ny * s23)) - (dnz * s30)) - (nz * s20)))
+    s32 = s7 / ball_radius
+    s33 = -s32
+    s34 = s31 + where((s31 < 0.0), s33, s32)
+    s35 = s18 / ball_radius
+    s36 = -s35
+    s37 = (s0 * ((nz * wy) - (ny * wz))) + (0.6 * (vx - (nx * s1)))
+    s38 = ((dny * s26) + (ny * s27)) + (s28 * ((((dnz * s37) + (nz * s3)) - (dnx * s29)) - (nx * s23)))
+    s39 = s38 + where((s38 < 0.0), s33, s32)
+    s40 = ((dnz * s26) + (nz * s27)) + (s28 * ((((dnx * s30) + (nx * s20)) - (dny * s37)) - (ny * s3)))
+    s41 = s40 + where((s40 < 0.0), s33, s32)
+    return where((absolute(s9) < s18), where((s9 < 0.0), s19, s18), s9), where((absolute(s22) < s18), where((s22 < 0.0), s19, s18), s22), where((absolute(s25) < s18), where((s25 < 0.0), s19, s18), s25), where((absolute(s34) < s35), where((s34 < 0.0), s36, s35), s34), where((absolute(s39) < s35), where((s39 < 0.0), s36, s35), s39), where((absolute(s41) < s35), where((s41 < 0.0), s36, s35), s41)
 
 
 def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
@@ -292,7 +338,7 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
     s9 = absolute(dwy)
     s10 = where((s8 < s9), s9, s8)
     s11 = absolute(dwz)
-    return 8.0 * where((s2 < s3), s3, s2), 8.0 * where((s6 < s7), s7, s6), 8.0 * where((s10 < s11), s11, s10), 8.0 * clock_error
+    return 12.0 * where((s2 < s3), s3, s2), 12.0 * where((s6 < s7), s7, s6), 12.0 * where((s10 < s11), s11, s10), 12.0 * clock_error
 
 
 def valid(last: Any, x: Any, y: Any, z: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, restitution: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
@@ -412,20 +458,33 @@ def ring_normal(x: Any, y: Any, z: Any, ball_radius: Any, ring_radius: Any, wire
     return x * s2, y * s2, z * s0
 
 
-def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any) -> tuple[Any, ...]:
+def ring_curvature(ball_radius: Any, ring_radius: Any, wire_radius: Any) -> tuple[Any, ...]:
+    """Bound on the rate at which the normal turns along the contact surface.
+
+    Table 2. 6 operations: 1 addition, 2 subtractions, 1 division, 1 comparison, 1 selection.
+    Returns curvature.
+    """
+    s0 = (ring_radius - ball_radius) - wire_radius
+    s1 = ball_radius + wire_radius
+    return 1.0 / where((s0 < s1), s0, s1),
+
+
+def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any) -> tuple[Any, ...]:
     """Error of the normal, from that of the position.
 
-    derivative of Table 2's normal. 32 operations: 6 additions, 1 subtraction, 20 multiplications, 3 divisions, 1 square root, 1 negation.
-    Returns dnx, dny, dnz.
+    derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection.
+    Returns dnx, dny, dnz, turn.
     """
-    s0 = 1.0 / (ball_radius + wire_radius)
-    s1 = sqrt(((x * x) + (y * y)))
-    s2 = s1 - ring_radius
-    s3 = 1.0 / s1
-    s4 = (s0 * s2) * s3
-    s5 = (0.5 * (((2.0 * dx) * x) + ((2.0 * dy) * y))) / s1
-    s6 = ((s5 * s0) * s3) + (((-(s5 * (s3 * s3))) * s0) * s2)
-    return (dx * s4) + (x * s6), (dy * s4) + (y * s6), dz * s0
+    s0 = ball_radius + wire_radius
+    s1 = 1.0 / s0
+    s2 = sqrt(((x * x) + (y * y)))
+    s3 = s2 - ring_radius
+    s4 = 1.0 / s2
+    s5 = (s1 * s3) * s4
+    s6 = (0.5 * (((2.0 * dx) * x) + ((2.0 * dy) * y))) / s2
+    s7 = ((s6 * s1) * s4) + (((-(s6 * (s4 * s4))) * s1) * s3)
+    s8 = (ring_radius - ball_radius) - wire_radius
+    return (dx * s5) + (x * s7), (dy * s5) + (y * s7), dz * s1, shift * (1.0 / where((s8 < s0), s8, s0))
 
 
 def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
@@ -663,6 +722,15 @@ def backboard_normal() -> tuple[Any, ...]:
     return 1.0, 0.0, 0.0
 
 
+def backboard_curvature() -> tuple[Any, ...]:
+    """Bound on the rate at which the normal turns along the contact surface.
+
+    Table 2. No operations.
+    Returns curvature.
+    """
+    return 0.0,
+
+
 def backboard_bounds(y: Any, z: Any, board_half_width: Any, board_bottom: Any, board_top: Any) -> tuple[Any, ...]:
     """The g of Eq. 2: a contact counts where none is positive.
 
@@ -725,6 +793,15 @@ def bridge_normal() -> tuple[Any, ...]:
     Returns nx, ny, nz.
     """
     return 0.0, 0.0, 1.0
+
+
+def bridge_curvature() -> tuple[Any, ...]:
+    """Bound on the rate at which the normal turns along the contact surface.
+
+    Table 2. No operations.
+    Returns curvature.
+    """
+    return 0.0,
 
 
 def bridge_bounds(x: Any, y: Any, ring_radius: Any, board_distance: Any, bridge_half_width: Any) -> tuple[Any, ...]:
@@ -792,6 +869,15 @@ def end_normal() -> tuple[Any, ...]:
     Returns nx, ny, nz.
     """
     return 0.0, 0.0, 1.0
+
+
+def end_curvature() -> tuple[Any, ...]:
+    """Bound on the rate at which the normal turns along the contact surface.
+
+    Table 2. No operations.
+    Returns curvature.
+    """
+    return 0.0,
 
 
 def end_arrival(leaving: Any, z: Any, vz: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:

@@ -197,7 +197,7 @@ def _advance(
     outcome = np.where(ends, np.where(miss <= 0.0, MADE, MISSED), outcome)
     outcome = np.where(touches & (flights.contacts >= max_contacts), CAPPED, outcome)
 
-    _collide(kernels, columns, arrivals.which, stays, touches, t, flights.clock)
+    _collide(kernels, columns, arrivals.which, stays, touches, flights.last, t, flights.clock)
     if out.uncertain is not None:
         out.uncertain[flights.row] |= doubtful
     if out.counts is not None:
@@ -349,11 +349,13 @@ def _curved_arrival(
         clear = falling & (clearance > 0.0)
         hit = falling & ((gap - margin <= margin) | clear)
         # A root that is not certain is looked at again, with smaller errors allowed.
-        vague = hit & ~clear & (share[search.shot] > kernels.SHARES[-1])
+        vague = hit & ~clear & (share[search.shot] > 0.0)
         if vague.any():
             again = np.zeros(shots, np.bool_)
             again[search.shot[vague]] = True
-            share = np.where(again, share * (kernels.SHARES[1] / kernels.SHARES[0]), share)
+            ratio = kernels.SHARES[1] / kernels.SHARES[0]
+            smaller = np.where(share > kernels.SHARES[-1], share * ratio, 0.0)
+            share = np.where(again, smaller, share)
             excess, *fine = allow(share)
             flat, tilt, rate_margin = (
                 np.where(again, new, old)
@@ -403,20 +405,28 @@ def _collide(
     which: NDArray[np.int64],
     stays: Mask,
     touches: Mask,
+    last: NDArray[np.int64],
     t: Floats,
     clock: Floats,
 ) -> None:
     """Put the ball onto the surface it meets and give it its motion after the contact."""
     normal = {"nx": 0.0, "ny": 0.0, "nz": 0.0}
-    turned = {"dnx": 0.0, "dny": 0.0, "dnz": 0.0}
+    turned = {"dnx": 0.0, "dny": 0.0, "dnz": 0.0, "turn": 0.0}
     for index, (name, _, _) in enumerate(kernels.SURFACES):
         own = _call(getattr(kernels, f"{name}_normal"), columns)
         _choose(which == index, own, normal, normal)
-    *shifted, delay = _call(kernels.carry_flight, columns, t=t, clock=clock, **normal)
+    curving = np.full(len(which), np.inf)
+    for index, (name, _, _) in enumerate(kernels.SURFACES[:-1]):
+        own = _call(getattr(kernels, f"{name}_curvature"), columns)[0]
+        curving = np.where((which == index) & (last == which), own, curving)
+    *shifted, delay, shift = _call(
+        kernels.carry_flight, columns, t=t, clock=clock, curving=curving, **normal
+    )
     _choose(~stays, shifted, CARRIED, columns)
+    _choose(which == len(kernels.SURFACES) - 1, [shift] * 3, CARRIED[:3], columns)
     for index, (name, windows, _) in enumerate(kernels.SURFACES):
         if windows:
-            own = _call(getattr(kernels, f"{name}_carry_normal"), columns)
+            own = _call(getattr(kernels, f"{name}_carry_normal"), columns, shift=shift)
             _choose(which == index, own, turned, turned)
     _choose(~stays, [columns["clock_error"] + delay], ["clock_error"], columns)
     after_errors = _call(kernels.carry_impact, columns, **normal, **turned)

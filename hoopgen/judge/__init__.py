@@ -10,7 +10,7 @@ except ImportError as error:
         f"certify needs {error.name}: pip install 'hoopgen[certify]'", name=error.name
     ) from None
 
-from .certificate import Certificate, Enclosure, Proof
-from .certify import MAX_BITS, certify
+from .batch import MAX_BITS, certify
+from .certificate import UNDECIDED, Certificate, Enclosure, Proof
 
-__all__ = ["MAX_BITS", "Certificate", "Enclosure", "Proof", "certify"]
+__all__ = ["MAX_BITS", "UNDECIDED", "Certificate", "Enclosure", "Proof", "certify"]

@@ -57,10 +57,10 @@ def fly(
     """
     values = [arb(value) for value in parameters]
     now = [arb(component) for component in state]
-    if not _valid(formulas, now, values):
-        return Flown(Outcome.INVALID, arb.nan(), [arb.nan()] * len(now))
     flown = Flown(Outcome.SHORT, arb(0), now)
     try:
+        if not _valid(formulas, now, values):
+            return Flown(Outcome.INVALID, arb.nan(), [arb.nan()] * len(now))
         _follow(formulas, values, max_contacts, flown)
     except Undecided as question:
         raise Undecided(question.args[0], flown) from None
