@@ -74,6 +74,7 @@ def _order(scene: Scene) -> tuple[sp.Symbol, ...]:
     return (
         *(*searching, *crossing_, *STATE, *NORMAL, *FRAME),
         *(extent, speed, position_error, velocity_error, sensitivity.clock, sensitivity.clock_error),
+        sensitivity.contacts,
         *(*sensitivity.ERRORS, *sensitivity.dn, sensitivity.curving, sensitivity.shift, sensitivity.turn),
         *CONSTANTS,
         *scene.symbols,

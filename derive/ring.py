@@ -21,7 +21,16 @@ import sympy as sp
 from .choice import IfAtMost, IfLess, hold, hold_all, largest, size, smallest
 from .events import Approach, Window, horizon, time_rounding
 from .flight import flight
-from .rounding import SAFETY, Rounded, flight_rounding, extent, position_error, rounding, speed, start_rounding, velocity_error
+from .rounding import (
+    SAFETY,
+    Rounded,
+    extent,
+    flight_rounding,
+    flight_size,
+    position_error,
+    speed,
+    velocity_error,
+)
 from .surfaces import Surface
 from .symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
 
@@ -327,57 +336,37 @@ class RingApproach(Approach):
 
     @property
     def margins(self) -> dict[str, sp.Expr]:
-        """By running error analysis; in a window |z| <= R and |rho - R_H| <= R, which bounds all.
+        """What errors of the state and roundings make of F, F/t and F' within the windows.
 
-        rho moves no more than the position does, and 1/rho no more than that over its square.
+        F is the squared distance to the wire's circle less R², so |grad F| <= 2 R, and its Hessian,
+        2 along rho and z and 2 (rho - R_H)/rho across, is at most 2 max(1, R/I) with I = R_H - R.
+        An error p of the position and v of the velocity (in each coordinate; roundings of Eq. 3
+        count as such) change
+
+            F by 2 R sqrt(3) p,    F' by 2 sqrt(3) (R v + max(1, R/I) |v| p),
+
+        and F/t, the mean of F' since the contact, by no more than F'. To these come the roundings
+        of the formulas: rho is known to 3 u (R_H + R), so F to 12 u R (R_H + R) and F' to
+        32 u (R_H + R) |v|; P (rho - R_H + rho0 - R_H)/(rho + rho0) of F/t to
+        16 u max(1, R/I) |p| |v|, P being (rho + rho0) (rho - rho0)/t.
         """
-        u = UNIT_ROUNDOFF
+        u, root = UNIT_ROUNDOFF, sp.Rational(7, 4)
         reach = self._reach
         innermost, outermost = self._radii()
-        steep = hold(1 / innermost)
+        stretch = largest(1, reach / innermost)
+        furthest, fastest = flight_size(self.gravity, horizon)
         there, moving = flight_rounding(self.gravity, horizon)
-        shift = there.error
-        rho_error = hold(2 * shift + 2 * u * outermost)
-        x, y, z, rho, inverse, depth = sp.symbols("x y z rho inverse depth", real=True)
-        vx, vy, vz, rho0 = sp.symbols("vx vy vz rho0", real=True)
-        known = {
-            x: Rounded(outermost, shift),
-            y: Rounded(outermost, shift),
-            z: Rounded(reach, shift),
-            vx: moving,
-            vy: moving,
-            vz: moving,
-            depth: Rounded(reach, hold(rho_error + u * reach)),
-            inverse: Rounded(steep, hold(rho_error * steep + 6 * u) * steep),
-        }
-        gap = rounding((depth**2 + z**2) - reach**2, known).error
-        slope = rounding(2 * (depth * (x * vx + y * vy) * inverse + z * vz), known)
-        # F/t from the start: P and Z carry their own errors, rho those of the position.
-        start = start_rounding()
-        start[t] = Rounded(horizon)
-        _, q, speed_squared, _ = self._polar()
-        outward = _held(rounding(2 * q + speed_squared * t, start))
-        upward = _held(rounding(VELOCITY[2] - self.gravity * t / 2, start))
-        outward_symbol, upward_symbol = sp.symbols("outward upward", real=True)
-        deflated = rounding(
-            outward_symbol * (depth + rho0) * inverse + upward_symbol * (z + z),
-            known
-            | {
-                outward_symbol: outward,
-                upward_symbol: upward,
-                # Also the roundings of rho + rho0 - 2 R_H in any order.
-                rho0: Rounded(reach, 2 * position_error + 8 * u * outermost),
-            },
-        ).error
+        slope = hold(
+            2 * root * hold(reach * moving.error + hold(stretch * fastest) * there.error)
+        )
+        steepest = Rounded(2 * hold(reach * fastest))
+        gap = 2 * root * reach * there.error + 12 * u * reach * outermost
+        mean = slope + 32 * u * fastest * hold(stretch * furthest + outermost)
         return {
-            "margin": SAFETY * (gap + time_rounding(slope) * horizon),
-            "leaving_margin": SAFETY * (deflated + time_rounding(slope)),
-            "rate_margin": SAFETY * slope.error,
+            "margin": SAFETY * hold(gap + time_rounding(steepest) * horizon),
+            "leaving_margin": SAFETY * hold(mean + time_rounding(steepest)),
+            "rate_margin": SAFETY * hold(slope + 32 * u * hold(outermost * fastest)),
         }
-
-
-def _held(bound: Rounded) -> Rounded:
-    return Rounded(hold(bound.magnitude), hold(bound.error))
 
 
 def _meet(left: Window, right: Window) -> Window:

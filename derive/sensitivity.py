@@ -5,8 +5,8 @@ segment's map (flight, contact time, normal, impact), and grows at each by that 
 each added with the sign of the component it meets, so that they do not cancel. Products of
 worst-case factors would grow much faster than errors do: after a few contacts D points where the
 errors grow most, as they do themselves. Where D happens to shrink in a segment, each of its
-components is lifted to 1/`LIFT` of what that one segment could at worst make of D's size before;
-`GUARD` covers what D has not met.
+components is lifted to 1/(`LIFT` k) of what that one segment, the shot's k-th, could at worst make
+of D's size before; `GUARD` covers what D has not met.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ from .symbols import POSITION, UNIT_ROUNDOFF, normal, position, spin, t, velocit
 GUARD = 12
 """Bounds are this many times the carried errors; `make exactness` holds them against the judge."""
 
-LIFT = 24
-"""See above. Less would make a growth of its own."""
+LIFT = 6
+"""See above. Constant, it would make an exponential growth of its own; so it is a power's."""
 
 dx = sp.symbols("dx dy dz", real=True)
 dv = sp.symbols("dvx dvy dvz", real=True)
@@ -36,6 +36,8 @@ ERRORS = dx + dv + dw
 curving, shift, turn = sp.symbols("curving shift turn", nonnegative=True)
 """Curvature of the surface that a ball meets again, infinite if it meets another one; and, at worst
 after one flight, the error of the position at the contact and of the normal."""
+contacts = sp.Symbol("contacts", nonnegative=True)
+"""How many contacts there were, this one too."""
 clock, clock_error = sp.symbols("clock clock_error", nonnegative=True)
 """Time since the release, and the sum of what the contacts' times were off by, s."""
 
@@ -83,8 +85,8 @@ def _greatest(components: Iterable[sp.Expr]) -> sp.Expr:
 
 
 def _lifted(error: sp.Expr, worst: sp.Expr) -> sp.Expr:
-    """Return the error, not nearer to zero than 1/LIFT of the worst."""
-    floor = hold(worst / LIFT)
+    """Return the error, not nearer to zero than 1/(LIFT k) of the worst."""
+    floor = hold(worst / hold(LIFT * (1 + contacts)))
     return IfLess(size(error), floor, IfLess(error, 0, -floor, floor), error)
 
 

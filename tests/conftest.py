@@ -1,4 +1,4 @@
-"""What tests share: the engines they are replayed on, shots of every kind, and a slow true answer."""
+"""What tests share: the engines they are replayed on, shots of every kind, a slow true answer."""
 
 from __future__ import annotations
 
@@ -113,7 +113,9 @@ def _families(count: int, seed: int) -> dict[str, NDArray[np.float64]]:
         ),
         "swirl": _rows(
             count,
-            **{"x": 0.75 * foot, "y": -3.1 * foot, "z": -2 * foot},
+            x=0.75 * foot,
+            y=-3.1 * foot,
+            z=-2 * foot,
             vx=-2.75 * foot * (1 + 1e-3 * gauss(count)),
             vy=7.0 * foot * (1 + 1e-3 * gauss(count)),
             vz=12.65 * foot * (1 + 1e-3 * gauss(count)),
@@ -321,7 +323,9 @@ class _March:
         return None
 
     def fly(self, state: Sequence[float], max_contacts: int) -> Flown:
-        position, velocity, spin = ([Decimal(float(c)) for c in state[k : k + 3]] for k in (0, 3, 6))
+        position, velocity, spin = (
+            [Decimal(float(c)) for c in state[k : k + 3]] for k in (0, 3, 6)
+        )
         gravity, clock, last = self.given["gravity"], Decimal(0), None
         events: list[tuple[str, Decimal]] = []
         outcome = ""

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from itertools import pairwise
 
+import mpmath
+import numpy as np
 import sympy as sp
 from hoopgen.derive.choice import release
-from hoopgen.derive.events import approach
+from hoopgen.derive.events import approach, event_coefficients
 from hoopgen.derive.flight import flight
 from hoopgen.derive.ring import CONSTANTS, Ring, RingApproach
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.symbols import POSITION, VELOCITY, t
 from hypothesis import example, given, settings
 from mpmath import mpf
-from test_derive_evaluation import PARAMETERS, Path, digits, in_doubles, paths
+from test_derive_evaluation import PARAMETERS, Path, digits, exactly, in_doubles, paths
 
 x, y, z = POSITION
 vx, vy, vz = VELOCITY
@@ -133,3 +135,56 @@ def test_the_windows_come_in_order_and_do_not_overlap(path: Path) -> None:
     windows = [(bounds[f"low{k}"], bounds[f"high{k}"]) for k in range(3)]
     open_ = [(low, high) for low, high in windows if low < high]
     assert all(one[1] <= other[0] for one, other in pairwise(open_))
+
+
+# -- The filter
+
+
+def shots(count: int) -> dict[str, np.ndarray]:
+    """Return flights that come down through the ring's level near the ring, most of them clear."""
+    rng = np.random.default_rng(20)
+    time, speed = rng.uniform(0, 1.5, count), 10 ** rng.uniform(-1.5, 1, count)
+    turn, out = rng.uniform(0, 2 * np.pi, count), 0.5 * np.sqrt(rng.uniform(0, 1, count))
+    vx, vy = speed * np.cos(turn), speed * np.sin(turn)
+    vz = rng.uniform(-6, 1, count) + PARAMETERS["gravity"] * time
+    angle, height = rng.uniform(0, 2 * np.pi, count), rng.uniform(-0.1, 0.1, count)
+    return {
+        "x": out * np.cos(angle) - vx * time,
+        "y": out * np.sin(angle) - vy * time,
+        "z": height - vz * time + PARAMETERS["gravity"] * time**2 / 2,
+        "vx": vx,
+        "vy": vy,
+        "vz": vz,
+        "horizon": time * rng.uniform(0.5, 1.5, count) + 0.05,
+    }
+
+
+def test_a_flight_that_is_clear_has_no_contact_before_the_horizon() -> None:
+    """On a fine grid of times for all, by the octic's roots for those that come nearest."""
+    states = shots(20_000)
+    values = PARAMETERS | states | {"position_error": 0, "velocity_error": 0}
+    values["extent"] = sum(np.abs(states[name]) for name in ("x", "y", "z"))
+    values["speed"] = sum(np.abs(states[name]) for name in ("vx", "vy", "vz"))
+    clear = in_doubles({"clear": SCENE_SEARCH.clear}, values)["clear"] > 0
+    assert 1000 < np.count_nonzero(clear) < len(clear) - 1000
+    chosen = {name: state[clear] for name, state in states.items()}
+    times = chosen["horizon"] * np.linspace(0, 1, 257)[:, None]
+    gap = in_doubles({"gap": SCENE_SEARCH.gap}, PARAMETERS | chosen | {"t": times})["gap"]
+    nearest = gap.min(axis=0)
+    assert nearest.min() > 0
+    octic = event_coefficients(HOOP.surfaces[0], HOOP.gravity)
+    with digits(40):
+        for k in np.argsort(nearest)[:40]:
+            shot = PARAMETERS | {name: float(state[k]) for name, state in chosen.items()}
+            coefficients = [exactly(c, shot) for c in reversed(octic)]
+            roots = mpmath.polyroots(coefficients, maxsteps=200, extraprec=200)
+            real = [r.real for r in roots if abs(r.imag) < mpf(10) ** -15]
+            assert not any(0 <= r <= shot["horizon"] for r in real)
+
+
+def test_a_flight_whose_errors_are_large_is_never_clear() -> None:
+    swish = {"x": 4.191, "y": 0.0, "z": -0.6096, "vx": -4.4, "vy": 0.0, "vz": 5.31}
+    values = PARAMETERS | swish | {"extent": 4.8006, "speed": 9.71, "horizon": 0.958}
+    values |= {"position_error": np.array([0.0, 1e-6]), "velocity_error": 0}
+    exact, erring = in_doubles({"clear": SCENE_SEARCH.clear}, values)["clear"]
+    assert exact > 0 >= erring

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from fractions import Fraction
 from typing import Any
 
-import numpy as np
 import pytest
 import sympy as sp
 from hoopgen.derive.choice import hold
@@ -65,7 +65,7 @@ def in_fractions(expression: sp.Expr, values: dict[str, float]) -> Fraction:
     if expression.is_Add:
         return sum(parts, Fraction(0))
     if expression.is_Mul:
-        return Fraction(np.prod(parts))
+        return math.prod(parts, start=Fraction(1))
     (held,) = parts
     return held
 
@@ -131,17 +131,15 @@ def test_the_bound_holds_for_inputs_that_are_off(
 ) -> None:
     """Each input is off by a part of a bound: what is carried is added to what is rounded."""
     with digits(40):
-        names = [f"{name}_off" for name in values]
-        allowed = dict(zip(names, (abs(v) * 2.0**-40 for v in values.values()), strict=True))
+        names = [a.name for a in A]
+        allowed = {f"{name}_off": abs(values[name]) * 2.0**-40 for name in names}
         known = {
-            a: Rounded(sp.Abs(a), sp.Symbol(name, nonnegative=True))
-            for a, name in zip(A, names, strict=True)
+            a: Rounded(sp.Abs(a), sp.Symbol(off, nonnegative=True))
+            for a, off in zip(A, allowed, strict=True)
         }
         true = {
-            name: Fraction(value) + Fraction(share) * Fraction(off)
-            for (name, value), share, off in zip(
-                values.items(), shares, allowed.values(), strict=True
-            )
+            name: Fraction(values[name]) + Fraction(share) * Fraction(off)
+            for name, share, off in zip(names, shares, allowed.values(), strict=True)
         }
         generated = in_doubles({"it": expression}, values)["it"]
         error = off_by(generated, in_fractions(expression, true))

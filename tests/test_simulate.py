@@ -1,4 +1,4 @@
-"""What a batch of shots does, replayed on every engine: outcomes, bits, physics, and the event log."""
+"""What a batch of shots does, replayed on every engine: outcomes, bits, physics, event log."""
 
 from __future__ import annotations
 
@@ -27,20 +27,17 @@ SWIRL = [0.2286, -0.94488, -0.6096, -0.8382, 2.1336, 3.85572, 0.0, 0.0, 0.0]  # 
 
 
 def shot(**columns: float) -> list[float]:
-    return [columns.get(name, 0.0) for name in "x y z vx vy vz wx wy wz".split()]
+    """Give a state by the columns that are not zero."""
+    return [columns.get(name, 0.0) for name in ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz")]
 
 
 def everything(simulate: Simulate, batch: Batch, **options: Any) -> dict[str, NDArray[Any]]:
     """Give every result, the bounds and the event log too."""
-    shots = simulate(
-        batch.states, batch.parameters, fields=FIELDS + BOUNDS, record=True, **options
-    )
+    shots = simulate(batch.states, batch.parameters, fields=FIELDS + BOUNDS, record=True, **options)
     return {name: getattr(shots, name) for name in (*FIELDS, *BOUNDS, "events")}
 
 
-def assert_same_bits(
-    got: Mapping[str, NDArray[Any]], wanted: Mapping[str, NDArray[Any]]
-) -> None:
+def assert_same_bits(got: Mapping[str, NDArray[Any]], wanted: Mapping[str, NDArray[Any]]) -> None:
     assert got.keys() == wanted.keys()
     for name, array in wanted.items():
         # NaN, and the sign of zero, included.
@@ -409,7 +406,9 @@ def test_a_shot_goes_on_from_any_of_its_contacts_to_the_same_end(
     # The search does not depend on the errors that a shot has gathered, so neither do the bits.
     whole = simulate(mixed.states[::20], PAPER, record=True)
     log = contacts_of(whole.events)
-    log = log[whole.contacts[log["shot"]] < 40]
+    # A ball that came through the board from behind may touch the ring inside it: no start.
+    in_front = log["after"][:, 0] >= PAPER["ball_radius"] - PAPER["board_distance"]
+    log = log[in_front & (whole.contacts[log["shot"]] < 40)]
     rest = simulate(log["after"], PAPER, leaving=log["surface"], record=True)
     np.testing.assert_array_equal(rest.outcome, whole.outcome[log["shot"]])
     np.testing.assert_array_equal(rest.state, whole.state[log["shot"]])
@@ -589,9 +588,7 @@ def test_the_ball_leaves_a_contact_rolling(recorded: hoopgen.Shots) -> None:
     assert np.all(np.abs(slip).max(axis=1) <= roundings(log))
 
 
-def test_between_events_the_ball_flies_by_equation_3(
-    recorded: hoopgen.Shots, mixed: Batch
-) -> None:
+def test_between_events_the_ball_flies_by_equation_3(recorded: hoopgen.Shots, mixed: Batch) -> None:
     log = recorded.events
     opens = np.r_[True, np.diff(log["shot"]) > 0]
     previous = np.roll(log["after"], 1, axis=0)
@@ -661,9 +658,7 @@ def test_recording_does_not_change_the_results(
 
 
 @pytest.mark.parametrize("name", FIELDS + BOUNDS)
-def test_a_field_alone_is_the_field_among_all(
-    simulate: Simulate, mixed: Batch, name: str
-) -> None:
+def test_a_field_alone_is_the_field_among_all(simulate: Simulate, mixed: Batch, name: str) -> None:
     some = mixed.take(slice(None, None, 50))
     alone = simulate(some.states, some.parameters, fields=[name])
     wanted = everything(simulate, some)[name]

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 20634042f50c1c80,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 0ee39b0f03879a32,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -580,7 +580,7 @@ static void LANES(hoop_run)(const hoop_job *job)
                 curving = lanes_select((which == K(0.0)) & (last == which), LANES(hoop_ring_curvature)(ball_radius, ring_radius, wire_radius).curvature, curving);
                 curving = lanes_select((which == K(1.0)) & (last == which), LANES(hoop_backboard_curvature)().curvature, curving);
                 curving = lanes_select((which == K(2.0)) & (last == which), LANES(hoop_bridge_curvature)().curvature, curving);
-                const LANES(hoop_carry_flight_out) carried = LANES(hoop_carry_flight)(t, x, y, z, vx, vy, vz, nx, ny, nz, clock, dx, dy, dz, dvx, dvy, dvz, curving, gravity);
+                const LANES(hoop_carry_flight_out) carried = LANES(hoop_carry_flight)(t, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, dx, dy, dz, dvx, dvy, dvz, curving, gravity);
                 const V shift = carried.shift;
                 clock_error = lanes_select(stays, clock_error, clock_error + carried.delay);
                 dx = lanes_select(stays, dx, carried.dx);
@@ -601,7 +601,7 @@ static void LANES(hoop_run)(const hoop_job *job)
                     dnz = lanes_select(here, turned.dnz, dnz);
                     turn = lanes_select(here, turned.turn, turn);
                 }
-                const LANES(hoop_carry_impact_out) after = LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, ball_radius, restitution);
+                const LANES(hoop_carry_impact_out) after = LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, ball_radius, restitution);
                 dvx = lanes_select(touches, after.dvx, dvx);
                 dvy = lanes_select(touches, after.dvy, dvy);
                 dvz = lanes_select(touches, after.dvz, dvz);

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 20634042f50c1c80,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 0ee39b0f03879a32,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -171,13 +171,13 @@ LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error
 }
 
 /* Errors of a state at the end of a flight to a surface, from those at its start.
-   derivative of Eq. 3 and of the contact time, with roundings. 108 operations: 22 additions, 1 subtraction, 29 multiplications, 2 divisions, 5 negations, 17 absolute values, 16 comparisons, 16 selections. */
+   derivative of Eq. 3 and of the contact time, with roundings. 110 operations: 23 additions, 1 subtraction, 29 multiplications, 3 divisions, 5 negations, 17 absolute values, 16 comparisons, 16 selections. */
 typedef struct {
     V dx, dy, dz, dvx, dvy, dvz, delay, shift;
 } LANES(hoop_carry_flight_out);
 
 LANES_INLINE LANES(hoop_carry_flight_out)
-LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V dx, V dy, V dz, V dvx, V dvy, V dvz, V curving, V gravity)
+LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V dx, V dy, V dz, V dvx, V dvy, V dvz, V curving, V gravity)
 {
     const V s0 = dx + (dvx * t);
     const V s1 = lanes_abs(vx);
@@ -209,7 +209,7 @@ LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz,
     const V s27 = lanes_select((s25 < s26), s26, s25);
     const V s28 = curving * (t * s17);
     const V s29 = ((s17 / lanes_abs(s13)) * (s22 + (s27 * lanes_select((s28 < K(1.0)), s28, K(1.0))))) + (s22 + s27);
-    const V s30 = K(0.041666666666666664) * s29;
+    const V s30 = s29 / (K(6.0) + (K(6.0) * contacts));
     const V s31 = -s30;
     const V s32 = (vy * s14) + s8;
     const V s33 = (vz * s14) + s12;
@@ -217,13 +217,13 @@ LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz,
 }
 
 /* Errors of velocity and spin after a contact, from those before it.
-   derivative of the frame-free Eq. 17, with roundings. 240 operations: 45 additions, 30 subtractions, 96 multiplications, 3 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 243 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections. */
 typedef struct {
     V dvx, dvy, dvz, dwx, dwy, dwz;
 } LANES(hoop_carry_impact_out);
 
 LANES_INLINE LANES(hoop_carry_impact_out)
-LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V ball_radius, V restitution)
+LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V ball_radius, V restitution)
 {
     const V s0 = K(0.4) * ball_radius;
     const V s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
@@ -235,39 +235,41 @@ LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V
     const V s7 = K(2.220446049250313e-16) * s6;
     const V s8 = -s7;
     const V s9 = s4 + lanes_select((s4 < K(0.0)), s8, s7);
-    const V s10 = lanes_abs(dwx);
-    const V s11 = lanes_abs(dwy);
-    const V s12 = lanes_select((s10 < s11), s11, s10);
-    const V s13 = lanes_abs(dwz);
-    const V s14 = lanes_abs(dvx);
-    const V s15 = lanes_abs(dvy);
-    const V s16 = lanes_select((s14 < s15), s15, s14);
-    const V s17 = lanes_abs(dvz);
-    const V s18 = K(0.041666666666666664) * (((ball_radius * lanes_select((s12 < s13), s13, s12)) + (turn * s6)) + lanes_select((s16 < s17), s17, s16));
-    const V s19 = -s18;
-    const V s20 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (K(0.6) * ((dvy - (dny * s1)) - (ny * s2)));
-    const V s21 = (s20 - ((dny * restitution) * s1)) - ((ny * restitution) * s2);
-    const V s22 = s21 + lanes_select((s21 < K(0.0)), s8, s7);
-    const V s23 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (K(0.6) * ((dvz - (dnz * s1)) - (nz * s2)));
-    const V s24 = (s23 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2);
-    const V s25 = s24 + lanes_select((s24 < K(0.0)), s8, s7);
-    const V s26 = ((nx * wx) + (ny * wy)) + (nz * wz);
-    const V s27 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz);
-    const V s28 = K(1.0) / ball_radius;
-    const V s29 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
-    const V s30 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
-    const V s31 = ((dnx * s26) + (nx * s27)) + (s28 * ((((dny * s29) + (ny * s23)) - (dnz * s30)) - (nz * s20)));
-    const V s32 = s7 / ball_radius;
-    const V s33 = -s32;
-    const V s34 = s31 + lanes_select((s31 < K(0.0)), s33, s32);
-    const V s35 = s18 / ball_radius;
-    const V s36 = -s35;
-    const V s37 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
-    const V s38 = ((dny * s26) + (ny * s27)) + (s28 * ((((dnz * s37) + (nz * s3)) - (dnx * s29)) - (nx * s23)));
-    const V s39 = s38 + lanes_select((s38 < K(0.0)), s33, s32);
-    const V s40 = ((dnz * s26) + (nz * s27)) + (s28 * ((((dnx * s30) + (nx * s20)) - (dny * s37)) - (ny * s3)));
-    const V s41 = s40 + lanes_select((s40 < K(0.0)), s33, s32);
-    return (LANES(hoop_carry_impact_out)){ lanes_select((lanes_abs(s9) < s18), lanes_select((s9 < K(0.0)), s19, s18), s9), lanes_select((lanes_abs(s22) < s18), lanes_select((s22 < K(0.0)), s19, s18), s22), lanes_select((lanes_abs(s25) < s18), lanes_select((s25 < K(0.0)), s19, s18), s25), lanes_select((lanes_abs(s34) < s35), lanes_select((s34 < K(0.0)), s36, s35), s34), lanes_select((lanes_abs(s39) < s35), lanes_select((s39 < K(0.0)), s36, s35), s39), lanes_select((lanes_abs(s41) < s35), lanes_select((s41 < K(0.0)), s36, s35), s41) };
+    const V s10 = K(6.0) + (K(6.0) * contacts);
+    const V s11 = lanes_abs(dwx);
+    const V s12 = lanes_abs(dwy);
+    const V s13 = lanes_select((s11 < s12), s12, s11);
+    const V s14 = lanes_abs(dwz);
+    const V s15 = lanes_abs(dvx);
+    const V s16 = lanes_abs(dvy);
+    const V s17 = lanes_select((s15 < s16), s16, s15);
+    const V s18 = lanes_abs(dvz);
+    const V s19 = ((ball_radius * lanes_select((s13 < s14), s14, s13)) + (turn * s6)) + lanes_select((s17 < s18), s18, s17);
+    const V s20 = s19 / s10;
+    const V s21 = -s20;
+    const V s22 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (K(0.6) * ((dvy - (dny * s1)) - (ny * s2)));
+    const V s23 = (s22 - ((dny * restitution) * s1)) - ((ny * restitution) * s2);
+    const V s24 = s23 + lanes_select((s23 < K(0.0)), s8, s7);
+    const V s25 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (K(0.6) * ((dvz - (dnz * s1)) - (nz * s2)));
+    const V s26 = (s25 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2);
+    const V s27 = s26 + lanes_select((s26 < K(0.0)), s8, s7);
+    const V s28 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    const V s29 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz);
+    const V s30 = K(1.0) / ball_radius;
+    const V s31 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
+    const V s32 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
+    const V s33 = ((dnx * s28) + (nx * s29)) + (s30 * ((((dny * s31) + (ny * s25)) - (dnz * s32)) - (nz * s22)));
+    const V s34 = s7 / ball_radius;
+    const V s35 = -s34;
+    const V s36 = s33 + lanes_select((s33 < K(0.0)), s35, s34);
+    const V s37 = s19 / (ball_radius * s10);
+    const V s38 = -s37;
+    const V s39 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
+    const V s40 = ((dny * s28) + (ny * s29)) + (s30 * ((((dnz * s39) + (nz * s3)) - (dnx * s31)) - (nx * s25)));
+    const V s41 = s40 + lanes_select((s40 < K(0.0)), s35, s34);
+    const V s42 = ((dnz * s28) + (nz * s29)) + (s30 * ((((dnx * s32) + (nx * s22)) - (dny * s39)) - (ny * s3)));
+    const V s43 = s42 + lanes_select((s42 < K(0.0)), s35, s34);
+    return (LANES(hoop_carry_impact_out)){ lanes_select((lanes_abs(s9) < s20), lanes_select((s9 < K(0.0)), s21, s20), s9), lanes_select((lanes_abs(s24) < s20), lanes_select((s24 < K(0.0)), s21, s20), s24), lanes_select((lanes_abs(s27) < s20), lanes_select((s27 < K(0.0)), s21, s20), s27), lanes_select((lanes_abs(s36) < s37), lanes_select((s36 < K(0.0)), s38, s37), s36), lanes_select((lanes_abs(s41) < s37), lanes_select((s41 < K(0.0)), s38, s37), s41), lanes_select((lanes_abs(s43) < s37), lanes_select((s43 < K(0.0)), s38, s37), s43) };
 }
 
 /* Bounds on the errors of a state and its time, from the carried errors.
@@ -572,7 +574,7 @@ LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V ball_radi
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
-   running error analysis. 146 operations: 45 additions, 1 subtraction, 99 multiplications, 1 division. */
+   running error analysis. 44 operations: 14 additions, 1 subtraction, 26 multiplications, 1 division, 1 comparison, 1 selection. */
 typedef struct {
     V margin, leaving_margin, rate_margin;
 } LANES(hoop_ring_margins_out);
@@ -583,30 +585,15 @@ LANES(hoop_ring_margins)(V horizon, V extent, V speed, V position_error, V veloc
     const V s0 = ball_radius + wire_radius;
     const V s1 = speed + (gravity * horizon);
     const V s2 = K(1.0000009536743164) * s0;
-    const V s3 = ring_radius + s2;
-    const V s4 = K(1.0) / (ring_radius - s2);
-    const V s5 = (K(1.0009765625) * horizon) * (((K(4.440896333665362e-16) * s0) * s1) + ((((K(8.881792667330725e-16) * s0) * s3) * s1) * s4));
-    const V s6 = (position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * (extent + (horizon * s1)));
-    const V s7 = (K(2.220446049250313e-16) * s3) + (K(2.0) * s6);
-    const V s8 = (K(1.1102240834163406e-16) * s0) + s7;
-    const V s9 = K(2.001955034211278) * s0;
-    const V s10 = (s5 + ((K(2.0019569434243767) * ((K(1.1102230246251565e-16) * ball_radius) + (K(1.1102230246251565e-16) * wire_radius))) * s0)) + (s9 * s8);
-    const V s11 = s0 * s0;
-    const V s12 = speed + ((K(0.5) * gravity) * horizon);
-    const V s13 = K(6.667849719736811e-16) * s0;
-    const V s14 = (((s13 * s12) + ((K(4.445233146491208e-16) * s0) * s1)) + (s9 * (((K(1.1102230246251565e-16) * speed) + velocity_error) + ((K(1.6653345369377348e-16) * gravity) * horizon)))) + ((K(2.001953125) * s12) * s6);
-    const V s15 = K(4.0) * extent;
-    const V s16 = speed * speed;
-    const V s17 = (s15 * speed) + ((K(2.0) * horizon) * s16);
-    const V s18 = (K(1.0009765625) * ((((K(2.0) * position_error) + (K(2.220448166832681e-16) * s0)) + (K(8.881784197001252e-16) * s3)) + s8)) * s17;
-    const V s19 = (((((K(1.7763568394002505e-15) * extent) * speed) + (s15 * velocity_error)) + ((K(4.440892098500626e-16) * horizon) * s16)) + (horizon * ((K(4.440892098500626e-16) * s16) + ((K(4.0) * speed) * velocity_error)))) + ((K(4.0) * position_error) * speed);
-    const V s20 = K(6.661338147750939e-16) + (s7 * s4);
-    const V s21 = ((((s14 + (s18 * s4)) + ((s13 * s17) * s4)) + ((s9 * s19) * s4)) + ((((K(8.890466292982415e-16) * s0) * s3) * s1) * s4)) + (((s9 * s17) * s20) * s4);
-    const V s22 = velocity_error + (K(2.220446049250313e-16) * s1);
-    const V s23 = (K(2.001955034211278) * ((((K(2.0) * s3) * s22) + ((K(4.440892098500626e-16) * s3) * s1)) + ((K(2.0) * s1) * s6))) * s0;
-    const V s24 = (((((s9 * s22) + (s13 * s1)) + ((K(2.001953125) * s1) * s6)) + (s23 * s4)) + ((((K(1.778093258596483e-15) * s0) * s3) * s1) * s4)) + ((((K(4.00390625) * s3) * s1) * s8) * s4);
-    const V s25 = s24 + (((((K(4.003910068422556) * s0) * s3) * s1) * s20) * s4);
-    return (LANES(hoop_ring_margins_out)){ ((s10 + (s9 * s6)) + (K(4.44523738579589e-16) * s11)) + (K(6.667856078693835e-16) * s11), s21, s25 };
+    const V s3 = s2 * s1;
+    const V s4 = ring_radius + s2;
+    const V s5 = extent + (horizon * s1);
+    const V s6 = (position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s5);
+    const V s7 = s2 / (ring_radius - s2);
+    const V s8 = lanes_select((K(1.0) < s7), s7, K(1.0));
+    const V s9 = K(3.5) * (((s1 * s8) * s6) + (s2 * (velocity_error + (K(2.220446049250313e-16) * s1))));
+    const V s10 = K(1.0009765625) * ((((K(3.552713678800501e-15) * s1) * ((s5 * s8) + s4)) + (K(4.440892098500626e-16) * s3)) + s9);
+    return (LANES(hoop_ring_margins_out)){ K(1.0009765625) * ((((K(4.440892098500626e-16) * horizon) * s3) + ((K(1.3322689000996087e-15) * s0) * s4)) + ((K(3.5000033378601074) * s0) * s6)), s10, K(1.0009765625) * ((K(3.552713678800501e-15) * (s4 * s1)) + s9) };
 }
 
 /* Newton's next value of a root near t, and the rate there.

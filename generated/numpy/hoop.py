@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 20634042f50c1c80,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 0ee39b0f03879a32,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -226,10 +226,10 @@ def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_err
     return s3 + (3.0029296875 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * s1))),
 
 
-def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, curving: Any, gravity: Any) -> tuple[Any, ...]:
+def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, curving: Any, gravity: Any) -> tuple[Any, ...]:
     """Errors of a state at the end of a flight to a surface, from those at its start.
 
-    derivative of Eq. 3 and of the contact time, with roundings. 108 operations: 22 additions, 1 subtraction, 29 multiplications, 2 divisions, 5 negations, 17 absolute values, 16 comparisons, 16 selections.
+    derivative of Eq. 3 and of the contact time, with roundings. 110 operations: 23 additions, 1 subtraction, 29 multiplications, 3 divisions, 5 negations, 17 absolute values, 16 comparisons, 16 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, delay, shift.
     """
     s0 = dx + (dvx * t)
@@ -262,17 +262,17 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     s27 = where((s25 < s26), s26, s25)
     s28 = curving * (t * s17)
     s29 = ((s17 / absolute(s13)) * (s22 + (s27 * where((s28 < 1.0), s28, 1.0)))) + (s22 + s27)
-    s30 = 0.041666666666666664 * s29
+    s30 = s29 / (6.0 + (6.0 * contacts))
     s31 = -s30
     s32 = (vy * s14) + s8
     s33 = (vz * s14) + s12
     return where((absolute(s15) < s30), where((s15 < 0.0), s31, s30), s15), where((absolute(s32) < s30), where((s32 < 0.0), s31, s30), s32), where((absolute(s33) < s30), where((s33 < 0.0), s31, s30), s33), dvx, dvy, dvz - (gravity * s14), absolute(s14) + (4.440892098500626e-16 * (clock + t)), s29
 
 
-def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, ball_radius: Any, restitution: Any) -> tuple[Any, ...]:
+def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, contacts: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, ball_radius: Any, restitution: Any) -> tuple[Any, ...]:
     """Errors of velocity and spin after a contact, from those before it.
 
-    derivative of the frame-free Eq. 17, with roundings. 240 operations: 45 additions, 30 subtractions, 96 multiplications, 3 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections.
+    derivative of the frame-free Eq. 17, with roundings. 243 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections.
     Returns dvx, dvy, dvz, dwx, dwy, dwz.
     """
     s0 = 0.4 * ball_radius
@@ -285,39 +285,41 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
     s7 = 2.220446049250313e-16 * s6
     s8 = -s7
     s9 = s4 + where((s4 < 0.0), s8, s7)
-    s10 = absolute(dwx)
-    s11 = absolute(dwy)
-    s12 = where((s10 < s11), s11, s10)
-    s13 = absolute(dwz)
-    s14 = absolute(dvx)
-    s15 = absolute(dvy)
-    s16 = where((s14 < s15), s15, s14)
-    s17 = absolute(dvz)
-    s18 = 0.041666666666666664 * (((ball_radius * where((s12 < s13), s13, s12)) + (turn * s6)) + where((s16 < s17), s17, s16))
-    s19 = -s18
-    s20 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (0.6 * ((dvy - (dny * s1)) - (ny * s2)))
-    s21 = (s20 - ((dny * restitution) * s1)) - ((ny * restitution) * s2)
-    s22 = s21 + where((s21 < 0.0), s8, s7)
-    s23 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (0.6 * ((dvz - (dnz * s1)) - (nz * s2)))
-    s24 = (s23 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2)
-    s25 = s24 + where((s24 < 0.0), s8, s7)
-    s26 = ((nx * wx) + (ny * wy)) + (nz * wz)
-    s27 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz)
-    s28 = 1.0 / ball_radius
-    s29 = (s0 * ((ny * wx) - (nx * wy))) + (0.6 * (vz - (nz * s1)))
-    s30 = (s0 * ((nx * wz) - (nz * wx))) + (0.6 * (vy - (ny * s1)))
-    s31 = ((dnx * s26) + (nx * s27)) + (s28 * ((((dny * s29) + (ny * s23)) - (dnz * s30)) - (nz * s20)))
-    s32 = s7 / ball_radius
-    s33 = -s32
-    s34 = s31 + where((s31 < 0.0), s33, s32)
-    s35 = s18 / ball_radius
-    s36 = -s35
-    s37 = (s0 * ((nz * wy) - (ny * wz))) + (0.6 * (vx - (nx * s1)))
-    s38 = ((dny * s26) + (ny * s27)) + (s28 * ((((dnz * s37) + (nz * s3)) - (dnx * s29)) - (nx * s23)))
-    s39 = s38 + where((s38 < 0.0), s33, s32)
-    s40 = ((dnz * s26) + (nz * s27)) + (s28 * ((((dnx * s30) + (nx * s20)) - (dny * s37)) - (ny * s3)))
-    s41 = s40 + where((s40 < 0.0), s33, s32)
-    return where((absolute(s9) < s18), where((s9 < 0.0), s19, s18), s9), where((absolute(s22) < s18), where((s22 < 0.0), s19, s18), s22), where((absolute(s25) < s18), where((s25 < 0.0), s19, s18), s25), where((absolute(s34) < s35), where((s34 < 0.0), s36, s35), s34), where((absolute(s39) < s35), where((s39 < 0.0), s36, s35), s39), where((absolute(s41) < s35), where((s41 < 0.0), s36, s35), s41)
+    s10 = 6.0 + (6.0 * contacts)
+    s11 = absolute(dwx)
+    s12 = absolute(dwy)
+    s13 = where((s11 < s12), s12, s11)
+    s14 = absolute(dwz)
+    s15 = absolute(dvx)
+    s16 = absolute(dvy)
+    s17 = where((s15 < s16), s16, s15)
+    s18 = absolute(dvz)
+    s19 = ((ball_radius * where((s13 < s14), s14, s13)) + (turn * s6)) + where((s17 < s18), s18, s17)
+    s20 = s19 / s10
+    s21 = -s20
+    s22 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (0.6 * ((dvy - (dny * s1)) - (ny * s2)))
+    s23 = (s22 - ((dny * restitution) * s1)) - ((ny * restitution) * s2)
+    s24 = s23 + where((s23 < 0.0), s8, s7)
+    s25 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (0.6 * ((dvz - (dnz * s1)) - (nz * s2)))
+    s26 = (s25 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2)
+    s27 = s26 + where((s26 < 0.0), s8, s7)
+    s28 = ((nx * wx) + (ny * wy)) + (nz * wz)
+    s29 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz)
+    s30 = 1.0 / ball_radius
+    s31 = (s0 * ((ny * wx) - (nx * wy))) + (0.6 * (vz - (nz * s1)))
+    s32 = (s0 * ((nx * wz) - (nz * wx))) + (0.6 * (vy - (ny * s1)))
+    s33 = ((dnx * s28) + (nx * s29)) + (s30 * ((((dny * s31) + (ny * s25)) - (dnz * s32)) - (nz * s22)))
+    s34 = s7 / ball_radius
+    s35 = -s34
+    s36 = s33 + where((s33 < 0.0), s35, s34)
+    s37 = s19 / (ball_radius * s10)
+    s38 = -s37
+    s39 = (s0 * ((nz * wy) - (ny * wz))) + (0.6 * (vx - (nx * s1)))
+    s40 = ((dny * s28) + (ny * s29)) + (s30 * ((((dnz * s39) + (nz * s3)) - (dnx * s31)) - (nx * s25)))
+    s41 = s40 + where((s40 < 0.0), s35, s34)
+    s42 = ((dnz * s28) + (nz * s29)) + (s30 * ((((dnx * s32) + (nx * s22)) - (dny * s39)) - (ny * s3)))
+    s43 = s42 + where((s42 < 0.0), s35, s34)
+    return where((absolute(s9) < s20), where((s9 < 0.0), s21, s20), s9), where((absolute(s24) < s20), where((s24 < 0.0), s21, s20), s24), where((absolute(s27) < s20), where((s27 < 0.0), s21, s20), s27), where((absolute(s36) < s37), where((s36 < 0.0), s38, s37), s36), where((absolute(s41) < s37), where((s41 < 0.0), s38, s37), s41), where((absolute(s43) < s37), where((s43 < 0.0), s38, s37), s43)
 
 
 def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
@@ -594,36 +596,21 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
 def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
     """Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
 
-    running error analysis. 146 operations: 45 additions, 1 subtraction, 99 multiplications, 1 division.
+    running error analysis. 44 operations: 14 additions, 1 subtraction, 26 multiplications, 1 division, 1 comparison, 1 selection.
     Returns margin, leaving_margin, rate_margin.
     """
     s0 = ball_radius + wire_radius
     s1 = speed + (gravity * horizon)
     s2 = 1.0000009536743164 * s0
-    s3 = ring_radius + s2
-    s4 = 1.0 / (ring_radius - s2)
-    s5 = (1.0009765625 * horizon) * (((4.440896333665362e-16 * s0) * s1) + ((((8.881792667330725e-16 * s0) * s3) * s1) * s4))
-    s6 = (position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * (extent + (horizon * s1)))
-    s7 = (2.220446049250313e-16 * s3) + (2.0 * s6)
-    s8 = (1.1102240834163406e-16 * s0) + s7
-    s9 = 2.001955034211278 * s0
-    s10 = (s5 + ((2.0019569434243767 * ((1.1102230246251565e-16 * ball_radius) + (1.1102230246251565e-16 * wire_radius))) * s0)) + (s9 * s8)
-    s11 = s0 * s0
-    s12 = speed + ((0.5 * gravity) * horizon)
-    s13 = 6.667849719736811e-16 * s0
-    s14 = (((s13 * s12) + ((4.445233146491208e-16 * s0) * s1)) + (s9 * (((1.1102230246251565e-16 * speed) + velocity_error) + ((1.6653345369377348e-16 * gravity) * horizon)))) + ((2.001953125 * s12) * s6)
-    s15 = 4.0 * extent
-    s16 = speed * speed
-    s17 = (s15 * speed) + ((2.0 * horizon) * s16)
-    s18 = (1.0009765625 * ((((2.0 * position_error) + (2.220448166832681e-16 * s0)) + (8.881784197001252e-16 * s3)) + s8)) * s17
-    s19 = (((((1.7763568394002505e-15 * extent) * speed) + (s15 * velocity_error)) + ((4.440892098500626e-16 * horizon) * s16)) + (horizon * ((4.440892098500626e-16 * s16) + ((4.0 * speed) * velocity_error)))) + ((4.0 * position_error) * speed)
-    s20 = 6.661338147750939e-16 + (s7 * s4)
-    s21 = ((((s14 + (s18 * s4)) + ((s13 * s17) * s4)) + ((s9 * s19) * s4)) + ((((8.890466292982415e-16 * s0) * s3) * s1) * s4)) + (((s9 * s17) * s20) * s4)
-    s22 = velocity_error + (2.220446049250313e-16 * s1)
-    s23 = (2.001955034211278 * ((((2.0 * s3) * s22) + ((4.440892098500626e-16 * s3) * s1)) + ((2.0 * s1) * s6))) * s0
-    s24 = (((((s9 * s22) + (s13 * s1)) + ((2.001953125 * s1) * s6)) + (s23 * s4)) + ((((1.778093258596483e-15 * s0) * s3) * s1) * s4)) + ((((4.00390625 * s3) * s1) * s8) * s4)
-    s25 = s24 + (((((4.003910068422556 * s0) * s3) * s1) * s20) * s4)
-    return ((s10 + (s9 * s6)) + (4.44523738579589e-16 * s11)) + (6.667856078693835e-16 * s11), s21, s25
+    s3 = s2 * s1
+    s4 = ring_radius + s2
+    s5 = extent + (horizon * s1)
+    s6 = (position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * s5)
+    s7 = s2 / (ring_radius - s2)
+    s8 = where((1.0 < s7), s7, 1.0)
+    s9 = 3.5 * (((s1 * s8) * s6) + (s2 * (velocity_error + (2.220446049250313e-16 * s1))))
+    s10 = 1.0009765625 * ((((3.552713678800501e-15 * s1) * ((s5 * s8) + s4)) + (4.440892098500626e-16 * s3)) + s9)
+    return 1.0009765625 * ((((4.440892098500626e-16 * horizon) * s3) + ((1.3322689000996087e-15 * s0) * s4)) + ((3.5000033378601074 * s0) * s6)), s10, 1.0009765625 * ((3.552713678800501e-15 * (s4 * s1)) + s9)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:

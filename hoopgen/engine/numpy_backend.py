@@ -197,7 +197,7 @@ def _advance(
     outcome = np.where(ends, np.where(miss <= 0.0, MADE, MISSED), outcome)
     outcome = np.where(touches & (flights.contacts >= max_contacts), CAPPED, outcome)
 
-    _collide(kernels, columns, arrivals.which, stays, touches, flights.last, t, flights.clock)
+    _collide(kernels, flights, arrivals.which, stays, touches, t)
     if out.uncertain is not None:
         out.uncertain[flights.row] |= doubtful
     if out.counts is not None:
@@ -401,15 +401,15 @@ def _nearby(tilt: Floats, flat: Floats, t: Floats) -> tuple[Floats, Floats]:
 
 def _collide(
     kernels: ModuleType,
-    columns: dict[str, Column],
+    flights: Flights,
     which: NDArray[np.int64],
     stays: Mask,
     touches: Mask,
-    last: NDArray[np.int64],
     t: Floats,
-    clock: Floats,
 ) -> None:
     """Put the ball onto the surface it meets and give it its motion after the contact."""
+    columns = flights.columns
+    counted = {"contacts": flights.contacts.astype(np.float64), "clock": flights.clock}
     normal = {"nx": 0.0, "ny": 0.0, "nz": 0.0}
     turned = {"dnx": 0.0, "dny": 0.0, "dnz": 0.0, "turn": 0.0}
     for index, (name, _, _) in enumerate(kernels.SURFACES):
@@ -418,9 +418,9 @@ def _collide(
     curving = np.full(len(which), np.inf)
     for index, (name, _, _) in enumerate(kernels.SURFACES[:-1]):
         own = _call(getattr(kernels, f"{name}_curvature"), columns)[0]
-        curving = np.where((which == index) & (last == which), own, curving)
+        curving = np.where((which == index) & (flights.last == which), own, curving)
     *shifted, delay, shift = _call(
-        kernels.carry_flight, columns, t=t, clock=clock, curving=curving, **normal
+        kernels.carry_flight, columns, t=t, curving=curving, **counted, **normal
     )
     _choose(~stays, shifted, CARRIED, columns)
     _choose(which == len(kernels.SURFACES) - 1, [shift] * 3, CARRIED[:3], columns)
@@ -429,7 +429,7 @@ def _collide(
             own = _call(getattr(kernels, f"{name}_carry_normal"), columns, shift=shift)
             _choose(which == index, own, turned, turned)
     _choose(~stays, [columns["clock_error"] + delay], ["clock_error"], columns)
-    after_errors = _call(kernels.carry_impact, columns, **normal, **turned)
+    after_errors = _call(kernels.carry_impact, columns, **counted, **normal, **turned)
     after = _call(kernels.impact, columns, **normal)
     for index, (name, windows, _) in enumerate(kernels.SURFACES[:-1]):
         if not windows:

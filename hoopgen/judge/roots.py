@@ -44,7 +44,8 @@ def root_bound(coefficients: Sequence[arb]) -> arb | None:
     degree = len(coefficients) - 1
     largest = arb(0)
     for k, coefficient in enumerate(coefficients[:-1]):
-        largest = largest.max((coefficient / leading).abs_upper().root(degree - k))
+        if not coefficient.is_zero():
+            largest = largest.max((coefficient / leading).abs_upper().root(degree - k))
     return (2 * largest + 1).upper()
 
 
@@ -64,7 +65,7 @@ def first_arrival(coefficients: Sequence[arb], end: arb) -> Arrival | None:
             continue
         if fewest == most == 1:
             return _enclosed(polynomial, low, high)
-        if high - low < narrowest:
+        if not high - low > narrowest:
             return Arrival(low, False)
         split = (low + (high - low) * _SPLIT).mid()
         boxes += [(split, high), (low, split)]

@@ -1,0 +1,1 @@
+"""Scenes that are not the article's: what only knows the hoop fails on them."""

@@ -1,0 +1,320 @@
+"""Parameters, results and trajectories: what a user holds in hand."""
+
+from __future__ import annotations
+
+import copy
+import math
+import pickle
+from collections.abc import Mapping
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import pytest
+from conftest import Simulate
+from numpy.typing import NDArray
+
+import hoopgen
+from hoopgen import FIBA, NBA, PAPER, Outcome
+
+EPS = float(np.finfo(np.float64).eps)
+FIGURE_7 = [4.191, 0.0, -0.6096, -4.4997624, 0.0, 5.5769256, 0.0, 6 * math.pi, 0.0]
+NAMES = (
+    *("ball_radius", "ring_radius", "wire_radius", "board_distance", "board_half_width"),
+    *("board_bottom", "board_top", "bridge_half_width", "restitution", "gravity", "end_depth"),
+)
+
+# ------------------------------------------------------------------------------------- parameters
+
+
+@pytest.mark.parametrize("preset", [PAPER, NBA, FIBA], ids=["PAPER", "NBA", "FIBA"])
+class TestPresets:
+    def test_they_have_every_parameter_in_the_order_documented(
+        self, preset: Mapping[str, float]
+    ) -> None:
+        assert tuple(preset) == NAMES
+
+    def test_what_they_share(self, preset: Mapping[str, float]) -> None:
+        assert preset["gravity"] == 9.81
+        assert preset["restitution"] == 0.70
+        assert preset["bridge_half_width"] == 0.0762
+        # A product of two rounded numbers, and the same number in decimals.
+        assert abs(preset["end_depth"] - 0.2 * preset["ball_radius"]) <= EPS * preset["end_depth"]
+
+    def test_the_boards_lower_edge_is_15_cm_below_the_rings_top(
+        self, preset: Mapping[str, float]
+    ) -> None:
+        below = preset["wire_radius"] - preset["board_bottom"]
+        assert abs(below - 0.15) <= 2 * EPS
+
+    def test_they_simulate(self, preset: Mapping[str, float]) -> None:
+        assert hoopgen.simulate(FIGURE_7, preset).outcome[0] != Outcome.INVALID
+
+
+@pytest.mark.parametrize(
+    ("preset", "ball", "ring", "wire", "board", "width", "height"),
+    [
+        (PAPER, 0.12128, 0.2350, 0.0100, 0.3810, 1.8288, 1.0668),
+        (NBA, 0.1213, 0.2286 + 0.0079375, 0.0079375, 0.3810, 1.8288, 1.0668),
+        (FIBA, 0.1213, 0.2270 + 0.0090, 0.0090, 0.2270 + 0.151, 1.80, 1.05),
+    ],
+    ids=["PAPER", "NBA", "FIBA"],
+)
+def test_presets_are_the_hoops_of_their_rule_books(
+    preset: Mapping[str, float],
+    ball: float,
+    ring: float,
+    wire: float,
+    board: float,
+    width: float,
+    height: float,
+) -> None:
+    assert preset["ball_radius"] == ball
+    assert preset["ring_radius"] == ring
+    assert preset["wire_radius"] == wire
+    # A sum of two rounded numbers.
+    assert abs(preset["board_distance"] - board) <= EPS * board
+    assert preset["board_half_width"] == width / 2
+    assert abs(preset["board_top"] - preset["board_bottom"] - height) <= 2 * EPS * height
+
+
+def test_a_30_inch_ball_and_an_18_inch_ring_are_those_of_the_nba() -> None:
+    inch = 0.0254
+    assert abs(NBA["ball_radius"] - 30 * inch / (2 * math.pi)) < 5e-5  # four decimals
+    inside = 2 * (NBA["ring_radius"] - NBA["wire_radius"])
+    assert abs(inside - 18 * inch) <= 2 * EPS
+
+
+def test_parameters_merge_and_the_right_hand_side_wins() -> None:
+    merged = NBA | {"restitution": 0.75}
+    assert merged["restitution"] == 0.75
+    assert {n: v for n, v in merged.items() if n != "restitution"} == {
+        n: v for n, v in NBA.items() if n != "restitution"
+    }
+    assert dict(PAPER) == (NBA | PAPER)
+    assert dict({"restitution": 0.1, "own": 1.0} | NBA) == {**NBA, "own": 1.0}
+    assert type(merged) is type({"gravity": 1.0} | NBA) is type(NBA)
+
+
+def test_merging_leaves_both_sides_alone() -> None:
+    before, change = dict(PAPER), {"gravity": 1.6}
+    assert (PAPER | change)["gravity"] == 1.6
+    assert dict(PAPER) == before
+    assert change == {"gravity": 1.6}
+    merged = PAPER
+    merged |= {"gravity": 1.6}
+    assert PAPER["gravity"] == 9.81
+    assert merged["gravity"] == 1.6
+
+
+def test_presets_are_read_only() -> None:
+    with pytest.raises(TypeError):
+        PAPER["gravity"] = 1.6  # type: ignore[index]
+    with pytest.raises(TypeError):
+        del PAPER["gravity"]  # type: ignore[attr-defined]
+    for method in ("update", "pop", "clear", "setdefault", "popitem"):
+        assert not hasattr(PAPER, method)
+
+
+def test_presets_are_mappings_that_copy_pickle_and_print() -> None:
+    assert len(PAPER) == 11
+    assert "gravity" in PAPER
+    assert PAPER.get("bounce") is None
+    assert {**PAPER} == dict(PAPER) == copy.deepcopy(PAPER) == pickle.loads(pickle.dumps(PAPER))
+    assert repr(PAPER).startswith("Parameters({'ball_radius': 0.12128, ")
+    with pytest.raises(KeyError):
+        PAPER["bounce"]
+
+
+def test_a_plain_dict_and_a_preset_simulate_alike() -> None:
+    got, wanted = hoopgen.simulate(FIGURE_7, dict(NBA)), hoopgen.simulate(FIGURE_7, NBA)
+    np.testing.assert_array_equal(got.state, wanted.state)
+
+
+def test_the_order_of_the_names_does_not_matter() -> None:
+    backwards = dict(reversed(list(NBA.items())))
+    got, wanted = hoopgen.simulate(FIGURE_7, backwards), hoopgen.simulate(FIGURE_7, NBA)
+    np.testing.assert_array_equal(got.state, wanted.state)
+
+
+# ---------------------------------------------------------------------------------------- results
+
+
+def test_outcomes_and_surfaces_are_numbered_as_documented() -> None:
+    assert [o.name for o in Outcome] == ["MADE", "MISSED", "CAPPED", "SHORT", "INVALID"]
+    assert [int(o) for o in Outcome] == [0, 1, 2, 3, 4]
+    assert hoopgen.SURFACES == ("ring", "backboard", "bridge")
+
+
+def test_shots_have_a_length_and_say_what_they_hold() -> None:
+    shots = hoopgen.simulate([FIGURE_7] * 3, fields=["outcome", "time"])
+    assert len(shots) == 3
+    assert repr(shots) == "Shots(3 shots: outcome, time)"
+
+
+def test_what_was_not_asked_for_says_how_to_get_it() -> None:
+    shots = hoopgen.simulate(FIGURE_7, fields=["outcome"])
+    with pytest.raises(AttributeError, match=r"^time: not among the fields asked for: outcome"):
+        shots.time  # noqa: B018
+    with pytest.raises(AttributeError, match=r"^events: simulate with record=True"):
+        shots.events  # noqa: B018
+    with pytest.raises(AttributeError, match=r"^events: simulate with record=True"):
+        shots.trajectory(0)
+    with pytest.raises(AttributeError, match="has no attribute 'colour'"):
+        shots.colour  # noqa: B018
+    assert not hasattr(shots, "state")
+
+
+def test_shots_pickle_and_copy() -> None:
+    shots = hoopgen.simulate([FIGURE_7] * 2, record=True)
+    for same in (pickle.loads(pickle.dumps(shots)), copy.deepcopy(shots), copy.copy(shots)):
+        np.testing.assert_array_equal(same.state, shots.state)
+        np.testing.assert_array_equal(same.trajectory(1).events, shots.trajectory(1).events)
+
+
+# ----------------------------------------------------------------------------------- trajectories
+
+SHOTS = [
+    [1.0, 0.0, 1.0, 0.0, 0.5, 2.0, 1.0, 2.0, 3.0],  # touches nothing
+    FIGURE_7,
+    [np.nan] * 9,
+    [0.2286, -0.94488, -0.6096, -0.8382, 2.1336, 3.85572, 0.0, 0.0, 0.0],  # swirls
+    [1.0, 0.0, -0.5, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0],  # short, no event
+]
+
+
+@pytest.fixture(scope="module")
+def shots(simulate: Simulate) -> hoopgen.Shots:
+    return simulate(SHOTS, PAPER | {"gravity": [9.81, 9.81, 9.81, 9.81, 1.6]}, record=True)
+
+
+def flown(state: NDArray[np.float64], t: float, gravity: float = 9.81) -> NDArray[np.float64]:
+    """Give Eq. 3."""
+    there = state.copy()
+    there[:3] += state[3:6] * t
+    there[2] -= gravity * t * t / 2
+    there[5] -= gravity * t
+    return there
+
+
+def test_a_trajectory_holds_its_shots_events_and_release(shots: hoopgen.Shots) -> None:
+    for row in (0, 1, 3, 4):
+        path = shots.trajectory(row)
+        assert np.all(path.events["shot"] == row)
+        np.testing.assert_array_equal(path.release, SHOTS[row])
+        np.testing.assert_array_equal(path.events, shots.events[shots.events["shot"] == row])
+        assert path.duration == shots.time[row]
+        assert isinstance(path.duration, float)
+    assert [shots.trajectory(row).gravity for row in (1, 4)] == [9.81, 1.6]
+
+
+def test_rows_count_from_the_end_too_and_stop_at_the_last(shots: hoopgen.Shots) -> None:
+    np.testing.assert_array_equal(shots.trajectory(-2).events, shots.trajectory(3).events)
+    np.testing.assert_array_equal(shots.trajectory(np.int64(1)).release, FIGURE_7)
+    for row in (5, -6, 100):
+        with pytest.raises(IndexError, match=f"^shot {row}: there are 5"):
+            shots.trajectory(row)
+
+
+@pytest.mark.parametrize("shape", [(), (1,), (4,), (2, 3), (0,), (2, 0, 3)])
+def test_states_have_the_shape_of_the_times(shots: hoopgen.Shots, shape: tuple[int, ...]) -> None:
+    path = shots.trajectory(1)
+    times = np.linspace(0.0, path.duration, int(np.prod(shape))).reshape(shape)
+    states = path.at(times)
+    assert states.shape == (*shape, 9)
+    assert states.dtype == np.float64
+    for index in np.ndindex(shape):
+        np.testing.assert_array_equal(states[index], path.at(float(times[index])))
+
+
+def test_times_may_be_lists_in_any_order(shots: hoopgen.Shots) -> None:
+    path = shots.trajectory(1)
+    times = [1.2, 0.1, 0.1, 0.99]
+    np.testing.assert_array_equal(path.at(times), [path.at(t) for t in times])
+
+
+def test_at_0_it_is_the_release(shots: hoopgen.Shots) -> None:
+    for row in (0, 1, 3, 4):
+        np.testing.assert_array_equal(shots.trajectory(row).at(0), SHOTS[row])
+
+
+def test_at_a_contact_it_is_the_state_after_it(shots: hoopgen.Shots) -> None:
+    for row in (0, 1, 3):
+        events = shots.trajectory(row).events
+        np.testing.assert_array_equal(shots.trajectory(row).at(events["time"]), events["after"])
+    path = shots.trajectory(1)
+    np.testing.assert_array_equal(path.at(path.duration), shots.state[1])
+
+
+def test_just_before_a_contact_it_is_the_state_before_it(shots: hoopgen.Shots) -> None:
+    path = shots.trajectory(1)
+    for event in path.events:
+        earlier = path.at(np.nextafter(event["time"], 0.0))
+        # An eps of time earlier, and a few roundings.
+        speed, size = np.abs(event["before"][3:6]).max(), np.abs(event["before"][:3]).max()
+        limit = 4 * EPS * (size + (speed + 9.81) * event["time"])
+        assert np.all(np.abs(earlier - event["before"])[:6] <= limit)
+        np.testing.assert_array_equal(earlier[6:], event["before"][6:])
+
+
+def test_the_path_is_continuous_the_velocity_jumps_at_contacts_only(shots: hoopgen.Shots) -> None:
+    for row in (1, 3):
+        path = shots.trajectory(row)
+        times = np.linspace(0.0, path.duration, 4001)
+        states = path.at(times)
+        step = times[1]
+        fastest = np.abs(states[:, 3:6]).max() + 9.81 * step
+        assert np.abs(np.diff(states[:, :3], axis=0)).max() <= fastest * step
+        jumps = np.abs(np.diff(states[:, 3:5], axis=0)).max(axis=1) > 0.0
+        contacts = path.events["time"][:-1]
+        between = [np.any((contacts > a) & (contacts <= b)) for a, b in pairwise(times)]
+        np.testing.assert_array_equal(jumps, between)
+
+
+def test_between_events_it_is_equation_3(shots: hoopgen.Shots) -> None:
+    path = shots.trajectory(1)
+    ring, backboard, _ = path.events
+    for origin, start, t in (
+        (path.release, 0.0, 0.7),
+        (ring["after"], ring["time"], (ring["time"] + backboard["time"]) / 2),
+        (backboard["after"], backboard["time"], 1.3),
+    ):
+        wanted = flown(origin, t - start)
+        np.testing.assert_allclose(path.at(t), wanted, rtol=8 * EPS, atol=8 * EPS)
+
+
+@pytest.mark.parametrize("t", [-1e-300, -1.0, 1e9, np.nan, np.inf, [0.0, -0.1], [[0.1, np.nan]]])
+def test_a_time_off_the_path_is_an_error_that_tells_the_range(shots: hoopgen.Shots, t: Any) -> None:
+    path = shots.trajectory(1)
+    with pytest.raises(ValueError, match=r"^t: expected times from 0 to ") as error:
+        path.at(t)
+    assert f"{path.duration} s, got {t!r}" in str(error.value)
+
+
+def test_the_last_instant_is_on_the_path_and_the_next_is_not(shots: hoopgen.Shots) -> None:
+    path = shots.trajectory(1)
+    path.at(path.duration)
+    with pytest.raises(ValueError, match=r"^t: expected times"):
+        path.at(np.nextafter(path.duration, 9.0))
+
+
+def test_a_shot_without_events_is_where_it_was_released(shots: hoopgen.Shots) -> None:
+    for row in (2, 4):
+        path = shots.trajectory(row)
+        assert path.duration == 0.0
+        assert len(path.events) == 0
+        np.testing.assert_array_equal(path.at(0.0), SHOTS[row])
+
+
+def test_a_trajectory_is_frozen(shots: hoopgen.Shots) -> None:
+    with pytest.raises(AttributeError):
+        shots.trajectory(1).gravity = 1.6  # type: ignore[misc]
+
+
+def test_each_shots_own_gravity_bends_its_path(simulate: Simulate) -> None:
+    moon = simulate([SHOTS[0]] * 2, PAPER | {"gravity": [9.81, 1.62]}, record=True)
+    for row, gravity in ((0, 9.81), (1, 1.62)):
+        got = moon.trajectory(row).at(0.3)
+        np.testing.assert_allclose(
+            got, flown(np.array(SHOTS[0]), 0.3, gravity), rtol=4 * EPS, atol=0
+        )
