@@ -22,10 +22,10 @@ from .impact import impact
 from .surfaces import Surface
 from .symbols import POSITION, UNIT_ROUNDOFF, normal, position, spin, t, velocity
 
-GUARD = 12
+GUARD = 16
 """Bounds are this many times the carried errors; `make exactness` holds them against the judge."""
 
-LIFT = 6
+LIFT = 8
 """See above. Constant, it would make an exponential growth of its own; so it is a power's."""
 
 dx = sp.symbols("dx dy dz", real=True)

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 0ee39b0f03879a32,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 14402bac715867b0,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -209,7 +209,7 @@ LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz,
     const V s27 = lanes_select((s25 < s26), s26, s25);
     const V s28 = curving * (t * s17);
     const V s29 = ((s17 / lanes_abs(s13)) * (s22 + (s27 * lanes_select((s28 < K(1.0)), s28, K(1.0))))) + (s22 + s27);
-    const V s30 = s29 / (K(6.0) + (K(6.0) * contacts));
+    const V s30 = s29 / (K(8.0) + (K(8.0) * contacts));
     const V s31 = -s30;
     const V s32 = (vy * s14) + s8;
     const V s33 = (vz * s14) + s12;
@@ -235,7 +235,7 @@ LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V
     const V s7 = K(2.220446049250313e-16) * s6;
     const V s8 = -s7;
     const V s9 = s4 + lanes_select((s4 < K(0.0)), s8, s7);
-    const V s10 = K(6.0) + (K(6.0) * contacts);
+    const V s10 = K(8.0) + (K(8.0) * contacts);
     const V s11 = lanes_abs(dwx);
     const V s12 = lanes_abs(dwy);
     const V s13 = lanes_select((s11 < s12), s12, s11);
@@ -293,7 +293,7 @@ LANES(hoop_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V
     const V s9 = lanes_abs(dwy);
     const V s10 = lanes_select((s8 < s9), s9, s8);
     const V s11 = lanes_abs(dwz);
-    return (LANES(hoop_error_bounds_out)){ K(12.0) * lanes_select((s2 < s3), s3, s2), K(12.0) * lanes_select((s6 < s7), s7, s6), K(12.0) * lanes_select((s10 < s11), s11, s10), K(12.0) * clock_error };
+    return (LANES(hoop_error_bounds_out)){ K(16.0) * lanes_select((s2 < s3), s3, s2), K(16.0) * lanes_select((s6 < s7), s7, s6), K(16.0) * lanes_select((s10 < s11), s11, s10), K(16.0) * clock_error };
 }
 
 /* 1 where parameters are allowed and no surface is overlapped; 1 where that is in doubt.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 0ee39b0f03879a32,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 14402bac715867b0,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -262,7 +262,7 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     s27 = where((s25 < s26), s26, s25)
     s28 = curving * (t * s17)
     s29 = ((s17 / absolute(s13)) * (s22 + (s27 * where((s28 < 1.0), s28, 1.0)))) + (s22 + s27)
-    s30 = s29 / (6.0 + (6.0 * contacts))
+    s30 = s29 / (8.0 + (8.0 * contacts))
     s31 = -s30
     s32 = (vy * s14) + s8
     s33 = (vz * s14) + s12
@@ -285,7 +285,7 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
     s7 = 2.220446049250313e-16 * s6
     s8 = -s7
     s9 = s4 + where((s4 < 0.0), s8, s7)
-    s10 = 6.0 + (6.0 * contacts)
+    s10 = 8.0 + (8.0 * contacts)
     s11 = absolute(dwx)
     s12 = absolute(dwy)
     s13 = where((s11 < s12), s12, s11)
@@ -340,7 +340,7 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
     s9 = absolute(dwy)
     s10 = where((s8 < s9), s9, s8)
     s11 = absolute(dwz)
-    return 12.0 * where((s2 < s3), s3, s2), 12.0 * where((s6 < s7), s7, s6), 12.0 * where((s10 < s11), s11, s10), 12.0 * clock_error
+    return 16.0 * where((s2 < s3), s3, s2), 16.0 * where((s6 < s7), s7, s6), 16.0 * where((s10 < s11), s11, s10), 16.0 * clock_error
 
 
 def valid(last: Any, x: Any, y: Any, z: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, restitution: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:

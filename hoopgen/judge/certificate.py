@@ -31,6 +31,9 @@ class Enclosure(NamedTuple):
             scale = arb(2) ** self.exponent
             return arb(self.middle) * scale + arb(0, arb(self.radius) * scale)
 
+    def __float__(self) -> float:
+        return float(self.ball)
+
     def __str__(self) -> str:
         """Return the decimal digits that are proved, at most 40."""
         text: str = self.ball.str(40, radius=False)

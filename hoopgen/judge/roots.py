@@ -72,6 +72,11 @@ def first_arrival(coefficients: Sequence[arb], end: arb) -> Arrival | None:
     return None
 
 
+def never_negative(polynomial: arb_poly, degree: int, low: arb, width: arb) -> bool:
+    """Return True if the polynomial certainly is positive within the open box."""
+    return _variations(polynomial, degree, low, width)[1] == 0
+
+
 def _variations(polynomial: arb_poly, degree: int, low: arb, width: arb) -> tuple[int, int]:
     """Return the fewest and the most sign changes of the polynomial mapped from the box.
 

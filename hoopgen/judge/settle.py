@@ -1,0 +1,104 @@
+"""`settle`: what the engine could not decide in doubles, decided by proof."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.engine.raw import EVENT
+from hoopgen.parameters import PAPER
+
+from .batch import certify
+from .certificate import Certificate
+
+SETTLING_BITS = 1024
+"""A shot that this does not decide is a true tie, touch or edge, or soon becomes one."""
+
+
+def settle(
+    fields: dict[str, NDArray[Any]],
+    states: NDArray[np.float64],
+    parameters: Mapping[str, Any] = PAPER,
+    max_contacts: int = 40,
+    *,
+    max_bits: int = SETTLING_BITS,
+    processes: int | None = None,
+) -> NDArray[np.int64]:
+    """Replace the results of uncertain shots by proved ones; what is undecidable stays as it is.
+
+    Parameters
+    ----------
+    fields
+        Results by name, as in `Shots`; "uncertain" is among them. Arrays by shot are written in
+        place; "events", if there, is replaced by a new log.
+    states, parameters, max_contacts
+        Of the simulation that the results are from.
+    max_bits, processes
+        As in `certify`.
+
+    Returns
+    -------
+    ndarray
+        The shots that were settled, which are uncertain no longer.
+    """
+    rows = np.flatnonzero(fields["uncertain"])
+    if not len(rows):
+        return rows
+    own = {name: _rows(value, rows) for name, value in parameters.items()}
+    certificate = certify(
+        states[rows],
+        own,
+        max_contacts=max_contacts,
+        max_bits=max_bits,
+        record="events" in fields,
+        processes=processes,
+    )
+    proved = certificate.decided
+    settled = rows[proved]
+    for name, values in _columns(certificate).items():
+        if name in fields:
+            fields[name][settled] = values[proved]
+    if "events" in fields:
+        fields["events"] = _log(fields["events"], rows, certificate)
+    return settled
+
+
+def _rows(value: ArrayLike, rows: NDArray[np.int64]) -> NDArray[np.float64]:
+    array = np.asarray(value, dtype=np.float64)
+    return array[rows] if array.ndim else array
+
+
+def _columns(certificate: Certificate) -> dict[str, NDArray[Any]]:
+    """Return the certificate's results by the names of `Shots`."""
+    radii = certificate.state_radius.reshape(-1, 3, 3).max(axis=2)
+    return {
+        "outcome": certificate.outcome,
+        "contacts": certificate.contacts,
+        "counts": certificate.counts,
+        "first": certificate.first,
+        "time": certificate.time,
+        "state": certificate.state,
+        "uncertain": ~certificate.decided,
+        "time_error": certificate.time_radius,
+        "state_error": radii,
+    }
+
+
+def _log(
+    events: NDArray[Any], rows: NDArray[np.int64], certificate: Certificate
+) -> NDArray[Any]:
+    """Return the event log with the proved events of settled shots in place of theirs."""
+    fresh = [
+        (row, event.surface, float(event.time), *(
+            [float(component) for component in state] for state in (event.before, event.after)
+        ))
+        for row, proof in zip(rows.tolist(), certificate.proofs, strict=True)
+        if proof.decided
+        for event in proof.events
+    ]
+    kept = events[~np.isin(events["shot"], rows[certificate.decided])]
+    merged = np.concatenate([kept, np.array(fresh, EVENT)])
+    return merged[np.argsort(merged["shot"], kind="stable")]
