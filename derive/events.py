@@ -115,12 +115,13 @@ def crossing() -> dict[str, sp.Expr]:
 
     At a computed root F <= m. With the slope r = -F' - m' > 0 and |F''| <= C,
     F(t + s) <= m - r s + C s²/2, which is negative at s = r/C if r² > 2 C m: the crossing is
-    certain if `clearance` > 0, and then within 2 m / r. The bounds are taken three times as wide.
+    certain if `clearance` > 0, and then within 2 m / r. The bounds are taken three times as wide;
+    without a slope the delay is not bounded.
     """
     slope = hold(-rate - rate_margin)
     return {
         "clearance": IfLess(0, slope, slope**2 - 6 * ceiling * margin, slope),
-        "delay": 6 * margin / slope,
+        "delay": IfLess(0, slope, 6 * margin / slope, sp.oo),
     }
 
 

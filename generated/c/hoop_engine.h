@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 14402bac715867b0,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation ea129d40d72f6122,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -534,7 +534,7 @@ static void LANES(hoop_run)(const hoop_job *job)
         vz = lanes_select(stays, vz, f.vz);
         clock = clock + t;
         const V x_before = x, y_before = y, z_before = z, vx_before = vx, vy_before = vy, vz_before = vz;
-        M doubtful = doubt <= when + late;
+        M doubtful = (doubt <= when + late) & (doubt < never);
         {
             const V slack = LANES(hoop_displacement)(late, t, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
             const V miss = LANES(hoop_target)(x, y, ring_radius).target;
@@ -589,9 +589,9 @@ static void LANES(hoop_run)(const hoop_job *job)
                 dvx = lanes_select(stays, dvx, carried.dvx);
                 dvy = lanes_select(stays, dvy, carried.dvy);
                 dvz = lanes_select(stays, dvz, carried.dvz);
-                dx = lanes_select(ends, shift, dx);
-                dy = lanes_select(ends, shift, dy);
-                dz = lanes_select(ends, shift, dz);
+                dx = lanes_select(ends & (lanes_abs(dx) < shift), shift, dx);
+                dy = lanes_select(ends & (lanes_abs(dy) < shift), shift, dy);
+                dz = lanes_select(ends & (lanes_abs(dz) < shift), shift, dz);
                 V dnx = zero, dny = zero, dnz = zero, turn = zero;
                 {
                     const M here = which == K(0.0);

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 14402bac715867b0,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation ea129d40d72f6122,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -100,7 +100,7 @@ LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V ball_
 }
 
 /* Positive clearance if a crossing is certain, and the bound on its delay.
-   Taylor's theorem with the margins of the gap and its rate. 10 operations: 1 addition, 1 subtraction, 4 multiplications, 1 division, 1 negation, 1 comparison, 1 selection. */
+   Taylor's theorem with the margins of the gap and its rate. 11 operations: 1 addition, 1 subtraction, 4 multiplications, 1 division, 1 negation, 1 comparison, 2 selections. */
 typedef struct {
     V clearance, delay;
 } LANES(hoop_crossing_out);
@@ -109,7 +109,8 @@ LANES_INLINE LANES(hoop_crossing_out)
 LANES(hoop_crossing)(V margin, V rate_margin, V rate, V ceiling)
 {
     const V s0 = -(rate + rate_margin);
-    return (LANES(hoop_crossing_out)){ lanes_select((K(0.0) < s0), ((s0 * s0) - ((K(6.0) * ceiling) * margin)), s0), (K(6.0) * margin) / s0 };
+    const M s1 = K(0.0) < s0;
+    return (LANES(hoop_crossing_out)){ lanes_select(s1, ((s0 * s0) - ((K(6.0) * ceiling) * margin)), s0), lanes_select(s1, ((K(6.0) * margin) / s0), K(INFINITY)) };
 }
 
 /* Errors of a state that a search allows for, and by how much the errors exceed them.

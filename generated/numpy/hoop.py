@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 14402bac715867b0,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation ea129d40d72f6122,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -173,11 +173,12 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
 def crossing(margin: Any, rate_margin: Any, rate: Any, ceiling: Any) -> tuple[Any, ...]:
     """Positive clearance if a crossing is certain, and the bound on its delay.
 
-    Taylor's theorem with the margins of the gap and its rate. 10 operations: 1 addition, 1 subtraction, 4 multiplications, 1 division, 1 negation, 1 comparison, 1 selection.
+    Taylor's theorem with the margins of the gap and its rate. 11 operations: 1 addition, 1 subtraction, 4 multiplications, 1 division, 1 negation, 1 comparison, 2 selections.
     Returns clearance, delay.
     """
     s0 = -(rate + rate_margin)
-    return where((0.0 < s0), ((s0 * s0) - ((6.0 * ceiling) * margin)), s0), (6.0 * margin) / s0
+    s1 = 0.0 < s0
+    return where(s1, ((s0 * s0) - ((6.0 * ceiling) * margin)), s0), where(s1, ((6.0 * margin) / s0), inf)
 
 
 def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, gravity: Any) -> tuple[Any, ...]:

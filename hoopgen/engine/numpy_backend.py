@@ -190,7 +190,7 @@ def _advance(
     flights.clock = flights.clock + t
     before = flights.state() if out.events is not None else None
     miss = _call(kernels.target, columns)[0]
-    doubtful = arrivals.doubt <= arrivals.when + arrivals.late
+    doubtful = (arrivals.doubt <= arrivals.when + arrivals.late) & (arrivals.doubt < np.inf)
     doubtful = doubtful | (ends & (np.abs(miss) <= slack))
     flights.contacts = flights.contacts + touches.astype(np.int32)
     outcome = np.where(stays, SHORT, IN_FLIGHT)
@@ -423,7 +423,9 @@ def _collide(
         kernels.carry_flight, columns, t=t, curving=curving, **counted, **normal
     )
     _choose(~stays, shifted, CARRIED, columns)
-    _choose(which == len(kernels.SURFACES) - 1, [shift] * 3, CARRIED[:3], columns)
+    ends = which == len(kernels.SURFACES) - 1
+    for name in CARRIED[:3]:
+        _choose(ends & (np.abs(columns[name]) < shift), [shift], [name], columns)
     for index, (name, windows, _) in enumerate(kernels.SURFACES):
         if windows:
             own = _call(getattr(kernels, f"{name}_carry_normal"), columns, shift=shift)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from flint import arb, arb_poly, arb_series, ctx
 
 from .formulas import SurfaceFormulas, formulas
-from .roots import never_negative, sign
+from .roots import positive_within, sign
 
 AUDIT_BITS = 128
 
@@ -48,7 +48,7 @@ def _deepest(surface: SurfaceFormulas, start: list[arb], end: arb, values: list[
     parts = [(arb(0), end)]
     while parts:
         low, high = parts.pop()
-        if never_negative(polynomial, len(coefficients) - 1, low, high - low):
+        if positive_within(polynomial, len(coefficients) - 1, low, high - low):
             continue
         middle = ((low + high) / 2).mid()
         time = low.union(high)
@@ -92,9 +92,7 @@ def _least_distance(
     return max(finite, key=float) if finite else arb.neg_inf()
 
 
-def _taylor(
-    surface: SurfaceFormulas, start: list[arb], values: list[arb], time: arb
-) -> list[arb]:
+def _taylor(surface: SurfaceFormulas, start: list[arb], values: list[arb], time: arb) -> list[arb]:
     """Return the distance's Taylor coefficients about each of the times, to the second."""
     along = arb_series([time, 1], prec=3)
     moving = formulas().flight([arb_series([c], prec=3) for c in start], values, (along,))

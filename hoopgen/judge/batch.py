@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.parameters import PAPER, resolve
 from hoopgen.results import Outcome
-from hoopgen.simulation import _states as checked_states
+from hoopgen.simulation import _leaving, _states
 
 from .certificate import UNDECIDED, Certificate, Proof, ProvedEvent, doubles, enclosure
 from .flight import Flown, Undecided, fly
@@ -35,6 +35,7 @@ def certify(
     max_contacts: int = 40,
     max_bits: int = MAX_BITS,
     record: bool = False,
+    leaving: ArrayLike | None = None,
     processes: int | None = None,
 ) -> Certificate:
     """Prove what shots do, in ball arithmetic and without any of the engines.
@@ -52,6 +53,8 @@ def certify(
         Where to give up; at least 128.
     record
         Whether to keep every event's time and states with all digits.
+    leaving
+        As in `simulate`.
     processes
         How many work; None for as many as the process may use.
 
@@ -65,7 +68,7 @@ def certify(
     TypeError, ValueError
         If an argument is not as described; the message says what is.
     """
-    releases = checked_states(states)
+    releases = _states(states)
     values = np.stack(
         [np.broadcast_to(p, len(releases)) for p in resolve(parameters, len(releases))], axis=-1
     )
@@ -75,8 +78,11 @@ def certify(
         raise ValueError(f"max_bits: expected a whole number from {FIRST_BITS}, got {max_bits!r}")
     formulas()  # compiled here, once for all processes that are forked
     task = _Task(int(max_contacts), int(max_bits), record)
+    left = _leaving(leaving, len(releases))
+    left = np.full(len(releases), -1, np.int8) if left is None else left
     chunks = [
-        (releases[k : k + CHUNK], values[k : k + CHUNK]) for k in range(0, len(releases), CHUNK)
+        (releases[k : k + CHUNK], values[k : k + CHUNK], left[k : k + CHUNK])
+        for k in range(0, len(releases), CHUNK)
     ]
     workers = _processes(processes)
     if workers == 1 or len(chunks) < 2:
@@ -89,7 +95,8 @@ def certify(
 
 def _processes(processes: int | None) -> int:
     if processes is None:
-        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+        usable = getattr(os, "sched_getaffinity", None)
+        return len(usable(0)) if usable is not None else os.cpu_count() or 1
     if not isinstance(processes, int | np.integer) or processes < 1:
         raise ValueError(f"processes: expected a whole number from 1, or None, got {processes!r}")
     return int(processes)
@@ -101,19 +108,18 @@ class _Task:
     max_bits: int
     record: bool
 
-    def __call__(self, chunk: tuple[NDArray[np.float64], NDArray[np.float64]]) -> list[Proof]:
+    def __call__(self, chunk: tuple[NDArray[Any], ...]) -> list[Proof]:
         """Prove the shots of a chunk."""
-        rows = zip(chunk[0].tolist(), chunk[1].tolist(), strict=True)
-        return [self.prove(state, parameters) for state, parameters in rows]
+        return [self.prove(*row) for row in zip(*(c.tolist() for c in chunk), strict=True)]
 
-    def prove(self, state: Sequence[float], parameters: Sequence[float]) -> Proof:
+    def prove(self, state: Sequence[float], parameters: Sequence[float], leaving: int) -> Proof:
         """Prove one shot, with as few doublings as it takes."""
         bits = FIRST_BITS
         while True:
             with ctx.workprec(bits):
                 question = ""
                 try:
-                    flown = fly(formulas(), state, parameters, self.max_contacts)
+                    flown = fly(formulas(), state, parameters, self.max_contacts, leaving)
                 except Undecided as undecided:
                     question, flown = undecided.args
                 last = 2 * bits > self.max_bits

@@ -46,9 +46,15 @@ class Flown:
 
 
 def fly(
-    formulas: Formulas, state: Sequence[float], parameters: Sequence[float], max_contacts: int
+    formulas: Formulas,
+    state: Sequence[float],
+    parameters: Sequence[float],
+    max_contacts: int,
+    leaving: int = -1,
 ) -> Flown:
     """Return the shot's events and outcome, all proved at the current precision.
+
+    If `leaving` is a surface, the release is on it, whatever the last digits of the position say.
 
     Raises
     ------
@@ -59,21 +65,25 @@ def fly(
     now = [arb(component) for component in state]
     flown = Flown(Outcome.SHORT, arb(0), now)
     try:
-        if not _valid(formulas, now, values):
+        if not _valid(formulas, now, values, leaving):
             return Flown(Outcome.INVALID, arb.nan(), [arb.nan()] * len(now))
-        _follow(formulas, values, max_contacts, flown)
+        _follow(formulas, values, max_contacts, leaving, flown)
     except Undecided as question:
         raise Undecided(question.args[0], flown) from None
     return flown
 
 
-def _follow(formulas: Formulas, values: list[arb], max_contacts: int, flown: Flown) -> None:
+def _follow(
+    formulas: Formulas, values: list[arb], max_contacts: int, last: int, flown: Flown
+) -> None:
     """Add event after event."""
     end = len(formulas.surfaces) - 1
-    last = -1
+    still = values[formulas.restitution].is_zero()
     while True:
         start = flown.state
-        found = _next(formulas, start, values, last)
+        # How many low coefficients of the event polynomial of the last surface vanish.
+        vanishing = 2 if still and flown.events else 1
+        found = _next(formulas, start, values, last, vanishing)
         if found is None:
             flown.outcome = Outcome.SHORT
             return
@@ -100,7 +110,7 @@ def _made(formulas: Formulas, state: list[arb], values: list[arb]) -> int:
     return Outcome.MADE if side <= 0 else Outcome.MISSED
 
 
-def _valid(formulas: Formulas, state: list[arb], values: list[arb]) -> bool:
+def _valid(formulas: Formulas, state: list[arb], values: list[arb], leaving: int) -> bool:
     """Decide whether parameters are allowed and the ball is inside no surface."""
     if not all(value.is_finite() for value in (*state, *values)):
         return False
@@ -117,7 +127,8 @@ def _valid(formulas: Formulas, state: list[arb], values: list[arb]) -> bool:
             raise Undecided("the parameters are on the edge of what is allowed")
         if side <= 0:
             return False
-    return not any(_overlaps(surface, state, values) for surface in formulas.surfaces[:-1])
+    others = [s for k, s in enumerate(formulas.surfaces[:-1]) if k != leaving]
+    return not any(_overlaps(surface, state, values) for surface in others)
 
 
 def _overlaps(surface: SurfaceFormulas, state: list[arb], values: list[arb]) -> bool:
@@ -130,15 +141,14 @@ def _overlaps(surface: SurfaceFormulas, state: list[arb], values: list[arb]) -> 
 
 
 def _next(
-    formulas: Formulas, state: list[arb], values: list[arb], last: int
+    formulas: Formulas, state: list[arb], values: list[arb], last: int, vanishing: int
 ) -> tuple[int, arb] | None:
     """Return surface and time of the certainly earliest arrival; None if there is none."""
     arrivals: dict[int, Arrival] = {}
     latest = _NEVER
-    still = values[formulas.restitution].is_zero()
-    planes_first = sorted(range(len(formulas.surfaces)), key=lambda k: formulas.surfaces[k].axis < 0)
-    for k in planes_first:
-        arrival = _arrival(formulas, k, state, values, k == last, still, latest)
+    for k in formulas.order:
+        zeros = vanishing if k == last else 0
+        arrival = _arrival(formulas, k, state, values, zeros, latest)
         if arrival is not None:
             arrivals[k] = arrival
             if arrival.certain and arrival.time < latest:
@@ -161,19 +171,17 @@ def _arrival(
     index: int,
     state: list[arb],
     values: list[arb],
-    gone: bool,
-    still: bool,
+    zeros: int,
     latest: arb,
 ) -> Arrival | None:
     """Return the first arrival at a surface, within its bounds.
 
-    Exactly vanishing low coefficients are divided out: that of t^0 if the ball is on the surface
-    (`gone`: it left it last), that of t^1 too if it left with restitution 0 (`still`). The sign of
-    the first that remains says whether the ball moves away, or is about to enter: an arrival now.
+    Exactly vanishing low coefficients are divided out: `zeros` of them by construction, and those
+    that are seen to vanish. If there are any, the ball is on the surface, and the sign of the first
+    that remains says whether it moves away, or is about to enter: an arrival now.
     """
     surface = formulas.surfaces[index]
     coefficients = surface.coefficients(state, values)
-    zeros = 1 + still if gone else 0
     while zeros < len(coefficients) and sign(coefficients[zeros]) == 0:
         zeros += 1
     rest = coefficients[zeros:]
@@ -224,8 +232,8 @@ def _descent(coefficients: list[arb], moving: int | None) -> Arrival | None:
         if certain in (0, -1):
             return None
         if certain is None:
-            apex = -b / (2 * a)
-            return None if apex < 0 and moving == -1 else Arrival(_from(apex, a, discriminant), False)
+            nearby = _apex(b, a, discriminant)
+            return None if nearby < 0 else Arrival(nearby, False)
         root = discriminant.sqrt()
         time = 2 * c / (root - b) if b < 0 else -(b + root) / (2 * a)
     if time is None or time < 0:
@@ -233,10 +241,10 @@ def _descent(coefficients: list[arb], moving: int | None) -> Arrival | None:
     return Arrival(time, time > 0)
 
 
-def _from(apex: arb, a: arb, discriminant: arb) -> arb:
-    """Enclose the roots of a parabola that may touch zero, by its apex and their distance."""
-    reach = (discriminant.abs_upper()).sqrt() / (2 * abs(a))
-    return apex + arb(0, reach.abs_upper())
+def _apex(b: arb, a: arb, discriminant: arb) -> arb:
+    """Enclose both roots of a parabola that may touch zero: its apex and their distance from it."""
+    reach = discriminant.abs_upper().sqrt() / (2 * abs(a))
+    return -b / (2 * a) + arb(0, reach.abs_upper())
 
 
 def _bounded(

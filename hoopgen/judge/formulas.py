@@ -50,7 +50,7 @@ def compiled(expressions: Sequence[sp.Expr], *arguments: Sequence[sp.Symbol]) ->
     head = f"def function({', '.join(f'a{place}' for place in range(len(arguments)))}):"
     source = "\n    ".join([head, *writer.lines, f"return [{', '.join(results)}]"])
     namespace: dict[str, Any] = {}
-    exec(source, namespace)  # noqa: S102 - the source is made above, from derive/ alone
+    exec(source, namespace)  # made above, from derive/ alone
     made: Function = namespace["function"]
     return made
 
@@ -155,6 +155,8 @@ class Formulas:
     ----------
     surfaces
         What can be touched, then the finish.
+    order
+        In which they are searched: planes first, whose arrivals then limit the others' search.
     flight
         (state, parameters, (time,)) to position and velocity.
     impact
@@ -170,6 +172,7 @@ class Formulas:
     """
 
     surfaces: tuple[SurfaceFormulas, ...]
+    order: tuple[int, ...]
     flight: Function
     impact: Function
     target: Function
@@ -209,8 +212,10 @@ def formulas(scene: Scene = HOOP) -> Formulas:
     parameters = scene.symbols
     after = impact(normal, velocity, spin, scene.ball_radius, scene.restitution)
     there = flight(scene.gravity)
+    surfaces = tuple(_surface(surface, scene) for surface in (*scene.surfaces, scene.finish))
     return Formulas(
-        tuple(_surface(surface, scene) for surface in (*scene.surfaces, scene.finish)),
+        surfaces,
+        tuple(sorted(range(len(surfaces)), key=lambda k: surfaces[k].axis < 0)),
         compiled([e for vector in there for e in vector], state, parameters, (t,)),
         compiled([e for vector in after for e in vector], state, parameters, NORMAL),
         compiled([scene.target], state, parameters),

@@ -72,7 +72,7 @@ def first_arrival(coefficients: Sequence[arb], end: arb) -> Arrival | None:
     return None
 
 
-def never_negative(polynomial: arb_poly, degree: int, low: arb, width: arb) -> bool:
+def positive_within(polynomial: arb_poly, degree: int, low: arb, width: arb) -> bool:
     """Return True if the polynomial certainly is positive within the open box."""
     return _variations(polynomial, degree, low, width)[1] == 0
 

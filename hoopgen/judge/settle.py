@@ -24,6 +24,7 @@ def settle(
     parameters: Mapping[str, Any] = PAPER,
     max_contacts: int = 40,
     *,
+    leaving: ArrayLike | None = None,
     max_bits: int = SETTLING_BITS,
     processes: int | None = None,
 ) -> NDArray[np.int64]:
@@ -34,7 +35,7 @@ def settle(
     fields
         Results by name, as in `Shots`; "uncertain" is among them. Arrays by shot are written in
         place; "events", if there, is replaced by a new log.
-    states, parameters, max_contacts
+    states, parameters, max_contacts, leaving
         Of the simulation that the results are from.
     max_bits, processes
         As in `certify`.
@@ -54,6 +55,7 @@ def settle(
         max_contacts=max_contacts,
         max_bits=max_bits,
         record="events" in fields,
+        leaving=None if leaving is None else _rows(leaving, rows),
         processes=processes,
     )
     proved = certificate.decided
@@ -66,8 +68,8 @@ def settle(
     return settled
 
 
-def _rows(value: ArrayLike, rows: NDArray[np.int64]) -> NDArray[np.float64]:
-    array = np.asarray(value, dtype=np.float64)
+def _rows(value: ArrayLike, rows: NDArray[np.int64]) -> NDArray[Any]:
+    array = np.asarray(value)
     return array[rows] if array.ndim else array
 
 
@@ -87,14 +89,15 @@ def _columns(certificate: Certificate) -> dict[str, NDArray[Any]]:
     }
 
 
-def _log(
-    events: NDArray[Any], rows: NDArray[np.int64], certificate: Certificate
-) -> NDArray[Any]:
+def _log(events: NDArray[Any], rows: NDArray[np.int64], certificate: Certificate) -> NDArray[Any]:
     """Return the event log with the proved events of settled shots in place of theirs."""
     fresh = [
-        (row, event.surface, float(event.time), *(
-            [float(component) for component in state] for state in (event.before, event.after)
-        ))
+        (
+            row,
+            event.surface,
+            float(event.time),
+            *([float(component) for component in state] for state in (event.before, event.after)),
+        )
         for row, proof in zip(rows.tolist(), certificate.proofs, strict=True)
         if proof.decided
         for event in proof.events

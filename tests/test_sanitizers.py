@@ -1,0 +1,294 @@
+"""The C engine under AddressSanitizer and UndefinedBehaviorSanitizer: no input makes it misbehave.
+
+A driver in C hands it shots of every kind, garbage included, in buffers of exactly the documented
+sizes. Whatever a sanitizer finds ends the driver with a report.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+from benchmarks.workloads import WORKLOADS
+from compiled import COMPILER, ROOT, needs_compiler, setup_flags
+
+from hoopgen import PAPER
+from hoopgen.engine import native
+
+# One worker: the driver is compiled once.
+pytestmark = [needs_compiler, pytest.mark.xdist_group("sanitizers")]
+
+ROWS = 1_000_000
+"""Rows of a run, all widths together share them."""
+
+LOGGED = 0.05
+"""Share of the calls that keep the event log, whose buffers are large."""
+
+# Of -fsanitize=undefined GCC leaves out the conversion of a double that no integer holds.
+SANITIZERS = (
+    "-O1",
+    "-g",
+    "-fsanitize=address,undefined,float-cast-overflow",
+    "-fno-sanitize-recover=all",
+)
+
+NOT_THERE = 77
+"""The driver's exit status where the processor does not have the width."""
+
+DRIVER = r"""
+#include "hoop.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define CHECK(c) do { if (!(c)) { fprintf(stderr, "%s, line %d\n", #c, __LINE__); exit(3); } } while (0)
+
+static uint64_t random_state = 0x9E3779B97F4A7C15u;
+
+static uint64_t bits(void) /* xorshift64 */
+{
+    random_state ^= random_state << 13;
+    random_state ^= random_state >> 7;
+    random_state ^= random_state << 17;
+    return random_state;
+}
+
+static double unit(void) { return (double)(bits() >> 11) * 0x1p-53; }
+
+static size_t below(size_t n) { return (size_t)(bits() >> 20) % n; }
+
+static double odd(void)
+{
+    static const double values[] = {0.0, -0.0, 5e-324, -5e-324, 1e-310, 2.3e-308, 1e-150, -1e-150,
+        1e150, -1e150, 1.7e308, -1.7e308, INFINITY, -INFINITY, NAN, 1.0, -0.25, 0.235, 0.13128};
+    return values[below(sizeof values / sizeof *values)];
+}
+
+static double any_bits(void)
+{
+    const uint64_t b = bits();
+    double a;
+    memcpy(&a, &b, sizeof a);
+    return a;
+}
+
+/* A release of the workloads; some with another speed, some with a component of garbage. */
+static void draw(double *row, const double *shots, size_t count)
+{
+    memcpy(row, shots + HOOP_STATE * below(count), HOOP_STATE * sizeof *row);
+    const size_t kind = below(8);
+    for (int k = 0; k < HOOP_STATE; k++) {
+        if (kind == 0)
+            row[k] = any_bits();
+        else if (kind == 1)
+            row[k] = odd();
+        else if (kind == 2)
+            row[k] = below(4) ? 2.0 * unit() - 1.0 : odd();
+        else if (kind == 3)
+            row[k] *= 1.0 + 0.02 * (unit() - 0.5);
+        else if (kind == 4)
+            row[k] = k < 3 ? unit() - 0.5 : 6.0 * (unit() - 0.5);
+    }
+    if (kind == 5)
+        row[below(HOOP_STATE)] = below(2) ? odd() : any_bits();
+}
+
+static void *room(size_t count, size_t size)
+{
+    /* Never less than a byte, never more than is documented; what is not written is seen. */
+    void *memory = malloc(count * size ? count * size : 1);
+    CHECK(memory);
+    memset(memory, 0xA5, count * size);
+    return memory;
+}
+
+static uint64_t mixed(uint64_t hash, uint64_t value) { return (hash ^ value) * 0x100000001B3u; }
+
+static uint64_t call(size_t n, int width, int logged, const double *shots, size_t count,
+                     const double *usual)
+{
+    const int32_t most = below(4) ? 1 + (int32_t)below(12) : 40;
+    double *states = room(HOOP_STATE * n, sizeof *states);
+    for (size_t i = 0; i < n; i++)
+        draw(states + HOOP_STATE * i, shots, count);
+    double *values[HOOP_PARAMETERS];
+    const double *parameters[HOOP_PARAMETERS];
+    int64_t strides[HOOP_PARAMETERS];
+    const int varying = below(3) == 0;
+    for (int k = 0; k < HOOP_PARAMETERS; k++) {
+        strides[k] = varying && below(2);
+        const size_t rows = strides[k] ? n : 1;
+        values[k] = room(rows, sizeof **values);
+        for (size_t i = 0; i < rows; i++) {
+            values[k][i] = usual[k];
+            if (strides[k] && below(4) == 0)
+                values[k][i] = below(2) ? usual[k] * (0.9 + 0.2 * unit()) : below(2) ? odd() : any_bits();
+        }
+        parameters[k] = values[k];
+    }
+    int8_t *leaving = below(4) ? NULL : room(n, sizeof *leaving);
+    for (size_t i = 0; leaving && i < n; i++)
+        leaving[i] = (int8_t)((int)below(HOOP_SURFACES + 1) - 1);
+    const int32_t stop = 0;
+    const int some = below(4) == 0; /* then some results are not wanted */
+#define WANTED (!some || below(2))
+    hoop_results out = {0};
+    out.outcome = room(n, sizeof *out.outcome);
+    out.contacts = room(n, sizeof *out.contacts);
+    out.counts = WANTED ? room(HOOP_SURFACES * n, sizeof *out.counts) : NULL;
+    out.first = WANTED ? room(n, sizeof *out.first) : NULL;
+    out.time = WANTED ? room(n, sizeof *out.time) : NULL;
+    out.state = WANTED ? room(HOOP_STATE * n, sizeof *out.state) : NULL;
+    out.time_error = WANTED ? room(n, sizeof *out.time_error) : NULL;
+    out.state_error = WANTED ? room(3 * n, sizeof *out.state_error) : NULL;
+    out.uncertain = WANTED ? room(n, sizeof *out.uncertain) : NULL;
+    out.events = logged ? room(n * ((size_t)most + 1), sizeof *out.events) : NULL;
+    out.event_counts = logged ? room(n, sizeof *out.event_counts) : NULL;
+
+    const int used = hoop_simulate(n, states, parameters, strides, leaving, most, width,
+                                   below(2) ? &stop : NULL, &out);
+    if (used < 0)
+        exit(77);
+    CHECK(used == width);
+    uint64_t hash = 0xCBF29CE484222325u;
+    for (size_t i = 0; i < n; i++) {
+        CHECK(out.outcome[i] <= HOOP_INVALID);
+        CHECK(out.contacts[i] >= 0 && out.contacts[i] <= most);
+        CHECK(out.outcome[i] != HOOP_CAPPED || out.contacts[i] == most);
+        CHECK(!out.uncertain || out.uncertain[i] <= 1);
+        CHECK(!out.first || (out.first[i] >= -1 && out.first[i] < HOOP_SURFACES));
+        hash = mixed(mixed(hash, out.outcome[i]), (uint64_t)out.contacts[i]);
+        if (out.time) {
+            uint64_t b = 0;
+            if (out.time[i] == out.time[i])
+                memcpy(&b, &out.time[i], sizeof b);
+            hash = mixed(hash, b);
+        }
+        if (!logged)
+            continue;
+        const int ended = out.outcome[i] == HOOP_MADE || out.outcome[i] == HOOP_MISSED;
+        CHECK(out.event_counts[i] == out.contacts[i] + ended);
+        for (int32_t k = 0; k < out.event_counts[i]; k++) {
+            const hoop_event *event = out.events + i * ((size_t)most + 1) + (size_t)k;
+            CHECK(event->shot == (int64_t)i);
+            CHECK(event->surface >= 0 && event->surface <= HOOP_END);
+        }
+    }
+    for (int k = 0; k < HOOP_PARAMETERS; k++)
+        free(values[k]);
+    free(states), free(leaving), free(out.outcome), free(out.contacts), free(out.counts);
+    free(out.first), free(out.time), free(out.state), free(out.time_error), free(out.state_error);
+    free(out.uncertain), free(out.events), free(out.event_counts);
+    return hash;
+}
+
+/* driver WIDTH ROWS LOGGED PARAMETERS... < releases, doubles */
+int main(int argc, char **argv)
+{
+    CHECK(argc == 4 + HOOP_PARAMETERS);
+    const int width = atoi(argv[1]);
+    const size_t rows = (size_t)atoll(argv[2]);
+    const double logged = atof(argv[3]);
+    double usual[HOOP_PARAMETERS];
+    for (int k = 0; k < HOOP_PARAMETERS; k++)
+        usual[k] = atof(argv[4 + k]);
+    static double shots[HOOP_STATE << 13];
+    const size_t count = fread(shots, HOOP_STATE * sizeof *shots, 1 << 13, stdin);
+    CHECK(count);
+    size_t done = 0;
+    uint64_t hash = 0;
+    while (done < rows) {
+        /* No row, one, about a multiple of the lanes, and many. */
+        size_t n = below(4) ? below(35) : below(4000);
+        if (n > rows - done)
+            n = rows - done;
+        hash = mixed(hash, call(n, width, unit() < logged, shots, count, usual));
+        done += n;
+    }
+    printf("%zu %016llx\n", done, (unsigned long long)hash);
+    return 0;
+}
+"""
+
+
+@pytest.fixture(scope="module")
+def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The engine and the driver, compiled with the sanitizers.
+
+    A compiler without their libraries fails here: GCC has them in libasan and libubsan.
+    """
+    folder = tmp_path_factory.mktemp("sanitizers")
+    source, program = folder / "driver.c", folder / "driver"
+    source.write_text(DRIVER, encoding="utf-8")
+    scene = ROOT / "generated" / "c"
+    command = [*COMPILER, *setup_flags(), *SANITIZERS, "-Wno-psabi", f"-I{scene}"]
+    result = subprocess.run(
+        [*command, str(source), str(scene / "hoop.c"), "-o", str(program), "-lm"],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=300,
+    )
+    assert result.returncode == 0, f"no sanitizers with {COMPILER[0]}?\n{result.stderr}"
+    return program
+
+
+@pytest.fixture(scope="module")
+def finished(driver: Path) -> dict[int, subprocess.CompletedProcess[bytes]]:
+    """The driver's runs by width; those of all widths fly the same rows."""
+    releases = np.concatenate([workload.make(2000) for workload in WORKLOADS]).tobytes()
+    values = [repr(value) for value in PAPER.values()]
+    rows = str(ROWS // len(native.WIDTHS))
+    # The engine allocates nothing; and where a debugger is not allowed, the search for leaks fails.
+    environment = os.environ | {"ASAN_OPTIONS": "detect_leaks=0"}
+    return {
+        width: subprocess.run(
+            [driver, str(width), rows, str(LOGGED), *values],
+            input=releases,
+            capture_output=True,
+            check=False,
+            env=environment,
+            timeout=300,
+        )
+        for width in native.WIDTHS
+    }
+
+
+@pytest.mark.parametrize("width", native.WIDTHS)
+def test_no_row_of_a_million_makes_a_sanitizer_speak(
+    finished: dict[int, subprocess.CompletedProcess[bytes]], width: int
+) -> None:
+    run = finished[width]
+    if run.returncode == NOT_THERE:
+        pytest.skip("this processor does not have the width")
+    assert run.returncode == 0, run.stderr.decode()
+    assert run.stderr == b""
+    assert int(run.stdout.split()[0]) == ROWS // len(native.WIDTHS)
+
+
+def test_widths_agree_on_garbage_too(
+    finished: dict[int, subprocess.CompletedProcess[bytes]],
+) -> None:
+    """Outcomes, contacts and times of every row, by a hash of all."""
+    assert len({run.stdout for run in finished.values() if run.returncode != NOT_THERE}) == 1
+
+
+def test_the_sanitizers_are_at_work(driver: Path) -> None:
+    """A buffer that is read past its end ends a program compiled alike."""
+    source, program = driver.with_name("wrong.c"), driver.with_name("wrong")
+    source.write_text(
+        "#include <stdlib.h>\n"
+        "int main(int n, char **v) { double *a = malloc(8); (void)v; return (int)a[n] & 0; }\n",
+        encoding="utf-8",
+    )
+    subprocess.run(
+        [*COMPILER, *setup_flags(), *SANITIZERS, str(source), "-o", str(program)], check=True
+    )
+    wrong = subprocess.run([program], capture_output=True, check=False, timeout=60)
+    assert wrong.returncode != 0
+    assert b"heap-buffer-overflow" in wrong.stderr
