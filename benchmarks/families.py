@@ -25,8 +25,7 @@ TURN = 2 * np.pi
 
 @dataclass(frozen=True)
 class Family:
-    """Shots of a kind: a word on what is hard, and how to make n of them; `rare` ones need not be
-    many, since each takes the judge long."""
+    """Shots of a kind: a word on what is hard, and how to make n of them."""
 
     key: str
     label: str
@@ -134,9 +133,8 @@ def grazing(n: int) -> Shots:
     heading = random.uniform(0, TURN, n)[:, None]
     speed = random.uniform(1, 6, n)[:, None]
     velocity = speed * (np.cos(heading) * along + np.sin(heading) * across)
-    # The ball's path bends by gravity; where the tube bends away faster it touches from outside.
     position += _tiny(random, n, -16, -12)[:, None] * normal
-    time = random.uniform(0.02, 0.3, n)
+    time = random.uniform(0.005, 0.15, n)
     return _back(position, velocity, _spins(random, n), time), PAPER
 
 
@@ -148,7 +146,7 @@ def seam(n: int) -> Shots:
     position = np.stack([-np.sqrt(rho**2 - y**2), y, np.full(n, REACH)], axis=1)
     velocity = random.normal(0, 1.5, (n, 3))
     velocity[:, 2] = -random.uniform(0.5, 5, n)
-    return _back(position, velocity, _spins(random, n), random.uniform(0.05, 0.3, n)), PAPER
+    return _back(position, velocity, _spins(random, n), random.uniform(0.01, 0.12, n)), PAPER
 
 
 def edges(n: int) -> Shots:
@@ -173,7 +171,9 @@ def edges(n: int) -> Shots:
     position = np.array(choices)[random.integers(0, len(choices), n), np.arange(n)]
     velocity = random.normal(0, 1, (n, 3))
     velocity[:, 0] = -random.uniform(0.5, 6, n)
-    velocity[:, 2] = np.where(position[:, 2] == REACH, -np.abs(velocity[:, 2]) - 0.2, velocity[:, 2])
+    velocity[:, 2] = np.where(
+        position[:, 2] == REACH, -np.abs(velocity[:, 2]) - 0.2, velocity[:, 2]
+    )
     return _back(position, velocity, _spins(random, n), random.uniform(0.02, 0.2, n)), PAPER
 
 
@@ -182,13 +182,12 @@ def target_edge(n: int) -> Shots:
     random = _random("target edge")
     angle = random.uniform(0, TURN, n)
     rho = RING + _tiny(random, n)
-    # Only from outwards and below can the ball get there past the ring.
-    position = np.stack([rho * np.cos(angle), rho * np.sin(angle), np.full(n, -PAPER["end_depth"])])
+    depth = 1.5 * REACH  # below the ring, so that the ball can be there
+    position = np.stack([rho * np.cos(angle), rho * np.sin(angle), np.full(n, -depth)], axis=1)
     velocity = random.normal(0, 1, (n, 3))
     velocity[:, 2] = -random.uniform(0.0, 1.0, n)
-    parameters = PAPER | {"end_depth": REACH * 1.5}
-    position[2] = -REACH * 1.5
-    return _back(position.T, velocity, _spins(random, n), random.uniform(0.0, 0.15, n)), parameters
+    states = _back(position, velocity, _spins(random, n), random.uniform(0.0, 0.15, n))
+    return states, PAPER | {"end_depth": depth}
 
 
 def rim(n: int) -> Shots:
@@ -212,7 +211,8 @@ def other_hoops(n: int) -> Shots:
     states, _ = around(n)
     preset = random.integers(0, 3, n)
     parameters = {
-        name: np.array([p[name] for p in (PAPER, NBA, FIBA)])[preset] * random.uniform(0.95, 1.05, n)
+        name: np.array([p[name] for p in (PAPER, NBA, FIBA)])[preset]
+        * random.uniform(0.95, 1.05, n)
         for name in PAPER
     }
     parameters["restitution"] = random.uniform(0, 1, n)

@@ -96,10 +96,11 @@ def carried_to_contact(gravity: sp.Expr) -> dict[str, sp.Expr]:
     Arguments are the errors at its start, and the state and normal at its end. The contact of the
     erring flight is dt = -(n·dx)/(n·v) later: there its error lies in the surface.
     """
-    shifts = []
+    shifts, roundings = [], []
     for k, (error, drift) in enumerate(zip(dx, dv, strict=True)):
         flown = 2 * size(velocity[k]) * t + (gravity * t**2 if k == 2 else 0)
         rounding = UNIT_ROUNDOFF * hold(size(position[k]) + flown)
+        roundings.append(rounding)
         shifts.append(hold(_away(hold(error + drift * t), rounding)))
     moved = sp.Matrix(shifts)
     delay = hold(-moved.dot(normal) / hold(velocity.dot(normal)))
@@ -107,7 +108,7 @@ def carried_to_contact(gravity: sp.Expr) -> dict[str, sp.Expr]:
     falling = [after - before for after, before in zip(fallen, velocity, strict=True)]
     # An error along the surface that the ball left is across it only as far as the normal turned.
     across = smallest(1, hold(_greatest(velocity) * t) * curving)
-    drift = hold(_greatest(dv) * t)
+    drift = hold(_greatest(dv) * t + hold(largest(*roundings)))
     glancing = hold(_greatest(velocity) / size(hold(velocity.dot(normal))))
     slid = hold(
         hold(_greatest(dx) + drift) + hold(hold(across * _greatest(dx)) + drift) * glancing

@@ -1,22 +1,30 @@
-"""Parameters, results and trajectories: what a user holds in hand."""
+"""Parameters, results and trajectories: what a user holds in hand, and what the README shows."""
 
 from __future__ import annotations
 
+import contextlib
 import copy
+import io
 import math
 import pickle
+import re
+import shlex
 from collections.abc import Mapping
 from itertools import pairwise
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 from conftest import Simulate
 from numpy.typing import NDArray
 
 import hoopgen
 from hoopgen import FIBA, NBA, PAPER, Outcome
+from hoopgen.cli import main
 
+README = Path(__file__).resolve().parents[1] / "README.md"
 EPS = float(np.finfo(np.float64).eps)
 FIGURE_7 = [4.191, 0.0, -0.6096, -4.4997624, 0.0, 5.5769256, 0.0, 6 * math.pi, 0.0]
 NAMES = (
@@ -318,3 +326,40 @@ def test_each_shots_own_gravity_bends_its_path(simulate: Simulate) -> None:
         np.testing.assert_allclose(
             got, flown(np.array(SHOTS[0]), 0.3, gravity), rtol=4 * EPS, atol=0
         )
+
+
+# ----------------------------------------------------------------------------------------- README
+
+
+def test_the_python_of_the_readme_prints_what_the_readme_says() -> None:
+    shown = re.findall(r"```python\n(.*?)```\n\n```text\n(.*?)```", README.read_text("utf-8"), re.S)
+    assert len(shown) == 2
+    names: dict[str, Any] = {}
+    for code, output in shown:
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            exec(code, names)
+        assert printed.getvalue() == output
+
+
+def test_the_commands_of_the_readme_print_what_the_readme_says() -> None:
+    shown = re.findall(r"```console\n\$ hoopgen (.*?)\n(.*?)```", README.read_text("utf-8"), re.S)
+    assert shown
+    for arguments, output in shown:
+        assert CliRunner().invoke(main, shlex.split(arguments)).output == output
+
+
+@pytest.mark.parametrize("name", ["PAPER", "NBA", "FIBA"])
+def test_the_presets_of_the_readme_are_the_presets(name: str) -> None:
+    row = re.search(rf"^\| `{name}` \| (.*) \|$", README.read_text("utf-8"), re.M)
+    assert row is not None
+    told = [float(cell.removesuffix(" m")) for cell in row[1].split(" | ")]
+    keys = ("ball_radius", "ring_radius", "wire_radius", "board_distance", "restitution")
+    # Sums of two rounded numbers.
+    wanted = [getattr(hoopgen, name)[key] for key in keys]
+    np.testing.assert_allclose(told, wanted, rtol=EPS, atol=0)
+
+
+def test_files_that_the_readme_links_to_exist() -> None:
+    links = re.findall(r"\]\(([^):#]+)\)", README.read_text("utf-8"))
+    assert [link for link in links if not (README.parent / link).exists()] == []

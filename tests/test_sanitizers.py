@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import os
 import subprocess
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import pytest
-from benchmarks.workloads import WORKLOADS
-from compiled import COMPILER, ROOT, needs_compiler, setup_flags
+from compiled import ROOT, compiles, needs_compiler, setup_flags
 
+from benchmarks.workloads import WORKLOADS
 from hoopgen import PAPER
 from hoopgen.engine import native
 
@@ -22,7 +23,7 @@ from hoopgen.engine import native
 pytestmark = [needs_compiler, pytest.mark.xdist_group("sanitizers")]
 
 ROWS = 1_000_000
-"""Rows of a run, all widths together share them."""
+"""Rows that every width flies."""
 
 LOGGED = 0.05
 """Share of the calls that keep the event log, whose buffers are large."""
@@ -46,7 +47,7 @@ DRIVER = r"""
 #include <stdlib.h>
 #include <string.h>
 
-#define CHECK(c) do { if (!(c)) { fprintf(stderr, "%s, line %d\n", #c, __LINE__); exit(3); } } while (0)
+#define CHECK(c) ((c) ? (void)0 : (fprintf(stderr, "line %d: %s\n", __LINE__, #c), exit(3)))
 
 static uint64_t random_state = 0x9E3779B97F4A7C15u;
 
@@ -127,7 +128,9 @@ static uint64_t call(size_t n, int width, int logged, const double *shots, size_
         for (size_t i = 0; i < rows; i++) {
             values[k][i] = usual[k];
             if (strides[k] && below(4) == 0)
-                values[k][i] = below(2) ? usual[k] * (0.9 + 0.2 * unit()) : below(2) ? odd() : any_bits();
+                values[k][i] = below(2)   ? usual[k] * (0.9 + 0.2 * unit())
+                               : below(2) ? odd()
+                                          : any_bits();
         }
         parameters[k] = values[k];
     }
@@ -220,75 +223,78 @@ int main(int argc, char **argv)
 def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The engine and the driver, compiled with the sanitizers.
 
-    A compiler without their libraries fails here: GCC has them in libasan and libubsan.
+    Without the sanitizers' libraries, which are part of GCC, this fails with what the linker says.
     """
     folder = tmp_path_factory.mktemp("sanitizers")
     source, program = folder / "driver.c", folder / "driver"
     source.write_text(DRIVER, encoding="utf-8")
     scene = ROOT / "generated" / "c"
-    command = [*COMPILER, *setup_flags(), *SANITIZERS, "-Wno-psabi", f"-I{scene}"]
-    result = subprocess.run(
-        [*command, str(source), str(scene / "hoop.c"), "-o", str(program), "-lm"],
-        capture_output=True,
-        text=True,
-        check=False,
-        timeout=300,
-    )
-    assert result.returncode == 0, f"no sanitizers with {COMPILER[0]}?\n{result.stderr}"
+    flags = (*setup_flags(), *SANITIZERS, "-Wno-psabi", f"-I{scene}")
+    compiles(*flags, source, scene / "hoop.c", "-o", program, "-lm")
     return program
 
 
+@dataclass(frozen=True)
+class Run:
+    """What the driver said, and how it ended."""
+
+    status: int
+    said: str
+    report: str
+
+
 @pytest.fixture(scope="module")
-def finished(driver: Path) -> dict[int, subprocess.CompletedProcess[bytes]]:
-    """The driver's runs by width; those of all widths fly the same rows."""
-    releases = np.concatenate([workload.make(2000) for workload in WORKLOADS]).tobytes()
+def runs(driver: Path) -> dict[int, Run]:
+    """The driver's runs, at once; all widths fly the same rows."""
+    releases = driver.with_name("releases")
+    releases.write_bytes(np.concatenate([w.make(2000) for w in WORKLOADS]).tobytes())
     values = [repr(value) for value in PAPER.values()]
-    rows = str(ROWS // len(native.WIDTHS))
     # The engine allocates nothing; and where a debugger is not allowed, the search for leaks fails.
     environment = os.environ | {"ASAN_OPTIONS": "detect_leaks=0"}
-    return {
-        width: subprocess.run(
-            [driver, str(width), rows, str(LOGGED), *values],
-            input=releases,
-            capture_output=True,
-            check=False,
-            env=environment,
-            timeout=300,
-        )
-        for width in native.WIDTHS
-    }
+    started = {}
+    for width in native.WIDTHS:
+        with releases.open("rb") as file:
+            started[width] = subprocess.Popen(
+                [driver, str(width), str(ROWS), str(LOGGED), *values],
+                stdin=file,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                text=True,
+                env=environment,
+            )
+    said = {width: process.communicate(timeout=600) for width, process in started.items()}
+    return {width: Run(p.returncode, *said[width]) for width, p in started.items()}
 
 
 @pytest.mark.parametrize("width", native.WIDTHS)
-def test_no_row_of_a_million_makes_a_sanitizer_speak(
-    finished: dict[int, subprocess.CompletedProcess[bytes]], width: int
-) -> None:
-    run = finished[width]
-    if run.returncode == NOT_THERE:
+def test_no_row_of_a_million_makes_a_sanitizer_speak(runs: dict[int, Run], width: int) -> None:
+    run = runs[width]
+    if run.status == NOT_THERE:
         pytest.skip("this processor does not have the width")
-    assert run.returncode == 0, run.stderr.decode()
-    assert run.stderr == b""
-    assert int(run.stdout.split()[0]) == ROWS // len(native.WIDTHS)
+    assert run.status == 0, run.report
+    assert run.report == ""
+    assert int(run.said.split()[0]) == ROWS
 
 
-def test_widths_agree_on_garbage_too(
-    finished: dict[int, subprocess.CompletedProcess[bytes]],
-) -> None:
+def test_widths_agree_on_garbage_too(runs: dict[int, Run]) -> None:
     """Outcomes, contacts and times of every row, by a hash of all."""
-    assert len({run.stdout for run in finished.values() if run.returncode != NOT_THERE}) == 1
+    assert len({run.said for run in runs.values() if run.status != NOT_THERE}) == 1
 
 
-def test_the_sanitizers_are_at_work(driver: Path) -> None:
-    """A buffer that is read past its end ends a program compiled alike."""
-    source, program = driver.with_name("wrong.c"), driver.with_name("wrong")
-    source.write_text(
-        "#include <stdlib.h>\n"
-        "int main(int n, char **v) { double *a = malloc(8); (void)v; return (int)a[n] & 0; }\n",
-        encoding="utf-8",
-    )
-    subprocess.run(
-        [*COMPILER, *setup_flags(), *SANITIZERS, str(source), "-o", str(program)], check=True
-    )
-    wrong = subprocess.run([program], capture_output=True, check=False, timeout=60)
-    assert wrong.returncode != 0
-    assert b"heap-buffer-overflow" in wrong.stderr
+@pytest.mark.parametrize(
+    ("wrong", "report"),
+    [
+        ("double *volatile a = malloc(8); free(a); return a[0] > 0.0;", "heap-use-after-free"),
+        ("char *volatile a = malloc(8); return a[8];", "heap-buffer-overflow"),
+        ("volatile int a = 0x7FFFFFFF; a = a + 1; return 0;", "signed integer overflow"),
+        ("volatile double a = 1e10; return (int)a;", "outside the range"),
+    ],
+)
+def test_the_sanitizers_are_at_work(tmp_path: Path, wrong: str, report: str) -> None:
+    """A program that is wrong, and compiled alike, ends with a report."""
+    source, program = tmp_path / "wrong.c", tmp_path / "wrong"
+    source.write_text(f"#include <stdlib.h>\nint main(void) {{ {wrong} }}\n", encoding="utf-8")
+    compiles(*setup_flags(), *SANITIZERS, source, "-o", program)
+    run = subprocess.run([program], capture_output=True, text=True, check=False, timeout=60)
+    assert run.returncode != 0
+    assert report in run.stderr

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation ea129d40d72f6122,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 7b111088de99ab3e,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -318,7 +318,9 @@ static void LANES(hoop_run)(const hoop_job *job)
 
         /* The earliest arrival: its time and surface, the bound on its delay, and the earliest
            time of a decision that lies within its rounding error. */
-        V when = never, which = none, late = zero, doubt = never;
+        V when = never, which = none, late = zero;
+        const M bounded = (position_error < never) & (velocity_error < never);
+        V doubt = lanes_select(bounded, never, zero);
         {
             const V leaving = lanes_select(last == K(3.0), one, zero);
             const LANES(hoop_end_arrival_out) a = LANES(hoop_end_arrival)(leaving, z, vz, gravity, end_depth);
@@ -326,7 +328,7 @@ static void LANES(hoop_run)(const hoop_job *job)
             M arrives = meets & (a.time >= zero) & (a.time < never);
             const V margin = LANES(hoop_end_margin)(a.time, extent, speed, position_error, velocity_error, gravity, end_depth).margin;
             const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, a.rate, lanes_abs(a.bend));
-            arrives &= a.time - when <= late + c.delay;
+            arrives &= NOT(a.time - when > late + c.delay);
             const M unsure = arrives & NOT(c.clearance > zero);
             doubt = lanes_select(unsure & (a.time < doubt), a.time, doubt);
                         {
@@ -346,7 +348,7 @@ static void LANES(hoop_run)(const hoop_job *job)
             M arrives = meets & (a.time >= zero) & (a.time < never);
             const V margin = LANES(hoop_backboard_margin)(a.time, extent, speed, position_error, velocity_error, ball_radius, board_distance, gravity).margin;
             const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, a.rate, lanes_abs(a.bend));
-            arrives &= a.time - when <= late + c.delay;
+            arrives &= NOT(a.time - when > late + c.delay);
             if (lanes_any(flying & arrives)) {
                 const LANES(hoop_flight_out) f = LANES(hoop_flight)(a.time, x, y, z, vx, vy, vz, gravity);
                 const LANES(hoop_backboard_bounds_out) g = LANES(hoop_backboard_bounds)(f.y, f.z, board_half_width, board_bottom, board_top);
@@ -375,7 +377,7 @@ static void LANES(hoop_run)(const hoop_job *job)
             M arrives = meets & (a.time >= zero) & (a.time < never);
             const V margin = LANES(hoop_bridge_margin)(a.time, extent, speed, position_error, velocity_error, ball_radius, wire_radius, gravity).margin;
             const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, a.rate, lanes_abs(a.bend));
-            arrives &= a.time - when <= late + c.delay;
+            arrives &= NOT(a.time - when > late + c.delay);
             if (lanes_any(flying & arrives)) {
                 const LANES(hoop_flight_out) f = LANES(hoop_flight)(a.time, x, y, z, vx, vy, vz, gravity);
                 const LANES(hoop_bridge_bounds_out) g = LANES(hoop_bridge_bounds)(f.x, f.y, ring_radius, board_distance, bridge_half_width);
@@ -534,7 +536,7 @@ static void LANES(hoop_run)(const hoop_job *job)
         vz = lanes_select(stays, vz, f.vz);
         clock = clock + t;
         const V x_before = x, y_before = y, z_before = z, vx_before = vx, vy_before = vy, vz_before = vz;
-        M doubtful = (doubt <= when + late) & (doubt < never);
+        M doubtful = NOT(doubt > when + late) & (doubt < never);
         {
             const V slack = LANES(hoop_displacement)(late, t, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
             const V miss = LANES(hoop_target)(x, y, ring_radius).target;

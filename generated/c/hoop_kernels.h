@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation ea129d40d72f6122,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 7b111088de99ab3e,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -172,7 +172,7 @@ LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error
 }
 
 /* Errors of a state at the end of a flight to a surface, from those at its start.
-   derivative of Eq. 3 and of the contact time, with roundings. 110 operations: 23 additions, 1 subtraction, 29 multiplications, 3 divisions, 5 negations, 17 absolute values, 16 comparisons, 16 selections. */
+   derivative of Eq. 3 and of the contact time, with roundings. 115 operations: 24 additions, 1 subtraction, 29 multiplications, 3 divisions, 5 negations, 17 absolute values, 18 comparisons, 18 selections. */
 typedef struct {
     V dx, dy, dz, dvx, dvy, dvz, delay, shift;
 } LANES(hoop_carry_flight_out);
@@ -198,23 +198,24 @@ LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz,
     const V s15 = (vx * s14) + s4;
     const V s16 = lanes_select((s1 < s6), s6, s1);
     const V s17 = lanes_select((s16 < s10), s10, s16);
-    const V s18 = lanes_abs(dvx);
-    const V s19 = lanes_abs(dvy);
+    const V s18 = lanes_abs(dx);
+    const V s19 = lanes_abs(dy);
     const V s20 = lanes_select((s18 < s19), s19, s18);
-    const V s21 = lanes_abs(dvz);
-    const V s22 = t * lanes_select((s20 < s21), s21, s20);
-    const V s23 = lanes_abs(dx);
-    const V s24 = lanes_abs(dy);
-    const V s25 = lanes_select((s23 < s24), s24, s23);
-    const V s26 = lanes_abs(dz);
-    const V s27 = lanes_select((s25 < s26), s26, s25);
-    const V s28 = curving * (t * s17);
-    const V s29 = ((s17 / lanes_abs(s13)) * (s22 + (s27 * lanes_select((s28 < K(1.0)), s28, K(1.0))))) + (s22 + s27);
-    const V s30 = s29 / (K(8.0) + (K(8.0) * contacts));
-    const V s31 = -s30;
-    const V s32 = (vy * s14) + s8;
-    const V s33 = (vz * s14) + s12;
-    return (LANES(hoop_carry_flight_out)){ lanes_select((lanes_abs(s15) < s30), lanes_select((s15 < K(0.0)), s31, s30), s15), lanes_select((lanes_abs(s32) < s30), lanes_select((s32 < K(0.0)), s31, s30), s32), lanes_select((lanes_abs(s33) < s30), lanes_select((s33 < K(0.0)), s31, s30), s33), dvx, dvy, dvz - (gravity * s14), lanes_abs(s14) + (K(4.440892098500626e-16) * (clock + t)), s29 };
+    const V s21 = lanes_abs(dz);
+    const V s22 = lanes_select((s20 < s21), s21, s20);
+    const V s23 = curving * (t * s17);
+    const V s24 = lanes_abs(dvx);
+    const V s25 = lanes_abs(dvy);
+    const V s26 = lanes_select((s24 < s25), s25, s24);
+    const V s27 = lanes_abs(dvz);
+    const V s28 = lanes_select((s3 < s7), s7, s3);
+    const V s29 = (t * lanes_select((s26 < s27), s27, s26)) + lanes_select((s28 < s11), s11, s28);
+    const V s30 = ((s17 / lanes_abs(s13)) * ((s22 * lanes_select((s23 < K(1.0)), s23, K(1.0))) + s29)) + (s29 + s22);
+    const V s31 = s30 / (K(8.0) + (K(8.0) * contacts));
+    const V s32 = -s31;
+    const V s33 = (vy * s14) + s8;
+    const V s34 = (vz * s14) + s12;
+    return (LANES(hoop_carry_flight_out)){ lanes_select((lanes_abs(s15) < s31), lanes_select((s15 < K(0.0)), s32, s31), s15), lanes_select((lanes_abs(s33) < s31), lanes_select((s33 < K(0.0)), s32, s31), s33), lanes_select((lanes_abs(s34) < s31), lanes_select((s34 < K(0.0)), s32, s31), s34), dvx, dvy, dvz - (gravity * s14), lanes_abs(s14) + (K(4.440892098500626e-16) * (clock + t)), s30 };
 }
 
 /* Errors of velocity and spin after a contact, from those before it.

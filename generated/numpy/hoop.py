@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation ea129d40d72f6122,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 7b111088de99ab3e,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -230,7 +230,7 @@ def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_err
 def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, curving: Any, gravity: Any) -> tuple[Any, ...]:
     """Errors of a state at the end of a flight to a surface, from those at its start.
 
-    derivative of Eq. 3 and of the contact time, with roundings. 110 operations: 23 additions, 1 subtraction, 29 multiplications, 3 divisions, 5 negations, 17 absolute values, 16 comparisons, 16 selections.
+    derivative of Eq. 3 and of the contact time, with roundings. 115 operations: 24 additions, 1 subtraction, 29 multiplications, 3 divisions, 5 negations, 17 absolute values, 18 comparisons, 18 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, delay, shift.
     """
     s0 = dx + (dvx * t)
@@ -251,23 +251,24 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     s15 = (vx * s14) + s4
     s16 = where((s1 < s6), s6, s1)
     s17 = where((s16 < s10), s10, s16)
-    s18 = absolute(dvx)
-    s19 = absolute(dvy)
+    s18 = absolute(dx)
+    s19 = absolute(dy)
     s20 = where((s18 < s19), s19, s18)
-    s21 = absolute(dvz)
-    s22 = t * where((s20 < s21), s21, s20)
-    s23 = absolute(dx)
-    s24 = absolute(dy)
-    s25 = where((s23 < s24), s24, s23)
-    s26 = absolute(dz)
-    s27 = where((s25 < s26), s26, s25)
-    s28 = curving * (t * s17)
-    s29 = ((s17 / absolute(s13)) * (s22 + (s27 * where((s28 < 1.0), s28, 1.0)))) + (s22 + s27)
-    s30 = s29 / (8.0 + (8.0 * contacts))
-    s31 = -s30
-    s32 = (vy * s14) + s8
-    s33 = (vz * s14) + s12
-    return where((absolute(s15) < s30), where((s15 < 0.0), s31, s30), s15), where((absolute(s32) < s30), where((s32 < 0.0), s31, s30), s32), where((absolute(s33) < s30), where((s33 < 0.0), s31, s30), s33), dvx, dvy, dvz - (gravity * s14), absolute(s14) + (4.440892098500626e-16 * (clock + t)), s29
+    s21 = absolute(dz)
+    s22 = where((s20 < s21), s21, s20)
+    s23 = curving * (t * s17)
+    s24 = absolute(dvx)
+    s25 = absolute(dvy)
+    s26 = where((s24 < s25), s25, s24)
+    s27 = absolute(dvz)
+    s28 = where((s3 < s7), s7, s3)
+    s29 = (t * where((s26 < s27), s27, s26)) + where((s28 < s11), s11, s28)
+    s30 = ((s17 / absolute(s13)) * ((s22 * where((s23 < 1.0), s23, 1.0)) + s29)) + (s29 + s22)
+    s31 = s30 / (8.0 + (8.0 * contacts))
+    s32 = -s31
+    s33 = (vy * s14) + s8
+    s34 = (vz * s14) + s12
+    return where((absolute(s15) < s31), where((s15 < 0.0), s32, s31), s15), where((absolute(s33) < s31), where((s33 < 0.0), s32, s31), s33), where((absolute(s34) < s31), where((s34 < 0.0), s32, s31), s34), dvx, dvy, dvz - (gravity * s14), absolute(s14) + (4.440892098500626e-16 * (clock + t)), s30
 
 
 def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, contacts: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, ball_radius: Any, restitution: Any) -> tuple[Any, ...]:

@@ -190,7 +190,7 @@ def _advance(
     flights.clock = flights.clock + t
     before = flights.state() if out.events is not None else None
     miss = _call(kernels.target, columns)[0]
-    doubtful = (arrivals.doubt <= arrivals.when + arrivals.late) & (arrivals.doubt < np.inf)
+    doubtful = ~(arrivals.doubt > arrivals.when + arrivals.late) & (arrivals.doubt < np.inf)
     doubtful = doubtful | (ends & (np.abs(miss) <= slack))
     flights.contacts = flights.contacts + touches.astype(np.int32)
     outcome = np.where(stays, SHORT, IN_FLIGHT)
@@ -219,6 +219,8 @@ def _first_arrivals(
 ) -> Arrivals:
     """Return the earliest admissible arrival on any surface (Eq. 4)."""
     arrivals = Arrivals.none(len(last))
+    bounded = (columns["position_error"] < np.inf) & (columns["velocity_error"] < np.inf)
+    arrivals.question(~bounded, np.zeros(len(last)))
     surfaces = list(enumerate(kernels.SURFACES))
     # The end plane first: what certainly comes after it needs no further look.
     for index, (name, windows, bounded) in surfaces[-1:] + surfaces[:-1]:
@@ -246,7 +248,7 @@ def _plane_arrival(
     margin = _call(getattr(kernels, f"{name}_margin"), columns, horizon=time)[0]
     crossing = {"margin": margin, "rate_margin": 0.0, "rate": rate}
     clearance, delay = _call(kernels.crossing, crossing, ceiling=np.abs(bend))
-    arrives = arrives & (time - arrivals.when <= arrivals.late + delay)
+    arrives = arrives & ~(time - arrivals.when > arrivals.late + delay)
     unsure = arrives & ~(clearance > 0.0)
     if bounded:
         x, y, z, *_ = _call(kernels.flight, columns, t=time)

@@ -14,7 +14,7 @@ _PARAMETERS = (
     parameter("dome_z", "m", "height of its centre over the table top", -0.05, "any"),
     parameter("dome_radius", "m", "its radius", 0.2),
     parameter("bounce", "1", "restitution of every contact", 0.75, "nonnegative", 1),
-    parameter("g", "m/s²", "gravity", 9.81),
+    parameter("acceleration", "m/s²", "of free fall", 9.81),
     parameter("marble", "m", "radius of the ball", 0.04),
     parameter("table_height", "m", "from where the centre is on the ground to the top", 0.7),
     parameter("cup_x", "m", "where the cup stands", 1.1, "any"),
@@ -51,7 +51,7 @@ def _table() -> Scene:
         target=sp.sqrt((x - by_name["cup_x"]) ** 2 + y**2) - by_name["cup_radius"],
         ball_radius=ball,
         restitution=by_name["bounce"],
-        gravity=by_name["g"],
+        gravity=by_name["acceleration"],
     )
 
 

@@ -1,0 +1,329 @@
+"""`python -m benchmarks.exactness`: the engine's results held against the judge's proofs.
+
+Writes exactness.md and exactness.json. Exit status 1 if a shot that the engine did not flag is not
+as the judge proves it to be.
+"""
+
+import argparse
+import json
+import sys
+import time
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import hoopgen
+from benchmarks.families import FAMILIES, Family
+from benchmarks.machine import facts
+from benchmarks.report import number
+from hoopgen.judge import Certificate, certify
+from hoopgen.judge.audit import deepest
+from hoopgen.simulation import FIELDS
+
+ERRORS = ("time", "position", "velocity", "spin")
+MAX_CONTACTS = 40
+EXAMPLES = 5
+CHUNK = 4096
+
+Bools = NDArray[np.bool_]
+Floats = NDArray[np.float64]
+
+
+@dataclass
+class Tally:
+    """What one family's shots come to.
+
+    `wrong`: neither flagged nor as proved. `unseen`: not flagged, though undecidable. `flagged`:
+    of the shots that are not capped, `changed` of them proved to be otherwise. `errors`: largest
+    difference from the judge over the shots that are right and not flagged (s, m, m/s, rad/s);
+    `ratios`: largest ratio of such a difference to the bound that the engine claims for it.
+    `depths`: bounds on the deepest point inside ring, backboard, bridge (m), over `flights`.
+    """
+
+    label: str
+    shots: int = 0
+    contacts: int = 0
+    invalid: int = 0
+    capped: int = 0
+    wrong: int = 0
+    unseen: int = 0
+    flagged: int = 0
+    changed: int = 0
+    undecidable: int = 0
+    settled_bits: int = 0
+    errors: list[float] = field(default_factory=lambda: [0.0] * len(ERRORS))
+    ratios: list[float] = field(default_factory=lambda: [0.0] * len(ERRORS))
+    flights: int = 0
+    depths: list[float] = field(default_factory=lambda: [0.0] * len(hoopgen.SURFACES))
+    seconds: float = 0.0
+    examples: list[dict[str, Any]] = field(default_factory=list)
+
+
+def tally(family: Family, shots: int, audited: int) -> Tally:
+    """Fly and judge a family, chunk by chunk."""
+    result = Tally(family.label)
+    states, parameters = family.make(shots)
+    started = time.perf_counter()
+    for low in range(0, shots, CHUNK):
+        rows = slice(low, min(low + CHUNK, shots))
+        own = {name: value[rows] if np.ndim(value) else value for name, value in parameters.items()}
+        _add(result, states[rows], own, max(0, min(audited - low, CHUNK)))
+    result.seconds = time.perf_counter() - started
+    return result
+
+
+def _add(result: Tally, states: Floats, parameters: Mapping[str, Any], audited: int) -> None:
+    flown = hoopgen.simulate(
+        states,
+        parameters,
+        max_contacts=MAX_CONTACTS,
+        fields=(*FIELDS, "time_error", "state_error"),
+        record=True,
+    )
+    proved = certify(states, parameters, max_contacts=MAX_CONTACTS)
+    same = _same(flown, proved)
+    sure, decided = ~flown.uncertain, proved.decided
+    capped = flown.outcome == hoopgen.Outcome.CAPPED
+    result.shots += len(states)
+    result.contacts += int(flown.contacts.sum())
+    result.invalid += int((flown.outcome == hoopgen.Outcome.INVALID).sum())
+    result.capped += int(capped.sum())
+    result.wrong += int((sure & decided & ~same).sum())
+    result.unseen += int((sure & ~decided).sum())
+    result.flagged += int((~sure & ~capped).sum())
+    result.changed += int((~sure & ~capped & decided & ~same).sum())
+    result.undecidable += int((~decided).sum())
+    result.settled_bits = max(result.settled_bits, int(proved.bits[decided].max(initial=0)))
+    _differ(result, states, parameters, flown, proved, sure & decided & same)
+    for shot in np.flatnonzero(sure & ~(decided & same))[:EXAMPLES].tolist():
+        text = proved[shot].question or "another sequence or outcome"
+        _remember(result, text, states, parameters, shot)
+    _audit(result, flown, parameters, np.flatnonzero(sure[:audited]))
+
+
+def _same(flown: hoopgen.Shots, proved: Certificate) -> Bools:
+    """Where outcome and sequence of surfaces agree."""
+    starts = np.searchsorted(flown.events["shot"], np.arange(len(flown) + 1))
+    surfaces = flown.events["surface"].tolist()
+    sequences = (surfaces[a:b] for a, b in zip(starts[:-1], starts[1:], strict=True))
+    return np.array(
+        [
+            int(outcome) == proof.outcome and sequence == proof.surfaces
+            for outcome, sequence, proof in zip(
+                flown.outcome.tolist(), sequences, proved.proofs, strict=True
+            )
+        ],
+        np.bool_,
+    )
+
+
+def _differ(
+    result: Tally,
+    states: Floats,
+    parameters: Mapping[str, Any],
+    flown: hoopgen.Shots,
+    proved: Certificate,
+    which: Bools,
+) -> None:
+    """Compare times and states, and their differences with the bounds claimed for them."""
+    which = which & (flown.outcome != hoopgen.Outcome.INVALID)
+    off = np.abs(flown.state - proved.state) + np.nextafter(proved.state_radius, 0)
+    late = np.abs(flown.time - proved.time) + np.nextafter(proved.time_radius, 0)
+    errors = np.column_stack([late, off.reshape(-1, 3, 3).max(axis=2)])
+    claimed = np.column_stack([flown.time_error, flown.state_error])
+    # An error of a unit in the last place of what is printed needs no bound.
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratios = np.where(errors > 0, errors / claimed, 0.0)
+    for table, values in ((result.errors, errors), (result.ratios, ratios)):
+        table[:] = np.maximum(table, values[which].max(axis=0, initial=0.0)).tolist()
+    broken = np.flatnonzero(which & (ratios > 1).any(axis=1))
+    for shot in broken[np.argsort(-ratios[broken].max(axis=1))][:EXAMPLES].tolist():
+        names = [name for name, ratio in zip(ERRORS, ratios[shot], strict=True) if ratio > 1]
+        _remember(result, f"bound broken: {', '.join(names)}", states, parameters, shot)
+
+
+def _remember(
+    result: Tally, text: str, states: Floats, parameters: Mapping[str, Any], shot: int
+) -> None:
+    """Keep a shot with all its digits."""
+    if sum(example["what"] == text for example in result.examples) >= EXAMPLES:
+        return
+    own = {n: float(np.broadcast_to(v, len(states))[shot]).hex() for n, v in parameters.items()}
+    state = [component.hex() for component in states[shot].tolist()]
+    result.examples.append({"what": text, "state": state, "parameters": own})
+
+
+def _audit(
+    result: Tally, flown: hoopgen.Shots, parameters: Mapping[str, Any], shots: NDArray[np.int64]
+) -> None:
+    """Bound how deep the recorded flights go."""
+    columns = np.stack([np.broadcast_to(parameters[n], len(flown)) for n in hoopgen.PAPER], axis=1)
+    flights: list[tuple[list[float], float, list[float]]] = []
+    for shot in shots.tolist():
+        path = flown.trajectory(shot)
+        starts = np.concatenate([path.release[None], path.events["after"][:-1]])
+        times = np.diff(path.events["time"], prepend=0.0)
+        # A ball at rest starts anew at the same time; that is no flight.
+        flights += [
+            (start, duration, columns[shot].tolist())
+            for start, duration in zip(starts.tolist(), times.tolist(), strict=False)
+            if duration > 0
+        ]
+    if flights:
+        with ProcessPoolExecutor() as pool:
+            depths = list(pool.map(deepest, *zip(*flights, strict=True), chunksize=64))
+        result.depths = np.maximum(result.depths, np.max(depths, axis=0)).tolist()
+        result.flights += len(flights)
+
+
+def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
+    rule = ["---"] + ["---:"] * (len(head) - 1)
+    return [f"| {' | '.join(row)} |" for row in (head, rule, *rows)] + [""]
+
+
+def _share(part: int, whole: int) -> str:
+    return f"{100 * part / whole:.2f} %" if whole else "–"
+
+
+def _small(value: float) -> str:
+    return f"{value:.1e}" if value else "0"
+
+
+def _decisions(tallies: Sequence[Tally]) -> list[str]:
+    head = [
+        "shots",
+        "number",
+        "contacts",
+        "not flagged, wrong",
+        "not flagged, undecidable",
+        "flagged",
+        "flagged, wrong",
+        "undecidable",
+        "most bits",
+    ]
+    rows = [
+        [
+            t.label,
+            f"{t.shots:,}",
+            f"{t.contacts:,}",
+            str(t.wrong),
+            str(t.unseen),
+            _share(t.flagged, t.shots - t.capped),
+            _share(t.changed, t.shots - t.capped),
+            str(t.undecidable),
+            str(t.settled_bits),
+        ]
+        for t in tallies
+    ]
+    total = [
+        "**together**",
+        f"{sum(t.shots for t in tallies):,}",
+        f"{sum(t.contacts for t in tallies):,}",
+        f"**{sum(t.wrong for t in tallies)}**",
+        f"**{sum(t.unseen for t in tallies)}**",
+        _share(sum(t.flagged for t in tallies), sum(t.shots - t.capped for t in tallies)),
+        _share(sum(t.changed for t in tallies), sum(t.shots - t.capped for t in tallies)),
+        str(sum(t.undecidable for t in tallies)),
+        str(max(t.settled_bits for t in tallies)),
+    ]
+    return _table(head, [*rows, total])
+
+
+def _numbers(tallies: Sequence[Tally]) -> list[str]:
+    units = ("s", "m", "m/s", "rad/s")
+    head = ["largest error, and its share of the claimed bound"]
+    for name, unit in zip(ERRORS, units, strict=True):
+        head += [f"{name} ({unit})", "of bound"]
+    rows = []
+    for t in tallies:
+        row = [t.label]
+        for error, ratio in zip(t.errors, t.ratios, strict=True):
+            row += [_small(error), number(ratio) if ratio else "0"]
+        rows.append(row)
+    return _table(head, rows)
+
+
+def _depths(tallies: Sequence[Tally]) -> list[str]:
+    head = ["deepest (m), at most", "flights", *hoopgen.SURFACES]
+    rows = [[t.label, f"{t.flights:,}", *map(_small, t.depths)] for t in tallies]
+    return _table(head, rows)
+
+
+def as_markdown(tallies: Sequence[Tally]) -> str:
+    """The report."""
+    shots, wrong = sum(t.shots for t in tallies), sum(t.wrong for t in tallies)
+    seconds = sum(t.seconds for t in tallies)
+    lines = [
+        "# Exactness",
+        "",
+        f"`make exactness` flies {shots:,} shots twice. The engine flies them in doubles and flags "
+        "those of which it cannot decide some contact. The judge (`hoopgen.certify`) flies each "
+        "from the same doubles in ball arithmetic, with more and more digits, until every decision "
+        "is proved; of the engine it shares no numerical code, only the formulas in `derive/`. "
+        f"Of the shots that the engine did not flag, **{wrong}** came out otherwise.",
+        "",
+        "## Decisions",
+        "",
+        "*Wrong*: another outcome or another sequence of surfaces than the judge proves. *Flagged*: "
+        f"`uncertain`, as a share of the shots that are not capped at {MAX_CONTACTS} contacts; "
+        "*flagged, wrong* is how many of those would have been wrong. *Undecidable*: not proved "
+        "with 4,096 bits either: two contacts at once, an exact touch, an exact edge. *Most bits*: "
+        "the precision that the hardest shot took.",
+        "",
+        *_decisions(tallies),
+        "## Times and states",
+        "",
+        "How far the engine's final time and state are from the judge's, at most, over the shots "
+        "that it did not flag. The engine claims a bound on each (`time_error`, `state_error`); "
+        "a share above 1 would be a broken claim.",
+        "",
+        *_numbers(tallies),
+        "## The ball never enters a surface",
+        "",
+        "Recorded flights of shots that are not flagged, from each recorded state to the next "
+        "event. The judge bounds the deepest point of every flight, between its ends too; nothing "
+        "is sampled. What is left is the rounding of the recorded states.",
+        "",
+        *_depths(tallies),
+        *(f"{what}: {value}  " for what, value in facts().items() if "peers" not in what),
+        f"took: {seconds:.0f} s",
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def main() -> None:
+    """Judge all families and write the report."""
+    parser = argparse.ArgumentParser(
+        prog="python -m benchmarks.exactness",
+        description="The engine's results held against proofs in ball arithmetic.",
+    )
+    parser.add_argument("--shots", type=int, default=200_000, help="in all, default 200,000")
+    parser.add_argument("--quick", action="store_true", help="5,000 shots, about a minute")
+    parser.add_argument("--audited", type=int, default=500, help="shots a family, default 500")
+    parser.add_argument("--families", nargs="+", choices=[f.key for f in FAMILIES])
+    parser.add_argument("--out", type=Path, default=Path("docs"), help="folder, default docs")
+    arguments = parser.parse_args()
+    families = [f for f in FAMILIES if not arguments.families or f.key in arguments.families]
+    shots = 5_000 if arguments.quick else arguments.shots
+    audited = 50 if arguments.quick else arguments.audited
+    # Workloads weigh as much as everything else together, as far as there is anything else.
+    weights = [5 if f.workload else 1 for f in families]
+    tallies = []
+    for family, weight in zip(families, weights, strict=True):
+        tallies.append(tally(family, -(-shots * weight // sum(weights)), audited))
+        last = tallies[-1]
+        print(f"{last.label}: {last.shots} shots, {last.wrong} wrong, {last.seconds:.0f} s")
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    numbers = json.dumps([asdict(t) for t in tallies], indent=1)
+    (arguments.out / "exactness.json").write_text(numbers + "\n", encoding="utf-8")
+    (arguments.out / "exactness.md").write_text(as_markdown(tallies), encoding="utf-8")
+    sys.exit(any(t.wrong or t.unseen for t in tallies))
+
+
+if __name__ == "__main__":
+    main()
