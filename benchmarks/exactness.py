@@ -11,6 +11,7 @@ import time
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import asdict, dataclass, field
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
@@ -110,7 +111,7 @@ def _same(flown: hoopgen.Shots, proved: Certificate) -> Bools:
     """Where outcome and sequence of surfaces agree."""
     starts = np.searchsorted(flown.events["shot"], np.arange(len(flown) + 1))
     surfaces = flown.events["surface"].tolist()
-    sequences = (surfaces[a:b] for a, b in zip(starts[:-1], starts[1:], strict=True))
+    sequences = (surfaces[a:b] for a, b in pairwise(starts.tolist()))
     return np.array(
         [
             int(outcome) == proof.outcome and sequence == proof.surfaces
@@ -163,15 +164,16 @@ def _audit(
 ) -> None:
     """Bound how deep the recorded flights go."""
     columns = np.stack([np.broadcast_to(parameters[n], len(flown)) for n in hoopgen.PAPER], axis=1)
-    flights: list[tuple[list[float], float, list[float]]] = []
+    flights: list[tuple[list[float], float, list[float], int]] = []
     for shot in shots.tolist():
         path = flown.trajectory(shot)
         starts = np.concatenate([path.release[None], path.events["after"][:-1]])
         times = np.diff(path.events["time"], prepend=0.0)
+        left = [-1, *path.events["surface"][:-1].tolist()]
         # A ball at rest starts anew at the same time; that is no flight.
         flights += [
-            (start, duration, columns[shot].tolist())
-            for start, duration in zip(starts.tolist(), times.tolist(), strict=False)
+            (start, duration, columns[shot].tolist(), surface)
+            for start, duration, surface in zip(starts.tolist(), times.tolist(), left, strict=False)
             if duration > 0
         ]
     if flights:
@@ -269,8 +271,8 @@ def as_markdown(tallies: Sequence[Tally]) -> str:
         "",
         "## Decisions",
         "",
-        "*Wrong*: another outcome or another sequence of surfaces than the judge proves. *Flagged*: "
-        f"`uncertain`, as a share of the shots that are not capped at {MAX_CONTACTS} contacts; "
+        "*Wrong*: another outcome or another sequence of surfaces than the judge proves. "
+        f"*Flagged*: `uncertain`, as a share of the shots that are not capped at {MAX_CONTACTS} contacts; "
         "*flagged, wrong* is how many of those would have been wrong. *Undecidable*: not proved "
         "with 4,096 bits either: two contacts at once, an exact touch, an exact edge. *Most bits*: "
         "the precision that the hardest shot took.",
@@ -287,7 +289,9 @@ def as_markdown(tallies: Sequence[Tally]) -> str:
         "",
         "Recorded flights of shots that are not flagged, from each recorded state to the next "
         "event. The judge bounds the deepest point of every flight, between its ends too; nothing "
-        "is sampled. What is left is the rounding of the recorded states.",
+        "is sampled. What is left is the rounding of the recorded states. Backboard and bridge are "
+        "faces: what counts is going through them, not coming to be behind them around an edge, "
+        "which the model leaves out.",
         "",
         *_depths(tallies),
         *(f"{what}: {value}  " for what, value in facts().items() if "peers" not in what),

@@ -8,6 +8,8 @@ array([0], dtype=uint8)
 
 from __future__ import annotations
 
+from typing import Any
+
 from .parameters import FIBA, NBA, PAPER
 from .releases import release
 from .results import SURFACES, Outcome, Shots, Trajectory
@@ -15,6 +17,7 @@ from .simulation import simulate
 
 __all__ = [
     "simulate",
+    "certify",
     "release",
     "PAPER",
     "NBA",
@@ -26,9 +29,13 @@ __all__ = [
 ]
 
 
-def __getattr__(name: str) -> str:
+def __getattr__(name: str) -> Any:
     if name == "__version__":
         from importlib.metadata import version
 
         return version("hoopgen")
+    if name == "certify":
+        from .judge import certify
+
+        return certify
     raise AttributeError(f"module 'hoopgen' has no attribute {name!r}")

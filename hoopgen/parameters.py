@@ -10,7 +10,10 @@ from numpy.typing import NDArray
 
 from hoopgen.generated.numpy import hoop
 
+from .arrays import doubles
+
 NAMES = tuple(hoop.PARAMETERS)
+_NAME_SET = frozenset(NAMES)
 
 Value = float | NDArray[np.float64]
 
@@ -91,8 +94,8 @@ FIBA = _preset(
 """FIBA equipment rules, middle of the tolerances."""
 
 
-def resolve(parameters: Mapping[str, Any], shots: int) -> list[NDArray[np.float64]]:
-    """Return the parameters in calling order, each of shape () or (shots,).
+def resolve(parameters: Mapping[str, Any], shots: int) -> list[Value]:
+    """Return the parameters in calling order, each a number or of shape (shots,).
 
     Raises
     ------
@@ -104,26 +107,26 @@ def resolve(parameters: Mapping[str, Any], shots: int) -> list[NDArray[np.float6
     """
     if not isinstance(parameters, Mapping):
         raise TypeError(f"parameters: expected a mapping of names to values, got {parameters!r}")
-    unknown = [str(name) for name in parameters if name not in NAMES]
-    missing = [name for name in NAMES if name not in parameters]
-    if unknown or missing:
+    if parameters.keys() != _NAME_SET:
+        unknown = [str(name) for name in parameters if name not in NAMES]
+        missing = [name for name in NAMES if name not in parameters]
         wrong = [f"unknown {', '.join(unknown)}"] if unknown else []
         wrong += [f"missing {', '.join(missing)}"] if missing else []
         raise ValueError(f"parameters: {'; '.join(wrong)}. The names are {', '.join(NAMES)}")
-    values = []
+    values: list[Value] = []
     for name in NAMES:
-        try:
-            value = np.asarray(parameters[name], dtype=np.float64)
-        except (TypeError, ValueError):
-            given = parameters[name]
-            raise TypeError(f"parameters[{name!r}]: expected numbers, got {given!r}") from None
+        given = parameters[name]
+        if type(given) is float:  # the common case, without detours
+            values.append(given)
+            continue
+        value = doubles(f"parameters[{name!r}]", given)
         if value.shape not in ((), (shots,)):
             raise ValueError(
                 f"parameters[{name!r}]: expected one number or {shots}, one a shot; "
                 f"got shape {value.shape}"
             )
-        values.append(np.ascontiguousarray(value) if value.ndim else value)
+        values.append(np.ascontiguousarray(value) if value.ndim else float(value))
     restitution = values[NAMES.index("restitution")]
-    if restitution.ndim == 0 and not 0.0 <= restitution <= 1.0:
+    if isinstance(restitution, float) and not 0.0 <= restitution <= 1.0:
         raise ValueError(f"parameters['restitution']: expected 0 to 1, got {restitution}")
     return values

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .arrays import doubles
+
 RING_HEIGHT = 3.048
 """m, of the ring above the floor: 10 ft."""
 
@@ -68,12 +70,7 @@ def release(
         "distance": distance,
         "angle": angle,
     }
-    arrays = {}
-    for name, value in arguments.items():
-        try:
-            arrays[name] = np.asarray(value, dtype=np.float64)
-        except (TypeError, ValueError):
-            raise TypeError(f"{name}: expected numbers, got {value!r}") from None
+    arrays = {name: doubles(name, value) for name, value in arguments.items()}
     try:
         columns = dict(zip(arrays, np.broadcast_arrays(*arrays.values()), strict=True))
     except ValueError:

@@ -125,7 +125,7 @@ class Shots:
         self,
         fields: dict[str, NDArray[Any]],
         states: NDArray[np.float64],
-        gravity: NDArray[np.float64],
+        gravity: float | NDArray[np.float64],
     ) -> None:
         self._fields = fields
         self._states = states
@@ -159,5 +159,5 @@ class Shots:
             raise IndexError(f"shot {shot}: there are {len(self)}")
         index = shot % len(self)
         low, high = np.searchsorted(self.events["shot"], [index, index + 1])
-        gravity = self._gravity if self._gravity.ndim == 0 else self._gravity[index]
+        gravity = self._gravity if isinstance(self._gravity, float) else self._gravity[index]
         return Trajectory(self._states[index], self.events[low:high], float(gravity))

@@ -15,9 +15,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.generated.numpy import hoop
 
+from .arrays import doubles
 from .engine import native, numpy_backend
 from .engine.raw import BOUNDS, FIELDS, STATE_SIZE, Raw, allocate, allocate_events
-from .parameters import NAMES, PAPER, resolve
+from .parameters import NAMES, PAPER, Value, resolve
 from .results import SURFACES, Shots
 
 CHUNK = 1 << 16
@@ -30,23 +31,27 @@ RECORD_CHUNK = 1 << 10
 @dataclass(frozen=True)
 class _Batch:
     states: NDArray[np.float64]
-    parameters: list[NDArray[np.float64]]
+    parameters: list[Value]
     leaving: NDArray[np.int8] | None
     max_contacts: int
     library: native.Library | None
     stop: NDArray[np.int32]
 
+    def stopped(self) -> bool:
+        """Return whether no further shots are wanted."""
+        return bool(self.stop[0])
+
     def run(self, start: int, stop: int, out: Raw) -> None:
         """Simulate some of the shots into their rows of `out`."""
         states = self.states[start:stop]
-        parameters = [p[start:stop] if p.ndim else p for p in self.parameters]
+        parameters = [p if isinstance(p, float) else p[start:stop] for p in self.parameters]
         leaving = None if self.leaving is None else self.leaving[start:stop]
         if self.library is not None:
             self.library.run(states, parameters, leaving, self.max_contacts, out, self.stop)
         else:
-            columns = [p if p.ndim else float(p) for p in parameters]
-            stopped = lambda: bool(self.stop[0])  # noqa: E731
-            numpy_backend.run(hoop, states, columns, leaving, self.max_contacts, out, stopped)
+            numpy_backend.run(
+                hoop, states, parameters, leaving, self.max_contacts, out, self.stopped
+            )
 
 
 def simulate(
@@ -59,6 +64,7 @@ def simulate(
     fields: Literal["all"] | Sequence[str] = "all",
     record: bool = False,
     leaving: ArrayLike | None = None,
+    settle: bool = False,
 ) -> Shots:
     """Simulate shots from contact to contact until they end.
 
@@ -83,6 +89,9 @@ def simulate(
     leaving
         To go on from recorded `after` states: the surface that each shot touches at the start and
         leaves, an index into `SURFACES` or -1 for none; one for all or (n,).
+    settle
+        Whether to let `certify` decide the uncertain shots, which then are not; needs the extra
+        "certify". A true tie, an exact touch or an exact edge stays uncertain.
 
     Returns
     -------
@@ -96,6 +105,8 @@ def simulate(
         If an argument is not as described; the message says what is.
     RuntimeError
         If backend "c" is asked for and was not built.
+    ImportError
+        If shots are to be settled and the extra is missing.
     """
     releases = _states(states)
     shots = len(releases)
@@ -111,12 +122,19 @@ def simulate(
         _library(backend),
         np.zeros(1, np.int32),
     )
-    out = allocate(shots, len(SURFACES), wanted)
+    computed = tuple(dict.fromkeys((*wanted, "uncertain"))) if settle else wanted
+    out = allocate(shots, len(SURFACES), computed)
     logs = _run(batch, out, _threads(threads), record)
-    results = {name: getattr(out, name) for name in wanted}
+    results = {name: getattr(out, name) for name in computed}
     if record:
         results["events"] = np.concatenate(logs) if logs else allocate_events(0, 1).events[:, 0]
-    return Shots(results, releases, values[NAMES.index("gravity")])
+    if settle:
+        # Apart from the engines, and not needed without them: it stands on SymPy and python-flint.
+        from .judge.settle import settle as decide
+
+        decide(results, releases, parameters, batch.max_contacts, leaving=batch.leaving)
+    kept = {name: array for name, array in results.items() if name in (*wanted, "events")}
+    return Shots(kept, releases, values[NAMES.index("gravity")])
 
 
 def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[Any]]:
@@ -158,10 +176,7 @@ def _present(raw: Raw) -> dict[str, NDArray[Any]]:
 
 
 def _states(states: ArrayLike) -> NDArray[np.float64]:
-    try:
-        array = np.asarray(states, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise TypeError(f"states: expected numbers of shape (n, 9) or (9,), got {states!r}") from None
+    array = doubles("states", states, "numbers of shape (n, 9) or (9,)")
     if array.ndim == 1:
         array = array[None]
     if array.ndim != 2 or array.shape[1] != STATE_SIZE:
@@ -197,7 +212,8 @@ def _fields(fields: str | Sequence[str]) -> tuple[str, ...]:
 
 def _threads(threads: int | None) -> int:
     if threads is None:
-        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+        own = getattr(os, "sched_getaffinity", None)
+        return len(own(0)) if own else os.cpu_count() or 1
     if not isinstance(threads, int | np.integer) or threads < 1:
         raise ValueError(f"threads: expected a whole number from 1, or None, got {threads!r}")
     return int(threads)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection
 from dataclasses import dataclass, fields
 from typing import Any
 
@@ -65,7 +65,7 @@ class Raw:
         return Raw(**{n: None if a is None else a[start:stop] for n, a in arrays.items()})
 
 
-def allocate(shots: int, surfaces: int, wanted: Sequence[str]) -> Raw:
+def allocate(shots: int, surfaces: int, wanted: Collection[str]) -> Raw:
     """Return uninitialised results of `shots` shots for the fields that are wanted."""
     tails = {"counts": (surfaces,), "state": (STATE_SIZE,), "state_error": (3,)}
     return Raw(

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 
 from flint import arb, arb_poly, arb_series, ctx
 
+from .flight import arrival_at
 from .formulas import SurfaceFormulas, formulas
-from .roots import positive_within, sign
+from .roots import positive_within
 
 AUDIT_BITS = 128
 
@@ -16,9 +17,12 @@ TOLERANCE = 1e-17
 
 
 def deepest(
-    state: Sequence[float], duration: float, parameters: Sequence[float]
+    state: Sequence[float], duration: float, parameters: Sequence[float], leaving: int = -1
 ) -> tuple[float, ...]:
-    """Bound how deep the ball is inside each surface during a flight.
+    """Bound how deep the ball goes into each surface during a flight.
+
+    What has no bounds may not be entered at all. What has bounds is a face: the ball may come to be
+    behind it around its edges, but not through it.
 
     Parameters
     ----------
@@ -28,6 +32,8 @@ def deepest(
         Of the flight, s.
     parameters
         In calling order.
+    leaving
+        The surface that the ball is on at the start, -1 for none.
 
     Returns
     -------
@@ -36,31 +42,45 @@ def deepest(
     """
     with ctx.workprec(AUDIT_BITS):
         start, values = [arb(c) for c in state], [arb(p) for p in parameters]
-        found = (_deepest(s, start, arb(duration), values) for s in formulas().surfaces[:-1])
-        return tuple(found)
+        places = range(len(formulas().surfaces) - 1)
+        return tuple(_depth(k, start, arb(duration), values, k == leaving) for k in places)
 
 
-def _deepest(surface: SurfaceFormulas, start: list[arb], end: arb, values: list[arb]) -> float:
+def _depth(place: int, start: list[arb], duration: arb, values: list[arb], leaving: bool) -> float:
+    surface = formulas().surfaces[place]
+    if surface.axis < 0:
+        return _deepest(surface, start, arb(0), duration, values)
+    depth = -surface.distance(start, values)[0] if leaving else arb(0)
+    arrival = arrival_at(formulas(), place, start, values, 0, arb.pos_inf())
+    behind = 0.0
+    if arrival is not None and not arrival.time > duration:
+        behind = _deepest(surface, start, arrival.time.lower().max(0), duration, values)
+    return max(behind, float(depth.upper()), 0.0)
+
+
+def _deepest(
+    surface: SurfaceFormulas, start: list[arb], begin: arb, end: arb, values: list[arb]
+) -> float:
     """Split the flight until each part is outside, or no deeper than is known already."""
     coefficients = surface.coefficients(start, values)
     polynomial = arb_poly(coefficients)
     bound, reached = 0.0, arb(TOLERANCE)
-    parts = [(arb(0), end)]
+    narrowest = end * arb(2) ** -(ctx.prec // 2)
+    parts = [(begin, end)]
     while parts:
         low, high = parts.pop()
         if positive_within(polynomial, len(coefficients) - 1, low, high - low):
             continue
-        middle = ((low + high) / 2).mid()
-        time = low.union(high)
-        around = _along(start, values, time)
+        around = _along(start, values, low.union(high))
         if any(part >= 0 for part in surface.inside(around, values)):
             continue
         depth = -_least_distance(surface, start, values, low, high)
-        if depth <= reached or (high - low) < end * arb(2) ** -(ctx.prec // 2):
+        if depth <= reached or high - low < narrowest:
             bound = max(bound, float(depth.upper()))
             continue
+        middle = ((low + high) / 2).mid()
         here = _along(start, values, middle)
-        if all(sign(part) == -1 for part in surface.inside(here, values)):
+        if all(part < 0 for part in surface.inside(here, values)):
             reached = reached.max(-surface.distance(here, values)[0].lower())
         parts += [(middle, high), (low, middle)]
     return bound

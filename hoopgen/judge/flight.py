@@ -148,7 +148,7 @@ def _next(
     latest = _NEVER
     for k in formulas.order:
         zeros = vanishing if k == last else 0
-        arrival = _arrival(formulas, k, state, values, zeros, latest)
+        arrival = arrival_at(formulas, k, state, values, zeros, latest)
         if arrival is not None:
             arrivals[k] = arrival
             if arrival.certain and arrival.time < latest:
@@ -166,7 +166,7 @@ def _next(
     return best, arrivals[best].time
 
 
-def _arrival(
+def arrival_at(
     formulas: Formulas,
     index: int,
     state: list[arb],
