@@ -15,6 +15,7 @@ from functools import cache
 from importlib.metadata import version
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 import jinja2
 import jinja2.meta
@@ -130,10 +131,26 @@ def load(source: Path) -> ModuleType:
     return module
 
 
+@cache
+def contexts() -> dict[str, dict[str, Any]]:
+    """Return the keys that each template is given for the hoop, by template."""
+    given: dict[str, dict[str, Any]] = {}
+
+    def note(template: jinja2.Template, context: dict[str, Any]) -> str:
+        given[str(template.name)] = context
+        return ""
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(jinja2.Template, "render", note)
+        patch.setattr(render, "build", lambda _: model())
+        render.render_scene(HOOP)
+    return given
+
+
 def printed(template: str, kernels: list[Kernel]) -> str:
-    """Return kernels, printed by the template of a target as if they were a scene's."""
+    """Return kernels, printed by the template of a target as if they were the hoop's."""
     views = [render._kernel_view(lower(k)) for k in kernels]
-    context = {"scene": HOOP, "kernels": views, "all_surfaces": [], "stamp": str}
+    context = contexts()[template] | {"kernels": views}
     return render._environment().get_template(template).render(context)
 
 
@@ -312,9 +329,7 @@ def files() -> dict[str, str]:
 
 
 @pytest.fixture
-def checkout(
-    tmp_path: Path, files: dict[str, str], monkeypatch: pytest.MonkeyPatch
-) -> Path:
+def checkout(tmp_path: Path, files: dict[str, str], monkeypatch: pytest.MonkeyPatch) -> Path:
     """A checkout whose generated/ is up to date; nothing is derived again."""
     monkeypatch.setattr(render, "_render_all", lambda: dict(files))
     render.generate(tmp_path)
@@ -424,27 +439,15 @@ def test_a_template_that_asks_for_an_unknown_key_fails() -> None:
             environment.from_string(text).render(scene=HOOP)
 
 
-def test_the_templates_ask_for_the_keys_that_are_supplied_and_no_other(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    supplied: dict[str, set[str]] = {}
-
-    def note(template: jinja2.Template, context: dict[str, object]) -> str:
-        supplied[str(template.name)] = set(context)
-        return ""
-
-    monkeypatch.setattr(jinja2.Template, "render", note)
-    monkeypatch.setattr(render, "build", lambda _: model())
-    render.render_scene(HOOP)
+def test_the_templates_ask_for_the_keys_that_are_supplied_and_no_other() -> None:
     environment = render._environment()
     assert environment.loader is not None
-    asked = set()
-    for name, keys in supplied.items():
+    asked = {}
+    for name in contexts():
         source, _, _ = environment.loader.get_source(environment, name)
-        own = jinja2.meta.find_undeclared_variables(environment.parse(source))
-        assert own <= keys, name
-        asked |= own
-    assert set().union(*supplied.values()) == asked
+        asked[name] = jinja2.meta.find_undeclared_variables(environment.parse(source))
+        assert asked[name] <= set(contexts()[name])
+    assert set().union(*asked.values()) == set().union(*contexts().values())
 
 
 # The C

@@ -245,9 +245,11 @@ def random_columns(seed: int, rows: int) -> dict[str, Floats]:
     columns["leaving"] = rng.choice([0.0, 1.0], rows)
     columns["last"] = rng.integers(-1, len(hoop.SURFACES), rows).astype(float)
     columns["rate"] = rng.normal(-2, 2, rows)
+    erring = 10 ** rng.uniform(-20, -12, rows)
     for name in all_arguments():
         if re.fullmatch(r"n[123][123]|d[vwn]?[xyz]", name):
-            columns[name] = rng.uniform(-1, 1, rows) * (1e-15 if name[0] == "d" else 1)
+            size = erring if name[0] == "d" else 1
+            columns[name] = size * rng.uniform(-1, 1, rows)
         elif name == "margin" or name.endswith("_error"):
             columns[name] = 1e-15 * rng.uniform(0, 1, rows)
         elif name in ("t", "horizon", "end", "delay", "clock"):

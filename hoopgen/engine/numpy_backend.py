@@ -1,7 +1,7 @@
 """The event loop in NumPy: one segment of every shot in flight at a time.
 
 The steps, and every operation outside the kernels, are those of templates/c/engine.h.j2 in the same
-order: the two give the same bits. Shots that end leave the arrays.
+order: the two give the same bits. Shots that end leave the arrays, and others take their place.
 """
 
 from __future__ import annotations
@@ -32,6 +32,8 @@ MOTION = ("vx", "vy", "vz", "wx", "wy", "wz")
 STATE = POSITION + MOTION
 ERRORS = ("dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz")
 CARRIED = ERRORS[:6]
+NORMAL = ("nx", "ny", "nz")
+TURNED = ("dnx", "dny", "dnz", "turn")
 MADE, MISSED, CAPPED, SHORT, INVALID = range(5)
 IN_FLIGHT = -1
 
@@ -77,16 +79,21 @@ class Flights:
         Their rows in the block.
     last
         The surfaces that they touched last, -1 for none.
+    which, t
+        The surface of the next event, -1 for none, and its time since the last one.
     """
 
     columns: dict[str, Column]
     row: NDArray[np.int64]
     last: NDArray[np.int64]
+    which: NDArray[np.int64] = field(init=False)
+    t: Floats = field(init=False)
     clock: Floats = field(init=False)
     contacts: NDArray[np.int32] = field(init=False)
 
     def __post_init__(self) -> None:
         shots = len(self.row)
+        self.which, self.t = self.last, np.zeros(shots)
         self.clock = np.zeros(shots)
         self.columns |= {name: np.zeros(shots) for name in (*ERRORS, "clock_error")}
         self.contacts = np.zeros(shots, np.int32)
@@ -96,6 +103,28 @@ class Flights:
         self.columns = _take(self.columns, which)
         self.row, self.clock = self.row[which], self.clock[which]
         self.last, self.contacts = self.last[which], self.contacts[which]
+        self.which, self.t = self.which[which], self.t[which]
+
+    def joined(self, other: Flights) -> Flights:
+        """Return these shots and the others."""
+        both = Flights(
+            {
+                name: value
+                if np.ndim(value) == 0
+                else np.concatenate([np.asarray(value), np.asarray(other.columns[name])])
+                for name, value in self.columns.items()
+                if name in other.columns
+            },
+            np.concatenate([self.row, other.row]),
+            np.concatenate([self.last, other.last]),
+        )
+        both.columns |= {
+            name: np.concatenate([np.asarray(self.columns[name]), np.asarray(other.columns[name])])
+            for name in (*ERRORS, "clock_error")
+        }
+        both.clock = np.concatenate([self.clock, other.clock])
+        both.contacts = np.concatenate([self.contacts, other.contacts])
+        return both
 
     def state(self) -> Floats:
         """Return the states, (shots, 9)."""
@@ -126,92 +155,96 @@ def run(
     stopped
         Asked between blocks; no further block is begun once it returns True.
     """
-    for start in range(0, len(states), BLOCK):
-        if stopped():
-            return
-        rows = slice(start, start + BLOCK)
-        columns: dict[str, Column] = dict(zip(STATE, states[rows].T, strict=True))
-        for name, value in zip(kernels.PARAMETERS, parameters, strict=True):
-            columns[name] = value if np.ndim(value) == 0 else np.asarray(value)[rows]
-        block_out = out.rows(start, start + BLOCK)
-        shots = len(states[rows])
-        last = np.full(shots, -1) if leaving is None else leaving[rows].astype(np.int64)
-        with np.errstate(all="ignore"):
-            _run_block(kernels, columns, last, max_contacts, block_out, start)
-
-
-def _run_block(
-    kernels: ModuleType,
-    columns: dict[str, Column],
-    leaving: NDArray[np.int64],
-    max_contacts: int,
-    out: Raw,
-    offset: int,
-) -> None:
-    shots = len(np.asarray(columns["x"]))
-    finite = np.ones(shots, np.bool_)
-    for array, initial in ((out.counts, 0), (out.first, -1)):
+    for array, initial in ((out.counts, 0), (out.first, -1), (out.event_counts, 0)):
         if array is not None:
             array[:] = initial
-    if out.event_counts is not None:
-        out.event_counts[:] = 0
+    flights: Flights | None = None
+    begun = 0
+    with np.errstate(all="ignore"):
+        while not stopped():
+            flying = 0 if flights is None else len(flights.row)
+            if begun < len(states) and flying < BLOCK // 2:
+                stop = min(begun + BLOCK - flying, len(states))
+                fresh = _begin(kernels, states, parameters, leaving, slice(begun, stop), out)
+                flights = fresh if flights is None else flights.joined(fresh)
+                begun = stop
+            if flights is None or not len(flights.row):
+                return
+            _advance(kernels, flights, max_contacts, out)
+
+
+def _begin(
+    kernels: ModuleType,
+    states: Floats,
+    parameters: Sequence[Column],
+    leaving: NDArray[np.int8] | None,
+    rows: slice,
+    out: Raw,
+) -> Flights:
+    """Return the flights that some of the rows begin; a row that is not valid ends at once."""
+    columns: dict[str, Column] = dict(zip(STATE, states[rows].T, strict=True))
+    for name, value in zip(kernels.PARAMETERS, parameters, strict=True):
+        columns[name] = value if np.ndim(value) == 0 else np.asarray(value)[rows]
+    row = np.arange(rows.start, rows.stop)
+    finite = np.ones(len(row), np.bool_)
     for column in columns.values():
         finite = finite & (column - column == 0.0)
-    flights = Flights(columns, np.arange(shots), leaving)
-    valid, doubtful = _call(kernels.valid, columns, last=flights.last)
+    last = np.full(len(row), -1) if leaving is None else leaving[rows].astype(np.int64)
+    flights = Flights(columns, row, last)
+    valid, doubtful = _call(kernels.valid, columns, last=last)
     good = finite & (valid > 0.0)
     if out.uncertain is not None:
-        out.uncertain[:] = finite & (doubtful > 0.0)
-    _finish(kernels, flights, ~good, np.full(shots, INVALID), out)
+        out.uncertain[rows] = finite & (doubtful > 0.0)
+    _finish(kernels, flights, ~good, np.full(len(row), INVALID), out)
     flights.keep(good)
-    while len(flights.row):
-        _advance(kernels, flights, max_contacts, out, offset)
+    return flights
 
 
-def _advance(
-    kernels: ModuleType, flights: Flights, max_contacts: int, out: Raw, offset: int
-) -> None:
+def _advance(kernels: ModuleType, flights: Flights, max_contacts: int, out: Raw) -> None:
     """Take every shot to its next event; write and drop those that end there."""
-    surfaces = kernels.SURFACES
-    end = len(surfaces) - 1
     columns = flights.columns
     bounds = _call(kernels.error_bounds, columns)
     columns["position_error"], columns["velocity_error"] = bounds[:2]
     columns["extent"], columns["speed"] = _call(kernels.scale, columns)
     arrivals = _first_arrivals(kernels, columns, flights.last)
-
-    stays = arrivals.which < 0
-    ends = arrivals.which == end
-    touches = ~stays & ~ends
-    t = np.where(stays, 0.0, arrivals.when)
-    slack = _call(kernels.displacement, columns, horizon=t, delay=arrivals.late)[0]
-    for name, value in zip(STATE, _call(kernels.flight, columns, t=t), strict=False):
-        columns[name] = np.where(stays, columns[name], value)
-    flights.clock = flights.clock + t
-    before = flights.state() if out.events is not None else None
-    miss = _call(kernels.target, columns)[0]
+    flights.t, flights.which = arrivals.when, arrivals.which
     doubtful = ~(arrivals.doubt > arrivals.when + arrivals.late) & (arrivals.doubt < np.inf)
-    doubtful = doubtful | (ends & (np.abs(miss) <= slack))
-    flights.contacts = flights.contacts + touches.astype(np.int32)
-    outcome = np.where(stays, SHORT, IN_FLIGHT)
-    outcome = np.where(ends, np.where(miss <= 0.0, MADE, MISSED), outcome)
-    outcome = np.where(touches & (flights.contacts >= max_contacts), CAPPED, outcome)
-
-    _collide(kernels, flights, arrivals.which, stays, touches, t)
+    stays = arrivals.which < 0
+    ends = arrivals.which == len(kernels.SURFACES) - 1
+    slack = _call(kernels.displacement, columns, horizon=flights.t, delay=arrivals.late)[0]
+    there = _call(kernels.flight, columns, t=flights.t)
+    miss = _call(kernels.target, columns, x=there[0], y=there[1])[0]
     if out.uncertain is not None:
-        out.uncertain[flights.row] |= doubtful
-    if out.counts is not None:
-        out.counts[flights.row[touches], arrivals.which[touches]] += 1
-    if out.first is not None:
-        opening = touches & (flights.contacts == 1)
-        out.first[flights.row[opening]] = arrivals.which[opening]
-    flights.last = np.where(touches, arrivals.which, flights.last)
-    if before is not None:
-        _record(flights, ~stays, arrivals.which, before, out, offset)
-    over = outcome != IN_FLIGHT
+        out.uncertain[flights.row] |= doubtful | (ends & (np.abs(miss) <= slack))
+    _choose(~stays, there, STATE[:6], columns)
+    flights.clock = np.where(stays, flights.clock, flights.clock + flights.t)
+
+    outcome = np.where(stays, SHORT, np.where(miss <= 0.0, MADE, MISSED))
+    over = stays | ends
     if over.any():
+        if ends.any() and (out.time_error is not None or out.state_error is not None):
+            _carry_to_end(kernels, flights, ends)
+        if out.events is not None:
+            _record(flights, ends, flights.state(), out)
         _finish(kernels, flights, over, outcome, out)
         flights.keep(~over)
+    if not len(flights.row):
+        return
+    before = flights.state() if out.events is not None else None
+    flights.contacts = flights.contacts + 1
+    _collide(kernels, flights)
+    if out.counts is not None:
+        out.counts[flights.row, flights.which] += 1
+    if out.first is not None:
+        opening = flights.contacts == 1
+        out.first[flights.row[opening]] = flights.which[opening]
+    flights.last = flights.which
+    if before is not None:
+        _record(flights, np.ones(len(flights.row), np.bool_), before, out)
+    capped = flights.contacts >= max_contacts
+    if capped.any():
+        _finish(kernels, flights, capped, np.full(len(capped), CAPPED), out)
+        flights.keep(~capped)
 
 
 def _first_arrivals(
@@ -301,87 +334,128 @@ def _curved_arrival(
     windows: int,
     arrivals: Arrivals,
 ) -> None:
+    """Propose the first arrivals on a curved surface; shots that certainly miss it sit out."""
+    until, pad = _call(kernels.horizon, columns, t=arrivals.when)
+    clear = _call(getattr(kernels, f"{name}_clear"), columns, horizon=until)[0]
+    possible = ~(clear > 0.0)
+    if not possible.any():
+        return
+    own = _take(columns, possible)
+    beyond, question, arrival, delay, certain = _first_root(
+        kernels, name, windows, own, gone[possible], until[possible]
+    )
+    beyond = beyond | (arrivals.late > pad)[possible]
     shots = len(gone)
-    prepare, advance = getattr(kernels, f"{name}_prepare"), getattr(kernels, f"{name}_advance")
-    horizon, pad = _call(kernels.horizon, columns, t=arrivals.when)
-    possible = ~(_call(getattr(kernels, f"{name}_clear"), columns, horizon=horizon)[0] > 0.0)
-    outputs = _call(prepare, columns, horizon=horizon)
+    arrivals.question(_spread(beyond, possible, False), np.zeros(shots))
+    arrivals.question(possible, _spread(question, possible, np.inf))
+    when = _spread(arrival, possible, np.inf)
+    arrivals.question((when < np.inf) & ~_spread(certain, possible, True), when)
+    arrivals.propose(when < np.inf, when, _spread(delay, possible, 0.0), index)
+
+
+def _spread(values: NDArray[Any], where: Mask, other: Any) -> NDArray[Any]:
+    """Return `values` at the places where the mask holds, and `other` elsewhere."""
+    spread = np.full(len(where), other, values.dtype)
+    spread[where] = values
+    return spread
+
+
+def _first_root(
+    kernels: ModuleType,
+    name: str,
+    windows: int,
+    columns: dict[str, Column],
+    gone: Mask,
+    horizon: Floats,
+) -> tuple[Mask, Floats, Floats, Floats, Mask]:
+    """Search the first arrivals on a curved surface from the left.
+
+    Returns
+    -------
+    beyond, question, arrival, delay, certain
+        Where the errors exceed what the search allows for; the time of the first point that those
+        errors leave open, infinite if none; the arrivals, infinite if none; bounds on their delays;
+        and whether they are certain.
+    """
+    shots = len(gone)
+    advance, margins = getattr(kernels, f"{name}_advance"), getattr(kernels, f"{name}_margins")
+    outputs = _call(getattr(kernels, f"{name}_prepare"), columns, horizon=horizon)
     prepared = dict(zip(kernels.OUTPUTS[f"{name}_prepare"], outputs, strict=True))
     lows = [np.broadcast_to(prepared.pop(f"low{k}"), shots) for k in range(windows)]
     highs = [np.broadcast_to(prepared.pop(f"high{k}"), shots) for k in range(windows)]
     latest = prepared["latest"]
-    margins = getattr(kernels, f"{name}_margins")
 
-    def allow(share: Floats) -> list[Floats]:
-        """Return the excess of the errors and the margins when they may be `share` of the flight."""
+    def allow(share: Floats) -> tuple[Mask, Floats, Floats, Floats]:
+        """Return where errors exceed `share` of the flight, and the margins that allow for it."""
         level, velocity_level, excess = _call(
             kernels.allowance, columns, share=share, horizon=latest
         )
         levels = {"position_error": level, "velocity_error": velocity_level}
-        return [excess, *_call(margins, columns, horizon=latest, **levels)]
+        flat, tilt, rate_margin = _call(margins, columns, horizon=latest, **levels)
+        # Near the surface that a ball left, F/t is known better than F; nowhere for other balls.
+        return excess > 0.0, flat, np.where(gone, tilt, np.inf), rate_margin
 
     share = np.full(shots, kernels.SHARES[0])
-    excess, flat, tilt, rate_margin = allow(share)
-    beyond = possible & ((excess > 0.0) | (arrivals.late > pad))
-    arrivals.doubt = np.where(beyond, 0.0, arrivals.doubt)
-    # Near the surface that a ball left, F/t is known better than F; nowhere for other balls.
-    elsewhere = np.where(gone, 1.0, np.inf)
+    beyond, flat, tilt, rate_margin = allow(share)
     search = Search(
         np.arange(shots),
-        {**columns, **prepared},
+        columns | prepared,
         [np.where(low > 0.0, low, 0.0) for low in lows],
         [np.where(high < horizon, high, horizon) for high in highs],
         np.zeros(shots),
         np.zeros(shots),
     )
-    search.keep(search.open(possible, 0.0))
-    arrival = np.full(shots, np.inf)
+    search.keep(search.open(np.ones(shots, np.bool_), 0.0))
+    arrival, question = np.full(shots, np.inf), np.full(shots, np.inf)
     certain = np.zeros(shots, np.bool_)
-    question = np.full(shots, np.inf)
     for step in range(STEP_LIMIT + 1):
         if not len(search.shot):
             break
-        t, own = search.t, search.columns
-        leaving, margin = _nearby((tilt * elsewhere)[search.shot], flat[search.shot], t)
-        slack = rate_margin[search.shot]
+        t, shot = search.t, search.shot
+        leaving, margin = _nearby(tilt[shot], flat[shot], t)
+        slack = rate_margin[shot]
         gap, rate, bend, stride, clearance = _call(
-            advance, own, t=t, end=search.end, margin=margin, rate_margin=slack, leaving=leaving
+            advance,
+            search.columns,
+            t=t,
+            end=search.end,
+            margin=margin,
+            rate_margin=slack,
+            leaving=leaving,
         )
         falling = (rate < 0.0) | ((rate <= slack) & (bend < 0.0))
         clear = falling & (clearance > 0.0)
         hit = falling & ((gap - margin <= margin) | clear)
         # A root that is not certain is looked at again, with smaller errors allowed.
-        vague = hit & ~clear & (share[search.shot] > 0.0)
+        vague = hit & ~clear & (share[shot] > 0.0)
         if vague.any():
-            again = np.zeros(shots, np.bool_)
-            again[search.shot[vague]] = True
+            again = _spread(vague, np.isin(np.arange(shots), shot, assume_unique=True), False)
             ratio = kernels.SHARES[1] / kernels.SHARES[0]
             smaller = np.where(share > kernels.SHARES[-1], share * ratio, 0.0)
             share = np.where(again, smaller, share)
-            excess, *fine = allow(share)
+            exceeded, *fine = allow(share)
             flat, tilt, rate_margin = (
                 np.where(again, new, old)
                 for new, old in zip(fine, (flat, tilt, rate_margin), strict=True)
             )
-            doubtful = vague & (excess > 0.0)[search.shot]
-            question[search.shot[doubtful]] = np.fmin(question[search.shot[doubtful]], t[doubtful])
+            doubtful = vague & exceeded[shot]
+            question[shot[doubtful]] = np.fmin(question[shot[doubtful]], t[doubtful])
             hit &= ~vague
-        arrival[search.shot[hit]] = np.where(clear, t - gap / rate, t)[hit]
-        certain[search.shot[hit & clear]] = True
+        arrival[shot[hit]] = np.where(clear, t - gap / rate, t)[hit]
+        certain[shot[hit & clear]] = True
         exhausted = ~hit & ~vague & (stride >= search.end - t)
         passed = search.end
         search.t = np.where(hit | vague, t, t + stride)
         going = ~hit & (~exhausted | search.open(exhausted, passed))
         if step == STEP_LIMIT:
-            question[search.shot[going]] = np.fmin(question[search.shot[going]], search.t[going])
+            question[shot[going]] = np.fmin(question[shot[going]], search.t[going])
         if not going.all():
             search.keep(going)
-    leaving, _ = _nearby(tilt * elsewhere, flat, arrival)
+
+    leaving, _ = _nearby(tilt, flat, arrival)
     own = {**columns, **prepared, "leaving": leaving}
-    refine = getattr(kernels, f"{name}_refine")
-    arrives = arrival < np.inf
     for _ in range(2):
-        refined, rate = _call(refine, own, t=arrival)
+        refined, rate = _call(getattr(kernels, f"{name}_refine"), own, t=arrival)
         arrival = np.where(certain, refined, arrival)
     margin, leaving_margin, rate_margin = _call(margins, columns, horizon=latest)
     margin = np.where(leaving > 0.0, leaving_margin * arrival, margin)
@@ -389,9 +463,7 @@ def _curved_arrival(
     clearance, late = _call(kernels.crossing, own, rate=rate)
     certain &= clearance > 0.0
     arrival = np.where(arrival < 0.0, 0.0, arrival)
-    arrivals.question(question < np.inf, question)
-    arrivals.question(arrives & ~certain, arrival)
-    arrivals.propose(arrives, arrival, np.where(certain, late, 0.0), index)
+    return beyond, question, arrival, np.where(certain, late, 0.0), certain
 
 
 def _nearby(tilt: Floats, flat: Floats, t: Floats) -> tuple[Floats, Floats]:
@@ -401,46 +473,57 @@ def _nearby(tilt: Floats, flat: Floats, t: Floats) -> tuple[Floats, Floats]:
     return np.where(nearby, 1.0, 0.0), np.where(nearby, tilted, flat)
 
 
-def _collide(
-    kernels: ModuleType,
-    flights: Flights,
-    which: NDArray[np.int64],
-    stays: Mask,
-    touches: Mask,
-    t: Floats,
-) -> None:
-    """Put the ball onto the surface it meets and give it its motion after the contact."""
+def _carried_flight(
+    kernels: ModuleType, flights: Flights, normal: Mapping[str, Any], curving: Floats
+) -> Floats:
+    """Take the carried errors to the event; return how far off the position can be there."""
     columns = flights.columns
     counted = {"contacts": flights.contacts.astype(np.float64), "clock": flights.clock}
-    normal = {"nx": 0.0, "ny": 0.0, "nz": 0.0}
-    turned = {"dnx": 0.0, "dny": 0.0, "dnz": 0.0, "turn": 0.0}
-    for index, (name, _, _) in enumerate(kernels.SURFACES):
-        own = _call(getattr(kernels, f"{name}_normal"), columns)
-        _choose(which == index, own, normal, normal)
+    *carried, delay, shift = _call(
+        kernels.carry_flight, columns, t=flights.t, curving=curving, **counted, **normal
+    )
+    columns |= dict(zip(CARRIED, carried, strict=True))
+    columns["clock_error"] = columns["clock_error"] + delay
+    return np.asarray(shift)
+
+
+def _carry_to_end(kernels: ModuleType, flights: Flights, ends: Mask) -> None:
+    """Take the carried errors of the shots that end to the end plane."""
+    name = kernels.SURFACES[-1][0]
+    normal = dict(zip(NORMAL, _call(getattr(kernels, f"{name}_normal"), {}), strict=True))
+    kept = {key: flights.columns[key] for key in (*CARRIED, "clock_error")}
+    shift = _carried_flight(kernels, flights, normal, np.full(len(ends), np.inf))
+    for key in CARRIED[:3]:
+        error = flights.columns[key]
+        flights.columns[key] = np.where(np.abs(error) < shift, shift, error)
+    for key, value in kept.items():
+        flights.columns[key] = np.where(ends, flights.columns[key], value)
+
+
+def _collide(kernels: ModuleType, flights: Flights) -> None:
+    """Put the balls onto the surfaces they meet and give them their motion after the contact."""
+    columns, which = flights.columns, flights.which
+    zeros = np.zeros(len(which))
+    normal = dict.fromkeys(NORMAL, zeros)
     curving = np.full(len(which), np.inf)
     for index, (name, _, _) in enumerate(kernels.SURFACES[:-1]):
+        _choose(which == index, _call(getattr(kernels, f"{name}_normal"), columns), NORMAL, normal)
         own = _call(getattr(kernels, f"{name}_curvature"), columns)[0]
         curving = np.where((which == index) & (flights.last == which), own, curving)
-    *shifted, delay, shift = _call(
-        kernels.carry_flight, columns, t=t, curving=curving, **counted, **normal
-    )
-    _choose(~stays, shifted, CARRIED, columns)
-    ends = which == len(kernels.SURFACES) - 1
-    for name in CARRIED[:3]:
-        _choose(ends & (np.abs(columns[name]) < shift), [shift], [name], columns)
+    shift = _carried_flight(kernels, flights, normal, curving)
+    turned = dict.fromkeys(TURNED, zeros)
     for index, (name, windows, _) in enumerate(kernels.SURFACES):
         if windows:
             own = _call(getattr(kernels, f"{name}_carry_normal"), columns, shift=shift)
-            _choose(which == index, own, turned, turned)
-    _choose(~stays, [columns["clock_error"] + delay], ["clock_error"], columns)
-    after_errors = _call(kernels.carry_impact, columns, **counted, **normal, **turned)
-    after = _call(kernels.impact, columns, **normal)
+            _choose(which == index, own, TURNED, turned)
+    contacts = flights.contacts.astype(np.float64)
+    errors = _call(kernels.carry_impact, columns, contacts=contacts, **normal, **turned)
+    motion = _call(kernels.impact, columns, **normal)
     for index, (name, windows, _) in enumerate(kernels.SURFACES[:-1]):
         if not windows:
             placed = _call(getattr(kernels, f"{name}_place"), columns)
             _choose(which == index, placed, POSITION, columns)
-    _choose(touches, after_errors, ERRORS[3:], columns)
-    _choose(touches, after, MOTION, columns)
+    columns |= dict(zip(ERRORS[3:], errors, strict=True)) | dict(zip(MOTION, motion, strict=True))
 
 
 def _choose(
@@ -451,20 +534,13 @@ def _choose(
         columns[name] = np.where(where, value, columns[name])
 
 
-def _record(
-    flights: Flights,
-    happened: Mask,
-    which: NDArray[np.int64],
-    before: Floats,
-    out: Raw,
-    offset: int,
-) -> None:
+def _record(flights: Flights, happened: Mask, before: Floats, out: Raw) -> None:
     assert out.events is not None
     assert out.event_counts is not None
     row = flights.row[happened]
     rows = (row, out.event_counts[row])
-    out.events["shot"][rows] = row + offset
-    out.events["surface"][rows] = which[happened]
+    out.events["shot"][rows] = row
+    out.events["surface"][rows] = flights.which[happened]
     out.events["time"][rows] = flights.clock[happened]
     out.events["before"][rows] = before[happened]
     out.events["after"][rows] = flights.state()[happened]

@@ -6,9 +6,7 @@ try:
     import flint as _flint  # noqa: F401
     import sympy as _sympy  # noqa: F401
 except ImportError as error:
-    raise ImportError(
-        f"certify needs {error.name}: pip install 'hoopgen[certify]'", name=error.name
-    ) from None
+    raise ImportError(f"certify needs {error.name}: pip install 'hoopgen[certify]'") from None
 
 from .batch import MAX_BITS, certify
 from .certificate import UNDECIDED, Certificate, Enclosure, Proof

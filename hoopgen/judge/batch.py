@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import math
+import multiprocessing
 import os
+import sys
+import warnings
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
@@ -25,7 +28,10 @@ FIRST_BITS = 128
 MAX_BITS = 4096
 
 CHUNK = 64
-"""Shots that a process takes at a time; with fewer than two chunks there is one process."""
+"""Shots that a process takes at a time; fewer are not worth another process."""
+
+_FORKS = sys.platform == "linux"
+"""Whether processes begin at once, with all that is compiled here, and no script runs anew."""
 
 
 def certify(
@@ -56,7 +62,7 @@ def certify(
     leaving
         As in `simulate`.
     processes
-        How many work; None for as many as the process may use.
+        How many work; None for as many as the process may use on Linux, elsewhere one.
 
     Returns
     -------
@@ -84,22 +90,27 @@ def certify(
         (releases[k : k + CHUNK], values[k : k + CHUNK], left[k : k + CHUNK])
         for k in range(0, len(releases), CHUNK)
     ]
-    workers = _processes(processes)
-    if workers == 1 or len(chunks) < 2:
+    workers = min(_processes(processes), len(chunks))
+    if workers < 2:
         parts = [task(chunk) for chunk in chunks]
     else:
-        with ProcessPoolExecutor(workers) as pool:
+        with warnings.catch_warnings(), ProcessPoolExecutor(workers, _context()) as pool:
+            # Of other threads' locks held at the fork; what the forked processes do takes none.
+            warnings.simplefilter("ignore", DeprecationWarning)
             parts = list(pool.map(task, chunks))
     return Certificate([proof for part in parts for proof in part])
 
 
 def _processes(processes: int | None) -> int:
     if processes is None:
-        usable = getattr(os, "sched_getaffinity", None)
-        return len(usable(0)) if usable is not None else os.cpu_count() or 1
+        return len(os.sched_getaffinity(0)) if _FORKS else 1
     if not isinstance(processes, int | np.integer) or processes < 1:
         raise ValueError(f"processes: expected a whole number from 1, or None, got {processes!r}")
     return int(processes)
+
+
+def _context() -> multiprocessing.context.BaseContext:
+    return multiprocessing.get_context("fork" if _FORKS else None)
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""A table with a dome on it: the ball bounces on both, falls off, and lands in a cup or beside it."""
+"""A table with a dome on it: the ball bounces, falls off, and lands in a cup or beside it."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _PARAMETERS = (
 def _table() -> Scene:
     """Return the scene; the origin is in the middle of the table's top."""
     by_name = {p.symbol.name: p.symbol for p in _PARAMETERS}
-    x, y, z = POSITION
+    x, y, _ = POSITION
     ball = by_name["marble"]
     length, width = by_name["half_length"], by_name["half_width"]
     return Scene(

@@ -1,0 +1,157 @@
+"""``hoopgen certify``: one release, and what it does, proved."""
+
+from __future__ import annotations
+
+import copy
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hoopgen.cli.options import examples, scene
+from hoopgen.cli.shot import shot
+from hoopgen.cli.table import table
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from hoopgen.judge import Proof
+
+__all__ = ["certify"]
+
+_NEEDED = ("speed", "elevation", "height", "distance")
+_SHARED = (
+    *_NEEDED,
+    "azimuth",
+    "backspin",
+    "sidespin",
+    "angle",
+    "preset",
+    "settings",
+    "max_contacts",
+)
+
+
+def _options() -> list[click.Parameter]:
+    """Return the options of ``hoopgen shot`` that say what is flown; none is required."""
+    options = [copy.copy(option) for option in shot.params if option.name in _SHARED]
+    for option in options:
+        option.required = False
+    return options
+
+
+@click.command(
+    params=_options(),
+    epilog=examples(
+        "hoopgen certify --speed 7.17 --elevation 51 --distance 13.75ft --height 7ft",
+        "hoopgen shot --speed 7.3 --elevation 51 --distance 4.2 --height 2.1 --json > shot.json",
+        "hoopgen certify shot.json",
+    ),
+)
+@click.argument(
+    "file", required=False, type=click.Path(exists=True, dir_okay=False, path_type=Path)
+)
+@click.option(
+    "--max-bits",
+    type=click.IntRange(min=128),
+    default=4096,
+    show_default=True,
+    help="Precision at which to give up.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Write everything as JSON, with all digits.")
+@click.pass_context
+def certify(
+    ctx: click.Context,
+    file: Path | None,
+    preset: str,
+    settings: tuple[tuple[str, float], ...],
+    max_contacts: int,
+    max_bits: int,
+    as_json: bool,
+    **release: float | None,
+) -> None:
+    """Prove what one shot does: its contacts, their order, its outcome.
+
+    The shot is that of FILE, as `hoopgen shot --json` writes it, or that of the options. It is
+    flown in ball arithmetic with more and more bits, until every decision is proved. Exit status 1
+    if one cannot be: two contacts at once, an exact touch, an exact edge.
+    """
+    from hoopgen.judge import certify as prove
+
+    if file is not None:
+        state, parameters = _read(file)
+        if settings:
+            parameters = parameters | dict(settings)
+    else:
+        state, parameters = _released(release), scene(preset, settings)
+    proof = prove(state, parameters, max_contacts=max_contacts, max_bits=max_bits, record=True)[0]
+    click.echo(_record(proof) if as_json else _summary(proof))
+    if not proof.decided:
+        ctx.exit(1)
+
+
+def _released(release: Mapping[str, float | None]) -> NDArray[np.float64]:
+    import hoopgen
+
+    missing = [f"--{name}" for name in _NEEDED if release[name] is None]
+    if missing:
+        raise click.UsageError(f"give a FILE, or {', '.join(missing)}")
+    given = {name: value for name, value in release.items() if value is not None}
+    return hoopgen.release(**given)
+
+
+def _read(file: Path) -> tuple[list[float], dict[str, float]]:
+    try:
+        record = json.loads(file.read_text(encoding="utf-8"))
+        return list(record["release"]), dict(record["parameters"])
+    except (ValueError, KeyError, TypeError):
+        raise click.ClickException(
+            f"{file}: expected what `hoopgen shot --json` writes, with release and parameters"
+        ) from None
+
+
+def _outcome(proof: Proof) -> str:
+    import hoopgen
+
+    return hoopgen.Outcome(proof.outcome).name.lower() if proof.decided else "undecided"
+
+
+def _summary(proof: Proof) -> str:
+    from hoopgen.cli.report import surface_name
+
+    rows = [
+        [str(number), surface_name(event.surface), str(event.time)]
+        for number, event in enumerate(proof.events, 1)
+    ]
+    lines = (
+        [table(["#", "surface", "time (s), as far as proved"], rows, right=[0]), ""] if rows else []
+    )
+    if not proof.decided:
+        lines.append(f"undecided  at {proof.bits} bits: {proof.question}")
+        return "\n".join(lines)
+    lines += [f"outcome    {_outcome(proof)}", f"proved     with {proof.bits} bits"]
+    return "\n".join(lines)
+
+
+def _record(proof: Proof) -> str:
+    from hoopgen.cli.report import surface_name
+
+    events: list[dict[str, Any]] = [
+        {
+            "surface": surface_name(event.surface),
+            "time": str(event.time),
+            "before": [str(component) for component in event.before],
+            "after": [str(component) for component in event.after],
+        }
+        for event in proof.events
+    ]
+    record = {
+        "outcome": _outcome(proof),
+        "bits": proof.bits,
+        "question": proof.question,
+        "events": events,
+    }
+    return json.dumps(record, indent=2)
