@@ -10,7 +10,7 @@ from __future__ import annotations
 import sympy as sp
 
 
-class _Choice(sp.Function):
+class _Choice(sp.Function):  # type: ignore[misc]
     nargs = 4
     is_extended_real = True
 
@@ -48,7 +48,7 @@ class IfAtMost(_Choice):
         return bool(left <= right)
 
 
-class Held(sp.Function):
+class Held(sp.Function):  # type: ignore[misc]
     """A quantity that is computed once, as written, and then used as a whole.
 
     SymPy otherwise spreads a sign or a number over a sum, and so writes one sum in two ways.

@@ -19,8 +19,8 @@ them; F <= 2 m means that the first is within the root's own error.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from abc import ABC, abstractmethod
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -241,7 +241,8 @@ class Approach(ABC):
 
         The curvature is bounded on a window twice as long as the local line (falling) or, on
         leaving the surface, the local parabola says, so that M is nearly exact; where even that
-        window ends first, so does the step. A falling gap with a positive clearance has one simple root nearby.
+        window ends first, so does the step. A falling gap with a positive clearance has one simple
+        root nearby.
         """
         gap = IfLess(0, leaving, hold(self.leaving_gap), hold(self.gap))
         low_gap = hold(largest(hold(gap - margin), 0))
@@ -309,7 +310,7 @@ class PolynomialApproach(Approach):
 
     @property
     def leaving_gap(self) -> sp.Expr:
-        """t times the deflated polynomial."""
+        """T times the deflated polynomial."""
         return t * horner(self._coefficients[1:], t)
 
     @property

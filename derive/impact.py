@@ -46,7 +46,8 @@ def impact_equations(ball_radius: sp.Expr, restitution: sp.Expr) -> list[sp.Expr
 
 def impact_system(ball_radius: sp.Expr, restitution: sp.Expr) -> tuple[sp.Matrix, sp.Matrix]:
     """Return A (6, 6) and b (6,) of Eq. 17: A u+ = b(u-)."""
-    return sp.linear_eq_to_matrix(impact_equations(ball_radius, restitution), AFTER)
+    matrix, right = sp.linear_eq_to_matrix(impact_equations(ball_radius, restitution), AFTER)
+    return matrix, right
 
 
 @cache

@@ -1,4 +1,4 @@
-"""Kernel: a named function from symbols to SymPy expressions, with the equation that it implements."""
+"""Kernel: a named function from symbols to SymPy expressions, with the equation it implements."""
 
 from __future__ import annotations
 

@@ -73,9 +73,22 @@ def _order(scene: Scene) -> tuple[sp.Symbol, ...]:
     crossing_ = (events.rate, events.ceiling, events.delay, events.share, events.horizon)
     return (
         *(*searching, *crossing_, *STATE, *NORMAL, *FRAME),
-        *(extent, speed, position_error, velocity_error, sensitivity.clock, sensitivity.clock_error),
+        *(
+            extent,
+            speed,
+            position_error,
+            velocity_error,
+            sensitivity.clock,
+            sensitivity.clock_error,
+        ),
         sensitivity.contacts,
-        *(*sensitivity.ERRORS, *sensitivity.dn, sensitivity.curving, sensitivity.shift, sensitivity.turn),
+        *(
+            *sensitivity.ERRORS,
+            *sensitivity.dn,
+            sensitivity.curving,
+            sensitivity.shift,
+            sensitivity.turn,
+        ),
         *CONSTANTS,
         *scene.symbols,
     )
@@ -280,7 +293,8 @@ def _surface_kernels(
             "The g of Eq. 2: a contact counts where none is positive.",
             "Eq. 2, Table 2",
         )
-    windows, constants = 0, ()
+    windows = 0
+    constants: tuple[str, ...] = ()
     if isinstance(surface, Plane):
         add(
             "arrival",

@@ -214,7 +214,7 @@ class RingApproach(Approach):
         return hold(inverse * both), hold(inverse * rho)
 
     def _outward_speed(self) -> sp.Expr:
-        """rho'."""
+        """Rho'."""
         there, moving, rho = self._here()
         per_rho, _ = self._inverses(rho)
         return hold(hold(there[0] * moving[0] + there[1] * moving[1]) * per_rho)
@@ -308,9 +308,7 @@ class RingApproach(Approach):
         slope_rho = 2 * hold(depth * sideways + rho * there[2] * moving[2])
         least = hold(self.constants["steady"] - 6 * g * self._reach)
         bend = hold(least * innermost**3 - self.constants["swing"])
-        discriminant = hold(
-            slope_rho**2 * innermost**3 - 2 * bend * gap * now_squared
-        )
+        discriminant = hold(slope_rho**2 * innermost**3 - 2 * bend * gap * now_squared)
         last_x, last_y = hold(x + vx * horizon), hold(y + vy * horizon)
         in_hole = hold(last_x**2 + last_y**2 - innermost**2 + slack)
         off_hole = hold(speed_squared * hold(innermost**2 + slack) - moment**2)
@@ -356,9 +354,7 @@ class RingApproach(Approach):
         stretch = largest(1, reach / innermost)
         furthest, fastest = flight_size(self.gravity, horizon)
         there, moving = flight_rounding(self.gravity, horizon)
-        slope = hold(
-            2 * root * hold(reach * moving.error + hold(stretch * fastest) * there.error)
-        )
+        slope = hold(2 * root * hold(reach * moving.error + hold(stretch * fastest) * there.error))
         steepest = Rounded(2 * hold(reach * fastest))
         gap = 2 * root * reach * there.error + 12 * u * reach * outermost
         mean = slope + 32 * u * fastest * hold(stretch * furthest + outermost)

@@ -60,7 +60,9 @@ def directional(expression: sp.Expr, tangents: dict[sp.Symbol, sp.Expr]) -> sp.E
         if e.is_Add:
             return sp.Add(*map(derive, e.args))
         if e.is_Mul:
-            rest = [sp.Mul(*(f for j, f in enumerate(e.args) if j != i)) for i in range(len(e.args))]
+            rest = [
+                sp.Mul(*(f for j, f in enumerate(e.args) if j != i)) for i in range(len(e.args))
+            ]
             return sp.Add(*(derive(f) * r for f, r in zip(e.args, rest, strict=True)))
         if e.is_Pow and e.exp.is_Rational:
             return e.exp * e.base ** (e.exp - 1) * derive(e.base)
@@ -110,9 +112,7 @@ def carried_to_contact(gravity: sp.Expr) -> dict[str, sp.Expr]:
     across = smallest(1, hold(_greatest(velocity) * t) * curving)
     drift = hold(_greatest(dv) * t + hold(largest(*roundings)))
     glancing = hold(_greatest(velocity) / size(hold(velocity.dot(normal))))
-    slid = hold(
-        hold(_greatest(dx) + drift) + hold(hold(across * _greatest(dx)) + drift) * glancing
-    )
+    slid = hold(hold(_greatest(dx) + drift) + hold(hold(across * _greatest(dx)) + drift) * glancing)
     outputs = {
         str(name): _lifted(hold(value), slid)
         for name, value in zip(dx, moved + delay * velocity, strict=True)
@@ -153,4 +153,3 @@ def bounds() -> dict[str, sp.Expr]:
     sizes = [largest(*(size(e) for e in errors)) for errors in (dx, dv, dw)]
     names = ("position_error", "velocity_error", "spin_error", "time_error")
     return {name: GUARD * s for name, s in zip(names, (*sizes, clock_error), strict=True)}
-

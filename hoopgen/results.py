@@ -78,10 +78,9 @@ class Trajectory:
         states = np.concatenate([self.release[None], self.events["after"]])
         segment = np.searchsorted(starts, times, side="right") - 1
         origin = states[segment]
-        moved = hoop.flight(
-            times - starts[segment], *np.moveaxis(origin[..., :6], -1, 0), self.gravity
-        )
-        return np.stack([*np.broadcast_arrays(*moved), *np.moveaxis(origin[..., 6:], -1, 0)], -1)
+        x, y, z, vx, vy, vz, *spin = np.moveaxis(origin, -1, 0)
+        moved = hoop.flight(times - starts[segment], x, y, z, vx, vy, vz, self.gravity)
+        return np.stack([*moved, *spin], -1)
 
 
 class Shots:

@@ -17,11 +17,11 @@ from hoopgen.generated.numpy import hoop
 
 from .arrays import doubles
 from .engine import native, numpy_backend
-from .engine.raw import BOUNDS, FIELDS, STATE_SIZE, Raw, allocate, allocate_events
+from .engine.raw import BOUNDS, EVENT, FIELDS, STATE_SIZE, Raw, allocate, allocate_events
 from .parameters import NAMES, PAPER, Value, resolve
 from .results import SURFACES, Shots
 
-CHUNK = 1 << 16
+CHUNK = 1 << 14
 """Shots that a thread takes at a time: well under a tenth of a second."""
 
 RECORD_CHUNK = 1 << 10
@@ -127,7 +127,7 @@ def simulate(
     logs = _run(batch, out, _threads(threads), record)
     results = {name: getattr(out, name) for name in computed}
     if record:
-        results["events"] = np.concatenate(logs) if logs else allocate_events(0, 1).events[:, 0]
+        results["events"] = np.concatenate([np.empty(0, EVENT), *logs])
     if settle:
         # Apart from the engines, and not needed without them: it stands on SymPy and python-flint.
         from .judge.settle import settle as decide

@@ -8,6 +8,7 @@ import sys
 from collections.abc import Callable
 from decimal import Decimal
 from fractions import Fraction
+from itertools import pairwise, product
 from pathlib import Path
 from typing import Any
 
@@ -31,7 +32,7 @@ from hoopgen.judge import UNDECIDED, Enclosure, Proof, certify
 from hoopgen.judge.audit import deepest
 from hoopgen.judge.flight import fly as fly_in_balls
 from hoopgen.judge.formulas import compiled, formulas
-from hoopgen.judge.roots import first_arrival
+from hoopgen.judge.roots import first_arrival, sign_changes
 from hoopgen.judge.settle import settle
 
 NAMES = (*hoopgen.SURFACES, "end")
@@ -245,6 +246,17 @@ def test_the_first_root_is_enclosed_or_proved_absent(
         assert arrival.certain
         assert arrival.time.contains(arb(first))
         assert arrival.time.rad() < arb(2) ** -80
+
+
+def test_unknown_signs_are_counted_as_all_that_they_can_be() -> None:
+    for signs in product((1, 0, -1, None), repeat=6):
+        changes = set()
+        for guess in product((1, 0, -1), repeat=signs.count(None)):
+            given = iter(guess)
+            full = [1, *(next(given) if s is None else s for s in signs)]
+            nonzero = [s for s in full if s]
+            changes.add(sum(a != b for a, b in pairwise(nonzero)))
+        assert sign_changes(signs) == (min(changes), max(changes))
 
 
 def test_a_double_root_is_never_certain() -> None:

@@ -250,6 +250,8 @@ def random_columns(seed: int, rows: int) -> dict[str, Floats]:
         if re.fullmatch(r"n[123][123]|d[vwn]?[xyz]", name):
             size = erring if name[0] == "d" else 1
             columns[name] = size * rng.uniform(-1, 1, rows)
+        elif name in ("shift", "turn"):
+            columns[name] = erring * rng.uniform(0, 1, rows)
         elif name == "margin" or name.endswith("_error"):
             columns[name] = 1e-15 * rng.uniform(0, 1, rows)
         elif name in ("t", "horizon", "end", "delay", "clock"):

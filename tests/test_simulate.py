@@ -312,8 +312,13 @@ def by_numpy(mixed: Batch) -> dict[str, NDArray[Any]]:
 
 
 def test_every_engine_gives_the_same_bits(
-    simulate: Simulate, mixed: Batch, by_numpy: dict[str, NDArray[Any]]
+    simulate: Simulate,
+    mixed: Batch,
+    by_numpy: dict[str, NDArray[Any]],
+    request: pytest.FixtureRequest,
 ) -> None:
+    if request.node.callspec.params["simulate"] == "numpy":
+        pytest.skip("it is the one that the others are compared with")
     assert len(mixed) >= 20_000
     assert_same_bits(everything(simulate, mixed), by_numpy)
 
@@ -327,14 +332,14 @@ def test_the_mixed_shots_show_every_outcome_and_every_surface(
     assert 0 < by_numpy["uncertain"].sum() < len(by_numpy["uncertain"])
 
 
-@pytest.mark.parametrize("threads", [2, 7, None])
+@pytest.mark.parametrize("threads", [2, None])
 def test_threads_do_not_change_a_bit(
     simulate: Simulate,
     mixed: Batch,
     threads: int | None,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    some = mixed.take(slice(None, None, 20))
+    some = mixed.take(slice(None, None, 30))
     wanted = everything(simulate, some, threads=1)
     monkeypatch.setattr(simulation, "RECORD_CHUNK", 97)
     monkeypatch.setattr(simulation, "CHUNK", 97)
@@ -348,7 +353,7 @@ def test_threads_do_not_change_a_bit(
 def test_chunks_and_blocks_do_not_change_a_bit(
     simulate: Simulate, mixed: Batch, size: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    some = mixed.take(slice(None, None, 300))
+    some = mixed.take(slice(None, None, 500))
     wanted = everything(simulate, some)
     monkeypatch.setattr(numpy_backend, "BLOCK", size + 1)
     monkeypatch.setattr(simulation, "RECORD_CHUNK", 3 * size)
@@ -423,41 +428,35 @@ def test_a_shot_goes_on_from_any_of_its_contacts_to_the_same_end(
 # -------------------------------------------------------------------------------------- the truth
 
 
-def test_what_is_not_uncertain_is_what_truly_happens(
-    fly: Callable[..., Flown], families: Callable[[int, int], dict[str, NDArray[np.float64]]]
+@pytest.mark.parametrize("scene", ["PAPER", "NBA, livelier"])
+def test_what_is_not_uncertain_is_what_truly_happens_within_the_shot_s_own_bounds(
+    scene: str,
+    fly: Callable[..., Flown],
+    families: Callable[[int, int], dict[str, NDArray[np.float64]]],
 ) -> None:
+    parameters = PAPER if scene == "PAPER" else hoopgen.NBA | {"restitution": 0.9}
     names = (*hoopgen.SURFACES, "end")
     decided = 0
-    for parameters in (PAPER, hoopgen.NBA | {"restitution": 0.9}):
-        for kind, states in families(20, 7).items():
-            shots = hoopgen.simulate(states, parameters, max_contacts=15, record=True)
-            for row in np.flatnonzero(~shots.uncertain & (shots.outcome != Outcome.INVALID)):
-                true = fly(states[row], parameters, max_contacts=15)
-                events = shots.events[shots.events["shot"] == row]
-                sequence = [names[surface] for surface in events["surface"]]
-                assert sequence == [surface for surface, _ in true.events], (kind, states[row])
-                assert Outcome(shots.outcome[row]).name == true.outcome, (kind, states[row])
-                decided += 1
-    assert decided > 200
-
-
-def test_a_shot_s_own_bounds_hold(
-    fly: Callable[..., Flown], families: Callable[[int, int], dict[str, NDArray[np.float64]]]
-) -> None:
     beyond = []
-    for kind, states in families(40, 8).items():
+    for kind, states in families(25, 7).items():
         shots = hoopgen.simulate(
-            states, max_contacts=12, fields=("outcome", "time", "state", "uncertain", *BOUNDS)
+            states, parameters, max_contacts=12, fields=FIELDS + BOUNDS, record=True
         )
         for row in np.flatnonzero(~shots.uncertain & (shots.outcome != Outcome.INVALID)):
-            true = fly(states[row], max_contacts=12)
-            errors = [abs(float(Decimal(float(shots.time[row])) - true.time))]
+            true = fly(states[row], parameters, max_contacts=12)
+            events = shots.events[shots.events["shot"] == row]
+            sequence = [names[surface] for surface in events["surface"]]
+            assert sequence == [surface for surface, _ in true.events], (kind, states[row])
+            assert Outcome(shots.outcome[row]).name == true.outcome, (kind, states[row])
+            errors = [abs(Decimal(float(shots.time[row])) - true.time)]
             for k in (0, 3, 6):
                 pairs = zip(shots.state[row, k : k + 3], true.state[k : k + 3], strict=True)
-                errors.append(max(abs(float(Decimal(float(a)) - b)) for a, b in pairs))
+                errors.append(max(abs(Decimal(float(a)) - b) for a, b in pairs))
             bounds = [shots.time_error[row], *shots.state_error[row]]
-            if np.any(np.array(errors) > bounds):
-                beyond.append((kind, states[row].tolist(), errors, bounds))
+            if any(error > bound for error, bound in zip(errors, bounds, strict=True)):
+                beyond.append((kind, states[row].tolist(), [float(e) for e in errors], bounds))
+            decided += 1
+    assert decided > 100
     assert beyond == []
 
 
@@ -466,8 +465,8 @@ def test_a_shot_s_own_bounds_hold(
 
 @pytest.fixture(scope="session")
 def recorded(simulate: Simulate, mixed: Batch) -> hoopgen.Shots:
-    """All the mixed shots on one hoop, with the event log."""
-    return simulate(mixed.states, PAPER, record=True)
+    """A third of the mixed shots on one hoop, with the event log."""
+    return simulate(mixed.states[::3], PAPER, record=True)
 
 
 def contacts_of(events: NDArray[Any]) -> NDArray[Any]:
@@ -593,7 +592,7 @@ def test_between_events_the_ball_flies_by_equation_3(recorded: hoopgen.Shots, mi
     log = recorded.events
     opens = np.r_[True, np.diff(log["shot"]) > 0]
     previous = np.roll(log["after"], 1, axis=0)
-    start = np.where(opens[:, None], mixed.states[log["shot"]], previous)
+    start = np.where(opens[:, None], mixed.states[::3][log["shot"]], previous)
     t = log["time"] - np.where(opens, 0.0, np.roll(log["time"], 1))
     assert np.all(t >= 0.0)
     wanted = start.copy()
@@ -623,7 +622,7 @@ def test_the_log_is_in_order_of_shot_then_time(recorded: hoopgen.Shots) -> None:
 
 
 def test_results_agree_with_the_log(recorded: hoopgen.Shots, mixed: Batch) -> None:
-    log, shots = recorded.events, len(mixed)
+    log, shots = recorded.events, len(recorded)
     touched = contacts_of(log)
     counts = np.zeros((shots, 3), int)
     np.add.at(counts, (touched["shot"], touched["surface"]), 1)
@@ -636,7 +635,7 @@ def test_results_agree_with_the_log(recorded: hoopgen.Shots, mixed: Batch) -> No
     np.testing.assert_array_equal(recorded.first, first)
 
     valid = recorded.outcome != Outcome.INVALID
-    time, state = np.zeros(shots), mixed.states.copy()
+    time, state = np.zeros(shots), mixed.states[::3].copy()
     time[log["shot"]] = log["time"]  # the last one written is the last one of the shot
     state[log["shot"]] = log["after"]
     np.testing.assert_array_equal(recorded.time[valid], time[valid])
@@ -653,7 +652,7 @@ def test_results_agree_with_the_log(recorded: hoopgen.Shots, mixed: Batch) -> No
 def test_recording_does_not_change_the_results(
     simulate: Simulate, recorded: hoopgen.Shots, mixed: Batch
 ) -> None:
-    plain = simulate(mixed.states, PAPER)
+    plain = simulate(mixed.states[::3], PAPER)
     for name in FIELDS:
         np.testing.assert_array_equal(getattr(plain, name), getattr(recorded, name))
 
@@ -719,6 +718,22 @@ def test_any_finite_shot_ends_and_is_the_same_on_every_engine(
     assert_same_bits(got, everything(by_numpy, batch, max_contacts=most))
     assert np.all(got["contacts"] <= most)
     assert np.all(np.isin(got["outcome"], list(Outcome)))
+
+
+@pytest.mark.parametrize(
+    "release",
+    [
+        shot(z=1.0, vz=1e155),  # goes up, and comes down again after 2e154 s
+        shot(z=1.0, vz=1e307),
+        shot(x=5.0, z=1.0, vz=-1e200),
+        shot(z=1e308),
+        shot(x=5.0, z=1.0, vx=1e308),
+    ],
+)
+def test_a_speed_or_height_whose_square_overflows_makes_a_shot_uncertain(
+    simulate: Simulate, release: list[float]
+) -> None:
+    assert simulate(release).uncertain[0]
 
 
 @settings(max_examples=40, deadline=None, derandomize=True)

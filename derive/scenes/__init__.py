@@ -5,3 +5,5 @@ from __future__ import annotations
 from .hoop import HOOP
 
 SCENES = (HOOP,)
+
+__all__ = ["HOOP", "SCENES"]

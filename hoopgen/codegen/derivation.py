@@ -7,7 +7,7 @@ a formula holds (`choice.Held`) gets a name of its own where it is long or used 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -30,9 +30,10 @@ from hoopgen.derive.impact import (
 from hoopgen.derive.kernel import Kernel
 from hoopgen.derive.model import Model
 from hoopgen.derive.polynomials import compose
+from hoopgen.derive.ring import WIDER, Ring
 from hoopgen.derive.scene import Scene
 from hoopgen.derive.surfaces import Plane, Surface
-from hoopgen.derive.symbols import POSITION, VELOCITY, normal, t
+from hoopgen.derive.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, normal
 
 Names = Mapping[sp.Expr, str]
 Outputs = Mapping[str, sp.Expr]
@@ -49,30 +50,36 @@ LATEX_NAMES = {
     "restitution": "e",
     "gravity": "g",
     "end_depth": "H",
-    "end": r"t_\mathrm{end}",
-    "leaving": r"\ell",
-    "margin": "m",
-    "rate_margin": "m'",
-    "delay": r"\delta",
-    "rate": "F'",
-    "ceiling": "C",
-    "horizon": "T",
-    "share": r"\sigma",
-    "last": "i",
-    "steady": "K",
-    "swing": "W",
-    "rho_start": r"\rho_0",
-    "extent": r"\lVert\mathbf{r}\rVert_1",
-    "speed": r"\lVert\mathbf{v}\rVert_1",
-    "position_error": r"\varepsilon_r",
-    "velocity_error": r"\varepsilon_v",
-    "clock": "t_c",
-    "clock_error": r"\varepsilon_t",
-    "curving": r"\kappa",
-    "shift": r"\varsigma",
-    "turn": r"\tau",
+    "w": r"\omega",
 }
-"""How symbols are written; any other by its own name."""
+"""How parameters and state are written; a symbol that is not here or below has its own name."""
+
+ARGUMENTS = {
+    "t": ("t", "time since the last contact"),
+    "end": (r"t_\mathrm{end}", "end of the window that is searched"),
+    "horizon": ("T", "no event later than this is wanted"),
+    "leaving": (r"\ell", "1 if the flight starts on this very surface, else 0"),
+    "last": ("i", "index of the surface that was touched last, -1 for none"),
+    "extent": (r"\lVert\mathbf{r}\rVert_1", "sum of the sizes of the coordinates at the start"),
+    "speed": (r"\lVert\mathbf{v}\rVert_1", "sum of the sizes of the velocities at the start"),
+    "steady": ("K", "first constant of $F''$, see the ring's search"),
+    "swing": ("W", "second constant of $F''$"),
+    "rho_start": (r"\rho_0", "distance from the axis at the start"),
+    "rate": ("F'", "rate of the gap $F$"),
+    "margin": ("m", "bound on the error of a gap"),
+    "rate_margin": ("m'", "bound on the error of its rate"),
+    "ceiling": ("C", "bound on the size of $F''$"),
+    "delay": (r"\delta", "bound on how far a computed arrival is from the true one"),
+    "share": (r"\sigma", "error, relative to the size of the flight, that a search allows for"),
+    "position_error": (r"\varepsilon_r", "bound on the error of each coordinate at the start"),
+    "velocity_error": (r"\varepsilon_v", "bound on the error of each velocity at the start"),
+    "clock": ("t_c", "time since the release"),
+    "clock_error": (r"\varepsilon_t", "what the contacts' times are off by, summed"),
+    "curving": (r"\kappa", "curvature of the surface, if it is met twice running"),
+    "shift": (r"\varsigma", "error of the position at a contact, at worst after one flight"),
+    "turn": (r"\tau", "error of the normal, at worst after one flight"),
+}
+"""How the other arguments of kernels are written, and what they are."""
 
 AXES = "xyz"
 SHORT = 90
@@ -81,34 +88,55 @@ ROW = 130
 """A sum of more LaTeX than this is broken into rows."""
 HELD = 40
 """A held quantity of no more LaTeX than this, used once, needs no name."""
+REPEATED = 25
+"""A sum of more LaTeX than this, used more than once, gets a name."""
+
+
+FACTORS = {WIDER: r"(1 + 2^{-20})", rounding.SAFETY: r"(1 + 2^{-10})"}
+"""Factors that are written as such."""
 
 
 # -- Symbols and numbers
 
 
 def latex_name(name: str) -> str:
-    """Return the LaTeX of a symbol's name, such as ``\\omega_x`` of ``wx``."""
+    r"""Return the LaTeX of a symbol's name, such as ``\omega_x`` of ``wx``."""
     if name in LATEX_NAMES:
         return LATEX_NAMES[name]
+    if name in ARGUMENTS:
+        return ARGUMENTS[name][0]
     if name.endswith("_after"):
         return latex_name(name.removesuffix("_after")) + "^+"
     letter, index = name[:1], name[1:]
     if letter == "d" and index and (index in AXES or latex_name(index) != index):
-        return rf"\delta {latex_name(index)}"
+        return rf"\delta_{{{latex_name(index)}}}"
     if letter in "vwn" and index and set(index) <= set(AXES + "123"):
-        return rf"{r'\omega' if letter == 'w' else letter}_{{{index}}}"
+        return f"{LATEX_NAMES.get(letter, letter)}_{{{index}}}"
     stem = name.rstrip("0123456789")
     if len(stem) == 1 and stem != name:
         return f"{stem}_{{{name.removeprefix(stem)}}}"
     return name if len(name) == 1 else rf"\text{{{name.replace('_', ' ')}}}"
 
 
-class _Printer(LatexPrinter):
-    """LaTeX for GitHub: no bars, no ``<``, no macros that it forbids."""
+class _Printer(LatexPrinter):  # type: ignore[misc]
+    """LaTeX for GitHub: no bars, which would end a cell of a table, and no macros it forbids."""
 
     def __init__(self, names: Names) -> None:
         super().__init__({"mat_delim": "("})
         self._names = names
+
+    def _as_ordered_terms(self, expr: sp.Add, order: str | None = None) -> list[sp.Expr]:
+        """Return what is added before what is taken away, short products and coordinates first."""
+        moving = {*POSITION, *VELOCITY}
+        terms = super()._as_ordered_terms(expr, order)
+        return sorted(
+            terms,
+            key=lambda term: (
+                term.could_extract_minus_sign(),
+                _degree(term),
+                not term.free_symbols & moving,
+            ),
+        )
 
     def _print_Symbol(self, symbol: sp.Symbol, style: str = "plain") -> str:
         return self._names.get(symbol) or latex_name(symbol.name)
@@ -131,8 +159,9 @@ class _Printer(LatexPrinter):
             return text if exp is None else rf"\left({text}\right)^{{{exp}}}"
         lines = []
         for value, conditions in _cases(choice):
-            when = r",\ ".join(self._print_condition(c) for c in conditions)
-            lines.append(rf"{self._print(value)} & {when or r'\text{else}'}")
+            when = r",\ ".join(self._print_condition(c) for c in conditions) or r"\text{else}"
+            formula = self._print(value).replace(r"\frac", r"\dfrac")
+            lines.append(f"{formula} & {when}")
         body = r" \\ ".join(lines)
         text = rf"\begin{{cases}} {body} \end{{cases}}"
         return text if exp is None else rf"\left({text}\right)^{{{exp}}}"
@@ -141,8 +170,14 @@ class _Printer(LatexPrinter):
     _print_IfAtMost = _print_choice
 
     def _print_condition(self, choice: sp.Expr) -> str:
-        sign = r"\lt" if isinstance(choice, IfLess) else r"\le"
+        sign = "<" if isinstance(choice, IfLess) else r"\le"
         return f"{self._print(choice.args[0])} {sign} {self._print(choice.args[1])}"
+
+
+def _degree(term: sp.Expr) -> int:
+    """Return how many factors a product has, powers counted as they are."""
+    powers = (factor.as_base_exp()[1] for factor in sp.Mul.make_args(term) if not factor.is_number)
+    return sum(int(p) if p.is_Integer and p > 0 else 1 for p in powers)
 
 
 def _extreme(choice: sp.Expr) -> tuple[str, list[sp.Expr]] | None:
@@ -179,15 +214,18 @@ def _cases(choice: sp.Expr) -> list[tuple[sp.Expr, list[sp.Expr]]]:
     return rows
 
 
-def _small_number(number: sp.Expr) -> str | None:
-    """Return the LaTeX of a number written with a power of two, none if that is no help."""
-    if not number.is_Rational or number.q < 2**10 or number.q & (number.q - 1):
+def _number(number: sp.Rational) -> str | None:
+    """Return the LaTeX of a positive number by powers of two, none if it is better as it is."""
+    for factor, latex in FACTORS.items():
+        rest = number / factor
+        if number.p % factor.p == 0 and factor.p > 1:
+            return latex if rest == 1 else f"{_number(rest) or show(rest)} {latex}"
+    if number.q < 2**10 or number.q & (number.q - 1):
         return None
+    units = number / UNIT_ROUNDOFF
+    if units.q == 1 and units < 2**10:
+        return "u" if units == 1 else f"{units} u"
     exponent = rf"2^{{-{int(number.q).bit_length() - 1}}}"
-    if number == rounding.SAFETY:
-        return r"(1 + 2^{-10})"
-    if number.p - number.q == 1:
-        return rf"(1 + {exponent})"
     return exponent if number.p == 1 else rf"{number.p} \cdot {exponent}"
 
 
@@ -229,48 +267,63 @@ class _Explanation:
         """Count how often each part is used by another."""
         seen: set[sp.Expr] = set()
 
-        def visit(expression: sp.Expr) -> None:
+        def visit(expression: sp.Expr, outermost: bool = False) -> None:
             self.uses[expression] += 1
-            if expression not in seen:
+            if expression not in seen and (outermost or expression not in self.given):
                 seen.add(expression)
-                for argument in expression.args:
+                # The larger or smaller of two values has each of them as a side and as a result.
+                twice = _extreme(expression) is not None
+                for argument in expression.args[:2] if twice else expression.args:
                     visit(argument)
 
         for expression in expressions:
-            visit(expression)
+            visit(expression, outermost=True)
 
     def write(self, expression: sp.Expr, outermost: bool = False) -> sp.Expr:
-        """Return the expression in names."""
+        """Return the expression in names, the outermost one without its own."""
+        if outermost:
+            bare = expression.args[0] if isinstance(expression, Held) else expression
+            return self._write(bare, outermost)
         if expression not in self._written:
             self._written[expression] = self._write(expression, outermost)
         return self._written[expression]
 
     def _write(self, expression: sp.Expr, outermost: bool) -> sp.Expr:
-        if expression in self.given:
+        if expression in self.given and not outermost:
             return self._symbol(self.given[expression])
-        number = _small_number(expression)
-        if number is not None:
-            return self._symbol(number, first=True)
+        if expression.is_Rational:
+            sign = sp.sign(expression)
+            number = _number(abs(expression)) if sign else None
+            return expression if number is None else sign * self._symbol(number, first=True)
         if not expression.args:
             return expression
-        inner = [self.write(a) for a in sorted(expression.args, key=default_sort_key)]
-        changed = dict(zip(sorted(expression.args, key=default_sort_key), inner, strict=True))
-        rebuilt = expression.func(*(changed[a] for a in expression.args))
-        choice = isinstance(rebuilt, IfLess | IfAtMost)
-        plain = not isinstance(rebuilt, Held) and not (choice and _extreme(rebuilt) is None)
-        if plain or outermost:
-            return rebuilt.args[0] if isinstance(rebuilt, Held) else rebuilt
+        written = {a: self.write(a) for a in sorted(expression.args, key=default_sort_key)}
+        inner = [written[a] for a in expression.args]
+        # A sum among summands, or times a number alone, would be spread if it were not held.
+        spread = expression.is_Add or (len(inner) == 2 and inner[0].is_Rational)
+        inner = [
+            e.args[0] if isinstance(e, Held) and not (spread and e.args[0].is_Add) else e
+            for e in inner
+        ]
+        rebuilt = expression.func(*inner)
+        if outermost:
+            return rebuilt
         return self._named(rebuilt, self.uses[expression] > 1)
 
     def _named(self, quantity: sp.Expr, repeated: bool) -> sp.Expr:
+        """Return a name for what is held, chosen or repeated, if it is worth one."""
         content = quantity.args[0] if isinstance(quantity, Held) else quantity
-        if content.is_Atom:
-            return content
         for symbol, known in self.where:
             if known == content:
                 return symbol
-        short = len(self.print(content)) <= HELD
-        if isinstance(quantity, Held) and short and not repeated:
+        cases = isinstance(content, IfLess | IfAtMost) and _extreme(content) is None
+        length = len(self.print(content))
+        if isinstance(quantity, Held):
+            worth = cases or (not content.is_Atom and (repeated or length > HELD))
+        else:
+            composed = content.is_Add or isinstance(content, IfLess)
+            worth = cases or (composed and repeated and length > REPEATED)
+        if not worth:
             return quantity
         symbol = self._symbol(f"h_{{{len(self.where) + 1}}}")
         self.where.append((symbol, content))
@@ -312,7 +365,7 @@ def explain(outputs: Outputs, given: Names | None = None) -> Formulas:
         LaTeX names of parts that the reader knows already.
     """
     explanation = _Explanation(given or {})
-    lifted = {name: _lift(sp.sympify(expression)) for name, expression in outputs.items()}
+    lifted = {name: _lift(sp.sympify(e), explanation.given) for name, e in outputs.items()}
     explanation.count(lifted.values())
     written = {name: explanation.write(e, outermost=True) for name, e in lifted.items()}
     return Formulas(
@@ -321,17 +374,16 @@ def explain(outputs: Outputs, given: Names | None = None) -> Formulas:
     )
 
 
-def _lift(expression: sp.Expr) -> sp.Expr:
+def _lift(expression: sp.Expr, given: Names) -> sp.Expr:
     """Return a formula whose parts all choose by one condition as one choice of formulas."""
-    if isinstance(expression, IfLess | IfAtMost) or not expression.args:
+    if isinstance(expression, IfLess | IfAtMost) or expression in given:
         return expression
-    choices = [e for e in expression.args if isinstance(e, IfLess | IfAtMost)]
-    choices += [e.base for e in expression.args if e.is_Pow and e.base.func in (IfLess, IfAtMost)]
+    parts = [part.base if part.is_Pow else part for part in expression.args]
+    choices = [p for p in parts if isinstance(p, IfLess | IfAtMost) and p not in given]
     if not choices or len({(c.func, *c.args[:2]) for c in choices}) > 1:
         return expression
-    first = choices[0]
     branches = [expression.xreplace({c: c.args[k] for c in choices}) for k in (2, 3)]
-    return first.func(*first.args[:2], *branches)
+    return choices[0].func(*choices[0].args[:2], *branches)
 
 
 def show(expression: sp.Expr | sp.Matrix, names: Names | None = None) -> str:
@@ -343,13 +395,13 @@ def show(expression: sp.Expr | sp.Matrix, names: Names | None = None) -> str:
 
 
 @dataclass(frozen=True)
-class ParameterText:
-    """A row of the table of parameters."""
+class SymbolText:
+    """A row of a table of symbols."""
 
     latex: str
     name: str
-    unit: str
     summary: str
+    unit: str = ""
 
 
 @dataclass(frozen=True)
@@ -373,9 +425,10 @@ class SearchText:
     """The search of a curved surface."""
 
     name: str
+    is_ring: bool
     gap: Formulas
-    constants: Formulas
     windows: Formulas
+    intervals: Formulas
     curvature: Formulas
     advance: Formulas
     margins: Formulas
@@ -402,7 +455,8 @@ class Derivation:
     """Everything that the template shows; formulas are LaTeX."""
 
     name: str
-    parameters: tuple[ParameterText, ...]
+    parameters: tuple[SymbolText, ...]
+    arguments: tuple[SymbolText, ...]
     reach: str
     flight: Formulas
     surfaces: tuple[SurfaceText, ...]
@@ -535,18 +589,19 @@ def _lost_energy(ball_radius: sp.Expr, restitution: sp.Expr) -> str:
     # The contact point slips by v + w × (-R_B n3).
     slipping = {w2: (v1 - slip[0]) / ball_radius, w1: (slip[1] - v2) / ball_radius}
     change = sp.expand(sp.expand(energy(after) - energy(before)).subs(slipping))
-    return show(sp.collect(change, v3), _before())
+    across = sp.factor(change.subs(v3, 0))
+    return show(across + v3**2 * sp.factor(change.coeff(v3, 2)), _before())
 
 
 def _before() -> dict[sp.Expr, str]:
     return {symbol: latex_name(symbol.name) + "^-" for symbol in BEFORE}
 
 
-def _moving_names(gravity: sp.Expr) -> dict[sp.Expr, str]:
-    """Return names for the parts of a flight that its searches hold."""
+def _known_names(scene: Scene) -> dict[sp.Expr, str]:
+    """Return names for what a flight's searches hold, as the text defines them."""
     x, y, _ = POSITION
     vx, vy, _ = VELOCITY
-    there, moving = (hold_all(vector) for vector in flight(gravity))
+    there, moving = (hold_all(vector) for vector in flight(scene.gravity))
     square = hold(there[0] ** 2 + there[1] ** 2)
     names = {
         sp.sqrt(square): r"\rho",
@@ -557,68 +612,100 @@ def _moving_names(gravity: sp.Expr) -> dict[sp.Expr, str]:
         hold(x * vy - y * vx): "L",
     }
     for axis, place, motion in zip(AXES, there, moving, strict=True):
-        if place.args and motion.args:
-            names[motion] = rf"\dot{{{axis}}}"
-        names[place] = f"{axis}(t)"
+        names[place] = f"{axis}_t"
+        if motion.args:
+            names[motion] = rf"\dot {axis}_t"
+    for surface in scene.surfaces:
+        if isinstance(surface, Ring):
+            reach = hold(surface.reach)
+            wider = reach * WIDER
+            names |= {reach: "R", surface.reach: "R", wider: r"\hat R"}
+            names[hold(surface.ring_radius - wider)] = r"\rho_-"
+            names[hold(surface.ring_radius + wider)] = r"\rho_+"
     return names
 
 
-def _search(surface: Surface, gravity: sp.Expr) -> SearchText:
+def _mathematical(expression: sp.Expr) -> sp.Expr:
+    """Return the expression without what only widens it by roundings, its quotients as such."""
+    tiny = {n: 0 for n in expression.atoms(sp.Rational) if 0 < abs(n) < sp.Rational(1, 2**30)}
+    inverses = {h: h.args[0] for h in expression.atoms(Held) if h.args[0].is_Pow}
+    return expression.xreplace(tiny).xreplace(inverses)
+
+
+def _plainly(outputs: Outputs, names: Names) -> Formulas:
+    """Return the outputs as equations with nothing held but what has a name."""
+    symbols = {e: sp.Symbol(f"known{k}", real=True) for k, e in enumerate(names)}
+    latex = {symbols[e]: name for e, name in names.items()}
+    lines = ((left, release(e.xreplace(symbols))) for left, e in outputs.items())
+    return Formulas(tuple(Line(left, (show(e, latex),)) for left, e in lines))
+
+
+def _intervals(windows: list[events.Window]) -> dict[sp.Expr, str]:
+    """Return names for the ends of the intervals whose intersections the windows are."""
+    names: dict[sp.Expr, str] = {}
+    for index, window in ((1, windows[0]), (2, windows[-1])):
+        for mark, end in zip((r"\underline", r"\overline"), window, strict=True):
+            _, parts = _extreme(end) or ("", [])
+            named = (f"{mark} {letter}_{index}" for letter in "ZA")
+            names |= dict(zip(parts, named, strict=False))
+    return names
+
+
+def _search(surface: Surface, gravity: sp.Expr, names: dict[sp.Expr, str]) -> SearchText:
     search: Approach = approach(surface, gravity)
-    names = _moving_names(gravity)
-    if reach := getattr(surface, "reach", None):
-        names |= {hold(reach): "R", reach: "R"}
-    slopes = {
-        "F": search.gap,
-        "F'": search.rate,
-        "F''": search.bend,
-        r"F_\ell": search.leaving_gap,
-    }
-    known = names | {hold(e): latex for latex, e in slopes.items()}
-    known |= {e: latex for latex, e in slopes.items()}
+    gap, leaving_gap, rate, bend = search.gap, search.leaving_gap, search.rate, search.bend
+    slopes = {"F": gap, "F'": rate, "F''": bend, r"F_\ell": leaving_gap}
+    slopes |= {latex_name(name): e for name, e in search.constants.items()}
+    either = IfLess(0, events.leaving, hold(leaving_gap), hold(gap))
+    known = names | {either: "F", hold(rate): "F'", hold(-bend): "(-F'')"}
     width = sp.Symbol("w", nonnegative=True)
-    bounds = {}
-    for k, (low, high) in enumerate(search.windows):
-        bounds |= {rf"\underline{{t}}_{{{k}}}": low, rf"\overline{{t}}_{{{k}}}": high}
+    drawn = [(_mathematical(low), _mathematical(high)) for low, high in search.windows]
+    windows: dict[str, sp.Expr] = {}
+    for k, (low, high) in enumerate(drawn):
+        windows |= {rf"\underline t_{k}": low, rf"\overline t_{k}": high}
+    intervals = _intervals(drawn)
     advance = search.advance()
-    bent = [e for e in advance["step"].atoms(Held) if e.has(*search.constants)]
-    known |= _curvature_names(search, advance["step"])
-    del bent
-    margins = {"m": "margin", r"m_\ell": "leaving_margin", "m'": "rate_margin"}
+    step = advance["step"]
+    # The smaller of the width that M holds for, and of the root.
+    within = step.args[1]
+    known |= {within: "w", hold(search.curvature(within)): "M(w)"}
+    margins = search.margins
     return SearchText(
         surface.name,
-        explain(slopes, names),
-        explain({latex_name(n): e for n, e in search.constants.items()}, names),
-        explain(bounds, names),
-        explain({"M": search.curvature(width), "C": search.ceiling}, names),
-        explain({r"\text{step}": advance["step"], r"\text{clearance}": advance["clearance"]}, known),
-        explain({left: search.margins[name] for left, name in margins.items()}, names),
+        isinstance(surface, Ring),
+        _plainly(slopes, names),
+        explain(windows, names | intervals),
+        explain({latex: e for e, latex in intervals.items()}, names | intervals),
+        explain({"M(w)": search.curvature(width), "C": search.ceiling}, names | {width: "w"}),
+        explain(
+            {
+                "w": within.args[0] if isinstance(within, Held) else within,
+                "s": step,
+                r"\text{clearance}": advance["clearance"],
+            },
+            known,
+        ),
+        explain(
+            {
+                "m": margins["margin"],
+                r"m_\ell": margins["leaving_margin"],
+                "m'": margins["rate_margin"],
+            },
+            names,
+        ),
     )
 
 
-def _curvature_names(search: Approach, step: sp.Expr) -> dict[sp.Expr, str]:
-    """Return names for the width and the curvature that a step is made from."""
-    held = sorted(step.atoms(Held), key=default_sort_key)
-    for width in held:
-        bound = hold(search.curvature(width))
-        if bound in held:
-            return {bound: "M(w)"}
-    return {}
-
-
-def _kernel(kernel: Kernel) -> KernelText:
-    names: dict[sp.Expr, str] = {}
-    return KernelText(
-        kernel.name,
-        explain({latex_name(name): e for name, e in kernel.outputs}, names),
-    )
+def _kernel(kernel: Kernel, names: Names) -> KernelText:
+    outputs = {latex_name(name): e for name, e in kernel.outputs}
+    return KernelText(kernel.name, explain(outputs, names))
 
 
 def derivation_context(model: Model) -> Derivation:
     """Return what the template of derivation.md shows."""
     scene = model.scene
     gravity, ball_radius, restitution = scene.gravity, scene.ball_radius, scene.restitution
-    brief = _Brief(scene)
+    brief, names = _Brief(scene), _known_names(scene)
     matrix, right = impact_system(ball_radius, restitution)
     inverse = impact_inverse(ball_radius)
     equations = impact_equations(ball_radius, restitution)
@@ -627,11 +714,17 @@ def derivation_context(model: Model) -> Derivation:
     surfaces = (*scene.surfaces, scene.finish)
     planes = [s for s in surfaces if isinstance(s, Plane)]
     lengths = [p.symbol for p in scene.parameters if p.unit == "m"]
+    used = {argument.name for kernel in model.kernels for argument in kernel.arguments}
     return Derivation(
         name=scene.name,
         parameters=tuple(
-            ParameterText(latex_name(p.symbol.name), p.symbol.name, p.unit, p.summary)
+            SymbolText(latex_name(p.symbol.name), p.symbol.name, p.summary, p.unit)
             for p in scene.parameters
+        ),
+        arguments=tuple(
+            SymbolText(latex, name, summary)
+            for name, (latex, summary) in ARGUMENTS.items()
+            if name in used
         ),
         reach=brief.reach,
         flight=Formulas(
@@ -654,7 +747,7 @@ def derivation_context(model: Model) -> Derivation:
         lost=_lost_energy(ball_radius, restitution),
         crossing=explain({rf"\text{{{n}}}": e for n, e in events.crossing().items()}),
         searches=tuple(
-            _search(s, gravity) for s in scene.surfaces if not isinstance(s, Plane)
+            _search(s, gravity, names) for s in scene.surfaces if not isinstance(s, Plane)
         ),
         flight_rounding=explain(
             {
@@ -668,5 +761,5 @@ def derivation_context(model: Model) -> Derivation:
             {rf"m_\text{{{p.name}}}": events.plane_margin(p, gravity) for p in planes}
         ),
         displacement=explain({"d": events.displacement(gravity, lengths)}),
-        kernels={kernel.name: _kernel(kernel) for kernel in model.kernels},
+        kernels={kernel.name: _kernel(kernel, names) for kernel in model.kernels},
     )

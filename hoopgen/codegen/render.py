@@ -140,7 +140,7 @@ def _environment() -> jinja2.Environment:
         trim_blocks=True,
         lstrip_blocks=True,
         keep_trailing_newline=True,
-        autoescape=False,  # noqa: S701 - the output is source code, not HTML
+        autoescape=False,
     )
     environment.filters["annotated"] = lambda name: f"{name}: Any"
     environment.filters["quoted"] = lambda name: f'"{name}"'
@@ -222,9 +222,10 @@ def generate(root: Path) -> list[Path]:
 
 
 def check(root: Path) -> list[str]:
-    """Return how generated/ below `root` differs from what would be generated; empty if it does not.
+    """Return how generated/ below `root` differs from what would be generated.
 
-    Each entry is a missing file, an extra file, or a unified difference.
+    Each entry is a missing file, an extra file, or a unified difference; there is none if all is
+    as it should be.
     """
     folder = root / "generated"
     files = _render_all()

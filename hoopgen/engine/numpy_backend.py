@@ -252,7 +252,8 @@ def _first_arrivals(
 ) -> Arrivals:
     """Return the earliest admissible arrival on any surface (Eq. 4)."""
     arrivals = Arrivals.none(len(last))
-    bounded = (columns["position_error"] < np.inf) & (columns["velocity_error"] < np.inf)
+    errors = np.asarray(columns["position_error"]), np.asarray(columns["velocity_error"])
+    bounded = np.logical_and.reduce([error < np.inf for error in errors])
     arrivals.question(~bounded, np.zeros(len(last)))
     surfaces = list(enumerate(kernels.SURFACES))
     # The end plane first: what certainly comes after it needs no further look.
@@ -572,7 +573,7 @@ def _finish(
 
 def _call(kernel: Callable[..., Outputs], columns: Mapping[str, Any], **renamed: Any) -> Outputs:
     """Evaluate a kernel, its arguments taken by name."""
-    code = kernel.__code__  # type: ignore[attr-defined]
+    code = kernel.__code__
     names = code.co_varnames[: code.co_argcount]
     return kernel(*[renamed[n] if n in renamed else columns[n] for n in names])
 

@@ -68,9 +68,7 @@ class Raw:
 def allocate(shots: int, surfaces: int, wanted: Collection[str]) -> Raw:
     """Return uninitialised results of `shots` shots for the fields that are wanted."""
     tails = {"counts": (surfaces,), "state": (STATE_SIZE,), "state_error": (3,)}
-    return Raw(
-        **{name: np.empty((shots, *tails.get(name, ())), _DTYPES[name]) for name in wanted}
-    )
+    return Raw(**{name: np.empty((shots, *tails.get(name, ())), _DTYPES[name]) for name in wanted})
 
 
 def allocate_events(shots: int, max_contacts: int) -> Raw:

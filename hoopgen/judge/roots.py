@@ -8,7 +8,7 @@ balls stay unknown, the answer is "maybe, from here on".
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from flint import arb, arb_poly, ctx
@@ -85,24 +85,26 @@ def _variations(polynomial: arb_poly, degree: int, low: arb, width: arb) -> tupl
     local = polynomial(arb_poly([low, width])).coeffs()
     local += [arb(0)] * (degree + 1 - len(local))
     mapped = arb_poly(local[::-1])(_MAP).coeffs()
-    fewest = most = 0
-    last = 1  # the polynomial at the left end, positive up to the first root
-    unknown = False
-    # The constant of the mapped polynomial is the value at the box's right end.
-    for coefficient in reversed(mapped):
-        if coefficient > 0:
-            now = 1
-        elif coefficient < 0:
-            now = -1
-        else:
-            unknown = unknown or not coefficient.is_zero()
-            continue
-        if now != last:
-            fewest += 1
-            most += 1
-        elif unknown:
-            most += 2
-        last, unknown = now, False
+    # Its constant is the value at the box's right end, its leading coefficient that at the left.
+    return sign_changes(map(sign, reversed(mapped)))
+
+
+def sign_changes(signs: Iterable[int | None]) -> tuple[int, int]:
+    """Return the fewest and the most changes in signs some of which are unknown; zeros do not count.
+
+    Before the first of them stands a plus: the polynomial is positive up to its first root.
+    """
+    fewest = most = unknown = 0
+    last = 1
+    for now in signs:
+        if now is None:
+            unknown += 1
+        elif now:
+            change = now != last
+            fewest += change
+            # Up to unknown + 1 of them, and odd in number if the signs on both sides differ.
+            most += unknown + (unknown % 2 != change)
+            last, unknown = now, 0
     return fewest, most + unknown
 
 
