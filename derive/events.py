@@ -328,7 +328,7 @@ class PolynomialApproach(Approach):
         """The largest Bernstein coefficient of -F'' on the window, rounding included."""
         second = derivative(derivative(self._coefficients))
         upper = largest(*(-c for c in bernstein(taylor(second, t), width)))
-        return upper + sp.Rational(1, 2**40) * self.ceiling
+        return upper + sp.Rational(1, 2**40) * ceiling
 
     @property
     def ceiling(self) -> sp.Expr:

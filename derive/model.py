@@ -33,6 +33,9 @@ from .symbols import (
 last = sp.Symbol("last", real=True)
 """Index of the surface that the ball touched last, -1 for none."""
 
+LARGEST = sp.Integer(2) ** 450
+"""Squares of larger coordinates and velocities come near to overflow: no result is certain."""
+
 FRAME = sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"n{i + 1}{j + 1}", real=True))
 """The contact frame's components, R of Eq. 10."""
 
@@ -199,9 +202,10 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
             {
                 "extent": sp.Add(*map(sp.Abs, POSITION)),
                 "speed": sp.Add(*map(sp.Abs, VELOCITY)),
+                "excess": largest(*map(sp.Abs, (*POSITION, *VELOCITY))) - LARGEST,
             },
             order,
-            "Sums of the sizes of the coordinates and of the velocities.",
+            "Sums of the sizes of the coordinates and of the velocities, and of any above the largest.",
             "what rounding errors are measured by",
         ),
         kernel(

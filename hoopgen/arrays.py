@@ -16,6 +16,8 @@ def doubles(name: str, value: ArrayLike, expected: str = "numbers") -> NDArray[n
     """
     try:
         array = np.asarray(value)
+        if array.dtype == object:  # float() is stricter: NumPy makes a NaN of None
+            array = np.array([float(v) for v in array.flat]).reshape(array.shape)
         if not np.iscomplexobj(array):
             return array.astype(np.float64, copy=False)
     except (TypeError, ValueError):

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import ast
 import ctypes
+import importlib.util
 import os
 import shutil
 import subprocess
 import sysconfig
 from collections.abc import Iterable, Sequence
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -72,6 +74,16 @@ def shared_library(source: Path, *flags: str) -> Path:
     library = source.with_suffix(".so")
     compiles(*setup_flags(), *flags, "-shared", "-fPIC", source, "-o", library, "-lm")
     return library
+
+
+def load_module(source: Path) -> ModuleType:
+    """Import a generated module from where it is."""
+    spec = importlib.util.spec_from_file_location(source.stem, source)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
 
 
 def macros(scene: str) -> str:

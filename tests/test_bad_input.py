@@ -156,6 +156,17 @@ def test_a_ball_that_starts_near_a_surface_is_valid(
     assert simulate([*place, 0, 0, 0, 0, 0, 0]).outcome[0] != Outcome.INVALID
 
 
+@pytest.mark.parametrize(
+    "change", [{"gravity": -9.81}, {"gravity": np.nan}, {"ring_radius": 0.1}, {"board_top": np.inf}]
+)
+def test_a_parameter_for_all_that_is_not_allowed_makes_all_rows_invalid(
+    simulate: Simulate, change: dict[str, float]
+) -> None:
+    shots = simulate(neighbours(11).states, PAPER | change)
+    assert np.all(shots.outcome == Outcome.INVALID)
+    assert np.all(np.isnan(shots.state))
+
+
 def test_rows_that_are_all_invalid_are_all_invalid(simulate: Simulate) -> None:
     shots = simulate(np.full((23, 9), np.nan), record=True)
     assert np.all(shots.outcome == Outcome.INVALID)

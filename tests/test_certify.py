@@ -30,9 +30,10 @@ from benchmarks.workloads import TABLE_3, WORKLOADS
 from hoopgen.cli.certify import certify as command
 from hoopgen.judge import UNDECIDED, Enclosure, Proof, certify
 from hoopgen.judge.audit import deepest
+from hoopgen.judge.flight import arrival_at
 from hoopgen.judge.flight import fly as fly_in_balls
 from hoopgen.judge.formulas import compiled, formulas
-from hoopgen.judge.roots import first_arrival, sign_changes
+from hoopgen.judge.roots import Arrival, first_arrival, sign_changes
 from hoopgen.judge.settle import settle
 
 NAMES = (*hoopgen.SURFACES, "end")
@@ -259,6 +260,65 @@ def test_unknown_signs_are_counted_as_all_that_they_can_be() -> None:
         assert sign_changes(signs) == (min(changes), max(changes))
 
 
+def test_the_first_root_is_right_for_every_polynomial_within_the_balls() -> None:
+    random = np.random.default_rng(11)
+    certain = 0
+    for _ in range(300):
+        centre = np.polynomial.polynomial.polyfromroots(random.uniform(-0.5, 1.5, 4))
+        centre *= np.sign(centre[0])
+        radius = 10 ** random.uniform(-12, -3)
+        with ctx.workprec(64):
+            arrival = first_arrival([arb(c, radius) for c in centre], arb(1))
+        if centre[0] <= 10 * radius:
+            continue
+        for _ in range(20):
+            roots = np.polynomial.polynomial.polyroots(centre + random.uniform(-radius, radius, 5))
+            inside = roots.real[(abs(roots.imag) < 1e-13) & (roots.real > 0) & (roots.real < 1)]
+            first = inside.min(initial=2.0)
+            if arrival is None:
+                assert first > 1 - 1e-9
+            elif arrival.certain:
+                certain += 1
+                assert abs(first - float(arrival.time)) <= float(arrival.time.rad()) + 1e-9
+            else:
+                assert first >= float(arrival.time) - 1e-9
+    assert certain > 1000
+
+
+def test_a_root_on_a_split_is_not_lost() -> None:
+    with ctx.workprec(128):
+        arrival = first_arrival(_from_roots([0.48828125, 0.7, 0.9], -1), arb(1))
+        assert arrival is not None
+        assert arrival.time.overlaps(arb(0.48828125)) or not arrival.certain
+        assert arrival.time < arb(0.5)
+
+
+def _arrival(surface: int, **components: arb) -> Arrival | None:
+    """Ask for the arrival at a surface from a state that is partly known."""
+    names = ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz")
+    values = [arb(float(v)) for v in SQUARE.values()]
+    start = [components.get(name, arb(0)) for name in names]
+    return arrival_at(formulas(), surface, start, values, 0, arb.pos_inf())
+
+
+@pytest.mark.parametrize(
+    ("surface", "components"),
+    [
+        (BOARD, {"x": arb(-0.5, 1e-30), "vx": arb(-1)}),  # on the plane, or just past it
+        (BOARD, {"vx": arb(0, 1e-30)}),  # hardly moving, this way or that
+        (BRIDGE, {"x": arb(-0.55), "z": arb(-0.8125), "vz": arb(4, 1e-30)}),  # up to it, or not
+        (BRIDGE, {"x": arb(-0.5, 1e-30), "z": arb(1)}),  # onto the end of it, where rho is R_H
+        (RING, {"x": arb(0.6875, 1e-30), "vx": arb(1)}),  # touching, or just not
+        (RING, {"x": arb(0.6875, 1e-30), "z": arb(1)}),  # past it, or not
+    ],
+)
+def test_what_a_ball_does_not_tell_is_not_certain(surface: int, components: dict[str, arb]) -> None:
+    with ctx.workprec(128):
+        arrival = _arrival(surface, **components)
+    assert arrival is not None
+    assert not arrival.certain
+
+
 def test_a_double_root_is_never_certain() -> None:
     with ctx.workprec(128):
         arrival = first_arrival(_from_roots([0.3, 0.3], 1), arb(1))
@@ -299,6 +359,8 @@ def test_digits_in_print_are_proved() -> None:
         # Straight up, and straight down, along the ring's outermost line.
         (state((0.6875, 0.0, -0.5), (0.0, 0.0, 6.0)), "meets the ring"),
         (state((0.0, 0.6875, 1.0)), "meets the ring"),
+        # At t = 1/6 onto the board's edge, y = 1.
+        (state((0.0, 0.75, 0.5), (-3.0, 1.5, 0.0)), "meets the backboard"),
         # On the ring's outermost line, rising, and back again.
         (state((0.6875, 0.0, 0.0), (0.0, 0.0, 1.0)), "meets the ring"),
     ],
@@ -373,11 +435,14 @@ def test_a_ball_below_that_does_not_rise_through_the_end_plane_is_short() -> Non
     assert certificate.first.tolist() == [-1, -1]
 
 
-def test_without_restitution_a_ball_stays_on_the_bridge() -> None:
-    proof = prove(state((-0.55, 0.0, 1.1875)), SQUARE | {"restitution": 0.0, "board_distance": 2.0})
+@pytest.mark.parametrize("height", [1.0, 0.7])  # 0.5 s, and a time that no binary fraction is
+def test_without_restitution_a_ball_stays_on_the_bridge(height: float) -> None:
+    shot = state((-0.55, 0.0, 0.1875 + height))
+    proof = prove(shot, SQUARE | {"restitution": 0.0, "board_distance": 2.0})
     assert proof.surfaces == [BRIDGE] * 40
-    assert set(proof.times) == {0.5}
+    assert set(proof.times) == {pytest.approx(np.sqrt(height / 4), rel=1e-15)}
     assert proof.outcome == hoopgen.Outcome.CAPPED
+    assert proof.events[-1].after[2] == Enclosure(3, 0, -4)
     assert proof.events[-1].after[5] == Enclosure(0, 0, 0)
 
 
@@ -394,6 +459,14 @@ def test_without_restitution_a_ball_that_the_ring_bears_stays_on_it(x: float) ->
     proof = prove(state((x, 0.0, 1.0)), SQUARE | {"restitution": 0.0})
     assert proof.surfaces == [RING] * 40
     assert len(set(proof.times)) == 1
+
+
+def test_states_are_known_to_the_last_digit_of_a_double() -> None:
+    certificate = certify(WORKLOADS[3].make(20), processes=1)
+    assert certificate.bits.max() > 128
+    # Half the spacing is the rounding to a double itself.
+    known = 0.501 * np.spacing(np.abs(certificate.state)) + 2.0**-100
+    assert (certificate.state_radius <= known).all()
 
 
 def test_max_contacts_caps() -> None:

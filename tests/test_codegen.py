@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ast
-import importlib.util
 import os
 import re
 import shutil
@@ -28,6 +27,7 @@ from compiled import (
     WIDTHS,
     CKernels,
     compiles,
+    load_module,
     needs_compiler,
     same_bits,
     setup_flags,
@@ -121,16 +121,6 @@ ZOO_KERNELS = [
 OPERATIONS = set(NUMPY.operations)
 
 
-def load(source: Path) -> ModuleType:
-    """Import a generated module from where it is."""
-    spec = importlib.util.spec_from_file_location(source.stem, source)
-    assert spec is not None
-    assert spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
 @cache
 def contexts() -> dict[str, dict[str, Any]]:
     """Return the keys that each template is given for the hoop, by template."""
@@ -158,7 +148,7 @@ def printed(template: str, kernels: list[Kernel]) -> str:
 def zoo_numpy(tmp_path_factory: pytest.TempPathFactory) -> ModuleType:
     source = tmp_path_factory.mktemp("numpy") / "zoo.py"
     source.write_text(printed("numpy/kernels.py.j2", ZOO_KERNELS), encoding="utf-8")
-    return load(source)
+    return load_module(source)
 
 
 @pytest.fixture(scope="module")
@@ -328,6 +318,11 @@ def files() -> dict[str, str]:
     return render.render_scene(HOOP)
 
 
+def file_of(template: str) -> str:
+    """Return the file of the hoop that a template makes."""
+    return render.OUTPUTS[template].format(scene="hoop", suffix="")
+
+
 @pytest.fixture
 def checkout(tmp_path: Path, files: dict[str, str], monkeypatch: pytest.MonkeyPatch) -> Path:
     """A checkout whose generated/ is up to date; nothing is derived again."""
@@ -347,7 +342,7 @@ def test_the_repository_is_up_to_date(
 
 
 def test_what_is_generated_is_what_is_committed_and_nothing_else(files: dict[str, str]) -> None:
-    assert set(files) == {target.format(scene="hoop") for target in render.OUTPUTS.values()}
+    assert set(files) == {file_of(template) for template in render.OUTPUTS}
     assert not set(files) & set(render.KEPT)
     assert all(text.endswith("\n") and "\r" not in text for text in files.values())
 
@@ -476,15 +471,15 @@ def test_the_header_is_c_plus_plus_too(tmp_path: Path, files: dict[str, str]) ->
 def test_each_file_opens_with_its_stamp(files: dict[str, str]) -> None:
     """Template, scene, hash of the derivation, versions, and that nobody edits it."""
     hashes = set()
-    for template, target in render.OUTPUTS.items():
-        opening = " ".join(files[target.format(scene="hoop")].split("\n\n\n")[0].split()[:80])
+    for template in render.OUTPUTS:
+        opening = " ".join(files[file_of(template)].split()[:80])
         match = re.search(
             r"Generated from templates/(\S+), scene (\S+), derivation ([0-9a-f]{16}), "
             r"with SymPy (\S+) and Jinja2 (\S+)\. Do not edit: change derive/ or templates/ "
             r"and run `make generate`\.",
             opening,
         )
-        assert match, target
+        assert match, template
         assert match[1] == template
         assert match[2] == "hoop"
         assert match[4] == version("sympy")

@@ -30,10 +30,10 @@ from mpmath import mpf
 from test_derive_evaluation import PARAMETERS, digits, exactly, in_doubles
 
 A = sp.symbols("a b c d", real=True)
-often = settings(deadline=None, derandomize=True, max_examples=300)
-sometimes = settings(deadline=None, derandomize=True, max_examples=120)
+often = settings(deadline=None, derandomize=True, max_examples=150)
+sometimes = settings(deadline=None, derandomize=True, max_examples=80)
 
-sizes = st.floats(1e-6, 1e6) | st.sampled_from((1.0, 3.0, 0.1, 1 / 3, 2.0**52 + 1))
+sizes = st.floats(1e-3, 1e3) | st.sampled_from((1.0, 3.0, 0.1, 1 / 3, 2.0**52 + 1))
 numbers = st.builds(lambda size, sign: size * sign, sizes, st.sampled_from((-1, 1)))
 constants = st.fractions(-20, 20, max_denominator=12).map(sp.Rational)
 
@@ -88,6 +88,13 @@ def in_any_order(expression: sp.Expr, values: dict[str, float], draw: Any) -> fl
     return parts[0]
 
 
+def is_tame(expression: sp.Expr, values: dict[str, float]) -> bool:
+    """Return True if nothing overflows or underflows, in any order."""
+    parts = [e for e in sp.postorder_traversal(expression) if e.free_symbols]
+    magnitudes = [exactly(rounding(part, {}).magnitude, values) for part in parts]
+    return all(1e-30 < magnitude < 1e30 for magnitude in magnitudes)
+
+
 def bound(expression: sp.Expr, known: dict[sp.Expr, Rounded], values: dict[str, Any]) -> mpf:
     """Return the error bound of an expression."""
     return exactly(SAFETY * rounding(expression, known).error, values)
@@ -108,8 +115,8 @@ def test_the_bound_holds_for_sums_and_products_in_any_order(
     expression: sp.Expr, values: dict[str, float], data: Any
 ) -> None:
     with digits(40):
+        assume(is_tame(expression, values))
         true = in_fractions(expression, values)
-        assume(abs(true) < 1e250)
         limit = bound(expression, {}, values)
         assert off_by(in_any_order(expression, values, data.draw), true) <= limit
         generated = in_doubles({"it": expression}, values)["it"]
@@ -120,6 +127,7 @@ def test_the_bound_holds_for_sums_and_products_in_any_order(
 @given(expressions, states)
 def test_the_magnitude_bounds_the_value(expression: sp.Expr, values: dict[str, float]) -> None:
     with digits(40):
+        assume(is_tame(expression, values))
         magnitude = exactly(rounding(expression, {}).magnitude, values)
         assert off_by(0.0, in_fractions(expression, values)) <= magnitude * (1 + mpf(10) ** -38)
 
@@ -131,6 +139,7 @@ def test_the_bound_holds_for_inputs_that_are_off(
 ) -> None:
     """Each input is off by a part of a bound: what is carried is added to what is rounded."""
     with digits(40):
+        assume(is_tame(expression, values))
         names = [a.name for a in A]
         allowed = {f"{name}_off": abs(values[name]) * 2.0**-40 for name in names}
         known = {
@@ -225,7 +234,8 @@ def test_a_planes_margin_bounds_the_gap_at_its_computed_arrival(
     plane: Plane, start: dict[str, float]
 ) -> None:
     with digits(40):
-        values = with_sizes(start)
+        approaching = {"x": abs(start["x"]), "vx": -0.1 - abs(start["vx"]), "z": abs(start["z"])}
+        values = with_sizes(start | approaching)
         arrival = in_doubles(plane_arrival(plane, HOOP.gravity), values)
         time = float(arrival["time"])
         assume(0 <= time < 10 and arrival["rate"] < 0)

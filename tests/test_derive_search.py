@@ -93,7 +93,7 @@ def test_bernstein_coefficients_enclose_the_polynomial(coefficients: list, exten
 
 def test_composition_is_substitution() -> None:
     a = sp.Symbol("a")
-    expression = (a * x**2 - (y + 3 * z) ** 3 * x + a) ** 2 - 7 * y + a**-1
+    expression = (a * x**2 - (y + 3 * z) ** 2 * x + a) ** 2 - 7 * y + a**-1
     paths = flight_polynomials(gravity)
     substituted = expression.subs({s: horner(c, t) for s, c in paths.items()}, simultaneous=True)
     assert same(horner(compose(expression, paths), t), substituted)

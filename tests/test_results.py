@@ -346,7 +346,7 @@ def test_the_commands_of_the_readme_print_what_the_readme_says() -> None:
     shown = re.findall(r"```console\n\$ hoopgen (.*?)\n(.*?)```", README.read_text("utf-8"), re.S)
     assert shown
     for arguments, output in shown:
-        assert CliRunner().invoke(main, shlex.split(arguments)).output == output
+        assert CliRunner().invoke(main, shlex.split(arguments)).stdout == output
 
 
 @pytest.mark.parametrize("name", ["PAPER", "NBA", "FIBA"])

@@ -707,7 +707,7 @@ PARAMETERS = st.fixed_dictionaries(
 )
 
 
-@settings(max_examples=40, deadline=None, derandomize=True)
+@settings(max_examples=25, deadline=None, derandomize=True)
 @given(states=STATES, parameters=PARAMETERS, most=st.integers(1, 8))
 def test_any_finite_shot_ends_and_is_the_same_on_every_engine(
     simulate: Simulate, states: list[list[float]], parameters: dict[str, float], most: int
@@ -736,7 +736,7 @@ def test_a_speed_or_height_whose_square_overflows_makes_a_shot_uncertain(
     assert simulate(release).uncertain[0]
 
 
-@settings(max_examples=40, deadline=None, derandomize=True)
+@settings(max_examples=25, deadline=None, derandomize=True)
 @given(states=STATES)
 def test_what_overflows_is_never_passed_off_as_certain(
     simulate: Simulate, states: list[list[float]]

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 7b111088de99ab3e,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 42bb0f1b4ad121d8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -37,7 +37,7 @@ LANES_INLINE V lanes_select(M m, V a, V b) { return (V)(((M)a & m) | ((M)b & ~m)
 LANES_INLINE V lanes_abs(V a) { return (V)((M)a & (INT64_MAX - (M){0})); }
 LANES_INLINE V lanes_sqrt(V a)
 {
-    V root;
+    V root = a;
     for (int lane = 0; lane < LANES_WIDTH; lane++)
         root[lane] = sqrt(a[lane]);
     return root;
@@ -258,8 +258,6 @@ static void LANES(hoop_run)(const hoop_job *job)
             count_backboard = lanes_select(fresh, zero, count_backboard);
             count_bridge = lanes_select(fresh, zero, count_bridge);
             const LANES(hoop_valid_out) check = LANES(hoop_valid)(last, x, y, z, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, restitution, gravity, end_depth);
-            M good = check.valid > zero;
-            uncertain = lanes_select(fresh & (check.doubt > zero), one, uncertain);
             V sum = zero;
             sum = sum + (x - x);
             sum = sum + (y - y);
@@ -281,7 +279,9 @@ static void LANES(hoop_run)(const hoop_job *job)
             sum = sum + (restitution - restitution);
             sum = sum + (gravity - gravity);
             sum = sum + (end_depth - end_depth);
-            good &= sum == zero;
+            const M finite = sum == zero;
+            const M good = finite & (check.valid > zero);
+            uncertain = lanes_select(fresh & finite & (check.doubt > zero), one, uncertain);
             lanes_store(pool.fresh, zero);
             if (lanes_any(fresh & NOT(good))) {
                 lanes_store(pool.outcome, lanes_select(fresh & NOT(good), K((double)HOOP_INVALID), none));
@@ -319,7 +319,7 @@ static void LANES(hoop_run)(const hoop_job *job)
         /* The earliest arrival: its time and surface, the bound on its delay, and the earliest
            time of a decision that lies within its rounding error. */
         V when = never, which = none, late = zero;
-        const M bounded = (position_error < never) & (velocity_error < never);
+        const M bounded = (position_error < never) & (velocity_error < never) & (scale.excess <= zero);
         V doubt = lanes_select(bounded, never, zero);
         {
             const V leaving = lanes_select(last == K(3.0), one, zero);

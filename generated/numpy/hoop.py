@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 7b111088de99ab3e,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 42bb0f1b4ad121d8,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -48,7 +48,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "crossing": ("clearance", "delay",),
     "allowance": ("level", "velocity_level", "excess",),
     "horizon": ("horizon", "pad",),
-    "scale": ("extent", "speed",),
+    "scale": ("extent", "speed", "excess",),
     "displacement": ("margin",),
     "carry_flight": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "delay", "shift",),
     "carry_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
@@ -206,12 +206,22 @@ def horizon(t: Any, speed: Any, gravity: Any) -> tuple[Any, ...]:
 
 
 def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
-    """Sums of the sizes of the coordinates and of the velocities.
+    """Sums of the sizes of the coordinates and of the velocities, and of any above the largest.
 
-    what rounding errors are measured by. 10 operations: 4 additions, 6 absolute values.
-    Returns extent, speed.
+    what rounding errors are measured by. 21 operations: 4 additions, 1 subtraction, 6 absolute values, 5 comparisons, 5 selections.
+    Returns extent, speed, excess.
     """
-    return (absolute(x) + absolute(y)) + absolute(z), (absolute(vx) + absolute(vy)) + absolute(vz)
+    s0 = absolute(x)
+    s1 = absolute(y)
+    s2 = absolute(z)
+    s3 = absolute(vx)
+    s4 = absolute(vy)
+    s5 = absolute(vz)
+    s6 = where((s0 < s1), s1, s0)
+    s7 = where((s6 < s2), s2, s6)
+    s8 = where((s7 < s3), s3, s7)
+    s9 = where((s8 < s4), s4, s8)
+    return (s0 + s1) + s2, (s3 + s4) + s5, where((s9 < s5), s5, s9) - 2.9073548971824276e+135
 
 
 def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:

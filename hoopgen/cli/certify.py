@@ -15,9 +15,6 @@ from hoopgen.cli.shot import shot
 from hoopgen.cli.table import table
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
     from hoopgen.judge import Proof
 
 __all__ = ["certify"]
@@ -65,6 +62,7 @@ def _options() -> list[click.Parameter]:
 @click.pass_context
 def certify(
     ctx: click.Context,
+    /,
     file: Path | None,
     preset: str,
     settings: tuple[tuple[str, float], ...],
@@ -81,26 +79,26 @@ def certify(
     """
     from hoopgen.judge import certify as prove
 
-    if file is not None:
-        state, parameters = _read(file)
-        if settings:
-            parameters = parameters | dict(settings)
-    else:
+    if file is None:
         state, parameters = _released(release), scene(preset, settings)
+    else:
+        state, written = _read(file)
+        parameters = written | dict(settings)
     proof = prove(state, parameters, max_contacts=max_contacts, max_bits=max_bits, record=True)[0]
     click.echo(_record(proof) if as_json else _summary(proof))
     if not proof.decided:
         ctx.exit(1)
 
 
-def _released(release: Mapping[str, float | None]) -> NDArray[np.float64]:
+def _released(release: Mapping[str, float | None]) -> list[float]:
     import hoopgen
 
     missing = [f"--{name}" for name in _NEEDED if release[name] is None]
     if missing:
         raise click.UsageError(f"give a FILE, or {', '.join(missing)}")
     given = {name: value for name, value in release.items() if value is not None}
-    return hoopgen.release(**given)
+    state: list[float] = hoopgen.release(**given).tolist()
+    return state
 
 
 def _read(file: Path) -> tuple[list[float], dict[str, float]]:

@@ -73,6 +73,7 @@ ARGUMENTS = {
     "share": (r"\sigma", "error, relative to the size of the flight, that a search allows for"),
     "position_error": (r"\varepsilon_r", "bound on the error of each coordinate at the start"),
     "velocity_error": (r"\varepsilon_v", "bound on the error of each velocity at the start"),
+    "contacts": ("k", "how many contacts there were, this one too"),
     "clock": ("t_c", "time since the release"),
     "clock_error": (r"\varepsilon_t", "what the contacts' times are off by, summed"),
     "curving": (r"\kappa", "curvature of the surface, if it is met twice running"),

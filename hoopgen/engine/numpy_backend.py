@@ -205,7 +205,7 @@ def _advance(kernels: ModuleType, flights: Flights, max_contacts: int, out: Raw)
     columns = flights.columns
     bounds = _call(kernels.error_bounds, columns)
     columns["position_error"], columns["velocity_error"] = bounds[:2]
-    columns["extent"], columns["speed"] = _call(kernels.scale, columns)
+    columns["extent"], columns["speed"], columns["excess"] = _call(kernels.scale, columns)
     arrivals = _first_arrivals(kernels, columns, flights.last)
     flights.t, flights.which = arrivals.when, arrivals.which
     doubtful = ~(arrivals.doubt > arrivals.when + arrivals.late) & (arrivals.doubt < np.inf)
@@ -254,6 +254,7 @@ def _first_arrivals(
     arrivals = Arrivals.none(len(last))
     errors = np.asarray(columns["position_error"]), np.asarray(columns["velocity_error"])
     bounded = np.logical_and.reduce([error < np.inf for error in errors])
+    bounded &= np.asarray(columns["excess"]) <= 0.0
     arrivals.question(~bounded, np.zeros(len(last)))
     surfaces = list(enumerate(kernels.SURFACES))
     # The end plane first: what certainly comes after it needs no further look.
@@ -338,7 +339,7 @@ def _curved_arrival(
     """Propose the first arrivals on a curved surface; shots that certainly miss it sit out."""
     until, pad = _call(kernels.horizon, columns, t=arrivals.when)
     clear = _call(getattr(kernels, f"{name}_clear"), columns, horizon=until)[0]
-    possible = ~(clear > 0.0)
+    possible = ~np.broadcast_to(clear > 0.0, len(gone))
     if not possible.any():
         return
     own = _take(columns, possible)
@@ -393,8 +394,7 @@ def _first_root(
         )
         levels = {"position_error": level, "velocity_error": velocity_level}
         flat, tilt, rate_margin = _call(margins, columns, horizon=latest, **levels)
-        # Near the surface that a ball left, F/t is known better than F; nowhere for other balls.
-        return excess > 0.0, flat, np.where(gone, tilt, np.inf), rate_margin
+        return excess > 0.0, flat, tilt, rate_margin
 
     share = np.full(shots, kernels.SHARES[0])
     beyond, flat, tilt, rate_margin = allow(share)
@@ -413,7 +413,7 @@ def _first_root(
         if not len(search.shot):
             break
         t, shot = search.t, search.shot
-        leaving, margin = _nearby(tilt[shot], flat[shot], t)
+        leaving, margin = _nearby(gone[shot], tilt[shot], flat[shot], t)
         slack = rate_margin[shot]
         gap, rate, bend, stride, clearance = _call(
             advance,
@@ -453,7 +453,7 @@ def _first_root(
         if not going.all():
             search.keep(going)
 
-    leaving, _ = _nearby(tilt, flat, arrival)
+    leaving, _ = _nearby(gone, tilt, flat, arrival)
     own = {**columns, **prepared, "leaving": leaving}
     for _ in range(2):
         refined, rate = _call(getattr(kernels, f"{name}_refine"), own, t=arrival)
@@ -467,10 +467,13 @@ def _first_root(
     return beyond, question, arrival, np.where(certain, late, 0.0), certain
 
 
-def _nearby(tilt: Floats, flat: Floats, t: Floats) -> tuple[Floats, Floats]:
-    """Return 1 where the deflated form serves, else 0, and the margin of the gap."""
+def _nearby(gone: Mask, tilt: Floats, flat: Floats, t: Floats) -> tuple[Floats, Floats]:
+    """Return 1 where the deflated form serves, else 0, and the margin of the gap.
+
+    Near the surface that a ball left, F/t is known better than F.
+    """
     tilted = tilt * t
-    nearby = tilted < flat
+    nearby = gone & (tilted < flat)
     return np.where(nearby, 1.0, 0.0), np.where(nearby, tilted, flat)
 
 

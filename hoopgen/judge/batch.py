@@ -144,7 +144,7 @@ class _Task:
         values, away = doubles(final)
         if question or flown.outcome == Outcome.INVALID:
             values = away = [math.nan] * len(final)
-        events = ()
+        events: tuple[ProvedEvent, ...] = ()
         if self.record:
             events = tuple(
                 ProvedEvent(

@@ -53,9 +53,9 @@ def enclosure(ball: arb) -> Enclosure:
 def doubles(balls: Sequence[arb]) -> tuple[list[float], list[float]]:
     """Return the doubles nearest to the balls' middles, and how far the truth can be from them."""
     nearest = [float(ball) for ball in balls]
+    away = [(ball - arb(n)).abs_upper() for ball, n in zip(balls, nearest, strict=True)]
     # An upper bound, rounded to nearest and then up once.
-    away = [float((ball - arb(n)).abs_upper()) for ball, n in zip(balls, nearest, strict=True)]
-    return nearest, [math.nextafter(a, math.inf) if a else 0.0 for a in away]
+    return nearest, [0.0 if a.is_zero() else math.nextafter(float(a), math.inf) for a in away]
 
 
 class ProvedEvent(NamedTuple):

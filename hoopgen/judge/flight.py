@@ -16,7 +16,7 @@ from flint import arb
 from hoopgen.results import Outcome
 
 from .formulas import Formulas, SurfaceFormulas
-from .roots import Arrival, first_arrival, root_bound, sign
+from .roots import Arrival, first_arrival, possible_from, root_bound, sign
 
 _NEVER = arb.pos_inf()
 
@@ -189,9 +189,9 @@ def arrival_at(
         return None
     moving = sign(rest[0])
     if moving is None and (zeros or surface.axis < 0):
-        return Arrival(arb(0), False)
+        return possible_from(arb(0))
     if moving == -1 and zeros:
-        return _bounded(formulas, surface, state, values, Arrival(arb(0), True))
+        return _bounded(formulas, surface, state, values, Arrival(arb(0)))
     if moving == -1 and surface.axis < 0:
         raise AssertionError(f"the ball is inside the {surface.name}")
     if surface.axis >= 0:
@@ -205,7 +205,7 @@ def _first(coefficients: list[arb], latest: arb) -> Arrival | None:
     """Return the first arrival of a curved surface up to `latest`, or a little later."""
     end = latest if latest.is_finite() else root_bound(coefficients)
     if end is None:
-        return Arrival(arb(0), False)
+        return possible_from(arb(0))
     return first_arrival(coefficients, (end * (1 + arb(2) ** -20)).upper())
 
 
@@ -223,7 +223,7 @@ def _descent(coefficients: list[arb], moving: int | None) -> Arrival | None:
     if len(coefficients) == 2:
         falling = sign(b)
         if falling is None:
-            return None if moving == -1 else Arrival(c.abs_lower() / b.abs_upper(), False)
+            return None if moving == -1 else possible_from(c.abs_lower() / b.abs_upper())
         time = -c / b if falling < 0 else None
     else:
         a = coefficients[2]
@@ -255,6 +255,8 @@ def _bounded(
     arrival: Arrival,
 ) -> Arrival | None:
     """Drop the arrival if it certainly is out of bounds; it is certain if it certainly is not."""
+    if arrival.onwards:
+        return arrival
     there = formulas.flight(state, values, (arrival.time,))
     sides = [sign(bound) for bound in surface.bounds(there, values)]
     if 1 in sides:

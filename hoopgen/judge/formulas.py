@@ -189,6 +189,8 @@ def _surface(surface: Surface, scene: Scene) -> SurfaceFormulas:
     if isinstance(surface, Plane):
         axis = next(k for k, component in enumerate(surface.direction) if component)
         offset = surface.offset * surface.direction[axis]  # its square is 1
+    elif surface.bounds:
+        raise ValueError(f"surface {surface.name}: only a plane can have bounds")
 
     def by_state(expressions: Sequence[sp.Expr]) -> Function:
         return compiled(expressions, place, motion)

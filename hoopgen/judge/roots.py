@@ -21,10 +21,19 @@ _MAP = arb_poly([1, 1])
 
 @dataclass(frozen=True)
 class Arrival:
-    """A time at which there is an arrival; or, if not certain, may be one, then or later."""
+    """A time at which there is an arrival, or, if not certain, may be one.
+
+    `onwards`: or at any later time.
+    """
 
     time: arb
-    certain: bool
+    certain: bool = True
+    onwards: bool = False
+
+
+def possible_from(time: arb) -> Arrival:
+    """Return what may be an arrival, at that time or any later one."""
+    return Arrival(time, certain=False, onwards=True)
 
 
 def sign(ball: arb) -> int | None:
@@ -66,7 +75,7 @@ def first_arrival(coefficients: Sequence[arb], end: arb) -> Arrival | None:
         if fewest == most == 1:
             return _enclosed(polynomial, low, high)
         if not high - low > narrowest:
-            return Arrival(low, False)
+            return possible_from(low)
         split = (low + (high - low) * _SPLIT).mid()
         boxes += [(split, high), (low, split)]
     return None
@@ -90,9 +99,10 @@ def _variations(polynomial: arb_poly, degree: int, low: arb, width: arb) -> tupl
 
 
 def sign_changes(signs: Iterable[int | None]) -> tuple[int, int]:
-    """Return the fewest and the most changes in signs some of which are unknown; zeros do not count.
+    """Return the fewest and the most changes in signs some of which are unknown.
 
-    Before the first of them stands a plus: the polynomial is positive up to its first root.
+    Zeros do not count. Before the first of the signs stands a plus: the polynomial is positive up
+    to its first root.
     """
     fewest = most = unknown = 0
     last = 1
@@ -118,8 +128,8 @@ def _enclosed(polynomial: arb_poly, low: arb, high: arb) -> Arrival:
         room = middle + arb(0, (2 * step.abs_upper()) + arb(2) ** -(2 * ctx.prec))
         enclosure = middle - residue / slope(room)
         if enclosure.is_finite() and room.contains(enclosure) and low <= room and room <= high:
-            return Arrival(enclosure, True)
-    return Arrival(low, False)
+            return Arrival(enclosure)
+    return possible_from(low)
 
 
 def _approximate(polynomial: arb_poly, slope: arb_poly, low: arb, high: arb) -> arb:
