@@ -137,7 +137,6 @@ def _differ(
     late = np.abs(flown.time - proved.time) + np.nextafter(proved.time_radius, 0)
     errors = np.column_stack([late, off.reshape(-1, 3, 3).max(axis=2)])
     claimed = np.column_stack([flown.time_error, flown.state_error])
-    # An error of a unit in the last place of what is printed needs no bound.
     with np.errstate(divide="ignore", invalid="ignore"):
         ratios = np.where(errors > 0, errors / claimed, 0.0)
     for table, values in ((result.errors, errors), (result.ratios, ratios)):
@@ -267,13 +266,14 @@ def as_markdown(tallies: Sequence[Tally]) -> str:
         "those of which it cannot decide some contact. The judge (`hoopgen.certify`) flies each "
         "from the same doubles in ball arithmetic, with more and more digits, until every decision "
         "is proved; of the engine it shares no numerical code, only the formulas in `derive/`. "
-        f"Of the shots that the engine did not flag, **{wrong}** came out otherwise.",
+        f"Of the shots that the engine did not flag, **{wrong}** came out otherwise. Shots that "
+        "break a promise are kept in `exactness.json`, with all digits.",
         "",
         "## Decisions",
         "",
         "*Wrong*: another outcome or another sequence of surfaces than the judge proves. "
-        f"*Flagged*: `uncertain`, as a share of the shots that are not capped at {MAX_CONTACTS} contacts; "
-        "*flagged, wrong* is how many of those would have been wrong. *Undecidable*: not proved "
+        "*Flagged*: `uncertain`, as a share of the shots that are not capped at "
+        f"{MAX_CONTACTS} contacts; *flagged, wrong* is how many of those would have been wrong. *Undecidable*: not proved "
         "with 4,096 bits either: two contacts at once, an exact touch, an exact edge. *Most bits*: "
         "the precision that the hardest shot took.",
         "",
@@ -307,7 +307,7 @@ def main() -> None:
         description="The engine's results held against proofs in ball arithmetic.",
     )
     parser.add_argument("--shots", type=int, default=200_000, help="in all, default 200,000")
-    parser.add_argument("--quick", action="store_true", help="5,000 shots, about a minute")
+    parser.add_argument("--quick", action="store_true", help="5,000 shots, half a minute")
     parser.add_argument("--audited", type=int, default=500, help="shots a family, default 500")
     parser.add_argument("--families", nargs="+", choices=[f.key for f in FAMILIES])
     parser.add_argument("--out", type=Path, default=Path("docs"), help="folder, default docs")

@@ -25,7 +25,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .choice import IfAtMost, IfLess, hold, hold_all, largest, smallest
+from .choice import IfAtMost, IfLess, hold, hold_all, largest, size, smallest
 from .flight import flight, flight_polynomials
 from .polynomials import Coefficients, bernstein, compose, derivative, horner, taylor
 from .rounding import (
@@ -87,6 +87,9 @@ def deflated_coefficients(surface: Surface, gravity: sp.Expr) -> Coefficients:
 def plane_arrival(plane: Plane, gravity: sp.Expr) -> dict[str, sp.Expr]:
     """Return time, rate and bend (F'') of a plane's only arrival, the root with F' < 0.
 
+    Also the time of the apex of the gap and its height there, D / (-4 a), for a ball that moves
+    along the plane now: whether there is an arrival is in doubt if that is zero within its error.
+
     With D = b² - 4 a c the arrival is where F' = -sqrt(D): t = 2 c / (sqrt(D) - b), the same as
     -(b + sqrt(D)) / (2 a); each loses no digits for one sign of b. Without an arrival the rate is
     not negative or not a number.
@@ -95,12 +98,21 @@ def plane_arrival(plane: Plane, gravity: sp.Expr) -> dict[str, sp.Expr]:
     c = IfLess(0, leaving, 0, hold(coefficients[0]))
     b = coefficients[1] if len(coefficients) > 1 else sp.Integer(0)
     if len(coefficients) < 3:
-        return {"time": c / -b, "rate": b, "bend": sp.Integer(0)}
+        along = {"apex": IfAtMost(size(b), 0, 0, -1), "height": c}
+        return {"time": c / -b, "rate": b, "bend": sp.Integer(0)} | along
     a = coefficients[2]
-    root = sp.sqrt(b**2 - 4 * a * c)
+    discriminant = hold(b**2 - 4 * a * c)
+    root = sp.sqrt(discriminant)
     numerator = IfLess(b, 0, 2 * c, b + root)
     denominator = IfLess(b, 0, root - b, -2 * a)
-    return {"time": numerator / denominator, "rate": -root, "bend": 2 * a}
+    per_bend = hold(1 / (2 * a))
+    return {
+        "time": numerator / denominator,
+        "rate": -root,
+        "bend": 2 * a,
+        "apex": -b * per_bend,
+        "height": -discriminant * per_bend / 2,
+    }
 
 
 def plane_margin(plane: Plane, gravity: sp.Expr) -> sp.Expr:
@@ -204,6 +216,11 @@ class Approach(ABC):
         """F'' at time t."""
 
     @property
+    def lost(self) -> sp.Expr:
+        """Positive where the bounds of this class do not hold, and no result is certain."""
+        return sp.Integer(0)
+
+    @property
     def clear(self) -> sp.Expr:
         """Positive if there certainly is no contact before the horizon; by default unknown."""
         return sp.Integer(0)
@@ -228,7 +245,8 @@ class Approach(ABC):
         for k, (low, high) in enumerate(self.windows):
             outputs |= {f"low{k}": low, f"high{k}": high}
         latest = hold(smallest(horizon, largest(0, *(high for _, high in self.windows))))
-        return outputs | {"ceiling": self.ceiling.subs(horizon, latest), "latest": latest}
+        outputs |= {"ceiling": self.ceiling.subs(horizon, latest), "latest": latest}
+        return outputs | {"lost": self.lost}
 
     def refine(self) -> dict[str, sp.Expr]:
         """Return Newton's next value of a root near t, and the rate there."""
@@ -253,12 +271,14 @@ class Approach(ABC):
         guess = IfLess(0, rising, sp.oo, numerator / hold(denominator))
         width = hold(smallest(hold(end - t), guess))
         step = _first_root(low_gap, slope, hold(self.curvature(width)))
+        least_fall = hold(-self.rate - rate_margin)
+        enough = least_fall**2 - 8 * ceiling * hold(2**5 * low_gap + margin)
         return {
             "gap": gap,
             "rate": self.rate,
             "bend": self.bend,
             "step": smallest(width, step),
-            "clearance": slope**2 - 8 * ceiling * hold(2**5 * low_gap + margin),
+            "clearance": IfLess(0, least_fall, enough, least_fall),
         }
 
 

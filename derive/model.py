@@ -85,6 +85,7 @@ def _order(scene: Scene) -> tuple[sp.Symbol, ...]:
             sensitivity.clock_error,
         ),
         sensitivity.contacts,
+        sensitivity.late,
         *(
             *sensitivity.ERRORS,
             *sensitivity.dn,
@@ -202,7 +203,7 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
             {
                 "extent": sp.Add(*map(sp.Abs, POSITION)),
                 "speed": sp.Add(*map(sp.Abs, VELOCITY)),
-                "excess": largest(*map(sp.Abs, (*POSITION, *VELOCITY))) - LARGEST,
+                "excess": largest(*map(sp.Abs, (*POSITION, *VELOCITY)), 1 / scene.gravity) - LARGEST,
             },
             order,
             "Sums of the sizes of the coordinates and of the velocities, and of any above the largest.",

@@ -154,7 +154,14 @@ class RingApproach(Approach):
     def _radii(self) -> tuple[sp.Expr, sp.Expr]:
         """Return the radii of the annulus in which the centre can be at a contact."""
         radius = self.ring.ring_radius
-        return hold(radius - self._reach), hold(radius + self._reach)
+        least = sp.Rational(1, 2**18) * radius  # narrower than that, the ring is `lost`
+        return largest(hold(radius - self._reach), least), hold(radius + self._reach)
+
+    @property
+    def lost(self) -> sp.Expr:
+        """A hole that is hardly wider than the ball: the windows would need to be exact."""
+        hole = hold(self.ring.ring_radius - hold(self.ring.reach))
+        return hold(sp.Rational(1, 2**17) * self.ring.ring_radius - hole)
 
     def _slab_intervals(self) -> tuple[Window, Window]:
         """Return the rising and the falling interval of |z| <= R.
@@ -323,7 +330,8 @@ class RingApproach(Approach):
         verdict = IfLess(rises, 0, verdict, nearing)
         verdict = IfLess(0, to_top, verdict, 0)
         verdict = IfLess(furthest, 2**16 * outermost, verdict, 0)
-        return IfLess(carried, sp.Rational(1, 2**34) * outermost, verdict, 0)
+        verdict = IfLess(carried, sp.Rational(1, 2**34) * outermost, verdict, 0)
+        return IfLess(0, self.lost, 0, verdict)
 
     @property
     def ceiling(self) -> sp.Expr:

@@ -36,6 +36,8 @@ ERRORS = dx + dv + dw
 curving, shift, turn = sp.symbols("curving shift turn", nonnegative=True)
 """Curvature of the surface that a ball meets again, infinite if it meets another one; and, at worst
 after one flight, the error of the position at the contact and of the normal."""
+late = sp.Symbol("late", nonnegative=True)
+"""Bound on the delay of the arrival, s (`events.crossing`)."""
 contacts = sp.Symbol("contacts", nonnegative=True)
 """How many contacts there were, this one too."""
 clock, clock_error = sp.symbols("clock clock_error", nonnegative=True)
@@ -119,7 +121,7 @@ def carried_to_contact(gravity: sp.Expr) -> dict[str, sp.Expr]:
     }
     outputs |= {str(s): s + f for s, f in zip(dv, falling, strict=True)}
     return outputs | {
-        "delay": size(delay) + 4 * UNIT_ROUNDOFF * hold(clock + t),
+        "delay": largest(size(delay), late / GUARD) + 4 * UNIT_ROUNDOFF * hold(clock + t),
         "shift": slid,
     }
 

@@ -366,14 +366,12 @@ def test_generation_gives_the_same_bytes_in_every_process(
         command = [sys.executable, "-c", _GENERATE_TWICE, *map(str, folders)]
         environment = os.environ | {"PYTHONHASHSEED": seed}
         runs.append((subprocess.Popen(command, env=environment), folders))
+    ended = [process.wait(timeout=300) for process, _ in runs]
+    assert not any(ended)
     expected = {name: text.encode() for name, text in files.items()}
-    for process, folders in runs:
-        assert process.wait(timeout=300) == 0
-        for folder in folders:
-            root = folder / "generated"
-            written = [path for path in root.rglob("*") if path.is_file()]
-            found = {path.relative_to(root).as_posix(): path.read_bytes() for path in written}
-            assert found == expected
+    for root in (folder / "generated" for _, folders in runs for folder in folders):
+        written = [path for path in root.rglob("*") if path.is_file()]
+        assert {p.relative_to(root).as_posix(): p.read_bytes() for p in written} == expected
 
 
 def test_only_what_changed_is_written(checkout: Path) -> None:

@@ -18,6 +18,8 @@ from test_derive_evaluation import INFINITY, Path, along, digits, exactly, in_do
 
 RING = HOOP.surfaces[0]
 WIDTH = sp.Symbol("width", nonnegative=True)
+LONG = mpf(100)
+"""Longer than any flight, s."""
 EXACT = {"margin": 0, "rate_margin": 0, "leaving": 0}
 parts_of_one = st.floats(0, 1)
 signs = st.tuples(*[st.sampled_from((-1, 1))] * 6)
@@ -34,9 +36,10 @@ class Search:
         self.curvature, self.ceiling = made.curvature(WIDTH), made.ceiling
         self.margins, self.advance, self.refine = made.margins, made.advance(), made.refine()
 
-    def values(self, path: Path) -> dict[str, Any]:
+    def values(self, path: Path, end: mpf = LONG) -> dict[str, Any]:
         """Return the flight with the search's constants, no errors and no margins."""
-        return along(self.approach, path.values) | EXACT
+        values = along(self.approach, path.values) | EXACT | {"end": end, "horizon": end}
+        return values | {"ceiling": exactly(self.ceiling, values)}
 
 
 OWN = Search(approach(RING, HOOP.gravity))
@@ -89,7 +92,7 @@ def test_the_curvature_bounds_how_much_the_gap_bends_down(
     with digits(40):
         t, end = window(path, part)
         width = (end - t) * mpf(share) ** 3
-        values = search.values(path) | {"horizon": end}
+        values = search.values(path, end)
         bound = exactly(search.curvature, values | {"t": t, "width": width})
         for k in range(9):
             later = t + width * k / 8
@@ -105,7 +108,7 @@ def test_the_ceiling_bounds_the_bend_in_every_window(
     with digits(40):
         t, end = window(path, part)
         assume(is_near(path, t))
-        values = search.values(path) | {"horizon": end}
+        values = search.values(path, end)
         assert abs(slopes(search, values, t)[2]) <= exactly(search.ceiling, values)
 
 
@@ -119,7 +122,7 @@ def test_a_step_passes_no_root(search: Search, path: Path, part: float) -> None:
     """A positive gap stays positive up to the step, which ends with the window at the latest."""
     with digits(40):
         t, end = window(path, part)
-        values = search.values(path) | {"end": end, "horizon": end, "ceiling": 1}
+        values = search.values(path, end)
         gap, _, _ = slopes(search, values, t)
         assume(gap > 0 and t < end)
         step = exactly(search.advance["step"], values | {"t": t})
@@ -129,17 +132,15 @@ def test_a_step_passes_no_root(search: Search, path: Path, part: float) -> None:
         assert exactly(search.gap, values | {"t": t + step}) > -(mpf(10) ** -30)
 
 
-@searches
 @sometimes(150)
 @given(paths(), parts_of_one)
-def test_a_step_in_doubles_passes_no_root_of_the_true_gap(
-    search: Search, path: Path, part: float
-) -> None:
+def test_a_step_in_doubles_passes_no_root_of_the_true_gap(path: Path, part: float) -> None:
     """With its margins the step allows for the roundings of gap, rate, curvature and itself."""
+    search = OWN
     with digits(40):
         t, end = (float(time) for time in window(path, part))
         assume(1e-200 < t < end and path.gap(mpf(t)) > 0)
-        values = search.values(path) | {"t": t, "end": end, "horizon": end, "ceiling": 1}
+        values = search.values(path, mpf(end)) | {"t": t}
         values |= in_doubles(search.approach.constants, values)
         values |= in_doubles({n: search.margins[n] for n in ("margin", "rate_margin")}, values)
         step = float(in_doubles({"step": search.advance["step"]}, values)["step"])
@@ -151,7 +152,7 @@ def test_a_step_in_doubles_passes_no_root_of_the_true_gap(
 def first_arrival(search: Search, values: dict[str, Any]) -> mpf:
     """Return where steps from the left end, infinite if they pass every window."""
     for low, high in search.windows:
-        t, end = max(exactly(low, values), mpf(0)), min(exactly(high, values), mpf(100))
+        t, end = max(exactly(low, values), mpf(0)), min(exactly(high, values), LONG)
         while t < end:
             gap, rate, _ = slopes(search, values, t)
             if gap < mpf(10) ** -30 and rate < 0:
@@ -174,7 +175,7 @@ def test_steps_from_the_left_end_at_the_first_arrival_or_prove_that_there_is_non
         # From outside, and nowhere near a double root or a vanishing leading coefficient.
         assume(path["vx"] ** 2 + path["vy"] ** 2 > 1e-6)
         ball = {"cx": path["ring_radius"], "cy": 0, "cz": 0, "r": path.reach}
-        values = search.values(path) | ball | {"horizon": mpf(100), "ceiling": 1}
+        values = search.values(Path(path.values | ball))
         assume(exactly(search.gap, values | {"t": 0}) > mpf(10) ** -6)
         coefficients = [exactly(c, values) for c in reversed(general.approach._coefficients)]
         roots = mpmath.polyroots(coefficients, maxsteps=500, extraprec=400)
@@ -196,8 +197,7 @@ def test_a_clearance_promises_one_simple_root_that_three_newton_steps_reach(
     """Where F > 2 m: the margin is a part of the gap below a half."""
     with digits(120):
         t, end = window(path, part**8)
-        values = search.values(path) | {"horizon": end, "end": end}
-        values["ceiling"] = exactly(search.ceiling, values)
+        values = search.values(path, end)
         # A few steps bring most flights with an arrival near enough.
         for _ in range(3):
             t += exactly(search.advance["step"], values | {"t": t}) * mpf(1 - 2**-20)
@@ -231,7 +231,7 @@ def test_margins_bound_what_gap_and_rate_are_off_by_in_every_window(
         t, end = window(path, part)
         t = mpf(float(t))
         assume(mpf(10) ** -200 < t <= end and path.place(t)[0] > 0)
-        values = search.values(path) | {"t": t, "horizon": end}
+        values = search.values(path, end) | {"t": t}
         values |= {"position_error": error, "velocity_error": 2 * error}
         bounds = {name: exactly(e, values) for name, e in search.margins.items()}
         computed = in_doubles(

@@ -136,9 +136,9 @@ def test_a_planes_arrival_is_the_root_with_a_falling_gap_in_both_forms(
         for name, e in plane_arrival(plane, gravity).items()
     }
     speed = sp.Symbol("speed", positive=True)
-    for direction, time, rate, bend in zip((-1, 1), *arrival.values(), strict=True):
-        # The first form is for a ball that moves towards the plane, the second for one that leaves.
-        moving = dict.fromkeys(VELOCITY, direction * speed)
+    # The first form is for a ball that moves towards the plane, the second for one that leaves.
+    for form, direction in ((0, -1), (1, 1)):
+        time, rate, bend = (arrival[name][form] for name in ("time", "rate", "bend"))
         errors = [
             gap.subs(t, time),
             sp.diff(gap, t).subs(t, time) - rate,
@@ -147,7 +147,22 @@ def test_a_planes_arrival_is_the_root_with_a_falling_gap_in_both_forms(
         if len(coefficients) == 3:
             c, b, a = coefficients
             errors.append(rate + sp.sqrt(b**2 - 4 * a * c))
+        moving = dict.fromkeys(VELOCITY, direction * speed)
         assert [sp.simplify(error.subs(moving)) for error in errors] == [0] * len(errors)
+
+
+@planes
+def test_a_planes_gap_is_highest_at_its_apex(plane: Plane) -> None:
+    arrival = {n: release(sp.sympify(e)) for n, e in plane_arrival(plane, gravity).items()}
+    coefficients = [release(c) for c in event_coefficients(plane, gravity)]
+    if len(coefficients) < 3:
+        assert arrival["apex"] < 0
+        assert arrival["height"] == sp.oo
+        return
+    gap = horner(coefficients, t)
+    assert sp.simplify(sp.diff(gap, t).subs(t, arrival["apex"])) == 0
+    height = arrival["height"].subs(events.leaving, 0)
+    assert sp.simplify(gap.subs(t, arrival["apex"]) - height) == 0
 
 
 # -- The parabola below F

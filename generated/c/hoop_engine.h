@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 42bb0f1b4ad121d8,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 64253e46c14080c7,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -313,7 +313,7 @@ static void LANES(hoop_run)(const hoop_job *job)
         /* How far the state may be from the true one. */
         const LANES(hoop_error_bounds_out) bounds = LANES(hoop_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
         const V position_error = bounds.position_error, velocity_error = bounds.velocity_error;
-        const LANES(hoop_scale_out) scale = LANES(hoop_scale)(x, y, z, vx, vy, vz);
+        const LANES(hoop_scale_out) scale = LANES(hoop_scale)(x, y, z, vx, vy, vz, gravity);
         const V extent = scale.extent, speed = scale.speed;
 
         /* The earliest arrival: its time and surface, the bound on its delay, and the earliest
@@ -329,6 +329,11 @@ static void LANES(hoop_run)(const hoop_job *job)
             const V margin = LANES(hoop_end_margin)(a.time, extent, speed, position_error, velocity_error, gravity, end_depth).margin;
             const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, a.rate, lanes_abs(a.bend));
             arrives &= NOT(a.time - when > late + c.delay);
+            {
+                const V margin = LANES(hoop_end_margin)(a.apex, extent, speed, position_error, velocity_error, gravity, end_depth).margin;
+                const M touches = (a.apex >= zero) & (lanes_abs(a.height) <= margin);
+                doubt = lanes_select(touches & (a.apex < doubt), a.apex, doubt);
+            }
             const M unsure = arrives & NOT(c.clearance > zero);
             doubt = lanes_select(unsure & (a.time < doubt), a.time, doubt);
                         {
@@ -349,6 +354,11 @@ static void LANES(hoop_run)(const hoop_job *job)
             const V margin = LANES(hoop_backboard_margin)(a.time, extent, speed, position_error, velocity_error, ball_radius, board_distance, gravity).margin;
             const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, a.rate, lanes_abs(a.bend));
             arrives &= NOT(a.time - when > late + c.delay);
+            {
+                const V margin = LANES(hoop_backboard_margin)(a.apex, extent, speed, position_error, velocity_error, ball_radius, board_distance, gravity).margin;
+                const M touches = (a.apex >= zero) & (lanes_abs(a.height) <= margin);
+                doubt = lanes_select(touches & (a.apex < doubt), a.apex, doubt);
+            }
             if (lanes_any(flying & arrives)) {
                 const LANES(hoop_flight_out) f = LANES(hoop_flight)(a.time, x, y, z, vx, vy, vz, gravity);
                 const LANES(hoop_backboard_bounds_out) g = LANES(hoop_backboard_bounds)(f.y, f.z, board_half_width, board_bottom, board_top);
@@ -378,6 +388,11 @@ static void LANES(hoop_run)(const hoop_job *job)
             const V margin = LANES(hoop_bridge_margin)(a.time, extent, speed, position_error, velocity_error, ball_radius, wire_radius, gravity).margin;
             const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, a.rate, lanes_abs(a.bend));
             arrives &= NOT(a.time - when > late + c.delay);
+            {
+                const V margin = LANES(hoop_bridge_margin)(a.apex, extent, speed, position_error, velocity_error, ball_radius, wire_radius, gravity).margin;
+                const M touches = (a.apex >= zero) & (lanes_abs(a.height) <= margin);
+                doubt = lanes_select(touches & (a.apex < doubt), a.apex, doubt);
+            }
             if (lanes_any(flying & arrives)) {
                 const LANES(hoop_flight_out) f = LANES(hoop_flight)(a.time, x, y, z, vx, vy, vz, gravity);
                 const LANES(hoop_bridge_bounds_out) g = LANES(hoop_bridge_bounds)(f.x, f.y, ring_radius, board_distance, bridge_half_width);
@@ -410,7 +425,7 @@ static void LANES(hoop_run)(const hoop_job *job)
             const LANES(hoop_allowance_out) a = LANES(hoop_allowance)(share, p.latest, extent, speed, position_error, velocity_error, gravity);
             LANES(hoop_ring_margins_out) allowed = LANES(hoop_ring_margins)(p.latest, extent, speed, a.level, a.velocity_level, ball_radius, ring_radius, wire_radius, gravity);
             V t = zero, end = zero, arrival = never, delay = zero;
-            const M beyond = open_ring & ((a.excess > zero) | (late > until_ring.pad));
+            const M beyond = open_ring & ((a.excess > zero) | (p.lost > zero) | (late > until_ring.pad));
             doubt = lanes_select(beyond, zero, doubt);
             M searching = flying & NOT(flying), certain = searching;
             const V low2 = lanes_select(p.low2 > zero, p.low2, zero);
@@ -582,7 +597,7 @@ static void LANES(hoop_run)(const hoop_job *job)
                 curving = lanes_select((which == K(0.0)) & (last == which), LANES(hoop_ring_curvature)(ball_radius, ring_radius, wire_radius).curvature, curving);
                 curving = lanes_select((which == K(1.0)) & (last == which), LANES(hoop_backboard_curvature)().curvature, curving);
                 curving = lanes_select((which == K(2.0)) & (last == which), LANES(hoop_bridge_curvature)().curvature, curving);
-                const LANES(hoop_carry_flight_out) carried = LANES(hoop_carry_flight)(t, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, dx, dy, dz, dvx, dvy, dvz, curving, gravity);
+                const LANES(hoop_carry_flight_out) carried = LANES(hoop_carry_flight)(t, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, gravity);
                 const V shift = carried.shift;
                 clock_error = lanes_select(stays, clock_error, clock_error + carried.delay);
                 dx = lanes_select(stays, dx, carried.dx);

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 42bb0f1b4ad121d8,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 64253e46c14080c7,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -144,13 +144,13 @@ LANES(hoop_horizon)(V t, V speed, V gravity)
 }
 
 /* Sums of the sizes of the coordinates and of the velocities, and of any above the largest.
-   what rounding errors are measured by. 21 operations: 4 additions, 1 subtraction, 6 absolute values, 5 comparisons, 5 selections. */
+   what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
     V extent, speed, excess;
 } LANES(hoop_scale_out);
 
 LANES_INLINE LANES(hoop_scale_out)
-LANES(hoop_scale)(V x, V y, V z, V vx, V vy, V vz)
+LANES(hoop_scale)(V x, V y, V z, V vx, V vy, V vz, V gravity)
 {
     const V s0 = lanes_abs(x);
     const V s1 = lanes_abs(y);
@@ -162,7 +162,9 @@ LANES(hoop_scale)(V x, V y, V z, V vx, V vy, V vz)
     const V s7 = lanes_select((s6 < s2), s2, s6);
     const V s8 = lanes_select((s7 < s3), s3, s7);
     const V s9 = lanes_select((s8 < s4), s4, s8);
-    return (LANES(hoop_scale_out)){ (s0 + s1) + s2, (s3 + s4) + s5, lanes_select((s9 < s5), s5, s9) - K(2.9073548971824276e+135) };
+    const V s10 = lanes_select((s9 < s5), s5, s9);
+    const V s11 = K(1.0) / gravity;
+    return (LANES(hoop_scale_out)){ (s0 + s1) + s2, (s3 + s4) + s5, lanes_select((s10 < s11), s11, s10) - K(2.9073548971824276e+135) };
 }
 
 /* Bound on the error of a length at a computed arrival.
@@ -182,13 +184,13 @@ LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error
 }
 
 /* Errors of a state at the end of a flight to a surface, from those at its start.
-   derivative of Eq. 3 and of the contact time, with roundings. 115 operations: 24 additions, 1 subtraction, 29 multiplications, 3 divisions, 5 negations, 17 absolute values, 18 comparisons, 18 selections. */
+   derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections. */
 typedef struct {
     V dx, dy, dz, dvx, dvy, dvz, delay, shift;
 } LANES(hoop_carry_flight_out);
 
 LANES_INLINE LANES(hoop_carry_flight_out)
-LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V dx, V dy, V dz, V dvx, V dvy, V dvz, V curving, V gravity)
+LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V late, V dx, V dy, V dz, V dvx, V dvy, V dvz, V curving, V gravity)
 {
     const V s0 = dx + (dvx * t);
     const V s1 = lanes_abs(vx);
@@ -225,7 +227,9 @@ LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz,
     const V s32 = -s31;
     const V s33 = (vy * s14) + s8;
     const V s34 = (vz * s14) + s12;
-    return (LANES(hoop_carry_flight_out)){ lanes_select((lanes_abs(s15) < s31), lanes_select((s15 < K(0.0)), s32, s31), s15), lanes_select((lanes_abs(s33) < s31), lanes_select((s33 < K(0.0)), s32, s31), s33), lanes_select((lanes_abs(s34) < s31), lanes_select((s34 < K(0.0)), s32, s31), s34), dvx, dvy, dvz - (gravity * s14), lanes_abs(s14) + (K(4.440892098500626e-16) * (clock + t)), s30 };
+    const V s35 = lanes_abs(s14);
+    const V s36 = K(0.0625) * late;
+    return (LANES(hoop_carry_flight_out)){ lanes_select((lanes_abs(s15) < s31), lanes_select((s15 < K(0.0)), s32, s31), s15), lanes_select((lanes_abs(s33) < s31), lanes_select((s33 < K(0.0)), s32, s31), s33), lanes_select((lanes_abs(s34) < s31), lanes_select((s34 < K(0.0)), s32, s31), s34), dvx, dvy, dvz - (gravity * s14), (K(4.440892098500626e-16) * (clock + t)) + lanes_select((s35 < s36), s36, s35), s30 };
 }
 
 /* Errors of velocity and spin after a contact, from those before it.
@@ -476,7 +480,7 @@ LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V ball_radius
 }
 
 /* Positive if there certainly is no contact before the horizon.
-   bounds of the event condition. 131 operations: 27 additions, 15 subtractions, 61 multiplications, 2 divisions, 2 square roots, 12 comparisons, 12 selections. */
+   bounds of the event condition. 139 operations: 27 additions, 17 subtractions, 63 multiplications, 2 divisions, 2 square roots, 14 comparisons, 14 selections. */
 typedef struct {
     V clear;
 } LANES(hoop_ring_clear_out);
@@ -501,31 +505,33 @@ LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V s
     const V s14 = s2 * s2;
     const V s15 = K(9.313225746154785e-10) * s14;
     const V s16 = (((s12 * s12) + (s13 * s13)) - (s0 * s0)) - s15;
-    const V s17 = ring_radius - s1;
-    const V s18 = s17 * s17;
-    const V s19 = s17 * s18;
-    const V s20 = (vx * vx) + (vy * vy);
-    const V s21 = s19 * ((((K(2.0) * s3) + ((K(4.0) * gravity) * z)) + (K(2.0) * s20)) - ((K(6.000005722045898) * gravity) * s0));
-    const V s22 = (vy * x) - (vx * y);
-    const V s23 = s22 * s22;
-    const V s24 = s21 - ((K(2.0) * ring_radius) * s23);
-    const V s25 = (s12 * ((vx * s8) + (vy * s9))) + ((s13 * (vz - (gravity * s7))) * s11);
-    const V s26 = x + (horizon * vx);
-    const V s27 = y + (horizon * vy);
-    const V s28 = lanes_select(((((s15 + (s26 * s26)) + (s27 * s27)) - s18) < K(0.0)), K(1.0), lanes_select((((s20 * (s18 + s15)) - s23) < K(0.0)), K(1.0), K(0.0)));
-    const V s29 = lanes_select(((((K(4.0) * s19) * (s25 * s25)) - (((K(2.0) * s24) * s10) * s16)) < K(0.0)), s28, K(0.0));
-    const V s30 = lanes_select((horizon < (s7 - (K(9.313225746154785e-10) * horizon))), K(1.0), lanes_select((K(0.0) < s16), lanes_select((K(0.0) < s24), s29, K(0.0)), K(0.0)));
-    const V s31 = (vx * x) + (vy * y);
-    const V s32 = (s6 * s20) + s31;
-    const V s33 = lanes_select((s32 < K(0.0)), lanes_select((s14 < ((s6 * (s31 + s32)) + ((x * x) + (y * y)))), s30, K(0.0)), K(0.0));
-    const V s34 = lanes_select(((extent + (horizon * (speed + (gravity * horizon)))) < (K(65536.0) * s2)), lanes_select((K(0.0) < s4), lanes_select((s6 < K(0.0)), s30, s33), K(0.0)), K(0.0));
-    return (LANES(hoop_ring_clear_out)){ lanes_select(((position_error + (horizon * velocity_error)) < (K(5.820766091346741e-11) * s2)), s34, K(0.0)) };
+    const V s17 = (vx * vx) + (vy * vy);
+    const V s18 = ring_radius - s1;
+    const V s19 = K(3.814697265625e-06) * ring_radius;
+    const V s20 = lanes_select((s18 < s19), s19, s18);
+    const V s21 = s20 * s20;
+    const V s22 = s20 * s21;
+    const V s23 = ((((K(2.0) * s3) + ((K(4.0) * gravity) * z)) + (K(2.0) * s17)) - ((K(6.000005722045898) * gravity) * s0)) * s22;
+    const V s24 = (vy * x) - (vx * y);
+    const V s25 = s24 * s24;
+    const V s26 = s23 - ((K(2.0) * ring_radius) * s25);
+    const V s27 = (s12 * ((vx * s8) + (vy * s9))) + ((s13 * (vz - (gravity * s7))) * s11);
+    const V s28 = x + (horizon * vx);
+    const V s29 = y + (horizon * vy);
+    const V s30 = lanes_select(((((s15 + (s28 * s28)) + (s29 * s29)) - s21) < K(0.0)), K(1.0), lanes_select((((s17 * (s15 + s21)) - s25) < K(0.0)), K(1.0), K(0.0)));
+    const V s31 = lanes_select(((((K(4.0) * (s27 * s27)) * s22) - (((K(2.0) * s26) * s10) * s16)) < K(0.0)), s30, K(0.0));
+    const V s32 = lanes_select((horizon < (s7 - (K(9.313225746154785e-10) * horizon))), K(1.0), lanes_select((K(0.0) < s16), lanes_select((K(0.0) < s26), s31, K(0.0)), K(0.0)));
+    const V s33 = (vx * x) + (vy * y);
+    const V s34 = (s6 * s17) + s33;
+    const V s35 = lanes_select((s34 < K(0.0)), lanes_select((s14 < ((s6 * (s33 + s34)) + ((x * x) + (y * y)))), s32, K(0.0)), K(0.0));
+    const V s36 = lanes_select(((extent + (horizon * (speed + (gravity * horizon)))) < (K(65536.0) * s2)), lanes_select((K(0.0) < s4), lanes_select((s6 < K(0.0)), s32, s35), K(0.0)), K(0.0));
+    return (LANES(hoop_ring_clear_out)){ lanes_select((K(0.0) < ((K(7.62939453125e-06) * ring_radius) - (ring_radius - s0))), K(0.0), lanes_select(((position_error + (horizon * velocity_error)) < (K(5.820766091346741e-11) * s2)), s36, K(0.0))) };
 }
 
 /* Constants and windows of the search along a flight, and the errors it allows for.
-   bounds of the event condition. 147 operations: 27 additions, 16 subtractions, 43 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 20 comparisons, 27 selections. */
+   bounds of the event condition. 153 operations: 27 additions, 18 subtractions, 45 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 21 comparisons, 28 selections. */
 typedef struct {
-    V steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest;
+    V steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, lost;
 } LANES(hoop_ring_prepare_out);
 
 LANES_INLINE LANES(hoop_ring_prepare_out)
@@ -560,33 +566,35 @@ LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V ball_radi
     const M s26 = K(2.409919865102884e-181) < s1;
     const V s27 = lanes_select(s26, lanes_select(s25, ((-((s21 + s22) + s23)) * s24), K(INFINITY)), (-K(INFINITY)));
     const V s28 = ring_radius - s8;
-    const V s29 = (((s28 * s28) * s1) - s19) - s4;
-    const V s30 = lanes_sqrt(lanes_select((s29 < K(0.0)), K(0.0), s29));
-    const V s31 = lanes_select(s26, lanes_select(s25, (((s22 + s23) - s21) * s24), (-K(INFINITY))), K(INFINITY));
-    const M s32 = K(0.0) < lanes_select(s26, s29, K(0.0));
-    const V s33 = lanes_select(s32, (((s23 - s21) - s30) * s24), s31);
-    const V s34 = (s0 + (s9 * (z - s8))) - s10;
-    const V s35 = lanes_sqrt(lanes_select((s34 < K(0.0)), K(0.0), s34));
-    const V s36 = lanes_select(s15, (s12 * ((vz + s13) + s14)), (-K(INFINITY)));
-    const M s37 = K(0.0) < s34;
-    const V s38 = lanes_select(s37, (s12 * ((vz + s14) - s35)), s36);
-    const V s39 = lanes_select((s33 < s38), s33, s38);
-    const V s40 = lanes_select(s32, (((s30 - s21) - s23) * s24), K(INFINITY));
-    const V s41 = lanes_select((s16 < s40), s40, s16);
-    const V s42 = lanes_select((s31 < s38), s31, s38);
-    const V s43 = lanes_select(s37, (s12 * ((vz + s35) - s14)), K(INFINITY));
-    const M s44 = s41 <= s42;
-    const V s45 = lanes_select(s44, s42, lanes_select((s33 < s36), s33, s36));
-    const V s46 = lanes_select((s31 < s36), s31, s36);
-    const V s47 = K(1.0) / s28;
-    const V s48 = lanes_select((K(0.0) < s39), s39, K(0.0));
-    const V s49 = lanes_select((s48 < s45), s45, s48);
-    const V s50 = lanes_select((s49 < s46), s46, s49);
-    return (LANES(hoop_ring_prepare_out)){ s2, s5, lanes_sqrt(s6), lanes_select((s16 < s27), s27, s16), s39, lanes_select(s44, s41, lanes_select((s43 < s27), s27, s43)), s45, lanes_select((s43 < s40), s40, s43), s46, (((K(6.000005722045898) * gravity) * s7) + (s5 * (s47 * (s47 * s47)))) + lanes_abs(s2), lanes_select((s50 < horizon), s50, horizon) };
+    const V s29 = K(3.814697265625e-06) * ring_radius;
+    const V s30 = lanes_select((s28 < s29), s29, s28);
+    const V s31 = ((s1 * (s30 * s30)) - s19) - s4;
+    const V s32 = lanes_sqrt(lanes_select((s31 < K(0.0)), K(0.0), s31));
+    const V s33 = lanes_select(s26, lanes_select(s25, (((s22 + s23) - s21) * s24), (-K(INFINITY))), K(INFINITY));
+    const M s34 = K(0.0) < lanes_select(s26, s31, K(0.0));
+    const V s35 = lanes_select(s34, (((s23 - s21) - s32) * s24), s33);
+    const V s36 = (s0 + (s9 * (z - s8))) - s10;
+    const V s37 = lanes_sqrt(lanes_select((s36 < K(0.0)), K(0.0), s36));
+    const V s38 = lanes_select(s15, (s12 * ((vz + s13) + s14)), (-K(INFINITY)));
+    const M s39 = K(0.0) < s36;
+    const V s40 = lanes_select(s39, (s12 * ((vz + s14) - s37)), s38);
+    const V s41 = lanes_select((s35 < s40), s35, s40);
+    const V s42 = lanes_select(s34, (((s32 - s21) - s23) * s24), K(INFINITY));
+    const V s43 = lanes_select((s16 < s42), s42, s16);
+    const V s44 = lanes_select((s33 < s40), s33, s40);
+    const V s45 = lanes_select(s39, (s12 * ((vz + s37) - s14)), K(INFINITY));
+    const M s46 = s43 <= s44;
+    const V s47 = lanes_select(s46, s44, lanes_select((s35 < s38), s35, s38));
+    const V s48 = lanes_select((s33 < s38), s33, s38);
+    const V s49 = K(1.0) / s30;
+    const V s50 = lanes_select((K(0.0) < s41), s41, K(0.0));
+    const V s51 = lanes_select((s50 < s47), s47, s50);
+    const V s52 = lanes_select((s51 < s48), s48, s51);
+    return (LANES(hoop_ring_prepare_out)){ s2, s5, lanes_sqrt(s6), lanes_select((s16 < s27), s27, s16), s41, lanes_select(s46, s43, lanes_select((s45 < s27), s27, s45)), s47, lanes_select((s45 < s42), s42, s45), s48, (((K(6.000005722045898) * gravity) * s7) + (s5 * (s49 * (s49 * s49)))) + lanes_abs(s2), lanes_select((s52 < horizon), s52, horizon), (K(7.62939453125e-06) * ring_radius) - (ring_radius - s7) };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
-   running error analysis. 44 operations: 14 additions, 1 subtraction, 26 multiplications, 1 division, 1 comparison, 1 selection. */
+   running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections. */
 typedef struct {
     V margin, leaving_margin, rate_margin;
 } LANES(hoop_ring_margins_out);
@@ -601,11 +609,13 @@ LANES(hoop_ring_margins)(V horizon, V extent, V speed, V position_error, V veloc
     const V s4 = ring_radius + s2;
     const V s5 = extent + (horizon * s1);
     const V s6 = (position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s5);
-    const V s7 = s2 / (ring_radius - s2);
-    const V s8 = lanes_select((K(1.0) < s7), s7, K(1.0));
-    const V s9 = K(3.5) * (((s1 * s8) * s6) + (s2 * (velocity_error + (K(2.220446049250313e-16) * s1))));
-    const V s10 = K(1.0009765625) * ((((K(3.552713678800501e-15) * s1) * ((s5 * s8) + s4)) + (K(4.440892098500626e-16) * s3)) + s9);
-    return (LANES(hoop_ring_margins_out)){ K(1.0009765625) * ((((K(4.440892098500626e-16) * horizon) * s3) + ((K(1.3322689000996087e-15) * s0) * s4)) + ((K(3.5000033378601074) * s0) * s6)), s10, K(1.0009765625) * ((K(3.552713678800501e-15) * (s4 * s1)) + s9) };
+    const V s7 = ring_radius - s2;
+    const V s8 = K(3.814697265625e-06) * ring_radius;
+    const V s9 = s2 / lanes_select((s7 < s8), s8, s7);
+    const V s10 = lanes_select((K(1.0) < s9), s9, K(1.0));
+    const V s11 = K(3.5) * (((s1 * s10) * s6) + (s2 * (velocity_error + (K(2.220446049250313e-16) * s1))));
+    const V s12 = K(1.0009765625) * ((((K(3.552713678800501e-15) * s1) * ((s5 * s10) + s4)) + (K(4.440892098500626e-16) * s3)) + s11);
+    return (LANES(hoop_ring_margins_out)){ K(1.0009765625) * ((((K(4.440892098500626e-16) * horizon) * s3) + ((K(1.3322689000996087e-15) * s0) * s4)) + ((K(3.5000033378601074) * s0) * s6)), s12, K(1.0009765625) * ((K(3.552713678800501e-15) * (s4 * s1)) + s11) };
 }
 
 /* Newton's next value of a root near t, and the rate there.
@@ -633,7 +643,7 @@ LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_s
 }
 
 /* Gap, rate and bend at time t, a step that no root lies within, and the root's clearance.
-   Newton from the left under a curvature bound. 134 operations: 26 additions, 16 subtractions, 52 multiplications, 4 divisions, 2 square roots, 1 negation, 2 absolute values, 14 comparisons, 17 selections. */
+   Newton from the left under a curvature bound. 142 operations: 27 additions, 16 subtractions, 54 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections. */
 typedef struct {
     V gap, rate, bend, step, clearance;
 } LANES(hoop_ring_advance_out);
@@ -673,14 +683,16 @@ LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceili
     const V s29 = s15 * lanes_select((s18 < s28), s18, s28);
     const V s30 = ((s27 * lanes_select((K(0.0) < s12), K(0.0), s12)) + s2) - (K(9.094947017729282e-13) * (ring_radius + s18));
     const V s31 = ring_radius - s18;
-    const V s32 = K(1.0) / lanes_select((s30 < s31), s31, s30);
-    const V s33 = swing * (s32 * (s32 * s32));
-    const V s34 = ((s29 + s33) + (K(9.094947017729282e-13) * ((s33 + lanes_abs(steady)) + lanes_abs(s29)))) - steady;
-    const V s35 = s19 * s19;
-    const V s36 = ((K(2.0) * s34) * s21) + s35;
-    const V s37 = lanes_sqrt(s36);
-    const V s38 = lanes_select((K(0.0) <= s36), (lanes_select(s23, s24, (s19 + s37)) / lanes_select(s23, (s37 - s19), lanes_select((s34 < K(0.0)), K(0.0), s34))), K(INFINITY));
-    return (LANES(hoop_ring_advance_out)){ s10, s14, (steady - s16) - s17, lanes_select((s38 < s27), s38, s27), s35 - ((K(8.0) * ceiling) * (margin + (K(32.0) * s21))) };
+    const V s32 = K(3.814697265625e-06) * ring_radius;
+    const V s33 = lanes_select((s31 < s32), s32, s31);
+    const V s34 = K(1.0) / lanes_select((s30 < s33), s33, s30);
+    const V s35 = swing * (s34 * (s34 * s34));
+    const V s36 = ((s29 + s35) + (K(9.094947017729282e-13) * ((s35 + lanes_abs(steady)) + lanes_abs(s29)))) - steady;
+    const V s37 = ((K(2.0) * s36) * s21) + (s19 * s19);
+    const V s38 = lanes_sqrt(s37);
+    const V s39 = lanes_select((K(0.0) <= s37), (lanes_select(s23, s24, (s19 + s38)) / lanes_select(s23, (s38 - s19), lanes_select((s36 < K(0.0)), K(0.0), s36))), K(INFINITY));
+    const V s40 = -(rate_margin + s14);
+    return (LANES(hoop_ring_advance_out)){ s10, s14, (steady - s16) - s17, lanes_select((s39 < s27), s39, s27), lanes_select((K(0.0) < s40), ((s40 * s40) - ((K(8.0) * ceiling) * (margin + (K(32.0) * s21)))), s40) };
 }
 
 /* Coefficients in time of the event polynomial, constant first.
@@ -744,15 +756,16 @@ LANES(hoop_backboard_bounds)(V y, V z, V board_half_width, V board_bottom, V boa
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
-   Eq. 3 in Table 2, solved. 6 operations: 2 subtractions, 1 division, 1 negation, 1 comparison, 1 selection. */
+   Eq. 3 in Table 2, solved. 9 operations: 2 subtractions, 1 division, 1 negation, 1 absolute value, 2 comparisons, 2 selections. */
 typedef struct {
-    V time, rate, bend;
+    V time, rate, bend, apex, height;
 } LANES(hoop_backboard_arrival_out);
 
 LANES_INLINE LANES(hoop_backboard_arrival_out)
 LANES(hoop_backboard_arrival)(V leaving, V x, V vx, V ball_radius, V board_distance)
 {
-    return (LANES(hoop_backboard_arrival_out)){ -(lanes_select((K(0.0) < leaving), K(0.0), (x - (ball_radius - board_distance))) / vx), vx, K(0.0) };
+    const V s0 = lanes_select((K(0.0) < leaving), K(0.0), (x - (ball_radius - board_distance)));
+    return (LANES(hoop_backboard_arrival_out)){ -(s0 / vx), vx, K(0.0), lanes_select((lanes_abs(vx) <= K(0.0)), K(0.0), K(-1.0)), s0 };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -841,18 +854,20 @@ LANES(hoop_bridge_bounds)(V x, V y, V ring_radius, V board_distance, V bridge_ha
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
-   Eq. 3 in Table 2, solved. 18 operations: 3 additions, 2 subtractions, 4 multiplications, 1 division, 1 square root, 2 negations, 2 comparisons, 3 selections. */
+   Eq. 3 in Table 2, solved. 25 operations: 3 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 5 negations, 2 comparisons, 3 selections. */
 typedef struct {
-    V time, rate, bend;
+    V time, rate, bend, apex, height;
 } LANES(hoop_bridge_arrival_out);
 
 LANES_INLINE LANES(hoop_bridge_arrival_out)
 LANES(hoop_bridge_arrival)(V leaving, V z, V vz, V ball_radius, V wire_radius, V gravity)
 {
     const V s0 = lanes_select((K(0.0) < leaving), K(0.0), (z - (ball_radius + wire_radius)));
-    const V s1 = lanes_sqrt(((vz * vz) + ((K(2.0) * gravity) * s0)));
-    const M s2 = vz < K(0.0);
-    return (LANES(hoop_bridge_arrival_out)){ lanes_select(s2, (K(2.0) * s0), (vz + s1)) / lanes_select(s2, (s1 - vz), gravity), -s1, -gravity };
+    const V s1 = (vz * vz) + ((K(2.0) * gravity) * s0);
+    const V s2 = lanes_sqrt(s1);
+    const M s3 = vz < K(0.0);
+    const V s4 = -(K(1.0) / gravity);
+    return (LANES(hoop_bridge_arrival_out)){ lanes_select(s3, (K(2.0) * s0), (vz + s2)) / lanes_select(s3, (s2 - vz), gravity), -s2, -gravity, -(vz * s4), -((K(0.5) * s4) * s1) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -929,18 +944,20 @@ LANES(hoop_end_curvature)(void)
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
-   Eq. 3 in Table 2, solved. 18 operations: 2 additions, 2 subtractions, 4 multiplications, 1 division, 1 square root, 3 negations, 2 comparisons, 3 selections. */
+   Eq. 3 in Table 2, solved. 25 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 2 comparisons, 3 selections. */
 typedef struct {
-    V time, rate, bend;
+    V time, rate, bend, apex, height;
 } LANES(hoop_end_arrival_out);
 
 LANES_INLINE LANES(hoop_end_arrival_out)
 LANES(hoop_end_arrival)(V leaving, V z, V vz, V gravity, V end_depth)
 {
     const V s0 = lanes_select((K(0.0) < leaving), K(0.0), (z - (-end_depth)));
-    const V s1 = lanes_sqrt(((vz * vz) + ((K(2.0) * gravity) * s0)));
-    const M s2 = vz < K(0.0);
-    return (LANES(hoop_end_arrival_out)){ lanes_select(s2, (K(2.0) * s0), (vz + s1)) / lanes_select(s2, (s1 - vz), gravity), -s1, -gravity };
+    const V s1 = (vz * vz) + ((K(2.0) * gravity) * s0);
+    const V s2 = lanes_sqrt(s1);
+    const M s3 = vz < K(0.0);
+    const V s4 = -(K(1.0) / gravity);
+    return (LANES(hoop_end_arrival_out)){ lanes_select(s3, (K(2.0) * s0), (vz + s2)) / lanes_select(s3, (s2 - vz), gravity), -s2, -gravity, -(vz * s4), -((K(0.5) * s4) * s1) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 42bb0f1b4ad121d8,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 64253e46c14080c7,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -61,7 +61,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_curvature": ("curvature",),
     "ring_carry_normal": ("dnx", "dny", "dnz", "turn",),
     "ring_clear": ("clear",),
-    "ring_prepare": ("steady", "swing", "rho_start", "low0", "high0", "low1", "high1", "low2", "high2", "ceiling", "latest",),
+    "ring_prepare": ("steady", "swing", "rho_start", "low0", "high0", "low1", "high1", "low2", "high2", "ceiling", "latest", "lost",),
     "ring_margins": ("margin", "leaving_margin", "rate_margin",),
     "ring_refine": ("time", "rate",),
     "ring_advance": ("gap", "rate", "bend", "step", "clearance",),
@@ -70,7 +70,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "backboard_normal": ("nx", "ny", "nz",),
     "backboard_curvature": ("curvature",),
     "backboard_bounds": ("g0", "g1", "g2", "g3",),
-    "backboard_arrival": ("time", "rate", "bend",),
+    "backboard_arrival": ("time", "rate", "bend", "apex", "height",),
     "backboard_margin": ("margin",),
     "backboard_place": ("x", "y", "z",),
     "bridge_coefficients": ("c0", "c1", "c2",),
@@ -78,14 +78,14 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "bridge_normal": ("nx", "ny", "nz",),
     "bridge_curvature": ("curvature",),
     "bridge_bounds": ("g0", "g1", "g2", "g3", "g4",),
-    "bridge_arrival": ("time", "rate", "bend",),
+    "bridge_arrival": ("time", "rate", "bend", "apex", "height",),
     "bridge_margin": ("margin",),
     "bridge_place": ("x", "y", "z",),
     "end_coefficients": ("c0", "c1", "c2",),
     "end_deflated": ("c0", "c1",),
     "end_normal": ("nx", "ny", "nz",),
     "end_curvature": ("curvature",),
-    "end_arrival": ("time", "rate", "bend",),
+    "end_arrival": ("time", "rate", "bend", "apex", "height",),
     "end_margin": ("margin",),
     "end_place": ("x", "y", "z",),
 }
@@ -205,10 +205,10 @@ def horizon(t: Any, speed: Any, gravity: Any) -> tuple[Any, ...]:
     return t + s0, s0
 
 
-def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
+def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, gravity: Any) -> tuple[Any, ...]:
     """Sums of the sizes of the coordinates and of the velocities, and of any above the largest.
 
-    what rounding errors are measured by. 21 operations: 4 additions, 1 subtraction, 6 absolute values, 5 comparisons, 5 selections.
+    what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections.
     Returns extent, speed, excess.
     """
     s0 = absolute(x)
@@ -221,7 +221,9 @@ def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any) -> tuple[Any, ...]:
     s7 = where((s6 < s2), s2, s6)
     s8 = where((s7 < s3), s3, s7)
     s9 = where((s8 < s4), s4, s8)
-    return (s0 + s1) + s2, (s3 + s4) + s5, where((s9 < s5), s5, s9) - 2.9073548971824276e+135
+    s10 = where((s9 < s5), s5, s9)
+    s11 = 1.0 / gravity
+    return (s0 + s1) + s2, (s3 + s4) + s5, where((s10 < s11), s11, s10) - 2.9073548971824276e+135
 
 
 def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
@@ -237,10 +239,10 @@ def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_err
     return s3 + (3.0029296875 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * s1))),
 
 
-def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, curving: Any, gravity: Any) -> tuple[Any, ...]:
+def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, late: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, curving: Any, gravity: Any) -> tuple[Any, ...]:
     """Errors of a state at the end of a flight to a surface, from those at its start.
 
-    derivative of Eq. 3 and of the contact time, with roundings. 115 operations: 24 additions, 1 subtraction, 29 multiplications, 3 divisions, 5 negations, 17 absolute values, 18 comparisons, 18 selections.
+    derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, delay, shift.
     """
     s0 = dx + (dvx * t)
@@ -278,7 +280,9 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     s32 = -s31
     s33 = (vy * s14) + s8
     s34 = (vz * s14) + s12
-    return where((absolute(s15) < s31), where((s15 < 0.0), s32, s31), s15), where((absolute(s33) < s31), where((s33 < 0.0), s32, s31), s33), where((absolute(s34) < s31), where((s34 < 0.0), s32, s31), s34), dvx, dvy, dvz - (gravity * s14), absolute(s14) + (4.440892098500626e-16 * (clock + t)), s30
+    s35 = absolute(s14)
+    s36 = 0.0625 * late
+    return where((absolute(s15) < s31), where((s15 < 0.0), s32, s31), s15), where((absolute(s33) < s31), where((s33 < 0.0), s32, s31), s33), where((absolute(s34) < s31), where((s34 < 0.0), s32, s31), s34), dvx, dvy, dvz - (gravity * s14), (4.440892098500626e-16 * (clock + t)) + where((s35 < s36), s36, s35), s30
 
 
 def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, contacts: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, ball_radius: Any, restitution: Any) -> tuple[Any, ...]:
@@ -504,7 +508,7 @@ def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, bal
 def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
     """Positive if there certainly is no contact before the horizon.
 
-    bounds of the event condition. 131 operations: 27 additions, 15 subtractions, 61 multiplications, 2 divisions, 2 square roots, 12 comparisons, 12 selections.
+    bounds of the event condition. 139 operations: 27 additions, 17 subtractions, 63 multiplications, 2 divisions, 2 square roots, 14 comparisons, 14 selections.
     Returns clear.
     """
     s0 = ball_radius + wire_radius
@@ -524,32 +528,34 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     s14 = s2 * s2
     s15 = 9.313225746154785e-10 * s14
     s16 = (((s12 * s12) + (s13 * s13)) - (s0 * s0)) - s15
-    s17 = ring_radius - s1
-    s18 = s17 * s17
-    s19 = s17 * s18
-    s20 = (vx * vx) + (vy * vy)
-    s21 = s19 * ((((2.0 * s3) + ((4.0 * gravity) * z)) + (2.0 * s20)) - ((6.000005722045898 * gravity) * s0))
-    s22 = (vy * x) - (vx * y)
-    s23 = s22 * s22
-    s24 = s21 - ((2.0 * ring_radius) * s23)
-    s25 = (s12 * ((vx * s8) + (vy * s9))) + ((s13 * (vz - (gravity * s7))) * s11)
-    s26 = x + (horizon * vx)
-    s27 = y + (horizon * vy)
-    s28 = where(((((s15 + (s26 * s26)) + (s27 * s27)) - s18) < 0.0), 1.0, where((((s20 * (s18 + s15)) - s23) < 0.0), 1.0, 0.0))
-    s29 = where(((((4.0 * s19) * (s25 * s25)) - (((2.0 * s24) * s10) * s16)) < 0.0), s28, 0.0)
-    s30 = where((horizon < (s7 - (9.313225746154785e-10 * horizon))), 1.0, where((0.0 < s16), where((0.0 < s24), s29, 0.0), 0.0))
-    s31 = (vx * x) + (vy * y)
-    s32 = (s6 * s20) + s31
-    s33 = where((s32 < 0.0), where((s14 < ((s6 * (s31 + s32)) + ((x * x) + (y * y)))), s30, 0.0), 0.0)
-    s34 = where(((extent + (horizon * (speed + (gravity * horizon)))) < (65536.0 * s2)), where((0.0 < s4), where((s6 < 0.0), s30, s33), 0.0), 0.0)
-    return where(((position_error + (horizon * velocity_error)) < (5.820766091346741e-11 * s2)), s34, 0.0),
+    s17 = (vx * vx) + (vy * vy)
+    s18 = ring_radius - s1
+    s19 = 3.814697265625e-06 * ring_radius
+    s20 = where((s18 < s19), s19, s18)
+    s21 = s20 * s20
+    s22 = s20 * s21
+    s23 = ((((2.0 * s3) + ((4.0 * gravity) * z)) + (2.0 * s17)) - ((6.000005722045898 * gravity) * s0)) * s22
+    s24 = (vy * x) - (vx * y)
+    s25 = s24 * s24
+    s26 = s23 - ((2.0 * ring_radius) * s25)
+    s27 = (s12 * ((vx * s8) + (vy * s9))) + ((s13 * (vz - (gravity * s7))) * s11)
+    s28 = x + (horizon * vx)
+    s29 = y + (horizon * vy)
+    s30 = where(((((s15 + (s28 * s28)) + (s29 * s29)) - s21) < 0.0), 1.0, where((((s17 * (s15 + s21)) - s25) < 0.0), 1.0, 0.0))
+    s31 = where(((((4.0 * (s27 * s27)) * s22) - (((2.0 * s26) * s10) * s16)) < 0.0), s30, 0.0)
+    s32 = where((horizon < (s7 - (9.313225746154785e-10 * horizon))), 1.0, where((0.0 < s16), where((0.0 < s26), s31, 0.0), 0.0))
+    s33 = (vx * x) + (vy * y)
+    s34 = (s6 * s17) + s33
+    s35 = where((s34 < 0.0), where((s14 < ((s6 * (s33 + s34)) + ((x * x) + (y * y)))), s32, 0.0), 0.0)
+    s36 = where(((extent + (horizon * (speed + (gravity * horizon)))) < (65536.0 * s2)), where((0.0 < s4), where((s6 < 0.0), s32, s35), 0.0), 0.0)
+    return where((0.0 < ((7.62939453125e-06 * ring_radius) - (ring_radius - s0))), 0.0, where(((position_error + (horizon * velocity_error)) < (5.820766091346741e-11 * s2)), s36, 0.0)),
 
 
 def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
     """Constants and windows of the search along a flight, and the errors it allows for.
 
-    bounds of the event condition. 147 operations: 27 additions, 16 subtractions, 43 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 20 comparisons, 27 selections.
-    Returns steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest.
+    bounds of the event condition. 153 operations: 27 additions, 18 subtractions, 45 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 21 comparisons, 28 selections.
+    Returns steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, lost.
     """
     s0 = vz * vz
     s1 = (vx * vx) + (vy * vy)
@@ -580,35 +586,37 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     s26 = 2.409919865102884e-181 < s1
     s27 = where(s26, where(s25, ((-((s21 + s22) + s23)) * s24), inf), (-inf))
     s28 = ring_radius - s8
-    s29 = (((s28 * s28) * s1) - s19) - s4
-    s30 = sqrt(where((s29 < 0.0), 0.0, s29))
-    s31 = where(s26, where(s25, (((s22 + s23) - s21) * s24), (-inf)), inf)
-    s32 = 0.0 < where(s26, s29, 0.0)
-    s33 = where(s32, (((s23 - s21) - s30) * s24), s31)
-    s34 = (s0 + (s9 * (z - s8))) - s10
-    s35 = sqrt(where((s34 < 0.0), 0.0, s34))
-    s36 = where(s15, (s12 * ((vz + s13) + s14)), (-inf))
-    s37 = 0.0 < s34
-    s38 = where(s37, (s12 * ((vz + s14) - s35)), s36)
-    s39 = where((s33 < s38), s33, s38)
-    s40 = where(s32, (((s30 - s21) - s23) * s24), inf)
-    s41 = where((s16 < s40), s40, s16)
-    s42 = where((s31 < s38), s31, s38)
-    s43 = where(s37, (s12 * ((vz + s35) - s14)), inf)
-    s44 = s41 <= s42
-    s45 = where(s44, s42, where((s33 < s36), s33, s36))
-    s46 = where((s31 < s36), s31, s36)
-    s47 = 1.0 / s28
-    s48 = where((0.0 < s39), s39, 0.0)
-    s49 = where((s48 < s45), s45, s48)
-    s50 = where((s49 < s46), s46, s49)
-    return s2, s5, sqrt(s6), where((s16 < s27), s27, s16), s39, where(s44, s41, where((s43 < s27), s27, s43)), s45, where((s43 < s40), s40, s43), s46, (((6.000005722045898 * gravity) * s7) + (s5 * (s47 * (s47 * s47)))) + absolute(s2), where((s50 < horizon), s50, horizon)
+    s29 = 3.814697265625e-06 * ring_radius
+    s30 = where((s28 < s29), s29, s28)
+    s31 = ((s1 * (s30 * s30)) - s19) - s4
+    s32 = sqrt(where((s31 < 0.0), 0.0, s31))
+    s33 = where(s26, where(s25, (((s22 + s23) - s21) * s24), (-inf)), inf)
+    s34 = 0.0 < where(s26, s31, 0.0)
+    s35 = where(s34, (((s23 - s21) - s32) * s24), s33)
+    s36 = (s0 + (s9 * (z - s8))) - s10
+    s37 = sqrt(where((s36 < 0.0), 0.0, s36))
+    s38 = where(s15, (s12 * ((vz + s13) + s14)), (-inf))
+    s39 = 0.0 < s36
+    s40 = where(s39, (s12 * ((vz + s14) - s37)), s38)
+    s41 = where((s35 < s40), s35, s40)
+    s42 = where(s34, (((s32 - s21) - s23) * s24), inf)
+    s43 = where((s16 < s42), s42, s16)
+    s44 = where((s33 < s40), s33, s40)
+    s45 = where(s39, (s12 * ((vz + s37) - s14)), inf)
+    s46 = s43 <= s44
+    s47 = where(s46, s44, where((s35 < s38), s35, s38))
+    s48 = where((s33 < s38), s33, s38)
+    s49 = 1.0 / s30
+    s50 = where((0.0 < s41), s41, 0.0)
+    s51 = where((s50 < s47), s47, s50)
+    s52 = where((s51 < s48), s48, s51)
+    return s2, s5, sqrt(s6), where((s16 < s27), s27, s16), s41, where(s46, s43, where((s45 < s27), s27, s45)), s47, where((s45 < s42), s42, s45), s48, (((6.000005722045898 * gravity) * s7) + (s5 * (s49 * (s49 * s49)))) + absolute(s2), where((s52 < horizon), s52, horizon), (7.62939453125e-06 * ring_radius) - (ring_radius - s7)
 
 
 def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
     """Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
 
-    running error analysis. 44 operations: 14 additions, 1 subtraction, 26 multiplications, 1 division, 1 comparison, 1 selection.
+    running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections.
     Returns margin, leaving_margin, rate_margin.
     """
     s0 = ball_radius + wire_radius
@@ -618,11 +626,13 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     s4 = ring_radius + s2
     s5 = extent + (horizon * s1)
     s6 = (position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * s5)
-    s7 = s2 / (ring_radius - s2)
-    s8 = where((1.0 < s7), s7, 1.0)
-    s9 = 3.5 * (((s1 * s8) * s6) + (s2 * (velocity_error + (2.220446049250313e-16 * s1))))
-    s10 = 1.0009765625 * ((((3.552713678800501e-15 * s1) * ((s5 * s8) + s4)) + (4.440892098500626e-16 * s3)) + s9)
-    return 1.0009765625 * ((((4.440892098500626e-16 * horizon) * s3) + ((1.3322689000996087e-15 * s0) * s4)) + ((3.5000033378601074 * s0) * s6)), s10, 1.0009765625 * ((3.552713678800501e-15 * (s4 * s1)) + s9)
+    s7 = ring_radius - s2
+    s8 = 3.814697265625e-06 * ring_radius
+    s9 = s2 / where((s7 < s8), s8, s7)
+    s10 = where((1.0 < s9), s9, 1.0)
+    s11 = 3.5 * (((s1 * s10) * s6) + (s2 * (velocity_error + (2.220446049250313e-16 * s1))))
+    s12 = 1.0009765625 * ((((3.552713678800501e-15 * s1) * ((s5 * s10) + s4)) + (4.440892098500626e-16 * s3)) + s11)
+    return 1.0009765625 * ((((4.440892098500626e-16 * horizon) * s3) + ((1.3322689000996087e-15 * s0) * s4)) + ((3.5000033378601074 * s0) * s6)), s12, 1.0009765625 * ((3.552713678800501e-15 * (s4 * s1)) + s11)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
@@ -649,7 +659,7 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
 def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
     """Gap, rate and bend at time t, a step that no root lies within, and the root's clearance.
 
-    Newton from the left under a curvature bound. 134 operations: 26 additions, 16 subtractions, 52 multiplications, 4 divisions, 2 square roots, 1 negation, 2 absolute values, 14 comparisons, 17 selections.
+    Newton from the left under a curvature bound. 142 operations: 27 additions, 16 subtractions, 54 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections.
     Returns gap, rate, bend, step, clearance.
     """
     s0 = x + (t * vx)
@@ -684,14 +694,16 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     s29 = s15 * where((s18 < s28), s18, s28)
     s30 = ((s27 * where((0.0 < s12), 0.0, s12)) + s2) - (9.094947017729282e-13 * (ring_radius + s18))
     s31 = ring_radius - s18
-    s32 = 1.0 / where((s30 < s31), s31, s30)
-    s33 = swing * (s32 * (s32 * s32))
-    s34 = ((s29 + s33) + (9.094947017729282e-13 * ((s33 + absolute(steady)) + absolute(s29)))) - steady
-    s35 = s19 * s19
-    s36 = ((2.0 * s34) * s21) + s35
-    s37 = sqrt(s36)
-    s38 = where((0.0 <= s36), (where(s23, s24, (s19 + s37)) / where(s23, (s37 - s19), where((s34 < 0.0), 0.0, s34))), inf)
-    return s10, s14, (steady - s16) - s17, where((s38 < s27), s38, s27), s35 - ((8.0 * ceiling) * (margin + (32.0 * s21)))
+    s32 = 3.814697265625e-06 * ring_radius
+    s33 = where((s31 < s32), s32, s31)
+    s34 = 1.0 / where((s30 < s33), s33, s30)
+    s35 = swing * (s34 * (s34 * s34))
+    s36 = ((s29 + s35) + (9.094947017729282e-13 * ((s35 + absolute(steady)) + absolute(s29)))) - steady
+    s37 = ((2.0 * s36) * s21) + (s19 * s19)
+    s38 = sqrt(s37)
+    s39 = where((0.0 <= s37), (where(s23, s24, (s19 + s38)) / where(s23, (s38 - s19), where((s36 < 0.0), 0.0, s36))), inf)
+    s40 = -(rate_margin + s14)
+    return s10, s14, (steady - s16) - s17, where((s39 < s27), s39, s27), where((0.0 < s40), ((s40 * s40) - ((8.0 * ceiling) * (margin + (32.0 * s21)))), s40)
 
 
 def backboard_coefficients(x: Any, vx: Any, ball_radius: Any, board_distance: Any) -> tuple[Any, ...]:
@@ -742,10 +754,11 @@ def backboard_bounds(y: Any, z: Any, board_half_width: Any, board_bottom: Any, b
 def backboard_arrival(leaving: Any, x: Any, vx: Any, ball_radius: Any, board_distance: Any) -> tuple[Any, ...]:
     """Time of the only arrival, the gap's rate there and its bend.
 
-    Eq. 3 in Table 2, solved. 6 operations: 2 subtractions, 1 division, 1 negation, 1 comparison, 1 selection.
-    Returns time, rate, bend.
+    Eq. 3 in Table 2, solved. 9 operations: 2 subtractions, 1 division, 1 negation, 1 absolute value, 2 comparisons, 2 selections.
+    Returns time, rate, bend, apex, height.
     """
-    return -(where((0.0 < leaving), 0.0, (x - (ball_radius - board_distance))) / vx), vx, 0.0
+    s0 = where((0.0 < leaving), 0.0, (x - (ball_radius - board_distance)))
+    return -(s0 / vx), vx, 0.0, where((absolute(vx) <= 0.0), 0.0, -1.0), s0
 
 
 def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, board_distance: Any, gravity: Any) -> tuple[Any, ...]:
@@ -815,13 +828,15 @@ def bridge_bounds(x: Any, y: Any, ring_radius: Any, board_distance: Any, bridge_
 def bridge_arrival(leaving: Any, z: Any, vz: Any, ball_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
     """Time of the only arrival, the gap's rate there and its bend.
 
-    Eq. 3 in Table 2, solved. 18 operations: 3 additions, 2 subtractions, 4 multiplications, 1 division, 1 square root, 2 negations, 2 comparisons, 3 selections.
-    Returns time, rate, bend.
+    Eq. 3 in Table 2, solved. 25 operations: 3 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 5 negations, 2 comparisons, 3 selections.
+    Returns time, rate, bend, apex, height.
     """
     s0 = where((0.0 < leaving), 0.0, (z - (ball_radius + wire_radius)))
-    s1 = sqrt(((vz * vz) + ((2.0 * gravity) * s0)))
-    s2 = vz < 0.0
-    return where(s2, (2.0 * s0), (vz + s1)) / where(s2, (s1 - vz), gravity), -s1, -gravity
+    s1 = (vz * vz) + ((2.0 * gravity) * s0)
+    s2 = sqrt(s1)
+    s3 = vz < 0.0
+    s4 = -(1.0 / gravity)
+    return where(s3, (2.0 * s0), (vz + s2)) / where(s3, (s2 - vz), gravity), -s2, -gravity, -(vz * s4), -((0.5 * s4) * s1)
 
 
 def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
@@ -882,13 +897,15 @@ def end_curvature() -> tuple[Any, ...]:
 def end_arrival(leaving: Any, z: Any, vz: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
     """Time of the only arrival, the gap's rate there and its bend.
 
-    Eq. 3 in Table 2, solved. 18 operations: 2 additions, 2 subtractions, 4 multiplications, 1 division, 1 square root, 3 negations, 2 comparisons, 3 selections.
-    Returns time, rate, bend.
+    Eq. 3 in Table 2, solved. 25 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 2 comparisons, 3 selections.
+    Returns time, rate, bend, apex, height.
     """
     s0 = where((0.0 < leaving), 0.0, (z - (-end_depth)))
-    s1 = sqrt(((vz * vz) + ((2.0 * gravity) * s0)))
-    s2 = vz < 0.0
-    return where(s2, (2.0 * s0), (vz + s1)) / where(s2, (s1 - vz), gravity), -s1, -gravity
+    s1 = (vz * vz) + ((2.0 * gravity) * s0)
+    s2 = sqrt(s1)
+    s3 = vz < 0.0
+    s4 = -(1.0 / gravity)
+    return where(s3, (2.0 * s0), (vz + s2)) / where(s3, (s2 - vz), gravity), -s2, -gravity, -(vz * s4), -((0.5 * s4) * s1)
 
 
 def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:

@@ -73,6 +73,7 @@ ARGUMENTS = {
     "share": (r"\sigma", "error, relative to the size of the flight, that a search allows for"),
     "position_error": (r"\varepsilon_r", "bound on the error of each coordinate at the start"),
     "velocity_error": (r"\varepsilon_v", "bound on the error of each velocity at the start"),
+    "late": (r"\hat\delta", "bound on the delay of the arrival"),
     "contacts": ("k", "how many contacts there were, this one too"),
     "clock": ("t_c", "time since the release"),
     "clock_error": (r"\varepsilon_t", "what the contacts' times are off by, summed"),
@@ -550,14 +551,11 @@ def _surface(surface: Surface, gravity: sp.Expr, brief: _Brief) -> SurfaceText:
     if isinstance(surface, Plane):
         constant = hold(event_coefficients(surface, gravity)[0])
         start = IfLess(0, events.leaving, 0, constant)
+        written = {"time": "t", "rate": "F'(t)", "bend": "F''"}
         arrival = explain(
             {
-                latex: brief(e)
-                for latex, e in zip(
-                    ("t", "F'(t)", "F''"),
-                    events.plane_arrival(surface, gravity).values(),
-                    strict=True,
-                )
+                written.get(name, rf"\text{{{name}}}"): brief(e)
+                for name, e in events.plane_arrival(surface, gravity).items()
             },
             {brief(start): "c"} | brief.names,
         )

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import resources
 from importlib.metadata import version
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 import jinja2
 
@@ -187,8 +187,16 @@ def render_scene(scene: Scene) -> dict[str, str]:
     for template, target in OUTPUTS.items():
         stamp = _stamp(template, scene.name, derivation)
         text = environment.get_template(template).render(context | {"stamp": stamp})
-        files[target.format(scene=scene.name)] = text
+        files[_path(target, scene)] = text
     return files
+
+
+def _path(target: str, scene: Scene) -> str:
+    """Return where a file goes; one whose name no scene is part of is the first scene's."""
+    path = PurePosixPath(target.format(scene=scene.name))
+    if "{scene}" in target or scene.name == SCENES[0].name:
+        return str(path)
+    return str(path.with_stem(f"{path.stem}_{scene.name}"))
 
 
 def _render_all() -> dict[str, str]:

@@ -79,8 +79,9 @@ class Flights:
         Their rows in the block.
     last
         The surfaces that they touched last, -1 for none.
-    which, t
-        The surface of the next event, -1 for none, and its time since the last one.
+    which, t, late
+        The surface of the next event, -1 for none, its time since the last one, and the bound on
+        its delay.
     """
 
     columns: dict[str, Column]
@@ -88,12 +89,13 @@ class Flights:
     last: NDArray[np.int64]
     which: NDArray[np.int64] = field(init=False)
     t: Floats = field(init=False)
+    late: Floats = field(init=False)
     clock: Floats = field(init=False)
     contacts: NDArray[np.int32] = field(init=False)
 
     def __post_init__(self) -> None:
         shots = len(self.row)
-        self.which, self.t = self.last, np.zeros(shots)
+        self.which, self.t, self.late = self.last, np.zeros(shots), np.zeros(shots)
         self.clock = np.zeros(shots)
         self.columns |= {name: np.zeros(shots) for name in (*ERRORS, "clock_error")}
         self.contacts = np.zeros(shots, np.int32)
@@ -103,7 +105,7 @@ class Flights:
         self.columns = _take(self.columns, which)
         self.row, self.clock = self.row[which], self.clock[which]
         self.last, self.contacts = self.last[which], self.contacts[which]
-        self.which, self.t = self.which[which], self.t[which]
+        self.which, self.t, self.late = self.which[which], self.t[which], self.late[which]
 
     def joined(self, other: Flights) -> Flights:
         """Return these shots and the others."""
@@ -207,7 +209,7 @@ def _advance(kernels: ModuleType, flights: Flights, max_contacts: int, out: Raw)
     columns["position_error"], columns["velocity_error"] = bounds[:2]
     columns["extent"], columns["speed"], columns["excess"] = _call(kernels.scale, columns)
     arrivals = _first_arrivals(kernels, columns, flights.last)
-    flights.t, flights.which = arrivals.when, arrivals.which
+    flights.t, flights.which, flights.late = arrivals.when, arrivals.which, arrivals.late
     doubtful = ~(arrivals.doubt > arrivals.when + arrivals.late) & (arrivals.doubt < np.inf)
     stays = arrivals.which < 0
     ends = arrivals.which == len(kernels.SURFACES) - 1
@@ -277,13 +279,17 @@ def _plane_arrival(
     arrivals: Arrivals,
 ) -> None:
     leaving = np.where(gone, 1.0, 0.0)
-    time, rate, bend = _call(getattr(kernels, f"{name}_arrival"), columns, leaving=leaving)
+    time, rate, bend, apex, height = _call(
+        getattr(kernels, f"{name}_arrival"), columns, leaving=leaving
+    )
     meets = (rate < 0.0) | ((rate <= 0.0) & (bend < 0.0) & (time == 0.0))
     arrives = meets & (time >= 0.0) & (time < np.inf)
     margin = _call(getattr(kernels, f"{name}_margin"), columns, horizon=time)[0]
     crossing = {"margin": margin, "rate_margin": 0.0, "rate": rate}
     clearance, delay = _call(kernels.crossing, crossing, ceiling=np.abs(bend))
     arrives = arrives & ~(time - arrivals.when > arrivals.late + delay)
+    slack = _call(getattr(kernels, f"{name}_margin"), columns, horizon=apex)[0]
+    arrivals.question((apex >= 0.0) & (np.abs(height) <= slack), apex)
     unsure = arrives & ~(clearance > 0.0)
     if bounded:
         x, y, z, *_ = _call(kernels.flight, columns, t=time)
@@ -398,6 +404,7 @@ def _first_root(
 
     share = np.full(shots, kernels.SHARES[0])
     beyond, flat, tilt, rate_margin = allow(share)
+    beyond = beyond | (prepared["lost"] > 0.0)
     search = Search(
         np.arange(shots),
         columns | prepared,
@@ -483,6 +490,7 @@ def _carried_flight(
     """Take the carried errors to the event; return how far off the position can be there."""
     columns = flights.columns
     counted = {"contacts": flights.contacts.astype(np.float64), "clock": flights.clock}
+    counted["late"] = flights.late
     *carried, delay, shift = _call(
         kernels.carry_flight, columns, t=flights.t, curving=curving, **counted, **normal
     )
