@@ -273,9 +273,9 @@ def as_markdown(tallies: Sequence[Tally]) -> str:
         "",
         "*Wrong*: another outcome or another sequence of surfaces than the judge proves. "
         "*Flagged*: `uncertain`, as a share of the shots that are not capped at "
-        f"{MAX_CONTACTS} contacts; *flagged, wrong* is how many of those would have been wrong. *Undecidable*: not proved "
-        "with 4,096 bits either: two contacts at once, an exact touch, an exact edge. *Most bits*: "
-        "the precision that the hardest shot took.",
+        f"{MAX_CONTACTS} contacts; *flagged, wrong* is how many of those would have been wrong. "
+        "*Undecidable*: not proved with 4,096 bits either: two contacts at once, an exact touch, "
+        "an exact edge. *Most bits*: the precision that the hardest shot took.",
         "",
         *_decisions(tallies),
         "## Times and states",

@@ -142,6 +142,11 @@ def _valid(scene: Scene) -> dict[str, sp.Expr]:
     return {"valid": verdict, "doubt": doubt}
 
 
+def _largest_input(scene: Scene) -> sp.Expr:
+    """Return the largest of what is squared or divided by."""
+    return largest(1 / scene.gravity, *map(sp.Abs, (*POSITION, *VELOCITY)))
+
+
 def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
     ball_radius, restitution = scene.ball_radius, scene.restitution
     after = impact(normal, velocity, spin, ball_radius, restitution)
@@ -203,10 +208,10 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
             {
                 "extent": sp.Add(*map(sp.Abs, POSITION)),
                 "speed": sp.Add(*map(sp.Abs, VELOCITY)),
-                "excess": largest(*map(sp.Abs, (*POSITION, *VELOCITY)), 1 / scene.gravity) - LARGEST,
+                "excess": _largest_input(scene) - LARGEST,
             },
             order,
-            "Sums of the sizes of the coordinates and of the velocities, and of any above the largest.",
+            "Sums of the sizes of the coordinates and of the velocities; excess over the largest.",
             "what rounding errors are measured by",
         ),
         kernel(
@@ -245,7 +250,7 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
             "valid",
             _valid(scene),
             plain_order,
-            "1 where parameters are allowed and no surface is overlapped; 1 where that is in doubt.",
+            "1 where parameters are allowed and no surface overlapped; 1 where that is in doubt.",
             "Table 2 and the scene's requirements",
         ),
         kernel(
@@ -355,7 +360,7 @@ def _surface_kernels(
         add(
             "advance",
             search.advance(),
-            "Gap, rate and bend at time t, a step that no root lies within, and the root's clearance.",
+            "Gap, rate and bend at time t, a step without a root, and the clearance of a root.",
             "Newton from the left under a curvature bound",
         )
     return SurfaceKernels(surface, made, windows, constants)

@@ -47,7 +47,8 @@ def rounding(expression: sp.Expr, known: Mapping[sp.Expr, Rounded]) -> Rounded:
         Sums, products and integer powers of what `known` holds, parameters and constants.
     known
         Bounds of subexpressions, found before their parts are looked at: inputs, and whatever is
-        better bounded by geometry than by its formula. A divisor must be entered as its inverse. Any other symbol is an exact input.
+        better bounded by geometry than by its formula. A divisor must be entered as its inverse.
+        Any other symbol is an exact input.
 
     Raises
     ------

@@ -225,6 +225,7 @@ def random_columns(seed: int, rows: int) -> dict[str, Floats]:
     for k, name in enumerate(hoop.PARAMETERS):
         columns[name][2 + 3 * k] *= -1
     columns["restitution"][::30] += 1
+    columns["gravity"][6::40] *= 2.0**-40
     columns["wire_radius"][::30] += columns["ring_radius"][::30]
     # Half of the flights start at any place near or far, half are shots that come down at the hoop.
     start = rng.choice([0.3, 3.0], (rows, 1)) * rng.normal(0, 1, (rows, 3))
@@ -260,7 +261,9 @@ def random_columns(seed: int, rows: int) -> dict[str, Floats]:
     columns["end"] += columns["t"]
     for name in NAMES:
         for argument in arguments(getattr(hoop, name)):
-            columns.setdefault(argument, rng.uniform(0.1, 2, rows))
+            # Whatever it is, it may be of the size of a length or of an error.
+            size = rng.choice([1.0, 1e-15], rows)
+            columns.setdefault(argument, size * rng.uniform(0.1, 2, rows))
         outputs = evaluate_numpy(name, columns, rows)
         for output, column in zip(hoop.OUTPUTS[name], outputs, strict=True):
             columns.setdefault(output, np.array(column))

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 64253e46c14080c7,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 8d327e594c3a271a,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -143,7 +143,7 @@ LANES(hoop_horizon)(V t, V speed, V gravity)
     return (LANES(hoop_horizon_out)){ t + s0, s0 };
 }
 
-/* Sums of the sizes of the coordinates and of the velocities, and of any above the largest.
+/* Sums of the sizes of the coordinates and of the velocities; excess over the largest.
    what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
     V extent, speed, excess;
@@ -158,13 +158,13 @@ LANES(hoop_scale)(V x, V y, V z, V vx, V vy, V vz, V gravity)
     const V s3 = lanes_abs(vx);
     const V s4 = lanes_abs(vy);
     const V s5 = lanes_abs(vz);
-    const V s6 = lanes_select((s0 < s1), s1, s0);
-    const V s7 = lanes_select((s6 < s2), s2, s6);
-    const V s8 = lanes_select((s7 < s3), s3, s7);
-    const V s9 = lanes_select((s8 < s4), s4, s8);
-    const V s10 = lanes_select((s9 < s5), s5, s9);
-    const V s11 = K(1.0) / gravity;
-    return (LANES(hoop_scale_out)){ (s0 + s1) + s2, (s3 + s4) + s5, lanes_select((s10 < s11), s11, s10) - K(2.9073548971824276e+135) };
+    const V s6 = K(1.0) / gravity;
+    const V s7 = lanes_select((s6 < s0), s0, s6);
+    const V s8 = lanes_select((s7 < s1), s1, s7);
+    const V s9 = lanes_select((s8 < s2), s2, s8);
+    const V s10 = lanes_select((s9 < s3), s3, s9);
+    const V s11 = lanes_select((s10 < s4), s4, s10);
+    return (LANES(hoop_scale_out)){ (s0 + s1) + s2, (s3 + s4) + s5, lanes_select((s11 < s5), s5, s11) - K(2.9073548971824276e+135) };
 }
 
 /* Bound on the error of a length at a computed arrival.
@@ -312,7 +312,7 @@ LANES(hoop_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V
     return (LANES(hoop_error_bounds_out)){ K(16.0) * lanes_select((s2 < s3), s3, s2), K(16.0) * lanes_select((s6 < s7), s7, s6), K(16.0) * lanes_select((s10 < s11), s11, s10), K(16.0) * clock_error };
 }
 
-/* 1 where parameters are allowed and no surface is overlapped; 1 where that is in doubt.
+/* 1 where parameters are allowed and no surface overlapped; 1 where that is in doubt.
    Table 2 and the scene's requirements. 132 operations: 17 additions, 20 subtractions, 7 multiplications, 2 square roots, 3 negations, 18 absolute values, 31 comparisons, 34 selections. */
 typedef struct {
     V valid, doubt;
@@ -642,7 +642,7 @@ LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_s
     return (LANES(hoop_ring_refine_out)){ t - s11, s8 };
 }
 
-/* Gap, rate and bend at time t, a step that no root lies within, and the root's clearance.
+/* Gap, rate and bend at time t, a step without a root, and the clearance of a root.
    Newton from the left under a curvature bound. 142 operations: 27 additions, 16 subtractions, 54 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections. */
 typedef struct {
     V gap, rate, bend, step, clearance;

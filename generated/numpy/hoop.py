@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 64253e46c14080c7,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 8d327e594c3a271a,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -206,7 +206,7 @@ def horizon(t: Any, speed: Any, gravity: Any) -> tuple[Any, ...]:
 
 
 def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, gravity: Any) -> tuple[Any, ...]:
-    """Sums of the sizes of the coordinates and of the velocities, and of any above the largest.
+    """Sums of the sizes of the coordinates and of the velocities; excess over the largest.
 
     what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections.
     Returns extent, speed, excess.
@@ -217,13 +217,13 @@ def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, gravity: Any) -> tu
     s3 = absolute(vx)
     s4 = absolute(vy)
     s5 = absolute(vz)
-    s6 = where((s0 < s1), s1, s0)
-    s7 = where((s6 < s2), s2, s6)
-    s8 = where((s7 < s3), s3, s7)
-    s9 = where((s8 < s4), s4, s8)
-    s10 = where((s9 < s5), s5, s9)
-    s11 = 1.0 / gravity
-    return (s0 + s1) + s2, (s3 + s4) + s5, where((s10 < s11), s11, s10) - 2.9073548971824276e+135
+    s6 = 1.0 / gravity
+    s7 = where((s6 < s0), s0, s6)
+    s8 = where((s7 < s1), s1, s7)
+    s9 = where((s8 < s2), s2, s8)
+    s10 = where((s9 < s3), s3, s9)
+    s11 = where((s10 < s4), s4, s10)
+    return (s0 + s1) + s2, (s3 + s4) + s5, where((s11 < s5), s5, s11) - 2.9073548971824276e+135
 
 
 def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
@@ -360,7 +360,7 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
 
 
 def valid(last: Any, x: Any, y: Any, z: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, restitution: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
-    """1 where parameters are allowed and no surface is overlapped; 1 where that is in doubt.
+    """1 where parameters are allowed and no surface overlapped; 1 where that is in doubt.
 
     Table 2 and the scene's requirements. 132 operations: 17 additions, 20 subtractions, 7 multiplications, 2 square roots, 3 negations, 18 absolute values, 31 comparisons, 34 selections.
     Returns valid, doubt.
@@ -657,7 +657,7 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
 
 
 def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
-    """Gap, rate and bend at time t, a step that no root lies within, and the root's clearance.
+    """Gap, rate and bend at time t, a step without a root, and the clearance of a root.
 
     Newton from the left under a curvature bound. 142 operations: 27 additions, 16 subtractions, 54 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections.
     Returns gap, rate, bend, step, clearance.

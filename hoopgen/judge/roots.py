@@ -141,17 +141,19 @@ def _approximate(polynomial: arb_poly, slope: arb_poly, low: arb, high: arb) -> 
     last = high - low
     near = arb(2) ** -(ctx.prec // 2)
     for _ in range(2 * ctx.prec):
-        step = (polynomial(middle) / slope(middle)).mid()
-        there = (middle - step).mid()
-        size = abs(step)
-        if low <= there and there <= high and size <= last / 2:
-            middle, last = there, size
-            if size <= near * middle:  # the next step doubles the digits, and is the last
-                return (middle - polynomial(middle) / slope(middle)).mid()
-            continue
-        if polynomial(middle) > 0:
+        value = polynomial(middle)
+        if value > 0:
             low = middle
-        else:
+        elif value < 0:
             high = middle
-        middle, last = ((low + high) / 2).mid(), high - low
+        else:
+            break
+        there = (middle - value / slope(middle)).mid()
+        size = abs(there - middle)
+        if size <= near * middle:  # the next step doubles the digits, and is the last
+            return (there - polynomial(there) / slope(there)).mid()
+        if low < there and there < high and size <= last / 2:
+            middle, last = there, size
+        else:
+            middle, last = ((low + high) / 2).mid(), high - low
     return middle
