@@ -1,7 +1,7 @@
 """`python -m benchmarks.exactness`: the engine's results held against the judge's proofs.
 
 Writes exactness.md and exactness.json. Exit status 1 if a shot that the engine did not flag is not
-as the judge proves it to be.
+as the judge proves it to be, or is further from it than the engine claims.
 """
 
 import argparse
@@ -326,7 +326,7 @@ def main() -> None:
     numbers = json.dumps([asdict(t) for t in tallies], indent=1)
     (arguments.out / "exactness.json").write_text(numbers + "\n", encoding="utf-8")
     (arguments.out / "exactness.md").write_text(as_markdown(tallies), encoding="utf-8")
-    sys.exit(any(t.wrong or t.unseen for t in tallies))
+    sys.exit(any(t.wrong or t.unseen or max(t.ratios) > 1 for t in tallies))
 
 
 if __name__ == "__main__":

@@ -98,6 +98,17 @@ def _order(scene: Scene) -> tuple[sp.Symbol, ...]:
     )
 
 
+RESERVED = {"a", "at", "b", "c", "f", "g", "p", "r", "n", "end", "when", "which", "doubt", "bounds"}
+"""Names that the targets use beside those of the kernels' arguments."""
+
+
+def _check_names(scene: Scene, order: tuple[sp.Symbol, ...]) -> None:
+    taken = RESERVED | {symbol.name for symbol in order if symbol not in scene.symbols}
+    clashes = sorted(taken & {symbol.name for symbol in scene.symbols})
+    if clashes:
+        raise ValueError(f"scene {scene.name}: parameters need other names: {', '.join(clashes)}")
+
+
 def _named(prefix: str, values: list[sp.Expr]) -> dict[str, sp.Expr]:
     return {f"{prefix}{k}": value for k, value in enumerate(values)}
 
@@ -369,6 +380,7 @@ def _surface_kernels(
 def build(scene: Scene) -> Model:
     """Return all kernels of a scene."""
     order = _order(scene)
+    _check_names(scene, order)
     return Model(
         scene,
         {k.name: k for k in _common(scene, order)},

@@ -34,7 +34,7 @@ from .rounding import (
 from .surfaces import Surface
 from .symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
 
-WIDER = 1 + sp.Rational(1, 2**20)
+WIDER = 1 + sp.Rational(1, 2**14)
 """Windows are drawn for a ring this much thicker: contact cannot begin on their edges."""
 
 steady, swing = sp.symbols("steady swing", real=True)
@@ -154,14 +154,16 @@ class RingApproach(Approach):
     def _radii(self) -> tuple[sp.Expr, sp.Expr]:
         """Return the radii of the annulus in which the centre can be at a contact."""
         radius = self.ring.ring_radius
-        least = sp.Rational(1, 2**18) * radius  # narrower than that, the ring is `lost`
+        least = sp.Rational(1, 2**13) * radius  # narrower than that, the ring is `lost`
         return largest(hold(radius - self._reach), least), hold(radius + self._reach)
 
     @property
     def lost(self) -> sp.Expr:
-        """A hole that is hardly wider than the ball: the windows would need to be exact."""
+        """A hole hardly wider than the ball, or errors near to what the windows are widened by."""
         hole = hold(self.ring.ring_radius - hold(self.ring.reach))
-        return hold(sp.Rational(1, 2**17) * self.ring.ring_radius - hole)
+        narrow = hold(sp.Rational(1, 2**12) * self.ring.ring_radius - hole)
+        moved = hold(position_error + velocity_error * horizon)
+        return largest(narrow, hold(moved - sp.Rational(1, 2**16) * self.ring.reach))
 
     def _slab_intervals(self) -> tuple[Window, Window]:
         """Return the rising and the falling interval of |z| <= R.
@@ -182,7 +184,8 @@ class RingApproach(Approach):
         last = hold(IfAtMost(0, to_bottom, hold(vz + outer + pad) * per_g, -sp.oo))
         up = IfLess(0, to_top, hold(vz - inner + pad) * per_g, last)
         down = IfLess(0, to_top, hold(vz + inner - pad) * per_g, sp.oo)
-        return (first, up), (down, last)
+        # The pads of two roots that nearly meet would make the second begin before the first ends.
+        return (first, up), (largest(down, up), last)
 
     def _annulus_intervals(self) -> tuple[Window, Window]:
         """Return the inward and the outward interval of |rho - R_H| <= R.
@@ -207,7 +210,7 @@ class RingApproach(Approach):
         through = IfLess(hardly, speed_squared, passes, 0)
         inward = IfLess(0, through, hold(-q - inner + pad) * per, last)
         outward = IfLess(0, through, hold(-q + inner - pad) * per, sp.oo)
-        return (first, inward), (outward, last)
+        return (first, inward), (largest(outward, inward), last)
 
     def _here(self) -> tuple[sp.Matrix, sp.Matrix, sp.Expr]:
         """Return position, velocity and rho at time t."""
@@ -344,19 +347,19 @@ class RingApproach(Approach):
     def margins(self) -> dict[str, sp.Expr]:
         """What errors of the state and roundings make of F, F/t and F' within the windows.
 
-        F is the squared distance to the wire's circle less R², so |grad F| <= 2 R, and its Hessian,
+        F is the squared distance to the wire's circle less R²: |grad F| <= 2 sqrt(2) R, and its Hessian,
         2 along rho and z and 2 (rho - R_H)/rho across, is at most 2 max(1, R/I) with I = R_H - R.
         An error p of the position and v of the velocity (in each coordinate; roundings of Eq. 3
         count as such) change
 
-            F by 2 R sqrt(3) p,    F' by 2 sqrt(3) (R v + max(1, R/I) |v| p),
+            F by 2 R sqrt(6) p,    F' by 2 sqrt(6) (R v + max(1, R/I) |v| p),
 
         and F/t, the mean of F' since the contact, by no more than F'. To these come the roundings
         of the formulas: rho is known to 3 u (R_H + R), so F to 12 u R (R_H + R) and F' to
         32 u (R_H + R) |v|; P (rho - R_H + rho0 - R_H)/(rho + rho0) of F/t to
         16 u max(1, R/I) |p| |v|, P being (rho + rho0) (rho - rho0)/t.
         """
-        u, root = UNIT_ROUNDOFF, sp.Rational(7, 4)
+        u, root = UNIT_ROUNDOFF, sp.Rational(5, 2)
         reach = self._reach
         innermost, outermost = self._radii()
         stretch = largest(1, reach / innermost)

@@ -11,10 +11,19 @@ from hoopgen.derive.events import Approach, PolynomialApproach, approach
 from hoopgen.derive.ring import WIDER
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.surfaces import Sphere
-from hypothesis import assume, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from mpmath import mpf
-from test_derive_evaluation import INFINITY, Path, along, digits, exactly, in_doubles, paths
+from test_derive_evaluation import (
+    INFINITY,
+    Path,
+    along,
+    digits,
+    exactly,
+    in_doubles,
+    paths,
+    resting,
+)
 
 RING = HOOP.surfaces[0]
 WIDTH = sp.Symbol("width", nonnegative=True)
@@ -220,9 +229,14 @@ def test_a_clearance_promises_one_simple_root_that_three_newton_steps_reach(
 # -- Margins
 
 
+# A corner of the window, |z| and |rho - R_H| both near R, where F is steepest.
+CORNER = {"x": 0.2400189493131708, "y": 0.22360080349964567, "z": -0.09262333394088106, "vx": 1.0}
+
+
 @searches
 @sometimes(150)
 @given(paths(), parts_of_one, signs, st.sampled_from((0.0, 1e-12, 1e-9)))
+@example(resting(**CORNER), 0.5, (-1, -1, 1, -1, -1, -1), 1e-12)
 def test_margins_bound_what_gap_and_rate_are_off_by_in_every_window(
     search: Search, path: Path, part: float, directions: tuple[int, ...], error: float
 ) -> None:

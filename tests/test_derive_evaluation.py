@@ -273,6 +273,11 @@ def paths(draw: st.DrawFn) -> Path:
     return Path(PARAMETERS | values)
 
 
+def resting(**state: float) -> Path:
+    """Return a flight with the state and parameters given; the rest of the state is zero."""
+    return Path(PARAMETERS | dict.fromkeys(("x", "y", "z", "vx", "vy", "vz"), 0.0) | state)
+
+
 # -- Both evaluations themselves
 
 a, b = sp.symbols("a b", real=True)

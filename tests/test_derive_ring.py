@@ -15,7 +15,7 @@ from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.symbols import POSITION, VELOCITY, t
 from hypothesis import example, given, settings
 from mpmath import mpf
-from test_derive_evaluation import PARAMETERS, Path, digits, exactly, in_doubles, paths
+from test_derive_evaluation import PARAMETERS, Path, digits, exactly, in_doubles, paths, resting
 
 x, y, z = POSITION
 vx, vy, vz = VELOCITY
@@ -107,11 +107,6 @@ def test_refine_is_newtons_step() -> None:
 # -- The windows
 
 
-def resting(**state: float) -> Path:
-    """Return a flight from the state given; the rest is zero."""
-    return Path(PARAMETERS | dict.fromkeys(("x", "y", "z", "vx", "vy", "vz"), 0.0) | state)
-
-
 @often
 @given(paths())
 @example(resting(z=1.0))
@@ -130,7 +125,18 @@ def test_the_windows_hold_every_time_near_the_ring(path: Path) -> None:
 
 @often
 @given(paths())
+# Its apex is at the level of the wider ring to within the pads.
+@example(
+    resting(
+        x=0.5145,
+        z=0.083418289221833,
+        vx=-1.0,
+        vz=1.270170526137195,
+        ball_radius=0.15564714070139773,
+    )
+)
 def test_the_windows_come_in_order_and_do_not_overlap(path: Path) -> None:
+    """A search goes from one to the next that begins no earlier than the last one ended."""
     bounds = in_doubles(WINDOWS, path.values)
     windows = [(bounds[f"low{k}"], bounds[f"high{k}"]) for k in range(3)]
     open_ = [(low, high) for low, high in windows if low < high]

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 8d327e594c3a271a,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 71dcc5292367938e,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -419,7 +419,7 @@ static void LANES(hoop_run)(const hoop_job *job)
         const M open_ring = flying & NOT(LANES(hoop_ring_clear)(until_ring.horizon, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, gravity).clear > zero);
         if (lanes_any(open_ring)) {
             const V horizon = until_ring.horizon;
-            const LANES(hoop_ring_prepare_out) p = LANES(hoop_ring_prepare)(horizon, x, y, z, vx, vy, vz, ball_radius, ring_radius, wire_radius, gravity);
+            const LANES(hoop_ring_prepare_out) p = LANES(hoop_ring_prepare)(horizon, x, y, z, vx, vy, vz, position_error, velocity_error, ball_radius, ring_radius, wire_radius, gravity);
             const M gone = last == K(0.0);
             V share = K(2.9802322387695312e-08);
             const LANES(hoop_allowance_out) a = LANES(hoop_allowance)(share, p.latest, extent, speed, position_error, velocity_error, gravity);

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 8d327e594c3a271a,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 71dcc5292367938e,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -480,7 +480,7 @@ LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V ball_radius
 }
 
 /* Positive if there certainly is no contact before the horizon.
-   bounds of the event condition. 139 operations: 27 additions, 17 subtractions, 63 multiplications, 2 divisions, 2 square roots, 14 comparisons, 14 selections. */
+   bounds of the event condition. 145 operations: 27 additions, 19 subtractions, 65 multiplications, 2 divisions, 2 square roots, 15 comparisons, 15 selections. */
 typedef struct {
     V clear;
 } LANES(hoop_ring_clear_out);
@@ -489,53 +489,56 @@ LANES_INLINE LANES(hoop_ring_clear_out)
 LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V gravity)
 {
     const V s0 = ball_radius + wire_radius;
-    const V s1 = K(1.0000009536743164) * s0;
-    const V s2 = ring_radius + s1;
-    const V s3 = vz * vz;
-    const V s4 = s3 + ((K(2.0) * gravity) * (z - s1));
-    const V s5 = lanes_sqrt(s4);
-    const V s6 = (vz - s5) / gravity;
-    const V s7 = (vz + s5) / gravity;
-    const V s8 = x + (vx * s7);
-    const V s9 = y + (vy * s7);
-    const V s10 = (s8 * s8) + (s9 * s9);
-    const V s11 = lanes_sqrt(s10);
-    const V s12 = s11 - ring_radius;
-    const V s13 = z + ((vz - ((K(0.5) * gravity) * s7)) * s7);
-    const V s14 = s2 * s2;
-    const V s15 = K(9.313225746154785e-10) * s14;
-    const V s16 = (((s12 * s12) + (s13 * s13)) - (s0 * s0)) - s15;
-    const V s17 = (vx * vx) + (vy * vy);
-    const V s18 = ring_radius - s1;
-    const V s19 = K(3.814697265625e-06) * ring_radius;
-    const V s20 = lanes_select((s18 < s19), s19, s18);
-    const V s21 = s20 * s20;
-    const V s22 = s20 * s21;
-    const V s23 = ((((K(2.0) * s3) + ((K(4.0) * gravity) * z)) + (K(2.0) * s17)) - ((K(6.000005722045898) * gravity) * s0)) * s22;
-    const V s24 = (vy * x) - (vx * y);
-    const V s25 = s24 * s24;
-    const V s26 = s23 - ((K(2.0) * ring_radius) * s25);
-    const V s27 = (s12 * ((vx * s8) + (vy * s9))) + ((s13 * (vz - (gravity * s7))) * s11);
-    const V s28 = x + (horizon * vx);
-    const V s29 = y + (horizon * vy);
-    const V s30 = lanes_select(((((s15 + (s28 * s28)) + (s29 * s29)) - s21) < K(0.0)), K(1.0), lanes_select((((s17 * (s15 + s21)) - s25) < K(0.0)), K(1.0), K(0.0)));
-    const V s31 = lanes_select(((((K(4.0) * (s27 * s27)) * s22) - (((K(2.0) * s26) * s10) * s16)) < K(0.0)), s30, K(0.0));
-    const V s32 = lanes_select((horizon < (s7 - (K(9.313225746154785e-10) * horizon))), K(1.0), lanes_select((K(0.0) < s16), lanes_select((K(0.0) < s26), s31, K(0.0)), K(0.0)));
-    const V s33 = (vx * x) + (vy * y);
-    const V s34 = (s6 * s17) + s33;
-    const V s35 = lanes_select((s34 < K(0.0)), lanes_select((s14 < ((s6 * (s33 + s34)) + ((x * x) + (y * y)))), s32, K(0.0)), K(0.0));
-    const V s36 = lanes_select(((extent + (horizon * (speed + (gravity * horizon)))) < (K(65536.0) * s2)), lanes_select((K(0.0) < s4), lanes_select((s6 < K(0.0)), s32, s35), K(0.0)), K(0.0));
-    return (LANES(hoop_ring_clear_out)){ lanes_select((K(0.0) < ((K(7.62939453125e-06) * ring_radius) - (ring_radius - s0))), K(0.0), lanes_select(((position_error + (horizon * velocity_error)) < (K(5.820766091346741e-11) * s2)), s36, K(0.0))) };
+    const V s1 = (K(0.000244140625) * ring_radius) - (ring_radius - s0);
+    const V s2 = position_error + (horizon * velocity_error);
+    const V s3 = (s2 - (K(1.52587890625e-05) * ball_radius)) - (K(1.52587890625e-05) * wire_radius);
+    const V s4 = K(1.00006103515625) * s0;
+    const V s5 = ring_radius + s4;
+    const V s6 = vz * vz;
+    const V s7 = s6 + ((K(2.0) * gravity) * (z - s4));
+    const V s8 = lanes_sqrt(s7);
+    const V s9 = (vz - s8) / gravity;
+    const V s10 = (vz + s8) / gravity;
+    const V s11 = x + (vx * s10);
+    const V s12 = y + (vy * s10);
+    const V s13 = (s11 * s11) + (s12 * s12);
+    const V s14 = lanes_sqrt(s13);
+    const V s15 = s14 - ring_radius;
+    const V s16 = z + ((vz - ((K(0.5) * gravity) * s10)) * s10);
+    const V s17 = s5 * s5;
+    const V s18 = K(9.313225746154785e-10) * s17;
+    const V s19 = (((s15 * s15) + (s16 * s16)) - (s0 * s0)) - s18;
+    const V s20 = (vx * vx) + (vy * vy);
+    const V s21 = ring_radius - s4;
+    const V s22 = K(0.0001220703125) * ring_radius;
+    const V s23 = lanes_select((s21 < s22), s22, s21);
+    const V s24 = s23 * s23;
+    const V s25 = s23 * s24;
+    const V s26 = ((((K(2.0) * s6) + ((K(4.0) * gravity) * z)) + (K(2.0) * s20)) - ((K(6.0003662109375) * gravity) * s0)) * s25;
+    const V s27 = (vy * x) - (vx * y);
+    const V s28 = s27 * s27;
+    const V s29 = s26 - ((K(2.0) * ring_radius) * s28);
+    const V s30 = (s15 * ((vx * s11) + (vy * s12))) + ((s16 * (vz - (gravity * s10))) * s14);
+    const V s31 = x + (horizon * vx);
+    const V s32 = y + (horizon * vy);
+    const V s33 = lanes_select(((((s18 + (s31 * s31)) + (s32 * s32)) - s24) < K(0.0)), K(1.0), lanes_select((((s20 * (s18 + s24)) - s28) < K(0.0)), K(1.0), K(0.0)));
+    const V s34 = lanes_select(((((K(4.0) * (s30 * s30)) * s25) - (((K(2.0) * s29) * s13) * s19)) < K(0.0)), s33, K(0.0));
+    const V s35 = lanes_select((horizon < (s10 - (K(9.313225746154785e-10) * horizon))), K(1.0), lanes_select((K(0.0) < s19), lanes_select((K(0.0) < s29), s34, K(0.0)), K(0.0)));
+    const V s36 = (vx * x) + (vy * y);
+    const V s37 = (s9 * s20) + s36;
+    const V s38 = lanes_select((s37 < K(0.0)), lanes_select((s17 < ((s9 * (s36 + s37)) + ((x * x) + (y * y)))), s35, K(0.0)), K(0.0));
+    const V s39 = lanes_select(((extent + (horizon * (speed + (gravity * horizon)))) < (K(65536.0) * s5)), lanes_select((K(0.0) < s7), lanes_select((s9 < K(0.0)), s35, s38), K(0.0)), K(0.0));
+    return (LANES(hoop_ring_clear_out)){ lanes_select((K(0.0) < lanes_select((s1 < s3), s3, s1)), K(0.0), lanes_select((s2 < (K(5.820766091346741e-11) * s5)), s39, K(0.0))) };
 }
 
 /* Constants and windows of the search along a flight, and the errors it allows for.
-   bounds of the event condition. 153 operations: 27 additions, 18 subtractions, 45 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 21 comparisons, 28 selections. */
+   bounds of the event condition. 165 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 24 comparisons, 31 selections. */
 typedef struct {
     V steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, lost;
 } LANES(hoop_ring_prepare_out);
 
 LANES_INLINE LANES(hoop_ring_prepare_out)
-LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V gravity)
 {
     const V s0 = vz * vz;
     const V s1 = (vx * vx) + (vy * vy);
@@ -545,7 +548,7 @@ LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V ball_radi
     const V s5 = (K(2.0) * ring_radius) * s4;
     const V s6 = (x * x) + (y * y);
     const V s7 = ball_radius + wire_radius;
-    const V s8 = K(1.0000009536743164) * s7;
+    const V s8 = K(1.00006103515625) * s7;
     const V s9 = K(2.0) * gravity;
     const V s10 = K(8.881784197001252e-16) * (s0 + (s9 * (lanes_abs(z) + s8)));
     const V s11 = (s0 + (s9 * (z + s8))) + s10;
@@ -566,7 +569,7 @@ LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V ball_radi
     const M s26 = K(2.409919865102884e-181) < s1;
     const V s27 = lanes_select(s26, lanes_select(s25, ((-((s21 + s22) + s23)) * s24), K(INFINITY)), (-K(INFINITY)));
     const V s28 = ring_radius - s8;
-    const V s29 = K(3.814697265625e-06) * ring_radius;
+    const V s29 = K(0.0001220703125) * ring_radius;
     const V s30 = lanes_select((s28 < s29), s29, s28);
     const V s31 = ((s1 * (s30 * s30)) - s19) - s4;
     const V s32 = lanes_sqrt(lanes_select((s31 < K(0.0)), K(0.0), s31));
@@ -580,17 +583,21 @@ LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V ball_radi
     const V s40 = lanes_select(s39, (s12 * ((vz + s14) - s37)), s38);
     const V s41 = lanes_select((s35 < s40), s35, s40);
     const V s42 = lanes_select(s34, (((s32 - s21) - s23) * s24), K(INFINITY));
-    const V s43 = lanes_select((s16 < s42), s42, s16);
-    const V s44 = lanes_select((s33 < s40), s33, s40);
-    const V s45 = lanes_select(s39, (s12 * ((vz + s37) - s14)), K(INFINITY));
-    const M s46 = s43 <= s44;
-    const V s47 = lanes_select(s46, s44, lanes_select((s35 < s38), s35, s38));
-    const V s48 = lanes_select((s33 < s38), s33, s38);
-    const V s49 = K(1.0) / s30;
-    const V s50 = lanes_select((K(0.0) < s41), s41, K(0.0));
-    const V s51 = lanes_select((s50 < s47), s47, s50);
-    const V s52 = lanes_select((s51 < s48), s48, s51);
-    return (LANES(hoop_ring_prepare_out)){ s2, s5, lanes_sqrt(s6), lanes_select((s16 < s27), s27, s16), s41, lanes_select(s46, s43, lanes_select((s45 < s27), s27, s45)), s47, lanes_select((s45 < s42), s42, s45), s48, (((K(6.000005722045898) * gravity) * s7) + (s5 * (s49 * (s49 * s49)))) + lanes_abs(s2), lanes_select((s52 < horizon), s52, horizon), (K(7.62939453125e-06) * ring_radius) - (ring_radius - s7) };
+    const V s43 = lanes_select((s42 < s35), s35, s42);
+    const V s44 = lanes_select((s16 < s43), s43, s16);
+    const V s45 = lanes_select((s33 < s40), s33, s40);
+    const V s46 = lanes_select(s39, (s12 * ((vz + s37) - s14)), K(INFINITY));
+    const V s47 = lanes_select((s46 < s40), s40, s46);
+    const M s48 = s44 <= s45;
+    const V s49 = lanes_select(s48, s45, lanes_select((s35 < s38), s35, s38));
+    const V s50 = lanes_select((s33 < s38), s33, s38);
+    const V s51 = K(1.0) / s30;
+    const V s52 = lanes_select((K(0.0) < s41), s41, K(0.0));
+    const V s53 = lanes_select((s52 < s49), s49, s52);
+    const V s54 = lanes_select((s53 < s50), s50, s53);
+    const V s55 = (K(0.000244140625) * ring_radius) - (ring_radius - s7);
+    const V s56 = ((position_error + (horizon * velocity_error)) - (K(1.52587890625e-05) * ball_radius)) - (K(1.52587890625e-05) * wire_radius);
+    return (LANES(hoop_ring_prepare_out)){ s2, s5, lanes_sqrt(s6), lanes_select((s16 < s27), s27, s16), s41, lanes_select(s48, s44, lanes_select((s47 < s27), s27, s47)), s49, lanes_select((s47 < s43), s43, s47), s50, (((K(6.0003662109375) * gravity) * s7) + (s5 * (s51 * (s51 * s51)))) + lanes_abs(s2), lanes_select((s54 < horizon), s54, horizon), lanes_select((s55 < s56), s56, s55) };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
@@ -604,18 +611,18 @@ LANES(hoop_ring_margins)(V horizon, V extent, V speed, V position_error, V veloc
 {
     const V s0 = ball_radius + wire_radius;
     const V s1 = speed + (gravity * horizon);
-    const V s2 = K(1.0000009536743164) * s0;
+    const V s2 = K(1.00006103515625) * s0;
     const V s3 = s2 * s1;
     const V s4 = ring_radius + s2;
     const V s5 = extent + (horizon * s1);
     const V s6 = (position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s5);
     const V s7 = ring_radius - s2;
-    const V s8 = K(3.814697265625e-06) * ring_radius;
+    const V s8 = K(0.0001220703125) * ring_radius;
     const V s9 = s2 / lanes_select((s7 < s8), s8, s7);
     const V s10 = lanes_select((K(1.0) < s9), s9, K(1.0));
-    const V s11 = K(3.5) * (((s1 * s10) * s6) + (s2 * (velocity_error + (K(2.220446049250313e-16) * s1))));
+    const V s11 = K(5.0) * (((s1 * s10) * s6) + (s2 * (velocity_error + (K(2.220446049250313e-16) * s1))));
     const V s12 = K(1.0009765625) * ((((K(3.552713678800501e-15) * s1) * ((s5 * s10) + s4)) + (K(4.440892098500626e-16) * s3)) + s11);
-    return (LANES(hoop_ring_margins_out)){ K(1.0009765625) * ((((K(4.440892098500626e-16) * horizon) * s3) + ((K(1.3322689000996087e-15) * s0) * s4)) + ((K(3.5000033378601074) * s0) * s6)), s12, K(1.0009765625) * ((K(3.552713678800501e-15) * (s4 * s1)) + s11) };
+    return (LANES(hoop_ring_margins_out)){ K(1.0009765625) * ((((K(4.440892098500626e-16) * horizon) * s3) + ((K(1.3323489447131243e-15) * s0) * s4)) + ((K(5.00030517578125) * s0) * s6)), s12, K(1.0009765625) * ((K(3.552713678800501e-15) * (s4 * s1)) + s11) };
 }
 
 /* Newton's next value of a root near t, and the rate there.
@@ -669,7 +676,7 @@ LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceili
     const V s15 = K(6.0) * gravity;
     const V s16 = s15 * s8;
     const V s17 = swing * (s11 * (s11 * s11));
-    const V s18 = K(1.0000009536743164) * s9;
+    const V s18 = K(1.00006103515625) * s9;
     const V s19 = s14 - rate_margin;
     const V s20 = s10 - margin;
     const V s21 = lanes_select((s20 < K(0.0)), K(0.0), s20);
@@ -683,7 +690,7 @@ LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceili
     const V s29 = s15 * lanes_select((s18 < s28), s18, s28);
     const V s30 = ((s27 * lanes_select((K(0.0) < s12), K(0.0), s12)) + s2) - (K(9.094947017729282e-13) * (ring_radius + s18));
     const V s31 = ring_radius - s18;
-    const V s32 = K(3.814697265625e-06) * ring_radius;
+    const V s32 = K(0.0001220703125) * ring_radius;
     const V s33 = lanes_select((s31 < s32), s32, s31);
     const V s34 = K(1.0) / lanes_select((s30 < s33), s33, s30);
     const V s35 = swing * (s34 * (s34 * s34));

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 8d327e594c3a271a,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 71dcc5292367938e,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -39,6 +39,9 @@ SURFACES: tuple[tuple[str, int, bool], ...] = (
 
 SHARES: tuple[float, ...] = (2.9802322387695312e-08, 9.313225746154785e-10, 2.9103830456733704e-11, 9.094947017729282e-13, 2.842170943040401e-14)
 """Errors, relative to the flight, that a search allows for, one after another."""
+
+STEP_LIMIT = 200
+"""Steps after which a search gives up and the shot is uncertain."""
 
 OUTPUTS: dict[str, tuple[str, ...]] = {
     "flight": ("x", "y", "z", "vx", "vy", "vz",),
@@ -508,53 +511,56 @@ def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, bal
 def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
     """Positive if there certainly is no contact before the horizon.
 
-    bounds of the event condition. 139 operations: 27 additions, 17 subtractions, 63 multiplications, 2 divisions, 2 square roots, 14 comparisons, 14 selections.
+    bounds of the event condition. 145 operations: 27 additions, 19 subtractions, 65 multiplications, 2 divisions, 2 square roots, 15 comparisons, 15 selections.
     Returns clear.
     """
     s0 = ball_radius + wire_radius
-    s1 = 1.0000009536743164 * s0
-    s2 = ring_radius + s1
-    s3 = vz * vz
-    s4 = s3 + ((2.0 * gravity) * (z - s1))
-    s5 = sqrt(s4)
-    s6 = (vz - s5) / gravity
-    s7 = (vz + s5) / gravity
-    s8 = x + (vx * s7)
-    s9 = y + (vy * s7)
-    s10 = (s8 * s8) + (s9 * s9)
-    s11 = sqrt(s10)
-    s12 = s11 - ring_radius
-    s13 = z + ((vz - ((0.5 * gravity) * s7)) * s7)
-    s14 = s2 * s2
-    s15 = 9.313225746154785e-10 * s14
-    s16 = (((s12 * s12) + (s13 * s13)) - (s0 * s0)) - s15
-    s17 = (vx * vx) + (vy * vy)
-    s18 = ring_radius - s1
-    s19 = 3.814697265625e-06 * ring_radius
-    s20 = where((s18 < s19), s19, s18)
-    s21 = s20 * s20
-    s22 = s20 * s21
-    s23 = ((((2.0 * s3) + ((4.0 * gravity) * z)) + (2.0 * s17)) - ((6.000005722045898 * gravity) * s0)) * s22
-    s24 = (vy * x) - (vx * y)
-    s25 = s24 * s24
-    s26 = s23 - ((2.0 * ring_radius) * s25)
-    s27 = (s12 * ((vx * s8) + (vy * s9))) + ((s13 * (vz - (gravity * s7))) * s11)
-    s28 = x + (horizon * vx)
-    s29 = y + (horizon * vy)
-    s30 = where(((((s15 + (s28 * s28)) + (s29 * s29)) - s21) < 0.0), 1.0, where((((s17 * (s15 + s21)) - s25) < 0.0), 1.0, 0.0))
-    s31 = where(((((4.0 * (s27 * s27)) * s22) - (((2.0 * s26) * s10) * s16)) < 0.0), s30, 0.0)
-    s32 = where((horizon < (s7 - (9.313225746154785e-10 * horizon))), 1.0, where((0.0 < s16), where((0.0 < s26), s31, 0.0), 0.0))
-    s33 = (vx * x) + (vy * y)
-    s34 = (s6 * s17) + s33
-    s35 = where((s34 < 0.0), where((s14 < ((s6 * (s33 + s34)) + ((x * x) + (y * y)))), s32, 0.0), 0.0)
-    s36 = where(((extent + (horizon * (speed + (gravity * horizon)))) < (65536.0 * s2)), where((0.0 < s4), where((s6 < 0.0), s32, s35), 0.0), 0.0)
-    return where((0.0 < ((7.62939453125e-06 * ring_radius) - (ring_radius - s0))), 0.0, where(((position_error + (horizon * velocity_error)) < (5.820766091346741e-11 * s2)), s36, 0.0)),
+    s1 = (0.000244140625 * ring_radius) - (ring_radius - s0)
+    s2 = position_error + (horizon * velocity_error)
+    s3 = (s2 - (1.52587890625e-05 * ball_radius)) - (1.52587890625e-05 * wire_radius)
+    s4 = 1.00006103515625 * s0
+    s5 = ring_radius + s4
+    s6 = vz * vz
+    s7 = s6 + ((2.0 * gravity) * (z - s4))
+    s8 = sqrt(s7)
+    s9 = (vz - s8) / gravity
+    s10 = (vz + s8) / gravity
+    s11 = x + (vx * s10)
+    s12 = y + (vy * s10)
+    s13 = (s11 * s11) + (s12 * s12)
+    s14 = sqrt(s13)
+    s15 = s14 - ring_radius
+    s16 = z + ((vz - ((0.5 * gravity) * s10)) * s10)
+    s17 = s5 * s5
+    s18 = 9.313225746154785e-10 * s17
+    s19 = (((s15 * s15) + (s16 * s16)) - (s0 * s0)) - s18
+    s20 = (vx * vx) + (vy * vy)
+    s21 = ring_radius - s4
+    s22 = 0.0001220703125 * ring_radius
+    s23 = where((s21 < s22), s22, s21)
+    s24 = s23 * s23
+    s25 = s23 * s24
+    s26 = ((((2.0 * s6) + ((4.0 * gravity) * z)) + (2.0 * s20)) - ((6.0003662109375 * gravity) * s0)) * s25
+    s27 = (vy * x) - (vx * y)
+    s28 = s27 * s27
+    s29 = s26 - ((2.0 * ring_radius) * s28)
+    s30 = (s15 * ((vx * s11) + (vy * s12))) + ((s16 * (vz - (gravity * s10))) * s14)
+    s31 = x + (horizon * vx)
+    s32 = y + (horizon * vy)
+    s33 = where(((((s18 + (s31 * s31)) + (s32 * s32)) - s24) < 0.0), 1.0, where((((s20 * (s18 + s24)) - s28) < 0.0), 1.0, 0.0))
+    s34 = where(((((4.0 * (s30 * s30)) * s25) - (((2.0 * s29) * s13) * s19)) < 0.0), s33, 0.0)
+    s35 = where((horizon < (s10 - (9.313225746154785e-10 * horizon))), 1.0, where((0.0 < s19), where((0.0 < s29), s34, 0.0), 0.0))
+    s36 = (vx * x) + (vy * y)
+    s37 = (s9 * s20) + s36
+    s38 = where((s37 < 0.0), where((s17 < ((s9 * (s36 + s37)) + ((x * x) + (y * y)))), s35, 0.0), 0.0)
+    s39 = where(((extent + (horizon * (speed + (gravity * horizon)))) < (65536.0 * s5)), where((0.0 < s7), where((s9 < 0.0), s35, s38), 0.0), 0.0)
+    return where((0.0 < where((s1 < s3), s3, s1)), 0.0, where((s2 < (5.820766091346741e-11 * s5)), s39, 0.0)),
 
 
-def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
     """Constants and windows of the search along a flight, and the errors it allows for.
 
-    bounds of the event condition. 153 operations: 27 additions, 18 subtractions, 45 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 21 comparisons, 28 selections.
+    bounds of the event condition. 165 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 24 comparisons, 31 selections.
     Returns steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, lost.
     """
     s0 = vz * vz
@@ -565,7 +571,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     s5 = (2.0 * ring_radius) * s4
     s6 = (x * x) + (y * y)
     s7 = ball_radius + wire_radius
-    s8 = 1.0000009536743164 * s7
+    s8 = 1.00006103515625 * s7
     s9 = 2.0 * gravity
     s10 = 8.881784197001252e-16 * (s0 + (s9 * (absolute(z) + s8)))
     s11 = (s0 + (s9 * (z + s8))) + s10
@@ -586,7 +592,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     s26 = 2.409919865102884e-181 < s1
     s27 = where(s26, where(s25, ((-((s21 + s22) + s23)) * s24), inf), (-inf))
     s28 = ring_radius - s8
-    s29 = 3.814697265625e-06 * ring_radius
+    s29 = 0.0001220703125 * ring_radius
     s30 = where((s28 < s29), s29, s28)
     s31 = ((s1 * (s30 * s30)) - s19) - s4
     s32 = sqrt(where((s31 < 0.0), 0.0, s31))
@@ -600,17 +606,21 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     s40 = where(s39, (s12 * ((vz + s14) - s37)), s38)
     s41 = where((s35 < s40), s35, s40)
     s42 = where(s34, (((s32 - s21) - s23) * s24), inf)
-    s43 = where((s16 < s42), s42, s16)
-    s44 = where((s33 < s40), s33, s40)
-    s45 = where(s39, (s12 * ((vz + s37) - s14)), inf)
-    s46 = s43 <= s44
-    s47 = where(s46, s44, where((s35 < s38), s35, s38))
-    s48 = where((s33 < s38), s33, s38)
-    s49 = 1.0 / s30
-    s50 = where((0.0 < s41), s41, 0.0)
-    s51 = where((s50 < s47), s47, s50)
-    s52 = where((s51 < s48), s48, s51)
-    return s2, s5, sqrt(s6), where((s16 < s27), s27, s16), s41, where(s46, s43, where((s45 < s27), s27, s45)), s47, where((s45 < s42), s42, s45), s48, (((6.000005722045898 * gravity) * s7) + (s5 * (s49 * (s49 * s49)))) + absolute(s2), where((s52 < horizon), s52, horizon), (7.62939453125e-06 * ring_radius) - (ring_radius - s7)
+    s43 = where((s42 < s35), s35, s42)
+    s44 = where((s16 < s43), s43, s16)
+    s45 = where((s33 < s40), s33, s40)
+    s46 = where(s39, (s12 * ((vz + s37) - s14)), inf)
+    s47 = where((s46 < s40), s40, s46)
+    s48 = s44 <= s45
+    s49 = where(s48, s45, where((s35 < s38), s35, s38))
+    s50 = where((s33 < s38), s33, s38)
+    s51 = 1.0 / s30
+    s52 = where((0.0 < s41), s41, 0.0)
+    s53 = where((s52 < s49), s49, s52)
+    s54 = where((s53 < s50), s50, s53)
+    s55 = (0.000244140625 * ring_radius) - (ring_radius - s7)
+    s56 = ((position_error + (horizon * velocity_error)) - (1.52587890625e-05 * ball_radius)) - (1.52587890625e-05 * wire_radius)
+    return s2, s5, sqrt(s6), where((s16 < s27), s27, s16), s41, where(s48, s44, where((s47 < s27), s27, s47)), s49, where((s47 < s43), s43, s47), s50, (((6.0003662109375 * gravity) * s7) + (s5 * (s51 * (s51 * s51)))) + absolute(s2), where((s54 < horizon), s54, horizon), where((s55 < s56), s56, s55)
 
 
 def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
@@ -621,18 +631,18 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     """
     s0 = ball_radius + wire_radius
     s1 = speed + (gravity * horizon)
-    s2 = 1.0000009536743164 * s0
+    s2 = 1.00006103515625 * s0
     s3 = s2 * s1
     s4 = ring_radius + s2
     s5 = extent + (horizon * s1)
     s6 = (position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * s5)
     s7 = ring_radius - s2
-    s8 = 3.814697265625e-06 * ring_radius
+    s8 = 0.0001220703125 * ring_radius
     s9 = s2 / where((s7 < s8), s8, s7)
     s10 = where((1.0 < s9), s9, 1.0)
-    s11 = 3.5 * (((s1 * s10) * s6) + (s2 * (velocity_error + (2.220446049250313e-16 * s1))))
+    s11 = 5.0 * (((s1 * s10) * s6) + (s2 * (velocity_error + (2.220446049250313e-16 * s1))))
     s12 = 1.0009765625 * ((((3.552713678800501e-15 * s1) * ((s5 * s10) + s4)) + (4.440892098500626e-16 * s3)) + s11)
-    return 1.0009765625 * ((((4.440892098500626e-16 * horizon) * s3) + ((1.3322689000996087e-15 * s0) * s4)) + ((3.5000033378601074 * s0) * s6)), s12, 1.0009765625 * ((3.552713678800501e-15 * (s4 * s1)) + s11)
+    return 1.0009765625 * ((((4.440892098500626e-16 * horizon) * s3) + ((1.3323489447131243e-15 * s0) * s4)) + ((5.00030517578125 * s0) * s6)), s12, 1.0009765625 * ((3.552713678800501e-15 * (s4 * s1)) + s11)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
@@ -680,7 +690,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     s15 = 6.0 * gravity
     s16 = s15 * s8
     s17 = swing * (s11 * (s11 * s11))
-    s18 = 1.0000009536743164 * s9
+    s18 = 1.00006103515625 * s9
     s19 = s14 - rate_margin
     s20 = s10 - margin
     s21 = where((s20 < 0.0), 0.0, s20)
@@ -694,7 +704,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     s29 = s15 * where((s18 < s28), s18, s28)
     s30 = ((s27 * where((0.0 < s12), 0.0, s12)) + s2) - (9.094947017729282e-13 * (ring_radius + s18))
     s31 = ring_radius - s18
-    s32 = 3.814697265625e-06 * ring_radius
+    s32 = 0.0001220703125 * ring_radius
     s33 = where((s31 < s32), s32, s31)
     s34 = 1.0 / where((s30 < s33), s33, s30)
     s35 = swing * (s34 * (s34 * s34))

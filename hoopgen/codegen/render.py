@@ -174,7 +174,6 @@ def render_scene(scene: Scene) -> dict[str, str]:
         "scene": scene,
         "parameters": [p.symbol.name for p in scene.parameters],
         "kernels": list(views.values()),
-        "cost": {name: view.cost for name, view in views.items()},
         "surfaces": surfaces[:-1],
         "finish": surfaces[-1],
         "all_surfaces": surfaces,

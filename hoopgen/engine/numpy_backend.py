@@ -24,9 +24,6 @@ Outputs = tuple[Any, ...]
 BLOCK = 1 << 14
 """Shots that are simulated together: their arrays fit the second-level cache."""
 
-STEP_LIMIT = 200
-"""As in the C engine: steps after which a search gives up and the shot is uncertain."""
-
 POSITION = ("x", "y", "z")
 MOTION = ("vx", "vy", "vz", "wx", "wy", "wz")
 STATE = POSITION + MOTION
@@ -416,7 +413,7 @@ def _first_root(
     search.keep(search.open(np.ones(shots, np.bool_), 0.0))
     arrival, question = np.full(shots, np.inf), np.full(shots, np.inf)
     certain = np.zeros(shots, np.bool_)
-    for step in range(STEP_LIMIT + 1):
+    for step in range(kernels.STEP_LIMIT + 1):
         if not len(search.shot):
             break
         t, shot = search.t, search.shot
@@ -455,7 +452,7 @@ def _first_root(
         passed = search.end
         search.t = np.where(hit | vague, t, t + stride)
         going = ~hit & (~exhausted | search.open(exhausted, passed))
-        if step == STEP_LIMIT:
+        if step == kernels.STEP_LIMIT:
             question[shot[going]] = np.fmin(question[shot[going]], search.t[going])
         if not going.all():
             search.keep(going)
