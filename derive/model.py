@@ -252,10 +252,17 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
         ),
         kernel(
             "error_bounds",
-            sensitivity.bounds(),
+            sensitivity.bounds(sensitivity.GUARD),
             order,
-            "Bounds on the errors of a state and its time, from the carried errors.",
+            "Bounds on the errors of a state and its time that decisions allow for.",
             "the carried errors times a guard",
+        ),
+        kernel(
+            "claimed_errors",
+            sensitivity.bounds(sensitivity.CLAIM),
+            order,
+            "Bounds on the errors of a state and its time that a shot claims.",
+            "the carried errors times a larger guard",
         ),
         kernel(
             "valid",

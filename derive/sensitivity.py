@@ -23,7 +23,12 @@ from .surfaces import Surface
 from .symbols import POSITION, UNIT_ROUNDOFF, normal, position, spin, t, velocity
 
 GUARD = 16
-"""Bounds are this many times the carried errors; `make exactness` holds them against the judge."""
+"""Decisions allow for this many times the carried errors."""
+
+CLAIM = 64
+"""What a shot claims of its own time and state is more: where a decision stands far from its limit,
+a bound on a number is held to the last digit, and a segment can be worse than its predecessors
+foretell. `make exactness` holds both against the judge."""
 
 LIFT = 8
 """See above. Constant, it would make an exponential growth of its own; so it is a power's."""
@@ -150,8 +155,8 @@ def carried_through_impact(ball_radius: sp.Expr, restitution: sp.Expr) -> dict[s
     return outputs
 
 
-def bounds() -> dict[str, sp.Expr]:
-    """Return the bounds on the errors of a state and its time that the carried errors stand for."""
+def bounds(times: int) -> dict[str, sp.Expr]:
+    """Return so many times the carried errors of a state and its time."""
     sizes = [largest(*(size(e) for e in errors)) for errors in (dx, dv, dw)]
     names = ("position_error", "velocity_error", "spin_error", "time_error")
-    return {name: GUARD * s for name, s in zip(names, (*sizes, clock_error), strict=True)}
+    return {name: times * s for name, s in zip(names, (*sizes, clock_error), strict=True)}

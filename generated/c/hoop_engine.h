@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 71dcc5292367938e,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation aa6caff4548a01f7,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -681,7 +681,7 @@ static void LANES(hoop_run)(const hoop_job *job)
         lanes_store(pool.count_bridge, count_bridge);
 
         if (wants_errors) {
-            const LANES(hoop_error_bounds_out) now = LANES(hoop_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+            const LANES(hoop_claimed_errors_out) now = LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
             lanes_store(pool.bounds[0], now.position_error);
             lanes_store(pool.bounds[1], now.velocity_error);
             lanes_store(pool.bounds[2], now.spin_error);

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 71dcc5292367938e,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation aa6caff4548a01f7,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -288,7 +288,7 @@ LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V
     return (LANES(hoop_carry_impact_out)){ lanes_select((lanes_abs(s9) < s20), lanes_select((s9 < K(0.0)), s21, s20), s9), lanes_select((lanes_abs(s24) < s20), lanes_select((s24 < K(0.0)), s21, s20), s24), lanes_select((lanes_abs(s27) < s20), lanes_select((s27 < K(0.0)), s21, s20), s27), lanes_select((lanes_abs(s36) < s37), lanes_select((s36 < K(0.0)), s38, s37), s36), lanes_select((lanes_abs(s41) < s37), lanes_select((s41 < K(0.0)), s38, s37), s41), lanes_select((lanes_abs(s43) < s37), lanes_select((s43 < K(0.0)), s38, s37), s43) };
 }
 
-/* Bounds on the errors of a state and its time, from the carried errors.
+/* Bounds on the errors of a state and its time that decisions allow for.
    the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
     V position_error, velocity_error, spin_error, time_error;
@@ -310,6 +310,30 @@ LANES(hoop_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V
     const V s10 = lanes_select((s8 < s9), s9, s8);
     const V s11 = lanes_abs(dwz);
     return (LANES(hoop_error_bounds_out)){ K(16.0) * lanes_select((s2 < s3), s3, s2), K(16.0) * lanes_select((s6 < s7), s7, s6), K(16.0) * lanes_select((s10 < s11), s11, s10), K(16.0) * clock_error };
+}
+
+/* Bounds on the errors of a state and its time that a shot claims.
+   the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+typedef struct {
+    V position_error, velocity_error, spin_error, time_error;
+} LANES(hoop_claimed_errors_out);
+
+LANES_INLINE LANES(hoop_claimed_errors_out)
+LANES(hoop_claimed_errors)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
+{
+    const V s0 = lanes_abs(dx);
+    const V s1 = lanes_abs(dy);
+    const V s2 = lanes_select((s0 < s1), s1, s0);
+    const V s3 = lanes_abs(dz);
+    const V s4 = lanes_abs(dvx);
+    const V s5 = lanes_abs(dvy);
+    const V s6 = lanes_select((s4 < s5), s5, s4);
+    const V s7 = lanes_abs(dvz);
+    const V s8 = lanes_abs(dwx);
+    const V s9 = lanes_abs(dwy);
+    const V s10 = lanes_select((s8 < s9), s9, s8);
+    const V s11 = lanes_abs(dwz);
+    return (LANES(hoop_claimed_errors_out)){ K(64.0) * lanes_select((s2 < s3), s3, s2), K(64.0) * lanes_select((s6 < s7), s7, s6), K(64.0) * lanes_select((s10 < s11), s11, s10), K(64.0) * clock_error };
 }
 
 /* 1 where parameters are allowed and no surface overlapped; 1 where that is in doubt.

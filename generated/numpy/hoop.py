@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 71dcc5292367938e,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation aa6caff4548a01f7,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -56,6 +56,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "carry_flight": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "delay", "shift",),
     "carry_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
     "error_bounds": ("position_error", "velocity_error", "spin_error", "time_error",),
+    "claimed_errors": ("position_error", "velocity_error", "spin_error", "time_error",),
     "valid": ("valid", "doubt",),
     "target": ("target",),
     "ring_coefficients": ("c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7", "c8",),
@@ -342,7 +343,7 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
 
 
 def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
-    """Bounds on the errors of a state and its time, from the carried errors.
+    """Bounds on the errors of a state and its time that decisions allow for.
 
     the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     Returns position_error, velocity_error, spin_error, time_error.
@@ -360,6 +361,27 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
     s10 = where((s8 < s9), s9, s8)
     s11 = absolute(dwz)
     return 16.0 * where((s2 < s3), s3, s2), 16.0 * where((s6 < s7), s7, s6), 16.0 * where((s10 < s11), s11, s10), 16.0 * clock_error
+
+
+def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
+    """Bounds on the errors of a state and its time that a shot claims.
+
+    the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
+    Returns position_error, velocity_error, spin_error, time_error.
+    """
+    s0 = absolute(dx)
+    s1 = absolute(dy)
+    s2 = where((s0 < s1), s1, s0)
+    s3 = absolute(dz)
+    s4 = absolute(dvx)
+    s5 = absolute(dvy)
+    s6 = where((s4 < s5), s5, s4)
+    s7 = absolute(dvz)
+    s8 = absolute(dwx)
+    s9 = absolute(dwy)
+    s10 = where((s8 < s9), s9, s8)
+    s11 = absolute(dwz)
+    return 64.0 * where((s2 < s3), s3, s2), 64.0 * where((s6 < s7), s7, s6), 64.0 * where((s10 < s11), s11, s10), 64.0 * clock_error
 
 
 def valid(last: Any, x: Any, y: Any, z: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, restitution: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:

@@ -571,7 +571,7 @@ def _finish(
     if out.state is not None:
         out.state[row] = np.where(invalid[:, None], np.nan, flights.state()[over])
     if out.time_error is not None or out.state_error is not None:
-        *state_error, time_error = _call(kernels.error_bounds, flights.columns)
+        *state_error, time_error = _call(kernels.claimed_errors, flights.columns)
         if out.time_error is not None:
             out.time_error[row] = np.where(invalid, np.nan, time_error[over])
         if out.state_error is not None:
