@@ -347,8 +347,9 @@ class RingApproach(Approach):
     def margins(self) -> dict[str, sp.Expr]:
         """What errors of the state and roundings make of F, F/t and F' within the windows.
 
-        F is the squared distance to the wire's circle less R²: |grad F| <= 2 sqrt(2) R, and its Hessian,
-        2 along rho and z and 2 (rho - R_H)/rho across, is at most 2 max(1, R/I) with I = R_H - R.
+        F is the squared distance to the wire's circle less R²: |grad F| <= 2 sqrt(2) R. Its
+        Hessian, 2 along rho and z and 2 (rho - R_H)/rho across, is at most 2 max(1, R/I) with
+        I = R_H - R.
         An error p of the position and v of the velocity (in each coordinate; roundings of Eq. 3
         count as such) change
 

@@ -13,7 +13,7 @@ from hoopgen.derive.flight import flight
 from hoopgen.derive.ring import CONSTANTS, Ring, RingApproach
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.symbols import POSITION, VELOCITY, t
-from hypothesis import example, given, settings
+from hypothesis import assume, example, given, settings
 from mpmath import mpf
 from test_derive_evaluation import PARAMETERS, Path, digits, exactly, in_doubles, paths, resting
 
@@ -116,6 +116,10 @@ def test_refine_is_newtons_step() -> None:
 @example(resting(x=0.3, z=0.13128, vy=4.0))
 def test_the_windows_hold_every_time_near_the_ring(path: Path) -> None:
     """As doubles have them: no interval of |z| <= R and |rho - R_H| <= R is cut."""
+    values = path.values
+    reach = values["ball_radius"] + values["wire_radius"]
+    # A narrower hole is `lost`: every shot at it is uncertain.
+    assume(values["ring_radius"] - reach > 2**-12 * values["ring_radius"])
     bounds = in_doubles(WINDOWS, path.values)
     windows = [(mpf(float(bounds[f"low{k}"])), mpf(float(bounds[f"high{k}"]))) for k in range(3)]
     with digits(40):

@@ -12,6 +12,7 @@ from typing import Any
 
 import click
 
+from hoopgen.cli.certify import certify
 from hoopgen.cli.develop import bench, check, generate
 from hoopgen.cli.options import examples
 from hoopgen.cli.paper import paper
@@ -95,5 +96,5 @@ def main(ctx: click.Context) -> None:
         click.echo(ctx.get_help())
 
 
-for _command in (paper, shot, generate, check, bench):
+for _command in (paper, shot, certify, generate, check, bench):
     main.add_command(_command)
