@@ -266,7 +266,7 @@ class Approach(ABC):
         low_gap = hold(largest(hold(gap - margin), 0))
         slope = hold(hold(self.rate) - rate_margin)
         numerator = IfLess(slope, 0, 2 * low_gap, 4 * slope)
-        denominator = IfLess(slope, 0, -slope, largest(hold(-self.bend), 0))
+        denominator = IfLess(slope, 0, -slope, _positive(hold(-self.bend)))
         rising = IfAtMost(0, slope, low_gap, 0)
         guess = IfLess(0, rising, sp.oo, numerator / hold(denominator))
         width = hold(smallest(hold(end - t), guess))
@@ -282,6 +282,11 @@ class Approach(ABC):
         }
 
 
+def _positive(quantity: sp.Expr) -> sp.Expr:
+    """Return the quantity where it is positive, else a zero that is: -0 is a divisor, too."""
+    return IfLess(0, quantity, quantity, 0)
+
+
 def _first_root(gap: sp.Expr, slope: sp.Expr, curvature: sp.Expr) -> sp.Expr:
     """Return the first root s >= 0 of gap + slope s - curvature s²/2, infinite if none.
 
@@ -290,7 +295,7 @@ def _first_root(gap: sp.Expr, slope: sp.Expr, curvature: sp.Expr) -> sp.Expr:
     discriminant = hold(slope**2 + 2 * curvature * gap)
     root = sp.sqrt(discriminant)
     numerator = IfLess(slope, 0, 2 * gap, slope + root)
-    denominator = IfLess(slope, 0, root - slope, largest(curvature, 0))
+    denominator = IfLess(slope, 0, root - slope, _positive(curvature))
     # Rising and bent upwards, the denominator is zero and the quotient infinite, as it should be.
     # 0/0 is a parabola that is zero throughout: it limits no step, and `smallest` passes over it.
     return IfAtMost(0, discriminant, numerator / denominator, sp.oo)

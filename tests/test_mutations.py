@@ -310,8 +310,8 @@ FAULTS = (
     ),
     Fault(
         "bounds carry no guard",
-        lambda: common("error_bounds"),
-        patched(sensitivity, "bounds", "GUARD * s", "s / 2**10"),
+        lambda: common("claimed_errors"),
+        patched(sensitivity, "bounds", "times * s", "s / 2**10"),
     ),
     Fault(
         "the ring's margins are zero",
@@ -342,7 +342,7 @@ FAULTS = (
     ),
     Fault(
         "the search stops at once",
-        loop=("STEP_LIMIT = 200", "STEP_LIMIT = 1"),
+        loop=("range(kernels.STEP_LIMIT + 1)", "range(2)"),
     ),
     Fault(
         "only the first window is searched",

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation aa6caff4548a01f7,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation ac993492cdc627d8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -707,7 +707,7 @@ LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceili
     const V s22 = (s16 + s17) - steady;
     const M s23 = s19 < K(0.0);
     const V s24 = K(2.0) * s21;
-    const V s25 = lanes_select((K(0.0) < lanes_select((K(0.0) <= s19), s21, K(0.0))), K(INFINITY), (lanes_select(s23, s24, (K(4.0) * s19)) / lanes_select(s23, (-s19), lanes_select((s22 < K(0.0)), K(0.0), s22))));
+    const V s25 = lanes_select((K(0.0) < lanes_select((K(0.0) <= s19), s21, K(0.0))), K(INFINITY), (lanes_select(s23, s24, (K(4.0) * s19)) / lanes_select(s23, (-s19), lanes_select((K(0.0) < s22), s22, K(0.0)))));
     const V s26 = end - t;
     const V s27 = lanes_select((s25 < s26), s25, s26);
     const V s28 = (s27 * lanes_select((s13 < K(0.0)), K(0.0), s13)) + s8;
@@ -721,7 +721,7 @@ LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceili
     const V s36 = ((s29 + s35) + (K(9.094947017729282e-13) * ((s35 + lanes_abs(steady)) + lanes_abs(s29)))) - steady;
     const V s37 = ((K(2.0) * s36) * s21) + (s19 * s19);
     const V s38 = lanes_sqrt(s37);
-    const V s39 = lanes_select((K(0.0) <= s37), (lanes_select(s23, s24, (s19 + s38)) / lanes_select(s23, (s38 - s19), lanes_select((s36 < K(0.0)), K(0.0), s36))), K(INFINITY));
+    const V s39 = lanes_select((K(0.0) <= s37), (lanes_select(s23, s24, (s19 + s38)) / lanes_select(s23, (s38 - s19), lanes_select((K(0.0) < s36), s36, K(0.0)))), K(INFINITY));
     const V s40 = -(rate_margin + s14);
     return (LANES(hoop_ring_advance_out)){ s10, s14, (steady - s16) - s17, lanes_select((s39 < s27), s39, s27), lanes_select((K(0.0) < s40), ((s40 * s40) - ((K(8.0) * ceiling) * (margin + (K(32.0) * s21)))), s40) };
 }

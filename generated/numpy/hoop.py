@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation aa6caff4548a01f7,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation ac993492cdc627d8,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -719,7 +719,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     s22 = (s16 + s17) - steady
     s23 = s19 < 0.0
     s24 = 2.0 * s21
-    s25 = where((0.0 < where((0.0 <= s19), s21, 0.0)), inf, (where(s23, s24, (4.0 * s19)) / where(s23, (-s19), where((s22 < 0.0), 0.0, s22))))
+    s25 = where((0.0 < where((0.0 <= s19), s21, 0.0)), inf, (where(s23, s24, (4.0 * s19)) / where(s23, (-s19), where((0.0 < s22), s22, 0.0))))
     s26 = end - t
     s27 = where((s25 < s26), s25, s26)
     s28 = (s27 * where((s13 < 0.0), 0.0, s13)) + s8
@@ -733,7 +733,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     s36 = ((s29 + s35) + (9.094947017729282e-13 * ((s35 + absolute(steady)) + absolute(s29)))) - steady
     s37 = ((2.0 * s36) * s21) + (s19 * s19)
     s38 = sqrt(s37)
-    s39 = where((0.0 <= s37), (where(s23, s24, (s19 + s38)) / where(s23, (s38 - s19), where((s36 < 0.0), 0.0, s36))), inf)
+    s39 = where((0.0 <= s37), (where(s23, s24, (s19 + s38)) / where(s23, (s38 - s19), where((0.0 < s36), s36, 0.0))), inf)
     s40 = -(rate_margin + s14)
     return s10, s14, (steady - s16) - s17, where((s39 < s27), s39, s27), where((0.0 < s40), ((s40 * s40) - ((8.0 * ceiling) * (margin + (32.0 * s21)))), s40)
 
