@@ -335,7 +335,7 @@ class PolynomialApproach(Approach):
 
     @property
     def leaving_gap(self) -> sp.Expr:
-        """T times the deflated polynomial."""
+        """The deflated polynomial, times t."""
         return t * horner(self._coefficients[1:], t)
 
     @property

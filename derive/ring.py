@@ -224,7 +224,7 @@ class RingApproach(Approach):
         return hold(inverse * both), hold(inverse * rho)
 
     def _outward_speed(self) -> sp.Expr:
-        """Rho'."""
+        """The rate of rho."""
         there, moving, rho = self._here()
         per_rho, _ = self._inverses(rho)
         return hold(hold(there[0] * moving[0] + there[1] * moving[1]) * per_rho)
