@@ -167,7 +167,7 @@ def padded_horizon(gravity: sp.Expr) -> dict[str, sp.Expr]:
 
     It does not depend on the bound on that arrival's delay, which must not exceed `pad`.
     """
-    pad = hold(t + speed / gravity) * sp.Rational(1, 2**20)
+    pad = hold(t + speed * hold(1 / gravity)) * sp.Rational(1, 2**20)
     return {"horizon": t + hold(pad), "pad": pad}
 
 

@@ -6,14 +6,14 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from . import events, sensitivity
+from . import aiming, events, measures, sensitivity
 from .choice import IfAtMost, IfLess, hold, largest, size
 from .events import approach, crossing, deflated_coefficients, event_coefficients
 from .flight import flight
 from .frame import contact_frame
 from .impact import impact, impact_through_frame
 from .kernel import Kernel, kernel
-from .ring import CONSTANTS
+from .ring import CONSTANTS, Ring
 from .rounding import extent, position_error, speed, velocity_error
 from .scene import Scene
 from .surfaces import Plane, Surface
@@ -63,12 +63,14 @@ class Model:
     common: dict[str, Kernel]
     surfaces: tuple[SurfaceKernels, ...]
     finish: SurfaceKernels
+    study: tuple[Kernel, ...]
 
     @property
     def kernels(self) -> tuple[Kernel, ...]:
         """Every kernel, in order."""
         per_surface = (s.kernels.values() for s in (*self.surfaces, self.finish))
-        return (*self.common.values(), *(k for kernels in per_surface for k in kernels))
+        found = (k for kernels in per_surface for k in kernels)
+        return (*self.common.values(), *found, *self.study)
 
 
 def _order(scene: Scene) -> tuple[sp.Symbol, ...]:
@@ -94,6 +96,8 @@ def _order(scene: Scene) -> tuple[sp.Symbol, ...]:
             sensitivity.turn,
         ),
         *CONSTANTS,
+        *aiming.ARGUMENTS,
+        *measures.ARGUMENTS,
         *scene.symbols,
     )
 
@@ -124,11 +128,10 @@ def _plain(expression: sp.Basic) -> sp.Basic:
 
 
 def _valid(scene: Scene) -> dict[str, sp.Expr]:
-    """Return whether finite state and parameters can be simulated, and whether that is in doubt.
+    """Return whether a ball can start at a finite position, and whether that is in doubt.
 
     A ball is inside a surface if the largest of the surface's `inside` is negative; in doubt if
     it is within the rounding of its evaluation. The surface that the ball leaves is not asked.
-    Each condition in turn falls through to the rest or to 0.
     """
     lengths = [sp.Abs(_plain(p.symbol)) for p in scene.parameters if p.unit == "m"]
     slack = hold(16 * UNIT_ROUNDOFF * hold(sum(map(sp.Abs, POSITION)) + sum(lengths)))
@@ -138,8 +141,14 @@ def _valid(scene: Scene) -> dict[str, sp.Expr]:
         overlap = hold(largest(*map(_plain, surface.inside)))
         left = hold(sp.Abs(last - index))
         verdict = IfLess(left, sp.Rational(1, 2), verdict, IfAtMost(0, overlap, verdict, 0))
-        near = IfAtMost(size(overlap), slack, 1, doubt)
+        near = IfAtMost(size(overlap), hold(_plain(surface.steepness)) * slack, 1, doubt)
         doubt = IfLess(left, sp.Rational(1, 2), doubt, near)
+    return {"valid": verdict, "doubt": doubt}
+
+
+def _allowed(scene: Scene) -> dict[str, sp.Expr]:
+    """Return 1 where the parameters are allowed; each condition falls through to the rest or 0."""
+    verdict: sp.Expr = sp.Integer(1)
     for requirement in scene.requirements:
         verdict = IfLess(0, _plain(requirement), verdict, 0)
     for parameter in scene.parameters:
@@ -150,7 +159,7 @@ def _valid(scene: Scene) -> dict[str, sp.Expr]:
             verdict = IfAtMost(0, value, verdict, 0)
         if parameter.upper is not None:
             verdict = IfAtMost(value, parameter.upper, verdict, 0)
-    return {"valid": verdict, "doubt": doubt}
+    return {"allowed": verdict}
 
 
 def _largest_input(scene: Scene) -> sp.Expr:
@@ -265,11 +274,18 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
             "the carried errors times a larger guard",
         ),
         kernel(
+            "allowed",
+            _allowed(scene),
+            plain_order,
+            "1 where finite parameters are allowed.",
+            "the scene's requirements",
+        ),
+        kernel(
             "valid",
             _valid(scene),
             plain_order,
-            "1 where parameters are allowed and no surface overlapped; 1 where that is in doubt.",
-            "Table 2 and the scene's requirements",
+            "1 where no surface is overlapped; 1 where that is in doubt.",
+            "Table 2",
         ),
         kernel(
             "target",
@@ -384,6 +400,80 @@ def _surface_kernels(
     return SurfaceKernels(surface, made, windows, constants)
 
 
+def _study(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
+    """Return what studies ask: releases that go through a point, and what a flight measures."""
+    gravity, source = scene.gravity, "Eq. 3 without its time"
+    rings = [surface for surface in scene.surfaces if isinstance(surface, Ring)]
+    return [
+        kernel(
+            "aimed_speed",
+            aiming.aimed_speed(gravity),
+            order,
+            "Speed of the flight that goes through a point with a slope of release.",
+            f"{source}, solved for the speed",
+        ),
+        kernel(
+            "entry_slope",
+            aiming.entry_slope(),
+            order,
+            "Slope at a point, positive downwards, of the flight with a slope of release.",
+            f"derivative of {source}",
+        ),
+        kernel(
+            "slope_of_entry",
+            aiming.slope_of_entry(),
+            order,
+            "Slope of release of the flight that has a slope at a point, positive downwards.",
+            f"derivative of {source}, solved for the release",
+        ),
+        kernel(
+            "least_speed",
+            aiming.least_speed(gravity),
+            order,
+            "Slope and speed of the slowest release through a point.",
+            f"{source}, least speed: 45° + atan(h/L)/2 and v² = g (h + sqrt(h² + L²))",
+        ),
+        kernel(
+            "slopes_of_speed",
+            aiming.slopes_of_speed(gravity),
+            order,
+            "The low and the high slope of release through a point at a speed.",
+            f"{source}, solved for the slope",
+        ),
+        kernel(
+            "descent",
+            measures.descent(gravity),
+            order,
+            "When the centre comes down to a height, and its upward velocity then.",
+            "Eq. 3, solved",
+        ),
+        kernel(
+            "apex",
+            measures.apex(gravity),
+            order,
+            "When the centre is highest, and its height then.",
+            "Eq. 3, its derivative zero",
+        ),
+        kernel(
+            "sighted",
+            measures.sighted(),
+            order,
+            "How far a point is past the ring's centre and to the left, seen from a place.",
+            "components along and across the line of sight",
+        ),
+        *(
+            kernel(
+                f"{ring.name}_nearness",
+                measures.nearness(ring, gravity),
+                order,
+                "Distance of ball and wire at time t, and what bounds it within half a width of t.",
+                "Eq. 3 in Table 2, Taylor's theorem",
+            )
+            for ring in rings
+        ),
+    ]
+
+
 def build(scene: Scene) -> Model:
     """Return all kernels of a scene."""
     order = _order(scene)
@@ -393,4 +483,5 @@ def build(scene: Scene) -> Model:
         {k.name: k for k in _common(scene, order)},
         tuple(_surface_kernels(surface, scene, order) for surface in scene.surfaces),
         _surface_kernels(scene.finish, scene, order),
+        tuple(_study(scene, order)),
     )

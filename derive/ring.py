@@ -97,8 +97,15 @@ class Ring(Surface):
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
-        """Nearer to the wire than touching."""
-        return (self.distance,)
+        """Nearer to the wire than touching, by the squares of both: one root less."""
+        _, _, z = POSITION
+        depth = hold(self.rho - self.ring_radius)
+        return (hold(depth**2 + z**2) - hold(self.reach) ** 2,)
+
+    @property
+    def steepness(self) -> sp.Expr:
+        """The gradient of the squared distance is 2 R at a contact; as much again for rounding."""
+        return 4 * self.reach
 
     def approach(self, gravity: sp.Expr) -> RingApproach:
         """Return the ring's own search."""
@@ -302,7 +309,7 @@ class RingApproach(Approach):
         vx, vy, vz = VELOCITY
         rho_squared, q, speed_squared, moment = self._polar()
         to_top = hold(vz**2 + 2 * g * hold(z - self._reach))
-        per_g = 1 / g
+        per_g = hold(1 / g)
         inner = sp.sqrt(to_top)
         rises, sinks = hold(hold(vz - inner) * per_g), hold(hold(vz + inner) * per_g)
         away = hold(q + speed_squared * rises)

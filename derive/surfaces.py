@@ -57,6 +57,11 @@ class Surface(ABC):
     def inside(self) -> tuple[sp.Expr, ...]:
         """Expressions that are all negative exactly when the ball overlaps the body."""
 
+    @property
+    def steepness(self) -> sp.Expr:
+        """How much `inside` changes with a length, at most, near where it is zero."""
+        return sp.Integer(1)
+
 
 @dataclass(frozen=True)
 class Plane(Surface):

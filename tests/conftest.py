@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal, localcontext
@@ -60,6 +61,15 @@ def _simulate_on(engine: str) -> Simulate:
 def simulate(request: pytest.FixtureRequest) -> Simulate:
     """`hoopgen.simulate` on one engine; every test that asks for it is run on each."""
     return _simulate_on(request.param)
+
+
+def engines_here() -> dict[str, Simulate]:
+    """Give those of the engines that this build and this processor have."""
+    there = {}
+    for engine in ENGINES:
+        with contextlib.suppress(pytest.skip.Exception):
+            there[engine] = _simulate_on(engine)
+    return there
 
 
 # ------------------------------------------------------------------------------------------ shots

@@ -28,8 +28,9 @@ DIGITS = 50
 UNIT_ROUNDOFF = mpf(2) ** -53
 NAMES = tuple(hoop.OUTPUTS)
 ROWS = 200
-RARELY_MET = {"ring_prepare": 2}
-"""Choices of which random rows meet one side only: windows whose pads overlap."""
+RARELY_MET = {"ring_prepare": 2, "ring_nearness": 1}
+"""Choices of which random rows meet one side only: windows whose pads overlap, and a flight
+through the very axis."""
 """Rows at which kernels are compared with 50 digits."""
 
 EXTREMES = [0.0, -0.0, 5e-324, -5e-324, 2.5e-308, 1e-150, -1e-150, 1e150, -1e150]
@@ -245,6 +246,7 @@ def random_columns(seed: int, rows: int) -> dict[str, Floats]:
     columns |= zip(("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz"), state.T, strict=True)
     normal = rng.normal(0, 1, (3, rows))
     columns |= zip(("nx", "ny", "nz"), normal / np.linalg.norm(normal, axis=0), strict=True)
+    columns |= _asked(seed, rows)
     columns["leaving"] = rng.choice([0.0, 1.0], rows)
     columns["last"] = rng.integers(-1, len(hoop.SURFACES), rows).astype(float)
     columns["rate"] = rng.normal(-2, 2, rows)
@@ -270,6 +272,22 @@ def random_columns(seed: int, rows: int) -> dict[str, Floats]:
         for output, column in zip(hoop.OUTPUTS[name], outputs, strict=True):
             columns.setdefault(output, np.array(column))
     return columns
+
+
+def _asked(seed: int, rows: int) -> dict[str, Floats]:
+    """Return what studies ask of: points aimed at, some of them out of reach, heights, places."""
+    rng = np.random.default_rng((seed, rows))
+    return {
+        "slope": rng.uniform(0.2, 3, rows),
+        "entry": rng.uniform(0, 3, rows),
+        "release_speed": rng.uniform(5, 12, rows),
+        "reach": rng.uniform(0.5, 10, rows),
+        "rise": rng.normal(0.5, 1, rows),
+        "level": rng.normal(0, 1, rows),
+        "half": 10 ** rng.uniform(-4, 0, rows),
+        "place_x": rng.normal(0, 5, rows),
+        "place_y": rng.normal(0, 5, rows),
+    }
 
 
 def _touching(

@@ -1,6 +1,6 @@
 /* hoop: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene hoop, derivation ac993492cdc627d8,
+   Generated from templates/c/scene.h.j2, scene hoop, derivation 9d77ee957e8230e3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Plain C11, no dependencies but sqrt. Compile hoop.c, next to which this file and the kernels
@@ -93,7 +93,7 @@ typedef struct {
    leaving      NULL, or by shot the surface that the ball touches at the start and leaves, -1: none
    max_contacts at least 1
    width        vector lanes: 1, 2, 4 or 8; 0 for the widest that this processor has
-   stop         NULL, or a flag: when it becomes nonzero, no further shot is begun
+   stop         NULL, or a flag: when it becomes nonzero, the run ends, its results unfinished
 
    Returns the width that was used, or -1 if that width is not there. */
 HOOPGEN_API int hoop_simulate(size_t shots, const double *states,

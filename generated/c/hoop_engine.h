@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation ac993492cdc627d8,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 9d77ee957e8230e3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -22,6 +22,7 @@ typedef int64_t LANES(mask) __attribute__((vector_size(8 * LANES_WIDTH)));
 #define lanes_any LANES(any)
 #define lanes_load LANES(load)
 #define lanes_store LANES(store)
+#define lanes_gather LANES(gather)
 
 #if LANES_WIDTH == 1
 #define K(c) (c)
@@ -60,6 +61,19 @@ LANES_INLINE V lanes_load(const double *row)
 
 LANES_INLINE void lanes_store(double *row, V a) { memcpy(row, &a, sizeof a); }
 
+LANES_INLINE V lanes_gather(const double *first, int64_t stride)
+{
+#if LANES_WIDTH == 1
+    (void)stride;
+    return *first;
+#else
+    V a;
+    for (int lane = 0; lane < LANES_WIDTH; lane++)
+        a[lane] = first[stride * lane];
+    return a;
+#endif
+}
+
 #include "hoop_kernels.h"
 
 /* Shots in flight, a row of lanes for each quantity. */
@@ -83,6 +97,24 @@ typedef struct {
     double fresh[LANES_WIDTH];     /* 1: and has not been looked at */
     size_t shot[LANES_WIDTH];
 } LANES(hoop_pool);
+
+/* Where the parameters are finite and allowed. */
+LANES_INLINE M LANES(hoop_check)(V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V restitution, V gravity, V end_depth)
+{
+    V sum = K(0.0);
+    sum = sum + (ball_radius - ball_radius);
+    sum = sum + (ring_radius - ring_radius);
+    sum = sum + (wire_radius - wire_radius);
+    sum = sum + (board_distance - board_distance);
+    sum = sum + (board_half_width - board_half_width);
+    sum = sum + (board_bottom - board_bottom);
+    sum = sum + (board_top - board_top);
+    sum = sum + (bridge_half_width - bridge_half_width);
+    sum = sum + (restitution - restitution);
+    sum = sum + (gravity - gravity);
+    sum = sum + (end_depth - end_depth);
+    return (sum == K(0.0)) & (LANES(hoop_allowed)(ball_radius, ring_radius, wire_radius, board_distance, board_half_width, bridge_half_width, restitution, gravity, end_depth).allowed > K(0.0));
+}
 
 /* Put the next shot into a lane; all that starts at zero is set when it is first looked at. */
 LANES_INLINE void LANES(hoop_begin)(LANES(hoop_pool) *pool, int lane, const hoop_job *job, size_t shot)
@@ -114,6 +146,45 @@ LANES_INLINE void LANES(hoop_begin)(LANES(hoop_pool) *pool, int lane, const hoop
     pool->occupied[lane] = 1.0;
     pool->fresh[lane] = 1.0;
     pool->shot[lane] = shot;
+}
+
+/* Put the next shots into all lanes. Whole rows are stored: a load of a row that was stored in
+   pieces would wait for them. */
+LANES_INLINE void LANES(hoop_begin_all)(LANES(hoop_pool) *pool, const hoop_job *job, size_t first)
+{
+    const double *state = job->states + HOOP_STATE * first;
+#ifdef __GNUC__
+    for (int line = 0; line < HOOP_STATE * LANES_WIDTH; line += 8)
+        __builtin_prefetch(state + 4 * HOOP_STATE * LANES_WIDTH + line);
+#endif
+    lanes_store(pool->x, lanes_gather(state + 0, HOOP_STATE));
+    lanes_store(pool->y, lanes_gather(state + 1, HOOP_STATE));
+    lanes_store(pool->z, lanes_gather(state + 2, HOOP_STATE));
+    lanes_store(pool->vx, lanes_gather(state + 3, HOOP_STATE));
+    lanes_store(pool->vy, lanes_gather(state + 4, HOOP_STATE));
+    lanes_store(pool->vz, lanes_gather(state + 5, HOOP_STATE));
+    lanes_store(pool->wx, lanes_gather(state + 6, HOOP_STATE));
+    lanes_store(pool->wy, lanes_gather(state + 7, HOOP_STATE));
+    lanes_store(pool->wz, lanes_gather(state + 8, HOOP_STATE));
+    if (job->varying) {
+        lanes_store(pool->ball_radius, lanes_gather(job->parameters[0] + job->strides[0] * (int64_t)first, job->strides[0]));
+        lanes_store(pool->ring_radius, lanes_gather(job->parameters[1] + job->strides[1] * (int64_t)first, job->strides[1]));
+        lanes_store(pool->wire_radius, lanes_gather(job->parameters[2] + job->strides[2] * (int64_t)first, job->strides[2]));
+        lanes_store(pool->board_distance, lanes_gather(job->parameters[3] + job->strides[3] * (int64_t)first, job->strides[3]));
+        lanes_store(pool->board_half_width, lanes_gather(job->parameters[4] + job->strides[4] * (int64_t)first, job->strides[4]));
+        lanes_store(pool->board_bottom, lanes_gather(job->parameters[5] + job->strides[5] * (int64_t)first, job->strides[5]));
+        lanes_store(pool->board_top, lanes_gather(job->parameters[6] + job->strides[6] * (int64_t)first, job->strides[6]));
+        lanes_store(pool->bridge_half_width, lanes_gather(job->parameters[7] + job->strides[7] * (int64_t)first, job->strides[7]));
+        lanes_store(pool->restitution, lanes_gather(job->parameters[8] + job->strides[8] * (int64_t)first, job->strides[8]));
+        lanes_store(pool->gravity, lanes_gather(job->parameters[9] + job->strides[9] * (int64_t)first, job->strides[9]));
+        lanes_store(pool->end_depth, lanes_gather(job->parameters[10] + job->strides[10] * (int64_t)first, job->strides[10]));
+    }
+    for (int lane = 0; lane < LANES_WIDTH; lane++) {
+        pool->from[lane] = job->leaving ? (double)job->leaving[first + (size_t)lane] : -1.0;
+        pool->shot[lane] = first + (size_t)lane;
+    }
+    lanes_store(pool->occupied, K(1.0));
+    lanes_store(pool->fresh, K(1.0));
 }
 
 /* Write the results of the shot in a lane and free it. */
@@ -156,14 +227,16 @@ LANES_INLINE void LANES(hoop_finish)(LANES(hoop_pool) *pool, int lane, const hoo
     pool->occupied[lane] = 0.0;
 }
 
-/* Run the job: fill the lanes, take every lane to its next event, free those that ended. */
-static void LANES(hoop_run)(const hoop_job *job)
+/* Run the job: fill the lanes, take every lane to its next event, free those that ended. Where
+   nobody asks what is uncertain, `certified` is 0, a constant: the compiler leaves out all that only
+   bounds errors. The path does not depend on it. */
+LANES_INLINE void LANES(hoop_loop)(const hoop_job *job, const int certified)
 {
     LANES(hoop_pool) pool;
     memset(&pool, 0, sizeof pool);
     const V most_contacts = K((double)job->max_contacts);
     const V zero = K(0.0), one = K(1.0), none = K(-1.0), never = K(INFINITY);
-    const int wants_errors = job->results->time_error || job->results->state_error;
+    const int wants_errors = certified && (job->results->time_error || job->results->state_error);
     size_t next = 0;
 
     if (job->results->event_counts)
@@ -182,18 +255,24 @@ static void LANES(hoop_run)(const hoop_job *job)
             pool.gravity[lane] = *job->parameters[9];
             pool.end_depth[lane] = *job->parameters[10];
         }
-    for (;;) {
-        int occupied = 0, refilled = 0;
+    M allowed = LANES(hoop_check)(lanes_load(pool.ball_radius), lanes_load(pool.ring_radius), lanes_load(pool.wire_radius), lanes_load(pool.board_distance), lanes_load(pool.board_half_width), lanes_load(pool.board_bottom), lanes_load(pool.board_top), lanes_load(pool.bridge_half_width), lanes_load(pool.restitution), lanes_load(pool.gravity), lanes_load(pool.end_depth));
+    for (int flights = 0;;) {
+        int refilled = 0;
         if (job->stop && *job->stop)
-            next = job->shots;
-        for (int lane = 0; lane < LANES_WIDTH; lane++) {
-            if (pool.occupied[lane] == 0.0 && next < job->shots) {
+            return;
+        if (flights == 0 && job->shots - next >= LANES_WIDTH) {
+            LANES(hoop_begin_all)(&pool, job, next);
+            next += LANES_WIDTH;
+            flights = LANES_WIDTH;
+            refilled = 1;
+        }
+        for (int lane = 0; flights < LANES_WIDTH && next < job->shots; lane++)
+            if (pool.occupied[lane] == 0.0) {
                 LANES(hoop_begin)(&pool, lane, job, next++);
+                flights++;
                 refilled = 1;
             }
-            occupied |= pool.occupied[lane] != 0.0;
-        }
-        if (!occupied)
+        if (flights == 0)
             return;
 
         V x = lanes_load(pool.x);
@@ -216,21 +295,21 @@ static void LANES(hoop_run)(const hoop_job *job)
         const V restitution = lanes_load(pool.restitution);
         const V gravity = lanes_load(pool.gravity);
         const V end_depth = lanes_load(pool.end_depth);
-        V dx = lanes_load(pool.dx);
-        V dy = lanes_load(pool.dy);
-        V dz = lanes_load(pool.dz);
-        V dvx = lanes_load(pool.dvx);
-        V dvy = lanes_load(pool.dvy);
-        V dvz = lanes_load(pool.dvz);
-        V dwx = lanes_load(pool.dwx);
-        V dwy = lanes_load(pool.dwy);
-        V dwz = lanes_load(pool.dwz);
-        V clock_error = lanes_load(pool.clock_error);
+        V dx = !certified ? zero : lanes_load(pool.dx);
+        V dy = !certified ? zero : lanes_load(pool.dy);
+        V dz = !certified ? zero : lanes_load(pool.dz);
+        V dvx = !certified ? zero : lanes_load(pool.dvx);
+        V dvy = !certified ? zero : lanes_load(pool.dvy);
+        V dvz = !certified ? zero : lanes_load(pool.dvz);
+        V dwx = !certified ? zero : lanes_load(pool.dwx);
+        V dwy = !certified ? zero : lanes_load(pool.dwy);
+        V dwz = !certified ? zero : lanes_load(pool.dwz);
+        V clock_error = !certified ? zero : lanes_load(pool.clock_error);
+        V uncertain = !certified ? zero : lanes_load(pool.uncertain);
         V clock = lanes_load(pool.clock);
         V last = lanes_load(pool.last);
         V first = lanes_load(pool.first);
         V contacts = lanes_load(pool.contacts);
-        V uncertain = lanes_load(pool.uncertain);
         V count_ring = lanes_load(pool.count_ring);
         V count_backboard = lanes_load(pool.count_backboard);
         V count_bridge = lanes_load(pool.count_bridge);
@@ -249,15 +328,17 @@ static void LANES(hoop_run)(const hoop_job *job)
             dwy = lanes_select(fresh, zero, dwy);
             dwz = lanes_select(fresh, zero, dwz);
             clock_error = lanes_select(fresh, zero, clock_error);
+            uncertain = lanes_select(fresh, zero, uncertain);
             clock = lanes_select(fresh, zero, clock);
             last = lanes_select(fresh, lanes_load(pool.from), last);
             first = lanes_select(fresh, none, first);
             contacts = lanes_select(fresh, zero, contacts);
-            uncertain = lanes_select(fresh, zero, uncertain);
             count_ring = lanes_select(fresh, zero, count_ring);
             count_backboard = lanes_select(fresh, zero, count_backboard);
             count_bridge = lanes_select(fresh, zero, count_bridge);
-            const LANES(hoop_valid_out) check = LANES(hoop_valid)(last, x, y, z, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, restitution, gravity, end_depth);
+            if (job->varying)
+                allowed = LANES(hoop_check)(ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, restitution, gravity, end_depth);
+            const LANES(hoop_valid_out) check = LANES(hoop_valid)(last, x, y, z, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, end_depth);
             V sum = zero;
             sum = sum + (x - x);
             sum = sum + (y - y);
@@ -268,18 +349,7 @@ static void LANES(hoop_run)(const hoop_job *job)
             sum = sum + (wx - wx);
             sum = sum + (wy - wy);
             sum = sum + (wz - wz);
-            sum = sum + (ball_radius - ball_radius);
-            sum = sum + (ring_radius - ring_radius);
-            sum = sum + (wire_radius - wire_radius);
-            sum = sum + (board_distance - board_distance);
-            sum = sum + (board_half_width - board_half_width);
-            sum = sum + (board_bottom - board_bottom);
-            sum = sum + (board_top - board_top);
-            sum = sum + (bridge_half_width - bridge_half_width);
-            sum = sum + (restitution - restitution);
-            sum = sum + (gravity - gravity);
-            sum = sum + (end_depth - end_depth);
-            const M finite = sum == zero;
+            const M finite = allowed & (sum == zero);
             const M good = finite & (check.valid > zero);
             uncertain = lanes_select(fresh & finite & (check.doubt > zero), one, uncertain);
             lanes_store(pool.fresh, zero);
@@ -295,24 +365,27 @@ static void LANES(hoop_run)(const hoop_job *job)
                 lanes_store(pool.dwy, dwy);
                 lanes_store(pool.dwz, dwz);
                 lanes_store(pool.clock_error, clock_error);
+                lanes_store(pool.uncertain, uncertain);
                 lanes_store(pool.clock, clock);
                 lanes_store(pool.last, last);
                 lanes_store(pool.first, first);
                 lanes_store(pool.contacts, contacts);
-                lanes_store(pool.uncertain, uncertain);
                 lanes_store(pool.count_ring, count_ring);
                 lanes_store(pool.count_backboard, count_backboard);
                 lanes_store(pool.count_bridge, count_bridge);
                 for (int lane = 0; lane < LANES_WIDTH; lane++)
-                    if (pool.outcome[lane] >= 0.0 && pool.occupied[lane] != 0.0)
+                    if (pool.outcome[lane] >= 0.0 && pool.occupied[lane] != 0.0) {
                         LANES(hoop_finish)(&pool, lane, job);
+                        flights--;
+                    }
                 continue;
             }
         }
 
         /* How far the state may be from the true one. */
         const LANES(hoop_error_bounds_out) bounds = LANES(hoop_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-        const V position_error = bounds.position_error, velocity_error = bounds.velocity_error;
+        const V position_error = certified ? bounds.position_error : zero;
+        const V velocity_error = certified ? bounds.velocity_error : zero;
         const LANES(hoop_scale_out) scale = LANES(hoop_scale)(x, y, z, vx, vy, vz, gravity);
         const V extent = scale.extent, speed = scale.speed;
 
@@ -328,7 +401,8 @@ static void LANES(hoop_run)(const hoop_job *job)
             M arrives = meets & (a.time >= zero) & (a.time < never);
             const V margin = LANES(hoop_end_margin)(a.time, extent, speed, position_error, velocity_error, gravity, end_depth).margin;
             const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, a.rate, lanes_abs(a.bend));
-            arrives &= NOT(a.time - when > late + c.delay);
+            const V delay = certified ? c.delay : zero;
+            arrives &= NOT(a.time - when > late + delay);
             {
                 const V margin = LANES(hoop_end_margin)(a.apex, extent, speed, position_error, velocity_error, gravity, end_depth).margin;
                 const M touches = (a.apex >= zero) & (lanes_abs(a.height) <= margin);
@@ -337,13 +411,13 @@ static void LANES(hoop_run)(const hoop_job *job)
             const M unsure = arrives & NOT(c.clearance > zero);
             doubt = lanes_select(unsure & (a.time < doubt), a.time, doubt);
                         {
-                const M tie = arrives & (lanes_abs(a.time - when) <= c.delay + late);
+                const M tie = arrives & (lanes_abs(a.time - when) <= delay + late);
                 const V sooner = lanes_select(a.time < when, a.time, when);
                 doubt = lanes_select(tie & (sooner < doubt), sooner, doubt);
                 const M earlier = arrives & (a.time < when);
                 when = lanes_select(earlier, a.time, when);
                 which = lanes_select(earlier, K(3.0), which);
-                late = lanes_select(earlier, c.delay, late);
+                late = lanes_select(earlier, delay, late);
             }
         }
         {
@@ -353,7 +427,8 @@ static void LANES(hoop_run)(const hoop_job *job)
             M arrives = meets & (a.time >= zero) & (a.time < never);
             const V margin = LANES(hoop_backboard_margin)(a.time, extent, speed, position_error, velocity_error, ball_radius, board_distance, gravity).margin;
             const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, a.rate, lanes_abs(a.bend));
-            arrives &= NOT(a.time - when > late + c.delay);
+            const V delay = certified ? c.delay : zero;
+            arrives &= NOT(a.time - when > late + delay);
             {
                 const V margin = LANES(hoop_backboard_margin)(a.apex, extent, speed, position_error, velocity_error, ball_radius, board_distance, gravity).margin;
                 const M touches = (a.apex >= zero) & (lanes_abs(a.height) <= margin);
@@ -362,7 +437,7 @@ static void LANES(hoop_run)(const hoop_job *job)
             if (lanes_any(flying & arrives)) {
                 const LANES(hoop_flight_out) f = LANES(hoop_flight)(a.time, x, y, z, vx, vy, vz, gravity);
                 const LANES(hoop_backboard_bounds_out) g = LANES(hoop_backboard_bounds)(f.y, f.z, board_half_width, board_bottom, board_top);
-                const V slack = LANES(hoop_displacement)(c.delay, a.time, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
+                const V slack = LANES(hoop_displacement)(delay, a.time, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
                 const M within = (g.g0 <= zero) & (g.g1 <= zero) & (g.g2 <= zero) & (g.g3 <= zero);
                 const M near = (g.g0 <= slack) & (g.g1 <= slack) & (g.g2 <= slack) & (g.g3 <= slack);
                 const M surely = (g.g0 < -slack) & (g.g1 < -slack) & (g.g2 < -slack) & (g.g3 < -slack);
@@ -370,13 +445,13 @@ static void LANES(hoop_run)(const hoop_job *job)
                 doubt = lanes_select(unsure & (a.time < doubt), a.time, doubt);
                 arrives &= within;
                             {
-                const M tie = arrives & (lanes_abs(a.time - when) <= c.delay + late);
+                const M tie = arrives & (lanes_abs(a.time - when) <= delay + late);
                 const V sooner = lanes_select(a.time < when, a.time, when);
                 doubt = lanes_select(tie & (sooner < doubt), sooner, doubt);
                 const M earlier = arrives & (a.time < when);
                 when = lanes_select(earlier, a.time, when);
                 which = lanes_select(earlier, K(1.0), which);
-                late = lanes_select(earlier, c.delay, late);
+                late = lanes_select(earlier, delay, late);
             }
             }
         }
@@ -387,7 +462,8 @@ static void LANES(hoop_run)(const hoop_job *job)
             M arrives = meets & (a.time >= zero) & (a.time < never);
             const V margin = LANES(hoop_bridge_margin)(a.time, extent, speed, position_error, velocity_error, ball_radius, wire_radius, gravity).margin;
             const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, zero, a.rate, lanes_abs(a.bend));
-            arrives &= NOT(a.time - when > late + c.delay);
+            const V delay = certified ? c.delay : zero;
+            arrives &= NOT(a.time - when > late + delay);
             {
                 const V margin = LANES(hoop_bridge_margin)(a.apex, extent, speed, position_error, velocity_error, ball_radius, wire_radius, gravity).margin;
                 const M touches = (a.apex >= zero) & (lanes_abs(a.height) <= margin);
@@ -396,7 +472,7 @@ static void LANES(hoop_run)(const hoop_job *job)
             if (lanes_any(flying & arrives)) {
                 const LANES(hoop_flight_out) f = LANES(hoop_flight)(a.time, x, y, z, vx, vy, vz, gravity);
                 const LANES(hoop_bridge_bounds_out) g = LANES(hoop_bridge_bounds)(f.x, f.y, ring_radius, board_distance, bridge_half_width);
-                const V slack = LANES(hoop_displacement)(c.delay, a.time, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
+                const V slack = LANES(hoop_displacement)(delay, a.time, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
                 const M within = (g.g0 <= zero) & (g.g1 <= zero) & (g.g2 <= zero) & (g.g3 <= zero) & (g.g4 <= zero);
                 const M near = (g.g0 <= slack) & (g.g1 <= slack) & (g.g2 <= slack) & (g.g3 <= slack) & (g.g4 <= slack);
                 const M surely = (g.g0 < -slack) & (g.g1 < -slack) & (g.g2 < -slack) & (g.g3 < -slack) & (g.g4 < -slack);
@@ -404,13 +480,13 @@ static void LANES(hoop_run)(const hoop_job *job)
                 doubt = lanes_select(unsure & (a.time < doubt), a.time, doubt);
                 arrives &= within;
                             {
-                const M tie = arrives & (lanes_abs(a.time - when) <= c.delay + late);
+                const M tie = arrives & (lanes_abs(a.time - when) <= delay + late);
                 const V sooner = lanes_select(a.time < when, a.time, when);
                 doubt = lanes_select(tie & (sooner < doubt), sooner, doubt);
                 const M earlier = arrives & (a.time < when);
                 when = lanes_select(earlier, a.time, when);
                 which = lanes_select(earlier, K(2.0), which);
-                late = lanes_select(earlier, c.delay, late);
+                late = lanes_select(earlier, delay, late);
             }
             }
         }
@@ -522,7 +598,7 @@ static void LANES(hoop_run)(const hoop_job *job)
                 const LANES(hoop_crossing_out) c = LANES(hoop_crossing)(margin, own.rate_margin, r.rate, p.ceiling);
                 certain &= c.clearance > zero;
                 arrival = lanes_select(t < zero, zero, t);
-                delay = lanes_select(certain, c.delay, zero);
+                delay = certified ? lanes_select(certain, c.delay, zero) : zero;
                 doubt = lanes_select(arrives & NOT(certain) & (arrival < doubt), arrival, doubt);
             }
                         {
@@ -556,7 +632,7 @@ static void LANES(hoop_run)(const hoop_job *job)
             const V slack = LANES(hoop_displacement)(late, t, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth).margin;
             const V miss = LANES(hoop_target)(x, y, ring_radius).target;
             doubtful |= ends & (lanes_abs(miss) <= slack);
-            uncertain = lanes_select(doubtful, one, uncertain);
+            uncertain = certified ? lanes_select(doubtful, one, uncertain) : zero;
             V outcome = lanes_select(stays, K((double)HOOP_SHORT), none);
             outcome = lanes_select(ends, lanes_select(miss <= zero, K((double)HOOP_MADE), K((double)HOOP_MISSED)), outcome);
             contacts = lanes_select(touches, contacts + one, contacts);
@@ -661,24 +737,26 @@ static void LANES(hoop_run)(const hoop_job *job)
         lanes_store(pool.wx, wx);
         lanes_store(pool.wy, wy);
         lanes_store(pool.wz, wz);
-        lanes_store(pool.dx, dx);
-        lanes_store(pool.dy, dy);
-        lanes_store(pool.dz, dz);
-        lanes_store(pool.dvx, dvx);
-        lanes_store(pool.dvy, dvy);
-        lanes_store(pool.dvz, dvz);
-        lanes_store(pool.dwx, dwx);
-        lanes_store(pool.dwy, dwy);
-        lanes_store(pool.dwz, dwz);
-        lanes_store(pool.clock_error, clock_error);
         lanes_store(pool.clock, clock);
         lanes_store(pool.last, last);
         lanes_store(pool.first, first);
         lanes_store(pool.contacts, contacts);
-        lanes_store(pool.uncertain, uncertain);
         lanes_store(pool.count_ring, count_ring);
         lanes_store(pool.count_backboard, count_backboard);
         lanes_store(pool.count_bridge, count_bridge);
+        if (certified) {
+            lanes_store(pool.dx, dx);
+            lanes_store(pool.dy, dy);
+            lanes_store(pool.dz, dz);
+            lanes_store(pool.dvx, dvx);
+            lanes_store(pool.dvy, dvy);
+            lanes_store(pool.dvz, dvz);
+            lanes_store(pool.dwx, dwx);
+            lanes_store(pool.dwy, dwy);
+            lanes_store(pool.dwz, dwz);
+            lanes_store(pool.clock_error, clock_error);
+            lanes_store(pool.uncertain, uncertain);
+        }
 
         if (wants_errors) {
             const LANES(hoop_claimed_errors_out) now = LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
@@ -730,9 +808,20 @@ static void LANES(hoop_run)(const hoop_job *job)
             }
         }
         for (int lane = 0; lane < LANES_WIDTH; lane++)
-            if (pool.occupied[lane] != 0.0 && pool.outcome[lane] >= 0.0)
+            if (pool.occupied[lane] != 0.0 && pool.outcome[lane] >= 0.0) {
                 LANES(hoop_finish)(&pool, lane, job);
+                flights--;
+            }
     }
+}
+
+static void LANES(hoop_run)(const hoop_job *job)
+{
+    const hoop_results *out = job->results;
+    if (out->uncertain || out->time_error || out->state_error)
+        LANES(hoop_loop)(job, 1);
+    else
+        LANES(hoop_loop)(job, 0);
 }
 
 #undef V
@@ -745,3 +834,4 @@ static void LANES(hoop_run)(const hoop_job *job)
 #undef lanes_any
 #undef lanes_load
 #undef lanes_store
+#undef lanes_gather

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation ac993492cdc627d8,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 9d77ee957e8230e3,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -131,7 +131,7 @@ LANES(hoop_allowance)(V share, V horizon, V extent, V speed, V position_error, V
 }
 
 /* A time after which no event is wanted, and how long that is after t.
-   the earliest arrival, with room for its delay. 4 operations: 2 additions, 1 multiplication, 1 division. */
+   the earliest arrival, with room for its delay. 5 operations: 2 additions, 2 multiplications, 1 division. */
 typedef struct {
     V horizon, pad;
 } LANES(hoop_horizon_out);
@@ -139,7 +139,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_horizon_out)
 LANES(hoop_horizon)(V t, V speed, V gravity)
 {
-    const V s0 = K(9.5367431640625e-07) * (t + (speed / gravity));
+    const V s0 = K(9.5367431640625e-07) * (t + (speed * (K(1.0) / gravity)));
     return (LANES(hoop_horizon_out)){ t + s0, s0 };
 }
 
@@ -336,38 +336,52 @@ LANES(hoop_claimed_errors)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz,
     return (LANES(hoop_claimed_errors_out)){ K(64.0) * lanes_select((s2 < s3), s3, s2), K(64.0) * lanes_select((s6 < s7), s7, s6), K(64.0) * lanes_select((s10 < s11), s11, s10), K(64.0) * clock_error };
 }
 
-/* 1 where parameters are allowed and no surface overlapped; 1 where that is in doubt.
-   Table 2 and the scene's requirements. 132 operations: 17 additions, 20 subtractions, 7 multiplications, 2 square roots, 3 negations, 18 absolute values, 31 comparisons, 34 selections. */
+/* 1 where finite parameters are allowed.
+   the scene's requirements. 24 operations: 2 subtractions, 11 comparisons, 11 selections. */
+typedef struct {
+    V allowed;
+} LANES(hoop_allowed_out);
+
+LANES_INLINE LANES(hoop_allowed_out)
+LANES(hoop_allowed)(V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V bridge_half_width, V restitution, V gravity, V end_depth)
+{
+    const V s0 = lanes_select((K(0.0) < ring_radius), lanes_select((K(0.0) < ball_radius), lanes_select((K(0.0) < ((ring_radius - ball_radius) - wire_radius)), K(1.0), K(0.0)), K(0.0)), K(0.0));
+    const V s1 = lanes_select((K(0.0) <= restitution), lanes_select((K(0.0) < bridge_half_width), lanes_select((K(0.0) < board_half_width), lanes_select((K(0.0) < board_distance), lanes_select((K(0.0) < wire_radius), s0, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
+    return (LANES(hoop_allowed_out)){ lanes_select((K(0.0) < end_depth), lanes_select((K(0.0) < gravity), lanes_select((restitution <= K(1.0)), s1, K(0.0)), K(0.0)), K(0.0)) };
+}
+
+/* 1 where no surface is overlapped; 1 where that is in doubt.
+   Table 2. 111 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 23 selections. */
 typedef struct {
     V valid, doubt;
 } LANES(hoop_valid_out);
 
 LANES_INLINE LANES(hoop_valid_out)
-LANES(hoop_valid)(V last, V x, V y, V z, V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V restitution, V gravity, V end_depth)
+LANES(hoop_valid)(V last, V x, V y, V z, V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V end_depth)
 {
     const V s0 = lanes_sqrt(((x * x) + (y * y)));
     const V s1 = s0 - ring_radius;
-    const V s2 = (lanes_sqrt(((z * z) + (s1 * s1))) - ball_radius) - wire_radius;
-    const M s3 = lanes_abs(last) < K(0.5);
-    const V s4 = lanes_select(s3, K(1.0), lanes_select((K(0.0) <= s2), K(1.0), K(0.0)));
-    const V s5 = ball_radius - board_distance;
-    const V s6 = x - s5;
-    const V s7 = K(2.0) * ball_radius;
-    const V s8 = (s5 - s7) - x;
-    const V s9 = lanes_select((s6 < s8), s8, s6);
-    const V s10 = -(board_half_width + y);
-    const V s11 = lanes_select((s9 < s10), s10, s9);
-    const V s12 = y - board_half_width;
-    const V s13 = lanes_select((s11 < s12), s12, s11);
-    const V s14 = board_bottom - z;
-    const V s15 = lanes_select((s13 < s14), s14, s13);
-    const V s16 = z - board_top;
-    const V s17 = lanes_select((s15 < s16), s16, s15);
-    const M s18 = lanes_abs((last - K(1.0))) < K(0.5);
-    const V s19 = lanes_select(s18, s4, lanes_select((K(0.0) <= s17), s4, K(0.0)));
-    const V s20 = ball_radius + wire_radius;
-    const V s21 = z - s20;
-    const V s22 = ((s20 - s7) - (K(2.0) * wire_radius)) - z;
+    const V s2 = ball_radius + wire_radius;
+    const V s3 = ((z * z) + (s1 * s1)) - (s2 * s2);
+    const M s4 = lanes_abs(last) < K(0.5);
+    const V s5 = lanes_select(s4, K(1.0), lanes_select((K(0.0) <= s3), K(1.0), K(0.0)));
+    const V s6 = ball_radius - board_distance;
+    const V s7 = x - s6;
+    const V s8 = K(2.0) * ball_radius;
+    const V s9 = (s6 - s8) - x;
+    const V s10 = lanes_select((s7 < s9), s9, s7);
+    const V s11 = -(board_half_width + y);
+    const V s12 = lanes_select((s10 < s11), s11, s10);
+    const V s13 = y - board_half_width;
+    const V s14 = lanes_select((s12 < s13), s13, s12);
+    const V s15 = board_bottom - z;
+    const V s16 = lanes_select((s14 < s15), s15, s14);
+    const V s17 = z - board_top;
+    const V s18 = lanes_select((s16 < s17), s17, s16);
+    const M s19 = lanes_abs((last - K(1.0))) < K(0.5);
+    const V s20 = lanes_select(s19, s5, lanes_select((K(0.0) <= s18), s5, K(0.0)));
+    const V s21 = z - s2;
+    const V s22 = ((s2 - s8) - (K(2.0) * wire_radius)) - z;
     const V s23 = lanes_select((s21 < s22), s22, s21);
     const V s24 = -(bridge_half_width + y);
     const V s25 = lanes_select((s23 < s24), s24, s23);
@@ -379,14 +393,12 @@ LANES(hoop_valid)(V last, V x, V y, V z, V ball_radius, V ring_radius, V wire_ra
     const V s31 = -(board_distance + x);
     const V s32 = lanes_select((s30 < s31), s31, s30);
     const M s33 = lanes_abs((last - K(2.0))) < K(0.5);
-    const V s34 = lanes_select((K(0.0) < ring_radius), lanes_select((K(0.0) < ball_radius), lanes_select((K(0.0) < ((ring_radius - ball_radius) - wire_radius)), lanes_select(s33, s19, lanes_select((K(0.0) <= s32), s19, K(0.0))), K(0.0)), K(0.0)), K(0.0));
-    const V s35 = lanes_select((K(0.0) <= restitution), lanes_select((K(0.0) < bridge_half_width), lanes_select((K(0.0) < board_half_width), lanes_select((K(0.0) < board_distance), lanes_select((K(0.0) < wire_radius), s34, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
-    const V s36 = ((((lanes_abs(ball_radius) + lanes_abs(board_bottom)) + lanes_abs(board_distance)) + lanes_abs(board_half_width)) + lanes_abs(board_top)) + lanes_abs(bridge_half_width);
-    const V s37 = ((((s36 + lanes_abs(end_depth)) + lanes_abs(ring_radius)) + lanes_abs(wire_radius)) + lanes_abs(x)) + lanes_abs(y);
-    const V s38 = K(1.7763568394002505e-15) * (s37 + lanes_abs(z));
-    const V s39 = lanes_select(s3, K(0.0), lanes_select((lanes_abs(s2) <= s38), K(1.0), K(0.0)));
-    const V s40 = lanes_select(s18, s39, lanes_select((lanes_abs(s17) <= s38), K(1.0), s39));
-    return (LANES(hoop_valid_out)){ lanes_select((K(0.0) < end_depth), lanes_select((K(0.0) < gravity), lanes_select((restitution <= K(1.0)), s35, K(0.0)), K(0.0)), K(0.0)), lanes_select(s33, s40, lanes_select((lanes_abs(s32) <= s38), K(1.0), s40)) };
+    const V s34 = ((((lanes_abs(ball_radius) + lanes_abs(board_bottom)) + lanes_abs(board_distance)) + lanes_abs(board_half_width)) + lanes_abs(board_top)) + lanes_abs(bridge_half_width);
+    const V s35 = ((((s34 + lanes_abs(end_depth)) + lanes_abs(ring_radius)) + lanes_abs(wire_radius)) + lanes_abs(x)) + lanes_abs(y);
+    const V s36 = K(1.7763568394002505e-15) * (s35 + lanes_abs(z));
+    const V s37 = lanes_select(s4, K(0.0), lanes_select((lanes_abs(s3) <= (((K(4.0) * ball_radius) + (K(4.0) * wire_radius)) * s36)), K(1.0), K(0.0)));
+    const V s38 = lanes_select(s19, s37, lanes_select((lanes_abs(s18) <= s36), K(1.0), s37));
+    return (LANES(hoop_valid_out)){ lanes_select(s33, s20, lanes_select((K(0.0) <= s32), s20, K(0.0))), lanes_select(s33, s38, lanes_select((lanes_abs(s32) <= s36), K(1.0), s38)) };
 }
 
 /* Not positive where a crossing of the end plane is made.
@@ -504,7 +516,7 @@ LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V ball_radius
 }
 
 /* Positive if there certainly is no contact before the horizon.
-   bounds of the event condition. 145 operations: 27 additions, 19 subtractions, 65 multiplications, 2 divisions, 2 square roots, 15 comparisons, 15 selections. */
+   bounds of the event condition. 146 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 15 comparisons, 15 selections. */
 typedef struct {
     V clear;
 } LANES(hoop_ring_clear_out);
@@ -520,39 +532,40 @@ LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V s
     const V s5 = ring_radius + s4;
     const V s6 = vz * vz;
     const V s7 = s6 + ((K(2.0) * gravity) * (z - s4));
-    const V s8 = lanes_sqrt(s7);
-    const V s9 = (vz - s8) / gravity;
-    const V s10 = (vz + s8) / gravity;
-    const V s11 = x + (vx * s10);
-    const V s12 = y + (vy * s10);
-    const V s13 = (s11 * s11) + (s12 * s12);
-    const V s14 = lanes_sqrt(s13);
-    const V s15 = s14 - ring_radius;
-    const V s16 = z + ((vz - ((K(0.5) * gravity) * s10)) * s10);
-    const V s17 = s5 * s5;
-    const V s18 = K(9.313225746154785e-10) * s17;
-    const V s19 = (((s15 * s15) + (s16 * s16)) - (s0 * s0)) - s18;
-    const V s20 = (vx * vx) + (vy * vy);
-    const V s21 = ring_radius - s4;
-    const V s22 = K(0.0001220703125) * ring_radius;
-    const V s23 = lanes_select((s21 < s22), s22, s21);
-    const V s24 = s23 * s23;
-    const V s25 = s23 * s24;
-    const V s26 = ((((K(2.0) * s6) + ((K(4.0) * gravity) * z)) + (K(2.0) * s20)) - ((K(6.0003662109375) * gravity) * s0)) * s25;
-    const V s27 = (vy * x) - (vx * y);
-    const V s28 = s27 * s27;
-    const V s29 = s26 - ((K(2.0) * ring_radius) * s28);
-    const V s30 = (s15 * ((vx * s11) + (vy * s12))) + ((s16 * (vz - (gravity * s10))) * s14);
-    const V s31 = x + (horizon * vx);
-    const V s32 = y + (horizon * vy);
-    const V s33 = lanes_select(((((s18 + (s31 * s31)) + (s32 * s32)) - s24) < K(0.0)), K(1.0), lanes_select((((s20 * (s18 + s24)) - s28) < K(0.0)), K(1.0), K(0.0)));
-    const V s34 = lanes_select(((((K(4.0) * (s30 * s30)) * s25) - (((K(2.0) * s29) * s13) * s19)) < K(0.0)), s33, K(0.0));
-    const V s35 = lanes_select((horizon < (s10 - (K(9.313225746154785e-10) * horizon))), K(1.0), lanes_select((K(0.0) < s19), lanes_select((K(0.0) < s29), s34, K(0.0)), K(0.0)));
-    const V s36 = (vx * x) + (vy * y);
-    const V s37 = (s9 * s20) + s36;
-    const V s38 = lanes_select((s37 < K(0.0)), lanes_select((s17 < ((s9 * (s36 + s37)) + ((x * x) + (y * y)))), s35, K(0.0)), K(0.0));
-    const V s39 = lanes_select(((extent + (horizon * (speed + (gravity * horizon)))) < (K(65536.0) * s5)), lanes_select((K(0.0) < s7), lanes_select((s9 < K(0.0)), s35, s38), K(0.0)), K(0.0));
-    return (LANES(hoop_ring_clear_out)){ lanes_select((K(0.0) < lanes_select((s1 < s3), s3, s1)), K(0.0), lanes_select((s2 < (K(5.820766091346741e-11) * s5)), s39, K(0.0))) };
+    const V s8 = K(1.0) / gravity;
+    const V s9 = lanes_sqrt(s7);
+    const V s10 = s8 * (vz - s9);
+    const V s11 = s8 * (vz + s9);
+    const V s12 = x + (vx * s11);
+    const V s13 = y + (vy * s11);
+    const V s14 = (s12 * s12) + (s13 * s13);
+    const V s15 = lanes_sqrt(s14);
+    const V s16 = s15 - ring_radius;
+    const V s17 = z + ((vz - ((K(0.5) * gravity) * s11)) * s11);
+    const V s18 = s5 * s5;
+    const V s19 = K(9.313225746154785e-10) * s18;
+    const V s20 = (((s16 * s16) + (s17 * s17)) - (s0 * s0)) - s19;
+    const V s21 = (vx * vx) + (vy * vy);
+    const V s22 = ring_radius - s4;
+    const V s23 = K(0.0001220703125) * ring_radius;
+    const V s24 = lanes_select((s22 < s23), s23, s22);
+    const V s25 = s24 * s24;
+    const V s26 = s24 * s25;
+    const V s27 = ((((K(2.0) * s6) + ((K(4.0) * gravity) * z)) + (K(2.0) * s21)) - ((K(6.0003662109375) * gravity) * s0)) * s26;
+    const V s28 = (vy * x) - (vx * y);
+    const V s29 = s28 * s28;
+    const V s30 = s27 - ((K(2.0) * ring_radius) * s29);
+    const V s31 = (s16 * ((vx * s12) + (vy * s13))) + ((s17 * (vz - (gravity * s11))) * s15);
+    const V s32 = x + (horizon * vx);
+    const V s33 = y + (horizon * vy);
+    const V s34 = lanes_select(((((s19 + (s32 * s32)) + (s33 * s33)) - s25) < K(0.0)), K(1.0), lanes_select((((s21 * (s19 + s25)) - s29) < K(0.0)), K(1.0), K(0.0)));
+    const V s35 = lanes_select(((((K(4.0) * (s31 * s31)) * s26) - (((K(2.0) * s30) * s14) * s20)) < K(0.0)), s34, K(0.0));
+    const V s36 = lanes_select((horizon < (s11 - (K(9.313225746154785e-10) * horizon))), K(1.0), lanes_select((K(0.0) < s20), lanes_select((K(0.0) < s30), s35, K(0.0)), K(0.0)));
+    const V s37 = (vx * x) + (vy * y);
+    const V s38 = (s10 * s21) + s37;
+    const V s39 = lanes_select((s38 < K(0.0)), lanes_select((s18 < ((s10 * (s37 + s38)) + ((x * x) + (y * y)))), s36, K(0.0)), K(0.0));
+    const V s40 = lanes_select(((extent + (horizon * (speed + (gravity * horizon)))) < (K(65536.0) * s5)), lanes_select((K(0.0) < s7), lanes_select((s10 < K(0.0)), s36, s39), K(0.0)), K(0.0));
+    return (LANES(hoop_ring_clear_out)){ lanes_select((K(0.0) < lanes_select((s1 < s3), s3, s1)), K(0.0), lanes_select((s2 < (K(5.820766091346741e-11) * s5)), s40, K(0.0))) };
 }
 
 /* Constants and windows of the search along a flight, and the errors it allows for.
@@ -1014,5 +1027,177 @@ LANES_INLINE LANES(hoop_end_place_out)
 LANES(hoop_end_place)(V x, V y, V end_depth)
 {
     return (LANES(hoop_end_place_out)){ x, y, -end_depth };
+}
+
+/* Speed of the flight that goes through a point with a slope of release.
+   Eq. 3 without its time, solved for the speed. 9 operations: 1 addition, 1 subtraction, 5 multiplications, 1 division, 1 square root. */
+typedef struct {
+    V speed;
+} LANES(hoop_aimed_speed_out);
+
+LANES_INLINE LANES(hoop_aimed_speed_out)
+LANES(hoop_aimed_speed)(V slope, V reach, V rise, V gravity)
+{
+    const V s0 = reach * lanes_sqrt((((K(0.5) * gravity) * (K(1.0) + (slope * slope))) / ((reach * slope) - rise)));
+    return (LANES(hoop_aimed_speed_out)){ s0 };
+}
+
+/* Slope at a point, positive downwards, of the flight with a slope of release.
+   derivative of Eq. 3 without its time. 3 operations: 1 subtraction, 1 multiplication, 1 division. */
+typedef struct {
+    V entry;
+} LANES(hoop_entry_slope_out);
+
+LANES_INLINE LANES(hoop_entry_slope_out)
+LANES(hoop_entry_slope)(V slope, V reach, V rise)
+{
+    return (LANES(hoop_entry_slope_out)){ slope - ((K(2.0) * rise) / reach) };
+}
+
+/* Slope of release of the flight that has a slope at a point, positive downwards.
+   derivative of Eq. 3 without its time, solved for the release. 3 operations: 1 addition, 1 multiplication, 1 division. */
+typedef struct {
+    V slope;
+} LANES(hoop_slope_of_entry_out);
+
+LANES_INLINE LANES(hoop_slope_of_entry_out)
+LANES(hoop_slope_of_entry)(V entry, V reach, V rise)
+{
+    return (LANES(hoop_slope_of_entry_out)){ entry + ((K(2.0) * rise) / reach) };
+}
+
+/* Slope and speed of the slowest release through a point.
+   Eq. 3 without its time, least speed: 45° + atan(h/L)/2 and v² = g (h + sqrt(h² + L²)). 14 operations: 2 additions, 1 subtraction, 3 multiplications, 3 divisions, 2 square roots, 1 comparison, 2 selections. */
+typedef struct {
+    V slope, speed;
+} LANES(hoop_least_speed_out);
+
+LANES_INLINE LANES(hoop_least_speed_out)
+LANES(hoop_least_speed)(V reach, V rise, V gravity)
+{
+    const V s0 = reach * reach;
+    const V s1 = lanes_sqrt((s0 + (rise * rise)));
+    const V s2 = s1 - rise;
+    const V s3 = rise + s1;
+    const M s4 = rise < K(0.0);
+    return (LANES(hoop_least_speed_out)){ lanes_select(s4, (reach / s2), (s3 / reach)), lanes_sqrt((gravity * lanes_select(s4, (s0 / s2), s3))) };
+}
+
+/* The low and the high slope of release through a point at a speed.
+   Eq. 3 without its time, solved for the slope. 25 operations: 5 additions, 2 subtractions, 11 multiplications, 3 divisions, 2 square roots, 1 comparison, 1 selection. */
+typedef struct {
+    V low, high;
+} LANES(hoop_slopes_of_speed_out);
+
+LANES_INLINE LANES(hoop_slopes_of_speed_out)
+LANES(hoop_slopes_of_speed)(V release_speed, V reach, V rise, V gravity)
+{
+    const V s0 = gravity * reach;
+    const V s1 = release_speed * release_speed;
+    const V s2 = reach * reach;
+    const V s3 = lanes_sqrt((s2 + (rise * rise)));
+    const V s4 = s3 - rise;
+    const V s5 = lanes_sqrt((((gravity * s4) + s1) * (s1 - (gravity * lanes_select((rise < K(0.0)), (s2 / s4), (rise + s3))))));
+    const V s6 = s1 + s5;
+    return (LANES(hoop_slopes_of_speed_out)){ ((reach * s0) + ((K(2.0) * rise) * s1)) / (s0 * s6), s6 / s0 };
+}
+
+/* When the centre comes down to a height, and its upward velocity then.
+   Eq. 3, solved. 14 operations: 2 additions, 2 subtractions, 4 multiplications, 1 division, 1 square root, 1 negation, 1 comparison, 2 selections. */
+typedef struct {
+    V time, rate;
+} LANES(hoop_descent_out);
+
+LANES_INLINE LANES(hoop_descent_out)
+LANES(hoop_descent)(V z, V vz, V level, V gravity)
+{
+    const V s0 = z - level;
+    const V s1 = lanes_sqrt(((vz * vz) + ((K(2.0) * gravity) * s0)));
+    const M s2 = vz < K(0.0);
+    return (LANES(hoop_descent_out)){ lanes_select(s2, (K(2.0) * s0), (vz + s1)) / lanes_select(s2, (s1 - vz), gravity), -s1 };
+}
+
+/* When the centre is highest, and its height then.
+   Eq. 3, its derivative zero. 8 operations: 1 addition, 2 multiplications, 2 divisions, 1 comparison, 2 selections. */
+typedef struct {
+    V time, height;
+} LANES(hoop_apex_out);
+
+LANES_INLINE LANES(hoop_apex_out)
+LANES(hoop_apex)(V z, V vz, V gravity)
+{
+    const M s0 = K(0.0) < vz;
+    return (LANES(hoop_apex_out)){ lanes_select(s0, (vz / gravity), K(0.0)), lanes_select(s0, (z + ((K(0.5) * (vz * vz)) / gravity)), z) };
+}
+
+/* How far a point is past the ring's centre and to the left, seen from a place.
+   components along and across the line of sight. 13 operations: 2 additions, 1 subtraction, 6 multiplications, 2 divisions, 1 square root, 1 negation. */
+typedef struct {
+    V past, left;
+} LANES(hoop_sighted_out);
+
+LANES_INLINE LANES(hoop_sighted_out)
+LANES(hoop_sighted)(V x, V y, V place_x, V place_y)
+{
+    const V s0 = lanes_sqrt(((place_x * place_x) + (place_y * place_y)));
+    return (LANES(hoop_sighted_out)){ -(((place_x * x) + (place_y * y)) / s0), ((place_y * x) - (place_x * y)) / s0 };
+}
+
+/* Distance of ball and wire at time t, and what bounds it within half a width of t.
+   Eq. 3 in Table 2, Taylor's theorem. 153 operations: 35 additions, 15 subtractions, 58 multiplications, 4 divisions, 6 square roots, 2 negations, 7 absolute values, 13 comparisons, 13 selections. */
+typedef struct {
+    V gap, rate, lower, concavity, resolution;
+} LANES(hoop_ring_nearness_out);
+
+LANES_INLINE LANES(hoop_ring_nearness_out)
+LANES(hoop_ring_nearness)(V t, V x, V y, V z, V vx, V vy, V vz, V half, V ball_radius, V ring_radius, V wire_radius, V gravity)
+{
+    const V s0 = x + (t * vx);
+    const V s1 = y + (t * vy);
+    const V s2 = lanes_sqrt(((s0 * s0) + (s1 * s1)));
+    const V s3 = s2 - ring_radius;
+    const V s4 = K(0.5) * gravity;
+    const V s5 = z + (t * (vz - (s4 * t)));
+    const V s6 = (s3 * s3) + (s5 * s5);
+    const V s7 = ball_radius + wire_radius;
+    const V s8 = K(2.0) * (((((vx * s0) + (vy * s1)) / s2) * s3) + ((vz - (gravity * t)) * s5));
+    const V s9 = t - half;
+    const V s10 = (vx * vx) + (vy * vy);
+    const V s11 = -(((vx * x) + (vy * y)) / s10);
+    const V s12 = half + t;
+    const V s13 = lanes_select((s11 < s12), s11, s12);
+    const V s14 = lanes_select((s9 < s13), s13, s9);
+    const V s15 = x + (vx * s14);
+    const V s16 = y + (vy * s14);
+    const V s17 = lanes_sqrt(((s15 * s15) + (s16 * s16)));
+    const V s18 = s17 - ring_radius;
+    const V s19 = lanes_select((K(0.0) < s18), s18, K(0.0));
+    const V s20 = x + (vx * s9);
+    const V s21 = y + (vy * s9);
+    const V s22 = lanes_sqrt(((s20 * s20) + (s21 * s21)));
+    const V s23 = x + (vx * s12);
+    const V s24 = y + (vy * s12);
+    const V s25 = lanes_sqrt(((s23 * s23) + (s24 * s24)));
+    const V s26 = ring_radius - lanes_select((s22 < s25), s25, s22);
+    const V s27 = lanes_select((s19 < s26), s26, s19);
+    const V s28 = z + ((vz - (s4 * s12)) * s12);
+    const V s29 = z + ((vz - (s4 * s9)) * s9);
+    const V s30 = lanes_select((s28 < s29), s28, s29);
+    const V s31 = lanes_select((K(0.0) < s30), s30, K(0.0));
+    const V s32 = vz / gravity;
+    const V s33 = lanes_select((s32 < s12), s32, s12);
+    const V s34 = lanes_select((s9 < s33), s33, s9);
+    const V s35 = z + ((vz - (s4 * s34)) * s34);
+    const V s36 = -s35;
+    const V s37 = lanes_select((s31 < s36), s36, s31);
+    const V s38 = (s27 * s27) + (s37 * s37);
+    const V s39 = (s12 * ((((gravity * s12) + lanes_abs(vx)) + lanes_abs(vy)) + lanes_abs(vz))) + lanes_abs(x);
+    const V s40 = K(7.105427357601002e-15) * (ring_radius + ((s39 + lanes_abs(y)) + lanes_abs(z)));
+    const V s41 = s17 - s40;
+    const V s42 = (vy * x) - (vx * y);
+    const V s43 = (((K(2.0) * ring_radius) * (s42 * s42)) / (s41 * (s41 * s41))) + (((K(6.0) * gravity) * s35) - (K(2.0) * (((K(2.0) * gravity) * z) + ((vz * vz) + s10))));
+    const V s44 = lanes_select((K(0.0) < s41), s43, K(INFINITY));
+    const V s45 = s6 - (half * (((K(0.5) * half) * lanes_select((K(0.0) < s44), s44, K(0.0))) + lanes_abs(s8)));
+    return (LANES(hoop_ring_nearness_out)){ lanes_sqrt(s6) - s7, s8, lanes_sqrt(lanes_select((s38 < s45), s45, s38)) - s7, s44, s40 };
 }
 

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation ac993492cdc627d8,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 9d77ee957e8230e3,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -57,6 +57,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "carry_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
     "error_bounds": ("position_error", "velocity_error", "spin_error", "time_error",),
     "claimed_errors": ("position_error", "velocity_error", "spin_error", "time_error",),
+    "allowed": ("allowed",),
     "valid": ("valid", "doubt",),
     "target": ("target",),
     "ring_coefficients": ("c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7", "c8",),
@@ -92,6 +93,15 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "end_arrival": ("time", "rate", "bend", "apex", "height",),
     "end_margin": ("margin",),
     "end_place": ("x", "y", "z",),
+    "aimed_speed": ("speed",),
+    "entry_slope": ("entry",),
+    "slope_of_entry": ("slope",),
+    "least_speed": ("slope", "speed",),
+    "slopes_of_speed": ("low", "high",),
+    "descent": ("time", "rate",),
+    "apex": ("time", "height",),
+    "sighted": ("past", "left",),
+    "ring_nearness": ("gap", "rate", "lower", "concavity", "resolution",),
 }
 """Names of each kernel's outputs."""
 
@@ -202,10 +212,10 @@ def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error:
 def horizon(t: Any, speed: Any, gravity: Any) -> tuple[Any, ...]:
     """A time after which no event is wanted, and how long that is after t.
 
-    the earliest arrival, with room for its delay. 4 operations: 2 additions, 1 multiplication, 1 division.
+    the earliest arrival, with room for its delay. 5 operations: 2 additions, 2 multiplications, 1 division.
     Returns horizon, pad.
     """
-    s0 = 9.5367431640625e-07 * (t + (speed / gravity))
+    s0 = 9.5367431640625e-07 * (t + (speed * (1.0 / gravity)))
     return t + s0, s0
 
 
@@ -384,35 +394,46 @@ def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: A
     return 64.0 * where((s2 < s3), s3, s2), 64.0 * where((s6 < s7), s7, s6), 64.0 * where((s10 < s11), s11, s10), 64.0 * clock_error
 
 
-def valid(last: Any, x: Any, y: Any, z: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, restitution: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
-    """1 where parameters are allowed and no surface overlapped; 1 where that is in doubt.
+def allowed(ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, bridge_half_width: Any, restitution: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
+    """1 where finite parameters are allowed.
 
-    Table 2 and the scene's requirements. 132 operations: 17 additions, 20 subtractions, 7 multiplications, 2 square roots, 3 negations, 18 absolute values, 31 comparisons, 34 selections.
+    the scene's requirements. 24 operations: 2 subtractions, 11 comparisons, 11 selections.
+    Returns allowed.
+    """
+    s0 = where((0.0 < ring_radius), where((0.0 < ball_radius), where((0.0 < ((ring_radius - ball_radius) - wire_radius)), 1.0, 0.0), 0.0), 0.0)
+    s1 = where((0.0 <= restitution), where((0.0 < bridge_half_width), where((0.0 < board_half_width), where((0.0 < board_distance), where((0.0 < wire_radius), s0, 0.0), 0.0), 0.0), 0.0), 0.0)
+    return where((0.0 < end_depth), where((0.0 < gravity), where((restitution <= 1.0), s1, 0.0), 0.0), 0.0),
+
+
+def valid(last: Any, x: Any, y: Any, z: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, end_depth: Any) -> tuple[Any, ...]:
+    """1 where no surface is overlapped; 1 where that is in doubt.
+
+    Table 2. 111 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 23 selections.
     Returns valid, doubt.
     """
     s0 = sqrt(((x * x) + (y * y)))
     s1 = s0 - ring_radius
-    s2 = (sqrt(((z * z) + (s1 * s1))) - ball_radius) - wire_radius
-    s3 = absolute(last) < 0.5
-    s4 = where(s3, 1.0, where((0.0 <= s2), 1.0, 0.0))
-    s5 = ball_radius - board_distance
-    s6 = x - s5
-    s7 = 2.0 * ball_radius
-    s8 = (s5 - s7) - x
-    s9 = where((s6 < s8), s8, s6)
-    s10 = -(board_half_width + y)
-    s11 = where((s9 < s10), s10, s9)
-    s12 = y - board_half_width
-    s13 = where((s11 < s12), s12, s11)
-    s14 = board_bottom - z
-    s15 = where((s13 < s14), s14, s13)
-    s16 = z - board_top
-    s17 = where((s15 < s16), s16, s15)
-    s18 = absolute((last - 1.0)) < 0.5
-    s19 = where(s18, s4, where((0.0 <= s17), s4, 0.0))
-    s20 = ball_radius + wire_radius
-    s21 = z - s20
-    s22 = ((s20 - s7) - (2.0 * wire_radius)) - z
+    s2 = ball_radius + wire_radius
+    s3 = ((z * z) + (s1 * s1)) - (s2 * s2)
+    s4 = absolute(last) < 0.5
+    s5 = where(s4, 1.0, where((0.0 <= s3), 1.0, 0.0))
+    s6 = ball_radius - board_distance
+    s7 = x - s6
+    s8 = 2.0 * ball_radius
+    s9 = (s6 - s8) - x
+    s10 = where((s7 < s9), s9, s7)
+    s11 = -(board_half_width + y)
+    s12 = where((s10 < s11), s11, s10)
+    s13 = y - board_half_width
+    s14 = where((s12 < s13), s13, s12)
+    s15 = board_bottom - z
+    s16 = where((s14 < s15), s15, s14)
+    s17 = z - board_top
+    s18 = where((s16 < s17), s17, s16)
+    s19 = absolute((last - 1.0)) < 0.5
+    s20 = where(s19, s5, where((0.0 <= s18), s5, 0.0))
+    s21 = z - s2
+    s22 = ((s2 - s8) - (2.0 * wire_radius)) - z
     s23 = where((s21 < s22), s22, s21)
     s24 = -(bridge_half_width + y)
     s25 = where((s23 < s24), s24, s23)
@@ -424,14 +445,12 @@ def valid(last: Any, x: Any, y: Any, z: Any, ball_radius: Any, ring_radius: Any,
     s31 = -(board_distance + x)
     s32 = where((s30 < s31), s31, s30)
     s33 = absolute((last - 2.0)) < 0.5
-    s34 = where((0.0 < ring_radius), where((0.0 < ball_radius), where((0.0 < ((ring_radius - ball_radius) - wire_radius)), where(s33, s19, where((0.0 <= s32), s19, 0.0)), 0.0), 0.0), 0.0)
-    s35 = where((0.0 <= restitution), where((0.0 < bridge_half_width), where((0.0 < board_half_width), where((0.0 < board_distance), where((0.0 < wire_radius), s34, 0.0), 0.0), 0.0), 0.0), 0.0)
-    s36 = ((((absolute(ball_radius) + absolute(board_bottom)) + absolute(board_distance)) + absolute(board_half_width)) + absolute(board_top)) + absolute(bridge_half_width)
-    s37 = ((((s36 + absolute(end_depth)) + absolute(ring_radius)) + absolute(wire_radius)) + absolute(x)) + absolute(y)
-    s38 = 1.7763568394002505e-15 * (s37 + absolute(z))
-    s39 = where(s3, 0.0, where((absolute(s2) <= s38), 1.0, 0.0))
-    s40 = where(s18, s39, where((absolute(s17) <= s38), 1.0, s39))
-    return where((0.0 < end_depth), where((0.0 < gravity), where((restitution <= 1.0), s35, 0.0), 0.0), 0.0), where(s33, s40, where((absolute(s32) <= s38), 1.0, s40))
+    s34 = ((((absolute(ball_radius) + absolute(board_bottom)) + absolute(board_distance)) + absolute(board_half_width)) + absolute(board_top)) + absolute(bridge_half_width)
+    s35 = ((((s34 + absolute(end_depth)) + absolute(ring_radius)) + absolute(wire_radius)) + absolute(x)) + absolute(y)
+    s36 = 1.7763568394002505e-15 * (s35 + absolute(z))
+    s37 = where(s4, 0.0, where((absolute(s3) <= (((4.0 * ball_radius) + (4.0 * wire_radius)) * s36)), 1.0, 0.0))
+    s38 = where(s19, s37, where((absolute(s18) <= s36), 1.0, s37))
+    return where(s33, s20, where((0.0 <= s32), s20, 0.0)), where(s33, s38, where((absolute(s32) <= s36), 1.0, s38))
 
 
 def target(x: Any, y: Any, ring_radius: Any) -> tuple[Any, ...]:
@@ -533,7 +552,7 @@ def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, bal
 def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
     """Positive if there certainly is no contact before the horizon.
 
-    bounds of the event condition. 145 operations: 27 additions, 19 subtractions, 65 multiplications, 2 divisions, 2 square roots, 15 comparisons, 15 selections.
+    bounds of the event condition. 146 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 15 comparisons, 15 selections.
     Returns clear.
     """
     s0 = ball_radius + wire_radius
@@ -544,39 +563,40 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     s5 = ring_radius + s4
     s6 = vz * vz
     s7 = s6 + ((2.0 * gravity) * (z - s4))
-    s8 = sqrt(s7)
-    s9 = (vz - s8) / gravity
-    s10 = (vz + s8) / gravity
-    s11 = x + (vx * s10)
-    s12 = y + (vy * s10)
-    s13 = (s11 * s11) + (s12 * s12)
-    s14 = sqrt(s13)
-    s15 = s14 - ring_radius
-    s16 = z + ((vz - ((0.5 * gravity) * s10)) * s10)
-    s17 = s5 * s5
-    s18 = 9.313225746154785e-10 * s17
-    s19 = (((s15 * s15) + (s16 * s16)) - (s0 * s0)) - s18
-    s20 = (vx * vx) + (vy * vy)
-    s21 = ring_radius - s4
-    s22 = 0.0001220703125 * ring_radius
-    s23 = where((s21 < s22), s22, s21)
-    s24 = s23 * s23
-    s25 = s23 * s24
-    s26 = ((((2.0 * s6) + ((4.0 * gravity) * z)) + (2.0 * s20)) - ((6.0003662109375 * gravity) * s0)) * s25
-    s27 = (vy * x) - (vx * y)
-    s28 = s27 * s27
-    s29 = s26 - ((2.0 * ring_radius) * s28)
-    s30 = (s15 * ((vx * s11) + (vy * s12))) + ((s16 * (vz - (gravity * s10))) * s14)
-    s31 = x + (horizon * vx)
-    s32 = y + (horizon * vy)
-    s33 = where(((((s18 + (s31 * s31)) + (s32 * s32)) - s24) < 0.0), 1.0, where((((s20 * (s18 + s24)) - s28) < 0.0), 1.0, 0.0))
-    s34 = where(((((4.0 * (s30 * s30)) * s25) - (((2.0 * s29) * s13) * s19)) < 0.0), s33, 0.0)
-    s35 = where((horizon < (s10 - (9.313225746154785e-10 * horizon))), 1.0, where((0.0 < s19), where((0.0 < s29), s34, 0.0), 0.0))
-    s36 = (vx * x) + (vy * y)
-    s37 = (s9 * s20) + s36
-    s38 = where((s37 < 0.0), where((s17 < ((s9 * (s36 + s37)) + ((x * x) + (y * y)))), s35, 0.0), 0.0)
-    s39 = where(((extent + (horizon * (speed + (gravity * horizon)))) < (65536.0 * s5)), where((0.0 < s7), where((s9 < 0.0), s35, s38), 0.0), 0.0)
-    return where((0.0 < where((s1 < s3), s3, s1)), 0.0, where((s2 < (5.820766091346741e-11 * s5)), s39, 0.0)),
+    s8 = 1.0 / gravity
+    s9 = sqrt(s7)
+    s10 = s8 * (vz - s9)
+    s11 = s8 * (vz + s9)
+    s12 = x + (vx * s11)
+    s13 = y + (vy * s11)
+    s14 = (s12 * s12) + (s13 * s13)
+    s15 = sqrt(s14)
+    s16 = s15 - ring_radius
+    s17 = z + ((vz - ((0.5 * gravity) * s11)) * s11)
+    s18 = s5 * s5
+    s19 = 9.313225746154785e-10 * s18
+    s20 = (((s16 * s16) + (s17 * s17)) - (s0 * s0)) - s19
+    s21 = (vx * vx) + (vy * vy)
+    s22 = ring_radius - s4
+    s23 = 0.0001220703125 * ring_radius
+    s24 = where((s22 < s23), s23, s22)
+    s25 = s24 * s24
+    s26 = s24 * s25
+    s27 = ((((2.0 * s6) + ((4.0 * gravity) * z)) + (2.0 * s21)) - ((6.0003662109375 * gravity) * s0)) * s26
+    s28 = (vy * x) - (vx * y)
+    s29 = s28 * s28
+    s30 = s27 - ((2.0 * ring_radius) * s29)
+    s31 = (s16 * ((vx * s12) + (vy * s13))) + ((s17 * (vz - (gravity * s11))) * s15)
+    s32 = x + (horizon * vx)
+    s33 = y + (horizon * vy)
+    s34 = where(((((s19 + (s32 * s32)) + (s33 * s33)) - s25) < 0.0), 1.0, where((((s21 * (s19 + s25)) - s29) < 0.0), 1.0, 0.0))
+    s35 = where(((((4.0 * (s31 * s31)) * s26) - (((2.0 * s30) * s14) * s20)) < 0.0), s34, 0.0)
+    s36 = where((horizon < (s11 - (9.313225746154785e-10 * horizon))), 1.0, where((0.0 < s20), where((0.0 < s30), s35, 0.0), 0.0))
+    s37 = (vx * x) + (vy * y)
+    s38 = (s10 * s21) + s37
+    s39 = where((s38 < 0.0), where((s18 < ((s10 * (s37 + s38)) + ((x * x) + (y * y)))), s36, 0.0), 0.0)
+    s40 = where(((extent + (horizon * (speed + (gravity * horizon)))) < (65536.0 * s5)), where((0.0 < s7), where((s10 < 0.0), s36, s39), 0.0), 0.0)
+    return where((0.0 < where((s1 < s3), s3, s1)), 0.0, where((s2 < (5.820766091346741e-11 * s5)), s40, 0.0)),
 
 
 def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
@@ -957,3 +977,148 @@ def end_place(x: Any, y: Any, end_depth: Any) -> tuple[Any, ...]:
     Returns x, y, z.
     """
     return x, y, -end_depth
+
+
+def aimed_speed(slope: Any, reach: Any, rise: Any, gravity: Any) -> tuple[Any, ...]:
+    """Speed of the flight that goes through a point with a slope of release.
+
+    Eq. 3 without its time, solved for the speed. 9 operations: 1 addition, 1 subtraction, 5 multiplications, 1 division, 1 square root.
+    Returns speed.
+    """
+    s0 = reach * sqrt((((0.5 * gravity) * (1.0 + (slope * slope))) / ((reach * slope) - rise)))
+    return s0,
+
+
+def entry_slope(slope: Any, reach: Any, rise: Any) -> tuple[Any, ...]:
+    """Slope at a point, positive downwards, of the flight with a slope of release.
+
+    derivative of Eq. 3 without its time. 3 operations: 1 subtraction, 1 multiplication, 1 division.
+    Returns entry.
+    """
+    return slope - ((2.0 * rise) / reach),
+
+
+def slope_of_entry(entry: Any, reach: Any, rise: Any) -> tuple[Any, ...]:
+    """Slope of release of the flight that has a slope at a point, positive downwards.
+
+    derivative of Eq. 3 without its time, solved for the release. 3 operations: 1 addition, 1 multiplication, 1 division.
+    Returns slope.
+    """
+    return entry + ((2.0 * rise) / reach),
+
+
+def least_speed(reach: Any, rise: Any, gravity: Any) -> tuple[Any, ...]:
+    """Slope and speed of the slowest release through a point.
+
+    Eq. 3 without its time, least speed: 45° + atan(h/L)/2 and v² = g (h + sqrt(h² + L²)). 14 operations: 2 additions, 1 subtraction, 3 multiplications, 3 divisions, 2 square roots, 1 comparison, 2 selections.
+    Returns slope, speed.
+    """
+    s0 = reach * reach
+    s1 = sqrt((s0 + (rise * rise)))
+    s2 = s1 - rise
+    s3 = rise + s1
+    s4 = rise < 0.0
+    return where(s4, (reach / s2), (s3 / reach)), sqrt((gravity * where(s4, (s0 / s2), s3)))
+
+
+def slopes_of_speed(release_speed: Any, reach: Any, rise: Any, gravity: Any) -> tuple[Any, ...]:
+    """The low and the high slope of release through a point at a speed.
+
+    Eq. 3 without its time, solved for the slope. 25 operations: 5 additions, 2 subtractions, 11 multiplications, 3 divisions, 2 square roots, 1 comparison, 1 selection.
+    Returns low, high.
+    """
+    s0 = gravity * reach
+    s1 = release_speed * release_speed
+    s2 = reach * reach
+    s3 = sqrt((s2 + (rise * rise)))
+    s4 = s3 - rise
+    s5 = sqrt((((gravity * s4) + s1) * (s1 - (gravity * where((rise < 0.0), (s2 / s4), (rise + s3))))))
+    s6 = s1 + s5
+    return ((reach * s0) + ((2.0 * rise) * s1)) / (s0 * s6), s6 / s0
+
+
+def descent(z: Any, vz: Any, level: Any, gravity: Any) -> tuple[Any, ...]:
+    """When the centre comes down to a height, and its upward velocity then.
+
+    Eq. 3, solved. 14 operations: 2 additions, 2 subtractions, 4 multiplications, 1 division, 1 square root, 1 negation, 1 comparison, 2 selections.
+    Returns time, rate.
+    """
+    s0 = z - level
+    s1 = sqrt(((vz * vz) + ((2.0 * gravity) * s0)))
+    s2 = vz < 0.0
+    return where(s2, (2.0 * s0), (vz + s1)) / where(s2, (s1 - vz), gravity), -s1
+
+
+def apex(z: Any, vz: Any, gravity: Any) -> tuple[Any, ...]:
+    """When the centre is highest, and its height then.
+
+    Eq. 3, its derivative zero. 8 operations: 1 addition, 2 multiplications, 2 divisions, 1 comparison, 2 selections.
+    Returns time, height.
+    """
+    s0 = 0.0 < vz
+    return where(s0, (vz / gravity), 0.0), where(s0, (z + ((0.5 * (vz * vz)) / gravity)), z)
+
+
+def sighted(x: Any, y: Any, place_x: Any, place_y: Any) -> tuple[Any, ...]:
+    """How far a point is past the ring's centre and to the left, seen from a place.
+
+    components along and across the line of sight. 13 operations: 2 additions, 1 subtraction, 6 multiplications, 2 divisions, 1 square root, 1 negation.
+    Returns past, left.
+    """
+    s0 = sqrt(((place_x * place_x) + (place_y * place_y)))
+    return -(((place_x * x) + (place_y * y)) / s0), ((place_y * x) - (place_x * y)) / s0
+
+
+def ring_nearness(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, half: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+    """Distance of ball and wire at time t, and what bounds it within half a width of t.
+
+    Eq. 3 in Table 2, Taylor's theorem. 153 operations: 35 additions, 15 subtractions, 58 multiplications, 4 divisions, 6 square roots, 2 negations, 7 absolute values, 13 comparisons, 13 selections.
+    Returns gap, rate, lower, concavity, resolution.
+    """
+    s0 = x + (t * vx)
+    s1 = y + (t * vy)
+    s2 = sqrt(((s0 * s0) + (s1 * s1)))
+    s3 = s2 - ring_radius
+    s4 = 0.5 * gravity
+    s5 = z + (t * (vz - (s4 * t)))
+    s6 = (s3 * s3) + (s5 * s5)
+    s7 = ball_radius + wire_radius
+    s8 = 2.0 * (((((vx * s0) + (vy * s1)) / s2) * s3) + ((vz - (gravity * t)) * s5))
+    s9 = t - half
+    s10 = (vx * vx) + (vy * vy)
+    s11 = -(((vx * x) + (vy * y)) / s10)
+    s12 = half + t
+    s13 = where((s11 < s12), s11, s12)
+    s14 = where((s9 < s13), s13, s9)
+    s15 = x + (vx * s14)
+    s16 = y + (vy * s14)
+    s17 = sqrt(((s15 * s15) + (s16 * s16)))
+    s18 = s17 - ring_radius
+    s19 = where((0.0 < s18), s18, 0.0)
+    s20 = x + (vx * s9)
+    s21 = y + (vy * s9)
+    s22 = sqrt(((s20 * s20) + (s21 * s21)))
+    s23 = x + (vx * s12)
+    s24 = y + (vy * s12)
+    s25 = sqrt(((s23 * s23) + (s24 * s24)))
+    s26 = ring_radius - where((s22 < s25), s25, s22)
+    s27 = where((s19 < s26), s26, s19)
+    s28 = z + ((vz - (s4 * s12)) * s12)
+    s29 = z + ((vz - (s4 * s9)) * s9)
+    s30 = where((s28 < s29), s28, s29)
+    s31 = where((0.0 < s30), s30, 0.0)
+    s32 = vz / gravity
+    s33 = where((s32 < s12), s32, s12)
+    s34 = where((s9 < s33), s33, s9)
+    s35 = z + ((vz - (s4 * s34)) * s34)
+    s36 = -s35
+    s37 = where((s31 < s36), s36, s31)
+    s38 = (s27 * s27) + (s37 * s37)
+    s39 = (s12 * ((((gravity * s12) + absolute(vx)) + absolute(vy)) + absolute(vz))) + absolute(x)
+    s40 = 7.105427357601002e-15 * (ring_radius + ((s39 + absolute(y)) + absolute(z)))
+    s41 = s17 - s40
+    s42 = (vy * x) - (vx * y)
+    s43 = (((2.0 * ring_radius) * (s42 * s42)) / (s41 * (s41 * s41))) + (((6.0 * gravity) * s35) - (2.0 * (((2.0 * gravity) * z) + ((vz * vz) + s10))))
+    s44 = where((0.0 < s41), s43, inf)
+    s45 = s6 - (half * (((0.5 * half) * where((0.0 < s44), s44, 0.0)) + absolute(s8)))
+    return sqrt(s6) - s7, s8, sqrt(where((s38 < s45), s45, s38)) - s7, s44, s40

@@ -80,6 +80,15 @@ ARGUMENTS = {
     "curving": (r"\kappa", "curvature of the surface, if it is met twice running"),
     "shift": (r"\varsigma", "error of the position at a contact, at worst after one flight"),
     "turn": (r"\tau", "error of the normal, at worst after one flight"),
+    "slope": ("s", "tangent of the angle of release above the horizontal"),
+    "entry": (r"s^\downarrow", "tangent of the angle below the horizontal at the wanted point"),
+    "release_speed": ("v", "speed at release"),
+    "reach": ("D", "horizontal distance from the release to the wanted point"),
+    "rise": ("h", "height of the wanted point above the release"),
+    "level": (r"\bar z", "height above the ring's plane"),
+    "half": (r"\eta", "half the width of an interval of time"),
+    "place_x": ("x_p", "place on the floor plan, x"),
+    "place_y": ("y_p", "place on the floor plan, y"),
 }
 """How the other arguments of kernels are written, and what they are."""
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cache
 from types import ModuleType
 from typing import Any
 
@@ -32,36 +33,43 @@ CARRIED = ERRORS[:6]
 NORMAL = ("nx", "ny", "nz")
 TURNED = ("dnx", "dny", "dnz", "turn")
 MADE, MISSED, CAPPED, SHORT, INVALID = range(5)
-IN_FLIGHT = -1
+SEARCH = ("prepare", "margins", "refine", "advance")
+"""Kernels of a curved surface's search."""
 
 
 @dataclass
 class Arrivals:
-    """The earliest arrival found so far, for every shot in flight."""
+    """The earliest arrival found so far, for every shot in flight.
 
+    Where nobody asks what is uncertain, `certified` is False, and what only bounds errors is left
+    out: the path does not depend on it.
+    """
+
+    certified: bool
     when: Floats
     which: NDArray[np.int64]
     late: Floats
     doubt: Floats
 
     @classmethod
-    def none(cls, shots: int) -> Arrivals:
+    def none(cls, shots: int, certified: bool) -> Arrivals:
         """Return that nothing has been found."""
         never = np.full(shots, np.inf)
-        return cls(never, np.full(shots, -1), np.zeros(shots), never)
+        return cls(certified, never, np.full(shots, -1), np.zeros(shots), never)
 
     def question(self, where: Mask, time: Floats) -> None:
         """Note decisions at `time` that lie within their rounding error."""
         self.doubt = np.where(where & (time < self.doubt), time, self.doubt)
 
-    def propose(self, arrives: Mask, time: Floats, delay: Floats, index: int) -> None:
+    def propose(self, arrives: Mask, time: Floats, delay: Floats | float, index: int) -> None:
         """Take arrivals on surface `index` that are earlier than those found so far."""
-        tie = arrives & (np.abs(time - self.when) <= delay + self.late)
-        self.question(tie, np.where(time < self.when, time, self.when))
         earlier = arrives & (time < self.when)
+        if self.certified:
+            tie = arrives & (np.abs(time - self.when) <= delay + self.late)
+            self.question(tie, np.where(time < self.when, time, self.when))
+            self.late = np.where(earlier, delay, self.late)
         self.when = np.where(earlier, time, self.when)
         self.which = np.where(earlier, index, self.which)
-        self.late = np.where(earlier, delay, self.late)
 
 
 @dataclass
@@ -84,6 +92,7 @@ class Flights:
     columns: dict[str, Column]
     row: NDArray[np.int64]
     last: NDArray[np.int64]
+    certified: bool
     which: NDArray[np.int64] = field(init=False)
     t: Floats = field(init=False)
     late: Floats = field(init=False)
@@ -94,15 +103,17 @@ class Flights:
         shots = len(self.row)
         self.which, self.t, self.late = self.last, np.zeros(shots), np.zeros(shots)
         self.clock = np.zeros(shots)
-        self.columns |= {name: np.zeros(shots) for name in (*ERRORS, "clock_error")}
+        if self.certified:
+            self.columns |= {name: np.zeros(shots) for name in (*ERRORS, "clock_error")}
         self.contacts = np.zeros(shots, np.int32)
 
     def keep(self, which: Mask) -> None:
         """Drop all other shots."""
-        self.columns = _take(self.columns, which)
-        self.row, self.clock = self.row[which], self.clock[which]
-        self.last, self.contacts = self.last[which], self.contacts[which]
-        self.which, self.t, self.late = self.which[which], self.t[which], self.late[which]
+        kept = np.flatnonzero(which)
+        self.columns = _take(self.columns, kept)
+        self.row, self.clock = self.row[kept], self.clock[kept]
+        self.last, self.contacts = self.last[kept], self.contacts[kept]
+        self.which, self.t, self.late = self.which[kept], self.t[kept], self.late[kept]
 
     def joined(self, other: Flights) -> Flights:
         """Return these shots and the others."""
@@ -116,11 +127,13 @@ class Flights:
             },
             np.concatenate([self.row, other.row]),
             np.concatenate([self.last, other.last]),
+            self.certified,
         )
-        both.columns |= {
-            name: np.concatenate([np.asarray(self.columns[name]), np.asarray(other.columns[name])])
-            for name in (*ERRORS, "clock_error")
-        }
+        if self.certified:
+            both.columns |= {
+                name: np.concatenate([np.asarray(flights.columns[name]) for flights in (self, other)])
+                for name in (*ERRORS, "clock_error")
+            }
         both.clock = np.concatenate([self.clock, other.clock])
         both.contacts = np.concatenate([self.contacts, other.contacts])
         return both
@@ -189,7 +202,8 @@ def _begin(
     for column in columns.values():
         finite = finite & (column - column == 0.0)
     last = np.full(len(row), -1) if leaving is None else leaving[rows].astype(np.int64)
-    flights = Flights(columns, row, last)
+    flights = Flights(columns, row, last, out.certified)
+    finite = finite & (_call(kernels.allowed, columns)[0] > 0.0)
     valid, doubtful = _call(kernels.valid, columns, last=last)
     good = finite & (valid > 0.0)
     if out.uncertain is not None:
@@ -202,18 +216,18 @@ def _begin(
 def _advance(kernels: ModuleType, flights: Flights, max_contacts: int, out: Raw) -> None:
     """Take every shot to its next event; write and drop those that end there."""
     columns = flights.columns
-    bounds = _call(kernels.error_bounds, columns)
+    bounds = _call(kernels.error_bounds, columns) if flights.certified else (0.0, 0.0)
     columns["position_error"], columns["velocity_error"] = bounds[:2]
     columns["extent"], columns["speed"], columns["excess"] = _call(kernels.scale, columns)
-    arrivals = _first_arrivals(kernels, columns, flights.last)
+    arrivals = _first_arrivals(kernels, columns, flights.last, flights.certified)
     flights.t, flights.which, flights.late = arrivals.when, arrivals.which, arrivals.late
-    doubtful = ~(arrivals.doubt > arrivals.when + arrivals.late) & (arrivals.doubt < np.inf)
     stays = arrivals.which < 0
     ends = arrivals.which == len(kernels.SURFACES) - 1
-    slack = _call(kernels.displacement, columns, horizon=flights.t, delay=arrivals.late)[0]
     there = _call(kernels.flight, columns, t=flights.t)
     miss = _call(kernels.target, columns, x=there[0], y=there[1])[0]
     if out.uncertain is not None:
+        slack = _call(kernels.displacement, columns, horizon=flights.t, delay=arrivals.late)[0]
+        doubtful = ~(arrivals.doubt > arrivals.when + arrivals.late) & (arrivals.doubt < np.inf)
         out.uncertain[flights.row] |= doubtful | (ends & (np.abs(miss) <= slack))
     _choose(~stays, there, STATE[:6], columns)
     flights.clock = np.where(stays, flights.clock, flights.clock + flights.t)
@@ -247,14 +261,15 @@ def _advance(kernels: ModuleType, flights: Flights, max_contacts: int, out: Raw)
 
 
 def _first_arrivals(
-    kernels: ModuleType, columns: Mapping[str, Column], last: NDArray[np.int64]
+    kernels: ModuleType, columns: Mapping[str, Column], last: NDArray[np.int64], certified: bool
 ) -> Arrivals:
     """Return the earliest admissible arrival on any surface (Eq. 4)."""
-    arrivals = Arrivals.none(len(last))
-    errors = np.asarray(columns["position_error"]), np.asarray(columns["velocity_error"])
-    bounded = np.logical_and.reduce([error < np.inf for error in errors])
-    bounded &= np.asarray(columns["excess"]) <= 0.0
-    arrivals.question(~bounded, np.zeros(len(last)))
+    arrivals = Arrivals.none(len(last), certified)
+    if certified:
+        errors = np.asarray(columns["position_error"]), np.asarray(columns["velocity_error"])
+        bounded = np.logical_and.reduce([error < np.inf for error in errors])
+        bounded &= np.asarray(columns["excess"]) <= 0.0
+        arrivals.question(~bounded, np.zeros(len(last)))
     surfaces = list(enumerate(kernels.SURFACES))
     # The end plane first: what certainly comes after it needs no further look.
     for index, (name, windows, bounded) in surfaces[-1:] + surfaces[:-1]:
@@ -281,24 +296,25 @@ def _plane_arrival(
     )
     meets = (rate < 0.0) | ((rate <= 0.0) & (bend < 0.0) & (time == 0.0))
     arrives = meets & (time >= 0.0) & (time < np.inf)
-    margin = _call(getattr(kernels, f"{name}_margin"), columns, horizon=time)[0]
-    crossing = {"margin": margin, "rate_margin": 0.0, "rate": rate}
-    clearance, delay = _call(kernels.crossing, crossing, ceiling=np.abs(bend))
-    arrives = arrives & ~(time - arrivals.when > arrivals.late + delay)
-    slack = _call(getattr(kernels, f"{name}_margin"), columns, horizon=apex)[0]
-    arrivals.question((apex >= 0.0) & (np.abs(height) <= slack), apex)
-    unsure = arrives & ~(clearance > 0.0)
+    bounds: Outputs = ()
     if bounded:
         x, y, z, *_ = _call(kernels.flight, columns, t=time)
         bounds = _call(getattr(kernels, f"{name}_bounds"), columns, x=x, y=y, z=z)
-        slack = _call(kernels.displacement, columns, horizon=time, delay=delay)[0]
-        within = np.logical_and.reduce([g <= 0.0 for g in bounds])
-        near = np.logical_and.reduce([g <= slack for g in bounds])
-        surely = np.logical_and.reduce([g < -slack for g in bounds])
-        unsure = arrives & near & ~(surely & (clearance > 0.0))
-        arrives = arrives & within
-    arrivals.question(unsure, time)
-    arrivals.propose(arrives, time, delay, index)
+    within = np.logical_and.reduce([arrives, *(g <= 0.0 for g in bounds)])
+    if not arrivals.certified:
+        arrivals.propose(within, time, 0.0, index)
+        return
+    margin = _call(getattr(kernels, f"{name}_margin"), columns, horizon=time)[0]
+    crossing = {"margin": margin, "rate_margin": 0.0, "rate": rate}
+    clearance, delay = _call(kernels.crossing, crossing, ceiling=np.abs(bend))
+    early = ~(time - arrivals.when > arrivals.late + delay)
+    slack = _call(getattr(kernels, f"{name}_margin"), columns, horizon=apex)[0]
+    arrivals.question((apex >= 0.0) & (np.abs(height) <= slack), apex)
+    slack = _call(kernels.displacement, columns, horizon=time, delay=delay)[0]
+    near = np.logical_and.reduce([arrives, early, *(g <= slack for g in bounds)])
+    surely = np.logical_and.reduce([clearance > 0.0, *(g < -slack for g in bounds)])
+    arrivals.question(near & ~surely, time)
+    arrivals.propose(within & early, time, delay, index)
 
 
 @dataclass
@@ -314,10 +330,11 @@ class Search:
 
     def keep(self, which: Mask) -> None:
         """Drop all other shots."""
-        self.shot, self.columns = self.shot[which], _take(self.columns, which)
-        self.lows = [low[which] for low in self.lows]
-        self.highs = [high[which] for high in self.highs]
-        self.t, self.end = self.t[which], self.end[which]
+        kept = np.flatnonzero(which)
+        self.shot, self.columns = self.shot[kept], _take(self.columns, kept)
+        self.lows = [low[kept] for low in self.lows]
+        self.highs = [high[kept] for high in self.highs]
+        self.t, self.end = self.t[kept], self.end[kept]
 
     def open(self, where: Mask, after: Floats | float) -> Mask:
         """Enter the first window that begins no earlier than `after`; return where there is one."""
@@ -345,22 +362,28 @@ def _curved_arrival(
     possible = ~np.broadcast_to(clear > 0.0, len(gone))
     if not possible.any():
         return
-    own = _take(columns, possible)
-    beyond, question, arrival, delay, certain = _first_root(
-        kernels, name, windows, own, gone[possible], until[possible]
+    used = set().union(
+        *(_arguments(getattr(kernels, f"{name}_{part}")) for part in SEARCH),
+        _arguments(kernels.allowance),
     )
-    beyond = beyond | (arrivals.late > pad)[possible]
-    shots = len(gone)
-    arrivals.question(_spread(beyond, possible, False), np.zeros(shots))
-    arrivals.question(possible, _spread(question, possible, np.inf))
-    when = _spread(arrival, possible, np.inf)
-    arrivals.question((when < np.inf) & ~_spread(certain, possible, True), when)
-    arrivals.propose(when < np.inf, when, _spread(delay, possible, 0.0), index)
+    chosen = np.flatnonzero(possible)
+    own = _take({key: column for key, column in columns.items() if key in used}, chosen)
+    certified, shots = arrivals.certified, len(gone)
+    beyond, question, arrival, delay, certain = _first_root(
+        kernels, name, windows, own, gone[chosen], until[chosen], certified
+    )
+    when = _spread(arrival, chosen, shots, np.inf)
+    if certified:
+        beyond = beyond | (arrivals.late > pad)[chosen]
+        arrivals.question(_spread(beyond, chosen, shots, False), np.zeros(shots))
+        arrivals.question(possible, _spread(question, chosen, shots, np.inf))
+        arrivals.question((when < np.inf) & ~_spread(certain, chosen, shots, True), when)
+    arrivals.propose(when < np.inf, when, _spread(delay, chosen, shots, 0.0), index)
 
 
-def _spread(values: NDArray[Any], where: Mask, other: Any) -> NDArray[Any]:
-    """Return `values` at the places where the mask holds, and `other` elsewhere."""
-    spread = np.full(len(where), other, values.dtype)
+def _spread(values: NDArray[Any], where: NDArray[Any], shots: int, other: Any) -> NDArray[Any]:
+    """Return `values` at the indices `where`, and `other` elsewhere."""
+    spread = np.full(shots, other, values.dtype)
     spread[where] = values
     return spread
 
@@ -372,6 +395,7 @@ def _first_root(
     columns: dict[str, Column],
     gone: Mask,
     horizon: Floats,
+    certified: bool,
 ) -> tuple[Mask, Floats, Floats, Floats, Mask]:
     """Search the first arrivals on a curved surface from the left.
 
@@ -390,21 +414,23 @@ def _first_root(
     highs = [np.broadcast_to(prepared.pop(f"high{k}"), shots) for k in range(windows)]
     latest = prepared["latest"]
 
-    def allow(share: Floats) -> tuple[Mask, Floats, Floats, Floats]:
+    def allow(share: Floats, rows: NDArray[np.int64]) -> tuple[Mask, Floats, Floats, Floats]:
         """Return where errors exceed `share` of the flight, and the margins that allow for it."""
+        flights, until = _take(columns, rows), latest[rows]
         level, velocity_level, excess = _call(
-            kernels.allowance, columns, share=share, horizon=latest
+            kernels.allowance, flights, share=share, horizon=until
         )
         levels = {"position_error": level, "velocity_error": velocity_level}
-        flat, tilt, rate_margin = _call(margins, columns, horizon=latest, **levels)
+        flat, tilt, rate_margin = _call(margins, flights, horizon=until, **levels)
         return excess > 0.0, flat, tilt, rate_margin
 
     share = np.full(shots, kernels.SHARES[0])
-    beyond, flat, tilt, rate_margin = allow(share)
+    beyond, flat, tilt, rate_margin = allow(share, np.arange(shots))
     beyond = beyond | (prepared["lost"] > 0.0)
+    stepping = _arguments(advance)
     search = Search(
         np.arange(shots),
-        columns | prepared,
+        {key: column for key, column in (columns | prepared).items() if key in stepping},
         [np.where(low > 0.0, low, 0.0) for low in lows],
         [np.where(high < horizon, high, horizon) for high in highs],
         np.zeros(shots),
@@ -434,17 +460,12 @@ def _first_root(
         # A root that is not certain is looked at again, with smaller errors allowed.
         vague = hit & ~clear & (share[shot] > 0.0)
         if vague.any():
-            again = _spread(vague, np.isin(np.arange(shots), shot, assume_unique=True), False)
+            again = shot[vague]
             ratio = kernels.SHARES[1] / kernels.SHARES[0]
-            smaller = np.where(share > kernels.SHARES[-1], share * ratio, 0.0)
-            share = np.where(again, smaller, share)
-            exceeded, *fine = allow(share)
-            flat, tilt, rate_margin = (
-                np.where(again, new, old)
-                for new, old in zip(fine, (flat, tilt, rate_margin), strict=True)
-            )
-            doubtful = vague & exceeded[shot]
-            question[shot[doubtful]] = np.fmin(question[shot[doubtful]], t[doubtful])
+            share[again] = np.where(share[again] > kernels.SHARES[-1], share[again] * ratio, 0.0)
+            exceeded, flat[again], tilt[again], rate_margin[again] = allow(share[again], again)
+            doubtful = np.where(exceeded, t[vague], np.inf)
+            question[again] = np.fmin(question[again], doubtful)
             hit &= ~vague
         arrival[shot[hit]] = np.where(clear, t - gap / rate, t)[hit]
         certain[shot[hit & clear]] = True
@@ -462,13 +483,15 @@ def _first_root(
     for _ in range(2):
         refined, rate = _call(getattr(kernels, f"{name}_refine"), own, t=arrival)
         arrival = np.where(certain, refined, arrival)
+    landed = np.where(arrival < 0.0, 0.0, arrival)
+    if not certified:
+        return beyond, question, landed, np.zeros(shots), certain
     margin, leaving_margin, rate_margin = _call(margins, columns, horizon=latest)
     margin = np.where(leaving > 0.0, leaving_margin * arrival, margin)
     own |= {"margin": margin, "rate_margin": rate_margin}
     clearance, late = _call(kernels.crossing, own, rate=rate)
     certain &= clearance > 0.0
-    arrival = np.where(arrival < 0.0, 0.0, arrival)
-    return beyond, question, arrival, np.where(certain, late, 0.0), certain
+    return beyond, question, landed, np.where(certain, late, 0.0), certain
 
 
 def _nearby(gone: Mask, tilt: Floats, flat: Floats, t: Floats) -> tuple[Floats, Floats]:
@@ -514,11 +537,26 @@ def _collide(kernels: ModuleType, flights: Flights) -> None:
     columns, which = flights.columns, flights.which
     zeros = np.zeros(len(which))
     normal = dict.fromkeys(NORMAL, zeros)
-    curving = np.full(len(which), np.inf)
     for index, (name, _, _) in enumerate(kernels.SURFACES[:-1]):
         _choose(which == index, _call(getattr(kernels, f"{name}_normal"), columns), NORMAL, normal)
+    motion = _call(kernels.impact, columns, **normal)
+    if flights.certified:
+        _carry_errors(kernels, flights, normal)
+    for index, (name, windows, _) in enumerate(kernels.SURFACES[:-1]):
+        if not windows:
+            placed = _call(getattr(kernels, f"{name}_place"), columns)
+            _choose(which == index, placed, POSITION, columns)
+    columns |= dict(zip(MOTION, motion, strict=True))
+
+
+def _carry_errors(kernels: ModuleType, flights: Flights, normal: Mapping[str, Floats]) -> None:
+    """Take the carried errors of the state through the flight and the contact."""
+    columns, which = flights.columns, flights.which
+    curving = np.full(len(which), np.inf)
+    for index, (name, _, _) in enumerate(kernels.SURFACES[:-1]):
         own = _call(getattr(kernels, f"{name}_curvature"), columns)[0]
         curving = np.where((which == index) & (flights.last == which), own, curving)
+    zeros = np.zeros(len(which))
     shift = _carried_flight(kernels, flights, normal, curving)
     turned = dict.fromkeys(TURNED, zeros)
     for index, (name, windows, _) in enumerate(kernels.SURFACES):
@@ -527,12 +565,7 @@ def _collide(kernels: ModuleType, flights: Flights) -> None:
             _choose(which == index, own, TURNED, turned)
     contacts = flights.contacts.astype(np.float64)
     errors = _call(kernels.carry_impact, columns, contacts=contacts, **normal, **turned)
-    motion = _call(kernels.impact, columns, **normal)
-    for index, (name, windows, _) in enumerate(kernels.SURFACES[:-1]):
-        if not windows:
-            placed = _call(getattr(kernels, f"{name}_place"), columns)
-            _choose(which == index, placed, POSITION, columns)
-    columns |= dict(zip(ERRORS[3:], errors, strict=True)) | dict(zip(MOTION, motion, strict=True))
+    columns |= dict(zip(ERRORS[3:], errors, strict=True))
 
 
 def _choose(
@@ -581,10 +614,16 @@ def _finish(
 
 def _call(kernel: Callable[..., Outputs], columns: Mapping[str, Any], **renamed: Any) -> Outputs:
     """Evaluate a kernel, its arguments taken by name."""
+    return kernel(*[renamed[n] if n in renamed else columns[n] for n in _arguments(kernel)])
+
+
+@cache
+def _arguments(kernel: Callable[..., Outputs]) -> tuple[str, ...]:
+    """Return the names of a kernel's arguments."""
     code = kernel.__code__
-    names = code.co_varnames[: code.co_argcount]
-    return kernel(*[renamed[n] if n in renamed else columns[n] for n in names])
+    return code.co_varnames[: code.co_argcount]
 
 
-def _take(columns: Mapping[str, Column], which: Mask) -> dict[str, Column]:
-    return {n: c if np.ndim(c) == 0 else np.asarray(c)[which] for n, c in columns.items()}
+def _take(columns: Mapping[str, Column], rows: NDArray[np.int64]) -> dict[str, Column]:
+    """Return the rows of columns; what all shots share stays."""
+    return {n: c[rows] if isinstance(c, np.ndarray) and c.ndim else c for n, c in columns.items()}

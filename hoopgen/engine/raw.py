@@ -59,6 +59,11 @@ class Raw:
     events: NDArray[Any] | None = None
     event_counts: NDArray[np.int32] | None = None
 
+    @property
+    def certified(self) -> bool:
+        """Whether anything that bounds errors is wanted."""
+        return not (self.uncertain is None and self.time_error is None and self.state_error is None)
+
     def rows(self, start: int, stop: int) -> Raw:
         """Return views of the arrays for some of the shots."""
         arrays = {f.name: getattr(self, f.name) for f in fields(self)}
