@@ -227,7 +227,7 @@ OTHER_HOOPS = st.fixed_dictionaries(
     optional={
         "ball_radius": st.floats(0.02, 0.2),
         "bridge_half_width": st.floats(0.001, 0.3),
-        "restitution": st.floats(0.1, 1.0),
+        "restitution": st.floats(0.0, 1.0),
         "gravity": st.floats(0.5, 100.0),
         "board_distance": st.floats(0.36, 0.6),
     },
@@ -309,7 +309,7 @@ def at_a_tie(draw: st.DrawFn) -> list[float]:
     y = draw(st.floats(-0.23, 0.23))
     z = math.sqrt(REACH**2 - (math.hypot(x, y) - PAPER["ring_radius"]) ** 2)
     point = [x + draw(TINY), y, z + draw(TINY)]
-    velocity = [draw(st.floats(-4.0, -0.05)), draw(SPEEDS), draw(SPEEDS)]
+    velocity = [draw(st.floats(-4.0, -1e-9)), draw(SPEEDS), draw(SPEEDS)]
     return back_from(point, velocity, [draw(SPINS) for _ in range(3)], draw(st.floats(0.01, 0.3)))
 
 
