@@ -88,6 +88,6 @@ def slopes_of_speed(gravity: sp.Expr) -> dict[str, sp.Expr]:
     steep = hold(square + sp.sqrt(hold(spare * other)))
     fall = hold(gravity * reach)
     return {
-        "low": hold(fall * reach + 2 * rise * square) / hold(fall * steep),
+        "low": hold(fall * reach + 2 * rise * square) / hold(reach * steep),
         "high": steep / fall,
     }

@@ -255,7 +255,7 @@ class Approach(ABC):
         return {"time": t - gap / rate_here, "rate": rate_here}
 
     def advance(self) -> dict[str, sp.Expr]:
-        """Return gap, rate, bend, the step that no root can lie within, and the clearance.
+        """Return gap, rate, bend, a step without a root, where it ends, Newton's root, clearance.
 
         The curvature is bounded on a window twice as long as the local line (falling) or, on
         leaving the surface, the local parabola says, so that M is nearly exact; where even that
@@ -271,13 +271,16 @@ class Approach(ABC):
         guess = IfLess(0, rising, sp.oo, numerator / hold(denominator))
         width = hold(smallest(hold(end - t), guess))
         step = _first_root(low_gap, slope, hold(self.curvature(width)))
+        stride = smallest(width, step)
         least_fall = hold(-self.rate - rate_margin)
         enough = least_fall**2 - 8 * ceiling * hold(2**5 * low_gap + margin)
         return {
             "gap": gap,
             "rate": self.rate,
             "bend": self.bend,
-            "step": smallest(width, step),
+            "step": stride,
+            "next": t + hold(stride),
+            "root": t - gap / self.rate,
             "clearance": IfLess(0, least_fall, enough, least_fall),
         }
 

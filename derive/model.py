@@ -394,7 +394,7 @@ def _surface_kernels(
         add(
             "advance",
             search.advance(),
-            "Gap, rate and bend at time t, a step without a root, and the clearance of a root.",
+            "Gap, rate and bend at time t, a step without a root, its end, Newton's root and clearance.",
             "Newton from the left under a curvature bound",
         )
     return SurfaceKernels(surface, made, windows, constants)

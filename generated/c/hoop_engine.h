@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 9d77ee957e8230e3,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 6a1b221251035cc7,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -551,12 +551,12 @@ LANES_INLINE void LANES(hoop_loop)(const hoop_job *job, const int certified)
                     doubt = lanes_select(vague & (less.excess > zero) & (t < doubt), t, doubt);
                     hit &= NOT(vague);
                 }
-                arrival = lanes_select(hit, lanes_select(clear, t - a.gap / a.rate, t), arrival);
+                arrival = lanes_select(hit, lanes_select(clear, a.root, t), arrival);
                 certain |= hit & clear;
                 searching &= NOT(hit);
                 const M exhausted = searching & NOT(vague) & (a.step >= end - t);
                 const V passed = end;
-                t = lanes_select(searching & NOT(vague), t + a.step, t);
+                t = lanes_select(searching & NOT(vague), a.next, t);
                 if (lanes_any(exhausted)) {
                     M more = searching & NOT(searching);
                     {

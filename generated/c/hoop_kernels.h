@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 9d77ee957e8230e3,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 6a1b221251035cc7,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -686,10 +686,10 @@ LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_s
     return (LANES(hoop_ring_refine_out)){ t - s11, s8 };
 }
 
-/* Gap, rate and bend at time t, a step without a root, and the clearance of a root.
-   Newton from the left under a curvature bound. 142 operations: 27 additions, 16 subtractions, 54 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections. */
+/* Gap, rate and bend at time t, a step without a root, its end, Newton's root and clearance.
+   Newton from the left under a curvature bound. 146 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections. */
 typedef struct {
-    V gap, rate, bend, step, clearance;
+    V gap, rate, bend, step, next, root, clearance;
 } LANES(hoop_ring_advance_out);
 
 LANES_INLINE LANES(hoop_ring_advance_out)
@@ -709,34 +709,36 @@ LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceili
     const V s11 = s4 * s5;
     const V s12 = s11 * ((vx * s0) + (vy * s1));
     const V s13 = vz - (gravity * t);
-    const V s14 = K(2.0) * ((s12 * s3) + (s13 * s8));
-    const V s15 = K(6.0) * gravity;
-    const V s16 = s15 * s8;
-    const V s17 = swing * (s11 * (s11 * s11));
-    const V s18 = K(1.00006103515625) * s9;
-    const V s19 = s14 - rate_margin;
-    const V s20 = s10 - margin;
-    const V s21 = lanes_select((s20 < K(0.0)), K(0.0), s20);
-    const V s22 = (s16 + s17) - steady;
-    const M s23 = s19 < K(0.0);
-    const V s24 = K(2.0) * s21;
-    const V s25 = lanes_select((K(0.0) < lanes_select((K(0.0) <= s19), s21, K(0.0))), K(INFINITY), (lanes_select(s23, s24, (K(4.0) * s19)) / lanes_select(s23, (-s19), lanes_select((K(0.0) < s22), s22, K(0.0)))));
-    const V s26 = end - t;
-    const V s27 = lanes_select((s25 < s26), s25, s26);
-    const V s28 = (s27 * lanes_select((s13 < K(0.0)), K(0.0), s13)) + s8;
-    const V s29 = s15 * lanes_select((s18 < s28), s18, s28);
-    const V s30 = ((s27 * lanes_select((K(0.0) < s12), K(0.0), s12)) + s2) - (K(9.094947017729282e-13) * (ring_radius + s18));
-    const V s31 = ring_radius - s18;
-    const V s32 = K(0.0001220703125) * ring_radius;
-    const V s33 = lanes_select((s31 < s32), s32, s31);
-    const V s34 = K(1.0) / lanes_select((s30 < s33), s33, s30);
-    const V s35 = swing * (s34 * (s34 * s34));
-    const V s36 = ((s29 + s35) + (K(9.094947017729282e-13) * ((s35 + lanes_abs(steady)) + lanes_abs(s29)))) - steady;
-    const V s37 = ((K(2.0) * s36) * s21) + (s19 * s19);
-    const V s38 = lanes_sqrt(s37);
-    const V s39 = lanes_select((K(0.0) <= s37), (lanes_select(s23, s24, (s19 + s38)) / lanes_select(s23, (s38 - s19), lanes_select((K(0.0) < s36), s36, K(0.0)))), K(INFINITY));
-    const V s40 = -(rate_margin + s14);
-    return (LANES(hoop_ring_advance_out)){ s10, s14, (steady - s16) - s17, lanes_select((s39 < s27), s39, s27), lanes_select((K(0.0) < s40), ((s40 * s40) - ((K(8.0) * ceiling) * (margin + (K(32.0) * s21)))), s40) };
+    const V s14 = (s12 * s3) + (s13 * s8);
+    const V s15 = K(2.0) * s14;
+    const V s16 = K(6.0) * gravity;
+    const V s17 = s16 * s8;
+    const V s18 = swing * (s11 * (s11 * s11));
+    const V s19 = K(1.00006103515625) * s9;
+    const V s20 = s15 - rate_margin;
+    const V s21 = s10 - margin;
+    const V s22 = lanes_select((s21 < K(0.0)), K(0.0), s21);
+    const V s23 = (s17 + s18) - steady;
+    const M s24 = s20 < K(0.0);
+    const V s25 = K(2.0) * s22;
+    const V s26 = lanes_select((K(0.0) < lanes_select((K(0.0) <= s20), s22, K(0.0))), K(INFINITY), (lanes_select(s24, s25, (K(4.0) * s20)) / lanes_select(s24, (-s20), lanes_select((K(0.0) < s23), s23, K(0.0)))));
+    const V s27 = end - t;
+    const V s28 = lanes_select((s26 < s27), s26, s27);
+    const V s29 = (s28 * lanes_select((s13 < K(0.0)), K(0.0), s13)) + s8;
+    const V s30 = s16 * lanes_select((s19 < s29), s19, s29);
+    const V s31 = ((s28 * lanes_select((K(0.0) < s12), K(0.0), s12)) + s2) - (K(9.094947017729282e-13) * (ring_radius + s19));
+    const V s32 = ring_radius - s19;
+    const V s33 = K(0.0001220703125) * ring_radius;
+    const V s34 = lanes_select((s32 < s33), s33, s32);
+    const V s35 = K(1.0) / lanes_select((s31 < s34), s34, s31);
+    const V s36 = swing * (s35 * (s35 * s35));
+    const V s37 = ((s30 + s36) + (K(9.094947017729282e-13) * ((s36 + lanes_abs(steady)) + lanes_abs(s30)))) - steady;
+    const V s38 = ((K(2.0) * s37) * s22) + (s20 * s20);
+    const V s39 = lanes_sqrt(s38);
+    const V s40 = lanes_select((K(0.0) <= s38), (lanes_select(s24, s25, (s20 + s39)) / lanes_select(s24, (s39 - s20), lanes_select((K(0.0) < s37), s37, K(0.0)))), K(INFINITY));
+    const V s41 = lanes_select((s40 < s28), s40, s28);
+    const V s42 = -(rate_margin + s15);
+    return (LANES(hoop_ring_advance_out)){ s10, s15, (steady - s17) - s18, s41, t + s41, t - ((K(0.5) * s10) / s14), lanes_select((K(0.0) < s42), ((s42 * s42) - ((K(8.0) * ceiling) * (margin + (K(32.0) * s22)))), s42) };
 }
 
 /* Coefficients in time of the event polynomial, constant first.
@@ -1092,14 +1094,14 @@ typedef struct {
 LANES_INLINE LANES(hoop_slopes_of_speed_out)
 LANES(hoop_slopes_of_speed)(V release_speed, V reach, V rise, V gravity)
 {
-    const V s0 = gravity * reach;
-    const V s1 = release_speed * release_speed;
-    const V s2 = reach * reach;
-    const V s3 = lanes_sqrt((s2 + (rise * rise)));
-    const V s4 = s3 - rise;
-    const V s5 = lanes_sqrt((((gravity * s4) + s1) * (s1 - (gravity * lanes_select((rise < K(0.0)), (s2 / s4), (rise + s3))))));
-    const V s6 = s1 + s5;
-    return (LANES(hoop_slopes_of_speed_out)){ ((reach * s0) + ((K(2.0) * rise) * s1)) / (s0 * s6), s6 / s0 };
+    const V s0 = release_speed * release_speed;
+    const V s1 = reach * reach;
+    const V s2 = lanes_sqrt((s1 + (rise * rise)));
+    const V s3 = s2 - rise;
+    const V s4 = lanes_sqrt((((gravity * s3) + s0) * (s0 - (gravity * lanes_select((rise < K(0.0)), (s1 / s3), (rise + s2))))));
+    const V s5 = s0 + s4;
+    const V s6 = gravity * reach;
+    return (LANES(hoop_slopes_of_speed_out)){ ((reach * s6) + ((K(2.0) * rise) * s0)) / (reach * s5), s5 / s6 };
 }
 
 /* When the centre comes down to a height, and its upward velocity then.

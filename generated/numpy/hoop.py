@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 9d77ee957e8230e3,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 6a1b221251035cc7,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -69,7 +69,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "ring_prepare": ("steady", "swing", "rho_start", "low0", "high0", "low1", "high1", "low2", "high2", "ceiling", "latest", "lost",),
     "ring_margins": ("margin", "leaving_margin", "rate_margin",),
     "ring_refine": ("time", "rate",),
-    "ring_advance": ("gap", "rate", "bend", "step", "clearance",),
+    "ring_advance": ("gap", "rate", "bend", "step", "next", "root", "clearance",),
     "backboard_coefficients": ("c0", "c1",),
     "backboard_deflated": ("c0",),
     "backboard_normal": ("nx", "ny", "nz",),
@@ -709,10 +709,10 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
 
 
 def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
-    """Gap, rate and bend at time t, a step without a root, and the clearance of a root.
+    """Gap, rate and bend at time t, a step without a root, its end, Newton's root and clearance.
 
-    Newton from the left under a curvature bound. 142 operations: 27 additions, 16 subtractions, 54 multiplications, 4 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections.
-    Returns gap, rate, bend, step, clearance.
+    Newton from the left under a curvature bound. 146 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections.
+    Returns gap, rate, bend, step, next, root, clearance.
     """
     s0 = x + (t * vx)
     s1 = y + (t * vy)
@@ -728,34 +728,36 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     s11 = s4 * s5
     s12 = s11 * ((vx * s0) + (vy * s1))
     s13 = vz - (gravity * t)
-    s14 = 2.0 * ((s12 * s3) + (s13 * s8))
-    s15 = 6.0 * gravity
-    s16 = s15 * s8
-    s17 = swing * (s11 * (s11 * s11))
-    s18 = 1.00006103515625 * s9
-    s19 = s14 - rate_margin
-    s20 = s10 - margin
-    s21 = where((s20 < 0.0), 0.0, s20)
-    s22 = (s16 + s17) - steady
-    s23 = s19 < 0.0
-    s24 = 2.0 * s21
-    s25 = where((0.0 < where((0.0 <= s19), s21, 0.0)), inf, (where(s23, s24, (4.0 * s19)) / where(s23, (-s19), where((0.0 < s22), s22, 0.0))))
-    s26 = end - t
-    s27 = where((s25 < s26), s25, s26)
-    s28 = (s27 * where((s13 < 0.0), 0.0, s13)) + s8
-    s29 = s15 * where((s18 < s28), s18, s28)
-    s30 = ((s27 * where((0.0 < s12), 0.0, s12)) + s2) - (9.094947017729282e-13 * (ring_radius + s18))
-    s31 = ring_radius - s18
-    s32 = 0.0001220703125 * ring_radius
-    s33 = where((s31 < s32), s32, s31)
-    s34 = 1.0 / where((s30 < s33), s33, s30)
-    s35 = swing * (s34 * (s34 * s34))
-    s36 = ((s29 + s35) + (9.094947017729282e-13 * ((s35 + absolute(steady)) + absolute(s29)))) - steady
-    s37 = ((2.0 * s36) * s21) + (s19 * s19)
-    s38 = sqrt(s37)
-    s39 = where((0.0 <= s37), (where(s23, s24, (s19 + s38)) / where(s23, (s38 - s19), where((0.0 < s36), s36, 0.0))), inf)
-    s40 = -(rate_margin + s14)
-    return s10, s14, (steady - s16) - s17, where((s39 < s27), s39, s27), where((0.0 < s40), ((s40 * s40) - ((8.0 * ceiling) * (margin + (32.0 * s21)))), s40)
+    s14 = (s12 * s3) + (s13 * s8)
+    s15 = 2.0 * s14
+    s16 = 6.0 * gravity
+    s17 = s16 * s8
+    s18 = swing * (s11 * (s11 * s11))
+    s19 = 1.00006103515625 * s9
+    s20 = s15 - rate_margin
+    s21 = s10 - margin
+    s22 = where((s21 < 0.0), 0.0, s21)
+    s23 = (s17 + s18) - steady
+    s24 = s20 < 0.0
+    s25 = 2.0 * s22
+    s26 = where((0.0 < where((0.0 <= s20), s22, 0.0)), inf, (where(s24, s25, (4.0 * s20)) / where(s24, (-s20), where((0.0 < s23), s23, 0.0))))
+    s27 = end - t
+    s28 = where((s26 < s27), s26, s27)
+    s29 = (s28 * where((s13 < 0.0), 0.0, s13)) + s8
+    s30 = s16 * where((s19 < s29), s19, s29)
+    s31 = ((s28 * where((0.0 < s12), 0.0, s12)) + s2) - (9.094947017729282e-13 * (ring_radius + s19))
+    s32 = ring_radius - s19
+    s33 = 0.0001220703125 * ring_radius
+    s34 = where((s32 < s33), s33, s32)
+    s35 = 1.0 / where((s31 < s34), s34, s31)
+    s36 = swing * (s35 * (s35 * s35))
+    s37 = ((s30 + s36) + (9.094947017729282e-13 * ((s36 + absolute(steady)) + absolute(s30)))) - steady
+    s38 = ((2.0 * s37) * s22) + (s20 * s20)
+    s39 = sqrt(s38)
+    s40 = where((0.0 <= s38), (where(s24, s25, (s20 + s39)) / where(s24, (s39 - s20), where((0.0 < s37), s37, 0.0))), inf)
+    s41 = where((s40 < s28), s40, s28)
+    s42 = -(rate_margin + s15)
+    return s10, s15, (steady - s17) - s18, s41, t + s41, t - ((0.5 * s10) / s14), where((0.0 < s42), ((s42 * s42) - ((8.0 * ceiling) * (margin + (32.0 * s22)))), s42)
 
 
 def backboard_coefficients(x: Any, vx: Any, ball_radius: Any, board_distance: Any) -> tuple[Any, ...]:
@@ -1027,14 +1029,14 @@ def slopes_of_speed(release_speed: Any, reach: Any, rise: Any, gravity: Any) -> 
     Eq. 3 without its time, solved for the slope. 25 operations: 5 additions, 2 subtractions, 11 multiplications, 3 divisions, 2 square roots, 1 comparison, 1 selection.
     Returns low, high.
     """
-    s0 = gravity * reach
-    s1 = release_speed * release_speed
-    s2 = reach * reach
-    s3 = sqrt((s2 + (rise * rise)))
-    s4 = s3 - rise
-    s5 = sqrt((((gravity * s4) + s1) * (s1 - (gravity * where((rise < 0.0), (s2 / s4), (rise + s3))))))
-    s6 = s1 + s5
-    return ((reach * s0) + ((2.0 * rise) * s1)) / (s0 * s6), s6 / s0
+    s0 = release_speed * release_speed
+    s1 = reach * reach
+    s2 = sqrt((s1 + (rise * rise)))
+    s3 = s2 - rise
+    s4 = sqrt((((gravity * s3) + s0) * (s0 - (gravity * where((rise < 0.0), (s1 / s3), (rise + s2))))))
+    s5 = s0 + s4
+    s6 = gravity * reach
+    return ((reach * s6) + ((2.0 * rise) * s0)) / (reach * s5), s5 / s6
 
 
 def descent(z: Any, vz: Any, level: Any, gravity: Any) -> tuple[Any, ...]:

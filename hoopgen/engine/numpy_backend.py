@@ -445,7 +445,7 @@ def _first_root(
         t, shot = search.t, search.shot
         leaving, margin = _nearby(gone[shot], tilt[shot], flat[shot], t)
         slack = rate_margin[shot]
-        gap, rate, bend, stride, clearance = _call(
+        gap, rate, bend, stride, following, root, clearance = _call(
             advance,
             search.columns,
             t=t,
@@ -467,11 +467,11 @@ def _first_root(
             doubtful = np.where(exceeded, t[vague], np.inf)
             question[again] = np.fmin(question[again], doubtful)
             hit &= ~vague
-        arrival[shot[hit]] = np.where(clear, t - gap / rate, t)[hit]
+        arrival[shot[hit]] = np.where(clear, root, t)[hit]
         certain[shot[hit & clear]] = True
         exhausted = ~hit & ~vague & (stride >= search.end - t)
         passed = search.end
-        search.t = np.where(hit | vague, t, t + stride)
+        search.t = np.where(hit | vague, t, following)
         going = ~hit & (~exhausted | search.open(exhausted, passed))
         if step == kernels.STEP_LIMIT:
             question[shot[going]] = np.fmin(question[shot[going]], search.t[going])
