@@ -10,7 +10,7 @@ PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help paper test generate check lint bench exactness clean
+.PHONY: help paper test generate check lint bench exactness pictures validate clean
 
 help:
 	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 12
@@ -37,6 +37,12 @@ bench: $(VENV)/with-bench ## speed, beside the other methods
 
 exactness: $(VENV)/with-certify ## results against ball arithmetic
 	$(BIN)/python -m benchmarks.exactness $(ARGS)
+
+pictures: $(VENV)/with-study ## docs' pictures
+	$(BIN)/python -m benchmarks.pictures $(ARGS)
+
+validate: $(VENV)/with-study ## results beside those of the literature
+	$(BIN)/python -m benchmarks.validation $(ARGS)
 
 clean: ## remove all that these targets made, .venv too
 	rm -rf $(VENV) build dist hoopgen.egg-info paper-figures

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 import hoopgen
 from benchmarks.families import FAMILIES, Family
 from benchmarks.machine import facts
-from benchmarks.report import number
+from benchmarks.report import number, table
 from hoopgen.judge import Certificate, Proof, certify
 from hoopgen.judge.audit import deepest
 from hoopgen.simulation import FIELDS
@@ -146,8 +146,8 @@ def _differ(
         errors[shot] = _errors(proof, flown.time[shot], flown.state[shot])
     with np.errstate(divide="ignore", invalid="ignore"):
         ratios = np.where(errors > 0, errors / claimed, 0.0)
-    for table, values in ((result.errors, errors), (result.ratios, ratios)):
-        table[:] = np.maximum(table, values[which].max(axis=0, initial=0.0)).tolist()
+    for greatest, values in ((result.errors, errors), (result.ratios, ratios)):
+        greatest[:] = np.maximum(greatest, values[which].max(axis=0, initial=0.0)).tolist()
     broken = np.flatnonzero(which & (ratios > 1).any(axis=1))
     for shot in broken[np.argsort(-ratios[broken].max(axis=1))][:EXAMPLES].tolist():
         names = [name for name, ratio in zip(ERRORS, ratios[shot], strict=True) if ratio > 1]
@@ -201,11 +201,6 @@ def _audit(
         result.flights += len(flights)
 
 
-def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> list[str]:
-    rule = ["---"] + ["---:"] * (len(head) - 1)
-    return [f"| {' | '.join(row)} |" for row in (head, rule, *rows)] + [""]
-
-
 def _share(part: int, whole: int) -> str:
     return f"{100 * part / whole:.2f} %" if whole else "–"
 
@@ -251,7 +246,7 @@ def _decisions(tallies: Sequence[Tally]) -> list[str]:
         str(sum(t.undecidable for t in tallies)),
         str(max(t.settled_bits for t in tallies)),
     ]
-    return _table(head, [*rows, total])
+    return table(head, [*rows, total])
 
 
 def _numbers(tallies: Sequence[Tally]) -> list[str]:
@@ -265,13 +260,13 @@ def _numbers(tallies: Sequence[Tally]) -> list[str]:
         for error, ratio in zip(t.errors, t.ratios, strict=True):
             row += [_small(error), number(ratio) if ratio else "0"]
         rows.append(row)
-    return _table(head, rows)
+    return table(head, rows)
 
 
 def _depths(tallies: Sequence[Tally]) -> list[str]:
     head = ["deepest (m), at most", "flights", *hoopgen.SURFACES]
     rows = [[t.label, f"{t.flights:,}", *map(_small, t.depths)] for t in tallies]
-    return _table(head, rows)
+    return table(head, rows)
 
 
 def as_markdown(tallies: Sequence[Tally]) -> str:

@@ -20,7 +20,7 @@ def as_json(results: Results) -> str:
     return json.dumps(asdict(results), indent=1) + "\n"
 
 
-def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
+def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
     """A Markdown table, its first column to the left and the others to the right."""
     rule = ["---"] + ["---:"] * (len(head) - 1)
     return [f"| {' | '.join(row)} |" for row in (head, rule, *rows)] + [""]
@@ -103,20 +103,21 @@ def _speed(results: Results) -> list[str]:
         "## Shots a second",
         "",
         "Median and quartiles over the rounds; in a round everybody flies once.",
-        "hoopgen returns outcome, contacts and time, as the peers do, or all fields.",
+        "hoopgen returns outcome, contacts and time, as the peers do, and bounds no errors; or all",
+        "fields, of which `uncertain` takes them.",
         "",
-        *_table(head, rows),
+        *table(head, rows),
         "## How many times as fast hoopgen C is, on one thread",
         "",
         "One thread against one thread, compared round by round.",
         "",
-        *_table(head, ratios),
+        *table(head, ratios),
         f"## {CORES} threads over one",
         "",
-        *_table(head, threads),
+        *table(head, threads),
         "## The work",
         "",
-        *_table(head, shots),
+        *table(head, shots),
     ]
 
 
@@ -139,7 +140,7 @@ def _errors(results: Results) -> list[str]:
         f"Against {results.judge}. The error in time is that of the shots whose",
         "outcome and sequence of surfaces are right.",
         "",
-        *_table(
+        *table(
             ["", "shots", "wrong outcome", "wrong sequence", "time, median (s)", "time, 95 % (s)"],
             [row(label, key, w.key) for w in WORKLOADS for key, label in judged.items()],
         ),
@@ -151,7 +152,7 @@ def _calls(results: Results) -> list[str]:
     return [
         "## Cost of a shot by their number, W2",
         "",
-        *_table(
+        *table(
             [
                 "shots",
                 *(
@@ -168,10 +169,8 @@ def _calls(results: Results) -> list[str]:
         "",
         "Through the Python interface, all fields, in a warm process; and the first in a new one.",
         "",
-        *_table(["", "a call"], [[name, _times(cost)] for name, cost in results.single.items()]),
-        *_table(
-            ["new process", ""], [[name, _times(cost)] for name, cost in results.first.items()]
-        ),
+        *table(["", "a call"], [[name, _times(cost)] for name, cost in results.single.items()]),
+        *table(["new process", ""], [[name, _times(cost)] for name, cost in results.first.items()]),
     ]
 
 
@@ -194,7 +193,7 @@ def _table_4(results: Results) -> list[str]:
         "One shot a call from Python, timed run by run: mean ± standard deviation of 100 runs, as",
         "in the article, and the mean of more. Another machine and language than the article's.",
         "",
-        *_table(head, rows),
+        *table(head, rows),
     ]
 
 
@@ -234,13 +233,13 @@ def _limits(results: Results) -> list[str]:
         "Memory by STREAM's triad; arithmetic by multiplications and additions in registers, apart",
         "and fused.",
         "",
-        *_table(["", "memory", "apart", "fused"], machine),
+        *table(["", "memory", "apart", "fused"], machine),
         f"hoopgen C, {CORES} threads, outcome, contacts and time. Bytes: the state read, the",
         "results written. Operations: + - * / and square roots of the kernels, each as one, for a",
         "shot by itself; what the lanes of a vector do for each other's sake is not counted. The",
         "peak is that of multiplications and additions apart.",
         "",
-        *_table(head, rows),
+        *table(head, rows),
     ]
 
 
@@ -253,7 +252,7 @@ def as_markdown(results: Results) -> str:
         "",
         "![Shots a second](benchmarks.svg)",
         "",
-        *_table(["", ""], [[name, f"`{value}`"] for name, value in results.facts.items()]),
+        *table(["", ""], [[name, f"`{value}`"] for name, value in results.facts.items()]),
         *_speed(results),
         *_errors(results),
         "What the peers do, all on the same model and the same shots:",

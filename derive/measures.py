@@ -38,7 +38,9 @@ def descent(gravity: sp.Expr) -> dict[str, sp.Expr]:
     """Return when the centre comes down to a height, and its upward velocity then."""
     plane = Plane("level", direction=(0, 0, 1), offset=level, reach=sp.Integer(0))
     arrival = plane_arrival(plane, gravity)
-    return {name: arrival[name].subs(leaving, 0) for name in ("time", "rate")}
+    return {
+        name: arrival[part].subs(leaving, 0) for name, part in (("time", "time"), ("vz", "rate"))
+    }
 
 
 def apex(gravity: sp.Expr) -> dict[str, sp.Expr]:

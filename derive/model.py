@@ -394,7 +394,7 @@ def _surface_kernels(
         add(
             "advance",
             search.advance(),
-            "Gap, rate and bend at time t, a step without a root, its end, Newton's root and clearance.",
+            "Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.",
             "Newton from the left under a curvature bound",
         )
     return SurfaceKernels(surface, made, windows, constants)
@@ -431,7 +431,7 @@ def _study(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
             aiming.least_speed(gravity),
             order,
             "Slope and speed of the slowest release through a point.",
-            f"{source}, least speed: 45° + atan(h/L)/2 and v² = g (h + sqrt(h² + L²))",
+            f"{source}, least speed: at 45° + atan(rise/reach)/2, v² = g (rise + distance)",
         ),
         kernel(
             "slopes_of_speed",

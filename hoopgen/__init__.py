@@ -29,13 +29,37 @@ __all__ = [
 ]
 
 
+_LATER = {
+    "certify": "judge",
+    "Scatter": "study.models",
+    "Resample": "study.models",
+    "Grid": "study.models",
+    "estimate": "study.estimate",
+    "compare": "study.estimate",
+    "map": "study.maps",
+    "optimum": "study.optimum",
+    "margins": "study.margins",
+    "bank_or_direct": "study.bank",
+    "aim": "study.aim",
+    "measure": "study.measures",
+    "batch": "study.batch",
+    "run_study": "study.toml",
+    "view": "viewer",
+}
+"""Imported when first asked for, since they stand on the extras; and from where."""
+
+
 def __getattr__(name: str) -> Any:
     if name == "__version__":
         from importlib.metadata import version
 
         return version("hoopgen")
-    if name == "certify":
-        from .judge import certify
+    if name in _LATER:
+        from importlib import import_module
 
-        return certify
+        return getattr(import_module(f"{__name__}.{_LATER[name]}"), name)
     raise AttributeError(f"module 'hoopgen' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *_LATER, "__version__"})

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from hoopgen.generated.numpy import hoop
 
-from .arrays import doubles
+from .inputs import doubles
 
 NAMES = tuple(hoop.PARAMETERS)
 _NAME_SET = frozenset(NAMES)

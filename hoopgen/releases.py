@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .arrays import doubles
+from .inputs import doubles
 
 RING_HEIGHT = 3.048
 """m, of the ring above the floor: 10 ft."""
@@ -72,23 +72,25 @@ def release(
     }
     arrays = {name: doubles(name, value) for name, value in arguments.items()}
     try:
-        columns = dict(zip(arrays, np.broadcast_arrays(*arrays.values()), strict=True))
+        shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
     except ValueError:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items() if array.ndim)
         raise ValueError(f"release: the shapes do not broadcast: {shapes}") from None
+    # Nothing is broadcast before it is stored: what all shots share is computed once.
     # Towards the centre is angle + pi; the shooter's left, seen from above, is counter-clockwise.
-    heading = columns["azimuth"] + columns["angle"]
+    heading = arrays["azimuth"] + arrays["angle"]
     ahead_x, ahead_y = -np.cos(heading), -np.sin(heading)
-    level = columns["speed"] * np.cos(columns["elevation"])
-    state = np.empty((*columns["speed"].shape, 9))
-    state[..., 0] = columns["distance"] * np.cos(columns["angle"])
-    state[..., 1] = columns["distance"] * np.sin(columns["angle"])
-    state[..., 2] = columns["height"] - RING_HEIGHT
+    level = arrays["speed"] * np.cos(arrays["elevation"])
+    state = np.empty((*shape, 9))
+    state[..., 0] = arrays["distance"] * np.cos(arrays["angle"])
+    state[..., 1] = arrays["distance"] * np.sin(arrays["angle"])
+    state[..., 2] = arrays["height"] - RING_HEIGHT
     state[..., 3] = level * ahead_x
     state[..., 4] = level * ahead_y
-    state[..., 5] = columns["speed"] * np.sin(columns["elevation"])
+    state[..., 5] = arrays["speed"] * np.sin(arrays["elevation"])
     # Backspin turns about the axis ahead × up rotated by half a turn: for ahead = -x it is +y.
-    state[..., 6] = columns["backspin"] * ahead_y
-    state[..., 7] = columns["backspin"] * -ahead_x
-    state[..., 8] = columns["sidespin"]
-    return state + 0.0  # no negative zeros
+    state[..., 6] = arrays["backspin"] * ahead_y
+    state[..., 7] = arrays["backspin"] * -ahead_x
+    state[..., 8] = arrays["sidespin"]
+    state += 0.0  # no negative zeros
+    return state

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import os
 import sys
+import threading
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -15,9 +15,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.generated.numpy import hoop
 
-from .arrays import doubles
 from .engine import native, numpy_backend
-from .engine.raw import BOUNDS, EVENT, FIELDS, STATE_SIZE, Raw, allocate, allocate_events
+from .engine.raw import BOUNDS, EVENT, FIELDS, Raw, allocate, allocate_events
+from .inputs import check_contacts, check_leaving, check_states, check_threads
 from .parameters import NAMES, PAPER, Value, resolve
 from .results import SURFACES, Shots
 
@@ -115,23 +115,22 @@ def simulate(
     ImportError
         If shots are to be settled and the extra is missing.
     """
-    releases = _states(states)
+    releases = check_states(states)
     shots = len(releases)
     values = resolve(parameters, shots)
-    if not isinstance(max_contacts, int | np.integer) or not 1 <= max_contacts < 2**31:
-        raise ValueError(f"max_contacts: expected a whole number from 1, got {max_contacts!r}")
+    most = check_contacts(max_contacts)
     wanted = _fields(fields)
     batch = _Batch(
         releases,
         values,
-        _leaving(leaving, shots),
-        int(max_contacts),
+        check_leaving(leaving, shots),
+        most,
         _library(backend),
         np.zeros(1, np.int32),
     )
     computed = tuple(dict.fromkeys((*wanted, "uncertain"))) if settle else wanted
     out = allocate(shots, len(SURFACES), computed)
-    logs = _run(batch, out, _threads(threads), record)
+    logs = _run(batch, out, check_threads(threads), record)
     results = {name: getattr(out, name) for name in computed}
     if record:
         results["events"] = np.concatenate([np.empty(0, EVENT), *logs])
@@ -168,10 +167,11 @@ def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[An
         size = max(size, -(-shots // threads))
         size = size if batch.library is None else min(CHUNK, max(RECORD_CHUNK, size // SHARE))
     starts = range(0, shots, size)
-    if shots * batch.max_contacts <= AT_ONCE:
+    # Python sees no Ctrl-C while its main thread is in the engine, so another one goes there.
+    main = threading.current_thread() is threading.main_thread()
+    if shots * batch.max_contacts <= AT_ONCE or (threads == 1 and not main):
         logs = [work(start) for start in starts]
     else:
-        # One thread, too, since Python sees no Ctrl-C while the caller's own is in the engine.
         with ThreadPoolExecutor(threads) as pool:
             try:
                 logs = list(pool.map(work, starts))
@@ -186,30 +186,6 @@ def _present(raw: Raw) -> dict[str, NDArray[Any]]:
     return {name: array for name, array in vars(raw).items() if array is not None}
 
 
-def _states(states: ArrayLike) -> NDArray[np.float64]:
-    array = doubles("states", states, "numbers of shape (n, 9) or (9,)")
-    if array.ndim == 1:
-        array = array[None]
-    if array.ndim != 2 or array.shape[1] != STATE_SIZE:
-        raise ValueError(
-            f"states: expected shape (n, 9) or (9,), got {np.shape(states)}; "
-            "a row is x y z vx vy vz wx wy wz"
-        )
-    return np.ascontiguousarray(array)
-
-
-def _leaving(leaving: ArrayLike | None, shots: int) -> NDArray[np.int8] | None:
-    if leaving is None:
-        return None
-    array = np.asarray(leaving)
-    whole = np.issubdtype(array.dtype, np.integer)
-    if not whole or array.shape not in ((), (shots,)):
-        raise ValueError(f"leaving: expected whole numbers, one or {shots}, got {leaving!r}")
-    if np.any((array < -1) | (array >= len(SURFACES))):
-        raise ValueError(f"leaving: expected -1 to {len(SURFACES) - 1}, got {leaving!r}")
-    return np.ascontiguousarray(np.broadcast_to(array, shots), dtype=np.int8)
-
-
 def _fields(fields: str | Sequence[str]) -> tuple[str, ...]:
     if isinstance(fields, str):
         fields = FIELDS if fields == "all" else (fields,)
@@ -219,15 +195,6 @@ def _fields(fields: str | Sequence[str]) -> tuple[str, ...]:
             f"fields: unknown {', '.join(unknown)}. 'all', or some of {', '.join(FIELDS + BOUNDS)}"
         )
     return tuple(fields)
-
-
-def _threads(threads: int | None) -> int:
-    if threads is None:
-        own = getattr(os, "sched_getaffinity", None)
-        return len(own(0)) if own else os.cpu_count() or 1
-    if not isinstance(threads, int | np.integer) or threads < 1:
-        raise ValueError(f"threads: expected a whole number from 1, or None, got {threads!r}")
-    return int(threads)
 
 
 def _library(backend: str) -> native.Library | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -24,7 +25,10 @@ FIGURE_7 = [
     *["shot", "--speed", "7.166", "--elevation", "51.101", "--distance", "13.75ft"],
     *["--height", "8ft", "--backspin", "3Hz"],
 ]
-COMMANDS = ["paper", "shot", "generate", "check", "bench"]
+COMMANDS = [
+    *("paper", "shot", "estimate", "map", "optimum", "aim", "batch", "study", "view"),
+    *("certify", "generate", "check", "bench"),
+]
 
 
 def run(*arguments: str) -> Result:
@@ -66,7 +70,7 @@ def test_help_teaches_by_two_to_four_examples(command: str) -> None:
     assert result.exit_code == 0
     examples = [line for line in result.stdout.splitlines() if line.startswith("    hoopgen ")]
     assert 2 <= len(examples) <= 4
-    assert all(line.split()[1] == command for line in examples)
+    assert [line.split()[1] for line in examples].count(command) >= 2
 
 
 def test_every_example_of_shot_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -92,10 +96,24 @@ def test_help_imports_nothing_heavy() -> None:
         "import sys\n"
         "from hoopgen.cli import main\n"
         "main(['--help'], standalone_mode=False)\n"
-        "heavy = {'matplotlib', 'sympy', 'jinja2', 'scipy', 'pandas'} & set(sys.modules)\n"
+        "heavy = {'matplotlib', 'sympy', 'jinja2', 'scipy', 'pyarrow', 'xarray', 'pydantic',\n"
+        "         'pandas'} & set(sys.modules)\n"
         "sys.exit(', '.join(heavy) or 0)\n"
     )
     subprocess.run([sys.executable, "-c", script], check=True, stdout=subprocess.DEVNULL)
+
+
+@pytest.mark.parametrize("command", ["certify", "aim", "estimate"])
+def test_a_variable_is_the_same_option_everywhere(command: str) -> None:
+    def told(name: str) -> dict[str, str]:
+        """Options and their metavars, without those that a command means otherwise."""
+        found = re.findall(r"^  --(\w+) (\S+ \[\S+\]) ", run(name, "--help").stdout, re.MULTILINE)
+        return {option: metavar for option, metavar in found if option != "distance"}
+
+    shot, other = told("shot"), told(command)
+    shared = set(shot) & set(other)
+    assert {"speed", "elevation", "height", "backspin", "sidespin", "angle"} <= shared
+    assert {name: other[name] for name in shared} == {name: shot[name] for name in shared}
 
 
 # paper
@@ -362,6 +380,21 @@ def test_a_real_process_prints_a_shot() -> None:
     assert done.returncode == 0
     assert done.stderr == ""
     assert done.stdout == run(*SHOT).stdout
+
+
+def test_the_package_can_be_run() -> None:
+    command = [sys.executable, "-m", "hoopgen"]
+    done = subprocess.run(
+        [*command, *SHOT, "--backend", "numpy"],
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        check=False,
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (0, run(*SHOT).stdout, "")
+    failed = subprocess.run([*command, "--tour"], capture_output=True, text=True, check=False)
+    assert failed.returncode == 2
+    assert failed.stderr == "hoopgen: error: No such option '--tour'. (see hoopgen --help)\n"
 
 
 def test_a_real_process_fails_without_a_traceback() -> None:

@@ -39,7 +39,7 @@ from mpmath import mp, mpf
 from test_kernels import DIGITS, EXTREMES, Evaluator, model
 
 from hoopgen.codegen import render
-from hoopgen.codegen.printers import NUMPY, C, Spelling, constant
+from hoopgen.codegen.printers import JS, NUMPY, C, Spelling, constant
 from hoopgen.codegen.program import lower
 
 # One worker: the derivation takes a few seconds.
@@ -177,7 +177,7 @@ def zoo_outputs(module: ModuleType, k: Kernel, columns: list[np.ndarray]) -> lis
 
 def test_the_zoo_holds_every_operation_of_every_target() -> None:
     used = {o.name for k in ZOO_KERNELS for o in lower(k).operations}
-    assert used - {"argument", "constant"} == OPERATIONS == set(C.operations)
+    assert used - {"argument", "constant"} == OPERATIONS == set(C.operations) == set(JS.operations)
 
 
 @needs_compiler

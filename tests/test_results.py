@@ -333,7 +333,7 @@ def test_each_shots_own_gravity_bends_its_path(simulate: Simulate) -> None:
 
 def test_the_python_of_the_readme_prints_what_the_readme_says() -> None:
     shown = re.findall(r"```python\n(.*?)```\n\n```text\n(.*?)```", README.read_text("utf-8"), re.S)
-    assert len(shown) == 2
+    assert len(shown) == 3
     names: dict[str, Any] = {}
     for code, output in shown:
         printed = io.StringIO()

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 6a1b221251035cc7,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 604c640efcccdbbc,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 6a1b221251035cc7,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 604c640efcccdbbc,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -686,7 +686,7 @@ LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_s
     return (LANES(hoop_ring_refine_out)){ t - s11, s8 };
 }
 
-/* Gap, rate and bend at time t, a step without a root, its end, Newton's root and clearance.
+/* Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
    Newton from the left under a curvature bound. 146 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections. */
 typedef struct {
     V gap, rate, bend, step, next, root, clearance;
@@ -1069,7 +1069,7 @@ LANES(hoop_slope_of_entry)(V entry, V reach, V rise)
 }
 
 /* Slope and speed of the slowest release through a point.
-   Eq. 3 without its time, least speed: 45° + atan(h/L)/2 and v² = g (h + sqrt(h² + L²)). 14 operations: 2 additions, 1 subtraction, 3 multiplications, 3 divisions, 2 square roots, 1 comparison, 2 selections. */
+   Eq. 3 without its time, least speed: at 45° + atan(rise/reach)/2, v² = g (rise + distance). 14 operations: 2 additions, 1 subtraction, 3 multiplications, 3 divisions, 2 square roots, 1 comparison, 2 selections. */
 typedef struct {
     V slope, speed;
 } LANES(hoop_least_speed_out);
@@ -1107,7 +1107,7 @@ LANES(hoop_slopes_of_speed)(V release_speed, V reach, V rise, V gravity)
 /* When the centre comes down to a height, and its upward velocity then.
    Eq. 3, solved. 14 operations: 2 additions, 2 subtractions, 4 multiplications, 1 division, 1 square root, 1 negation, 1 comparison, 2 selections. */
 typedef struct {
-    V time, rate;
+    V time, vz;
 } LANES(hoop_descent_out);
 
 LANES_INLINE LANES(hoop_descent_out)

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 6a1b221251035cc7,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 604c640efcccdbbc,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -98,7 +98,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "slope_of_entry": ("slope",),
     "least_speed": ("slope", "speed",),
     "slopes_of_speed": ("low", "high",),
-    "descent": ("time", "rate",),
+    "descent": ("time", "vz",),
     "apex": ("time", "height",),
     "sighted": ("past", "left",),
     "ring_nearness": ("gap", "rate", "lower", "concavity", "resolution",),
@@ -709,7 +709,7 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
 
 
 def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
-    """Gap, rate and bend at time t, a step without a root, its end, Newton's root and clearance.
+    """Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
 
     Newton from the left under a curvature bound. 146 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections.
     Returns gap, rate, bend, step, next, root, clearance.
@@ -1012,7 +1012,7 @@ def slope_of_entry(entry: Any, reach: Any, rise: Any) -> tuple[Any, ...]:
 def least_speed(reach: Any, rise: Any, gravity: Any) -> tuple[Any, ...]:
     """Slope and speed of the slowest release through a point.
 
-    Eq. 3 without its time, least speed: 45° + atan(h/L)/2 and v² = g (h + sqrt(h² + L²)). 14 operations: 2 additions, 1 subtraction, 3 multiplications, 3 divisions, 2 square roots, 1 comparison, 2 selections.
+    Eq. 3 without its time, least speed: at 45° + atan(rise/reach)/2, v² = g (rise + distance). 14 operations: 2 additions, 1 subtraction, 3 multiplications, 3 divisions, 2 square roots, 1 comparison, 2 selections.
     Returns slope, speed.
     """
     s0 = reach * reach
@@ -1043,7 +1043,7 @@ def descent(z: Any, vz: Any, level: Any, gravity: Any) -> tuple[Any, ...]:
     """When the centre comes down to a height, and its upward velocity then.
 
     Eq. 3, solved. 14 operations: 2 additions, 2 subtractions, 4 multiplications, 1 division, 1 square root, 1 negation, 1 comparison, 2 selections.
-    Returns time, rate.
+    Returns time, vz.
     """
     s0 = z - level
     s1 = sqrt(((vz * vz) + ((2.0 * gravity) * s0)))

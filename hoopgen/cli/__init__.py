@@ -12,18 +12,35 @@ from typing import Any
 
 import click
 
+from hoopgen.cli.aim import aim
+from hoopgen.cli.batch import batch
 from hoopgen.cli.certify import certify
 from hoopgen.cli.develop import bench, check, generate
+from hoopgen.cli.estimate import estimate
+from hoopgen.cli.map import map_
+from hoopgen.cli.optimum import optimum
 from hoopgen.cli.options import examples
 from hoopgen.cli.paper import paper
 from hoopgen.cli.shot import shot
+from hoopgen.cli.study import study
+from hoopgen.cli.view import view
 
 __all__ = ["main"]
 
 # What the library raises when it is asked for something wrong, or something is not there.
 _EXPECTED = (click.ClickException, ImportError, LookupError, OSError, RuntimeError, ValueError)
 
-_EXTRAS = {"matplotlib": "plot", "sympy": "generate", "jinja2": "generate", "flint": "certify"}
+_EXTRAS = {
+    "matplotlib": "plot",
+    "sympy": "generate",
+    "jinja2": "generate",
+    "flint": "certify",
+    "scipy": "study",
+    "pyarrow": "study",
+    "xarray": "study",
+    "pydantic": "study",
+    "distributed": "scale",
+}
 """What may be missing, and the extra that brings it."""
 
 
@@ -81,7 +98,9 @@ def _in_words(error: Exception) -> str:
     epilog=examples(
         "hoopgen paper --out figures",
         "hoopgen shot --speed 7.17 --elevation 51 --distance 13.75ft --height 7ft",
-        "hoopgen shot --help",
+        "hoopgen estimate --aim 5cm --elevation 52 --distance 13.75ft --height 7ft \\",
+        "    --scatter speed=0.07 --scatter elevation=1.3 --scatter azimuth=1",
+        "hoopgen estimate --help",
     ),
 )
 @click.version_option(package_name="hoopgen", message="%(prog)s %(version)s")
@@ -96,5 +115,19 @@ def main(ctx: click.Context) -> None:
         click.echo(ctx.get_help())
 
 
-for _command in (paper, shot, certify, generate, check, bench):
+for _command in (
+    paper,
+    shot,
+    estimate,
+    map_,
+    optimum,
+    aim,
+    batch,
+    study,
+    view,
+    certify,
+    generate,
+    check,
+    bench,
+):
     main.add_command(_command)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import json
 from collections.abc import Mapping
 from pathlib import Path
@@ -10,47 +9,37 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hoopgen.cli.options import examples, scene
-from hoopgen.cli.shot import shot
+from hoopgen.cli.options import (
+    NEEDED,
+    UNITS_IN_WORDS,
+    argument_options,
+    examples,
+    json_option,
+    max_contacts_option,
+    preset_options,
+    scene,
+)
 from hoopgen.cli.table import table
+from hoopgen.cli.types import FILE
 
 if TYPE_CHECKING:
     from hoopgen.judge import Proof
 
 __all__ = ["certify"]
 
-_NEEDED = ("speed", "elevation", "height", "distance")
-_SHARED = (
-    *_NEEDED,
-    "azimuth",
-    "backspin",
-    "sidespin",
-    "angle",
-    "preset",
-    "settings",
-    "max_contacts",
-)
-
-
-def _options() -> list[click.Parameter]:
-    """Return the options of ``hoopgen shot`` that say what is flown; none is required."""
-    options = [copy.copy(option) for option in shot.params if option.name in _SHARED]
-    for option in options:
-        option.required = False
-    return options
-
 
 @click.command(
-    params=_options(),
-    epilog=examples(
+    epilog=UNITS_IN_WORDS
+    + examples(
         "hoopgen certify --speed 7.17 --elevation 51 --distance 13.75ft --height 7ft",
         "hoopgen shot --speed 7.3 --elevation 51 --distance 4.2 --height 2.1 --json > shot.json",
         "hoopgen certify shot.json",
     ),
 )
-@click.argument(
-    "file", required=False, type=click.Path(exists=True, dir_okay=False, path_type=Path)
-)
+@click.argument("file", required=False, type=FILE)
+@argument_options(required=False)
+@preset_options
+@max_contacts_option
 @click.option(
     "--max-bits",
     type=click.IntRange(min=128),
@@ -58,7 +47,7 @@ def _options() -> list[click.Parameter]:
     show_default=True,
     help="Precision at which to give up.",
 )
-@click.option("--json", "as_json", is_flag=True, help="Write everything as JSON, with all digits.")
+@json_option
 @click.pass_context
 def certify(
     ctx: click.Context,
@@ -93,7 +82,7 @@ def certify(
 def _released(release: Mapping[str, float | None]) -> list[float]:
     import hoopgen
 
-    missing = [f"--{name}" for name in _NEEDED if release[name] is None]
+    missing = [f"--{name}" for name in NEEDED if release[name] is None]
     if missing:
         raise click.UsageError(f"give a FILE, or {', '.join(missing)}")
     given = {name: value for name, value in release.items() if value is not None}

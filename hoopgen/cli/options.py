@@ -1,23 +1,51 @@
-"""What commands share: options with units, ``--set``, and examples in the help."""
+"""What commands share: options, each defined once, and examples in the help."""
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Mapping
-from typing import TYPE_CHECKING, Any, TypeVar
+from types import MappingProxyType
+from typing import Any
 
 import click
 
-from hoopgen.units import UNITS, Kind, parse_quantity
+from hoopgen.cli.types import ASSIGNMENT, FILE, FOLDER, OUT, SETTING, variable_type
 
-__all__ = ["Quantity", "Setting", "backend_option", "examples", "preset_options", "scene"]
+__all__ = [
+    "NEEDED",
+    "UNITS_IN_WORDS",
+    "VARIABLE_HELP",
+    "WAYS",
+    "argument_options",
+    "backend_option",
+    "by_option",
+    "confidence_option",
+    "examples",
+    "folder_option",
+    "json_option",
+    "max_contacts_option",
+    "picture_option",
+    "preset_options",
+    "scene",
+    "scene_options",
+    "scheduler_option",
+    "seed_option",
+    "table_options",
+    "threads_option",
+    "together",
+    "variable_option",
+]
 
-Command = TypeVar("Command", bound=Callable[..., Any] | click.Command)
+Decorator = Callable[[Any], Any]
 
-if TYPE_CHECKING:
-    _Number = click.ParamType[float]
-    _Pair = click.ParamType[tuple[str, float]]
-else:
-    _Number = _Pair = click.ParamType  # older releases of click do not know it as generic
+UNITS_IN_WORDS = """\b
+Units are written in words, with or without a blank between:
+  length  m cm mm ft in, 6ft8in too     speed  m/s ft/s km/h mph
+  angle   deg rad                       spin   rad/s deg/s Hz rev/s rpm
+A bare number is in the unit in brackets: SI, but degrees for an angle.
+
+"""
+"""For the end of a command's help."""
 
 
 def examples(*lines: str) -> str:
@@ -25,99 +53,77 @@ def examples(*lines: str) -> str:
     return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in lines)
 
 
-class Quantity(_Number):
-    """A number with a unit, given to the command in SI.
+def together(*options: Decorator) -> Decorator:
+    """Make one decorator of options, in the order of the help."""
 
-    Parameters
-    ----------
-    kind
-        What is measured; see `hoopgen.units.UNITS`.
-    bare
-        The unit of a bare number; the SI unit by default.
-    """
+    def decorated(command: Any) -> Any:
+        for option in reversed(options):
+            command = option(command)
+        return command
 
-    def __init__(self, kind: Kind, bare: str | None = None) -> None:
-        self.kind: Kind = kind
-        self.bare = bare
-        self.name = kind
-
-    def convert(
-        self, value: str | float, param: click.Parameter | None, ctx: click.Context | None
-    ) -> float:
-        """Read the text; a default that is a number already stands."""
-        if not isinstance(value, str):
-            return value
-        try:
-            return parse_quantity(value, self.kind, bare=self.bare)
-        except ValueError as error:
-            self.fail(str(error), param, ctx)
-
-    def get_metavar(self, param: click.Parameter, ctx: click.Context | None = None) -> str:
-        """Show the unit of a bare number."""
-        unit = self.bare or next(iter(UNITS[self.kind]))
-        return f"{self.kind.upper()} [{unit}]"
+    return decorated
 
 
-class Setting(_Pair):
-    """A parameter of the scene and its value, ``restitution=0.75``."""
+# --------------------------------------------------------------------------------------- a release
 
-    name = "name=value"
+NEEDED = ("speed", "elevation", "height", "distance")
+"""Arguments of `hoopgen.release` that have no default."""
 
-    def convert(
-        self,
-        value: str | tuple[str, float],
-        param: click.Parameter | None,
-        ctx: click.Context | None,
-    ) -> tuple[str, float]:
-        """Read the text."""
-        if not isinstance(value, str):
-            return value
-        name, separator, text = (part.strip() for part in value.partition("="))
-        if not separator:
-            self.fail(f"{value!r} is not name=value", param, ctx)
-        import hoopgen
-
-        if name not in hoopgen.PAPER:
-            self.fail(f"{name!r} is none of {', '.join(hoopgen.PAPER)}", param, ctx)
-        try:
-            return name, parse_quantity(text, _kind(name))
-        except ValueError as error:
-            self.fail(f"{name}: {error}", param, ctx)
+VARIABLE_HELP: Mapping[str, str] = MappingProxyType(
+    {
+        "speed": "Speed at release.",
+        "elevation": "Angle of release above the horizontal.",
+        "azimuth": "Direction; 0 at the centre of the ring, positive to the shooter's left.",
+        "backspin": "About the horizontal axis across the flight.",
+        "sidespin": "About the vertical axis.",
+        "height": "Of the ball's centre above the floor; the ring is at 10 ft = 3.048 m.",
+        "distance": "On the floor plan, to the centre of the ring.",
+        "angle": "Where on the floor: 0 straight in front of the board, around the ring to +y.",
+        "aim": "In place of the speed: come down so far past the centre of the ring.",
+        "entry": "In place of the elevation (and, without --aim, the speed): angle of coming down.",
+        "x": "With --y, in place of distance and angle: place on the floor, away from the board.",
+        "y": "Place on the floor, along the board.",
+    }
+)
+"""Variables of a release that are options."""
 
 
-def _kind(parameter: str) -> Kind:
-    kinds: dict[str, Kind] = {"restitution": "number", "gravity": "acceleration"}
-    return kinds.get(parameter, "length")
+def variable_option(name: str, **changes: Any) -> Decorator:
+    """Return the option of a variable, one of `VARIABLE_HELP`; `changes` as of `click.option`."""
+    attributes = {"type": variable_type(name), "help": VARIABLE_HELP[name], **changes}
+    return click.option(f"--{name}", **attributes)
 
 
-def preset_options(command: Command) -> Command:
-    """Add ``--preset`` and ``--set``."""
-    preset = click.option(
+def argument_options(*, required: bool) -> Decorator:
+    """Return the options of all arguments of `hoopgen.release`; those needed may be required."""
+    return together(
+        *(variable_option(name, required=required) for name in NEEDED),
+        *(
+            variable_option(name, default=0.0)
+            for name in ("azimuth", "backspin", "sidespin", "angle")
+        ),
+    )
+
+
+# --------------------------------------------------------------------------------------- the scene
+
+preset_options = together(
+    click.option(
         "--preset",
         type=click.Choice(["paper", "nba", "fiba"], case_sensitive=False),
         default="paper",
         show_default=True,
         help="Ball, ring, board and restitution.",
-    )
-    setting = click.option(
+    ),
+    click.option(
         "--set",
         "settings",
-        type=Setting(),
+        type=SETTING,
         multiple=True,
         help="Change one parameter of the preset; may be repeated.",
-    )
-    return preset(setting(command))
-
-
-def backend_option(command: Command) -> Command:
-    """Add ``--backend``."""
-    return click.option(
-        "--backend",
-        type=click.Choice(["auto", "c", "numpy"]),
-        default="auto",
-        show_default=True,
-        help="What computes; all give the same bits.",
-    )(command)
+    ),
+)
+"""``--preset`` and ``--set``."""
 
 
 def scene(preset: str, settings: tuple[tuple[str, float], ...]) -> Mapping[str, float]:
@@ -126,3 +132,110 @@ def scene(preset: str, settings: tuple[tuple[str, float], ...]) -> Mapping[str, 
 
     presets = {"paper": hoopgen.PAPER, "nba": hoopgen.NBA, "fiba": hoopgen.FIBA}
     return presets[preset] | dict(settings)
+
+
+def scene_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Add ``--preset`` and ``--set``; give `parameters`, the two merged, to the command."""
+
+    @functools.wraps(command)
+    def collected(*arguments: Any, **options: Any) -> Any:
+        parameters = scene(options.pop("preset"), options.pop("settings"))
+        return command(*arguments, parameters=parameters, **options)
+
+    decorated: Callable[..., Any] = preset_options(collected)
+    return decorated
+
+
+# ---------------------------------------------------------------------------------------- the work
+
+max_contacts_option = click.option(
+    "--max-contacts",
+    type=click.IntRange(min=1),
+    default=40,
+    show_default=True,
+    help="Contacts after which a shot is given up as capped.",
+)
+
+backend_option = click.option(
+    "--backend",
+    type=click.Choice(["auto", "c", "numpy"]),
+    default="auto",
+    show_default=True,
+    help="What computes; all give the same bits.",
+)
+
+threads_option = click.option(
+    "--threads", type=click.IntRange(min=1), help="As many as there are, by default."
+)
+
+scheduler_option = click.option(
+    "--scheduler",
+    metavar="ADDRESS",
+    help="Of a Dask scheduler whose workers compute, tcp://host:8786.",
+)
+
+folder_option = click.option(
+    "--folder", type=FOLDER, help="Keep finished chunks there; the same command goes on from them."
+)
+
+seed_option = click.option(
+    "--seed",
+    type=click.IntRange(min=0),
+    default=0,
+    show_default=True,
+    help="Of the random numbers.",
+)
+
+confidence_option = click.option(
+    "--confidence",
+    type=click.FloatRange(0, 1, min_open=True, max_open=True),
+    default=0.95,
+    show_default=True,
+    help="Of the intervals.",
+)
+
+WAYS = ("any", "direct", "bank")
+"""In which a shot may go in."""
+
+by_option = click.option(
+    "--by",
+    type=click.Choice(WAYS),
+    default="any",
+    show_default=True,
+    help="What counts: any made shot, not off the board, or off the board.",
+)
+
+# -------------------------------------------------------------------------------------- in and out
+
+table_options = together(
+    click.argument("file", type=FILE),
+    click.option(
+        "--release",
+        type=ASSIGNMENT,
+        multiple=True,
+        help="A variable that all rows share, in place of a column; may be repeated.",
+    ),
+    scene_options,
+    max_contacts_option,
+    click.option(
+        "--format",
+        type=click.Choice(["csv", "parquet", "arrow"]),
+        help="Of FILE; by default as its suffix says.",
+    ),
+    click.option(
+        "--own",
+        metavar="COLUMN",
+        multiple=True,
+        help="A column that is not to be read, though it is named like a variable.",
+    ),
+)
+"""FILE, a table of releases, and what goes with it."""
+
+json_option = click.option(
+    "--json", "as_json", is_flag=True, help="Write everything as JSON; SI units, numbers in full."
+)
+
+
+def picture_option(what: str) -> Decorator:
+    """Return ``--picture``, which draws the shot or the map."""
+    return click.option("--picture", type=OUT, help=f"Draw the {what}: .png, .svg or .pdf.")

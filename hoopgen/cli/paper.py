@@ -10,6 +10,7 @@ import click
 
 from hoopgen.cli.options import backend_option, examples
 from hoopgen.cli.table import NO_BREAK, table
+from hoopgen.cli.types import FOLDER
 
 if TYPE_CHECKING:
     from hoopgen.paper import Result
@@ -24,11 +25,7 @@ __all__ = ["paper"]
         "hoopgen paper --out figures --format svg",
     )
 )
-@click.option(
-    "--out",
-    type=click.Path(file_okay=False, path_type=Path),
-    help="Draw Figs. 5-7 into this folder.",
-)
+@click.option("--out", type=FOLDER, help="Draw Figs. 5-7 into this folder.")
 @click.option(
     "--format",
     "formats",

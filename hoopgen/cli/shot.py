@@ -10,7 +10,18 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import click
 
-from hoopgen.cli.options import Quantity, backend_option, examples, preset_options, scene
+from hoopgen.cli.options import (
+    UNITS_IN_WORDS,
+    argument_options,
+    backend_option,
+    examples,
+    json_option,
+    max_contacts_option,
+    picture_option,
+    preset_options,
+    scene,
+)
+from hoopgen.cli.types import OUT
 
 if TYPE_CHECKING:
     import numpy as np
@@ -20,88 +31,40 @@ if TYPE_CHECKING:
 
 __all__ = ["shot"]
 
-_UNITS = """\b
-Units are written in words, with or without a blank between:
-  length  m cm mm ft in, 6ft8in too     speed  m/s ft/s km/h mph
-  angle   deg rad                       spin   rad/s deg/s Hz rev/s rpm
-A bare number is in the unit in brackets: SI, but degrees for an angle.
-
-"""
-
 
 @click.command(
-    epilog=_UNITS
+    epilog=UNITS_IN_WORDS
     + examples(
         "hoopgen shot --speed 7.17 --elevation 51 --distance 13.75ft --height 7ft",
         "hoopgen shot --speed 16mph --elevation 0.9rad --distance 4.2 --height 2.1 --backspin 3Hz",
         "hoopgen shot --speed 9.2 --elevation 48 --distance 22ft --height 7ft --angle 90deg",
         "hoopgen shot --speed 7.2 --elevation 52 --distance 13.75ft --height 7ft --preset nba \\",
-        "    --set restitution=0.75 --picture shot.svg",
+        "    --set restitution=0.75 --picture shot.svg --view shot.html",
     )
 )
-@click.option("--speed", type=Quantity("speed"), required=True, help="Speed at release.")
-@click.option(
-    "--elevation",
-    type=Quantity("angle", bare="deg"),
-    required=True,
-    help="Angle of release above the horizontal. A bare 51 is 51 degrees.",
-)
-@click.option(
-    "--height",
-    type=Quantity("length"),
-    required=True,
-    help="Of the ball's centre above the floor; the ring is at 10 ft = 3.048 m.",
-)
-@click.option(
-    "--distance",
-    type=Quantity("length"),
-    required=True,
-    help="On the floor plan, to the centre of the ring.",
-)
-@click.option(
-    "--azimuth",
-    type=Quantity("angle", bare="deg"),
-    default=0.0,
-    help="Aim; 0 at the centre of the ring, positive to the shooter's left.",
-)
-@click.option(
-    "--backspin",
-    type=Quantity("spin"),
-    default=0.0,
-    help="About the horizontal axis across the flight.",
-)
-@click.option("--sidespin", type=Quantity("spin"), default=0.0, help="About the vertical axis.")
-@click.option(
-    "--angle",
-    type=Quantity("angle", bare="deg"),
-    default=0.0,
-    help="Where on the floor: 0 straight in front of the board, around the ring to +y.",
-)
+@argument_options(required=True)
 @preset_options
-@click.option(
-    "--max-contacts",
-    type=click.IntRange(min=1),
-    default=40,
-    show_default=True,
-    help="Contacts after which a shot is given up as capped.",
-)
+@max_contacts_option
 @backend_option
+@picture_option("shot")
 @click.option(
-    "--picture",
-    type=click.Path(dir_okay=False, path_type=Path),
-    help="Draw the shot: .png, .svg or .pdf.",
+    "--view",
+    "page",
+    type=OUT,
+    help="Show the shot in motion in space, on a page: .html, one file that needs no network.",
 )
-@click.option("--json", "as_json", is_flag=True, help="Write everything as JSON, numbers in full.")
+@json_option
 def shot(
     preset: str,
     settings: tuple[tuple[str, float], ...],
     max_contacts: int,
     backend: Literal["auto", "c", "numpy"],
     picture: Path | None,
+    page: Path | None,
     as_json: bool,
     **release: float,
 ) -> None:
-    """Simulate one shot: its events, its outcome, its picture.
+    """Simulate one shot: its events, its outcome, its picture, a page to turn it in space.
 
     The ball is released at a height and a distance, with a speed and an angle. Each contact is
     listed with its time and place and with the velocity before and after it.
@@ -124,6 +87,10 @@ def shot(
         )
     if picture is not None:
         _draw(shots, parameters, _title(shots, preset, settings), picture)
+    if page is not None:
+        from hoopgen.viewer import view
+
+        view(shots, parameters, page, title=_title(shots, preset, settings))
     if as_json:
         click.echo(json.dumps(_record(shots, state, parameters), indent=2, allow_nan=False))
     else:

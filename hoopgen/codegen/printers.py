@@ -55,6 +55,21 @@ C = Spelling(
 )
 
 
+JS = Spelling(
+    operations=_INFIX
+    | {
+        "sqrt": "Math.sqrt({0})",
+        "abs": "Math.abs({0})",
+        "less": "({0} < {1})",
+        "at_most": "({0} <= {1})",
+        "select": "({0} ? {1} : {2})",
+    },
+    constant="{0}",
+    infinity="Infinity",
+    assignment="const {name} = {value};",
+)
+
+
 @dataclass(frozen=True)
 class Body:
     """A printed program: statements, then one expression for each output."""

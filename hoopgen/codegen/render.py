@@ -19,7 +19,7 @@ from hoopgen.derive.scene import Scene
 from hoopgen.derive.scenes import SCENES
 
 from .derivation import derivation_context
-from .printers import NUMPY, Body, C, print_program
+from .printers import JS, NUMPY, Body, C, print_program
 from .program import Program, lower
 
 OUTPUTS = {
@@ -28,6 +28,7 @@ OUTPUTS = {
     "c/engine.h.j2": "c/{scene}_engine.h",
     "c/scene.h.j2": "c/{scene}.h",
     "c/scene.c.j2": "c/{scene}.c",
+    "js/flight.js.j2": "js/{scene}.js",
     "derivation.md.j2": "derivation.md",
 }
 """Each template, and the file that it makes."""
@@ -64,6 +65,7 @@ class KernelView:
     cost: str
     numpy: Body
     c: Body
+    js: Body
 
 
 @dataclass(frozen=True)
@@ -106,6 +108,7 @@ def _kernel_view(program: Program) -> KernelView:
         describe_cost(program),
         print_program(program, NUMPY),
         print_program(program, C),
+        print_program(program, JS),
     )
 
 

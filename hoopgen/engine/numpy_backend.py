@@ -131,7 +131,9 @@ class Flights:
         )
         if self.certified:
             both.columns |= {
-                name: np.concatenate([np.asarray(flights.columns[name]) for flights in (self, other)])
+                name: np.concatenate(
+                    [np.asarray(flights.columns[name]) for flights in (self, other)]
+                )
                 for name in (*ERRORS, "clock_error")
             }
         both.clock = np.concatenate([self.clock, other.clock])

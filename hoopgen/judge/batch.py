@@ -16,9 +16,9 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.inputs import check_contacts, check_leaving, check_states
 from hoopgen.parameters import PAPER, resolve
 from hoopgen.results import Outcome
-from hoopgen.simulation import _leaving, _states
 
 from .certificate import UNDECIDED, Certificate, Proof, ProvedEvent, doubles, enclosure
 from .flight import Flown, Undecided, fly
@@ -74,17 +74,16 @@ def certify(
     TypeError, ValueError
         If an argument is not as described; the message says what is.
     """
-    releases = _states(states)
+    releases = check_states(states)
     values = np.stack(
         [np.broadcast_to(p, len(releases)) for p in resolve(parameters, len(releases))], axis=-1
     )
-    if not isinstance(max_contacts, int | np.integer) or not 1 <= max_contacts < 2**31:
-        raise ValueError(f"max_contacts: expected a whole number from 1, got {max_contacts!r}")
+    most = check_contacts(max_contacts)
     if not isinstance(max_bits, int | np.integer) or max_bits < FIRST_BITS:
         raise ValueError(f"max_bits: expected a whole number from {FIRST_BITS}, got {max_bits!r}")
     formulas()  # compiled here, once for all processes that are forked
-    task = _Task(int(max_contacts), int(max_bits), record)
-    left = _leaving(leaving, len(releases))
+    task = _Task(most, int(max_bits), record)
+    left = check_leaving(leaving, len(releases))
     left = np.full(len(releases), -1, np.int8) if left is None else left
     chunks = [
         (releases[k : k + CHUNK], values[k : k + CHUNK], left[k : k + CHUNK])

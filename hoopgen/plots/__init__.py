@@ -1,6 +1,22 @@
-"""Pictures. Needs matplotlib; everything drawn is to scale, in metres."""
+"""Pictures. Needs matplotlib; lengths are drawn to scale, in metres."""
 
-from hoopgen.plots.style import COLOURS, FORMATS, save, style
+from hoopgen.plots.aim_points import plot_aim_points
+from hoopgen.plots.fan import plot_fan
+from hoopgen.plots.landings import plot_landings
+from hoopgen.plots.maps import plot_map
+from hoopgen.plots.style import COLOURS, COLUMN, FORMATS, PAGE, save, style
 from hoopgen.plots.trajectory import plot_trajectory
 
-__all__ = ["COLOURS", "FORMATS", "plot_trajectory", "save", "style"]
+__all__ = [
+    "COLOURS",
+    "COLUMN",
+    "FORMATS",
+    "PAGE",
+    "plot_aim_points",
+    "plot_fan",
+    "plot_landings",
+    "plot_map",
+    "plot_trajectory",
+    "save",
+    "style",
+]

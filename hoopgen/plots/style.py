@@ -11,7 +11,23 @@ from typing import Any
 import matplotlib
 from matplotlib.figure import Figure
 
-__all__ = ["COLOURS", "FORMATS", "MARKERS", "save", "style"]
+__all__ = [
+    "COLOURS",
+    "COLUMN",
+    "FORMATS",
+    "MADE",
+    "MARKERS",
+    "MISSED",
+    "MISSED_LINES",
+    "NEITHER",
+    "PAGE",
+    "SHADES",
+    "save",
+    "style",
+]
+
+COLUMN, PAGE = 3.5, 7.1
+"""Widths of a journal's column and of its page, inches."""
 
 # Okabe and Ito's palette: told apart by readers with any colour vision, and in grey.
 COLOURS: Mapping[str, str] = MappingProxyType(
@@ -32,6 +48,50 @@ MARKERS: Mapping[str, str] = MappingProxyType(
     {"ring": "o", "backboard": "s", "bridge": "D", "end": "o", "release": "o"}
 )
 """A surface is told by the shape of its badge as well as by its colour."""
+
+# The same hues, each kind of shot at a lightness of its own: made ones dark, missed ones pale. So
+# they are told apart in grey and by readers with any colour vision; tests/test_study_plots.py
+# measures how far.
+MADE: Mapping[str, str] = MappingProxyType(
+    {
+        "swish": "#03467B",
+        "rim": "#D45313",
+        "bank": "#1BAC89",
+        "bank_rim": "#A03B77",
+        "rim_board": "#EFAD1D",
+    }
+)
+"""Of a made shot, by kind."""
+
+MISSED: Mapping[str, str] = MappingProxyType(
+    {
+        "rim": "#FBD1BC",
+        "bank": "#C6EEE2",
+        "bank_rim": "#E6C5DD",
+        "rim_board": "#FFEEC5",
+        "airball": "#FAFAFA",
+    }
+)
+"""Of a missed shot, by kind."""
+
+MISSED_LINES: Mapping[str, str] = MappingProxyType(
+    {
+        "rim": "#F5B495",
+        "bank": "#95DBC8",
+        "bank_rim": "#D294BD",
+        "rim_board": "#FBD58A",
+        "airball": "#B0B0B0",
+    }
+)
+"""Of lines of missed shots, which on paper are lost in paler colours."""
+
+NEITHER: Mapping[str, str] = MappingProxyType(
+    {"capped": "#000000", "short": "#C4C4C4", "invalid": "#A6A6A6"}
+)
+"""Of a shot that is neither made nor missed, by outcome."""
+
+SHADES = "YlGnBu"
+"""Matplotlib's colours of a share: lightness falls evenly, in grey and with any colour vision."""
 
 FORMATS = ("png", "svg", "pdf")
 
@@ -73,7 +133,7 @@ def style() -> Iterator[None]:
         yield
 
 
-def save(figure: Figure, path: str | Path, *, dpi: int = 200) -> Path:
+def save(figure: Figure, path: str | Path, *, dpi: int = 300) -> Path:
     """Write a picture; the same figure gives the same bytes.
 
     Parameters
@@ -83,7 +143,7 @@ def save(figure: Figure, path: str | Path, *, dpi: int = 200) -> Path:
     path
         Where to; its suffix, one of `FORMATS`, says in which format.
     dpi
-        Dots per inch, of a PNG.
+        Dots per inch: of a PNG, and of a map's cells, which alone are pixels in the other formats.
 
     Returns
     -------

@@ -15,7 +15,7 @@ import hoopgen
 from hoopgen.plots.marks import KEY_ROW, collect_marks, draw_key, key_rows
 from hoopgen.plots.panels import Drawing, Panel, Room, draw_panel
 from hoopgen.plots.scene import scene_corners
-from hoopgen.plots.style import style
+from hoopgen.plots.style import PAGE, style
 from hoopgen.plots.views import SIDE, TOP, View, oblique
 
 __all__ = ["plot_trajectory"]
@@ -33,9 +33,6 @@ class Path(Protocol):
     def duration(self) -> float: ...
     def at(self, t: ArrayLike) -> NDArray[np.float64]: ...
 
-
-PAGE = 7.1
-"""Greatest width of the page, inches: two columns of a journal."""
 
 BEAT = 0.1
 """Seconds between the dots on the path."""

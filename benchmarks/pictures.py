@@ -1,0 +1,149 @@
+"""`python -m benchmarks.pictures`: the pictures of the README and of docs/.
+
+All show one free throw, of a shooter whose scatter is that of a 70 % one (Slegers 2021), and bank
+shots from the places around. Random numbers have seed 0: the same pictures every time.
+"""
+
+import argparse
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+import hoopgen
+from hoopgen.plots import plot_aim_points, plot_fan, plot_landings, plot_map, save, style
+from hoopgen.plots.cells import read_cells
+from hoopgen.plots.fan import draw_fan, gather_fan
+from hoopgen.plots.key import CLASSES, draw_key, key_height
+from hoopgen.plots.maps import draw_kinds
+from hoopgen.plots.page import add_axes, add_view, new_page
+from hoopgen.plots.panels import Panel
+from hoopgen.study.bank import bank_or_direct
+
+SCENE = hoopgen.NBA | {"restitution": 0.75}
+PLACE = {"height": 2.1336, "distance": 4.191, "backspin": 6.0 * np.pi}  # 7 ft, 13.75 ft, 3 Hz
+AIM = {"speed": 7.17, "elevation": np.radians(52.0)}
+SCATTER = {"speed": 0.07, "elevation": np.radians(1.3), "azimuth": np.radians(1.0)}
+
+WORDS: Mapping[str, Any] = {"va": "center", "fontsize": 7.0, "color": "#666666"}
+
+
+def free_throws() -> Figure:
+    """Paths at one release angle and rising speed, beside what becomes of those at every angle."""
+    angle, apart = 52.0, 0.02
+    over = {"speed": np.arange(6.8, 8.3, apart)}
+    grid = hoopgen.Grid(over, PLACE | {"elevation": np.radians(angle)})
+    released = grid.draw(0, grid.shots, parameters=SCENE)
+    shots = hoopgen.simulate(released.states, released.parameters, record=True)
+    fan = gather_fan(shots, SCENE, range(grid.shots))
+    cells = read_cells(
+        hoopgen.map(
+            {
+                "speed": np.linspace(6.75, 8.55, 721),
+                "elevation": np.radians(np.arange(40, 66, 0.05)),
+            },
+            PLACE,
+            parameters=SCENE,
+        )
+    )
+    key = dict.fromkeys(CLASSES[place] for place in np.unique(cells.values))
+    # Inches, but for the limits of the view.
+    width, left, across, below, gap, edge = 8.6, 0.55, 4.5, 0.48, 0.55, 0.1
+    limits = (-0.5, 4.3, -0.98, 1.42)
+    panel = Panel(fan.view, limits, across / (limits[1] - limits[0]), left, 0.0)
+    with style():
+        foot = key_height(key, width - 2.0 * edge) + edge
+        figure = new_page(width, below + panel.height + 0.28, foot=foot)
+        panel = Panel(fan.view, limits, panel.scale, left, foot + below)
+        paths = add_view(figure, panel)
+        draw_fan(paths, panel, fan)
+        paths.set_title(f"Free throws at {angle:g}°, {apart:g} m/s apart", loc="left", fontsize=8.5)
+        paths.text(0.75, 1.3, "over the board", ha="center", **WORDS)
+        paths.text(2.3, 0.34, "too short", ha="center", **WORDS)
+        start = left + across + gap
+        chart = add_axes(
+            figure, start, panel.bottom, width - start - edge, panel.height, "outcomes"
+        )
+        draw_kinds(chart, cells)
+        chart.axhline(angle, color="#222222", lw=0.7, ls=(0, (4, 3)))
+        chart.set(xlabel=cells.axes[0].quantity.label, ylabel=cells.axes[1].quantity.label)
+        chart.set_title("What becomes of them, and at other angles", loc="left", fontsize=8.5)
+        chart.text(8.32, 57.0, "over\nthe\nboard", ha="center", **WORDS)
+        chart.text(6.95, 62.5, "too\nshort", ha="center", **WORDS)
+        draw_key(figure, key, edge, foot, width - 2.0 * edge)
+    return figure
+
+
+def outcome_map() -> Figure:
+    """Every free throw within wide limits."""
+    over = {"speed": np.linspace(6.6, 9.6, 901), "elevation": np.radians(np.arange(38, 75, 0.06))}
+    return plot_map(hoopgen.map(over, PLACE, parameters=SCENE))
+
+
+def probability_map() -> Figure:
+    """How probably the shooter makes it, by the release aimed at."""
+    over = {
+        "speed": np.linspace(6.95, 7.75, 65),
+        "elevation": np.radians(np.linspace(44.0, 64.0, 61)),
+    }
+    return plot_map(hoopgen.map(over, PLACE, SCATTER, parameters=SCENE, shots=5_000))
+
+
+def _released(shots: int, *, record: bool = False) -> tuple[np.ndarray, hoopgen.Shots]:
+    model = hoopgen.Scatter(PLACE | AIM, SCATTER)
+    states = model.draw(0, shots, parameters=SCENE).states
+    return states, hoopgen.simulate(states, SCENE, record=record)
+
+
+def fan() -> Figure:
+    """What the shooter's shots look like."""
+    _, shots = _released(20_000, record=True)
+    return plot_fan(shots, SCENE)
+
+
+def landings() -> Figure:
+    """Where the shooter's misses go."""
+    states, shots = _released(300_000)
+    floor = hoopgen.measure(states, shots, SCENE, ["floor_x", "floor_y"])
+    missed = shots.outcome == hoopgen.Outcome.MISSED
+    x, y = (floor[name][missed] for name in ("floor_x", "floor_y"))
+    return plot_landings(x, y, SCENE, place=(PLACE["distance"], 0.0))
+
+
+def aim_points() -> Figure:
+    """Where the best bank shots touch the board, from places on four arcs around the ring."""
+    distance, angle = np.meshgrid([2.0, 3.0, 4.2, 5.5], np.radians(np.arange(-75.0, 76.0, 15.0)))
+    places = np.stack([distance * np.cos(angle), distance * np.sin(angle)], axis=-1)
+    release = {name: PLACE[name] for name in ("height", "backspin")}
+    dataset = bank_or_direct(places.reshape(-1, 2), release, SCATTER, parameters=SCENE, shots=5_000)
+    return plot_aim_points(dataset, SCENE)
+
+
+PICTURES: Mapping[str, Callable[[], Figure]] = {
+    "free-throws": free_throws,
+    "outcome-map": outcome_map,
+    "probability-map": probability_map,
+    "fan": fan,
+    "landings": landings,
+    "aim-points": aim_points,
+}
+
+
+def main() -> None:
+    """Write the pictures asked for, all by default."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.pictures", description=__doc__)
+    parser.add_argument("names", nargs="*", help=f"of {', '.join(PICTURES)}; default all")
+    parser.add_argument("--out", type=Path, default=Path("docs"), help="folder, default docs")
+    arguments = parser.parse_args()
+    unknown = [name for name in arguments.names if name not in PICTURES]
+    if unknown:
+        parser.error(f"no picture is named {', '.join(unknown)}; one of {', '.join(PICTURES)}")
+    arguments.out.mkdir(parents=True, exist_ok=True)
+    for name in arguments.names or PICTURES:
+        print(save(PICTURES[name](), arguments.out / f"{name}.svg"))
+
+
+if __name__ == "__main__":
+    main()

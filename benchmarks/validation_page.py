@@ -1,0 +1,434 @@
+"""The page of `benchmarks.validation`: its words, its tables, its picture."""
+
+import math
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from benchmarks.report import table
+from benchmarks.validation import (
+    ANGLES,
+    DEGREE,
+    FOOT,
+    HERTZ,
+    INCH,
+    LINE,
+    SEVENTY,
+    STRAIGHTER,
+    THEIR_AXIS,
+    Banks,
+    Check,
+    Curve,
+    Floats,
+    Results,
+    Smallest,
+    restitution_of_axis,
+)
+from hoopgen import PAPER
+from hoopgen.plots.style import COLOURS, PAGE, style
+from hoopgen.study.optimum import Optimum
+
+SOURCES = (
+    "P. J. Brancazio (1981), Physics of basketball, *American Journal of Physics* 49, 356–365.",
+    "C. M. Tran and L. M. Silverberg (2008), Optimal release conditions for the free throw in "
+    "men's basketball, *Journal of Sports Sciences* 26, 1147–1155.",
+    "L. M. Silverberg, C. M. Tran and T. M. Adams (2011), Optimal targets for the bank shot in "
+    "men's basketball, *Journal of Quantitative Analysis in Sports* 7 (1), article 3, "
+    "doi:10.2202/1559-0410.1299.",
+    "L. M. Silverberg (2013), The anatomy of the bank shot in men's basketball, *Journal of "
+    "Quantitative Analysis in Sports* 9 (1), 77–85, doi:10.1515/jqas-2012-0050.",
+    "N. Slegers, D. Lee and G. Wong (2021), The relationship of intra-individual release "
+    "variability with distance and shooting performance in basketball, *Journal of Sports Science "
+    "and Medicine* 20, 508–515, doi:10.52082/jssm.2021.508.",
+    "R. G. Newcombe (1998), Improved confidence intervals for the difference between binomial "
+    "proportions based on paired data, *Statistics in Medicine* 17, 2635–2650.",
+)
+
+
+# --------------------------------------------------------------------------------- in words
+
+
+def share(value: float, low: float, high: float) -> str:
+    """A probability with its interval."""
+    return f"{100 * value:.1f} % ({100 * low:.1f}–{100 * high:.1f})"
+
+
+def points(value: float, low: float, high: float) -> str:
+    """A difference of probabilities with its interval."""
+    return f"{100 * value:+.1f} ({100 * low:+.1f} to {100 * high:+.1f})".replace("-", "−")
+
+
+def angles(best: Optimum) -> str:
+    """The best angle, and which are as good."""
+    low, high = best.flat["elevation"]
+    return f"{best.release['elevation'] / DEGREE:.1f}° ({low / DEGREE:.1f}–{high / DEGREE:.1f})"
+
+
+def aims(best: Optimum) -> str:
+    """The best aim, and which are as good."""
+    low, high = (100 * end for end in best.flat["aim"])
+    return f"{100 * best.release['aim']:.1f} cm ({low:.1f} to {high:.1f})".replace("-", "−")
+
+
+def chance(best: Optimum) -> str:
+    """Its probability."""
+    return share(best.probability, best.low, best.high)
+
+
+# --------------------------------------------------------------------------------- sections
+
+
+def page(results: Results) -> str:
+    """The whole page."""
+    lines = [
+        *_head(results),
+        *closed_forms(results.checks, results.entries),
+        *_line(results),
+        *_bank(results),
+        *_scatter(results),
+        *_left_out(),
+        "## Sources",
+        "",
+        *(f"- {source}" for source in SOURCES),
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def _head(results: Results) -> list[str]:
+    sd = SEVENTY
+    return [
+        "# Validation",
+        "",
+        "Results of hoopgen beside those of the literature. `make validate` computes every number "
+        "of ours on this page anew; on one machine it gives the same bytes each time.",
+        "",
+        f"Unless another is named, the scene is the preset `PAPER` (restitution "
+        f"{PAPER['restitution']:.2f}), and the shooter releases the ball {LINE['height'] / FOOT:g} "
+        f"ft above the floor with {LINE['backspin'] / HERTZ:g} Hz of backspin; a free throw is "
+        f"{LINE['distance'] / FOOT:g} ft from the ring's centre. The shooter's errors are normal "
+        f"and independent, with standard deviations (SD) of {sd['speed']:.2f} m/s in speed, "
+        f"{sd['elevation'] / DEGREE:.1f}° in release angle and {sd['azimuth'] / DEGREE:.1f}° to "
+        "the side.",
+        "",
+        "The best release is that of `hoopgen.optimum`, searched with the random numbers of seed "
+        "0. Its probability is estimated again with those of seed 1: the search's own would be too "
+        f"good. In parentheses are 95 % intervals ({results.shots:,} shots, Wilson; differences "
+        "over the same random numbers, Newcombe), and after angles and aims the range in which "
+        "the probability stays within one point of the best. A shot given up after 40 contacts "
+        f"does not count as made ({results.line.theirs.capped} of the "
+        f"{results.line.theirs.shots:,} thrown below by the recipe of 52° and 5 cm).",
+        "",
+    ]
+
+
+def closed_forms(checks: Sequence[Check], entries: Sequence[Smallest]) -> list[str]:
+    return [
+        "## Closed forms",
+        "",
+        "The slowest free throw through the centre of the ring, distance L, rise h: angle 45° + "
+        "atan(h/L)/2, speed² = g (h + sqrt(h² + L²)), and tan(entry) = tan(release) − 2h/L "
+        "(Brancazio 1981). A minimum is found to the root of the rounding unit, a value to the "
+        "unit.",
+        "",
+        *table(
+            ["", "hoopgen", "closed form", "difference"],
+            [
+                [
+                    check.what,
+                    f"{check.ours:.9f} {check.unit}".replace(" °", "°").replace("-", ""),
+                    f"{check.closed:.9f} {check.unit}".replace(" °", "°"),
+                    f"{check.ours - check.closed:.1e}".replace("-", "−"),
+                ]
+                for check in checks
+            ],
+        ),
+        "The smallest entry angle is usually given as asin(ball Ø / ring Ø), of the ring's inner "
+        "diameter: about 32°. So the ball would slip between two sharp edges. But the rim is a "
+        "wire, round in section, and the ball has to clear its lower and its upper side too: "
+        "asin((ball radius + wire radius) / radius of the circle of the wire's centre), more than "
+        "a degree steeper. The engine finds that angle by bisection on swishes in straight "
+        "flight. A free throw falls while it passes the ring: less steep than its entry angle at "
+        "the front, steeper at the back. The angle at which one just swishes, wherever within the "
+        "ring it comes down, follows in the last column.",
+        "",
+        *table(
+            ["", "sharp edge", "round wire", "engine, straight", "engine, free throw"],
+            [
+                [
+                    f"`{one.name}`",
+                    *(
+                        f"{angle / DEGREE:.{digits}f}°"
+                        for angle, digits in (
+                            (one.edge, 3),
+                            (one.wire, 6),
+                            (one.straight, 6),
+                            (one.thrown, 3),
+                        )
+                    ),
+                ]
+                for one in entries
+            ],
+        ),
+    ]
+
+
+def _line(results: Results) -> list[str]:
+    line, best = results.line, results.line.best
+    most = max(line.by_spin)
+    cost = best.lead(line.centred)
+    gain = line.by_spin[most].lead(best)
+    loss = best.lead(line.by_spin[0])
+    theirs = line.theirs
+    high, low = line.by_height[max(line.by_height)], line.by_height[min(line.by_height)]
+    return [
+        "## The free throw: Tran and Silverberg 2008",
+        "",
+        *table(
+            ["", "theirs", "hoopgen"],
+            [
+                ["release angle", "52°", angles(best)],
+                ["aim past the centre", "about 5 cm", aims(best)],
+                ["aiming at the centre costs", "about 3 points", points(*cost)],
+                [
+                    "backspin",
+                    "about 3 Hz",
+                    f"3 Hz over none {points(*loss)}; {most} Hz over 3 Hz {points(*gain)}",
+                ],
+                [
+                    "release height",
+                    "as high as is steady",
+                    f"{max(line.by_height):g} ft over {min(line.by_height):g} ft "
+                    f"{points(*high.lead(low))}",
+                ],
+                [
+                    "their release, 52° and 5 cm",
+                    "70 %, assumed in 2011",
+                    share(theirs.probability, theirs.low, theirs.high),
+                ],
+                ["our best release", "", chance(best)],
+            ],
+        ),
+        *table(
+            ["backspin", "release angle", "aim past the centre", "success"],
+            [[f"{spin} Hz", angles(o), aims(o), chance(o)] for spin, o in line.by_spin.items()],
+        ),
+        *table(
+            ["release height", "release angle", "aim past the centre", "success"],
+            [[f"{h:g} ft", angles(o), aims(o), chance(o)] for h, o in line.by_height.items()],
+        ),
+        "Backspin helps because a ball that spins back leaves rim and board more slowly; in our "
+        "model, where it always grips, so does more than 3 Hz. The restitution of their model is "
+        "not known to us, and it matters more than all of the above. The best bank shot from the "
+        "free-throw line is beside the direct one in the table: from a dead board it would be the "
+        "better shot.",
+        "",
+        *table(
+            ["restitution", "direct: release angle", "aim", "success", "best bank shot"],
+            [
+                [f"{e:.1f}", angles(o), aims(o), chance(o), chance(line.bank[e])]
+                for e, o in line.direct.items()
+            ],
+        ),
+        "![Success against backspin, and against the scatter of the speed](validation-throws.svg)",
+        "",
+    ]
+
+
+def _bank(results: Results) -> list[str]:
+    found, livelier, straighter = results.banks, results.livelier, results.straighter
+    data = found.places
+    better = int((data.difference_low > 0).sum())
+    worse = int((data.difference_high < 0).sum())
+    return [
+        "## Bank shots: Silverberg, Tran and Adams 2011, Silverberg 2013",
+        "",
+        "From each place the best direct shot and the best shot off the board, each over release "
+        f"angle, speed and direction ({results.bank_shots:,} shots a place). Bank less direct, in "
+        "points; 0° is straight in front of the board, 90° along the baseline.",
+        "",
+        *_grid(found),
+        *table(
+            ["", "theirs", "hoopgen"],
+            [
+                [
+                    "where the bank is better",
+                    "intermediate ranges, towards the sides",
+                    f"at {better} of {data.sizes['place']} places (worse at {worse})",
+                ],
+                [
+                    "by how much at most",
+                    "20 points",
+                    ", at ".join(_most(found)),
+                ],
+                ["aim points", "on a V", _v(found)],
+                [
+                    "common axis behind the board",
+                    f"{THEIR_AXIS / INCH:.3f} in",
+                    f"{_behind(found)} in, missed by {found.releases.spread * 1000:.0f} mm (rms)",
+                ],
+            ],
+        ),
+        "![Best bank shots: where the ball touches the board, and from where](validation-bank.svg)",
+        "",
+        "The axis is where the directions of all best bank releases cross on the floor plan, by "
+        "least squares. It has a reason. The board keeps 3/5 of the ball's velocity along it, if "
+        "it does not spin about the vertical, and the restitution e of that towards it (Eqs. "
+        "11-17); so the releases that bring the ball to the middle of the ring all point at an "
+        "axis 0.6 (a − R)/e − R behind the board, with a the ring's distance from it and R the "
+        f"ball's radius: {found.closed / INCH:.2f} in with restitution {found.restitution:.2f}. "
+        f"Theirs belongs to a restitution of {restitution_of_axis(THEIR_AXIS):.3f}. With that, "
+        f"from the {livelier.places.sizes['place']} outermost places, ours lies "
+        f"{_behind(livelier)} in behind the board, and the bank is better by "
+        f"{_most(livelier)[0]} points at most. The rest is that the best shots come "
+        "down not in the middle of the ring "
+        f"but {100 * found.past:.0f} cm from it on average. Lines to the points that the ball "
+        "touches, rather than along its flight, cross "
+        f"{(-PAPER['board_distance'] - found.touches.x) / INCH:.1f} in behind the board, missing "
+        f"by {found.touches.spread * 1000:.0f} mm: as an aid for the eye the axis holds for the "
+        "direction of the ball.",
+        "",
+        "By how much the bank is better depends on where a shooter's errors are. Of theirs we know "
+        "the 70 % of free throws, not the deviations. A bank shot forgives errors of speed and "
+        "angle more than a direct one, and errors to the side about as much (Silverberg 2013). So "
+        "one who is straighter and less steady in speed, with SDs of "
+        f"{STRAIGHTER['speed']:.2f} m/s, {STRAIGHTER['elevation'] / DEGREE:.1f}° and "
+        f"{STRAIGHTER['azimuth'] / DEGREE:.1f}° to the side, who makes "
+        f"{chance(results.line.straighter)} of the best free throws, gains {_most(straighter)[0]} "
+        "points from the outermost places at most.",
+        "",
+    ]
+
+
+def _grid(found: Banks) -> list[str]:
+    data = found.places
+    rows = []
+    difference = data.difference.values.reshape(-1, len(ANGLES))
+    low = data.difference_low.values.reshape(-1, len(ANGLES))
+    high = data.difference_high.values.reshape(-1, len(ANGLES))
+    away = np.hypot(data.x, data.y).values.reshape(-1, len(ANGLES))[:, 0]
+    for distance, *row in zip(away, difference, low, high, strict=True):
+        cells = [
+            f"{100 * value:+.1f} ± {50 * (most - least):.1f}".replace("-", "−")
+            for value, least, most in zip(*row, strict=True)
+        ]
+        rows.append([f"{distance / FOOT:.0f} ft", *cells])
+    return table(["", *(f"{angle}°" for angle in ANGLES)], rows)
+
+
+def _most(found: Banks) -> tuple[str, str]:
+    """By how much the bank is better where it is most so, and where that is."""
+    data = found.places.isel(place=int(np.argmax(found.places.difference.values)))
+    names = ("difference", "difference_low", "difference_high")
+    away, angle = math.hypot(data.x, data.y) / FOOT, math.atan2(data.y, data.x) / DEGREE
+    return points(*(float(data[name]) for name in names)), f"{away:.0f} ft and {angle:.0f}°"
+
+
+def _v(found: Banks) -> str:
+    return (
+        f"a V: {100 * found.foot:.0f} cm above the ring at the middle, rising "
+        f"{100 * found.slope:.0f} cm in 100; missed by {1000 * found.off:.0f} mm (rms)"
+    )
+
+
+def _behind(found: Banks) -> str:
+    return f"{(-PAPER['board_distance'] - found.releases.x) / INCH:.2f}"
+
+
+def _scatter(results: Results) -> list[str]:
+    speed, angle = results.by_speed, results.by_angle
+    sure, unsure = (100 * speed.probability[end] for end in (0, -1))
+    fine, coarse = (100 * angle.probability[end] for end in (0, -1))
+    return [
+        "## Scatter: Slegers, Lee and Wong 2021",
+        "",
+        "Twelve players: SD of the release speed between 0.05 and 0.13 m/s, of the release angle "
+        "1.3° ± 0.26° in free throws. How many they made went with the SD of the speed (r = −0.88) "
+        "and not with that of the angle. Here one release, our best free throw, is thrown with one "
+        "deviation varied over the players' range:",
+        "",
+        *table(["SD of the speed", "success"], _rows(speed, lambda sd: f"{sd:.2f} m/s")),
+        *table(["SD of the angle", "success"], _rows(angle, lambda sd: f"{sd / DEGREE:.2f}°")),
+        *table(
+            ["", "theirs", "hoopgen"],
+            [
+                [
+                    "success, from the steadiest speed to the least steady",
+                    "r = −0.88",
+                    f"from {sure:.0f} to {unsure:.0f} %",
+                ],
+                [
+                    "success, from the steadiest angle to the least steady",
+                    "unrelated",
+                    f"from {fine:.0f} to {coarse:.0f} %",
+                ],
+                [
+                    "a shooter with 0.07 m/s, 1.3° and 1.0° to the side",
+                    "makes about 70 %",
+                    chance(results.line.best),
+                ],
+            ],
+        ),
+    ]
+
+
+def _rows(curve: Curve, said: Callable[[float], str]) -> list[list[str]]:
+    columns = (curve.sd, curve.probability, curve.low, curve.high)
+    rows = zip(*(column.tolist() for column in columns), strict=True)
+    return [[said(sd), share(*rest)] for sd, *rest in rows]
+
+
+def _left_out() -> list[str]:
+    return [
+        "## Where the model differs from the court",
+        "",
+        "- **One restitution**, whatever is hit and however fast. That of the rim differs from "
+        "that of the board, and from hoop to hoop; the tables above say how much it moves.",
+        "- **Perfect grip.** A ball that slips changes its spin, and its velocity along the "
+        "surface, less; backspin then does less.",
+        "- **No air**: no drag, no lift from spin. Slegers, Lee and Wong have drag in the paths "
+        "they fit.",
+        "- **No net, no edges of the board, and a rim that does not give.** A rim that gives takes "
+        "energy from the ball, as a lower restitution does.",
+        "- **Normal, independent errors.** Those of a player need be neither. `hoopgen.Scatter` "
+        "takes correlations, and `hoopgen.Resample` measured releases.",
+        "",
+    ]
+
+
+# ---------------------------------------------------------------------------------- picture
+
+
+def throw_picture(results: Results) -> Figure:
+    """Success against backspin, and against the scatter of the speed."""
+    spins = results.line.by_spin
+    chances = np.array([[o.probability, o.low, o.high] for o in spins.values()]).T
+    with style():
+        figure = Figure(figsize=(PAGE, 2.5), layout="constrained")
+        left, right = figure.subplots(1, 2, sharey=True)
+        _points(left, np.array(list(spins), dtype=np.float64), *chances)
+        left.set_xlabel("backspin (Hz)")
+        left.set_ylabel("success (%)")
+        speed = results.by_speed
+        _points(right, speed.sd, speed.probability, speed.low, speed.high)
+        right.set_xlabel("standard deviation of the release speed (m/s)")
+    return figure
+
+
+def _points(axes: Axes, x: Floats, value: Floats, low: Floats, high: Floats) -> None:
+    colour = COLOURS["path"]
+    axes.errorbar(
+        x,
+        100 * value,
+        yerr=100 * np.stack([value - low, high - value]),
+        fmt="o-",
+        color=colour,
+        markersize=3.5,
+        linewidth=0.8,
+        capsize=2.5,
+        elinewidth=0.8,
+    )
+    axes.grid(color="#DDDDDD", linewidth=0.5)
+    axes.set_axisbelow(True)
+    axes.spines[["top", "right"]].set_visible(False)

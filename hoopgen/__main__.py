@@ -1,0 +1,5 @@
+"""``python -m hoopgen``: the command line."""
+
+from hoopgen.cli import main
+
+main()

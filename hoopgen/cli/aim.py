@@ -1,0 +1,190 @@
+"""``hoopgen aim``: the release that goes through the ring's centre, and what it forgives."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from hoopgen.cli.options import (
+    UNITS_IN_WORDS,
+    by_option,
+    examples,
+    scene_options,
+    variable_option,
+)
+from hoopgen.cli.table import table
+from hoopgen.cli.types import OUT, Parsed, quantity
+from hoopgen.units import parse_quantity
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from hoopgen.study.aim import Arc
+    from hoopgen.study.player import By
+
+    Columns = Mapping[str, NDArray[np.float64]]
+
+__all__ = ["aim"]
+
+_MOST = 10_000
+"""Distances of one table."""
+
+_ENOUGH = 1e-6
+"""Of a step: an end of a range that is short of a whole number of steps by no more is its last
+value, since 0.1 is no binary number."""
+
+_OFF = ("speed", "elevation", "azimuth")
+
+
+def _distances(text: str) -> tuple[float, ...]:
+    """Read a length; several, ``3m,4m,5m``; or a range with its step or count, ``1m:7m:0.5m``."""
+    parts = text.split(":")
+    if len(parts) == 1:
+        return tuple(parse_quantity(part, "length") for part in text.split(","))
+    if len(parts) != 3:
+        raise ValueError(f"{text!r} is not from:to:step, such as 1m:7m:0.5m")
+    return _range(*parts)
+
+
+def _range(first: str, last: str, by: str) -> tuple[float, ...]:
+    """Return a range; `by` is a step if it has a unit, else a count."""
+    low, high = parse_quantity(first, "length"), parse_quantity(last, "length")
+    if by.strip().isdecimal():
+        count = int(by)
+        step = (high - low) / (count - 1) if count > 1 else 0.0
+    else:
+        step = parse_quantity(by, "length")
+        count = 1 + math.floor((high - low) / step + _ENOUGH) if step > 0.0 else 0
+    if not (low < high and step > 0.0 and 2 <= count <= _MOST):
+        raise ValueError(
+            f"{first}:{last}:{by}: expected from below to, and a step (with its unit) or a count "
+            f"that makes 2 to {_MOST:,} distances"
+        )
+    return tuple(low + k * step for k in range(count))
+
+
+@click.command(
+    epilog=UNITS_IN_WORDS
+    + examples(
+        "hoopgen aim --distance 13.75ft --height 7ft",
+        "hoopgen aim --distance 13.75ft --height 7ft --entry 45deg --backspin 3Hz --depth 2in",
+        "hoopgen aim --distance 1m:7m:0.5m --height 0.6m --speed 9.5 --csv table.csv",
+        "hoopgen aim --distance 12ft --height 7ft --elevation 55 --set ball_radius=11.9cm",
+    )
+)
+@variable_option(
+    "distance",
+    type=Parsed(_distances, "LENGTH [m] | FROM:TO:STEP"),
+    required=True,
+    help="On the floor plan, to the centre of the ring; several, or a range, give a table.",
+)
+@variable_option("height", required=True)
+@variable_option("entry", help="Wanted angle below the horizontal at the ring.")
+@variable_option("elevation", help="Wanted angle of release above the horizontal.")
+@variable_option("speed", help="Wanted speed at release.")
+@click.option(
+    "--arc",
+    type=click.Choice(["high", "low"]),
+    default="high",
+    show_default=True,
+    help="Which of the two flights with that speed.",
+)
+@click.option(
+    "--depth",
+    type=quantity("length"),
+    default=0.0,
+    help="Aim so far past the centre of the ring.",
+)
+@variable_option("angle", default=0.0)
+@variable_option("backspin", default=0.0)
+@variable_option("sidespin", default=0.0)
+@by_option
+@scene_options
+@click.option("--csv", "file", type=OUT, help="Write the table: m, m/s, degrees, Hz, s.")
+def aim(
+    distance: tuple[float, ...],
+    arc: Arc,
+    by: By,
+    parameters: Mapping[str, float],
+    file: Path | None,
+    **wanted: Any,
+) -> None:
+    """Aim: the release that goes through the centre of the ring, and how far it may be off.
+
+    The slowest one, or one with a wanted entry angle, elevation or speed. How far off each of
+    speed, elevation and azimuth alone may be is found by simulation.
+    """
+    from hoopgen.study.aim import aim as aimed
+    from hoopgen.study.aim import aim_table, write_csv
+
+    spins = {name: wanted.pop(name) for name in ("backspin", "sidespin")}
+    if len(distance) == 1:
+        # Of one number it says why there is no such release.
+        aimed(distance=distance[0], arc=arc, parameters=parameters, **wanted)
+    columns = aim_table(distance, arc=arc, by=by, parameters=parameters, **spins, **wanted)
+    if len(distance) == 1:
+        click.echo(_one({name: float(column[0]) for name, column in columns.items()}, wanted))
+    else:
+        click.echo(_many(columns))
+    if file is not None:
+        write_csv(file, columns)
+
+
+def _one(shot: Mapping[str, float], wanted: Mapping[str, float]) -> str:
+    """Say one release and what it forgives."""
+    from hoopgen.study.variables import VARIABLES
+    from hoopgen.study.words import say
+
+    spins = [f"{name} {say(name, shot[name])}" for name in ("backspin", "sidespin") if shot[name]]
+    depth = wanted["depth"]
+    where = f"{say('aim', abs(depth))} {'past' if depth > 0 else 'short of'} its centre"
+    lines = [
+        f"shoot   {say('speed', shot['speed'])} at {say('elevation', shot['elevation'])}"
+        + "".join(f", {spin}" for spin in spins),
+        f"flight  comes down through the ring's plane after {shot['time']:.3f} s at "
+        f"{say('entry', shot['entry_angle'])}, {where if depth else 'at its centre'}",
+    ]
+    if math.isnan(shot["low_speed"]):
+        return "\n".join([*lines, "result  does not go in: hoopgen shot shows why"])
+    rows = []
+    for name in _OFF:
+        value, low, high = shot.get(name, 0.0), shot[f"low_{name}"], shot[f"high_{name}"]
+        off = f"{_signed(name, low - value)} to {_signed(name, high - value)}"
+        rows.append([VARIABLES[name].label, say(name, low), say(name, high), off])
+    head = ["one of them off", "goes in from", "to", "off by"]
+    return "\n".join([*lines, "", table(head, rows, right=(1, 2))])
+
+
+def _signed(name: str, value: float) -> str:
+    from hoopgen.study.words import say
+
+    text = say(name, value)
+    return text if value < 0 else f"+{text}"
+
+
+def _many(columns: Columns) -> str:
+    """Lay out a table of releases."""
+    from hoopgen.study.words import say
+
+    def cell(name: str, value: float) -> str:
+        return "-" if math.isnan(value) else say(name, value, unit=False)
+
+    kinds = {
+        "distance": "distance",
+        "speed": "speed",
+        "elevation": "elevation",
+        "entry_angle": "entry",
+        **{f"{end}_{name}": name for name in _OFF for end in ("low", "high")},
+    }
+    rows = [
+        [cell(kind, columns[name][row]) for name, kind in kinds.items()]
+        for row in range(len(columns["distance"]))
+    ]
+    head = ["dist. m", "speed m/s", "elev. °", "entry °", *["from", "to"] * len(_OFF)]
+    groups = [(4 + 2 * k, 5 + 2 * k, name) for k, name in enumerate(_OFF)]
+    return table(head, rows, right=range(len(head)), groups=groups)

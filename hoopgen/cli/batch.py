@@ -1,0 +1,63 @@
+"""``hoopgen batch``: a table of releases, simulated row by row."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from hoopgen.cli.options import examples, scheduler_option, table_options, threads_option
+from hoopgen.cli.types import OUT
+
+__all__ = ["batch"]
+
+_COLUMNS = """\b
+Columns are named like variables, with the unit after them; SI and radians without:
+  releases    speed_mph elevation_deg azimuth_deg backspin_hz height_ft distance ...
+  or states   x y z vx vy vz wx wy wz, x_ft, vx_ft_s, wy_rpm ...
+  and         ring_radius_in restitution ..., which change the scene of that row
+All others are kept as they are. A row with no number where one is needed is invalid.
+
+"""
+
+
+@click.command(
+    epilog=_COLUMNS
+    + examples(
+        "hoopgen batch releases.csv --out results.parquet",
+        "hoopgen batch releases.csv --out results.parquet --release height=7ft \\",
+        "    --release distance=13.75ft --preset nba --measure depth --measure entry_angle",
+        "hoopgen batch states.arrow --out results.parquet --scheduler tcp://10.0.0.1:8786",
+    )
+)
+@click.option(
+    "--out",
+    type=OUT,
+    required=True,
+    help="Parquet: the table with its results, in the same order.",
+)
+@table_options
+@click.option(
+    "--measure",
+    "measures",
+    metavar="NAME",
+    multiple=True,
+    help="Add a column: depth, entry_angle, apex ...; may be repeated.",
+)
+@click.option("--prefix", default="", help="Of the names of the results.")
+@threads_option
+@scheduler_option
+def batch(file: Path, out: Path, release: tuple[tuple[str, float], ...], **options: Any) -> None:
+    """Simulate the releases of a table, and write it with the results.
+
+    FILE is CSV, Parquet or Arrow, and may be larger than the memory. The same command goes on
+    where an interrupted one stopped.
+    """
+    import hoopgen
+    from hoopgen.cli.progress import shown
+
+    with shown() as progress:
+        outcomes = hoopgen.batch(file, out, release=dict(release), progress=progress, **options)
+    counts = [f"{count:,} {name}" for name, count in outcomes.items()]
+    click.echo(f"{sum(outcomes.values()):,} shots: {', '.join(counts)}; in {out}")

@@ -1,0 +1,147 @@
+"""``hoopgen map``: what becomes of a shot, or how probably it is made, over its variables."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+import numpy as np
+from numpy.typing import NDArray
+
+from hoopgen.cli.options import UNITS_IN_WORDS, examples, picture_option
+from hoopgen.cli.releasing import Releasing, release_options, work_options
+from hoopgen.cli.types import AXIS, COUNT, OUT
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["map_"]
+
+_FREE_THROW = "--backspin 3Hz --height 7ft --distance 13.75ft"
+_FORMATS = (".nc", ".csv")
+
+
+@click.command(
+    "map",
+    epilog=UNITS_IN_WORDS
+    + examples(
+        "hoopgen map --over elevation=45:60:61 --over speed=6.8:7.6:81 --picture map.svg \\",
+        f"    {_FREE_THROW}",
+        "hoopgen map --over elevation=45:60:31 --over aim=-10cm:20cm:31 --out map.nc \\",
+        f"    {_FREE_THROW} \\",
+        "    --scatter speed=0.07 --scatter elevation=1.3 --scatter azimuth=1 --shots 1e5",
+    ),
+)
+@click.option(
+    "--over",
+    type=AXIS,
+    multiple=True,
+    required=True,
+    help="A variable and its values, from:to:count or one,two,three; may be repeated.",
+)
+@release_options
+@click.option("--shots", type=COUNT, help="Of each cell, with --scatter.  [default: 10,000]")
+@click.option("--out", type=OUT, help="Write the map: .nc (netCDF, for xarray) or .csv; SI units.")
+@picture_option("map")
+@work_options
+def map_(
+    over: tuple[tuple[str, NDArray[np.float64]], ...],
+    releasing: Releasing,
+    out: Path | None,
+    picture: Path | None,
+    **work: Any,
+) -> None:
+    """Map a shot over any of its variables.
+
+    Each cell is one shot; with --scatter, the probability that it is made. The variables that are
+    not mapped over are given as for `hoopgen shot`.
+    """
+    import hoopgen
+    from hoopgen.cli.progress import shown
+
+    if out is not None and out.suffix.lower() not in _FORMATS:
+        raise click.UsageError(f"--out: {out} ends in none of {', '.join(_FORMATS)}")
+    twice = [name for place, (name, _) in enumerate(over) if name in dict(over[:place])]
+    if twice:
+        raise click.UsageError(f"--over: {twice[0]} is given twice")
+    with shown() as progress:
+        dataset = hoopgen.map(
+            dict(over),
+            releasing.values,
+            releasing.sd,
+            releasing.correlation,
+            releasing.parameters,
+            progress=progress,
+            **work,
+        )
+    if out is not None:
+        _write(dataset, out)
+    if picture is not None:
+        from hoopgen import plots
+
+        plots.save(plots.plot_map(dataset), picture)
+    click.echo(_summary(dataset))
+
+
+def _write(dataset: xr.Dataset, file: Path) -> None:
+    if file.suffix.lower() == ".nc":
+        dataset.to_netcdf(file, engine="scipy")
+        return
+    columns = dict(_columns(dataset))
+    with file.open("w", newline="", encoding="utf-8") as out:
+        writer = csv.writer(out, lineterminator="\n")
+        writer.writerow(columns)
+        writer.writerows(
+            zip(*(column.ravel().tolist() for column in columns.values()), strict=True)
+        )
+
+
+def _columns(dataset: xr.Dataset) -> Iterator[tuple[str, NDArray[Any]]]:
+    """Yield names and cells of the columns: what was mapped over, what was given, what came out.
+
+    The names of the variables are those that `hoopgen batch` reads.
+    """
+    axes = [str(name) for name in dataset.dims if name != "kind"]
+    shape = tuple(dataset.sizes[name] for name in axes)
+    for name, values in zip(
+        axes, np.meshgrid(*(dataset[n] for n in axes), indexing="ij"), strict=True
+    ):
+        yield name, values
+    for label, coordinate in dataset.coords.items():
+        if not coordinate.dims:
+            yield str(label), np.broadcast_to(coordinate.values, shape)
+    for label, variable in dataset.items():
+        name = str(label)
+        if "kind" in variable.dims:
+            for kind in dataset["kind"].values:
+                yield f"{name}_{kind}", variable.sel(kind=kind).values
+        elif "flag_meanings" in variable.attrs:
+            yield name, np.array(variable.attrs["flag_meanings"].split())[variable.values]
+        else:
+            yield name, variable.values
+
+
+def _summary(dataset: xr.Dataset) -> str:
+    """Say how large the map is, and its best cell or the shares of its outcomes."""
+    from hoopgen.study.words import percent, say
+
+    axes = [str(name) for name in dataset.dims if name != "kind"]
+    cells = " × ".join(f"{dataset.sizes[name]} {name}" for name in axes)
+    if "outcome" in dataset:
+        names = dataset["outcome"].attrs["flag_meanings"].split()
+        shares = [np.mean(dataset["outcome"].values == code) for code in range(len(names))]
+        said = [
+            f"{percent(share)} {name}" for name, share in zip(names, shares, strict=True) if share
+        ]
+        return f"map    {cells}, one shot each\nshots  {', '.join(said)}"
+    shots = f"map    {cells}, {dataset['shots'].values.max():,} shots each"
+    probability = dataset["probability"]
+    if probability.isnull().all():
+        return f"{shots}\nbest   none: no cell can be simulated"
+    best = dataset.isel(probability.argmax(...))
+    where = ", ".join(f"{name} {say(name, best[name].item())}" for name in axes)
+    made, low, high = (best[name].item() for name in ("probability", "low", "high"))
+    return f"{shots}\nbest   {percent(made)} made ({percent(low)} to {percent(high)}) at {where}"

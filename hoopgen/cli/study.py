@@ -1,0 +1,112 @@
+"""``hoopgen study``: all of a study, from one file into one folder."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from typing import Any
+
+import click
+
+from hoopgen.cli.options import examples
+
+__all__ = ["study"]
+
+
+def _print_reference(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
+    if not wanted:
+        return
+    from hoopgen.study.toml.reference import reference
+
+    click.echo(reference(), nl=False)
+    ctx.exit()
+
+
+@click.command(
+    epilog=examples(
+        "hoopgen study free-throw.toml",
+        "hoopgen study free-throw.toml --out results --threads 8",
+        "hoopgen study free-throw.toml --check",
+        "hoopgen study --reference",
+    )
+)
+@click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.option(
+    "--out",
+    type=click.Path(file_okay=False, path_type=Path),
+    help="Folder of the results; by default beside FILE, <its name>-results.",
+)
+@click.option("--threads", type=click.IntRange(min=1), help="As many as there are, by default.")
+@click.option(
+    "--scheduler",
+    metavar="ADDRESS",
+    help="Of a Dask scheduler whose workers compute, tcp://host:8786.",
+)
+@click.option("--check", is_flag=True, help="Say what is wrong with FILE, and compute nothing.")
+@click.option(
+    "--reference",
+    is_flag=True,
+    is_eager=True,
+    expose_value=False,
+    callback=_print_reference,
+    help="Print what FILE may say, and exit.",
+)
+def study(
+    file: Path, out: Path | None, threads: int | None, scheduler: str | None, check: bool
+) -> None:
+    """Answer the questions of a study file.
+
+    FILE is TOML: a player's scatter, and what is asked about it. The answers lie in a folder, with
+    a report, the file itself and the versions of all that computed, so that they can be published.
+    An interrupted run goes on where it was.
+    """
+    from hoopgen.study.toml import check_study, run_study
+    from hoopgen.study.toml.reading import StudyError
+
+    try:
+        if check:
+            questions = check_study(file)
+            names = ", ".join(asked.question.name for asked in questions)
+            click.echo(f"{file}: {len(questions)} questions, {names}")
+            return
+        with _shown() as progress:
+            answers = run_study(file, out, threads=threads, scheduler=scheduler, progress=progress)
+    except StudyError as error:
+        raise _failed(error.complaints) from None
+    except ExceptionGroup as group:
+        said = [f"{': '.join(error.__notes__)}: {error}" for error in group.exceptions]
+        raise _failed([*said, group.message]) from None
+    width = max(map(len, answers))
+    for name, answer in answers.items():
+        click.echo(f"{name:{width}}  {answer.line}")
+    folder = out if out is not None else file.with_name(f"{file.stem}-results")
+    click.echo(f"{'report':{width}}  {folder / 'report.md'}")
+
+
+def _failed(complaints: Any) -> click.ClickException:
+    """Say all complaints but the last, a line each; that one is the error."""
+    *others, last = (" ".join(complaint.split()) for complaint in complaints)
+    for complaint in others:
+        click.echo(f"hoopgen: error: {complaint}", err=True)
+    return click.ClickException(last)
+
+
+@contextmanager
+def _shown() -> Iterator[Callable[[str, int, int | None], None]]:
+    """Show how far each question is, one after the other."""
+    from hoopgen.cli.progress import shown
+
+    with ExitStack() as stack:
+        bars: dict[str, Callable[[int, int | None], None]] = {}
+
+        def show(name: str, done: int, total: int | None) -> None:
+            if name not in bars:
+                stack.close()
+                if sys.stderr.isatty():
+                    click.echo(name, err=True)
+                bars[name] = stack.enter_context(shown())
+            bars[name](done, total)
+
+        yield show

@@ -1,0 +1,189 @@
+"""What the text of an option becomes: quantities, variables with their values, counts, paths."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+import click
+import numpy as np
+from numpy.typing import NDArray
+
+from hoopgen.parameters import PAPER
+from hoopgen.study.variables import VARIABLES, Variable
+from hoopgen.units import UNITS, Kind, parse_quantity
+
+__all__ = [
+    "ASSIGNMENT",
+    "AXIS",
+    "BOUNDS",
+    "CORRELATION",
+    "COUNT",
+    "FILE",
+    "FOLDER",
+    "OUT",
+    "SETTING",
+    "Parsed",
+    "quantity",
+    "variable_type",
+]
+
+Value = TypeVar("Value")
+
+if TYPE_CHECKING:
+
+    class _Type(click.ParamType[Value]): ...
+
+else:  # older releases of click do not know it as generic
+
+    class _Type(click.ParamType, Generic[Value]): ...
+
+
+class Parsed(_Type[Value]):
+    """What a function reads in text; its ValueError is the option's.
+
+    Parameters
+    ----------
+    read
+        The function.
+    metavar
+        What the help shows.
+    """
+
+    def __init__(self, read: Callable[[str], Value], metavar: str) -> None:
+        self.read = read
+        self.name = metavar
+
+    def convert(
+        self, value: str | Value, param: click.Parameter | None, ctx: click.Context | None
+    ) -> Value:
+        """Read the text; a default that is none already stands."""
+        if not isinstance(value, str):
+            return value
+        try:
+            return self.read(value)
+        except ValueError as error:
+            self.fail(str(error), param, ctx)
+
+    def get_metavar(self, param: click.Parameter, ctx: click.Context | None = None) -> str:
+        """Show it as it is; click would put it in capitals."""
+        return self.name
+
+
+def quantity(kind: Kind, bare: str | None = None) -> Parsed[float]:
+    """Return the type of a number with a unit, given to the command in SI.
+
+    Parameters
+    ----------
+    kind
+        What is measured; see `hoopgen.units.UNITS`.
+    bare
+        The unit of a bare number; the SI unit by default.
+    """
+    unit = bare or next(iter(UNITS[kind]))
+    return Parsed(lambda text: parse_quantity(text, kind, bare=bare), f"{kind.upper()} [{unit}]")
+
+
+def variable_type(name: str) -> Parsed[float]:
+    """Return the type of a variable's value; bare angles are in degrees."""
+    return quantity(VARIABLES[name].kind, _bare(VARIABLES[name]))
+
+
+def _bare(variable: Variable) -> str | None:
+    return "deg" if variable.kind == "angle" else None
+
+
+def _read(text: str, variable: Variable) -> float:
+    try:
+        return parse_quantity(text, variable.kind, bare=_bare(variable))
+    except ValueError as error:
+        raise ValueError(f"{variable.name}: {error}") from None
+
+
+def _known(name: str, allowed: Mapping[str, Any]) -> Variable:
+    if name not in allowed:
+        raise ValueError(f"{name!r} is none of {', '.join(allowed)}")
+    return VARIABLES[name]
+
+
+def _split(text: str, allowed: Mapping[str, Any] = VARIABLES) -> tuple[Variable, str]:
+    name, separator, value = (part.strip() for part in text.partition("="))
+    if not separator:
+        raise ValueError(f"{text!r} is not name=value")
+    return _known(name, allowed), value
+
+
+def _assignment(text: str, allowed: Mapping[str, Any] = VARIABLES) -> tuple[str, float]:
+    variable, value = _split(text, allowed)
+    return variable.name, _read(value, variable)
+
+
+def _axis(text: str) -> tuple[str, NDArray[np.float64]]:
+    variable, values = _split(text)
+    parts = values.split(":")
+    if len(parts) == 1:
+        return variable.name, np.array([_read(part, variable) for part in values.split(",")])
+    if len(parts) != 3 or not parts[2].strip().isdecimal() or int(parts[2]) < 2:
+        raise ValueError(
+            f"{variable.name}: {values!r} is neither from:to:count, count from 2, "
+            "nor values with commas between"
+        )
+    first, last = (_read(part, variable) for part in parts[:2])
+    return variable.name, np.linspace(first, last, int(parts[2]))
+
+
+def _bounds(text: str) -> tuple[str, tuple[float, float] | None]:
+    if "=" not in text:
+        return _known(text.strip(), VARIABLES).name, None
+    variable, values = _split(text)
+    ends = values.split(":")
+    if len(ends) != 2:
+        raise ValueError(f"{variable.name}: {values!r} is not low:high")
+    return variable.name, (_read(ends[0], variable), _read(ends[1], variable))
+
+
+def _correlation(text: str) -> tuple[tuple[str, str], float]:
+    names, _, value = text.partition("=")
+    first, separator, second = (name.strip() for name in names.partition(","))
+    if not separator or not value:
+        raise ValueError(f"{text!r} is not name,name=value")
+    return (first, second), parse_quantity(value, "number")
+
+
+def _count(text: str) -> int:
+    try:
+        number = float(text)
+    except ValueError:
+        number = 0.0
+    if not 1 <= number < 2**63 or number != int(number):
+        raise ValueError(f"{text!r} is not a whole number from 1")
+    return int(number)
+
+
+ASSIGNMENT = Parsed(_assignment, "NAME=VALUE")
+"""A variable and its value, ``elevation=52deg``."""
+
+SETTING = Parsed(lambda text: _assignment(text, PAPER), "NAME=VALUE")
+"""A parameter of the scene and its value, ``restitution=0.75``."""
+
+AXIS = Parsed(_axis, "NAME=FROM:TO:COUNT")
+"""A variable and its values, ``elevation=45:60:61`` or ``restitution=0.6,0.7,0.8``."""
+
+BOUNDS = Parsed(_bounds, "NAME=LOW:HIGH")
+"""A variable and where to search, ``elevation=45:60``; or its name alone."""
+
+CORRELATION = Parsed(_correlation, "NAME,NAME=VALUE")
+"""Two variables and their correlation, ``speed,elevation=-0.3``."""
+
+COUNT = Parsed(_count, "COUNT")
+"""A whole number from 1, ``1e6`` too."""
+
+FILE = click.Path(exists=True, dir_okay=False, path_type=Path)
+"""A file to be read."""
+
+OUT = click.Path(dir_okay=False, path_type=Path)
+"""A file to be written."""
+
+FOLDER = click.Path(file_okay=False, path_type=Path)
+"""A folder to be written."""

@@ -1,0 +1,210 @@
+"""Bank shots: where on the board they aim, by place on the floor, and where they are the better."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.colors import Normalize
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+from numpy.typing import NDArray
+
+from hoopgen.plots.court import FLOOR, Court, add_floor, find_court, on_floor
+from hoopgen.plots.page import add_view, new_page
+from hoopgen.plots.panels import Panel
+from hoopgen.plots.scene import draw_hoop, scene_corners
+from hoopgen.plots.style import PAGE, style
+from hoopgen.plots.views import View
+from hoopgen.units import UNITS
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["plot_aim_points"]
+
+Column = NDArray[np.float64]
+
+INCH = UNITS["length"]["in"]
+
+FRONT = View("front view", (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), ("y (m)", "above the ring (m)"))
+
+_NEEDED = ("x", "y", "touch_y", "touch_z", "sight_y", "difference_low", "difference_high")
+
+_COLOURS = "viridis"  # made for readers with any colour vision
+
+# What the interval of the difference says, and the marker that stands for it.
+_VERDICTS = (
+    ("bank better", "o", 26.0, True),
+    ("no difference shown", "D", 14.0, True),
+    ("direct better", "o", 20.0, False),
+)
+"""Said, marker, its area in square points, and whether it is filled."""
+
+_NOTE = "A colour is a direction from the ring. Lines on the floor lead along the releases."
+
+# Inches.
+_LEFT, _RIGHT, _BETWEEN, _BELOW, _ABOVE = 0.58, 0.1, 0.5, 0.46, 0.1
+_LEGEND = 0.25
+_NARROW = 5.0  # a page with the views one above the other
+_MARGIN = 0.1  # m
+_AIRY = 0.25  # m, around the places
+
+
+def plot_aim_points(
+    dataset: xr.Dataset,
+    parameters: Mapping[str, Any],
+    *,
+    court: str = "NBA",
+    title: str = "",
+    width: float = PAGE,
+) -> Figure:
+    """Draw where on the board the best bank shots touch it, and the places they come from.
+
+    A place and its point on the board have one colour, by direction from the ring, and one marker,
+    which says whether the bank shot is the better there. On the floor plan a line leads from each
+    place along the release to the board.
+
+    Parameters
+    ----------
+    dataset
+        Of `hoopgen.study.bank.bank_or_direct`.
+    parameters
+        Of the scene, one number each.
+    court
+        Whose lines are drawn, of `hoopgen.plots.court.COURTS`.
+    title
+        Above the picture.
+    width
+        Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        To be written with `hoopgen.plots.save`; not known to pyplot.
+
+    Raises
+    ------
+    ValueError
+        If the dataset lacks a variable, no place has a bank shot, or there is no such court.
+    """
+    missing = [name for name in _NEEDED if name not in dataset]
+    if missing:
+        raise ValueError(f"dataset: expected that of bank_or_direct; {', '.join(missing)} missing")
+    lines = find_court(court)
+    columns = {name: np.asarray(dataset[name], dtype=np.float64) for name in _NEEDED}
+    there = np.isfinite(columns["touch_y"])
+    if not there.any():
+        raise ValueError("dataset: expected a bank shot from one place at least, got none")
+    aims = _Aims(**{name: column[there] for name, column in columns.items()})
+    with style():
+        return _draw(aims, parameters, lines, title, width)
+
+
+@dataclass(frozen=True)
+class _Aims:
+    """By place, (n,) each, m: as in the dataset."""
+
+    x: Column
+    y: Column
+    touch_y: Column
+    touch_z: Column
+    sight_y: Column
+    difference_low: Column
+    difference_high: Column
+
+    @property
+    def colours(self) -> Column:
+        """By direction from the ring, (n, 4)."""
+        angle = np.arctan2(self.y, self.x)
+        limit = max(float(np.abs(angle).max()), 1e-6)
+        return np.asarray(colormaps[_COLOURS](Normalize(-limit, limit)(angle)))
+
+    @property
+    def verdicts(self) -> NDArray[np.int64]:
+        """Place of each in `_VERDICTS`, (n,)."""
+        return np.where(self.difference_low > 0.0, 0, np.where(self.difference_high < 0.0, 2, 1))
+
+
+def _draw(
+    aims: _Aims, parameters: Mapping[str, float], court: Court, title: str, width: float
+) -> Figure:
+    """Draw the board and the floor, one beside or above the other."""
+    board, floor = _arrange(aims, parameters, width)
+    top = max(panel.bottom + panel.height for panel in (board, floor))
+    figure = new_page(width, top + _ABOVE - _LEGEND, title=title, note=_NOTE, foot=_LEGEND)
+    front = add_view(figure, board)
+    draw_hoop(front, FRONT, parameters, board.scale)
+    _draw_target(front, parameters)
+    plan = add_floor(figure, floor, court, parameters)
+    edge = np.full_like(aims.x, -parameters["board_distance"])
+    sights = np.stack([on_floor(aims.x, aims.y), on_floor(edge, aims.sight_y)], axis=1)
+    plan.add_collection(LineCollection(list(sights), colors=aims.colours, lw=0.4, zorder=3.0))
+    _scatter(front, np.stack([aims.touch_y, aims.touch_z], axis=1), aims)
+    _scatter(plan, on_floor(aims.x, aims.y), aims)
+    said = [plan.collections[-len(_VERDICTS) + one] for one in np.unique(aims.verdicts)]
+    figure.legend(
+        handles=said,
+        loc="lower left",
+        ncols=len(_VERDICTS),
+        frameon=False,
+        fontsize=7.5,
+        handletextpad=0.1,
+        columnspacing=1.2,
+    )
+    return figure
+
+
+def _arrange(aims: _Aims, parameters: Mapping[str, float], width: float) -> tuple[Panel, Panel]:
+    """Place board and floor, equally high if beside one another, equally wide if not."""
+    scene = FRONT.flatten(scene_corners(parameters))
+    low, high = scene.min(axis=0) - _MARGIN, scene.max(axis=0) + _MARGIN
+    board = (float(low[0]), float(high[0]), float(low[1]), float(high[1]))
+    wide = float(np.abs(aims.y).max()) + _AIRY
+    floor = (-wide, wide, -float(aims.x.max()) - _AIRY, parameters["board_distance"] + _AIRY)
+    bottom = _LEGEND + _BELOW
+    if width < _NARROW:
+        across = width - _LEFT - _RIGHT
+        scales = [across / (limits[1] - limits[0]) for limits in (board, floor)]
+        lower = Panel(FLOOR, floor, scales[1], _LEFT, bottom)
+        over = lower.bottom + lower.height + _BELOW + _ABOVE
+        return Panel(FRONT, board, scales[0], _LEFT, over), lower
+    forms = [(right - left) / (top - down) for left, right, down, top in (board, floor)]
+    tall = (width - _LEFT - _BETWEEN - _RIGHT) / sum(forms)
+    scales = [tall / (limits[3] - limits[2]) for limits in (board, floor)]
+    first = Panel(FRONT, board, scales[0], _LEFT, bottom)
+    return first, Panel(FLOOR, floor, scales[1], _LEFT + first.width + _BETWEEN, bottom)
+
+
+def _draw_target(axes: Axes, parameters: Mapping[str, float]) -> None:
+    """Draw the rectangle painted on the board; the upper edge of its base is level with the ring.
+
+    NBA Rule Book, rule 1: 24 in by 18 in outside, lines 2 in wide.
+    """
+    across, up, line = 24.0 * INCH, 18.0 * INCH, 2.0 * INCH
+    base = parameters["wire_radius"] - line
+    middle = (-across + line) / 2.0, base + line / 2.0
+    axes.add_patch(
+        Rectangle(middle, across - line, up - line, fill=False, ec="white", lw=2.0, zorder=5.0)
+    )
+
+
+def _scatter(axes: Axes, points: NDArray[np.float64], aims: _Aims) -> None:
+    for one, (label, marker, size, filled) in enumerate(_VERDICTS):
+        here = aims.verdicts == one
+        axes.scatter(
+            points[here, 0],
+            points[here, 1],
+            s=size,
+            marker=marker,
+            facecolors=aims.colours[here] if filled else "white",
+            edgecolors="#222222" if filled else aims.colours[here],
+            linewidths=0.5 if filled else 1.2,
+            label=label,
+            zorder=60.0,
+        )

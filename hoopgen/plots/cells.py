@@ -1,0 +1,195 @@
+"""The cells of a map: what of an xarray.Dataset is drawn, in the units shown."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Hashable, Mapping
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hoopgen.plots.key import classify
+from hoopgen.study.words import Quantity, percent_in_picture, quantity
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["Axis", "Cells", "read_cells"]
+
+Numbers = NDArray[np.float64]
+
+_NEEDED: Mapping[str, tuple[str, ...]] = {
+    "probability": ("probability",),
+    "kind": ("kind", "outcome"),
+}
+"""What a map may show, and the variables of the dataset that it needs."""
+
+_FACETS = 12
+"""Panels on a page, at most."""
+
+
+@dataclass(frozen=True)
+class Axis:
+    """A dimension of a map.
+
+    Attributes
+    ----------
+    values
+        Of the cells, in the unit shown, (n,).
+    quantity
+        How they are shown.
+    """
+
+    values: Numbers
+    quantity: Quantity
+
+    def edges(self) -> Numbers:
+        """Return the borders of the cells, halfway between the values, (n + 1,)."""
+        if len(self.values) == 1:
+            return np.asarray(self.values[0] + np.array([-0.5, 0.5]))
+        middles = (self.values[1:] + self.values[:-1]) / 2.0
+        first, last = 2.0 * self.values[0] - middles[0], 2.0 * self.values[-1] - middles[-1]
+        return np.asarray(np.concatenate([[first], middles, [last]]))
+
+
+@dataclass(frozen=True)
+class Cells:
+    """What of a map is drawn.
+
+    Attributes
+    ----------
+    of
+        ``"probability"`` or ``"kind"``.
+    axes
+        The one drawn across, the one drawn up, the one with a panel for each value.
+    values
+        By axis: probabilities, or places in `CLASSES`.
+    interval
+        Its ends, as `values`, if there is one.
+    confidence
+        Of the interval, if it is known.
+    note
+        What is the same in all cells.
+    """
+
+    of: str
+    axes: tuple[Axis, ...]
+    values: NDArray[Any]
+    interval: tuple[Numbers, Numbers] | None
+    confidence: float | None
+    note: str
+
+    def panels(self) -> list[Cells]:
+        """Return the map for each value of the third variable, if there is one."""
+        if len(self.axes) < 3:
+            return [self]
+        third = self.axes[2]
+        return [
+            replace(
+                self,
+                axes=self.axes[:2],
+                values=self.values[..., i],
+                interval=self.interval and (self.interval[0][..., i], self.interval[1][..., i]),
+                note=f"{third.quantity.name} {third.quantity.say(value)}",
+            )
+            for i, value in enumerate(third.values)
+        ]
+
+    def best(self) -> tuple[int, ...] | None:
+        """Return the place of the greatest probability, if any is above 0."""
+        if not np.nanmax(self.values, initial=0.0) > 0.0:
+            return None
+        return tuple(int(i) for i in np.unravel_index(np.nanargmax(self.values), self.values.shape))
+
+    def at(self, place: tuple[int, ...]) -> list[float]:
+        """Return where a cell is."""
+        return [float(axis.values[i]) for axis, i in zip(self.axes, place, strict=True)]
+
+    def say(self, place: tuple[int, ...]) -> str:
+        """Tell the probability of a cell, and where it is."""
+        where = ", ".join(
+            axis.quantity.say(value) for axis, value in zip(self.axes, self.at(place), strict=True)
+        )
+        between = ""
+        if self.interval is not None:
+            low, high = (100.0 * float(bound[place]) for bound in self.interval)
+            between = f" ({low:.1f}\N{EN DASH}{high:.1f})"
+        return f"{percent_in_picture(float(self.values[place]))}{between} at {where}"
+
+
+def read_cells(dataset: xr.Dataset, of: str | None = None) -> Cells:
+    """Return what of a map is drawn; arguments and errors as of `plot_map`."""
+    chosen = _choose(dataset, of)
+    dims = dataset[chosen].dims
+    if not 1 <= len(dims) <= 3 or (len(dims) == 3 and dataset.sizes[dims[2]] > _FACETS):
+        sizes = ", ".join(f"{name} ({dataset.sizes[name]})" for name in dims) or "none"
+        raise ValueError(
+            f"dataset: expected one or two variables, and a third of up to {_FACETS} values; got "
+            f"{sizes}. Select values of the others: dataset.sel(name=value, method='nearest')"
+        )
+
+    def values(name: str) -> NDArray[Any]:
+        return np.asarray(dataset[name].transpose(*dims))
+
+    bounds = ("low", "high")
+    confidence = dataset.attrs.get("confidence")
+    return Cells(
+        of=chosen,
+        axes=tuple(_axis(dataset, name) for name in dims),
+        values=classify(values("outcome"), values("kind"))
+        if chosen == "kind"
+        else values(chosen).astype(np.float64),
+        interval=(values("low"), values("high"))
+        if all(name in dataset for name in bounds)
+        else None,
+        confidence=None if confidence is None else float(confidence),
+        note=_note(dataset),
+    )
+
+
+def _choose(dataset: xr.Dataset, of: str | None) -> str:
+    possible = [name for name, needs in _NEEDED.items() if all(one in dataset for one in needs)]
+    if not possible:
+        raise ValueError(
+            "dataset: expected the variable probability, or kind and outcome, as hoopgen.map gives "
+            f"them; got {', '.join(map(str, dataset.data_vars)) or 'none'}"
+        )
+    if of is not None and of not in possible:
+        raise ValueError(f"of: expected {' or '.join(possible)} for this dataset, got {of!r}")
+    return of or possible[0]
+
+
+def _axis(dataset: xr.Dataset, name: Hashable) -> Axis:
+    column = dataset[name]
+    values = np.asarray(column)
+    ordered = np.issubdtype(values.dtype, np.number) and bool(np.isfinite(values).all())
+    steps = np.diff(values) if ordered else np.zeros(1)
+    if not (np.all(steps > 0) or np.all(steps < 0)):
+        raise ValueError(f"dataset: coordinate {name}: expected numbers in order, got {values!r}")
+    shown = quantity(str(name), column.attrs)
+    return Axis(shown.shown(values), shown)
+
+
+def _note(dataset: xr.Dataset) -> str:
+    """Say what is the same in all cells, and what probabilities rest on."""
+    same = [
+        _say(str(name), float(column), column.attrs)
+        for name, column in dataset.coords.items()
+        if column.ndim == 0 and np.issubdtype(column.dtype, np.number)
+    ]
+    told = dataset.attrs
+    scatter = [_say(name, sd) for name, sd in json.loads(told.get("sd", "{}")).items()]
+    shots = set(np.unique(dataset["shots"]).tolist()) if "shots" in dataset else set()
+    rest = [f"{number} shots a cell" for number in shots if len(shots) == 1]
+    rest += [f"seed {told['seed']}"] if "seed" in told else []
+    spread = f"standard deviations: {', '.join(scatter)}" if scatter else ""
+    sentences = (", ".join(same), spread, ", ".join(rest))
+    return " ".join(f"{said[0].upper()}{said[1:]}." for said in sentences if said)
+
+
+def _say(name: str, value: float, attributes: Mapping[Any, Any] | None = None) -> str:
+    """Name a variable without what is said of its sign, and tell its value."""
+    shown = quantity(name, attributes)
+    return f"{shown.name.split(',')[0]} {shown.say(float(shown.shown(value)))}"

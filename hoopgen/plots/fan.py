@@ -1,0 +1,216 @@
+"""A fan: the paths of many shots from one place, from the side, coloured by what became of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import PathCollection
+from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
+from matplotlib.path import Path
+from numpy.typing import NDArray
+
+import hoopgen
+from hoopgen.plots.key import CLASSES, Class, classify, draw_key, key_height
+from hoopgen.plots.page import add_view, new_page
+from hoopgen.plots.panels import Panel
+from hoopgen.plots.scene import draw_hoop, scene_corners
+from hoopgen.plots.style import MISSED_LINES, PAGE, style
+from hoopgen.plots.views import View
+from hoopgen.study.measures import kinds
+from hoopgen.study.words import percent_in_picture
+
+__all__ = ["Fan", "draw_fan", "gather_fan", "plot_fan"]
+
+Limits = tuple[float, float, float, float]
+
+# Inches.
+_LEFT, _RIGHT, _BELOW, _ABOVE, _PAD = 0.55, 0.1, 0.48, 0.08, 0.08
+_BETWEEN = 0.68
+_TALLEST = 3.5
+_NARROW = 5.0  # a page with the panels one above the other
+
+_LINE = 0.45  # points
+_MARGIN = 0.08  # m around what is drawn
+
+
+def plot_fan(
+    shots: hoopgen.Shots,
+    parameters: Mapping[str, Any],
+    *,
+    paths: int = 150,
+    title: str = "",
+    width: float = PAGE,
+) -> Figure:
+    """Draw the paths of many shots from the side, to scale.
+
+    Parameters
+    ----------
+    shots
+        Of `hoopgen.simulate` with ``record=True``, released in about one direction.
+    parameters
+        Of the scene; of those that differ from shot to shot the hoop shows the mean.
+    paths
+        How many are drawn: of the first ones, those that have a path. The key gives the shares of
+        all.
+    title
+        Above the picture.
+    width
+        Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        To be written with `hoopgen.plots.save`; not known to pyplot.
+
+    Raises
+    ------
+    AttributeError
+        If the shots were simulated without their events, outcome, counts or first.
+    ValueError
+        If none of them has a path, or `paths` is not above 0.
+    """
+    if paths < 1:
+        raise ValueError(f"paths: expected a number above 0, got {paths}")
+    place = classify(shots.outcome, kinds(shots.outcome, shots.counts, shots.first))
+    shares = {
+        _as_line(CLASSES[one]): float(np.mean(place == one)) for one in np.unique(place).tolist()
+    }
+    fan = gather_fan(shots, parameters, range(min(paths, len(shots))))
+    made = percent_in_picture(float(np.mean(shots.outcome == hoopgen.Outcome.MADE)))
+    note = f"{len(shots)} shots, {made} made; {len(fan.curves)} are drawn."
+    with style():
+        return _draw(fan, shares, title, note, width)
+
+
+def gather_fan(shots: hoopgen.Shots, parameters: Mapping[str, Any], drawn: Iterable[int]) -> Fan:
+    """Return the paths of those of some shots that have one; arguments as of `plot_fan`.
+
+    Raises
+    ------
+    ValueError
+        If none has: short and invalid shots have not.
+    """
+    place = classify(shots.outcome, kinds(shots.outcome, shots.counts, shots.first))
+    flown = {shot: shots.trajectory(shot) for shot in drawn}
+    flown = {shot: trajectory for shot, trajectory in flown.items() if len(trajectory.events)}
+    if not flown:
+        raise ValueError("shots: expected one at least that touches something or ends, got none")
+    view = _from_the_side([trajectory.release for trajectory in flown.values()])
+    return Fan(
+        [_curve(trajectory, view) for trajectory in flown.values()],
+        [_as_line(CLASSES[place[shot]]) for shot in flown],
+        view,
+        {name: float(np.mean(value)) for name, value in parameters.items()},
+    )
+
+
+@dataclass(frozen=True)
+class Fan:
+    """Paths of the ball's centre, flat, and the class of each; the view and the scene."""
+
+    curves: list[Path]
+    classes: list[Class]
+    view: View
+    scene: Mapping[str, float]
+
+    def limits(self) -> Limits:
+        """Bound all of it."""
+        boxes = [curve.get_extents() for curve in self.curves]
+        corners = self.view.flatten(scene_corners(self.scene))
+        low = np.min([*(box.min for box in boxes), corners.min(axis=0)], axis=0) - _MARGIN
+        high = np.max([*(box.max for box in boxes), corners.max(axis=0)], axis=0) + _MARGIN
+        return float(low[0]), float(high[0]), float(low[1]), float(high[1])
+
+    def near_the_ring(self) -> Limits:
+        """Bound the part around ring and board."""
+        corners = self.view.flatten(scene_corners(self.scene))[:, 0]
+        ring, ball = self.scene["ring_radius"], self.scene["ball_radius"]
+        left = min(float(corners.min()), -ring) - _MARGIN
+        low = -self.scene["end_depth"] - ball
+        return left, 3.0 * ring, low, max(3.0 * ring, low + 0.8 * (3.0 * ring - left))
+
+
+def _as_line(one: Class) -> Class:
+    """Return a class in the colour of its lines."""
+    if one.outcome == "missed":
+        return replace(one, colour=MISSED_LINES[one.kind])
+    return one
+
+
+def _from_the_side(releases: list[NDArray[np.float64]]) -> View:
+    """Look across the line from the place of the releases to the ring."""
+    x, y = np.mean([release[:2] for release in releases], axis=0)
+    angle = np.arctan2(y, x)
+    right = (float(np.cos(angle)), float(np.sin(angle)), 0.0)
+    labels = ("from the ring's centre (m)", "above the ring (m)")
+    return View("side view", right, (0.0, 0.0, 1.0), labels)
+
+
+def _curve(trajectory: hoopgen.Trajectory, view: View) -> Path:
+    """Return a path as it is: each flight is a parabola, which is one quadratic Bézier curve."""
+    events = trajectory.events
+    states = np.concatenate([trajectory.release[np.newaxis], events["after"]])
+    lasting = np.diff(events["time"], prepend=0.0)[:, np.newaxis]
+    start, velocity = states[:-1, :3], states[:-1, 3:6]
+    points = np.stack([start + velocity * lasting / 2.0, states[1:, :3]], axis=1).reshape(-1, 3)
+    codes = np.full(len(points) + 1, Path.CURVE3)
+    codes[0] = Path.MOVETO
+    return Path(view.flatten(np.concatenate([states[:1, :3], points])), codes)
+
+
+def _draw(fan: Fan, shares: Mapping[Class, float], title: str, note: str, width: float) -> Figure:
+    """Draw all of it and the part near the ring, one beside or above the other."""
+    key_width = width - 2.0 * _PAD
+    foot = key_height(shares, key_width) + _PAD
+    panels = _arrange(fan, width, foot)
+    top = max(panel.bottom + panel.height for panel in panels)
+    figure = new_page(width, top + _ABOVE - foot, title=title, note=note, foot=foot)
+    for panel in panels:
+        draw_fan(add_view(figure, panel), panel, fan)
+    _outline(figure.axes[0], panels[1].limits)
+    draw_key(figure, shares, _PAD, foot, key_width)
+    return figure
+
+
+def _arrange(fan: Fan, width: float, foot: float) -> tuple[Panel, Panel]:
+    """Place both panels, equally high if beside one another, equally wide if not."""
+    whole, near = fan.limits(), fan.near_the_ring()
+    forms = [(right - left) / (top - bottom) for left, right, bottom, top in (whole, near)]
+    bottom = foot + _BELOW
+    if width < _NARROW:
+        across = width - _LEFT - _RIGHT
+        scales = [across / (limits[1] - limits[0]) for limits in (whole, near)]
+        lower = Panel(fan.view, near, scales[1], _LEFT, bottom)
+        upper = Panel(fan.view, whole, scales[0], _LEFT, bottom + lower.height + _BELOW)
+        return upper, lower
+    tall = min(_TALLEST, (width - _LEFT - _BETWEEN - _RIGHT) / sum(forms))
+    scales = [tall / (limits[3] - limits[2]) for limits in (near, whole)]
+    left = Panel(fan.view, near, scales[0], _LEFT, bottom)
+    return Panel(fan.view, whole, scales[1], _LEFT + left.width + _BETWEEN, bottom), left
+
+
+def draw_fan(axes: Axes, panel: Panel, fan: Fan) -> None:
+    """Draw hoop and paths on axes of `add_view`, missed shots below made ones."""
+    axes.grid(color="#ECECEC", lw=0.5)
+    draw_hoop(axes, panel.view, fan.scene, panel.scale)
+    order = sorted(range(len(fan.curves)), key=lambda shot: fan.classes[shot].outcome == "made")
+    lines = PathCollection(
+        [fan.curves[shot] for shot in order],
+        facecolors="none",
+        edgecolors=[fan.classes[shot].colour for shot in order],
+        linewidths=_LINE,
+        zorder=10.0,  # between the far half of the ring and the near one
+    )
+    axes.add_collection(lines)
+
+
+def _outline(axes: Axes, limits: Limits) -> None:
+    """Show which part the other panel has."""
+    left, right, bottom, top = limits
+    box = Rectangle((left, bottom), right - left, top - bottom, fill=False, ec="#777777", lw=0.5)
+    axes.add_patch(box)

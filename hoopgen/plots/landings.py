@@ -1,0 +1,203 @@
+"""Where misses go: the places where the ball reaches the floor, on the floor plan."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
+from matplotlib.figure import Figure
+from matplotlib.patches import Circle
+from matplotlib.patheffects import withStroke
+from matplotlib.ticker import MaxNLocator
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.inputs import doubles
+from hoopgen.plots.court import FLOOR, Court, add_floor, find_court, on_floor
+from hoopgen.plots.page import add_axes, new_page
+from hoopgen.plots.panels import Panel
+from hoopgen.plots.style import COLOURS, PAGE, SHADES, style
+from hoopgen.study.words import percent_in_picture
+
+__all__ = ["plot_landings"]
+
+Points = NDArray[np.float64]
+Limits = tuple[float, float, float, float]
+
+# Inches.
+_LEFT, _BELOW, _ABOVE = 0.5, 0.46, 0.08
+_BAR, _BAR_GAP, _BAR_LABELS = 0.12, 0.1, 0.55
+_TALLEST = 5.0
+
+_WITHIN = (0.5, 0.9)
+"""Shares of the balls within the circles."""
+
+_LABELLED = np.radians(-35.0)  # on the circle, from the middle of the court
+_SHOWN = 0.995  # of the balls; the few that go furthest do not set the limits
+_MARGIN = 0.3  # m
+
+
+def plot_landings(
+    x: ArrayLike,
+    y: ArrayLike,
+    parameters: Mapping[str, Any],
+    *,
+    place: tuple[float, float] | None = None,
+    court: str = "NBA",
+    title: str = "",
+    width: float = PAGE,
+) -> Figure:
+    """Draw how densely balls reach the floor around the basket, to scale.
+
+    Parameters
+    ----------
+    x, y
+        Where the ball's centre is at floor level, (n,), m from the ring's centre: the measures
+        floor_x and floor_y of the missed shots. NaN where a ball never gets there.
+    parameters
+        Of the scene; of those that differ from shot to shot the hoop shows the mean.
+    place
+        Where the shots are released, x and y, m.
+    court
+        Whose lines are drawn, of `hoopgen.plots.court.COURTS`.
+    title
+        Above the picture.
+    width
+        Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        To be written with `hoopgen.plots.save`; not known to pyplot.
+
+    Raises
+    ------
+    ValueError
+        If x and y are not (n,) both, none is a number, or there is no such court.
+    """
+    lines = find_court(court)
+    points = _points(x, y)
+    scene = {name: float(np.mean(value)) for name, value in parameters.items()}
+    with style():
+        return _draw(points, scene, place, lines, title, width)
+
+
+def _points(x: ArrayLike, y: ArrayLike) -> Points:
+    """Return the places that there are, (n, 2)."""
+    columns = doubles("x", x), doubles("y", y)
+    if columns[0].ndim != 1 or columns[0].shape != columns[1].shape:
+        raise ValueError(f"x, y: expected (n,) both, got {columns[0].shape}, {columns[1].shape}")
+    points = np.stack(columns, axis=1)
+    points = points[np.isfinite(points).all(axis=1)]
+    if not len(points):
+        raise ValueError("x, y: expected at least one place, got none that is a number")
+    return points
+
+
+def _draw(
+    points: Points,
+    scene: Mapping[str, float],
+    place: tuple[float, float] | None,
+    court: Court,
+    title: str,
+    width: float,
+) -> Figure:
+    """Draw the places on the floor, `points` (n, 2) as x and y."""
+    shown = on_floor(*points.T)
+    circles = {share: float(np.quantile(np.hypot(*points.T), share)) for share in _WITHIN}
+    limits = _limits(points, max(circles.values()), scene, place, court)
+    beside = _LEFT + _BAR_GAP + _BAR + _BAR_LABELS
+    left, right, bottom, top = limits
+    scale = min((width - beside) / (right - left), _TALLEST / (top - bottom))
+    panel = Panel(FLOOR, limits, scale, _LEFT, _BELOW)
+    body = _BELOW + panel.height + _ABOVE
+    figure = new_page(panel.width + beside, body, title=title, note=f"n = {len(points)}")
+    axes = add_floor(figure, panel, court, scene)
+    cells = _draw_density(axes, shown, limits, scene["ball_radius"])
+    for share, radius in circles.items():
+        _draw_circle(axes, radius, share)
+    if place is not None:
+        across, up = on_floor(*place).tolist()
+        axes.plot(
+            across, up, marker="x", ms=5.0, mew=1.2, color=COLOURS["release"], label="release"
+        )
+        inwards = -6.0 if across > 0.0 else 6.0  # points
+        axes.annotate(
+            "release",
+            (across, up),
+            (inwards, 0.0),
+            textcoords="offset points",
+            ha="right" if across > 0.0 else "left",
+            va="center",
+            fontsize=7.0,
+        )
+    left_of_bar = panel.left + panel.width + _BAR_GAP
+    bar = add_axes(figure, left_of_bar, panel.bottom, _BAR, panel.height, "bar")
+    figure.colorbar(cells, cax=bar, label="balls that land there (% per m²)")
+    bar.yaxis.set_major_locator(MaxNLocator(steps=[1, 2, 5, 10]))
+    return figure
+
+
+def _limits(
+    points: Points,
+    radius: float,
+    scene: Mapping[str, float],
+    place: tuple[float, float] | None,
+    court: Court,
+) -> Limits:
+    """Show nearly all balls, the circles to both sides, the lane, and the place of the shooter."""
+    front, half = -scene["board_distance"], court.lane / 2.0
+    far = (1.0 - _SHOWN) / 2.0
+    corners = [
+        *np.quantile(points, [far, 1.0 - far], axis=0),
+        (front - court.baseline, -max(radius, half)),
+        (front + court.free_throw, max(radius, half)),
+        *([] if place is None else [place]),
+    ]
+    x, y = np.transpose(corners)
+    wide = float(np.abs(y).max()) + _MARGIN
+    return -wide, wide, -float(x.max()) - _MARGIN, -float(x.min()) + _MARGIN
+
+
+def _draw_density(axes: Axes, points: Points, limits: Limits, finest: float) -> PolyCollection:
+    """Colour hexagons by the share of the balls in them, in percent of all per m²."""
+    # Scott's width in two dimensions, sd n^(-1/4), so that it shows neither noise nor too little;
+    # cells smaller than a ball would only make a large file.
+    spread = float(np.sqrt(points.var(axis=0).mean()))
+    wide = max(spread * len(points) ** -0.25, finest)
+    step = np.array([wide, wide * np.sqrt(3.0)])
+    low = np.array(limits[::2])
+    count = np.ceil((np.array(limits[1::2]) - low) / step).astype(int)
+    high = low + count * step
+    share = 100.0 / len(points) / (step.prod() / 2.0)
+    inside = points[((points >= low) & (points <= high)).all(axis=1)]
+    return axes.hexbin(
+        inside[:, 0],
+        inside[:, 1],
+        C=np.full(len(inside), share),
+        reduce_C_function=np.sum,
+        gridsize=(int(count[0]), int(count[1])),
+        extent=(low[0], high[0], low[1], high[1]),
+        cmap=SHADES,
+        vmin=0.0,
+        linewidths=0.2,
+        antialiaseds=False,
+        rasterized=True,
+        zorder=0.5,
+    )
+
+
+def _draw_circle(axes: Axes, radius: float, share: float) -> None:
+    """Draw the circle about the point below the ring's centre that holds a share of the balls."""
+    axes.add_patch(Circle((0.0, 0.0), radius, fill=False, ec="#222222", lw=0.8, ls=(0, (4, 2))))
+    at = radius * np.sin(_LABELLED), -radius * np.cos(_LABELLED)
+    axes.text(
+        *at,
+        f"{percent_in_picture(share, 0)} within {radius:.2f} m",
+        ha="center",
+        va="center",
+        fontsize=7.0,
+        path_effects=[withStroke(linewidth=2.5, foreground="white")],
+    )

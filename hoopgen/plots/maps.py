@@ -1,0 +1,249 @@
+"""Maps: what becomes of a shot, or how probably it is made, over one, two or three variables."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.collections import QuadMesh
+from matplotlib.colors import ListedColormap, Normalize
+from matplotlib.contour import QuadContourSet
+from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, MaxNLocator
+
+from hoopgen.plots.cells import Cells, read_cells
+from hoopgen.plots.key import CLASSES, draw_key, key_height
+from hoopgen.plots.page import new_page
+from hoopgen.plots.style import COLOURS, PAGE, SHADES, style
+from hoopgen.study.words import percent_in_picture
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["draw_kinds", "plot_map"]
+
+_MADE = "shots made (%)"
+
+_BAND = "#A6CEE3"
+_DARK, _LIGHT = "#222222", "#FFFFFF"
+
+_LEVELS, _FEW_LEVELS = (MaxNLocator(nbins=n, steps=[1, 2, 5, 10]) for n in (8, 4))
+
+_BEST = "\N{WHITE CIRCLE} best"
+
+# Inches.
+_NARROW = 5.0  # a page with one or two panels beside one another, and the key's kinds in a column
+_STRIP = 0.9
+_HEIGHT = 0.62  # of a panel, in its width
+_LABELS = 0.3
+_PAD = 0.08
+
+# Of a panel's width or height.
+_EDGE = 0.07  # where contours are not labelled
+_APART = 0.11  # between labels, at least
+_SHORT = 0.15  # a contour without label
+
+_SMALL = 7.5  # points
+
+
+def plot_map(
+    dataset: xr.Dataset,
+    *,
+    of: str | None = None,
+    title: str = "",
+    note: str | None = None,
+    width: float = PAGE,
+) -> Figure:
+    """Draw a map of `hoopgen.map`.
+
+    Over one variable a probability is a line with its interval; over two it is colours with
+    contours, a cell each. The best cell is marked. Kinds are colours. A third variable gives a
+    panel for each of its values.
+
+    Parameters
+    ----------
+    dataset
+        As `hoopgen.map` gives it, its coordinates in SI units and in order; the first dimension is
+        drawn across, the second up.
+    of
+        ``"probability"`` or ``"kind"``; by default the one that there is.
+    title
+        Above the picture.
+    note
+        Below the title; by default what is the same in all cells, the scatter, the number of shots
+        and the seed.
+    width
+        Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        To be written with `hoopgen.plots.save`; not known to pyplot.
+
+    Raises
+    ------
+    ValueError
+        If the dataset has not what is to be shown, has no dimension or too many, or a coordinate
+        is not numbers in order.
+    """
+    shown = read_cells(dataset, of)
+    if note is not None:
+        shown = replace(shown, note=note)
+    with style():
+        if shown.of == "probability" and len(shown.axes) == 1:
+            return _plot_line(shown, title, width)
+        return _plot_panels(shown, title, width)
+
+
+def _plot_line(shown: Cells, title: str, width: float) -> Figure:
+    """Draw a probability over one variable."""
+    axis, top = shown.axes[0], shown.values
+    body = 2.4 if width < _NARROW else 3.2
+    figure = new_page(width, body, title=title, note=shown.note, arrange=True)
+    axes = figure.subplots()
+    if shown.interval is not None:
+        low, top = shown.interval
+        share = f"{percent_in_picture(shown.confidence, 0)} " if shown.confidence else ""
+        axes.fill_between(axis.values, low, top, color=_BAND, lw=0, label=f"{share}interval")
+    axes.plot(axis.values, shown.values, color=COLOURS["path"], lw=1.2, label="estimate")
+    best = shown.best()
+    if best is not None:
+        _mark(axes, shown.at(best)[0], float(shown.values[best]))
+        axes.set_title(f"{_BEST} {shown.say(best)}", loc="left", fontsize=_SMALL)
+    axes.set_xlabel(axis.quantity.label)
+    axes.set_ylabel(_MADE)
+    axes.yaxis.set_major_formatter(FuncFormatter(_in_percent))
+    axes.set_ylim(0.0, 1.08 * float(np.nanmax(top, initial=0.01)))
+    axes.margins(x=0.0)
+    axes.grid(color="#ECECEC", lw=0.5)
+    axes.set_axisbelow(True)
+    if shown.interval is not None:
+        axes.legend(frameon=False, fontsize=_SMALL)
+    return figure
+
+
+def _plot_panels(shown: Cells, title: str, width: float) -> Figure:
+    """Draw a map over two variables, one for each value of the third; a strip over one."""
+    panels = shown.panels()
+    columns = min(len(panels), 2 if width < _NARROW else 3)
+    rows = -(-len(panels) // columns)
+    present = [CLASSES[place] for place in np.unique(shown.values)] if shown.of == "kind" else []
+    key = dict.fromkeys(present)
+    foot = key_height(key, width - 2.0 * _PAD) + _PAD if key else 0.0
+    tall = _STRIP if len(shown.axes) == 1 else _HEIGHT * width / columns + _LABELS
+    figure = new_page(width, rows * tall, title=title, note=shown.note, foot=foot, arrange=True)
+    grid = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
+    for empty in grid.flat[len(panels) :]:
+        empty.remove()
+    places = list(grid.flat[: len(panels)])
+    for axes, panel in zip(places, panels, strict=True):
+        if len(panels) > 1:
+            axes.set_title(panel.note, loc="left", fontsize=_SMALL)
+    for axes in places[-columns:]:
+        axes.tick_params(labelbottom=True)
+    across, *up = [axis.quantity.label for axis in shown.axes]
+    for axes in places[(rows - 1) * columns :]:
+        axes.set_xlabel(across)
+    for axes in places[::columns]:
+        axes.set_ylabel(up[0] if up else "")
+    if not up:
+        places[0].set_yticks([])
+    if key:
+        for axes, panel in zip(places, panels, strict=True):
+            draw_kinds(axes, panel)
+        draw_key(figure, key, _PAD, foot, width - 2.0 * _PAD)
+    else:
+        _draw_probabilities(figure, places, panels)
+    return figure
+
+
+def _draw_cells(axes: Axes, panel: Cells, **colours: Any) -> QuadMesh:
+    """Colour the cells; they alone are pixels, all else stays vectors."""
+    up = panel.axes[1].edges() if len(panel.axes) > 1 else np.array([0.0, 1.0])
+    values = np.atleast_2d(panel.values.T)
+    mesh = axes.pcolormesh(panel.axes[0].edges(), up, values, rasterized=True, **colours)
+    mesh.set_zorder(0.5)
+    return mesh
+
+
+def draw_kinds(axes: Axes, panel: Cells) -> None:
+    """Colour cells by kind; one or two axes."""
+    colours = ListedColormap([one.colour for one in CLASSES])
+    _draw_cells(axes, panel, cmap=colours, norm=Normalize(-0.5, len(CLASSES) - 0.5))
+
+
+def _draw_probabilities(figure: Figure, places: Sequence[Axes], panels: Sequence[Cells]) -> None:
+    top = max(float(np.nanmax(panel.values, initial=0.01)) for panel in panels)
+    steps = _LEVELS if len(panels) == 1 else _FEW_LEVELS
+    levels = steps.tick_values(0.0, top)
+    norm = Normalize(0.0, levels[-1])
+    inner = [float(level) for level in levels[1:-1] if level < top]
+    for axes, panel in zip(places, panels, strict=True):
+        mesh = _draw_cells(axes, panel, cmap=SHADES, norm=norm)
+        if inner and min(panel.values.shape) > 1:
+            _draw_contours(axes, panel, inner, norm)
+        best = panel.best()
+        if best is not None:
+            _mark(axes, *panel.at(best))
+            said = f"{_BEST} {panel.say(best)}"
+            if len(panels) > 1:
+                said = f"{panel.note}\n{_BEST} {percent_in_picture(float(panel.values[best]))}"
+            axes.set_title(said, loc="left", fontsize=_SMALL)
+    bar = figure.colorbar(mesh, ax=list(places), label=_MADE, ticks=levels, pad=0.02)
+    bar.ax.yaxis.set_major_formatter(FuncFormatter(_in_percent))
+    assert bar.solids is not None
+    bar.solids.set_rasterized(True)
+
+
+def _draw_contours(axes: Axes, panel: Cells, levels: list[float], norm: Normalize) -> None:
+    """Draw and label contours, each in the colour that stands out on its own."""
+    across, up = panel.axes
+    colours = [
+        _DARK if _lightness(colormaps[SHADES](norm(level))) > 0.5 else _LIGHT for level in levels
+    ]
+    lines = axes.contour(
+        across.values, up.values, panel.values.T, levels, colors=colours, linewidths=0.6
+    )
+    axes.clabel(lines, fmt=_with_percent, fontsize=6.5, inline_spacing=2, manual=_labels(lines))
+
+
+def _labels(lines: QuadContourSet) -> list[tuple[float, float]]:
+    """Choose a place for the label of each contour: near its middle, off the frame and others."""
+    axes = lines.axes
+    to_frame = axes.transData + axes.transAxes.inverted()
+    chosen: list[tuple[float, float]] = []
+    taken = np.empty((0, 2))
+    for path in lines.get_paths():
+        for contour in map(np.asarray, path.to_polygons(closed_only=False)):
+            at = to_frame.transform(contour)
+            if np.ptp(at, axis=0).max() < _SHORT:
+                continue
+            apart = np.linalg.norm(at[:, None] - taken, axis=2).min(axis=1, initial=np.inf)
+            free = np.flatnonzero((np.abs(at - 0.5).max(axis=1) < 0.5 - _EDGE) & (apart > _APART))
+            if free.size:
+                best = free[np.argmin(np.abs(free - len(at) / 2.0))]
+                chosen.append((float(contour[best][0]), float(contour[best][1])))
+                taken = np.vstack([taken, at[best]])
+    return chosen
+
+
+def _lightness(colour: tuple[float, float, float, float]) -> float:
+    """Return about how light a colour is, from 0 to 1."""
+    return float(np.dot([0.2126, 0.7152, 0.0722], colour[:3]))
+
+
+def _mark(axes: Axes, x: float, y: float) -> None:
+    (mark,) = axes.plot([x], [y], marker="o", ms=5.0, zorder=5.0, clip_on=False, label="_best")
+    mark.set(mfc=_LIGHT, mec=_DARK, mew=0.9)
+
+
+def _with_percent(value: float) -> str:
+    return f"{_in_percent(value)}%"
+
+
+def _in_percent(value: float, _: int | None = None) -> str:
+    return f"{100.0 * value:.6g}"

@@ -1,0 +1,352 @@
+"""Aiming: the release whose flight comes down through a wanted point of the ring's plane.
+
+The inverse of a flight, in closed form, and what it forgives: a table for a machine that shoots.
+"""
+
+from __future__ import annotations
+
+import csv
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.generated.numpy import hoop
+from hoopgen.inputs import doubles
+from hoopgen.parameters import PAPER
+from hoopgen.releases import RING_HEIGHT
+
+from .margins import margins
+from .player import By
+
+__all__ = ["TABLE", "Aim", "Arc", "aim", "aim_table", "write_csv"]
+
+Arc = Literal["high", "low"]
+Number = float | NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Aim:
+    """A release that is aimed, or as many as were asked for.
+
+    Attributes
+    ----------
+    speed
+        m/s; NaN where no release does it.
+    elevation
+        rad.
+    entry_angle
+        Below the horizontal, where the centre comes down through the ring's plane, rad.
+    time
+        From the release to there, s.
+    height, distance, angle
+        From where, as for `hoopgen.release`.
+    """
+
+    speed: Number
+    elevation: Number
+    entry_angle: Number
+    time: Number
+    height: Number
+    distance: Number
+    angle: Number
+
+    @property
+    def arguments(self) -> dict[str, Number]:
+        """Arguments of `hoopgen.release`; spin may be added, the flight does not depend on it."""
+        names = ("speed", "elevation", "height", "distance", "angle")
+        return {name: getattr(self, name) for name in names}
+
+
+def aim(
+    *,
+    height: ArrayLike,
+    distance: ArrayLike,
+    angle: ArrayLike = 0.0,
+    entry: ArrayLike | None = None,
+    elevation: ArrayLike | None = None,
+    speed: ArrayLike | None = None,
+    arc: Arc = "high",
+    depth: ArrayLike = 0.0,
+    parameters: Mapping[str, Any] = PAPER,
+) -> Aim:
+    """Return the release whose flight comes down through a point of the ring's plane.
+
+    Of `entry`, `elevation` and `speed` one at most is given; without, it is the slowest release.
+    All arguments broadcast. The board and the ring may be in the way: simulate to know.
+
+    Parameters
+    ----------
+    height
+        Of the release above the floor, m.
+    distance
+        From the ring's centre on the floor plan, m.
+    angle
+        Of the place around the ring's centre, rad; the aim does not depend on it.
+    entry
+        Wanted angle below the horizontal at the point, rad.
+    elevation
+        Wanted angle of the release above the horizontal, rad.
+    speed
+        Wanted speed of the release, m/s.
+    arc
+        Which of the two flights with that speed.
+    depth
+        How far past the ring's centre, along the line from the place, the point lies, m.
+    parameters
+        Of the scene; only gravity matters.
+
+    Returns
+    -------
+    Aim
+        Numbers, or arrays of the arguments' common shape; NaN where no release does it.
+
+    Raises
+    ------
+    TypeError
+        If an argument is not numbers.
+    ValueError
+        If more than one of the three is given, shapes do not broadcast, or, where all arguments
+        are numbers, no release does it.
+    """
+    if arc not in ("high", "low"):
+        raise ValueError(f"arc: expected 'high' or 'low', got {arc!r}")
+    if "gravity" not in parameters:
+        raise ValueError("parameters: missing gravity")
+    wanted = {"entry": entry, "elevation": elevation, "speed": speed}
+    chosen = [name for name, value in wanted.items() if value is not None]
+    if len(chosen) > 1:
+        raise ValueError(
+            f"aim: expected entry, elevation or speed, or none of them; got {' and '.join(chosen)}"
+        )
+    given = {"height": height, "distance": distance, "angle": angle, "depth": depth}
+    given |= {name: value for name, value in wanted.items() if value is not None}
+    arrays = {name: doubles(name, value) for name, value in given.items()}
+    arrays["parameters['gravity']"] = doubles("parameters['gravity']", parameters["gravity"])
+    try:
+        shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items() if array.ndim)
+        raise ValueError(f"aim: the shapes do not broadcast: {shapes}") from None
+    found = _solved(arrays, arc)
+    if not shape and np.isnan(found["speed"]):
+        raise ValueError(_why(arrays, arc))
+    found |= {name: arrays[name] for name in ("height", "distance", "angle")}
+    return Aim(**{name: _plain(np.broadcast_to(value, shape)) for name, value in found.items()})
+
+
+def _solved(given: Mapping[str, NDArray[np.float64]], arc: Arc) -> dict[str, NDArray[np.float64]]:
+    """Return speed, elevation, entry angle and time; NaN where there are none."""
+    with np.errstate(all="ignore"):
+        reach, rise, gravity = _point(given)
+        possible = reach > 0.0
+        if "elevation" in given:
+            slope = np.tan(given["elevation"])
+            possible &= np.cos(given["elevation"]) > 0.0
+        elif "entry" in given:
+            (slope,) = hoop.slope_of_entry(np.tan(given["entry"]), reach, rise)
+            possible &= np.cos(given["entry"]) > 0.0
+        elif "speed" in given:
+            low, high = hoop.slopes_of_speed(given["speed"], reach, rise, gravity)
+            slope = high if arc == "high" else low
+            possible &= given["speed"] > 0.0
+        else:
+            slope, _ = hoop.least_speed(reach, rise, gravity)
+        (speed,) = hoop.aimed_speed(slope, reach, rise, gravity)
+        (down,) = hoop.entry_slope(slope, reach, rise)
+        elevation = given.get("elevation", np.arctan(slope))
+        time, _ = hoop.descent(-rise, speed * np.sin(elevation), 0.0, gravity)
+        found = {
+            "speed": given.get("speed", speed),
+            "elevation": elevation,
+            "entry_angle": given.get("entry", np.arctan(down)),
+            "time": time,
+        }
+        possible = possible & (down > 0.0) & np.isfinite(speed) & np.isfinite(time)
+        return {name: np.where(possible, value, np.nan) for name, value in found.items()}
+
+
+def _point(given: Mapping[str, NDArray[np.float64]]) -> tuple[Any, Any, Any]:
+    """Return how far and how high above the release the point lies, and gravity."""
+    reach, rise = given["distance"] + given["depth"], RING_HEIGHT - given["height"]
+    return reach, rise, given["parameters['gravity']"]
+
+
+def _why(given: Mapping[str, NDArray[np.float64]], arc: Arc) -> str:
+    """Say why no release comes down through the point."""
+    for name, value in given.items():
+        if not np.isfinite(value):
+            return f"{name}: expected a finite number, got {value}"
+    reach, rise, gravity = _point(given)
+    if reach <= 0.0:
+        return (
+            f"depth: expected a point before the ball, more than {-given['distance']} m past the "
+            f"ring's centre; got {given['depth']}"
+        )
+    if gravity <= 0.0:
+        return f"parameters['gravity']: expected above 0, got {gravity}"
+    if "entry" in given or "elevation" in given:
+        return _too_flat(given, reach, rise)
+    if "speed" in given:
+        _, least = hoop.least_speed(reach, rise, gravity)
+        if not given["speed"] >= least:
+            return f"speed: the point needs at least {least:.6g} m/s, got {given['speed']}"
+        return f"arc: the {arc} one of this speed does not come down through the point"
+    return "aim: the numbers are too large or too small"
+
+
+def _too_flat(given: Mapping[str, NDArray[np.float64]], reach: Any, rise: Any) -> str:
+    """Say which angles there are: none flatter than the line to the point, and level at one end."""
+    name = "entry" if "entry" in given else "elevation"
+    end = float(hoop.slope_of_entry(0.0, reach, rise)[0]) if name == "elevation" else 0.0
+    line = float(rise / reach) if name == "elevation" else float(-rise / reach)
+    flattest, value = np.arctan(max(end, line)), given[name]
+    return (
+        f"{name}: the ball comes down through the point only at angles within "
+        f"{np.degrees(flattest):.2f} and 90° ({flattest:.4f} and 1.5708 rad); "
+        f"got {np.degrees(value):.4g}° ({value} rad)"
+    )
+
+
+def _plain(array: NDArray[np.float64]) -> Number:
+    return array if array.ndim else float(array)
+
+
+# ------------------------------------------------------------------------------------------- table
+
+_OFF = ("speed", "elevation", "azimuth")
+
+TABLE: Mapping[str, str] = MappingProxyType(
+    {
+        "distance": "m",
+        "angle": "rad",
+        "height": "m",
+        "backspin": "rad/s",
+        "sidespin": "rad/s",
+        "speed": "m/s",
+        "elevation": "rad",
+        "entry_angle": "rad",
+        "time": "s",
+        **{
+            f"{end}_{name}": "m/s" if name == "speed" else "rad"
+            for name in _OFF
+            for end in ("low", "high")
+        },
+    }
+)
+"""Columns of a table and their units. From `low_speed` to `high_speed`, and so on, this one alone
+may be off, and the ball still goes in."""
+
+
+def aim_table(
+    distances: ArrayLike,
+    *,
+    height: ArrayLike,
+    angle: ArrayLike = 0.0,
+    entry: ArrayLike | None = None,
+    elevation: ArrayLike | None = None,
+    speed: ArrayLike | None = None,
+    arc: Arc = "high",
+    depth: ArrayLike = 0.0,
+    backspin: ArrayLike = 0.0,
+    sidespin: ArrayLike = 0.0,
+    by: By = "any",
+    parameters: Mapping[str, Any] = PAPER,
+) -> dict[str, NDArray[np.float64]]:
+    """Return the release for each distance, and how far it may be off.
+
+    Parameters
+    ----------
+    distances
+        From the ring's centre on the floor plan, m, (n,).
+    height, angle, entry, elevation, speed, arc, depth
+        As for `aim`: one number, or (n,).
+    backspin, sidespin
+        rad/s: one number, or (n,).
+    by
+        What counts: "any" shot made, "direct" if the board is not touched first, "bank" if it is.
+    parameters
+        Of the scene, one number each.
+
+    Returns
+    -------
+    dict
+        The columns of `TABLE`, (n,) each. The ends of a tolerance are those of the connected
+        interval about the aim, found by simulation as `margins` does: looked for up to 25 % of the
+        speed and 25° away, in steps of a 2000th of that, within which a gap may be overlooked, and
+        then bisected. They are NaN where the aimed shot does not go in itself; speed, angles and
+        time too where there is no such aim.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not as described.
+    """
+    places = np.atleast_1d(doubles("distances", distances))
+    if places.ndim != 1:
+        raise ValueError(f"distances: expected shape (n,), got {places.shape}")
+    found = aim(
+        height=height,
+        distance=places,
+        angle=angle,
+        entry=entry,
+        elevation=elevation,
+        speed=speed,
+        arc=arc,
+        depth=depth,
+        parameters=parameters,
+    )
+    columns = {"backspin": doubles("backspin", backspin), "sidespin": doubles("sidespin", sidespin)}
+    columns |= {name: np.asarray(value) for name, value in vars(found).items()}
+    count = len(places)
+    for name, column in columns.items():
+        if column.shape not in ((), (count,)):
+            raise ValueError(f"{name}: expected one number or {count}; got shape {column.shape}")
+    table = {name: np.full(count, np.nan) for name in TABLE}
+    for name, column in columns.items():
+        table[name][:] = column
+    for row in np.flatnonzero(np.isfinite(table["speed"])):
+        release = {name: table[name][row].item() for name in (*found.arguments, *_SPINS)}
+        aimed = {**release, "azimuth": 0.0}
+        for name, margin in margins(aimed, parameters, names=_OFF, by=by).items():
+            table[f"low_{name}"][row], table[f"high_{name}"][row] = margin.low, margin.high
+    return table
+
+
+_SPINS = ("backspin", "sidespin")
+
+_SHOWN: Mapping[str, tuple[str, float]] = MappingProxyType(
+    {
+        "m": ("m", 1.0),
+        "m/s": ("m_s", 1.0),
+        "rad": ("deg", np.pi / 180.0),
+        "rad/s": ("hz", 2.0 * np.pi),
+        "s": ("s", 1.0),
+    }
+)
+"""In files: how a column's name says its unit, and that unit's size in SI."""
+
+
+def write_csv(path: str | os.PathLike[str], table: Mapping[str, NDArray[np.float64]]) -> None:
+    """Write a table of `aim_table`: degrees and Hz, the unit in each column's name.
+
+    What is NaN is left empty.
+
+    Raises
+    ------
+    OSError
+        If the file cannot be written.
+    """
+    shown = {name: _SHOWN[TABLE[name]] for name in table}
+    columns = [table[name] / size for name, (_, size) in shown.items()]
+    with Path(path).open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(f"{name}_{unit}" for name, (unit, _) in shown.items())
+        for row in zip(*columns, strict=True):
+            # Ten digits: more than a machine holds, and no traces of the conversion.
+            writer.writerow("" if np.isnan(cell) else f"{cell:.10g}" for cell in row)

@@ -1,0 +1,241 @@
+"""Bank shots against direct ones from places on the court, and where on the board they aim."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.inputs import doubles
+from hoopgen.parameters import PAPER
+from hoopgen.releases import release as release_states
+from hoopgen.results import SURFACES
+from hoopgen.simulation import simulate
+
+from .draws import check_seed
+from .optimum import paired, scattering
+from .player import By, Player, arguments_of, one_each
+from .search import Bounds, bounds_of, search
+from .tallies import check_count, check_share, wilson
+from .variables import ARGUMENTS
+
+__all__ = ["WAYS", "Crossing", "bank_or_direct", "crossing", "on_board"]
+
+WAYS: tuple[By, By] = ("direct", "bank")
+"""In the order of the results."""
+
+_OVER = ("elevation", "aim", "azimuth")
+
+_BACKBOARD = SURFACES.index("backboard")
+
+_UNITS = {"length": "m", "speed": "m/s", "angle": "rad", "spin": "rad/s"}
+
+Floats = NDArray[np.float64]
+
+
+def bank_or_direct(
+    places: ArrayLike,
+    release: Mapping[str, float],
+    sd: Mapping[str, float],
+    correlation: Mapping[tuple[str, str], float] | None = None,
+    parameters: Mapping[str, Any] = PAPER,
+    *,
+    over: Mapping[str, Bounds | None] | Sequence[str] = _OVER,
+    shots: int = 20_000,
+    seed: int = 0,
+    confidence: float = 0.95,
+) -> xr.Dataset:
+    """Return the best bank shot and the best direct shot from each place, and which is better.
+
+    Parameters
+    ----------
+    places
+        x and y on the floor, (n, 2), m; the ring's centre at 0, 0, the board at negative x.
+    release
+        Variables of the release other than the place and those searched over: height above all.
+    sd, correlation, parameters, over, shots, seed, confidence
+        As for `optimum`.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over ``way`` ("direct", "bank") and ``place``: `probability` with its Wilson interval, `low`
+        and `high`, of fresh shots; and the release, each argument of `hoopgen.release`. Where no
+        shot tried succeeds that way, the probability is 0 and the release NaN.
+
+        Over ``place``: `difference`, bank less direct, with the interval of the paired shots,
+        `difference_low` and `difference_high`; where the ball of the best bank shot touches the
+        board, `touch_y` and `touch_z` (m; z from the ring's height); and `sight_y` (m), where the
+        vertical plane of its release meets the board.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not as described.
+    """
+    spots = doubles("places", places)
+    if spots.ndim != 2 or spots.shape[1] != 2:
+        raise ValueError(f"places: expected x and y, shape (n, 2), got shape {spots.shape}")
+    check_seed(check_seed(seed) + 1)
+    question = _Question(
+        [scattering(sd, correlation, parameters, way) for way in WAYS],
+        one_each("release", release),
+        over,
+        check_count("shots", shots),
+        seed,
+        check_share("confidence", confidence),
+    )
+    answers = [question.answer(x, y) for x, y in spots.tolist()]
+    columns = {name: np.stack([answer[name] for answer in answers], axis=-1) for name in answers[0]}
+    return _dataset(spots, columns, question)
+
+
+@dataclass(frozen=True)
+class _Question:
+    """What is asked at every place."""
+
+    players: Sequence[Player]
+    fixed: Mapping[str, float]
+    over: Mapping[str, Bounds | None] | Sequence[str]
+    shots: int
+    seed: int
+    confidence: float
+
+    def answer(self, x: float, y: float) -> dict[str, Floats]:
+        """Return the results of one place, (2,) for both ways or ()."""
+        here = {**self.fixed, "distance": math.hypot(x, y), "angle": math.atan2(y, x)}
+        released, scored = zip(*(self._best(player, here) for player in self.players), strict=True)
+        made = np.sum(scored, axis=-1)
+        low, high = wilson(made, self.shots, self.confidence)
+        direct, bank = scored
+        difference, least, most = paired(bank, direct, self.confidence)
+        answer = {name: np.array([one[name] for one in released]) for name in ARGUMENTS}
+        answer |= {"probability": made / self.shots, "low": low, "high": high}
+        single = {
+            "difference": difference,
+            "difference_low": least,
+            "difference_high": most,
+            **on_board(released[1], self.players[1].parameters),
+        }
+        return answer | {name: np.asarray(value) for name, value in single.items()}
+
+    def _best(
+        self, player: Player, here: Mapping[str, float]
+    ) -> tuple[dict[str, float], NDArray[np.bool_]]:
+        """Return the arguments of the best release, and which fresh shots succeed."""
+        fixed = dict(here)
+        point = search(player, bounds_of(self.over, fixed, player), fixed, self.shots, self.seed)
+        if point is None:
+            return dict.fromkeys(ARGUMENTS, math.nan), np.zeros(self.shots, np.bool_)
+        best = fixed | point
+        return (
+            arguments_of(best, player.parameters),
+            player.scored(best, self.shots, self.seed + 1),
+        )
+
+
+def on_board(arguments: Mapping[str, float], parameters: Mapping[str, float]) -> dict[str, float]:
+    """Return where the ball of a bank shot touches the board, and where its release points.
+
+    Parameters
+    ----------
+    arguments
+        Of `hoopgen.release`, one number each.
+    parameters
+        Of the scene.
+
+    Returns
+    -------
+    dict
+        `touch_y` and `touch_z`, m, z from the ring's height; and `sight_y`, m, where the vertical
+        plane of the release meets the board's front. NaN if the board is not touched first.
+    """
+    nowhere = {"touch_y": math.nan, "touch_z": math.nan, "sight_y": math.nan}
+    state = release_states(**{name: arguments[name] for name in ARGUMENTS})
+    events = simulate(state, parameters, record=True).events
+    if not len(events) or events["surface"][0] != _BACKBOARD:
+        return nowhere
+    # The board's normal is along x: the ball touches at its centre's y and z.
+    _, y, z = events["before"][0][:3].tolist()
+    ahead = -parameters["board_distance"] - state[0]
+    return {"touch_y": y, "touch_z": z, "sight_y": state[1] + ahead * state[4] / state[3]}
+
+
+def _dataset(spots: Floats, columns: Mapping[str, Floats], question: _Question) -> xr.Dataset:
+    named = {
+        "probability": ("1", "probability of success"),
+        "low": ("1", "lower end of its interval"),
+        "high": ("1", "upper end of its interval"),
+        "difference": ("1", "probability, bank less direct"),
+        "difference_low": ("1", "lower end of its interval"),
+        "difference_high": ("1", "upper end of its interval"),
+        "touch_y": ("m", "where the ball touches the board, y"),
+        "touch_z": ("m", "where the ball touches the board, height from the ring"),
+        "sight_y": ("m", "where the release points on the board, y"),
+        "x": ("m", "place on the floor, x"),
+        "y": ("m", "place on the floor, y"),
+    } | {name: (_UNITS[variable.kind], variable.label) for name, variable in ARGUMENTS.items()}
+    data = {
+        name: (("way", "place")[-column.ndim :], column, _attributes(*named[name]))
+        for name, column in columns.items()
+    }
+    coordinates = {"way": list(WAYS)} | {
+        name: ("place", spots[:, k], _attributes(*named[name])) for k, name in enumerate("xy")
+    }
+    told = {"confidence": question.confidence, "shots": question.shots, "seed": question.seed}
+    return xr.Dataset(data, coordinates, told)
+
+
+def _attributes(units: str, long_name: str) -> dict[str, str]:
+    return {"units": units, "long_name": long_name}
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """The point of the floor plan that is nearest to lines.
+
+    Attributes
+    ----------
+    x, y
+        m.
+    spread
+        Root mean square distance of the lines from it, m.
+    """
+
+    x: float
+    y: float
+    spread: float
+
+
+def crossing(start: ArrayLike, through: ArrayLike) -> Crossing:
+    """Return where lines on the floor plan cross, by least squares of their distances.
+
+    Parameters
+    ----------
+    start, through
+        Two points of each line, x and y, (n, 2), m.
+
+    Raises
+    ------
+    ValueError
+        If the shapes are not as described, or all lines are parallel.
+    """
+    first, second = doubles("start", start), doubles("through", through)
+    if first.ndim != 2 or first.shape[1] != 2 or first.shape != second.shape:
+        raise ValueError(
+            f"start, through: expected shapes (n, 2), got {first.shape} and {second.shape}"
+        )
+    along = second - first
+    normals = np.stack([-along[:, 1], along[:, 0]], axis=1)
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    offsets = np.einsum("ij,ij->i", normals, first)
+    solved, _, rank, _ = np.linalg.lstsq(normals, offsets)
+    if rank < 2:
+        raise ValueError("start, through: the lines are parallel")
+    spread = np.sqrt(np.mean((normals @ solved - offsets) ** 2))
+    return Crossing(float(solved[0]), float(solved[1]), float(spread))

@@ -1,0 +1,291 @@
+"""A table of releases in, a Parquet file of results out: the same rows in the same order."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass, field
+from functools import partial
+from math import ceil
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.parquet as pq
+from numpy.typing import NDArray
+
+import hoopgen
+from hoopgen.inputs import doubles
+from hoopgen.parameters import PAPER, resolve
+from hoopgen.results import SURFACES, Outcome, Shots
+from hoopgen.simulation import simulate
+
+from .chunks import opened, run, written
+from .measures import MEASURES, Kind, kinds, measure
+from .models import from_columns
+from .tables import FORMATS, Column, Source, columns_of, values
+from .variables import STATE, VARIABLES, check_names
+
+__all__ = ["ROWS", "batch"]
+
+ROWS = 1 << 16
+"""Rows in a chunk: a small part of a second, and few megabytes."""
+
+_UNITS = {
+    "end_time": "s",
+    **{f"end_{name}": ("m", "m/s", "rad/s")[place // 3] for place, name in enumerate(STATE)},
+}
+"""Of the columns that every table of results has."""
+
+
+def batch(
+    source: str | os.PathLike[str],
+    out: str | os.PathLike[str],
+    *,
+    parameters: Mapping[str, Any] = PAPER,
+    release: Mapping[str, float] | None = None,
+    measures: Sequence[str] = (),
+    max_contacts: int = 40,
+    format: str | None = None,
+    own: Sequence[str] = (),
+    prefix: str = "",
+    rows: int = ROWS,
+    scheduler: str | None = None,
+    threads: int | None = None,
+    progress: Callable[[int, int | None], None] | None = None,
+    report: Callable[[str], None] | None = None,
+) -> dict[str, int]:
+    """Simulate the releases of a table, and write it with the results.
+
+    The table is read and written in chunks, so that it may be larger than the memory. Finished
+    chunks lie in a folder beside `out`, named ``<out>.parts``, until all are: after an
+    interruption the same call goes on from there. It reads the table again and simulates only what
+    is missing. The same table and arguments give the same file, byte for byte.
+
+    Parameters
+    ----------
+    source
+        CSV, Parquet or Arrow; see `hoopgen.study.tables` for its columns. They say the releases,
+        or the states; and parameters of the scene, in place of those below. A row with no number
+        where one is needed becomes INVALID.
+    out
+        Parquet: the columns of `source` as they are, those of CSV as text; and after them outcome,
+        kind (see `hoopgen.study.measures.Kind`), contacts, contacts by surface, first surface
+        touched, time and state at the end plane (NaN for a shot that does not come to it),
+        uncertain, and what is measured. Units are in the fields' metadata, settings in the
+        schema's, under "hoopgen".
+    parameters
+        Of the scene; one number each.
+    release
+        Variables that all shots share, in place of columns; see `hoopgen.study.variables`.
+    measures
+        Names of `hoopgen.study.measures.MEASURES`, each a column.
+    max_contacts
+        A shot with so many contacts ends as capped.
+    format
+        "csv", "parquet" or "arrow"; by default as the suffix of `source` says.
+    own
+        Columns of `source` that are not to be read, though they are named like variables.
+    prefix
+        Of the names of the results, where `source` has columns of the same name.
+    rows
+        In a chunk.
+    scheduler, threads, progress, report
+        Who computes, and who hears of it; see `hoopgen.study.chunks.run`.
+
+    Returns
+    -------
+    dict
+        Number of shots by outcome, in lower case.
+
+    Raises
+    ------
+    ValueError
+        If an argument, the table or one of its columns is not as described, or chunks beside `out`
+        are of another source or other arguments.
+    OSError
+        If `source` cannot be read or `out` not written.
+    """
+    table, target = Source(Path(source), format or ""), Path(out)
+    if target.suffix.lower() not in FORMATS["parquet"]:
+        raise ValueError(f"out: expected a file {' or '.join(FORMATS['parquet'])}, got {target}")
+    if target.exists() and target.samefile(table.path):
+        raise ValueError(f"out: {target} is the source")
+    if not target.parent.is_dir():
+        raise ValueError(f"out: there is no folder {target.parent}")
+    resolve(parameters, 1)  # all of them, and none else
+    check_names("release", release or {}, VARIABLES)
+    shots = _Shots(
+        _numbers("parameters", parameters),
+        _numbers("release", release or {}),
+        tuple(measures),
+        max_contacts,
+    )
+    check_names("measures", shots.measures, MEASURES)
+    if rows < 1:
+        raise ValueError(f"rows: expected a whole number from 1, got {rows!r}")
+    columns = _columns(table, own, shots.release)
+    schema = _schema(table, shots, columns, prefix)
+    digest, count = table.digest()
+    work = _Rows(table, columns, shots, rows, digest, count)
+    outcomes = np.zeros(len(Outcome), np.int64)
+    with opened(target.with_name(f"{target.name}.parts"), work.identity()) as folder:
+        # In the folder, where the next start removes what was left unfinished.
+        unfinished = folder.path / f"{target.name}.tmp"
+        with written(target, unfinished), _writer(unfinished, schema) as writer:
+            chunks = run(
+                work,
+                folder,
+                scheduler=scheduler,
+                threads=threads,
+                progress=progress,
+                report=report,
+            )
+            for results in chunks:
+                cells = [*work.read.popleft().columns, *results.columns]
+                writer.write_table(pa.Table.from_arrays(cells, schema=schema), rows)
+                outcomes += _by_outcome(results["outcome"])
+        folder.remove()
+    return {outcome.name.lower(): int(outcomes[outcome]) for outcome in Outcome}
+
+
+def _numbers(name: str, values: Mapping[str, Any]) -> dict[str, float]:
+    arrays = {key: doubles(f"{name}[{key!r}]", value) for key, value in values.items()}
+    for key, array in arrays.items():
+        if array.ndim:
+            raise ValueError(
+                f"{name}[{key!r}]: expected one number; those by shot are a column of the table"
+            )
+    return {key: float(array) for key, array in arrays.items()}
+
+
+def _columns(table: Source, own: Sequence[str], given: Iterable[str]) -> dict[str, Column]:
+    try:
+        return columns_of(table.schema().names, own, given)
+    except ValueError as error:
+        raise ValueError(f"{table.path}: {error}") from None
+
+
+def _schema(table: Source, shots: _Shots, columns: Mapping[str, Column], prefix: str) -> pa.Schema:
+    """Return that of the file of results; arguments that shots cannot have are refused here."""
+    given = table.schema()
+    results = [
+        column.with_name(prefix + column.name)
+        for column in shots.results(values(given.empty_table(), columns)).schema
+    ]
+    both = [column.name for column in results if column.name in given.names]
+    if both:
+        raise ValueError(
+            f"{table.path}: has columns named like results: {', '.join(both)}; give a prefix"
+        )
+    about = {
+        "version": hoopgen.__version__,
+        "parameters": shots.parameters,
+        "release": shots.release,
+        "max_contacts": shots.max_contacts,
+    }
+    return pa.schema([*given, *results], {**(given.metadata or {}), "hoopgen": json.dumps(about)})
+
+
+def _writer(file: Path, schema: pa.Schema) -> pq.ParquetWriter:
+    # A dictionary of doubles that hardly repeat is larger and slower than they are.
+    repeat = [column.name for column in schema if not pa.types.is_floating(column.type)]
+    # By its name: every write of a Python file would wait for the interpreter's lock.
+    return pq.ParquetWriter(str(file), schema, compression="zstd", use_dictionary=repeat)
+
+
+def _by_outcome(column: pa.ChunkedArray) -> NDArray[np.int64]:
+    counts = np.zeros(len(Outcome), np.int64)
+    for part in column.chunks:
+        counts += np.bincount(part.indices, minlength=len(Outcome))
+    return counts
+
+
+@dataclass(frozen=True)
+class _Rows:
+    """The results of a table's rows, as a stream of chunks."""
+
+    table: Source
+    columns: Mapping[str, Column]
+    shots: _Shots
+    rows: int
+    digest: str
+    count: int | None
+    read: deque[pa.Table] = field(default_factory=deque)
+    """What was read, and not yet written."""
+
+    @property
+    def chunks(self) -> int | None:
+        """How many, if the table has the rows that it seems to have."""
+        return None if self.count is None else max(1, ceil(self.count / self.rows))
+
+    def identity(self) -> dict[str, Any]:
+        """Return all that the results depend on."""
+        return {
+            "source": {"digest": self.digest, "format": self.table.format},
+            "columns": {name: column.name for name, column in self.columns.items()},
+            "rows": self.rows,
+            **asdict(self.shots),
+        }
+
+    def tasks(self) -> Iterator[Callable[[], pa.Table]]:
+        """Read, and give what simulates the rows of each chunk."""
+        for table in self.table.tables(self.rows):
+            self.read.append(table)
+            yield partial(self.shots.results, values(table, self.columns))
+
+
+@dataclass(frozen=True)
+class _Shots:
+    """What is made of releases."""
+
+    parameters: dict[str, float]
+    release: dict[str, float]
+    measures: tuple[str, ...]
+    max_contacts: int
+
+    def results(self, given: Mapping[str, NDArray[np.float64]]) -> pa.Table:
+        """Return the results of releases or states, a column each, with their units."""
+        number = len(next(iter(given.values())))
+        shared = {name: np.full(number, value) for name, value in self.release.items()}
+        releases = from_columns({**given, **shared}, self.parameters)
+        states, scene = releases.states, releases.parameters
+        shots = simulate(states, scene, max_contacts=self.max_contacts, threads=1)
+        columns = _ends(shots)
+        more = [name for name in self.measures if name not in columns]
+        columns |= measure(states, shots, scene, more)
+        units = _UNITS | {name: MEASURES[name].unit for name in self.measures}
+        cells = {name: pa.array(column) for name, column in columns.items()}
+        schema = [
+            pa.field(name, array.type, metadata={"unit": units[name]} if name in units else None)
+            for name, array in cells.items()
+        ]
+        return pa.table(cells, pa.schema(schema))
+
+
+def _ends(shots: Shots) -> dict[str, Any]:
+    """Return the columns that every table of results has."""
+    ended = (shots.outcome == Outcome.MADE) | (shots.outcome == Outcome.MISSED)
+    end = zip(("time", *STATE), (shots.time, *shots.state.T), strict=True)
+    return {
+        "outcome": _words(shots.outcome, [outcome.name for outcome in Outcome]),
+        "kind": _words(kinds(shots.outcome, shots.counts, shots.first), [k.name for k in Kind]),
+        "contacts": shots.contacts,
+        **{
+            f"{name}_contacts": column
+            for name, column in zip(SURFACES, shots.counts.T, strict=True)
+        },
+        "first": _words(shots.first, SURFACES),
+        **{f"end_{name}": np.where(ended, column, np.nan) for name, column in end},
+        "uncertain": shots.uncertain,
+    }
+
+
+def _words(indices: NDArray[Any], names: Sequence[str]) -> pa.DictionaryArray:
+    """Return names by index, in small letters; none where it is negative."""
+    return pa.DictionaryArray.from_arrays(
+        pa.array(indices.astype(np.int8), mask=indices < 0), [name.lower() for name in names]
+    )

@@ -1,0 +1,505 @@
+"""Long work in chunks: computed by threads or by a Dask cluster, kept on disk, gone on with later.
+
+A chunk depends on its number alone, so it does not matter who computes it, when, or how often.
+Those finished lie in a folder, each with a keyed digest; one that is damaged is computed anew.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import itertools
+import json
+import os
+import sys
+from collections import deque
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
+from concurrent.futures import CancelledError, Future, ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from importlib import metadata
+from pathlib import Path
+from typing import IO, Any, Protocol, runtime_checkable
+
+import pyarrow as pa
+
+import hoopgen
+from hoopgen.inputs import check_threads
+
+if sys.platform == "win32":
+    import msvcrt
+
+    def _take(file: IO[bytes]) -> None:
+        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+else:
+    import fcntl
+
+    def _take(file: IO[bytes]) -> None:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+
+
+__all__ = ["Folder", "Job", "Stream", "opened", "run", "written"]
+
+Task = Callable[[], pa.Table]
+"""Computes one chunk; picklable."""
+
+AHEAD = 2
+"""Chunks under way or waiting for their turn, for each that is computed at once."""
+
+_DIGEST = 32  # bytes
+_CONNECT = 10  # s
+_TEMPORARY = ".tmp"
+_CHUNKS = "chunk-*.arrow"
+
+
+class Job(Protocol):
+    """Work in chunks, any of which can be computed at any time."""
+
+    @property
+    def chunks(self) -> int | None:
+        """How many; None for as many as are asked for."""
+        ...
+
+    def compute(self, chunk: int) -> pa.Table:
+        """Return a chunk, computed by one thread in well under a second."""
+        ...
+
+    def identity(self) -> Mapping[str, Any]:
+        """Return all that the chunks depend on, in types that JSON knows."""
+        ...
+
+
+@runtime_checkable
+class Stream(Protocol):
+    """Work in chunks on something that is read in order, by the process that runs it."""
+
+    @property
+    def chunks(self) -> int | None:
+        """How many are expected, for the progress; None if that is not known."""
+        ...
+
+    def tasks(self) -> Iterator[Task]:
+        """Read, and give what computes each chunk; also of those that are on disk already."""
+        ...
+
+    def identity(self) -> Mapping[str, Any]:
+        """Return all that the chunks depend on, in types that JSON knows."""
+        ...
+
+
+def run(
+    job: Job | Stream,
+    folder: str | os.PathLike[str] | Folder | None = None,
+    *,
+    scheduler: str | None = None,
+    threads: int | None = None,
+    progress: Callable[[int, int | None], None] | None = None,
+    report: Callable[[str], None] | None = None,
+) -> Generator[pa.Table, None, None]:
+    """Give the chunks of a job, in order and lazily; a few are computed ahead.
+
+    The tables are the same whoever computes them. Closing the generator, or Ctrl-C, ends the
+    work; what is finished by then stays in the folder.
+
+    Parameters
+    ----------
+    job
+        The work.
+    folder
+        Where finished chunks are kept and looked for; made if it is not there. None keeps none.
+    scheduler
+        Address of a Dask scheduler whose workers compute, such as "tcp://10.0.0.1:8786"; they need
+        the same version of hoopgen. A worker that is lost costs the time of its chunks.
+    threads
+        Chunks that are computed at once on this machine; None for as many as the process may use.
+    progress
+        Called with the number of chunks given and their total (None: not known).
+    report
+        Called with a line of text when a chunk was damaged; by default it goes to stderr.
+
+    Yields
+    ------
+    pyarrow.Table
+        The chunks, from 0.
+
+    Raises
+    ------
+    ValueError
+        If the folder holds another job; the message says what differs.
+    RuntimeError
+        If another process is at work in the folder, or the cluster cannot do the work.
+    ConnectionError
+        If no scheduler answers.
+    OSError
+        If a chunk cannot be written. Those before it are kept.
+    """
+    note, report = progress or _ignore, report or _say
+    with contextlib.ExitStack() as stack:
+        if folder is None or isinstance(folder, Folder):
+            kept = folder
+        else:
+            kept = stack.enter_context(opened(folder, job.identity()))
+        workers = stack.enter_context(_workers(scheduler, threads))
+        total, done = job.chunks, 0
+        note(done, total)
+        for table, damage in _in_order(_tasks(job), kept, workers):
+            if damage:
+                report(damage)
+            yield table
+            done += 1
+            note(done, total)
+
+
+def _ignore(done: int, total: int | None) -> None:
+    pass
+
+
+def _say(line: str) -> None:
+    print(f"hoopgen: {line}", file=sys.stderr)
+
+
+def _tasks(job: Job | Stream) -> Iterator[Task]:
+    if isinstance(job, Stream):
+        return job.tasks()
+    numbers = itertools.count() if job.chunks is None else iter(range(job.chunks))
+    return (partial(job.compute, chunk) for chunk in numbers)
+
+
+def _in_order(
+    tasks: Iterator[Task], folder: Folder | None, workers: _Workers
+) -> Iterator[tuple[pa.Table, str | None]]:
+    """Give chunks, and what was wrong with those on disk, in the order of their tasks."""
+    pending: deque[Future[tuple[pa.Table, str | None]]] = deque()
+    ahead = AHEAD * workers.number
+    pool = ThreadPoolExecutor(ahead if workers.remote else workers.number)
+    try:
+        for chunk, task in enumerate(tasks):
+            pending.append(pool.submit(_fetch, folder, workers, chunk, task))
+            if len(pending) >= ahead:
+                yield pending.popleft().result()
+        while pending:
+            yield pending.popleft().result()
+    finally:
+        pool.shutdown(wait=False, cancel_futures=True)
+        workers.stop()
+        pool.shutdown()
+
+
+def _fetch(
+    folder: Folder | None, workers: _Workers, chunk: int, task: Task
+) -> tuple[pa.Table, str | None]:
+    """Return a chunk from disk, or computed and now on disk; and what was wrong with the file."""
+    if folder is None:
+        return workers.compute(task), None
+    damage = None
+    try:
+        return folder.read(chunk), None
+    except FileNotFoundError:
+        pass
+    except (OSError, ValueError) as error:
+        damage = f"{folder.file(chunk)} is damaged ({error}); it is computed anew"
+    table = workers.compute(task)
+    folder.write(chunk, table)
+    return table, damage
+
+
+# ------------------------------------------------------------------------------------ who computes
+
+
+@dataclass(frozen=True)
+class _Workers:
+    """Those who compute: how many, how, and what frees the threads that wait for them."""
+
+    number: int
+    compute: Callable[[Task], pa.Table]
+    stop: Callable[[], None] = lambda: None
+    remote: bool = False
+
+
+def _workers(
+    scheduler: str | None, threads: int | None
+) -> contextlib.AbstractContextManager[_Workers]:
+    if scheduler is None:
+        return contextlib.nullcontext(_Workers(check_threads(threads), lambda task: task()))
+    if threads is not None:
+        raise ValueError("threads: with a scheduler its workers say how many they have; leave out")
+    return _cluster(scheduler)
+
+
+@contextlib.contextmanager
+def _cluster(address: str) -> Iterator[_Workers]:
+    """Connect to a Dask scheduler; each waiting thread has one chunk on the cluster."""
+    import distributed
+
+    try:
+        client: Any = distributed.Client(  # type: ignore[no-untyped-call]
+            address, set_as_default=False, timeout=_CONNECT
+        )
+    except (OSError, ValueError) as error:
+        raise ConnectionError(
+            f"scheduler: no Dask scheduler answers at {address!r} ({error})"
+        ) from None
+    version: str = hoopgen.__version__
+    futures: set[Any] = set()
+    stopping = False
+
+    def compute(task: Task) -> pa.Table:
+        # With its task the scheduler can have a chunk computed again when a worker is lost.
+        future = client.submit(_on_worker, version, task, pure=False)
+        futures.add(future)
+        try:
+            if stopping:
+                future.cancel()
+            return future.result()
+        except distributed.scheduler.KilledWorker as error:
+            raise RuntimeError(
+                f"scheduler: a chunk was given up after {error.allowed_failures + 1} workers "
+                "were lost with it; is there memory enough?"
+            ) from None
+        except CancelledError as error:
+            if stopping:
+                raise
+            raise ConnectionError(f"scheduler: {address!r} is gone") from error
+        finally:
+            futures.discard(future)
+
+    def stop() -> None:
+        nonlocal stopping
+        stopping = True
+        with contextlib.suppress(OSError):
+            client.cancel(list(futures))
+
+    with client:
+        _await_workers(client, address)
+        _check_versions(client, version)
+        yield _Workers(sum(client.nthreads().values()), compute, stop, remote=True)
+
+
+def _await_workers(client: Any, address: str) -> None:
+    try:
+        client.wait_for_workers(1, timeout=_CONNECT)
+    except TimeoutError:
+        raise RuntimeError(f"scheduler: {address!r} has no workers") from None
+
+
+def _check_versions(client: Any, version: str) -> None:
+    """Refuse workers that would compute something else, or nothing."""
+    for worker, there in client.run(metadata.version, "hoopgen", on_error="return").items():
+        if there != version:
+            said = there if isinstance(there, str) else "none"
+            raise RuntimeError(
+                f"scheduler: the worker {worker} has hoopgen {said}, and here it is {version}; "
+                "install the same"
+            )
+
+
+def _on_worker(version: str, task: Task) -> pa.Table:
+    """Compute a chunk, unless the worker, perhaps a late comer, has another hoopgen."""
+    there = metadata.version("hoopgen")
+    if there != version:
+        raise RuntimeError(f"scheduler: a worker has hoopgen {there}, not {version}")
+    return task()
+
+
+# ------------------------------------------------------------------------------------ on disk
+
+
+@dataclass(frozen=True)
+class Folder:
+    """The finished chunks of one job on disk.
+
+    A file is an Arrow IPC stream, and after its end a digest, keyed by the job and by the chunk:
+    a file that is damaged, of another job or of another chunk does not pass.
+    """
+
+    path: Path
+    key: bytes
+
+    def file(self, chunk: int) -> Path:
+        """Return where the chunk lies, or will."""
+        return self.path / f"chunk-{chunk:09d}.arrow"
+
+    def read(self, chunk: int) -> pa.Table:
+        """Return a chunk.
+
+        Raises
+        ------
+        FileNotFoundError
+            If it is not there.
+        OSError, ValueError
+            If it is damaged.
+        """
+        content = memoryview(self.file(chunk).read_bytes())
+        stream, digest = content[:-_DIGEST], content[-_DIGEST:]
+        if self._digest(chunk, stream) != digest:
+            raise ValueError("its checksum is wrong")
+        return pa.ipc.open_stream(pa.py_buffer(stream)).read_all()
+
+    def write(self, chunk: int, table: pa.Table) -> None:
+        """Keep a chunk; it is there wholly or not at all, whatever happens.
+
+        Raises
+        ------
+        OSError
+            If that fails.
+        """
+        sink = pa.BufferOutputStream()
+        with pa.ipc.new_stream(sink, table.schema) as writer:
+            writer.write_table(table)
+        stream = memoryview(sink.getvalue())
+        with written(self.file(chunk)) as file:
+            file.write(stream)
+            file.write(self._digest(chunk, stream))
+
+    def remove(self) -> None:
+        """Remove the folder, where nobody else put something into it."""
+        for file in (*self.path.glob(_CHUNKS), *map(self.path.joinpath, _OWN)):
+            file.unlink(missing_ok=True)
+        with contextlib.suppress(OSError):
+            self.path.rmdir()
+
+    def _digest(self, chunk: int, stream: memoryview) -> bytes:
+        return hashlib.blake2b(
+            stream, digest_size=_DIGEST, key=self.key, salt=chunk.to_bytes(16, "little")
+        ).digest()
+
+
+_IDENTITY, _LOCK = _OWN = ("identity.json", "lock")
+
+
+@contextlib.contextmanager
+def opened(path: str | os.PathLike[str], identity: Mapping[str, Any]) -> Iterator[Folder]:
+    """Open the folder of a job, for one process at a time; make it if it is not there.
+
+    Parameters
+    ----------
+    path
+        The folder.
+    identity
+        All that the job's chunks depend on, in types that JSON knows; hoopgen's version is added.
+
+    Raises
+    ------
+    ValueError
+        If the folder holds another job; the message says what differs.
+    RuntimeError
+        If another process is at work in it.
+    """
+    folder = Path(path)
+    folder.mkdir(parents=True, exist_ok=True)
+    here = _flat({"hoopgen": hoopgen.__version__, **identity})
+    with _locked(folder):
+        for stale in folder.glob(f"*{_TEMPORARY}"):
+            stale.unlink()
+        _identify(folder, here)
+        text = json.dumps(here, sort_keys=True).encode()
+        try:
+            yield Folder(folder, hashlib.blake2b(text, digest_size=_DIGEST).digest())
+        except KeyboardInterrupt as error:
+            error.add_note(f"finished chunks are in {folder}: the same call goes on from there")
+            raise
+
+
+@contextlib.contextmanager
+def _locked(folder: Path) -> Iterator[None]:
+    """Hold the folder; the system lets go of it however the process ends."""
+    with (folder / _LOCK).open("ab") as file:
+        try:
+            _take(file)
+        except (BlockingIOError, PermissionError):
+            raise RuntimeError(f"{folder}: another process is at work in this folder") from None
+        yield
+
+
+def _identify(folder: Path, here: dict[str, str]) -> None:
+    """Write what the job is; or compare it with what is written, if there are chunks."""
+    file = folder / _IDENTITY
+    if not any(folder.glob(_CHUNKS)):
+        with written(file) as out:
+            out.write(json.dumps(here, indent=1).encode())
+        return
+    try:
+        there = json.loads(file.read_text(encoding="utf-8"))
+    except (FileNotFoundError, ValueError):
+        raise ValueError(f"{file} cannot be read; delete the folder to begin anew") from None
+    differences = [
+        f"{name} is {_short(there.get(name))} there and {_short(here.get(name))} here"
+        for name in dict.fromkeys((*here, *there))
+        if there.get(name) != here.get(name)
+    ]
+    if differences:
+        raise ValueError(
+            f"{folder} holds another job: {'; '.join(differences)}. Give the same job, "
+            "or another folder; or delete this one to begin anew"
+        )
+
+
+def _flat(values: Mapping[str, Any], prefix: str = "") -> dict[str, str]:
+    """Return the leaves of nested mappings as JSON, by dotted names."""
+    leaves: dict[str, str] = {}
+    for name, value in values.items():
+        if isinstance(value, Mapping):
+            leaves |= _flat(value, f"{prefix}{name}.")
+        else:
+            leaves[f"{prefix}{name}"] = json.dumps(value)
+    return leaves
+
+
+def _short(text: str | None) -> str:
+    if text is None:
+        return "missing"
+    return text if len(text) <= 60 else f"{text[:57]}..."
+
+
+@contextlib.contextmanager
+def written(path: Path, temporary: Path | None = None) -> Iterator[IO[bytes]]:
+    """Write a file that is there wholly or not at all, also after a loss of power.
+
+    Parameters
+    ----------
+    path
+        The file.
+    temporary
+        Its name until it is whole, on the same file system; by default beside it.
+
+    Raises
+    ------
+    OSError
+        If it cannot be written. Nothing is left then, and what was there before stays.
+    """
+    part = temporary or path.with_name(path.name + _TEMPORARY)
+    try:
+        with _explained(path):
+            with part.open("wb") as file:
+                yield file
+                file.flush()
+                os.fsync(file.fileno())
+            part.replace(path)
+            _sync({path.parent, part.parent})
+    finally:
+        part.unlink(missing_ok=True)
+
+
+@contextlib.contextmanager
+def _explained(path: Path) -> Iterator[None]:
+    """Name the file in an error of writing it, and say that the work before it is not lost."""
+    try:
+        yield
+    except OSError as error:
+        if error.filename is not None or isinstance(error, ConnectionError):
+            raise  # of something else
+        said = os.strerror(error.errno) if error.errno else str(error)
+        kept = "finished chunks are kept, and the same call goes on from there"
+        raise OSError(error.errno, f"{said}; {kept}", str(path)) from error
+
+
+def _sync(folders: Iterable[Path]) -> None:
+    """Make new names last; a folder can be opened on POSIX systems alone."""
+    if sys.platform == "win32":
+        return
+    for folder in folders:
+        descriptor = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)

@@ -1,0 +1,69 @@
+"""Random numbers by counter: what shot i draws depends on the seed, on what it is for, and on i.
+
+Philox (Salmon et al. 2011, *Parallel random numbers: as easy as 1, 2, 3*) is keyed by the seed and
+a stream, one for each variable, and counts shots. So a shot is the same whatever the chunks,
+threads or machines, and two settings drawn from one seed share their random numbers.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import ndtri
+
+__all__ = ["check_seed", "normals", "uniforms"]
+
+_WORDS = 4
+"""64-bit words that one step of Philox's counter gives."""
+
+
+def uniforms(seed: int, stream: int, start: int, stop: int) -> NDArray[np.float64]:
+    """Return numbers of shots `start` to `stop` - 1, uniform in the open interval (0, 1).
+
+    Parameters
+    ----------
+    seed
+        From 0 to 2^64 - 1; the key's lower half.
+    stream
+        The key's upper half.
+    start, stop
+        Indices of shots.
+
+    Returns
+    -------
+    ndarray
+        (stop - start,), odd multiples of 2^-53.
+    """
+    skip = start % _WORDS
+    generator = np.random.Philox(key=check_seed(seed) + (stream << 64), counter=start // _WORDS)
+    words = np.asarray(generator.random_raw(skip + stop - start))[skip:]
+    words >>= np.uint64(12)
+    # 52 bits and a half: exact, and neither 0 nor 1.
+    numbers = words.astype(np.float64)
+    numbers += 0.5
+    numbers *= 2.0**-52
+    return numbers
+
+
+def normals(seed: int, stream: int, start: int, stop: int) -> NDArray[np.float64]:
+    """Return standard normal numbers of shots `start` to `stop` - 1, one from each uniform one.
+
+    The inverse of the distribution, which takes one number for one: nothing is rejected, so that
+    the counter stays the shot's index.
+    """
+    numbers = uniforms(seed, stream, start, stop)
+    ndtri(numbers, out=numbers)
+    return numbers
+
+
+def check_seed(seed: int) -> int:
+    """Return the seed as an int.
+
+    Raises
+    ------
+    ValueError
+        If it is not a whole number from 0 to 2^64 - 1.
+    """
+    if not isinstance(seed, int | np.integer) or not 0 <= seed < 2**64:
+        raise ValueError(f"seed: expected a whole number from 0 to 2**64 - 1, got {seed!r}")
+    return int(seed)

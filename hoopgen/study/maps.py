@@ -1,0 +1,372 @@
+"""`map`: what becomes of a shot, or how probably it is made, over any of its variables."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+from enum import IntEnum
+from math import ceil, prod
+from os import PathLike
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+import pyarrow as pa
+import xarray as xr
+from numpy.typing import ArrayLike, NDArray
+
+import hoopgen
+from hoopgen.inputs import doubles
+from hoopgen.parameters import NAMES, PAPER
+from hoopgen.releases import release as release_states
+from hoopgen.results import Outcome, Shots
+from hoopgen.simulation import simulate
+
+from .chunks import run
+from .draws import check_seed
+from .measures import Kind, kinds
+from .models import Scatter
+from .tallies import (
+    BLOCK,
+    COLUMNS,
+    FIELDS,
+    Tally,
+    check_count,
+    check_scene,
+    check_share,
+    wilson,
+)
+from .variables import STATE, VARIABLES, check_names, release_arguments
+
+__all__ = ["map"]
+
+SHOTS = 10_000
+"""Of a cell, unless asked for otherwise."""
+
+_CHUNK = 1 << 17
+"""Shots in a chunk, at most."""
+
+Floats: TypeAlias = NDArray[np.float64]
+
+
+def map(
+    over: Mapping[str, ArrayLike],
+    release: Mapping[str, float],
+    sd: Mapping[str, float] | None = None,
+    correlation: Mapping[tuple[str, str], float] | None = None,
+    parameters: Mapping[str, Any] = PAPER,
+    *,
+    shots: int | None = None,
+    confidence: float = 0.95,
+    seed: int = 0,
+    max_contacts: int = 40,
+    backend: Literal["auto", "c", "numpy"] = "auto",
+    threads: int | None = None,
+    folder: str | PathLike[str] | None = None,
+    scheduler: str | None = None,
+    progress: Callable[[int, int | None], None] | None = None,
+) -> xr.Dataset:
+    """Map a shot over some of its variables.
+
+    Parameters
+    ----------
+    over
+        Variables, see `VARIABLES`, and the values that each takes; m, m/s, rad, rad/s.
+    release
+        The other variables of the release, one number each.
+    sd, correlation
+        Scatter about each cell's release, as of `Scatter`. Without it a cell is one shot.
+    parameters
+        Of the scene, for those that neither `over` nor `release` names.
+    shots
+        Of each cell; by default 10,000. All cells have the same random numbers.
+    confidence
+        Of the intervals, within 0 and 1.
+    seed
+        From 0 to 2^64 - 1.
+    max_contacts, backend
+        As for `hoopgen.simulate`.
+    threads, folder, scheduler, progress
+        As for `hoopgen.estimate`.
+
+    Returns
+    -------
+    xarray.Dataset
+        Its dimensions are the names of `over`, in their order; coordinates, those of `release`
+        too, have ``units`` and ``long_name``. With scatter there are `probability`, `low` and
+        `high` (as of `Estimate`), numbers of shots `shots`, `made`, `capped`, `short`, `invalid`
+        and `uncertain`, and `share` by `kind`. Without, `outcome` and `kind` (codes, named in
+        ``flag_meanings``) and `uncertain`. A cell that cannot be simulated is INVALID, and its
+        probability NaN.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not as described.
+    """
+    if shots is not None and not sd:
+        raise ValueError("shots: without sd all shots of a cell are one; leave out")
+    work = _Work(
+        axes=_axes(over),
+        fixed=_fixed(release, over),
+        scatter=Scatter({}, sd or {}, correlation or {}),
+        parameters=check_scene(parameters),
+        shots=check_count("shots", SHOTS if shots is None else shots) if sd else 1,
+        seed=check_seed(seed),
+        max_contacts=max_contacts,
+        backend=backend,
+    )
+    level = check_share("confidence", confidence)
+    work.simulate(0, 1, 1, {})  # what is wrong shows before a folder is made
+    tables = run(work, folder, scheduler=scheduler, threads=threads, progress=progress)
+    data = _shares(work, tables, level) if sd else _outcomes(work, tables)
+    return xr.Dataset(data, _coordinates(work), _attributes(work, level))
+
+
+def _axes(over: Mapping[str, ArrayLike]) -> dict[str, Floats]:
+    check_names("over", over, VARIABLES)
+    if not over:
+        raise ValueError("over: expected a variable and its values at the least")
+    axes = {name: doubles(f"over[{name!r}]", values) for name, values in over.items()}
+    for name, values in axes.items():
+        if values.ndim != 1 or not values.size:
+            raise ValueError(f"over[{name!r}]: expected a list of numbers, got {over[name]!r}")
+    return axes
+
+
+def _fixed(release: Mapping[str, float], over: Mapping[str, ArrayLike]) -> dict[str, float]:
+    check_names("release", release, VARIABLES)
+    fixed = {}
+    for name, value in release.items():
+        if name in over:
+            raise ValueError(f"release: {name} is mapped over; leave out")
+        number = doubles(f"release[{name!r}]", value)
+        if number.ndim:
+            raise ValueError(f"release[{name!r}]: expected one number, got {value!r}")
+        fixed[name] = float(number)
+    return fixed
+
+
+# ------------------------------------------------------------------------------------ the work
+
+
+@dataclass(frozen=True)
+class _Work:
+    """A job of `chunks.run`: some shots of some cells, every cell with the same noise.
+
+    Cells are numbered with the last axis fastest. A chunk goes over many cells, so that noise is
+    drawn for all of them at once.
+    """
+
+    axes: Mapping[str, Floats]
+    fixed: Mapping[str, float]
+    scatter: Scatter
+    parameters: Mapping[str, float]
+    shots: int
+    seed: int
+    max_contacts: int
+    backend: Literal["auto", "c", "numpy"]
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        return tuple(len(values) for values in self.axes.values())
+
+    @property
+    def together(self) -> tuple[int, int]:
+        """How many cells are in a chunk, and how many shots of each."""
+        shots = min(self.shots, BLOCK)
+        return _CHUNK // shots, shots
+
+    @property
+    def _blocks(self) -> tuple[int, int]:
+        cells, shots = self.together
+        return ceil(prod(self.shape) / cells), ceil(self.shots / shots)
+
+    @property
+    def chunks(self) -> int:
+        """How many."""
+        return prod(self._blocks)
+
+    def cells(self, chunk: int) -> tuple[int, int]:
+        """Return the first cell of a chunk, and the one after its last."""
+        cells, _ = self.together
+        start = chunk // self._blocks[1] * cells
+        return start, min(start + cells, prod(self.shape))
+
+    def identity(self) -> dict[str, Any]:
+        """Return what the chunks depend on."""
+        return {
+            "over": {name: values.tolist() for name, values in self.axes.items()},
+            "release": dict(self.fixed),
+            "scatter": self.scatter.identity(),
+            "parameters": dict(self.parameters),
+            "shots": self.shots,
+            "seed": self.seed,
+            "max_contacts": self.max_contacts,
+        }
+
+    def compute(self, chunk: int) -> pa.Table:
+        """Return a row of numbers for each cell of a chunk."""
+        _, many = self.together
+        start = chunk % self._blocks[1] * many
+        stop = min(start + many, self.shots)
+        noise = self.scatter.noise(start, stop, self.seed)
+        few = max(1, BLOCK // (stop - start))
+        low, high = self.cells(chunk)
+        parts = []
+        for cell in range(low, high, few):
+            last = min(cell + few, high)
+            shots = self.simulate(cell, last, stop - start, noise)
+            tallied = self.scatter.sd
+            parts.append(Tally.of(shots, last - cell).row() if tallied else _row(shots))
+        numbers = np.concatenate(parts)
+        flat = pa.array(numbers.ravel())
+        return pa.table({"numbers": pa.FixedSizeListArray.from_arrays(flat, numbers.shape[1])})
+
+    def simulate(self, start: int, stop: int, shots: int, noise: Mapping[str, Floats]) -> Shots:
+        """Return so many shots of each of the cells `start` to `stop` - 1, cell by cell."""
+        places = np.unravel_index(np.arange(start, stop), self.shape)
+        values: dict[str, Any] = {name: np.asarray(value) for name, value in self.fixed.items()}
+        for (name, axis), place in zip(self.axes.items(), places, strict=True):
+            values[name] = axis[place][:, None]
+        scene = {name: values.pop(name, self.parameters[name]) for name in NAMES}
+        values = {**scene, **release_arguments(values, scene["gravity"])}
+        for name, added in noise.items():
+            values[name] = values[name] + added
+        scene = {name: values.pop(name) for name in NAMES}
+        shape = (stop - start, shots)
+        states = np.broadcast_to(release_states(**values), (*shape, len(STATE)))
+        return simulate(
+            states.reshape(-1, len(STATE)),
+            {n: np.broadcast_to(v, shape).ravel() if np.ndim(v) else v for n, v in scene.items()},
+            max_contacts=self.max_contacts,
+            backend=self.backend,
+            threads=1,
+            fields=FIELDS,
+        )
+
+
+def _row(shots: Shots) -> NDArray[np.int64]:
+    """Return outcome, kind and doubt of each shot, (n, 3)."""
+    kind = kinds(shots.outcome, shots.counts, shots.first)
+    return np.stack([shots.outcome, kind, shots.uncertain], axis=-1).astype(np.int64)
+
+
+def _gathered(work: _Work, tables: Iterable[pa.Table], columns: int) -> NDArray[np.int64]:
+    """Return the sums of the cells' numbers, (cells, columns)."""
+    total = np.zeros((prod(work.shape), columns), np.int64)
+    for chunk, table in enumerate(tables):
+        numbers = table["numbers"].combine_chunks().flatten().to_numpy()
+        total[slice(*work.cells(chunk))] += numbers.reshape(-1, columns)
+    return total
+
+
+# ------------------------------------------------------------------------------------ the dataset
+
+
+def _shares(work: _Work, tables: Iterable[pa.Table], level: float) -> dict[str, xr.Variable]:
+    """Return the variables of a map with scatter."""
+    tally = Tally.read(_gathered(work, tables, COLUMNS).reshape(*work.shape, COLUMNS))
+    made, valid = tally.ended(Outcome.MADE), tally.valid
+    low, high = wilson(made, valid, level)
+    with np.errstate(invalid="ignore"):
+        probability = made / valid
+        share = tally.of_kind() / tally.shots[..., None]
+    dims = tuple(work.axes)
+    counts = {
+        "shots": tally.shots,
+        **{one: tally.ended(Outcome[one.upper()]) for one in _COUNTED},
+        "uncertain": tally.uncertain,
+    }
+    return {
+        "probability": _variable(dims, probability, "probability of a made shot"),
+        "low": _variable(dims, low, f"lower end of its {100 * level:.4g} % interval (Wilson)"),
+        "high": _variable(dims, high, f"upper end of its {100 * level:.4g} % interval (Wilson)"),
+        "share": _variable((*dims, "kind"), share, "share of the shots that are of a kind"),
+        **{name: _variable(dims, n, _LABELS[name]) for name, n in counts.items()},
+    }
+
+
+_COUNTED = ("made", "capped", "short", "invalid")
+
+_LABELS = {
+    "shots": "shots",
+    "made": "shots made",
+    "capped": "shots given up after so many contacts",
+    "short": "shots that never come down through the end plane",
+    "invalid": "shots that cannot be simulated, and are no trials",
+    "uncertain": "shots with a decision within its rounding-error bound",
+}
+
+
+def _outcomes(work: _Work, tables: Iterable[pa.Table]) -> dict[str, xr.Variable]:
+    """Return the variables of a map of single shots."""
+    numbers = _gathered(work, tables, 3).astype(np.uint8).reshape(*work.shape, 3)
+    outcome, kind, uncertain = np.moveaxis(numbers, -1, 0)
+    dims = tuple(work.axes)
+    return {
+        "outcome": _flags(dims, outcome, "outcome", Outcome),
+        "kind": _flags(dims, kind, "kind of shot", Kind),
+        "uncertain": xr.Variable(
+            dims,
+            uncertain.astype(np.bool_),
+            {"long_name": "some decision is within its rounding-error bound"},
+        ),
+    }
+
+
+def _variable(dims: tuple[str, ...], values: ArrayLike, label: str) -> xr.Variable:
+    return xr.Variable(dims, values, {"units": "1", "long_name": label})
+
+
+def _flags(
+    dims: tuple[str, ...], values: NDArray[np.uint8], label: str, of: type[IntEnum]
+) -> xr.Variable:
+    """Return codes with their names, by the CF conventions."""
+    attributes = {
+        "long_name": label,
+        "flag_values": np.array([one.value for one in of], np.uint8),
+        "flag_meanings": " ".join(one.name.lower() for one in of),
+    }
+    return xr.Variable(dims, values, attributes)
+
+
+def _coordinates(work: _Work) -> dict[str, xr.Variable]:
+    """Return the axes, and what is the same in all cells."""
+    coordinates = {
+        name: xr.Variable((name,), values, _units(name)) for name, values in work.axes.items()
+    }
+    for name, value in work.fixed.items():
+        coordinates[name] = xr.Variable((), value, _units(name))
+    if work.scatter.sd:
+        names = [kind.name.lower() for kind in Kind]
+        coordinates["kind"] = xr.Variable("kind", names, {"long_name": "kind of shot"})
+    return coordinates
+
+
+def _units(name: str) -> dict[str, str]:
+    variable = VARIABLES[name]
+    return {"units": variable.unit or "1", "long_name": variable.label}
+
+
+def _attributes(work: _Work, level: float) -> dict[str, Any]:
+    """Return what the map was made with; the mappings as JSON, which every file format takes."""
+    scatter = work.scatter.identity()
+    return {
+        "Conventions": "CF-1.11",
+        "source": f"hoopgen {hoopgen.__version__}",
+        "parameters": json.dumps(
+            {n: work.fixed.get(n, v) for n, v in work.parameters.items() if n not in work.axes}
+        ),
+        "max_contacts": work.max_contacts,
+        **(
+            {}
+            if not work.scatter.sd
+            else {
+                "sd": json.dumps(scatter["sd"]),
+                "correlation": json.dumps(scatter["correlation"]),
+                "seed": str(work.seed),
+                "confidence": level,
+            }
+        ),
+    }

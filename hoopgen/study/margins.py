@@ -1,0 +1,237 @@
+"""What a release forgives: how far each variable may be off, and the ball still goes in."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.parameters import PAPER
+
+from .draws import check_seed
+from .player import By, Player, arguments_of, one_each
+from .tallies import check_count, check_share
+from .variables import VARIABLES, check_names
+from .words import between, say
+
+__all__ = ["MARGINS", "Margin", "margins"]
+
+MARGINS = ("speed", "elevation", "azimuth", "backspin", "height", "distance")
+"""Variables whose margins are given unless others are asked for."""
+
+_EXACT = (2000, 40)
+"""Steps of the look to each side of the release, without scatter, and halvings of one at its end:
+intervals narrower than a step may be overlooked, and ends are found to the twelfth digit of it."""
+
+_SMOOTH = (24, 12)
+"""The same with scatter, where the probability changes smoothly."""
+
+_DEGREE = math.pi / 180
+_TURN = 2 * math.pi
+
+Bounds = tuple[float, float]
+
+_ENDS: Mapping[str, Bounds] = {
+    "elevation": (-90 * _DEGREE, 90 * _DEGREE),
+    "entry": (-90 * _DEGREE, 90 * _DEGREE),
+    "restitution": (0.0, 1.0),
+}
+"""Nothing is looked for beyond these, unless the release itself lies there."""
+
+
+@dataclass(frozen=True)
+class Margin:
+    """How far one variable may be off, the others as they are.
+
+    Attributes
+    ----------
+    name
+        The variable.
+    value
+        At the release; SI.
+    low, high
+        Ends of the connected interval about it in which the shot without scatter succeeds; NaN if
+        it does not succeed itself. Inside, only the steps of the look were tried.
+    elsewhere
+        Further intervals in which it succeeds, from low to high: by another bounce.
+    searched
+        Where was looked; an end that is one of these may lie further out.
+    steady
+        Ends of the interval in which the probability with scatter stays within the tolerance of
+        that at the release; None without scatter.
+    """
+
+    name: str
+    value: float
+    low: float
+    high: float
+    elsewhere: tuple[Bounds, ...]
+    searched: Bounds
+    steady: Bounds | None = None
+
+    def __str__(self) -> str:
+        more = f", and in {len(self.elsewhere)} further intervals" if self.elsewhere else ""
+        return f"{self.name} {self.said(self.low, self.high)}{more}"
+
+    def said(self, low: float, high: float) -> str:
+        """Say an interval, of those above, open where it reaches as far as was looked."""
+        least, most = self.searched
+        if math.isnan(low):
+            return "does not succeed"
+        if low <= least and high >= most:
+            return f"anywhere from {between(self.name, low, high)}"
+        if low <= least:
+            return f"up to {say(self.name, high)}"
+        if high >= most:
+            return f"from {say(self.name, low)} up"
+        return between(self.name, low, high)
+
+
+def margins(
+    release: Mapping[str, float],
+    parameters: Mapping[str, Any] = PAPER,
+    *,
+    names: Sequence[str] = MARGINS,
+    by: By = "any",
+    sd: Mapping[str, float] | None = None,
+    correlation: Mapping[tuple[str, str], float] | None = None,
+    shots: int = 10_000,
+    seed: int = 0,
+    tolerance: float = 0.01,
+) -> dict[str, Margin]:
+    """Return how far each variable of a release may be off, the others as they are.
+
+    Parameters
+    ----------
+    release
+        Variables, one number each. With `aim` among them it is the speed that stays as it is when
+        another variable is off, unless that is `aim` or `entry`.
+    parameters
+        Of the scene, one number each.
+    names
+        Variables that are off.
+    by
+        What counts: "any" shot made, "direct" if the board is not touched first, "bank" if it is.
+    sd, correlation
+        A player's scatter, as for `Scatter`, for `Margin.steady`.
+    shots, seed, tolerance
+        Of the probability with scatter: shots for each trial, their random numbers, and how far it
+        may fall.
+
+    Returns
+    -------
+    dict
+        By name.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not as described.
+    """
+    check_names("names", names, VARIABLES)
+    check_count("shots", shots)
+    check_seed(seed)
+    check_share("tolerance", tolerance)
+    given = one_each("release", release)
+    exact = Player(parameters=parameters, by=by)
+    scattered = Player(sd or {}, correlation or {}, parameters, by)
+    found = {}
+    for name in names:
+        values = _held(given, name, parameters)
+        line = _Line(name, values, exact, 1, 1, 0)
+        searched = _searched(name, values[name])
+        (low, high), elsewhere = line.intervals(searched, *_EXACT)
+        steady = None
+        if any(scattered.sd.values()):
+            least = scattered.made(values, shots, seed)[0] - tolerance * shots
+            line = _Line(name, values, scattered, shots, least, seed)
+            steady, _ = line.intervals(searched, *_SMOOTH)
+        found[name] = Margin(name, values[name], low, high, elsewhere, searched, steady)
+    return found
+
+
+@dataclass(frozen=True)
+class _Line:
+    """A release along one of its variables: where enough of its shots succeed."""
+
+    name: str
+    values: Mapping[str, float]
+    player: Player
+    shots: int
+    least: float
+    seed: int
+
+    def enough(self, at: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Return where enough shots succeed."""
+        moved: dict[str, ArrayLike] = {**self.values, self.name: at}
+        return self.player.made(moved, self.shots, self.seed) >= self.least
+
+    def intervals(
+        self, searched: Bounds, steps: int, halvings: int
+    ) -> tuple[Bounds, tuple[Bounds, ...]]:
+        """Return the interval about the release, NaN if there is none, and the others."""
+        value = self.values[self.name]
+        runs = self._runs(_steps(value, searched, steps), halvings)
+        about = [run for run in runs if run[0] <= value <= run[1]]
+        others = tuple(run for run in runs if run not in about)
+        return about[0] if about else (math.nan, math.nan), others
+
+    def _runs(self, steps: NDArray[np.float64], halvings: int) -> list[Bounds]:
+        """Return the intervals in which it is enough at every step, their ends bisected."""
+        enough = self.enough(steps)
+        change = np.flatnonzero(enough[1:] != enough[:-1])
+        # From the last that is enough to the first that is not, or the other way round.
+        inside = np.where(enough[change], steps[change], steps[change + 1])
+        outside = np.where(enough[change], steps[change + 1], steps[change])
+        for _ in range(halvings if len(change) else 0):
+            middle = (inside + outside) / 2
+            is_enough = self.enough(middle)
+            inside = np.where(is_enough, middle, inside)
+            outside = np.where(is_enough, outside, middle)
+        ends = inside.tolist()
+        ends = [steps[0].item()] * bool(enough[0]) + ends + [steps[-1].item()] * bool(enough[-1])
+        return list(zip(ends[::2], ends[1::2], strict=True))
+
+
+def _steps(value: float, searched: Bounds, count: int) -> NDArray[np.float64]:
+    """Return where to look, the release itself among them."""
+    low, high = searched
+    return np.concatenate(
+        [np.linspace(low, value, count, endpoint=False), np.linspace(value, high, count + 1)]
+    )
+
+
+def _held(
+    given: Mapping[str, float], name: str, parameters: Mapping[str, float]
+) -> dict[str, float]:
+    """Return the release in such variables that the others stay as they are when one is off."""
+    if name in ("aim", "entry") and name in given:
+        return dict(given)
+    values = arguments_of(given, parameters)
+    if name in parameters:
+        values.setdefault(name, float(parameters[name]))
+    if name not in values:
+        raise ValueError(f"names: {name} is no variable of this release; {', '.join(values)} are")
+    return values
+
+
+def _searched(name: str, value: float) -> Bounds:
+    """Return where to look along a variable; the release itself is never outside."""
+    away: dict[str, float] = {
+        "elevation": 25 * _DEGREE,
+        "entry": 25 * _DEGREE,
+        "azimuth": 25 * _DEGREE,
+        "angle": 25 * _DEGREE,
+        "backspin": 10 * _TURN,
+        "sidespin": 10 * _TURN,
+        "aim": 1.0,
+        "height": 1.0,
+        "distance": min(1.0, abs(value)),
+    }
+    half = away.get(name, 0.25 * abs(value))
+    least, most = _ENDS.get(name, (-math.inf, math.inf))
+    return min(max(value - half, least), value), max(min(value + half, most), value)

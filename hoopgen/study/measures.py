@@ -1,0 +1,444 @@
+"""What is measured of a shot beside its outcome.
+
+The flight that brings the ball to the ring is the one from the release or, where the backboard is
+touched first, the one after that contact, continued as if nothing else were in its way.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from enum import IntEnum
+from functools import cached_property, partial
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.generated.numpy import hoop
+from hoopgen.inputs import check_states
+from hoopgen.parameters import NAMES, PAPER, Value, resolve
+from hoopgen.releases import RING_HEIGHT
+from hoopgen.results import SURFACES, Outcome, Shots
+from hoopgen.simulation import simulate
+
+from .variables import check_names
+
+__all__ = ["MEASURES", "Kind", "Measure", "kinds", "measure"]
+
+Floats = NDArray[np.float64]
+
+_RING, _BOARD, _BRIDGE = (SURFACES.index(name) for name in ("ring", "backboard", "bridge"))
+
+_BLOCK = 1 << 14
+"""Shots measured at a time; their columns fit a processor's cache."""
+
+_HALVINGS = 50
+"""Of a flight's time in the search for the wire: then a cell is shorter than the resolution."""
+
+
+# ------------------------------------------------------------------------------------------- kinds
+
+
+class Kind(IntEnum):
+    """What a shot touched on its way."""
+
+    SWISH = 0
+    """Made, and touched nothing."""
+    RIM = 1
+    """Touched the ring or the bridge, never the board."""
+    BANK = 2
+    """Touched the board, never the ring or the bridge."""
+    BANK_RIM = 3
+    """Touched the board first, then the ring or the bridge too."""
+    RIM_BOARD = 4
+    """Touched the ring or the bridge first, then the board too."""
+    AIRBALL = 5
+    """Missed, and touched nothing."""
+    NONE = 6
+    """Touched nothing, and was neither made nor missed: short or invalid."""
+
+
+def kinds(
+    outcome: NDArray[np.uint8], counts: NDArray[np.int32], first: NDArray[np.int8]
+) -> NDArray[np.uint8]:
+    """Return the kind of each shot.
+
+    Parameters
+    ----------
+    outcome, counts, first
+        As in `Shots`: (n,), (n, k) and (n,).
+
+    Returns
+    -------
+    ndarray
+        uint8 (n,), a `Kind`.
+    """
+    board = counts[:, _BOARD] > 0
+    frame = (counts[:, _RING] > 0) | (counts[:, _BRIDGE] > 0)
+    return np.asarray(_KIND_OF[board * 1 + frame * 2 + (first == _BOARD) * 4, outcome])
+
+
+def _kind_of() -> NDArray[np.uint8]:
+    """Return kinds by outcome and by what was touched: 1 board, 2 ring or bridge, 4 board first."""
+    table = np.full((8, len(Outcome)), Kind.NONE, dtype=np.uint8)
+    table[0, Outcome.MADE], table[0, Outcome.MISSED] = Kind.SWISH, Kind.AIRBALL
+    touched = {1: Kind.BANK, 2: Kind.RIM, 3: Kind.RIM_BOARD, 5: Kind.BANK, 7: Kind.BANK_RIM}
+    for bits, kind in touched.items():
+        table[bits] = kind
+    return table
+
+
+_KIND_OF = _kind_of()
+
+
+# ---------------------------------------------------------------------------------------- measures
+
+
+def measure(
+    states: ArrayLike,
+    shots: Shots,
+    parameters: Mapping[str, Any] = PAPER,
+    names: Sequence[str] | None = None,
+) -> dict[str, Floats]:
+    """Return measures of simulated shots.
+
+    Parameters
+    ----------
+    states
+        The releases that were simulated, (n, 9) or (9,).
+    shots
+        Their results: all fields, or at least those in `Measure.fields` of what is wanted.
+    parameters
+        Of the scene, as they were then: one number, or (n,).
+    names
+        Of `MEASURES`; None for all. What is not wanted is not computed.
+
+    Returns
+    -------
+    dict
+        By name, float64 (n,); NaN where there is nothing to measure, as of an invalid shot.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not as described.
+    AttributeError
+        If `shots` lacks a field.
+    """
+    wanted = tuple(MEASURES) if names is None else tuple(names)
+    check_names("names", wanted, MEASURES)
+    releases = check_states(states)
+    if len(releases) != len(shots):
+        raise ValueError(
+            f"states: expected the {len(shots)} releases of shots, got {len(releases)}"
+        )
+    values = resolve(parameters, len(shots))
+    columns = {name: np.full(len(shots), np.nan) for name in wanted}
+    needed = {"outcome", *(name for measured in wanted for name in MEASURES[measured].fields)}
+    results = {name: getattr(shots, name) for name in sorted(needed)}
+    groups = dict.fromkeys(MEASURES[name].compute for name in wanted)
+    for start in range(0, len(shots), _BLOCK):
+        rows = slice(start, start + _BLOCK)
+        block = _Block(
+            releases[rows],
+            {name: result[rows] for name, result in results.items()},
+            dict(zip(NAMES, (_rows(value, rows) for value in values), strict=True)),
+        )
+        with np.errstate(all="ignore"):  # what is out of range there is NaN
+            for group in groups:
+                for name, column in group(block).items():
+                    if name in columns:
+                        columns[name][rows] = np.where(block.valid, column, np.nan)
+    return columns
+
+
+def _rows(value: Value, rows: slice | NDArray[np.intp]) -> Value:
+    return value if isinstance(value, float) else value[rows]
+
+
+@dataclass(frozen=True)
+class _Block:
+    """Some shots: releases, results and parameters."""
+
+    states: Floats
+    results: Mapping[str, NDArray[Any]]
+    parameters: Mapping[str, Value]
+
+    def __len__(self) -> int:
+        return len(self.states)
+
+    @cached_property
+    def valid(self) -> NDArray[np.bool_]:
+        """Which shots could be simulated."""
+        return np.asarray(self.results["outcome"] != Outcome.INVALID)
+
+    @cached_property
+    def ended(self) -> NDArray[np.bool_]:
+        """Which shots came to the end plane."""
+        outcome = self.results["outcome"]
+        return np.asarray((outcome == Outcome.MADE) | (outcome == Outcome.MISSED))
+
+    def of(self, rows: NDArray[np.intp]) -> dict[str, Value]:
+        """Return the parameters of some of the shots."""
+        return {name: _rows(value, rows) for name, value in self.parameters.items()}
+
+    def again(self, rows: NDArray[np.intp], max_contacts: int, **options: Any) -> Shots:
+        """Simulate some of the shots up to so many contacts."""
+        return simulate(
+            self.states[rows], self.of(rows), max_contacts=max_contacts, threads=1, **options
+        )
+
+    def descent(self, states: Floats, level: ArrayLike) -> tuple[Floats, Floats]:
+        """Return when flights from the states come down to a height, and where they are then.
+
+        Returns
+        -------
+        ndarray, ndarray
+            s, (n,), and x y z vx vy vz, (6, n); NaN if never.
+        """
+        x, y, z, vx, vy, vz, *_ = states.T
+        gravity = self.parameters["gravity"]
+        time, falling = hoop.descent(z, vz, level, gravity)
+        time = np.where(time >= 0.0, time, np.nan)
+        there = np.array(hoop.flight(time, x, y, z, vx, vy, vz, gravity))
+        there[5] = np.where(time >= 0.0, falling, np.nan)  # which keeps its digits
+        return time, there
+
+    @property
+    def floor(self) -> Value:
+        """Height of the centre of a ball on the floor, above the ring's plane."""
+        return self.parameters["ball_radius"] - RING_HEIGHT
+
+
+# The columns of each group, from a block
+
+
+def _to_the_ring(block: _Block) -> dict[str, Floats]:
+    """Return where and how the flight that brings the ball to the ring crosses its plane."""
+    flights = block.states.copy()
+    banked = np.flatnonzero(block.results["first"] == _BOARD)
+    if len(banked):
+        flights[banked] = block.again(banked, 1, fields=("state",)).state
+    _, (x, y, _, vx, vy, vz) = block.descent(flights, 0.0)
+    depth, left = hoop.sighted(x, y, block.states[:, 0], block.states[:, 1])
+    return {"entry_angle": np.arctan2(-vz, np.hypot(vx, vy)), "depth": depth, "left_right": left}
+
+
+def _highest(block: _Block) -> dict[str, Floats]:
+    """Return the height of the path up to the first contact."""
+    z, vz = block.states[:, 2], block.states[:, 5]
+    time, height = hoop.apex(z, vz, block.parameters["gravity"])
+    touched = np.flatnonzero(block.results["contacts"] > 0)
+    if len(touched):
+        contact = block.again(touched, 1, fields=("time", "state"))
+        rising = contact.time < time[touched]
+        height[touched] = np.where(rising, contact.state[:, 2], height[touched])
+    return {"apex": height + RING_HEIGHT}
+
+
+def _at_the_end(block: _Block) -> dict[str, Floats]:
+    """Return place and velocity at the end plane."""
+    x, y, _, vx, vy, vz, *_ = np.where(block.ended, block.results["state"].T, np.nan)
+    return {"end_x": x, "end_y": y, "end_vx": vx, "end_vy": vy, "end_vz": vz}
+
+
+def _on_the_floor(block: _Block) -> dict[str, Floats]:
+    """Return when, where and how the ball comes to the floor."""
+    falls = block.results["outcome"] != Outcome.CAPPED
+    time, there = block.descent(block.results["state"], block.floor)
+    time, (x, y, _, vx, vy, vz) = np.where(falls, time, np.nan), np.where(falls, there, np.nan)
+    return {
+        "floor_time": block.results["time"] + time,
+        "floor_x": x,
+        "floor_y": y,
+        "floor_vx": vx,
+        "floor_vy": vy,
+        "floor_vz": vz,
+    }
+
+
+def _past_the_wire(block: _Block) -> dict[str, Floats]:
+    """Return the closest approach to the ring."""
+    contacts = block.results["contacts"]
+    missed_it = block.valid & (block.results["counts"][:, _RING] == 0)
+    fall, _ = block.descent(block.results["state"], block.floor)
+    short = block.results["outcome"] == Outcome.SHORT
+    ends = block.results["time"] + np.where(short, fall, 0.0)
+    clearance = np.zeros(len(block))
+    free = np.flatnonzero(missed_it & (contacts == 0))
+    clearance[free] = _nearest(block.states[free], ends[free], block.of(free))
+    around = np.flatnonzero(missed_it & (contacts > 0))
+    if len(around):
+        owner, states, durations = _flights(block, around, ends)
+        clearance[around] = np.inf
+        np.minimum.at(clearance, owner, _nearest(states, durations, block.of(owner)))
+    return {"clearance": np.maximum(clearance, 0.0)}
+
+
+def _flights(
+    block: _Block, rows: NDArray[np.intp], ends: Floats
+) -> tuple[NDArray[np.intp], Floats, Floats]:
+    """Return every flight of some of the shots: whose it is, its first state, its duration."""
+    contacts = block.results["contacts"][rows]
+    # One more than they had: then none of them is capped that was not.
+    log = block.again(rows, int(contacts.max()) + 1, fields=(), record=True).events
+    shot = log["shot"].astype(np.intp)
+    order = np.arange(len(log)) - np.searchsorted(shot, shot)
+    log = log[(order < contacts[shot]) & (log["surface"] < len(SURFACES))]
+    owner = rows[np.concatenate([np.arange(len(rows)), log["shot"]])]
+    states = np.concatenate([block.states[rows], log["after"]])
+    starts = np.concatenate([np.zeros(len(rows)), log["time"]])
+    path = np.lexsort((starts, owner))  # stable: the release comes first
+    owner, states, starts = owner[path], states[path], starts[path]
+    last = np.append(owner[1:] != owner[:-1], True)
+    until = np.where(last, ends[owner], np.append(starts[1:], np.nan))
+    return owner, states, until - starts
+
+
+def _nearest(states: Floats, durations: Floats, parameters: Mapping[str, Value]) -> Floats:
+    """Return the least distance of ball and wire along flights, within their resolution.
+
+    Branch and bound: a cell of time is left where the kernel's bound shows that no place in it is
+    nearer than the nearest one known, and halved until the distance has at most one minimum in it.
+    """
+
+    def near(rows: NDArray[np.intp], t: Floats, half: Floats) -> Any:
+        sizes = (_rows(parameters[name], rows) for name in _SIZES)
+        arguments = [t, *states[rows].T[:6], half, *sizes]
+        return hoop.ring_nearness(*arguments)
+
+    def note(rows: NDArray[np.intp], t: Floats) -> Any:
+        gap, rate, *_ = near(rows, t, np.zeros_like(t))
+        np.minimum.at(best, rows, gap)
+        return rate
+
+    rows = np.arange(len(states))
+    best = np.full(len(states), np.inf)
+    note(rows, np.zeros(len(states)))
+    note(rows, durations)
+    t = half = durations / 2
+    for _ in range(_HALVINGS):
+        gap, _, lower, concavity, resolution = near(rows, t, half)
+        np.minimum.at(best, rows, gap)
+        open_ = lower < best[rows] - resolution
+        single = open_ & (concavity < 0.0)
+        _bottom(near, note, rows[single], t[single], half[single])
+        # What was found there may leave less to do.
+        split = open_ & ~single & (lower < best[rows] - resolution)
+        rows, half = np.repeat(rows[split], 2), np.repeat(half[split] / 2, 2)
+        t = np.repeat(t[split], 2) + half * np.tile([-1.0, 1.0], len(t[split]))
+        if not len(rows):
+            break
+    return best
+
+
+_SIZES = ("ball_radius", "ring_radius", "wire_radius", "gravity")
+
+
+def _bottom(
+    near: Callable[..., Any],
+    note: Callable[..., Any],
+    rows: NDArray[np.intp],
+    t: Floats,
+    half: Floats,
+) -> None:
+    """Note the least distance in cells in which its rate rises throughout."""
+    # Here, since a picture that needs a `Kind` need not have SciPy.
+    from scipy.optimize import elementwise
+
+    begin, end = t - half, t + half
+    falls, rises = note(rows, begin) < 0.0, note(rows, end) > 0.0
+    inside = falls & rises
+    if np.any(inside):
+        ends = (begin[inside], end[inside])
+        found = elementwise.find_root(
+            lambda at, row: near(row.astype(np.intp), at, np.zeros_like(at))[1],
+            ends,
+            args=(rows[inside],),
+        )
+        note(rows[inside], found.x)
+
+
+# ----------------------------------------------------------------------------------- what there is
+
+
+@dataclass(frozen=True)
+class Measure:
+    """Something that is measured of a shot.
+
+    Attributes
+    ----------
+    name
+        As it is asked for.
+    label
+        In words, for axes and tables.
+    unit
+        SI.
+    summary
+        What it is.
+    fields
+        Of `Shots`, that it is computed from.
+    compute
+        Computes it, and others with it.
+    """
+
+    name: str
+    label: str
+    unit: str
+    summary: str
+    fields: tuple[str, ...]
+    compute: Callable[[_Block], dict[str, Floats]] = field(repr=False)
+
+
+def _measures() -> Iterator[Measure]:
+    def of(compute: Callable[[_Block], dict[str, Floats]], *fields: str) -> Callable[..., Measure]:
+        return partial(Measure, fields=("outcome", *fields), compute=compute)
+
+    ring = of(_to_the_ring, "first")
+    yield ring(
+        "entry_angle",
+        "entry angle",
+        "rad",
+        "Below the horizontal, of the flight that brings the ball to the ring, where its centre "
+        "comes down through the ring's plane.",
+    )
+    yield ring(
+        "depth",
+        "depth past the ring's centre",
+        "m",
+        "How far past the ring's centre that is, along the line from the place of release. A "
+        "coach's depth, from the front of the rim, is ring_radius - wire_radius more.",
+    )
+    yield ring(
+        "left_right", "left-right", "m", "How far that is to the shooter's left of that line."
+    )
+    yield of(_highest, "contacts")(
+        "apex", "apex", "m", "Greatest height of the centre above the floor up to a first contact."
+    )
+    yield of(_past_the_wire, "contacts", "counts", "time", "state")(
+        "clearance",
+        "clearance of the ring",
+        "m",
+        "Closest approach of the ball's surface to the ring's wire; 0 if that was touched.",
+    )
+    end, floor = of(_at_the_end, "state"), of(_on_the_floor, "time", "state")
+    yield floor(
+        "floor_time", "time at the floor", "s", "Since the release, at floor level; see floor_x."
+    )
+    for axis in "xy":
+        yield end(f"end_{axis}", f"{axis} at the end", "m", "Of the centre, at the end plane.")
+        yield floor(
+            f"floor_{axis}",
+            f"{axis} at the floor",
+            "m",
+            "Of the centre, when the ball comes to the floor with nothing more in its way.",
+        )
+    for axis in "xyz":
+        yield end(f"end_v{axis}", f"v{axis} at the end", "m/s", "At the end plane.")
+        yield floor(f"floor_v{axis}", f"v{axis} at the floor", "m/s", "There; see floor_x.")
+
+
+MEASURES: Mapping[str, Measure] = MappingProxyType({each.name: each for each in _measures()})
+"""What can be measured, by name."""

@@ -1,0 +1,289 @@
+"""The best release for a player's scatter.
+
+Its probability is estimated again with fresh random numbers: that of the search is the greatest of
+many, and so a little too good.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hoopgen.parameters import PAPER
+from hoopgen.simulation import simulate
+
+from .draws import check_seed
+from .estimate import newcombe
+from .margins import MARGINS, Margin
+from .margins import margins as margins_of
+from .measures import measure
+from .player import BY, By, Player, arguments_of, one_each
+from .search import Bounds, bounds_of, flat_about, search
+from .tallies import check_count, check_scene, check_share, wilson
+from .variables import resolve_variables
+from .words import between, percent, say
+
+__all__ = ["Optimum", "optimum", "paired", "scattering"]
+
+
+@dataclass(frozen=True)
+class Optimum:
+    """The release with the greatest probability of success.
+
+    Attributes
+    ----------
+    release
+        The variables searched over, at their best, and those given; SI.
+    arguments
+        The same as arguments of `hoopgen.release`.
+    entry_angle, depth
+        Of the shot without scatter, as `hoopgen.measure` gives them: angle below the horizontal at
+        the ring's plane, rad, and how far past the ring's centre it comes down, or without contact
+        would have come down, m.
+    by
+        What counts as success.
+    probability, low, high
+        Share of fresh shots, other than those of the search, that succeed; its Wilson interval.
+    made, shots
+        How many of them, and of how many.
+    confidence
+        Of the interval.
+    seed
+        Of the search; the fresh shots are those of the next one.
+    tolerance
+        What `flat` and `Margin.steady` let the probability fall by.
+    flat
+        By variable searched over: the range in which, the others chosen to suit, the probability
+        was found to stay within the tolerance of the best.
+    bounds
+        Where was searched.
+    margins
+        By variable.
+    sd, correlation
+        The scatter.
+    parameters
+        Of the scene.
+    """
+
+    release: Mapping[str, float]
+    arguments: Mapping[str, float]
+    entry_angle: float
+    depth: float
+    by: By
+    probability: float
+    low: float
+    high: float
+    made: int
+    shots: int
+    confidence: float
+    seed: int
+    tolerance: float
+    flat: Mapping[str, Bounds]
+    bounds: Mapping[str, Bounds]
+    margins: Mapping[str, Margin]
+    sd: Mapping[str, float]
+    correlation: Mapping[tuple[str, str], float]
+    parameters: Mapping[str, float]
+
+    @property
+    def at_bounds(self) -> tuple[str, ...]:
+        """Variables whose flat range reaches a bound: the best may lie beyond it."""
+        return tuple(
+            name
+            for name, (low, high) in self.flat.items()
+            if low <= self.bounds[name][0] or high >= self.bounds[name][1]
+        )
+
+    def lead(self, other: Optimum) -> tuple[float, float, float]:
+        """Return by how much this probability is above another's, and the interval of it.
+
+        Of the same fresh shots for both: Newcombe's interval for paired data (1998).
+
+        Raises
+        ------
+        ValueError
+            If the two are not of as many shots and one seed.
+        """
+        if (self.shots, self.seed) != (other.shots, other.seed):
+            raise ValueError("other: expected an optimum of as many shots and the same seed")
+        mine, others = (
+            Player(one.sd, one.correlation, one.parameters, one.by).scored(
+                one.release, one.shots, one.seed + 1
+            )
+            for one in (self, other)
+        )
+        return paired(mine, others, self.confidence)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return everything in types that JSON knows; SI. What is not a number is None."""
+        plain = asdict(self)
+        plain["correlation"] = {",".join(pair): r for pair, r in self.correlation.items()}
+        plain["at_bounds"] = list(self.at_bounds)
+        for margin in plain["margins"].values():
+            if math.isnan(margin["low"]):
+                margin["low"] = margin["high"] = None
+        return plain
+
+    def __str__(self) -> str:
+        given = self.arguments
+        shot = [f"{say('speed', given['speed'])} at {say('elevation', given['elevation'])}"]
+        shot += [f"{name} {say(name, given[name])}" for name in ("azimuth", "backspin", "sidespin")]
+        flat = "; ".join(f"{name} {between(name, *ends)}" for name, ends in self.flat.items())
+        lines = [
+            f"release  {', '.join(shot)}",
+            f"flight   down at {say('entry', self.entry_angle)}, {say('aim', self.depth)} past the "
+            "centre",
+            f"success  {percent(self.probability)}, {100 * self.low:.1f} to {percent(self.high)} "
+            f"({self.confidence:.0%} of {self.shots:,} shots, seed {self.seed}): {BY[self.by]}",
+            f"flat     {flat}: within {100 * self.tolerance:g} points of that",
+            *(f"bound    {name}: the best may lie beyond" for name in self.at_bounds),
+            *(f"margin   {margin}" for margin in self.margins.values()),
+        ]
+        return "\n".join(lines)
+
+
+def optimum(
+    over: Mapping[str, Bounds | None] | Sequence[str],
+    release: Mapping[str, float],
+    sd: Mapping[str, float],
+    correlation: Mapping[tuple[str, str], float] | None = None,
+    parameters: Mapping[str, Any] = PAPER,
+    *,
+    by: By = "any",
+    shots: int = 100_000,
+    seed: int = 0,
+    confidence: float = 0.95,
+    tolerance: float = 0.01,
+    margins: Sequence[str] = MARGINS,
+) -> Optimum:
+    """Return the release with the greatest probability of success for a player's scatter.
+
+    Parameters
+    ----------
+    over
+        Variables to search over and their bounds; None, or names alone, for the usual bounds.
+        `aim` is searched more easily than `speed`, since it does not hang on the elevation.
+    release
+        The other variables, one number each: height and place above all.
+    sd
+        Standard deviations, as for `Scatter`.
+    correlation
+        Of pairs of names in `sd`.
+    parameters
+        Of the scene, one number each.
+    by
+        What counts: "any" shot made, "direct" if the board is not touched first, "bank" if it is.
+    shots
+        Of the last step of the search, and of the fresh estimate.
+    seed
+        From 0 to 2^64 - 2. The search throws its shots, the estimate those of ``seed + 1``.
+    confidence
+        Of the interval.
+    tolerance
+        The fall in probability that is still called flat.
+    margins
+        Variables whose margins are wanted.
+
+    Returns
+    -------
+    Optimum
+        The same for the same arguments.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not as described, or no release within the bounds succeeds.
+    """
+    player, fixed = scattering(sd, correlation, parameters, by), one_each("release", release)
+    bounds = bounds_of(over, fixed, player)
+    check_count("shots", shots)
+    check_share("confidence", confidence)
+    check_share("tolerance", tolerance)
+    check_seed(check_seed(seed) + 1)
+    point = search(player, bounds, fixed, shots, seed)
+    if point is None:
+        where = "; ".join(f"{name} {between(name, *ends)}" for name, ends in bounds.items())
+        raise ValueError(f"over: no release tried succeeds within {where}")
+    best = fixed | point
+    arguments = arguments_of(best, player.parameters)
+    made = int(player.made(best, shots, seed + 1)[0])
+    low, high = map(float, wilson(made, shots, confidence))
+    entry_angle, depth = _coming_down(best, player)
+    few = min(shots, max(10_000, shots // 10))
+    return Optimum(
+        release=best,
+        arguments=arguments,
+        entry_angle=entry_angle,
+        depth=depth,
+        by=by,
+        probability=made / shots,
+        low=low,
+        high=high,
+        made=made,
+        shots=shots,
+        confidence=confidence,
+        seed=seed,
+        tolerance=tolerance,
+        flat=flat_about(player, bounds, fixed, point, few, seed, tolerance),
+        bounds=bounds,
+        margins=margins_of(
+            best,
+            player.parameters,
+            names=margins,
+            by=by,
+            sd=sd,
+            correlation=correlation,
+            shots=few,
+            seed=seed,
+            tolerance=tolerance,
+        ),
+        sd=player.sd,
+        correlation=player.correlation,
+        parameters=player.parameters,
+    )
+
+
+def paired(
+    mine: NDArray[np.bool_], others: NDArray[np.bool_], confidence: float
+) -> tuple[float, float, float]:
+    """Return by how much the share of the first shots is above that of the second, and interval."""
+    low, high = newcombe(
+        int((mine & others).sum()),
+        int((mine & ~others).sum()),
+        int((~mine & others).sum()),
+        int((~mine & ~others).sum()),
+        confidence,
+    )
+    return (int(mine.sum()) - int(others.sum())) / len(mine), low, high
+
+
+def scattering(
+    sd: Mapping[str, float],
+    correlation: Mapping[tuple[str, str], float] | None,
+    parameters: Mapping[str, Any],
+    by: By,
+) -> Player:
+    """Return a player who scatters.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not as described for `optimum`.
+    """
+    player = Player(dict(sd), dict(correlation or {}), check_scene(parameters), by)
+    if not any(sd.values()):
+        raise ValueError("sd: expected a deviation above 0; without scatter a shot succeeds or not")
+    return player
+
+
+def _coming_down(release: Mapping[str, float], player: Player) -> tuple[float, float]:
+    """Return entry angle and depth of the shot without scatter."""
+    shot = resolve_variables(release, player.parameters)
+    shots = simulate(shot.states, shot.parameters)
+    found = measure(shot.states, shots, shot.parameters, ("entry_angle", "depth"))
+    return found["entry_angle"].item(), found["depth"].item()

@@ -1,0 +1,360 @@
+"""Tables of releases: which columns say what, in which units, and reading them in chunks.
+
+The unit is in the column's name: ``speed_mph``, ``elevation_deg``, ``height_ft``; SI and radians
+where none is. Reading is by pyarrow, and holds a few blocks in memory, whatever the file's size.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.compute as pc
+import pyarrow.csv
+import pyarrow.ipc
+import pyarrow.parquet as pq
+from numpy.typing import NDArray
+
+from hoopgen.parameters import NAMES
+from hoopgen.units import UNITS, Kind
+
+from .measures import MEASURES
+from .models import from_columns
+from .variables import STATE, VARIABLES
+
+__all__ = ["FORMATS", "Column", "Source", "columns_of", "values"]
+
+FORMATS: Mapping[str, tuple[str, ...]] = MappingProxyType(
+    {
+        "csv": (".csv",),
+        "parquet": (".parquet", ".pq"),
+        "arrow": (".arrow", ".arrows", ".feather", ".ipc"),
+    }
+)
+"""Formats of tables, and the suffixes that say so. Arrow is the IPC file, Feather, or stream."""
+
+_BLOCK = 1 << 22
+"""Bytes of a file that are read at a time; the longest row of CSV."""
+
+_ARROW_FILE = b"ARROW1"
+
+_NUMBER = r"^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$"
+
+
+# ------------------------------------------------------------------------------------ columns
+
+
+@dataclass(frozen=True)
+class Column:
+    """Where the numbers of a variable are.
+
+    Attributes
+    ----------
+    name
+        Of the column.
+    unit
+        Its size in SI.
+    """
+
+    name: str
+    unit: float
+
+
+def _suffixes(kind: Kind) -> dict[str, float]:
+    """Return what a column's name may end in, and the unit that this is: ``_ft_s``, ft/s."""
+    plain = {
+        unit.lower().replace("/", "_").replace("^", ""): size for unit, size in UNITS[kind].items()
+    }
+    return {f"_{unit}": size for unit, size in plain.items() if re.fullmatch(r"[a-z_0-9]+", unit)}
+
+
+def _kinds() -> dict[str, Kind]:
+    moving: dict[str, Kind] = {"v": "speed", "w": "spin"}
+    state = {name: moving.get(name[0], "length") for name in STATE}
+    return state | {name: variable.kind for name, variable in VARIABLES.items()}
+
+
+_KINDS = _kinds()
+
+_KNOWN = {
+    name + suffix: (name, size)
+    for name, kind in _KINDS.items()
+    for suffix, size in {"": 1.0, **_suffixes(kind)}.items()
+}
+"""Every name of a column that says something, what it says, and the size of its unit."""
+
+
+def columns_of(
+    names: Iterable[str], own: Sequence[str] = (), given: Iterable[str] = ()
+) -> dict[str, Column]:
+    """Return where a table has the variables of its shots, or their states.
+
+    Columns z or vx, vy, vz … say that rows are states. Those named like one of
+    `hoopgen.study.measures.MEASURES`, with a unit or without, are results, and let alone. Capital
+    letters are as good as small ones.
+
+    Parameters
+    ----------
+    names
+        The table's columns.
+    own
+        Columns that are not to be read, though they are named like variables.
+    given
+        Variables that are known from elsewhere; columns of them are not read.
+
+    Returns
+    -------
+    dict
+        By variable or component of the state.
+
+    Raises
+    ------
+    ValueError
+        If a column's unit is unknown, two say the same, states and releases are mixed, or
+        something is missing.
+    """
+    found: dict[str, Column] = {}
+    names, given = list(names), list(given)
+    absent = [name for name in own if name not in names]
+    if absent:
+        raise ValueError(f"own: no column {', '.join(absent)}; there are {', '.join(names)}")
+    for column in names:
+        variable, unit = ("", 0.0) if column in own else _variable(column)
+        if variable in found:
+            raise ValueError(
+                f"columns {found[variable].name} and {column} both say {variable}; "
+                "keep one, or list the other in own"
+            )
+        if variable and variable not in given:
+            found[variable] = Column(column, unit)
+    _check(found, given, names)
+    return found
+
+
+def _variable(column: str) -> tuple[str, float]:
+    """Return the variable and the unit that a column's name says; or none, if it is no such."""
+    plain = column.strip().lower()
+    if plain in _KNOWN:
+        return _KNOWN[plain]
+    if any(f"{plain}_".startswith(f"{measure}_") for measure in MEASURES):
+        return "", 0.0  # a result: entry_angle is no entry in angles
+    for name, kind in _KINDS.items():
+        if plain.startswith(f"{name}_"):
+            allowed = ", ".join(name + suffix for suffix in ("", *_suffixes(kind)))
+            raise ValueError(
+                f"column {column}: {plain.removeprefix(f'{name}_')} is no unit of {name}; "
+                f"expected {allowed}. If it is a column of your own, list it in own"
+            )
+    return "", 0.0
+
+
+def _check(found: Mapping[str, Column], given: Sequence[str], names: Sequence[str]) -> None:
+    """Refuse columns that do not say how a shot is released."""
+    if not found:
+        raise ValueError(f"no column says how a shot is released: {', '.join(names) or 'none'}")
+    said = {name: column.name for name, column in found.items()} | {name: name for name in given}
+    states = [said[name] for name in STATE[2:] if name in said]
+    others = [said[name] for name in said if name not in (*STATE, *NAMES)]
+    if states and others:
+        raise ValueError(
+            f"{', '.join(states)} say that the rows are states, and {', '.join(others)} "
+            "that they are releases; list in own those that are not to be read"
+        )
+    try:
+        from_columns({name: np.empty(0) for name in said})
+    except ValueError as error:
+        raise ValueError(f"{error}. The columns are {', '.join(names)}") from None
+
+
+def values(table: pa.Table, columns: Mapping[str, Column]) -> dict[str, NDArray[np.float64]]:
+    """Return the numbers of a table's columns, in SI.
+
+    Returns
+    -------
+    dict
+        By variable, (n,) each; NaN where a cell is empty, no number, or not finite.
+
+    Raises
+    ------
+    ValueError
+        If a column can hold no numbers.
+    """
+    return {name: _numbers(table, column) for name, column in columns.items()}
+
+
+def _numbers(table: pa.Table, column: Column) -> NDArray[np.float64]:
+    cells = table[column.name]
+    if pa.types.is_dictionary(cells.type):
+        cells = cells.cast(cells.type.value_type)
+    kind = cells.type
+    if pa.types.is_string(kind) or pa.types.is_large_string(kind):
+        cells = _parsed(cells)
+    elif not (
+        pa.types.is_integer(kind)
+        or pa.types.is_floating(kind)
+        or pa.types.is_decimal(kind)
+        or pa.types.is_null(kind)
+    ):
+        raise ValueError(f"column {column.name}: expected numbers, got {kind}")
+    numbers = cells.cast(pa.float64(), safe=False).to_numpy() * column.unit
+    return np.where(np.isfinite(numbers), numbers, np.nan)
+
+
+def _parsed(cells: pa.ChunkedArray) -> pa.ChunkedArray:
+    """Return text as numbers; null where it is none."""
+    try:
+        return cells.cast(pa.float64())
+    except pa.ArrowInvalid:
+        plain = pc.utf8_trim_whitespace(cells)
+        number = pc.match_substring_regex(plain, _NUMBER)
+        return pc.if_else(number, plain, None).cast(pa.float64())
+
+
+# ------------------------------------------------------------------------------------ reading
+
+
+@dataclass(frozen=True)
+class Source:
+    """A file with a table.
+
+    Attributes
+    ----------
+    path
+        The file.
+    format
+        One of `FORMATS`; by default as the suffix says. All cells of CSV are text, so that none is
+        changed and no type hangs on what comes first.
+
+    Raises
+    ------
+    ValueError
+        If the format is none of them.
+    """
+
+    path: Path
+    format: str = ""
+
+    def __post_init__(self) -> None:
+        suffixes = {suffix: name for name, listed in FORMATS.items() for suffix in listed}
+        found = self.format or suffixes.get(self.path.suffix.lower(), "")
+        if not found:
+            raise ValueError(
+                f"{self.path}: the suffix is none of {', '.join(suffixes)}; say format"
+            )
+        if found not in FORMATS:
+            raise ValueError(f"format: expected one of {', '.join(FORMATS)}, got {found!r}")
+        object.__setattr__(self, "format", found)
+
+    def schema(self) -> pa.Schema:
+        """Return the names and types of the columns.
+
+        Raises
+        ------
+        ValueError
+            If the file is not of its format, or two columns have one name.
+        """
+        with self._opened() as (schema, _):
+            return schema
+
+    def tables(self, rows: int) -> Iterator[pa.Table]:
+        """Read the rows in order, lazily, so many in each table; the last has what is left.
+
+        There is at least one table: that of an empty file has no rows.
+
+        Raises
+        ------
+        ValueError
+            If the file is not of its format.
+        """
+        with self._opened() as (schema, batches):
+            yield from _regrouped(schema, batches, rows)
+
+    def digest(self) -> tuple[str, int | None]:
+        """Read the whole file, and return a digest of it and the rows that it seems to have."""
+        digest, lines = hashlib.blake2b(digest_size=32), 0
+        with self.path.open("rb") as file:
+            while block := file.read(_BLOCK):
+                digest.update(block)
+                lines += block.count(b"\n")
+        if self.format == "parquet":
+            with self._naming(), pq.ParquetFile(self.path) as table:
+                return digest.hexdigest(), table.metadata.num_rows
+        return digest.hexdigest(), lines - 1 if self.format == "csv" else None
+
+    @contextmanager
+    def _opened(self) -> Iterator[tuple[pa.Schema, Iterable[pa.RecordBatch]]]:
+        openers = {"csv": _csv, "parquet": _parquet, "arrow": _arrow}
+        with self._naming(), openers[self.format](self.path) as (schema, batches):
+            twice = sorted({name for name in schema.names if schema.names.count(name) > 1})
+            if twice:
+                raise ValueError(f"two columns are named {', '.join(twice)}")
+            yield schema, batches
+
+    @contextmanager
+    def _naming(self) -> Iterator[None]:
+        """Name the file in errors of reading it."""
+        try:
+            yield
+        except OSError as error:
+            if error.errno is None:  # Arrow's word for damage
+                raise ValueError(f"{self.path}: {error}") from error
+            raise OSError(error.errno, os.strerror(error.errno), str(self.path)) from error
+        except ValueError as error:
+            raise ValueError(f"{self.path}: {error}") from error
+
+
+_Opened = Iterator[tuple[pa.Schema, Iterable[pa.RecordBatch]]]
+
+
+@contextmanager
+def _csv(path: Path) -> _Opened:
+    blocks = pa.csv.ReadOptions(block_size=_BLOCK)
+    with pa.csv.open_csv(path, blocks) as reader:
+        text = dict.fromkeys(reader.schema.names, pa.string())
+    layout = pa.csv.ParseOptions(newlines_in_values=True)
+    with pa.csv.open_csv(path, blocks, layout, pa.csv.ConvertOptions(column_types=text)) as reader:
+        yield reader.schema, reader
+
+
+@contextmanager
+def _parquet(path: Path) -> _Opened:
+    # Else a row group's pages are all read at once, and it may be all the file.
+    with pq.ParquetFile(path, buffer_size=_BLOCK, pre_buffer=False) as file:
+        yield file.schema_arrow, file.iter_batches()
+
+
+@contextmanager
+def _arrow(path: Path) -> _Opened:
+    with pa.memory_map(str(path)) as mapped:
+        if mapped.read(len(_ARROW_FILE)) != _ARROW_FILE:
+            mapped.seek(0)
+            stream = pa.ipc.open_stream(mapped)
+            yield stream.schema, stream
+        else:
+            file = pa.ipc.open_file(mapped)
+            yield file.schema, map(file.get_batch, range(file.num_record_batches))
+
+
+def _regrouped(
+    schema: pa.Schema, batches: Iterable[pa.RecordBatch], rows: int
+) -> Iterator[pa.Table]:
+    """Give tables of so many rows, whatever the batches have."""
+    held: list[pa.RecordBatch] = []
+    count, first = 0, True
+    for batch in batches:
+        while count + batch.num_rows >= rows:
+            wanted = rows - count
+            yield pa.Table.from_batches([*held, batch.slice(0, wanted)], schema)
+            batch, held, count, first = batch.slice(wanted), [], 0, False
+        held.append(batch)
+        count += batch.num_rows
+    if count or first:
+        yield pa.Table.from_batches(held, schema)

@@ -1,0 +1,173 @@
+"""Tallies: how many shots were of which kind and outcome, and intervals of their shares."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import ndtri
+
+from hoopgen.parameters import NAMES, resolve
+from hoopgen.results import Outcome, Shots
+
+from .measures import Kind, kinds
+
+__all__ = [
+    "BLOCK",
+    "COLUMNS",
+    "FIELDS",
+    "Tally",
+    "blocks",
+    "check_count",
+    "check_scene",
+    "check_share",
+    "wilson",
+]
+
+FIELDS = ("outcome", "counts", "first", "uncertain")
+"""Results that a tally needs of a shot."""
+
+BLOCK = 1 << 14
+"""Shots drawn and simulated at a time; their states fit a processor's cache."""
+
+_SHAPE = (len(Kind), len(Outcome))
+_CELLS = _SHAPE[0] * _SHAPE[1]
+
+COLUMNS = _CELLS + 1
+"""Of a row of numbers of a `Tally`."""
+
+
+def blocks(start: int, stop: int) -> Iterator[tuple[int, int]]:
+    """Cut shots `start` to `stop` - 1 into blocks."""
+    for low in range(start, stop, BLOCK):
+        yield low, min(low + BLOCK, stop)
+
+
+@dataclass(frozen=True)
+class Tally:
+    """Numbers of shots, of one setting or of many.
+
+    Attributes
+    ----------
+    table
+        int64 (..., kinds, outcomes).
+    uncertain
+        int64 (...), shots with a decision within its rounding-error bound.
+    """
+
+    table: NDArray[np.int64]
+    uncertain: NDArray[np.int64]
+
+    @classmethod
+    def none(cls, *settings: int) -> Tally:
+        """Return a tally of no shots, of settings in the given shape."""
+        return cls(np.zeros((*settings, *_SHAPE), np.int64), np.zeros(settings, np.int64))
+
+    @classmethod
+    def of(cls, shots: Shots, settings: int) -> Tally:
+        """Count shots of so many settings, as many of each, one setting after the other."""
+        kind = kinds(shots.outcome, shots.counts, shots.first).astype(np.intp)
+        cell = kind * len(Outcome) + shots.outcome
+        cell.reshape(settings, -1)[:] += np.arange(0, settings * _CELLS, _CELLS)[:, None]
+        counted = np.bincount(cell, minlength=settings * _CELLS)
+        return cls(
+            counted.reshape(settings, *_SHAPE),
+            np.count_nonzero(shots.uncertain.reshape(settings, -1), axis=1),
+        )
+
+    @classmethod
+    def read(cls, row: NDArray[np.int64]) -> Tally:
+        """Return what `row` gave, (..., columns)."""
+        return cls(row[..., :_CELLS].reshape(*row.shape[:-1], *_SHAPE), row[..., _CELLS])
+
+    def row(self) -> NDArray[np.int64]:
+        """Return all numbers side by side, (..., columns)."""
+        flat = self.table.reshape(*self.uncertain.shape, _CELLS)
+        return np.concatenate([flat, self.uncertain[..., None]], axis=-1)
+
+    def __add__(self, other: Tally) -> Tally:
+        return Tally(self.table + other.table, self.uncertain + other.uncertain)
+
+    @property
+    def shots(self) -> NDArray[np.int64]:
+        """All."""
+        return np.asarray(self.table.sum(axis=(-2, -1)))
+
+    @property
+    def valid(self) -> NDArray[np.int64]:
+        """Those that could be simulated."""
+        return self.shots - self.ended(Outcome.INVALID)
+
+    def ended(self, outcome: Outcome) -> NDArray[np.int64]:
+        """Those with an outcome."""
+        return np.asarray(self.table[..., outcome].sum(axis=-1))
+
+    def of_kind(self) -> NDArray[np.int64]:
+        """By kind, (..., kinds)."""
+        return np.asarray(self.table.sum(axis=-1))
+
+
+def wilson(
+    made: ArrayLike, shots: ArrayLike, confidence: float
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the ends of Wilson's score interval (1927) of a probability.
+
+    Parameters
+    ----------
+    made, shots
+        Whole numbers that broadcast. Of no shots nothing is known: from 0 to 1.
+    confidence
+        Within 0 and 1.
+    """
+    n, k = np.asarray(shots, dtype=np.float64), np.asarray(made, dtype=np.float64)
+    z = float(ndtri(0.5 + 0.5 * confidence))
+    with np.errstate(invalid="ignore"):
+        half = z * np.sqrt(k * (n - k) / n + 0.25 * z * z)
+    middle, whole = k + 0.5 * z * z, n + z * z
+    low = np.where(k > 0, (middle - half) / whole, 0.0)
+    high = np.where(k < n, (middle + half) / whole, 1.0)
+    return low, high
+
+
+def check_scene(parameters: Mapping[str, Any]) -> dict[str, float]:
+    """Return the parameters of the scene, each one number.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If a name is unknown or missing, or a value is not one number.
+    """
+    resolve(parameters, 1)
+    wrong = [name for name, value in parameters.items() if np.ndim(value)]
+    if wrong:
+        raise ValueError(f"parameters: expected one number for {', '.join(wrong)}")
+    return {name: float(parameters[name]) for name in NAMES}
+
+
+def check_count(name: str, value: Any) -> int:
+    """Return a whole number from 1.
+
+    Raises
+    ------
+    ValueError
+        If it is none; the message begins with `name`.
+    """
+    if not isinstance(value, int | np.integer) or isinstance(value, bool) or value < 1:
+        raise ValueError(f"{name}: expected a whole number from 1, got {value!r}")
+    return int(value)
+
+
+def check_share(name: str, value: Any) -> float:
+    """Return a number within 0 and 1.
+
+    Raises
+    ------
+    ValueError
+        If it is none; the message begins with `name`.
+    """
+    if not isinstance(value, float | int | np.number) or not 0.0 < value < 1.0:
+        raise ValueError(f"{name}: expected a number within 0 and 1, got {value!r}")
+    return float(value)

@@ -1,0 +1,600 @@
+"""The answer to each kind of question: in one line, in a few, in numbers, tables and figures."""
+
+from __future__ import annotations
+
+import io
+import itertools
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+import xarray as xr
+from numpy.typing import NDArray
+
+from hoopgen import plots
+from hoopgen.results import Outcome, Shots
+from hoopgen.simulation import simulate
+from hoopgen.study.aim import aim, aim_table, write_csv
+from hoopgen.study.bank import bank_or_direct
+from hoopgen.study.batch import batch
+from hoopgen.study.chunks import run
+from hoopgen.study.estimate import _digits, _percent, _points, compare, estimate
+from hoopgen.study.maps import map as mapped
+from hoopgen.study.measures import measure
+from hoopgen.study.models import Scatter
+from hoopgen.study.optimum import optimum, scattering
+from hoopgen.study.search import bounds_of
+from hoopgen.study.tables import Source, columns_of
+from hoopgen.study.variables import Releases, resolve_variables
+from hoopgen.study.words import between, percent, say
+
+from .schema import Aim, Bank, Batch, Compare, Estimate, Given, Map, Optimum, Question, Study
+from .settings import Setting, given_without
+
+__all__ = ["Answer", "Asked", "Work", "answer", "check"]
+
+_FAN = 2_000
+"""Shots whose shares are beside the fan; it shows the first of them."""
+
+_LANDINGS = 200_000
+"""Shots whose misses are shown."""
+
+
+@dataclass(frozen=True)
+class Work:
+    """Who works on a question, and where.
+
+    Attributes
+    ----------
+    folder
+        For files of the answer, and for finished chunks.
+    threads, scheduler
+        As for `hoopgen.study.chunks.run`.
+    progress
+        Called with what is done and its total, as far as that is known.
+    """
+
+    folder: Path
+    threads: int | None
+    scheduler: str | None
+    progress: Callable[[int, int | None], None]
+
+    @property
+    def options(self) -> dict[str, Any]:
+        """Return what functions that work in chunks are told."""
+        return {
+            "folder": self.folder / "chunks",
+            "threads": self.threads,
+            "scheduler": self.scheduler,
+            "progress": self.progress,
+        }
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What came out.
+
+    Attributes
+    ----------
+    line
+        In one line.
+    text
+        In more, Markdown.
+    numbers
+        In types that JSON knows; SI.
+    """
+
+    line: str
+    text: str
+    numbers: Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A question with what the study says beside it.
+
+    Attributes
+    ----------
+    study
+        What all questions have in common.
+    given
+        The tables above the questions.
+    question
+        The question itself.
+    folder
+        Of the study file.
+    """
+
+    study: Study
+    given: Given
+    question: Question
+    folder: Path
+
+    @cached_property
+    def setting(self) -> Setting:
+        """Where its shots come from."""
+        return Setting.of((self.given, self.question), self.folder)
+
+    def changed(self, versus: Given) -> Setting:
+        """Return the setting with changes."""
+        return Setting.of((self.given, self.question, versus), self.folder)
+
+    def identity(self) -> dict[str, Any]:
+        """Return all that the answer depends on, in types that JSON knows."""
+        question = self.question
+        apart = {*Given.model_fields, "versus"}
+        identity: dict[str, Any] = {
+            **{name: getattr(self.study, name) for name in ("seed", "confidence", "formats")},
+            **{name: value for name, value in question if name not in apart},
+        }
+        if isinstance(question, Batch):
+            source = Source(self.folder / question.file, question.format or "")
+            shared = {"release": question.release, "parameters": self.setting.parameters}
+            return identity | {"setting": shared, "table": source.digest()[0]}
+        identity["setting"] = self.setting.identity()
+        if isinstance(question, Compare):
+            identity["versus"] = self.changed(question.versus).identity()
+        return identity
+
+    def draw(self, work: Work, name: str, figure: Any) -> None:
+        """Write a figure in the formats wanted."""
+        for format in self.study.formats:
+            plots.save(figure, work.folder / f"{name}.{format}")
+
+
+# ---------------------------------------------------------------------------------------- estimate
+
+
+def _check_estimate(asked: Asked, question: Estimate | Compare) -> None:
+    settings = [asked.setting]
+    settings += [asked.changed(question.versus)] if isinstance(question, Compare) else []
+    for setting in settings:
+        setting.model().draw(0, 1, 0, setting.parameters)
+
+
+def _estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
+    setting = asked.setting
+    model = setting.model()
+    found = estimate(
+        model,
+        setting.parameters,
+        shots=question.shots,
+        precision=question.precision,
+        confidence=asked.study.confidence,
+        seed=asked.study.seed,
+        max_contacts=question.max_contacts,
+        **work.options,
+    )
+    shooting = _Shooting(asked, question, found.shots)
+    for name in question.figures:
+        asked.draw(work, name, shooting.fan() if name == "fan" else shooting.landings())
+    digits = _digits(found.half_width)
+    ends = f"{_percent(found.low, digits)} to {_percent(found.high, digits)}"
+    line = f"{_percent(found.probability, digits)} made ({ends})"
+    return Answer(line + _short_of(question, found.half_width), _fenced(found), found.as_dict())
+
+
+def _short_of(question: Estimate | Compare, half_width: float) -> str:
+    """Say that a precision was not reached."""
+    if question.precision is None or half_width <= question.precision:
+        return ""
+    return "; the precision was not reached: more shots"
+
+
+@dataclass(frozen=True)
+class _Shooting:
+    """The first shots of an estimate, for figures."""
+
+    asked: Asked
+    question: Estimate
+    shots: int
+
+    def fan(self) -> Any:
+        """Return the picture of paths."""
+        released, shots = self._simulated(_FAN, record=True)
+        return plots.plot_fan(shots, released.parameters, title=self.question.title)
+
+    def landings(self) -> Any:
+        """Return the picture of where misses reach the floor."""
+        released, shots = self._simulated(_LANDINGS)
+        states, scene = released.states, released.parameters
+        floor = measure(states, shots, scene, ("floor_x", "floor_y"))
+        x, y = (floor[name][shots.outcome == Outcome.MISSED] for name in ("floor_x", "floor_y"))
+        place = states[:, :2].mean(axis=0).tolist()
+        title = f"{self.question.title}: where misses land" if self.question.title else ""
+        return plots.plot_landings(x, y, scene, place=tuple(place), title=title)
+
+    def _simulated(self, most: int, *, record: bool = False) -> tuple[Releases, Shots]:
+        setting, seed = self.asked.setting, self.asked.study.seed
+        released = setting.model().draw(0, min(most, self.shots), seed, setting.parameters)
+        most_contacts = self.question.max_contacts
+        return released, simulate(
+            released.states, released.parameters, max_contacts=most_contacts, record=record
+        )
+
+
+# ----------------------------------------------------------------------------------------- compare
+
+
+def _compare(asked: Asked, question: Compare, work: Work) -> Answer:
+    first, second = asked.setting, asked.changed(question.versus)
+    found = compare(
+        (first.model(), first.parameters),
+        (second.model(), second.parameters),
+        shots=question.shots,
+        precision=question.precision,
+        confidence=asked.study.confidence,
+        seed=asked.study.seed,
+        max_contacts=question.max_contacts,
+        **work.options,
+    )
+    digits = _digits(found.half_width)
+    line = (
+        f"{_points(found.difference, digits)} points by the change "
+        f"({_points(found.low, digits)} to {_points(found.high, digits)})"
+    )
+    return Answer(line + _short_of(question, found.half_width), _fenced(found), found.as_dict())
+
+
+# --------------------------------------------------------------------------------------------- map
+
+
+def _fixed(asked: Asked, over: Iterable[str]) -> dict[str, float]:
+    """Return the variables that are not mapped or searched over."""
+    if asked.setting.releases is not None:
+        raise ValueError("releases: this question is about one release and its scatter; leave out")
+    return given_without(asked.setting.release, over)
+
+
+def _check_map(asked: Asked, question: Map) -> None:
+    one = {name: axis[0] for name, axis in question.over.items()}
+    resolve_variables({**_fixed(asked, question.over), **one}, asked.setting.parameters)
+    Scatter({}, asked.setting.sd, asked.setting.correlation)
+    if question.shots is not None and not asked.setting.scatters:
+        raise ValueError("shots: without scatter a cell is one shot; leave out")
+
+
+def _map(asked: Asked, question: Map, work: Work) -> Answer:
+    setting = asked.setting
+    dataset = mapped(
+        question.over,
+        _fixed(asked, question.over),
+        setting.sd if setting.scatters else None,
+        setting.correlation if setting.scatters else None,
+        setting.parameters,
+        shots=question.shots,
+        confidence=asked.study.confidence,
+        seed=asked.study.seed,
+        max_contacts=question.max_contacts,
+        **work.options,
+    )
+    dataset.to_netcdf(work.folder / "map.nc", engine="scipy")
+    for name in question.figures:
+        asked.draw(work, name, plots.plot_map(dataset, title=question.title))
+    cells = " × ".join(f"{len(values)} {name}" for name, values in question.over.items())
+    if "outcome" in dataset:
+        shares = _outcomes(dataset)
+        said = [f"{percent(share)} {name}" for name, share in shares.items() if share]
+        return Answer(f"{cells}: {', '.join(said)}", "", {"shares": shares})
+    return _best_cell(dataset, f"{cells}, {dataset['shots'].values.max():,} shots each")
+
+
+def _outcomes(dataset: xr.Dataset) -> dict[str, float]:
+    names = dataset["outcome"].attrs["flag_meanings"].split()
+    codes = dataset["outcome"].values
+    return {name: float(np.mean(codes == code)) for code, name in enumerate(names)}
+
+
+def _best_cell(dataset: xr.Dataset, cells: str) -> Answer:
+    probability = dataset["probability"]
+    if probability.isnull().all():
+        return Answer("no cell can be simulated", f"{cells}.", {"best": None})
+    best = dataset.isel(probability.argmax(...))
+    at = {str(name): best[name].item() for name in probability.dims}
+    made, low, high = (best[name].item() for name in ("probability", "low", "high"))
+    where = ", ".join(f"{name} {say(name, value)}" for name, value in at.items())
+    line = f"at best {percent(made)} made ({percent(low)} to {percent(high)}), at {where}"
+    note = "The best of many cells is a little too good."
+    numbers = {"best": {**at, "probability": made, "low": low, "high": high}}
+    return Answer(line, f"{cells}. {note}", numbers)
+
+
+# ----------------------------------------------------------------------------------------- optimum
+
+
+def _check_optimum(asked: Asked, question: Optimum) -> None:
+    setting, fixed = asked.setting, _fixed(asked, question.over)
+    player = scattering(setting.sd, setting.correlation, setting.parameters, question.by)
+    ends = bounds_of(_ends(question.over), fixed, player)
+    resolve_variables(fixed | {name: low for name, (low, _) in ends.items()}, setting.parameters)
+
+
+def _ends(
+    over: Mapping[str, Sequence[float] | None],
+) -> dict[str, tuple[float, float] | None]:
+    return {name: None if ends is None else (ends[0], ends[1]) for name, ends in over.items()}
+
+
+def _optimum(asked: Asked, question: Optimum, work: Work) -> Answer:
+    setting = asked.setting
+    work.progress(0, None)
+    best = optimum(
+        _ends(question.over),
+        _fixed(asked, question.over),
+        setting.sd,
+        setting.correlation,
+        setting.parameters,
+        by=question.by,
+        shots=question.shots,
+        seed=asked.study.seed,
+        confidence=asked.study.confidence,
+        tolerance=question.tolerance,
+        margins=question.margins,
+    )
+    given = best.arguments
+    line = (
+        f"{percent(best.probability)} ({percent(best.low)} to {percent(best.high)}) from "
+        f"{say('speed', given['speed'])} at {say('elevation', given['elevation'])}"
+    )
+    return Answer(line, _fenced(best), best.as_dict())
+
+
+# -------------------------------------------------------------------------------------------- bank
+
+
+def _places(question: Bank) -> NDArray[np.float64]:
+    """Return every combination, x and y, (n, 2)."""
+    names = tuple(question.places)
+    if set(names) not in ({"x", "y"}, {"distance", "angle"}):
+        raise ValueError(f"places: expected distance and angle, or x and y; got {', '.join(names)}")
+    axes = [question.places[name] for name in ("x", "y") if name in names]
+    axes += [question.places[name] for name in ("distance", "angle") if name in names]
+    first, second = np.array(list(itertools.product(*axes))).T
+    if "x" not in names:
+        first, second = first * np.cos(second), first * np.sin(second)
+    return np.stack([first, second], axis=-1)
+
+
+def _bank_release(asked: Asked, question: Bank) -> dict[str, float]:
+    return _fixed(asked, (*question.over, "distance", "angle", "x", "y"))
+
+
+def _check_bank(asked: Asked, question: Bank) -> None:
+    setting, fixed = asked.setting, _bank_release(asked, question)
+    x, y = _places(question)[0].tolist()
+    player = scattering(setting.sd, setting.correlation, setting.parameters, "any")
+    here = fixed | {"distance": math.hypot(x, y), "angle": math.atan2(y, x)}
+    ends = bounds_of(_ends(question.over), here, player)
+    resolve_variables(here | {name: low for name, (low, _) in ends.items()}, setting.parameters)
+
+
+@dataclass(frozen=True)
+class _Places:
+    """A job of `chunks.run`: a chunk is a place."""
+
+    places: tuple[tuple[float, float], ...]
+    release: Mapping[str, float]
+    setting: Setting
+    question: Bank
+    study: Study
+
+    @property
+    def chunks(self) -> int:
+        """How many."""
+        return len(self.places)
+
+    def identity(self) -> dict[str, Any]:
+        """Return what the chunks depend on."""
+        return {
+            "places": self.places,
+            "release": dict(self.release),
+            "setting": self.setting.identity(),
+            "over": self.question.over,
+            "shots": self.question.shots,
+            "seed": self.study.seed,
+            "confidence": self.study.confidence,
+        }
+
+    def compute(self, chunk: int) -> pa.Table:
+        """Return the dataset of a place, as the bytes of its netCDF file."""
+        dataset = bank_or_direct(
+            [self.places[chunk]],
+            self.release,
+            self.setting.sd,
+            self.setting.correlation,
+            self.setting.parameters,
+            over=_ends(self.question.over),
+            shots=self.question.shots,
+            seed=self.study.seed,
+            confidence=self.study.confidence,
+        )
+        dataset.attrs = {}
+        return pa.table({"dataset": [bytes(dataset.to_netcdf(engine="scipy"))]})
+
+
+def _bank(asked: Asked, question: Bank, work: Work) -> Answer:
+    places = [(x, y) for x, y in _places(question).tolist()]
+    job = _Places(
+        tuple(places), _bank_release(asked, question), asked.setting, question, asked.study
+    )
+    datasets = [_read(table) for table in run(job, **work.options)]
+    dataset = xr.concat(
+        datasets, "place", data_vars="all", coords="minimal", compat="override", join="exact"
+    )
+    dataset.attrs = {
+        "confidence": asked.study.confidence,
+        "shots": question.shots,
+        "seed": str(asked.study.seed),
+    }
+    dataset.to_netcdf(work.folder / "bank.nc", engine="scipy")
+    for name in question.figures:
+        picture = plots.plot_aim_points(dataset, asked.setting.parameters, title=question.title)
+        asked.draw(work, name, picture)
+    better, worse = (dataset["difference_low"] > 0).values, (dataset["difference_high"] < 0).values
+    line = f"{len(places)} places: the bank shot is better from {better.sum()}, the direct one "
+    line += f"from {worse.sum()}, {len(places) - better.sum() - worse.sum()} undecided"
+    return Answer(line, _bank_table(dataset), {"better": better.tolist(), "worse": worse.tolist()})
+
+
+def _read(table: pa.Table) -> xr.Dataset:
+    return xr.load_dataset(io.BytesIO(table["dataset"][0].as_py()), engine="scipy")
+
+
+def _bank_table(dataset: xr.Dataset) -> str:
+    rows = []
+    for place in range(dataset.sizes["place"]):
+        here = dataset.isel(place=place)
+        direct, bank = here["probability"].values
+        ends = (here[name].item() for name in ("difference_low", "difference_high"))
+        rows.append(
+            [
+                *(say(name, here[name].item()) for name in "xy"),
+                percent(direct),
+                percent(bank),
+                f"{_points(here['difference'].item(), 1)} "
+                f"({' to '.join(_points(end, 1) for end in ends)})",
+            ]
+        )
+    return _table(["x", "y", "direct", "bank", "bank less direct, points"], rows)
+
+
+# --------------------------------------------------------------------------------------------- aim
+
+
+def _wanted(asked: Asked, question: Aim) -> dict[str, Any]:
+    """Return arguments of `aim`."""
+    release = _fixed(asked, ())
+    names = ("entry", "elevation", "speed", "arc", "depth")
+    wanted = {name: getattr(question, name) for name in names}
+    if "height" not in release:
+        raise ValueError("release: missing height")
+    return wanted | {name: release[name] for name in ("height", "angle") if name in release}
+
+
+def _check_aim(asked: Asked, question: Aim) -> None:
+    aim(
+        **_wanted(asked, question),
+        distance=np.array(question.distance),
+        parameters=asked.setting.parameters,
+    )
+
+
+def _aim(asked: Asked, question: Aim, work: Work) -> Answer:
+    work.progress(0, None)
+    release = asked.setting.release
+    wanted = _wanted(asked, question)
+    wanted |= {name: release[name] for name in ("backspin", "sidespin") if name in release}
+    columns = aim_table(
+        question.distance,
+        **wanted,
+        by=question.by,
+        parameters=asked.setting.parameters,
+    )
+    write_csv(work.folder / "table.csv", columns)
+    rows = [
+        [
+            *(_one_of(columns, name, row) for name in _AIMED),
+            *(_ends_of(columns, name, row) for name in _OFF),
+        ]
+        for row in range(len(columns["speed"]))
+    ]
+    good = int(np.isfinite(columns["low_speed"]).sum())
+    line = f"{len(rows)} distances, {good} of them with a release that goes in"
+    table = _table([*_AIMED, *(f"goes in with {name}" for name in _OFF)], rows)
+    return Answer(line, table, {name: column.tolist() for name, column in columns.items()})
+
+
+_AIMED = ("distance", "speed", "elevation")
+_OFF = ("speed", "elevation", "azimuth")
+
+
+def _one_of(columns: Mapping[str, NDArray[np.float64]], name: str, row: int) -> str:
+    value = float(columns[name][row])
+    return "none" if math.isnan(value) else say(name, value)
+
+
+def _ends_of(columns: Mapping[str, NDArray[np.float64]], name: str, row: int) -> str:
+    low, high = (float(columns[f"{end}_{name}"][row]) for end in ("low", "high"))
+    return "none" if math.isnan(low) else between(name, low, high)
+
+
+# ------------------------------------------------------------------------------------------- batch
+
+
+def _check_batch(asked: Asked, question: Batch) -> None:
+    source = Source(asked.folder / question.file, question.format or "")
+    columns_of(source.schema().names, question.own, question.release)
+
+
+def _batch(asked: Asked, question: Batch, work: Work) -> Answer:
+    counts = batch(
+        asked.folder / question.file,
+        work.folder / "results.parquet",
+        parameters=asked.setting.parameters,
+        release=question.release,
+        measures=question.measures,
+        max_contacts=question.max_contacts,
+        format=question.format,
+        own=question.own,
+        prefix=question.prefix,
+        scheduler=work.scheduler,
+        threads=work.threads,
+        progress=work.progress,
+    )
+    said = ", ".join(f"{count:,} {name}" for name, count in counts.items() if count)
+    return Answer(f"{sum(counts.values()):,} shots: {said or 'none'}", "", counts)
+
+
+# --------------------------------------------------------------------------------------- in common
+
+
+@dataclass(frozen=True)
+class _Kind:
+    """How questions of a kind are checked, before any work, and answered."""
+
+    check: Callable[[Asked, Any], None]
+    answer: Callable[[Asked, Any, Work], Answer]
+
+
+_KINDS: Mapping[type[Question], _Kind] = MappingProxyType(
+    {
+        Estimate: _Kind(_check_estimate, _estimate),
+        Compare: _Kind(_check_estimate, _compare),
+        Map: _Kind(_check_map, _map),
+        Optimum: _Kind(_check_optimum, _optimum),
+        Bank: _Kind(_check_bank, _bank),
+        Aim: _Kind(_check_aim, _aim),
+        Batch: _Kind(_check_batch, _batch),
+    }
+)
+
+
+def check(asked: Asked) -> None:
+    """Look for what can be seen to be wrong before any work.
+
+    Raises
+    ------
+    TypeError, ValueError, OSError
+        If something is.
+    """
+    _KINDS[type(asked.question)].check(asked, asked.question)
+
+
+def answer(asked: Asked, work: Work) -> Answer:
+    """Answer a question, its tables and figures written into the folder of the work."""
+    return _KINDS[type(asked.question)].answer(asked, asked.question, work)
+
+
+def _fenced(found: object) -> str:
+    return f"```text\n{found}\n```"
+
+
+def _table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    lines = [head, ["---:"] * len(head), *rows]
+    return "\n".join(f"| {' | '.join(line)} |" for line in lines)

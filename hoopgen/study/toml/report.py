@@ -1,0 +1,136 @@
+"""The report of a study: what was asked, and the answers with their intervals; Markdown."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+import hoopgen
+
+from .answers import Answer, Asked
+
+__all__ = ["report"]
+
+_SHOWN = (".svg", ".png")
+"""Pictures that a page can show."""
+
+_CAPTIONS: Mapping[str, str] = MappingProxyType(
+    {
+        "fan": "Paths of the first shots",
+        "landings": "Where misses reach the floor",
+        "map": "The map",
+        "aim_points": "Where bank shots touch the board, and from where",
+    }
+)
+
+_OF_ITSELF = ("kind", "name", "title")
+
+
+def report(
+    questions: Sequence[Asked],
+    document: Mapping[str, Any],
+    answers: Mapping[str, Answer],
+    errors: Mapping[str, Exception],
+    folder: Path,
+) -> str:
+    """Return the report.
+
+    Parameters
+    ----------
+    questions
+        All of them, in order.
+    document
+        The study file as it is written.
+    answers, errors
+        By the name of the question: one of them each.
+    folder
+        Where the answers' files are.
+    """
+    return "\n\n".join(_sections(questions, document, answers, errors, folder)) + "\n"
+
+
+def _sections(
+    questions: Sequence[Asked],
+    document: Mapping[str, Any],
+    answers: Mapping[str, Answer],
+    errors: Mapping[str, Exception],
+    folder: Path,
+) -> Iterator[str]:
+    study = questions[0].study
+    yield f"# {study.name}"
+    if study.description.strip():
+        yield study.description.strip()
+    yield (
+        f"By hoopgen {hoopgen.__version__} from [study.toml](study.toml), seed {study.seed}; "
+        f"intervals of {100 * study.confidence:.4g} % confidence. "
+        "[versions.json](versions.json) says what computed."
+    )
+    rows = ["| question | answer |", "|---|---|"]
+    for asked in questions:
+        name = asked.question.name
+        said = answers[name].line if name in answers else f"not answered: {_flat(errors[name])}"
+        rows.append(f"| [{_cell(_title(asked))}](#{name}) | {_cell(said)} |")
+    yield "\n".join(rows)
+    shared = {key: value for key, value in document.items() if key not in ("study", "question")}
+    if shared:
+        yield f"All questions have in common:\n\n{_toml(shared)}"
+    for asked, written in zip(questions, document["question"], strict=True):
+        name = asked.question.name
+        yield f'<a id="{name}"></a>\n\n## {_title(asked)}'
+        options = {key: value for key, value in written.items() if key not in _OF_ITSELF}
+        yield f"Asked: {_kind(asked)}" + (f"\n\n{_toml(options)}" if options else "")
+        if name in answers:
+            yield from _answer(asked, answers[name], folder)
+        else:
+            yield f"Not answered: {_flat(errors[name])}"
+
+
+def _answer(asked: Asked, answer: Answer, folder: Path) -> Iterator[str]:
+    yield f"**{answer.line}**"
+    if answer.text:
+        yield answer.text
+    files = sorted(file.name for file in (folder / asked.question.name).iterdir())
+    shown: dict[str, str] = {}
+    for file in files:
+        stem, suffix = Path(file).stem, Path(file).suffix
+        if suffix in _SHOWN:
+            shown.setdefault(stem, file)
+    yield from (
+        f"![{_CAPTIONS.get(stem, stem)}]({asked.question.name}/{file})"
+        for stem, file in shown.items()
+    )
+    yield f"Files: {', '.join(f'[{file}]({asked.question.name}/{file})' for file in files)}"
+
+
+def _title(asked: Asked) -> str:
+    return asked.question.title or asked.question.name
+
+
+def _kind(asked: Asked) -> str:
+    """Say what is asked: the first line of the question's description."""
+    first = (type(asked.question).__doc__ or "").partition("\n")[0]
+    return f"{asked.question.kind}. {first}"
+
+
+def _toml(tables: Mapping[str, Any]) -> str:
+    return "```toml\n" + "\n".join(_keys(tables)) + "\n```"
+
+
+def _keys(values: Mapping[str, Any], prefix: str = "") -> Iterator[str]:
+    """Yield keys as they are written, dotted, a line each."""
+    for key, value in values.items():
+        if isinstance(value, Mapping) and value:
+            yield from _keys(value, f"{prefix}{key}.")
+        else:
+            yield f"{prefix}{key} = {json.dumps(value, ensure_ascii=False, default=str)}"
+
+
+def _cell(text: str) -> str:
+    return text.replace("|", r"\|")
+
+
+def _flat(error: Exception) -> str:
+    return " ".join(str(error).split())

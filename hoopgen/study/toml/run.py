@@ -1,0 +1,277 @@
+"""`run_study`: a study file in, a folder with its answers out.
+
+A question is worked on in ``<name>.unfinished``, where its finished chunks are kept too. The folder
+gets its name when all of it is there, so what bears a name is finished. Nothing in a folder but
+``versions.json`` hangs on the machine, the threads, or when and how often the work was interrupted.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import platform
+import shutil
+from collections.abc import Callable, Iterator, Mapping
+from importlib import metadata
+from pathlib import Path
+from typing import Any
+
+import hoopgen
+from hoopgen.study.chunks import _flat, _short, _sync, opened, written
+
+from . import lines
+from .answers import Answer, Asked, Work, answer, check
+from .reading import complain, parse
+from .report import report
+from .schema import Batch, Compare, StudyFile
+
+__all__ = ["check_study", "run_study"]
+
+Progress = Callable[[str, int, int | None], None]
+
+_STUDY, _VERSIONS, _REPORT = ("study.toml", "versions.json", "report.md")
+_ASKED, _ANSWER = "question.json", "answer.json"
+_UNFINISHED = ".unfinished"
+
+_JUST_BEGUN = {"lock", "identity.json", "identity.json.tmp", f"{_VERSIONS}.tmp"}
+"""All that a study may leave that is killed before its first file is there."""
+
+_MADE_WITH = ("hoopgen", "numpy", "scipy", "pyarrow", "xarray", "matplotlib", "pydantic")
+
+
+def check_study(path: str | os.PathLike[str]) -> list[Asked]:
+    """Read a study file and look for what is wrong, without any work.
+
+    Parameters
+    ----------
+    path
+        The file.
+
+    Returns
+    -------
+    list of Asked
+        Its questions.
+
+    Raises
+    ------
+    StudyError
+        If it is not as `hoopgen.study.toml.schema` describes: with all that is wrong, the lines
+        and the keys.
+    OSError
+        If it cannot be read.
+    """
+    return _read(Path(path))[1]
+
+
+def run_study(
+    path: str | os.PathLike[str],
+    out: str | os.PathLike[str] | None = None,
+    *,
+    threads: int | None = None,
+    scheduler: str | None = None,
+    progress: Progress | None = None,
+) -> dict[str, Answer]:
+    """Answer all questions of a study file, and keep the answers in a folder.
+
+    After an interruption the same call goes on where it was. Questions may be added to the file;
+    those that are in the folder must not change.
+
+    Parameters
+    ----------
+    path
+        The study file; see ``docs/study.md``.
+    out
+        The folder: made if it is not there, by default beside the file, ``<its name>-results``. It
+        gets a copy of the file, the versions of what computed, a report, and a folder for each
+        question with its answer, tables and figures.
+    threads, scheduler
+        As for `hoopgen.estimate`; questions that are not worked on in chunks do not use them.
+    progress
+        Called with the name of a question, what of it is done, and its total (None: not known).
+
+    Returns
+    -------
+    dict
+        Answers by the name of their question.
+
+    Raises
+    ------
+    StudyError
+        If the file is not as described: with all that is wrong, the lines and the keys.
+    ValueError
+        If the folder holds another study, and what differs; or something else.
+    ExceptionGroup
+        If questions cannot be answered: their errors, each with a note that names it. The others
+        are in the folder.
+    OSError
+        If files cannot be read or written.
+    """
+    file = Path(path)
+    content, questions, document = _read(file)
+    folder = Path(out) if out is not None else file.with_name(f"{file.stem}-results")
+    identities = {asked.question.name: _identity(asked) for asked in questions}
+    _refuse_foreign(folder)
+    with opened(folder, {"study": identities}) as kept:
+        try:
+            _refuse_changed(folder, identities)
+            _write(folder / _VERSIONS, _json(_versions()))
+            _write(folder / _STUDY, content)
+            answers: dict[str, Answer] = {}
+            errors: dict[str, Exception] = {}
+            for asked in questions:
+                name = asked.question.name
+                work = Work(
+                    folder / f"{name}{_UNFINISHED}", threads, scheduler, _noted(progress, name)
+                )
+                try:
+                    answers[name] = _answered(asked, identities[name], folder / name, work)
+                except Exception as error:  # whatever it is, the other questions go on
+                    error.add_note(f"question {name}")
+                    errors[name] = error
+            _write(folder / _REPORT, report(questions, document, answers, errors, folder).encode())
+        finally:
+            kept.remove()
+    if errors:
+        raise ExceptionGroup(
+            f"{len(errors)} of {len(questions)} questions could not be answered; the others are "
+            f"in {folder}",
+            list(errors.values()),
+        )
+    return answers
+
+
+# -------------------------------------------------------------------------------------- the file
+
+
+def _read(file: Path) -> tuple[bytes, list[Asked], Mapping[str, Any]]:
+    """Return the content of the file, its questions, checked, and all of it as it is written."""
+    content = file.read_bytes()
+    study, document, text = parse(content, file)
+    found = [
+        (path, f"there is no file {file.parent / name}")
+        for path, name in _files(study)
+        if not (file.parent / name).is_file()
+    ]
+    if found:
+        raise complain(file, text, found)
+    questions = [Asked(study.study, study, question, file.parent) for question in study.question]
+    for place, asked in enumerate(questions):
+        try:
+            check(asked)
+        except (TypeError, ValueError, OSError) as error:
+            found.append((("question", place), str(error)))
+    if found:
+        raise complain(file, text, found)
+    return content, questions, document
+
+
+def _files(study: StudyFile) -> Iterator[tuple[lines.Path, str]]:
+    """Yield the files that are read, and where the study file names them."""
+    given: list[tuple[lines.Path, Any]] = [((), study)]
+    for place, question in enumerate(study.question):
+        path: lines.Path = ("question", place)
+        given.append((path, question))
+        if isinstance(question, Compare):
+            given.append(((*path, "versus"), question.versus))
+        if isinstance(question, Batch):
+            yield (*path, "file"), question.file
+    for path, tables in given:
+        if tables.releases is not None:
+            yield (*path, "releases", "file"), tables.releases.file
+
+
+def _identity(asked: Asked) -> dict[str, Any]:
+    return {"hoopgen": hoopgen.__version__, **asked.identity()}
+
+
+# ------------------------------------------------------------------------------------ the folder
+
+
+def _refuse_foreign(folder: Path) -> None:
+    """Refuse a folder with files that are not of a study."""
+    there = {entry.name for entry in folder.iterdir()} if folder.is_dir() else set()
+    if _VERSIONS not in there and there - _JUST_BEGUN:
+        raise ValueError(f"{folder} holds something else than a study; give another folder")
+
+
+def _refuse_changed(folder: Path, identities: Mapping[str, Mapping[str, Any]]) -> None:
+    """Refuse a folder whose questions are others, or are not among those asked."""
+    differences = []
+    for file in sorted(folder.glob(f"*/{_ASKED}")):
+        name = file.parent.name.removesuffix(_UNFINISHED)
+        try:
+            there = _flat(json.loads(file.read_bytes()))
+        except ValueError:
+            raise ValueError(f"{file} cannot be read; delete {file.parent}") from None
+        here = _flat(identities[name]) if name in identities else None
+        if here is None:
+            differences.append(f"it has the question {name}, which the study has not")
+            continue
+        changed = [
+            f"{key} is {_short(there.get(key))} there and {_short(here.get(key))} here"
+            for key in dict.fromkeys((*here, *there))
+            if there.get(key) != here.get(key)
+        ]
+        if changed:
+            differences.append(f"question {name}: {'; '.join(changed)}")
+    if differences:
+        raise ValueError(
+            f"{folder} holds another study: {'. '.join(differences)}. Give another folder, or "
+            "delete the folders of those questions in it to ask them anew"
+        )
+
+
+def _noted(progress: Progress | None, name: str) -> Callable[[int, int | None], None]:
+    return lambda done, total: None if progress is None else progress(name, done, total)
+
+
+def _answered(asked: Asked, identity: Mapping[str, Any], finished: Path, work: Work) -> Answer:
+    """Return the answer that is in the folder, or find it and put it there."""
+    if not finished.is_dir():
+        work.folder.mkdir(exist_ok=True)
+        for stale in work.folder.glob("*.tmp"):
+            stale.unlink()
+        _write(work.folder / _ASKED, _json(identity))
+        found = answer(asked, work)
+        _write(work.folder / _ANSWER, _json(vars(found)))
+        _settle(work.folder)
+        work.folder.rename(finished)
+        _sync({finished.parent})
+    shutil.rmtree(finished / "chunks", ignore_errors=True)
+    return Answer(**json.loads((finished / _ANSWER).read_bytes()))
+
+
+def _settle(folder: Path) -> None:
+    """Make files last before their folder gets its name, whatever happens to the power."""
+    for file in folder.iterdir():
+        if file.is_file():
+            with file.open("rb+") as opened_file:
+                os.fsync(opened_file.fileno())
+    _sync({folder})
+
+
+def _write(file: Path, content: bytes) -> None:
+    with written(file) as out:
+        out.write(content)
+
+
+def _json(values: Mapping[str, Any]) -> bytes:
+    text = json.dumps(_plain(values), indent=1, allow_nan=False, ensure_ascii=False)
+    return f"{text}\n".encode()
+
+
+def _plain(values: Any) -> Any:
+    """Return values as JSON knows them: None for what is not a number."""
+    if isinstance(values, Mapping):
+        return {str(key): _plain(value) for key, value in values.items()}
+    if isinstance(values, list | tuple):
+        return [_plain(value) for value in values]
+    return None if isinstance(values, float) and not math.isfinite(values) else values
+
+
+def _versions() -> dict[str, str]:
+    """Return what computes."""
+    versions = {name: metadata.version(name) for name in _MADE_WITH}
+    system = {"python": platform.python_version(), "platform": platform.platform()}
+    return versions | system

@@ -1,0 +1,363 @@
+"""The tables of a study file and their keys."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
+from typing import Annotated, Any, TypeAlias
+
+from pydantic import AfterValidator, Field, GetCoreSchemaHandler, ValidationError, model_validator
+from pydantic_core import CoreSchema, core_schema
+
+from hoopgen.parameters import FIBA, NAMES, NBA, PAPER
+from hoopgen.study.aim import Arc
+from hoopgen.study.margins import MARGINS
+from hoopgen.study.measures import MEASURES
+from hoopgen.study.player import BY, By
+from hoopgen.study.tables import FORMATS
+from hoopgen.study.variables import ARGUMENTS, VARIABLES
+
+from .fields import (
+    Ends,
+    Listed,
+    Named,
+    OneOf,
+    Quantity,
+    Share,
+    Table,
+    Text,
+    Values,
+    Whole,
+    Word,
+    meant,
+    show,
+    wrong,
+)
+
+__all__ = [
+    "KINDS",
+    "PRESETS",
+    "Aim",
+    "Bank",
+    "Batch",
+    "Compare",
+    "Estimate",
+    "Given",
+    "Map",
+    "Optimum",
+    "Question",
+    "Releases",
+    "Study",
+    "StudyFile",
+]
+
+PRESETS: Mapping[str, Mapping[str, float]] = MappingProxyType(
+    {"paper": PAPER, "nba": NBA, "fiba": FIBA}
+)
+
+_RELEASE = tuple(name for name in VARIABLES if name not in NAMES)
+_SCATTERED = (*ARGUMENTS, *NAMES)
+
+
+def _quantity(name: str) -> Quantity:
+    if name == "restitution":
+        return Quantity("number", 0.0, 1.0)
+    return Quantity(VARIABLES[name].kind)
+
+
+def _deviation(name: str) -> Quantity:
+    return Quantity(VARIABLES[name].kind, 0.0)
+
+
+def _correlation(_: str) -> Quantity:
+    return Quantity("number", -1.0, 1.0)
+
+
+def _correlations(_: str) -> Named:
+    return Named(_SCATTERED, _correlation)
+
+
+def _values(name: str) -> Values:
+    return Values(VARIABLES[name].kind)
+
+
+def _ends(name: str) -> Ends:
+    return Ends(VARIABLES[name].kind)
+
+
+def _scene(name: str) -> Any:
+    return Word(tuple(PRESETS)) if name == "preset" else _quantity(name)
+
+
+_SEARCH = Named(tuple(VARIABLES), _ends, least=1)
+_SEARCHED = OneOf(Listed(Word(tuple(VARIABLES)), 1), _SEARCH)
+
+
+def _search(given: Any) -> Any:
+    """Names alone are searched within their usual ends."""
+    return dict.fromkeys(given) if isinstance(given, list) else given
+
+
+Count: TypeAlias = Annotated[int, Whole()]
+Over: TypeAlias = Annotated[dict[str, list[float]], Named(tuple(VARIABLES), _values, least=1)]
+Search: TypeAlias = Annotated[dict[str, list[float] | None], _SEARCHED, AfterValidator(_search)]
+Way: TypeAlias = Annotated[By, Word(tuple(BY))]
+Names: TypeAlias = Annotated[list[str], Listed(Text(said="a column's name"))]
+Format: TypeAlias = Annotated[str | None, Word(tuple(FORMATS))]
+File: TypeAlias = Annotated[str, Text(said="the name of a file")]
+
+
+class Study(Table):
+    """What all of the study has in common."""
+
+    name: Annotated[str, Text()] = Field(description="Title of the report.")
+    description: Annotated[str, Text(r"(?s:.*)", "text")] = Field(
+        "", description="At the head of the report; Markdown."
+    )
+    seed: Annotated[int, Whole(0)] = Field(
+        0, description="Of all random numbers: the same study gives the same results."
+    )
+    confidence: Annotated[float, Share()] = Field(0.95, description="Of all intervals.")
+    formats: Annotated[list[str], Listed(Word(("svg", "pdf", "png")), 1)] = Field(
+        ["svg", "pdf"], description="Of the figures."
+    )
+
+
+class Releases(Table):
+    """Measured releases, whose rows are drawn at random.
+
+    The columns take the place of what is given above; `release` beside this table, in the same
+    place of the file, takes the place of columns.
+    """
+
+    file: File = Field(
+        description="CSV, Parquet or Arrow; relative to the study file. The columns' names say "
+        "the variables and units: `speed_mph`, `elevation_deg`."
+    )
+    format: Format = Field(None, description="By default as the suffix says.")
+    own: Names = Field(
+        [], description="Columns that are not to be read, though they are named like variables."
+    )
+
+
+class Given(Table):
+    """Where shots come from."""
+
+    scene: Annotated[dict[str, Any], Named(("preset", *NAMES), _scene)] = Field(
+        {}, description="The hoop and the ball."
+    )
+    release: Annotated[dict[str, float], Named(_RELEASE, _quantity)] = Field(
+        {}, description="The release aimed at."
+    )
+    scatter: Annotated[dict[str, float] | None, Named(_SCATTERED, _deviation, none=True)] = Field(
+        {}, description="Standard deviations about it."
+    )
+    correlation: Annotated[dict[str, dict[str, float]], Named(_SCATTERED, _correlations)] = Field(
+        {}, description="Of pairs that scatter."
+    )
+    releases: Releases | None = Field(None, description="Measured releases instead of scatter.")
+
+
+class Question(Given):
+    """What all questions have.
+
+    The tables of where shots come from may stand in a question too, as `[question.release]`. What
+    they say is for this question alone, key by key in place of what is said above.
+    """
+
+    kind: Annotated[str, Text(said="a kind")] = Field(description="What is asked: those below.")
+    name: Annotated[
+        str,
+        Text(r"[a-z0-9][a-z0-9_-]{0,59}", "small letters, digits, - and _, at most 60"),
+    ] = Field(description="Of its folder in the results.")
+    title: Annotated[str, Text(r".*")] = Field(
+        "", description="In the report and above figures; by default the name."
+    )
+
+
+class Estimate(Question):
+    """How probably a shot is made."""
+
+    shots: Annotated[int | None, Whole()] = Field(
+        None, description="By default 100,000; with a precision the most, by default 1e9."
+    )
+    precision: Annotated[float | None, Share()] = Field(
+        None, description="Stop when half the interval is no wider: 0.001 is a tenth of a point."
+    )
+    max_contacts: Count = Field(40, description="A shot with so many is given up as capped.")
+    figures: Annotated[list[str], Listed(Word(("fan", "landings")))] = Field(
+        [], description="Paths of the first shots; where misses reach the floor."
+    )
+
+
+class Compare(Question):
+    """What a change adds to the probability, over the same random numbers."""
+
+    versus: Given = Field(
+        description="What changes, in the tables of where shots come from: "
+        "`versus.release.backspin = 0`."
+    )
+    shots: Annotated[int | None, Whole()] = Field(None, description="As of an estimate.")
+    precision: Annotated[float | None, Share()] = Field(
+        None, description="As of an estimate, for the difference."
+    )
+    max_contacts: Count = Field(40, description="A shot with so many is given up as capped.")
+
+
+class Map(Question):
+    """How probably a shot is made over its variables; without scatter, what becomes of it."""
+
+    over: Over = Field(
+        description="Variables and their values, in place of what is given: `over.elevation = "
+        '{ from = "45 deg", to = "60 deg", count = 31 }`, or a list. The first is drawn across.'
+    )
+    shots: Annotated[int | None, Whole()] = Field(
+        None, description="Of each cell, with scatter; by default 10,000."
+    )
+    max_contacts: Count = Field(40, description="A shot with so many is given up as capped.")
+    figures: Annotated[list[str], Listed(Word(("map",)))] = Field([], description="The map.")
+
+
+class Optimum(Question):
+    """The release with the greatest probability, and what it forgives."""
+
+    over: Search = Field(
+        description='Variables to search over: `["elevation", "aim"]` within the usual ends, or '
+        '`over.elevation = ["45 deg", "60 deg"]`.'
+    )
+    by: Way = Field("any", description="What counts: any made shot, not off the board, or off it.")
+    shots: Count = Field(
+        100_000, description="Of the last step of the search, and of the fresh estimate."
+    )
+    tolerance: Annotated[float, Share()] = Field(
+        0.01, description="The fall in probability that is still called flat."
+    )
+    margins: Annotated[list[str], Listed(Word(tuple(VARIABLES)))] = Field(
+        list(MARGINS), description="Variables of which it is said how far off they may be."
+    )
+
+
+class Bank(Question):
+    """The best bank shot against the best direct shot, from places on the court."""
+
+    places: Annotated[
+        dict[str, list[float]], Named(("distance", "angle", "x", "y"), _values, least=2)
+    ] = Field(description="Distance and angle, or x and y: every combination is a place.")
+    over: Search = Field(
+        {"elevation": None, "aim": None, "azimuth": None},
+        description="Variables to search over, as of an optimum.",
+    )
+    shots: Count = Field(20_000, description="As of an optimum.")
+    figures: Annotated[list[str], Listed(Word(("aim_points",)))] = Field(
+        [], description="Where bank shots touch the board, and from where they are better."
+    )
+
+
+class Aim(Question):
+    """The release through the ring's centre from each distance, and what it forgives: a table.
+
+    Height, angle and spins are those of the release. Of `entry`, `elevation` and `speed` one may
+    be given; without, it is the slowest release.
+    """
+
+    distance: Annotated[list[float], Values("length")] = Field(
+        description="From the ring's centre on the floor plan."
+    )
+    entry: Annotated[float | None, Quantity("angle")] = Field(
+        None, description="Wanted angle below the horizontal at the ring."
+    )
+    elevation: Annotated[float | None, Quantity("angle")] = Field(
+        None, description="Wanted angle of the release."
+    )
+    speed: Annotated[float | None, Quantity("speed")] = Field(
+        None, description="Wanted speed of the release."
+    )
+    arc: Annotated[Arc, Word(("high", "low"))] = Field(
+        "high", description="Which of the two flights with that speed."
+    )
+    depth: Annotated[float, Quantity("length")] = Field(
+        0.0, description="How far past the ring's centre is aimed."
+    )
+    by: Way = Field("any", description="What counts, as of an optimum.")
+
+
+class Batch(Question):
+    """A table of releases, simulated row by row.
+
+    Of where shots come from it takes the scene, and what its own `release` says, which all rows
+    share.
+    """
+
+    file: File = Field(description="CSV, Parquet or Arrow, as of `releases`.")
+    format: Format = Field(None, description="By default as the suffix says.")
+    own: Names = Field(
+        [], description="Columns that are not to be read, though they are named like variables."
+    )
+    measures: Annotated[list[str], Listed(Word(tuple(MEASURES)))] = Field(
+        [], description="Columns to add."
+    )
+    prefix: Annotated[str, Text(r".*", "text")] = Field(
+        "", description="Of the names of the results' columns."
+    )
+    max_contacts: Count = Field(40, description="A shot with so many is given up as capped.")
+
+
+KINDS: Mapping[str, type[Question]] = MappingProxyType(
+    {
+        "estimate": Estimate,
+        "compare": Compare,
+        "map": Map,
+        "optimum": Optimum,
+        "bank": Bank,
+        "aim": Aim,
+        "batch": Batch,
+    }
+)
+"""The questions there are."""
+
+_KIND = Word(tuple(KINDS))
+
+
+class _OfKind:
+    """A question of the kind that it says."""
+
+    def __get_pydantic_core_schema__(self, _: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        kinds = {f"<{kind}>": handler.generate_schema(table) for kind, table in KINDS.items()}
+        return core_schema.no_info_wrap_validator_function(
+            self._read,
+            core_schema.tagged_union_schema(
+                kinds, discriminator=lambda given: f"<{given['kind']}>"
+            ),
+        )
+
+    def _read(self, given: Any, handler: Callable[[Any], Any]) -> Any:
+        if not isinstance(given, dict):
+            raise ValueError(f"expected a table, [[question]]; got {show(given)}")
+        if given.get("kind") not in KINDS:
+            # Of what kind its keys are is not known.
+            said = f"missing; expected {_KIND.words}"
+            if "kind" in given:
+                said = str(_KIND.refuse(given["kind"], meant(given["kind"], KINDS)))
+            raise ValidationError.from_exception_data("question", [wrong(said, ("kind",))])
+        return handler(given)
+
+
+class StudyFile(Given):
+    """All of a study."""
+
+    study: Study = Field(description="What all of it has in common.")
+    question: list[Annotated[Question, _OfKind()]] = Field(
+        min_length=1, description="What is asked."
+    )
+
+    @model_validator(mode="after")
+    def _named_once(self) -> StudyFile:
+        names = [question.name for question in self.question]
+        errors = [
+            wrong(f"{show(name)} is another question's", ("question", place, "name"))
+            for place, name in enumerate(names)
+            if name in names[:place]
+        ]
+        if errors:
+            raise ValidationError.from_exception_data("question", errors)
+        return self

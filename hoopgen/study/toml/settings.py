@@ -1,0 +1,154 @@
+"""Where the shots of a question come from: the file's tables, and its own in place of them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import reduce
+from pathlib import Path
+from typing import Any
+
+import pyarrow as pa
+
+from hoopgen.study.models import ReleaseModel, Resample, Scatter
+from hoopgen.study.tables import Source, columns_of, values
+from hoopgen.study.tables import _variable as variable_of
+from hoopgen.study.variables import STATE, change_variables
+
+from .schema import PRESETS, Given, Releases
+
+__all__ = ["Setting", "given_without"]
+
+_ROWS = 1 << 20
+"""Read at a time."""
+
+_PLACES = ({"x", "y"}, {"distance", "angle"})
+"""Two ways to say a place."""
+
+
+@dataclass(frozen=True)
+class Setting:
+    """Where shots come from; SI.
+
+    Attributes
+    ----------
+    scene
+        The preset, and the parameters that differ from it.
+    above, own
+        Variables of the release aimed at: those that columns of `releases` take the place of, and
+        those that take the place of columns.
+    sd, correlation
+        The scatter about it, as of `Scatter`.
+    releases
+        Measured releases; None without.
+    folder
+        That their file is relative to.
+    """
+
+    scene: Mapping[str, Any]
+    above: Mapping[str, float]
+    own: Mapping[str, float]
+    sd: Mapping[str, float]
+    correlation: Mapping[tuple[str, str], float]
+    releases: Releases | None
+    folder: Path
+
+    @classmethod
+    def of(cls, given: Iterable[Given], folder: Path) -> Setting:
+        """Return what tables say, each key by key in place of those before."""
+        return reduce(Setting._changed, given, cls({}, {}, {}, {}, {}, None, folder))
+
+    def _changed(self, given: Given) -> Setting:
+        correlation = {
+            (one, other): value
+            for one, others in given.correlation.items()
+            for other, value in others.items()
+        }
+        kept = {
+            pair: value
+            for pair, value in self.correlation.items()
+            if pair[::-1] not in correlation and given.scatter is not None
+        }
+        above, own = self.above, _change(self.own, given.release)
+        if given.releases is not None:
+            above, own = self.release, dict(given.release)
+        return Setting(
+            {**self.scene, **given.scene},
+            above,
+            own,
+            {**self.sd, **given.scatter} if given.scatter is not None else {},
+            {**kept, **correlation},
+            given.releases or self.releases,
+            self.folder,
+        )
+
+    @property
+    def release(self) -> dict[str, float]:
+        """Return the variables of the release aimed at."""
+        return _change(self.above, self.own)
+
+    @property
+    def parameters(self) -> dict[str, float]:
+        """Return those of the scene."""
+        changed = {name: value for name, value in self.scene.items() if name != "preset"}
+        return {**PRESETS[self.scene.get("preset", "paper")], **changed}
+
+    @property
+    def scatters(self) -> bool:
+        """Whether a deviation is above 0."""
+        return any(self.sd.values())
+
+    def model(self) -> ReleaseModel:
+        """Return the release model.
+
+        Raises
+        ------
+        ValueError
+            If there can be none: a variable is missing, or two say the same.
+        OSError
+            If the file of measured releases cannot be read.
+        """
+        if self.releases is None:
+            return Scatter(self.release, self.sd, self.correlation)
+        if self.scatters:
+            raise ValueError(
+                "scatter: it is about one release, and releases has many; leave one out, or give "
+                'scatter = "none"'
+            )
+        return Resample(self._measured(self.releases))
+
+    def _measured(self, releases: Releases) -> dict[str, Any]:
+        """Return the columns of measured releases, and what is the same for all."""
+        source = Source(self.folder / releases.file, releases.format or "")
+        names = source.schema().names
+        said = {name: variable_of(name)[0] for name in names if name not in releases.own}
+        said = {name: variable for name, variable in said.items() if variable}
+        kept = _change(dict.fromkeys(said.values(), math.nan), self.own)
+        passed = [name for name, one in said.items() if one in self.own or one not in kept]
+        is_state = not set(STATE[2:]).isdisjoint(said.values())
+        given = {**({} if is_state else given_without(self.above, kept)), **self.own}
+        columns = columns_of(names, [*releases.own, *passed], given)
+        return {**values(pa.concat_tables(source.tables(_ROWS)), columns), **given}
+
+    def identity(self) -> dict[str, Any]:
+        """Return what tells this setting from others, in types that JSON knows."""
+        return {**self.model().identity(), "parameters": self.parameters}
+
+
+def _change(release: Mapping[str, float], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """Return variables with some changed; what says the same in another way is dropped."""
+    gone = {name for way in _PLACES if not way.isdisjoint(changes) for name in _other(way)}
+    return change_variables({n: v for n, v in release.items() if n not in gone}, changes)
+
+
+def _other(way: set[str]) -> set[str]:
+    first, second = _PLACES
+    return second if way is first else first
+
+
+def given_without(release: Mapping[str, float], names: Iterable[str]) -> dict[str, float]:
+    """Return variables without some, and without what says the same as those in another way."""
+    names = tuple(names)
+    left = _change(release, dict.fromkeys(names))
+    return {name: value for name, value in left.items() if name not in names}

@@ -1,0 +1,125 @@
+"""Values of variables in words and on axes, in the units that coaches use.
+
+The arrays hold SI units and radians; degrees, Hz and centimetres are for reading.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import pi
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.units import Kind
+
+from .variables import VARIABLES
+
+__all__ = ["MINUS", "Quantity", "between", "percent", "percent_in_picture", "quantity", "say"]
+
+MINUS = "\N{MINUS SIGN}"
+
+_SHOWN: Mapping[Kind, tuple[str, float, int]] = MappingProxyType(
+    {
+        "length": ("m", 1.0, 3),
+        "speed": ("m/s", 1.0, 3),
+        "angle": ("°", pi / 180.0, 1),
+        "spin": ("Hz", 2.0 * pi, 2),
+        "acceleration": ("m/s²", 1.0, 3),
+        "number": ("", 1.0, 3),
+    }
+)
+"""The unit that each kind is shown in, its size in SI, and the decimals in text."""
+
+_AIM = ("cm", 0.01, 1)
+
+_DIGITS = 4
+"""Significant, in pictures."""
+
+
+# -------------------------------------------------------------------------------------------- text
+
+
+def say(name: str, value: float, *, unit: bool = True) -> str:
+    """Say the value of a variable."""
+    symbol, size, decimals = _AIM if name == "aim" else _SHOWN[VARIABLES[name].kind]
+    text = f"{value / size:.{decimals}f}"
+    if float(text) == 0.0:
+        text = text.removeprefix("-")
+    return _with(symbol, text) if unit else text
+
+
+def between(name: str, low: float, high: float) -> str:
+    """Say an interval of a variable, its unit once."""
+    return f"{say(name, low, unit=False)} to {say(name, high)}"
+
+
+def percent(share: float) -> str:
+    """Say a share."""
+    return f"{100.0 * share:.1f} %"
+
+
+# ---------------------------------------------------------------------------------------- pictures
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """How a variable is shown in a picture.
+
+    Attributes
+    ----------
+    name
+        In words.
+    unit
+        Shown; empty for a plain number.
+    size
+        Of that unit, in the unit of what is given.
+    """
+
+    name: str
+    unit: str
+    size: float = 1.0
+
+    @property
+    def label(self) -> str:
+        """For an axis: name and unit."""
+        return f"{self.name} ({self.unit})" if self.unit else self.name
+
+    def shown(self, values: ArrayLike) -> NDArray[np.float64]:
+        """Return values in the unit shown."""
+        return np.asarray(values, dtype=np.float64) / self.size
+
+    def say(self, value: float) -> str:
+        """Return a value, in the unit shown, in words."""
+        return _with(self.unit, f"{value:.{_DIGITS}g}".replace("-", MINUS))
+
+
+def quantity(name: str, attributes: Mapping[str, object] | None = None) -> Quantity:
+    """Return how a variable is shown in a picture.
+
+    Parameters
+    ----------
+    name
+        One of `hoopgen.study.variables.VARIABLES`, in SI units; or any other.
+    attributes
+        Of another one: ``long_name`` and ``units``, as xarray has them.
+    """
+    if name in VARIABLES:
+        unit, size, _ = _SHOWN[VARIABLES[name].kind]
+        return Quantity(VARIABLES[name].label, unit, size)
+    given = attributes or {}
+    return Quantity(str(given.get("long_name", name)), str(given.get("units", "")))
+
+
+def percent_in_picture(share: float, digits: int = 1) -> str:
+    """Return a share, set close; one that would be rounded to none is said to be less."""
+    least = 0.1**digits
+    if 0.0 < 100.0 * share < least / 2.0:
+        return f"<{least:.{digits}f}%"
+    return f"{100.0 * share:.{digits}f}%"
+
+
+def _with(unit: str, number: str) -> str:
+    return number + ("" if unit in ("", "°") else " ") + unit

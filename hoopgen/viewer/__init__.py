@@ -1,0 +1,8 @@
+"""An interactive page of shots in space: one HTML file that needs nothing else.
+
+Drawn with three.js (MIT), which lies beside in ``three/`` and goes into every page.
+"""
+
+from hoopgen.viewer.page import page, view
+
+__all__ = ["page", "view"]

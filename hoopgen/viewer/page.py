@@ -1,0 +1,216 @@
+"""The page's file: shots as pieces of parabolas in JSON, beside the script that draws them."""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import html
+import inspect
+import json
+import re
+from collections.abc import Mapping, Sequence
+from functools import cache
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import hoopgen
+from hoopgen.generated.numpy import hoop
+from hoopgen.parameters import NAMES, Value, resolve
+from hoopgen.releases import RING_HEIGHT
+from hoopgen.results import SURFACES, Outcome, Shots
+from hoopgen.study.measures import Kind, kinds
+
+__all__ = ["MOST", "page", "view"]
+
+MOST = 2000
+"""Shots on a page; with more, browsers are slow and paths cannot be told apart."""
+
+_SCRIPTS = ("flight.js", "scene.js", "camera.js", "badges.js", "picture.js", "page.js")
+_SLOT = re.compile(r"\{\{(\w+)\}\}")
+
+
+def view(
+    shots: Shots,
+    parameters: Mapping[str, Any],
+    path: str | Path,
+    *,
+    title: str = "",
+    about: str = "",
+    labels: Sequence[str] | None = None,
+) -> Path:
+    """Write a page on which shots are seen in motion.
+
+    It is one file of about 0.7 MB, needs no network, and opens in any browser with WebGL.
+    Invalid shots are left out; `about` may say so.
+
+    Parameters
+    ----------
+    shots
+        Of `hoopgen.simulate` with ``record=True``, all fields; `MOST` at most.
+    parameters
+        Of the scene, as they were simulated with: one number each or (n,).
+    path
+        Where to; ends in .html.
+    title
+        At the top; by default the outcome, or the number of shots.
+    about
+        A line below it.
+    labels
+        What each shot is called, n words or lines; by default "Shot 1", "Shot 2", ...
+
+    Returns
+    -------
+    Path
+        The file written; the same shots give the same bytes.
+
+    Raises
+    ------
+    ValueError
+        If the path ends in something else, there is no valid shot or too many, or the labels or
+        parameters are not as described.
+    AttributeError
+        If the shots were simulated without ``record=True``.
+    """
+    target = Path(path)
+    if target.suffix.lower() not in (".html", ".htm"):
+        raise ValueError(f"path: a page's name ends in .html, got {target.name!r}")
+    text = page(shots, parameters, title=title, about=about, labels=labels)
+    target.write_text(text, encoding="utf-8", newline="\n")
+    return target
+
+
+def page(
+    shots: Shots,
+    parameters: Mapping[str, Any],
+    *,
+    title: str = "",
+    about: str = "",
+    labels: Sequence[str] | None = None,
+) -> str:
+    """Return the HTML that `view` writes."""
+    values = dict(zip(NAMES, resolve(parameters, len(shots)), strict=True))
+    names = _labels(labels, len(shots))
+    valid = np.flatnonzero(shots.outcome != Outcome.INVALID)
+    if not 1 <= len(valid) <= MOST:
+        raise ValueError(f"shots: expected 1 to {MOST} valid ones, got {len(valid)}")
+    touched = _touched(shots, values)
+    words = [Kind(kind).name.lower() for kind in kinds(shots.outcome, shots.counts, shots.first)]
+    data = {
+        "title": title or _title(shots, valid),
+        "about": about,
+        "ring_height": RING_HEIGHT,
+        "surfaces": SURFACES,
+        "outcomes": [outcome.name.lower() for outcome in Outcome],
+        "kinds": [kind.name.lower() for kind in Kind],
+        "parameters": {name: v for name, v in values.items() if isinstance(v, float)},
+        "shots": [
+            _shot(shots, int(row), values, touched, label=names[row], kind=words[row])
+            for row in valid
+        ],
+    }
+    return _fill(data)
+
+
+def _title(shots: Shots, valid: NDArray[np.intp]) -> str:
+    if len(valid) > 1:
+        return f"{len(valid)} shots"
+    return Outcome(int(shots.outcome[valid[0]])).name.capitalize()
+
+
+def _labels(labels: Sequence[str] | None, shots: int) -> list[str]:
+    if labels is None:
+        return [f"Shot {number}" for number in range(1, shots + 1)]
+    if isinstance(labels, str) or len(labels) != shots:
+        raise ValueError(f"labels: expected {shots}, one a shot, got {labels!r}")
+    return [str(label) for label in labels]
+
+
+def _shot(
+    shots: Shots,
+    row: int,
+    values: Mapping[str, Value],
+    touched: NDArray[np.float64],
+    *,
+    label: str,
+    kind: str,
+) -> dict[str, Any]:
+    """Collect a shot: its flights (start, state there) and its events (surface, time, place)."""
+    trajectory = shots.trajectory(row)
+    events = trajectory.events
+    low = int(np.searchsorted(shots.events["shot"], row))
+    states = np.vstack([trajectory.release, events["after"]])
+    starts = np.concatenate([[0.0], events["time"]])
+    return {
+        "label": label,
+        "outcome": Outcome(int(shots.outcome[row])).name.lower(),
+        "kind": kind,
+        "uncertain": bool(shots.uncertain[row]),
+        "parameters": {n: float(v[row]) for n, v in values.items() if not isinstance(v, float)},
+        "flights": np.column_stack([starts, states]).tolist(),
+        "events": [
+            {"surface": (*SURFACES, "end")[surface], "time": float(time), "at": at.tolist()}
+            for surface, time, at in zip(
+                events["surface"], events["time"], touched[low : low + len(events)], strict=True
+            )
+        ],
+    }
+
+
+def _touched(shots: Shots, values: Mapping[str, Value]) -> NDArray[np.float64]:
+    """Return where the ball touches at each event, (m, 3); at the end, the ball's centre."""
+    events = shots.events
+    centres = np.array(events["before"][:, :3])
+    for index, name in enumerate(SURFACES):
+        rows = np.flatnonzero(events["surface"] == index)
+        shot = events["shot"][rows]
+        columns = {n: v if isinstance(v, float) else v[shot] for n, v in values.items()}
+        columns |= dict(zip("xyz", centres[rows].T, strict=True))
+        kernel = getattr(hoop, f"{name}_normal")
+        normal = kernel(*[columns[n] for n in inspect.signature(kernel).parameters])
+        for axis, component in enumerate(normal):
+            centres[rows, axis] -= columns["ball_radius"] * component
+    return centres
+
+
+def _fill(data: Mapping[str, Any]) -> str:
+    """Put style, scripts and data into the page, and a policy that lets nothing else run."""
+    style, three = _read("page.css"), _read("three/three.js")
+    scripts = [_generated(), *(_read(name) for name in _SCRIPTS)]
+    allowed = " ".join(_digest(text) for text in (three, *scripts))
+    policy = f"default-src 'none'; img-src data:; script-src {allowed}; style-src {_digest(style)}"
+    slots = {
+        "policy": policy,
+        "version": html.escape(hoopgen.__version__),
+        "title": html.escape(data["title"]),
+        "style": style,
+        "data": _json(data),
+        "licence": _read("three/LICENSE"),
+        "three": three,
+        "scripts": "\n".join(f"<script>{text}</script>" for text in scripts),
+    }
+    return _SLOT.sub(lambda slot: slots[slot[1]], _read("page.html"))
+
+
+def _json(data: Mapping[str, Any]) -> str:
+    """Write JSON that cannot end the element it stands in, nor open a comment."""
+    text = json.dumps(data, allow_nan=False, separators=(",", ":"))
+    return text.replace("<", "\\u003c")
+
+
+def _digest(text: str) -> str:
+    digest = hashlib.sha256(text.encode()).digest()
+    return f"'sha256-{base64.b64encode(digest).decode()}'"
+
+
+@cache
+def _generated() -> str:
+    return files("hoopgen.generated").joinpath("js/hoop.js").read_text(encoding="utf-8")
+
+
+@cache
+def _read(name: str) -> str:
+    return files("hoopgen.viewer").joinpath(name).read_text(encoding="utf-8")

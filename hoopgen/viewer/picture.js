@@ -1,0 +1,223 @@
+// The picture: the scene of the chosen shot, drawn anew whenever something has changed.
+"use strict";
+
+const Picture = (() => {
+  const NEAR_PATH = 12; // px from a path within which a click chooses its shot
+  const MARGIN = 44; // px left free on each side, for badges and buttons
+  const TURN = 0.08; // rad, for a press of an arrow key
+  const KEYS = {
+    ArrowLeft: (controls) => controls.rotateLeft(TURN),
+    ArrowRight: (controls) => controls.rotateLeft(-TURN),
+    ArrowUp: (controls) => controls.rotateUp(TURN),
+    ArrowDown: (controls) => controls.rotateUp(-TURN),
+    "+": (controls) => controls.dollyIn(0.9),
+    "-": (controls) => controls.dollyOut(0.9),
+  };
+
+  /** Set up the picture; `pick` is told the index of a shot whose path is clicked. */
+  function create(stage, canvas, svg, shots, ringHeight, pick) {
+    const renderer = new THREE.WebGLRenderer({
+      canvas,
+      antialias: true,
+      alpha: true,
+      preserveDrawingBuffer: true, // for print
+    });
+    renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    renderer.shadowMap.enabled = true;
+    renderer.shadowMap.type = THREE.PCFShadowMap;
+    const scene = new THREE.Scene();
+    const camera = new THREE.PerspectiveCamera();
+    camera.up.set(0, 0, 1);
+    const controls = new THREE.OrbitControls(camera, canvas);
+    Object.assign(controls, { minDistance: 0.3, maxDistance: 300 });
+
+    const colour = Scene.colours();
+    const paths = shots.map((shot) => Flight.pathOf(shot));
+    const things = {}; // what is in the scene, by what it is
+    let chosen = shots[0];
+    let shown = shots.map((_, k) => k);
+    let view = "3D";
+    let turned = false; // by the reader, who then keeps what is seen
+    let drawing = false; // asked for already
+    let marks = []; // of the chosen shot
+    let marked = false; // where they are now
+
+    function put(name, ...objects) {
+      if (things[name]) Scene.dispose(things[name]);
+      things[name] = new THREE.Group();
+      for (const object of objects) things[name].add(object);
+      scene.add(things[name]);
+    }
+
+    // What is shown
+
+    function choose(shot) {
+      const scenery = JSON.stringify(shot.parameters);
+      if (things.hoop?.userData.scenery !== scenery) {
+        put("hoop", Scene.hoop(shot.parameters, colour));
+        put("ball", Scene.ball(shot.parameters.ball_radius, colour));
+        things.hoop.userData.scenery = scenery;
+      }
+      const path = paths[shots.indexOf(shot)];
+      const ink = shots.length > 1 ? colour[shot.outcome] : colour.path;
+      const parts = path.length > 1 ? strokes(path, ink) : [];
+      parts.push(Scene.beats(shot, ink, (shots.length > 1 ? 9 : 7) * renderer.getPixelRatio()));
+      parts.forEach((part, k) => (part.renderOrder = k + 1)); // over the others
+      put("path", ...parts);
+      things.path.userData.turned = Scene.orientations(shot);
+      chosen = shot;
+      marks = Badges.marks(shot);
+      update();
+    }
+
+    /** Return a path's line; among others, bold and with a light edge. */
+    function strokes(path, ink) {
+      if (shots.length === 1) return [Scene.line(path, { color: ink, linewidth: 2.75 })];
+      const edge = { color: "#FFFFFF", linewidth: 7.5, opacity: 0.8, depthWrite: false };
+      return [
+        Scene.line(path, edge),
+        Scene.line(path, { color: ink, linewidth: 4, opacity: 1 }),
+      ];
+    }
+
+    function filter(indices) {
+      shown = indices;
+      const outcomes = [...new Set(shots.map((shot) => shot.outcome))];
+      const crowd = outcomes.flatMap((outcome) => {
+        const own = shown.filter((k) => shots[k].outcome === outcome && paths[k].length > 1);
+        const ink = { color: colour[outcome], linewidth: 1.25, opacity: 0.4, depthWrite: false };
+        return own.length ? [Scene.lines(own.map((k) => paths[k]), ink)] : [];
+      });
+      if (shots.length > 1) put("crowd", ...crowd);
+      for (const name of ["path", "ball"]) {
+        if (things[name]) things[name].visible = shown.length > 0;
+      }
+      update();
+    }
+
+    function move(shot, time) {
+      const [x, y, z] = Flight.stateAt(shot, time);
+      const k = Flight.indexAt(shot.flights, time);
+      const flight = shot.flights[k];
+      const turn = Scene.turn(things.path.userData.turned[k], flight, time - flight[0]);
+      things.ball.position.set(x, y, z);
+      things.ball.quaternion.copy(turn);
+      ask();
+    }
+
+    // From where
+
+    function look(name) {
+      [view, turned] = [name, false];
+      const { clientWidth: width, clientHeight: height } = stage;
+      const places = (shown.length ? shown : [shots.indexOf(chosen)]).map((k) => paths[k]);
+      const own = [paths[shots.indexOf(chosen)]];
+      const starts = (view === "Shooter" ? own : places).map(([start]) => start);
+      const mean = (axis) => starts.reduce((sum, at) => sum + at[axis], 0) / starts.length;
+      const eye = Camera.direction(view, mean(0), mean(1), camera.aspect);
+      const margin = [width, height].map((size) => Math.min((2 * MARGIN) / size, 0.5));
+      const radius = chosen.parameters.ball_radius;
+      const flown = view === "Hoop" ? [] : places.flat();
+      const spheres = [
+        ...flown.map((point) => [...point, radius]),
+        ...Scene.corners(chosen.parameters).map((point) => [...point, 0]),
+      ];
+      camera.fov = Camera.field(view);
+      Camera.fit(camera, controls.target, spheres, eye, margin);
+      controls.update();
+      update();
+    }
+
+    function resize() {
+      const { clientWidth: width, clientHeight: height } = stage;
+      if (!width || !height) return;
+      renderer.setSize(width, height, false);
+      camera.aspect = width / height;
+      if (turned) update();
+      else look(view);
+      draw(); // at once: the new size has wiped the picture
+    }
+
+    function key(name) {
+      const act = KEYS[name === "=" ? "+" : name];
+      if (!act) return false;
+      turned = true;
+      act(controls);
+      return true;
+    }
+
+    // Drawing
+
+    function update() {
+      marked = false;
+      ask();
+    }
+
+    function ask() {
+      if (!drawing) requestAnimationFrame(draw);
+      drawing = true;
+    }
+
+    function draw() {
+      drawing = false;
+      camera.near = controls.getDistance() / 50;
+      camera.far = controls.getDistance() + 100;
+      camera.updateProjectionMatrix();
+      renderer.render(scene, camera);
+      canvas.dataset.triangles = renderer.info.render.triangles;
+      if (marked) return;
+      marked = true;
+      const obstacles = [...paths[shots.indexOf(chosen)], ...Scene.outline(chosen)];
+      Badges.draw(svg, shown.length ? marks : [], project, obstacles.map(project).filter(Boolean));
+    }
+
+    /** Return where a point of the scene is in the picture, px; null behind the eye. */
+    function project(point) {
+      const { x, y, z } = new THREE.Vector3(...point).project(camera);
+      if (z > 1) return null;
+      return [(stage.clientWidth * (1 + x)) / 2, (stage.clientHeight * (1 - y)) / 2];
+    }
+
+    function pathAt(x, y) {
+      let [least, found] = [NEAR_PATH, -1];
+      for (const k of shown) {
+        const points = paths[k].map(project);
+        for (let i = 1; i < points.length; i++) {
+          if (!points[i - 1] || !points[i]) continue;
+          const away = distance([x, y], points[i - 1], points[i]);
+          if (away < least) [least, found] = [away, k];
+        }
+      }
+      return found;
+    }
+
+    let pressed = [0, 0];
+    canvas.addEventListener("pointerdown", (event) => {
+      pressed = [event.offsetX, event.offsetY];
+    });
+    canvas.addEventListener("click", ({ offsetX: x, offsetY: y }) => {
+      if (shots.length < 2 || Math.hypot(x - pressed[0], y - pressed[1]) > 4) return;
+      const k = pathAt(x, y);
+      if (k >= 0) pick(k);
+    });
+    controls.addEventListener("start", () => (turned = true));
+    controls.addEventListener("change", update);
+    scene.add(...Scene.lights(), Scene.floor(paths, -ringHeight, colour));
+    choose(chosen);
+    new ResizeObserver(resize).observe(stage);
+    resize();
+    return { choose, filter, key, look, move };
+  }
+
+  /** Return the distance from a point to a stretch between two others, px. */
+  function distance(point, start, end) {
+    const along = [end[0] - start[0], end[1] - start[1]];
+    const to = [point[0] - start[0], point[1] - start[1]];
+    const square = along[0] ** 2 + along[1] ** 2;
+    const share = square ? (to[0] * along[0] + to[1] * along[1]) / square : 0;
+    const part = Math.min(Math.max(share, 0), 1);
+    return Math.hypot(to[0] - part * along[0], to[1] - part * along[1]);
+  }
+
+  return { create };
+})();

@@ -1,0 +1,112 @@
+"""Some rows of a table of releases, chosen at random while it is read once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hoopgen.parameters import PAPER
+from hoopgen.study.draws import uniforms
+from hoopgen.study.models import from_columns
+from hoopgen.study.tables import Source, columns_of, values
+from hoopgen.study.variables import Releases
+
+__all__ = ["Sample", "sample"]
+
+_ROWS = 1 << 16
+"""Read at a time."""
+
+_STREAM = 1 << 32
+"""Of random numbers, far from those of release models: the table may come from one, of this seed,
+and a choice by the numbers that made the speeds would be one of slow shots."""
+
+
+@dataclass(frozen=True)
+class Sample:
+    """Rows of a table.
+
+    Attributes
+    ----------
+    rows
+        Which, (n,), from 0, in the table's order.
+    total
+        How many it has.
+    releases
+        What they say.
+    """
+
+    rows: NDArray[np.int64]
+    total: int
+    releases: Releases
+
+
+def sample(
+    source: str | Path,
+    count: int,
+    seed: int = 0,
+    parameters: Mapping[str, Any] = PAPER,
+    *,
+    release: Mapping[str, float] | None = None,
+    format: str | None = None,
+    own: Sequence[str] = (),
+) -> Sample:
+    """Choose rows of a table of releases; each is as likely as any other.
+
+    The table may be larger than the memory. The same table, count and seed give the same rows.
+
+    Parameters
+    ----------
+    source
+        CSV, Parquet or Arrow; see `hoopgen.study.tables` for its columns.
+    count
+        How many, from 1; all of them if the table has no more.
+    seed
+        From 0 to 2^64 - 1.
+    parameters
+        Of the scene, where no column says otherwise.
+    release
+        Variables that all shots share, in place of columns.
+    format
+        "csv", "parquet" or "arrow"; by default as the suffix says.
+    own
+        Columns that are not to be read, though they are named like variables.
+
+    Raises
+    ------
+    ValueError
+        If the count is below 1, or the table is empty or not as described.
+    OSError
+        If it cannot be read.
+    """
+    if count < 1:
+        raise ValueError(f"count: expected a whole number from 1, got {count!r}")
+    table = Source(Path(source), format or "")
+    shared = dict(release or {})
+    columns = columns_of(table.schema().names, own, shared)
+    # Every row draws a number, and the lowest win: that does not hang on how the rows are read.
+    kept = {"draw": np.empty(0), "row": np.empty(0), **{name: np.empty(0) for name in columns}}
+    total = 0
+    for part in table.tables(_ROWS):
+        drawn = uniforms(seed, _STREAM, total, total + part.num_rows)
+        best = np.argsort(drawn, kind="stable")[:count]
+        found = {
+            "draw": drawn[best],
+            "row": best + float(total),
+            **values(part.take(best), columns),
+        }
+        joined = {name: np.concatenate([kept[name], found[name]]) for name in kept}
+        lowest = np.argsort(joined["draw"], kind="stable")[:count]
+        kept = {name: column[lowest] for name, column in joined.items()}
+        total += part.num_rows
+    if not total:
+        raise ValueError(f"{table.path}: the table has no rows")
+    order = np.argsort(kept["row"])
+    rows = kept["row"][order].astype(np.int64)
+    given = {name: kept[name][order] for name in columns}
+    given |= {name: np.full(len(rows), value) for name, value in shared.items()}
+    return Sample(rows, total, from_columns(given, parameters))

@@ -1,0 +1,273 @@
+// What is seen: hoop, floor, ball and paths, to scale, in metres, z up, for three.js.
+"use strict";
+
+const Scene = (() => {
+  const GLASS = 0.0127; // m, thickness of the board as drawn; the model knows its front only
+  const TARGET = { halfWidth: 0.3048, height: 0.4572, stroke: 0.0508 }; // m, 24 in × 18 in
+  const BEAT = 0.1; // s between the dots on a path
+
+  /** Return the colours of page.css, by name. */
+  function colours() {
+    const style = getComputedStyle(document.documentElement);
+    const names = "path ball seam ring backboard bridge end floor glass made missed capped short";
+    return Object.fromEntries(
+      names.split(" ").map((name) => [name, style.getPropertyValue(`--${name}`).trim()]),
+    );
+  }
+
+  /** Return the ring, the backboard, the bridge and the ring in the end plane. */
+  function hoop(parameters, colour) {
+    const group = new THREE.Group();
+    group.add(ring(parameters, colour), ...board(parameters, colour), bridge(parameters, colour));
+    const rim = circle(parameters.ring_radius, -parameters.end_depth);
+    group.add(line(rim, { color: colour.end, linewidth: 1.25, opacity: 0.7 }));
+    return group;
+  }
+
+  function ring(parameters, colour) {
+    const { ring_radius: radius, wire_radius: wire } = parameters;
+    return solid(new THREE.TorusGeometry(radius, wire, 20, 160), colour.ring, 0.45);
+  }
+
+  function board(parameters, colour) {
+    const { board_distance: distance, board_half_width: half } = parameters;
+    const { board_bottom: bottom, board_top: top, wire_radius: wire } = parameters;
+    const box = new THREE.BoxGeometry(GLASS, 2 * half, top - bottom);
+    box.translate(-distance - GLASS / 2, 0, (bottom + top) / 2);
+    const glass = new THREE.Mesh(
+      box,
+      new THREE.MeshStandardMaterial({
+        color: colour.glass,
+        roughness: 0.3,
+        transparent: true,
+        opacity: 0.55,
+        depthWrite: false,
+      }),
+    );
+    glass.receiveShadow = true;
+    const front = -distance + 0.001;
+    const parts = [glass, band(half, bottom, top, 0.025, front, colour.backboard)];
+    if (wire + TARGET.height < top && TARGET.halfWidth < half) {
+      const { halfWidth, height, stroke } = TARGET;
+      parts.push(band(halfWidth, wire, wire + height, stroke, front, colour.backboard));
+    }
+    return parts;
+  }
+
+  /** Return a rectangular band on the board, seen from both sides. */
+  function band(half, bottom, top, stroke, x, colour) {
+    const outline = rectangle(half, bottom, top);
+    outline.holes.push(rectangle(half - stroke, bottom + stroke, top - stroke));
+    const geometry = new THREE.ShapeGeometry(outline);
+    geometry.applyMatrix4(
+      // The shape's plane, x right and y up, stands on the board: y right and z up.
+      new THREE.Matrix4().set(0, 0, 1, x, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1),
+    );
+    const material = new THREE.MeshBasicMaterial({ color: colour, side: THREE.DoubleSide });
+    material.polygonOffset = true; // before the glass, however far the eye
+    material.polygonOffsetFactor = material.polygonOffsetUnits = -2;
+    return new THREE.Mesh(geometry, material);
+  }
+
+  function rectangle(half, bottom, top) {
+    const corners = [[-half, bottom], [half, bottom], [half, top], [-half, top]];
+    return new THREE.Shape(corners.map(([x, y]) => new THREE.Vector2(x, y)));
+  }
+
+  /** Return the plate from the board to the middle of the wire. */
+  function bridge(parameters, colour) {
+    const { bridge_half_width: half, ring_radius: radius, wire_radius: wire } = parameters;
+    const outline = [new THREE.Vector2(-parameters.board_distance, half)];
+    outline.push(new THREE.Vector2(-parameters.board_distance, -half));
+    for (let i = 0; i <= 16; i++) {
+      const y = -half + (2 * half * i) / 16;
+      outline.push(new THREE.Vector2(-Math.sqrt(Math.max(radius ** 2 - y ** 2, 0)), y));
+    }
+    const plate = new THREE.ExtrudeGeometry(new THREE.Shape(outline), {
+      depth: 2 * wire,
+      bevelEnabled: false,
+    });
+    plate.translate(0, 0, -wire);
+    return solid(plate, colour.bridge, 0.6);
+  }
+
+  function solid(geometry, colour, roughness) {
+    const material = new THREE.MeshStandardMaterial({ color: colour, roughness });
+    const mesh = new THREE.Mesh(geometry, material);
+    mesh.castShadow = mesh.receiveShadow = true;
+    return mesh;
+  }
+
+  /** Return a ball with seams, so that its spin is seen. */
+  function ball(radius, colour) {
+    const texture = new THREE.CanvasTexture(skin(colour.ball, colour.seam));
+    texture.colorSpace = THREE.SRGBColorSpace;
+    texture.anisotropy = 4;
+    const material = new THREE.MeshStandardMaterial({ map: texture, roughness: 0.75 });
+    const mesh = new THREE.Mesh(new THREE.SphereGeometry(radius, 64, 48), material);
+    mesh.castShadow = true;
+    return mesh;
+  }
+
+  /** Paint a ball's skin, longitude across and latitude up: two great circles and two loops. */
+  function skin(base, seam) {
+    const [width, height] = [1024, 512];
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [width, height];
+    const context = canvas.getContext("2d");
+    const image = context.createImageData(width, height);
+    const [light, dark] = [base, seam].map((name) => {
+      const { r, g, b } = new THREE.Color(name).convertLinearToSRGB();
+      return [r, g, b].map((part) => 255 * part);
+    });
+    const [HALF, SOFT] = [0.022, 0.012]; // of a seam, in ball radii
+    for (let row = 0; row < height; row++) {
+      const up = Math.PI * ((row + 0.5) / height);
+      for (let column = 0; column < width; column++) {
+        const round = 2 * Math.PI * ((column + 0.5) / width);
+        const x = Math.sin(up) * Math.cos(round);
+        const y = Math.cos(up);
+        const z = Math.sin(up) * Math.sin(round);
+        const loop = Math.abs(Math.abs(x) - 0.53 - 0.3 * y * y) / Math.hypot(1, 0.6 * y);
+        const gap = Math.min(Math.abs(y), Math.abs(z), loop);
+        const share = Math.min(Math.max((gap - HALF) / SOFT, 0), 1);
+        const at = 4 * (row * width + column);
+        for (let k = 0; k < 3; k++) image.data[at + k] = dark[k] + share * (light[k] - dark[k]);
+        image.data[at + 3] = 255;
+      }
+    }
+    context.putImageData(image, 0, 0);
+    return canvas;
+  }
+
+  /** Return the ball's orientation at the start of each flight. */
+  function orientations(shot) {
+    const turned = [new THREE.Quaternion()];
+    for (let k = 0; k + 1 < shot.flights.length; k++) {
+      turned.push(turn(turned[k], shot.flights[k], shot.flights[k + 1][0] - shot.flights[k][0]));
+    }
+    return turned;
+  }
+
+  /** Return an orientation after so many seconds of a flight: its spin is constant. */
+  function turn(orientation, flight, seconds) {
+    const axis = new THREE.Vector3(...flight.slice(7));
+    const rate = axis.length();
+    if (rate === 0) return orientation.clone();
+    const rotation = new THREE.Quaternion();
+    rotation.setFromAxisAngle(axis.divideScalar(rate), rate * seconds);
+    return rotation.multiply(orientation);
+  }
+
+  /** Return a line through points (x, y, z), some pixels wide. */
+  function line(points, options) {
+    const geometry = new THREE.LineGeometry().setPositions(points.flat());
+    return new THREE.Line2(geometry, stroke(options));
+  }
+
+  /** Return many such lines as one object. */
+  function lines(paths, options) {
+    const ends = paths.flatMap((points) =>
+      points.slice(1).flatMap((point, i) => [...points[i], ...point]),
+    );
+    const geometry = new THREE.LineSegmentsGeometry().setPositions(ends);
+    return new THREE.LineSegments2(geometry, stroke(options));
+  }
+
+  function stroke(options) {
+    return new THREE.LineMaterial({ transparent: "opacity" in options, ...options });
+  }
+
+  function circle(radius, z, x = 0, y = 0) {
+    return Array.from({ length: 97 }, (_, i) => {
+      const angle = (2 * Math.PI * i) / 96;
+      return [x + radius * Math.cos(angle), y + radius * Math.sin(angle), z];
+    });
+  }
+
+  /** Return dots on a shot's path, one every `BEAT` seconds, so many pixels wide. */
+  function beats(shot, colour, pixels) {
+    const dots = [];
+    for (let k = 1; k * BEAT < shot.duration; k++) {
+      dots.push(new THREE.Vector3(...Flight.stateAt(shot, k * BEAT).slice(0, 3)));
+    }
+    const material = new THREE.PointsMaterial({
+      color: colour,
+      size: pixels,
+      sizeAttenuation: false,
+      map: new THREE.CanvasTexture(disc()),
+      transparent: true,
+      alphaTest: 0.1,
+    });
+    return new THREE.Points(new THREE.BufferGeometry().setFromPoints(dots), material);
+  }
+
+  function disc() {
+    const canvas = document.createElement("canvas");
+    canvas.width = canvas.height = 32;
+    const context = canvas.getContext("2d");
+    context.fillStyle = "#FFFFFF";
+    context.arc(16, 16, 15, 0, 2 * Math.PI);
+    context.fill();
+    return canvas;
+  }
+
+  /** Return a grid of 1 m on the floor, under the hoop and all paths. */
+  function floor(paths, level, colour) {
+    const reach = paths
+      .flat()
+      .reduce((most, [x, y]) => Math.max(most, Math.abs(x), Math.abs(y)), 0);
+    const end = Math.ceil(reach) + 3;
+    const grid = [];
+    for (let k = -end; k <= end; k++) {
+      grid.push([[k, -end, level], [k, end, level]], [[-end, k, level], [end, k, level]]);
+    }
+    return lines(grid, { color: colour.floor, linewidth: 1 });
+  }
+
+  /** Return the corners of the board and points round the ring, for what must be in sight. */
+  function corners(parameters) {
+    const { board_distance: distance, board_half_width: half } = parameters;
+    const { board_bottom: bottom, board_top: top } = parameters;
+    const board = [-half, half].flatMap((y) => [bottom, top].map((z) => [-distance, y, z]));
+    return [...board, ...circle(parameters.ring_radius + parameters.wire_radius, 0)];
+  }
+
+  /** Return points all over ring, bridge and the ball at release, better not covered by words. */
+  function outline(shot) {
+    const { board_distance: distance, ring_radius: radius, ball_radius: ball } = shot.parameters;
+    const steps = Array.from({ length: 9 }, (_, k) => -distance + ((distance - radius) * k) / 8);
+    const [, x, y, z] = shot.flights[0];
+    const rounds = [-0.8, -0.4, 0, 0.4, 0.8].flatMap((up) =>
+      circle(ball * Math.sqrt(1 - up ** 2), z + ball * up, x, y),
+    );
+    return [...circle(radius, 0), ...steps.map((back) => [back, 0, 0]), ...rounds];
+  }
+
+  function lights() {
+    const sun = new THREE.DirectionalLight("#ffffff", 2.0);
+    sun.position.set(1.6, 0.9, 3.2);
+    sun.castShadow = true;
+    sun.shadow.mapSize.set(1024, 1024);
+    sun.shadow.radius = 5;
+    sun.shadow.bias = -0.002;
+    Object.assign(sun.shadow.camera, { left: -1.4, right: 1.4, top: 1.4, bottom: -1.4 });
+    Object.assign(sun.shadow.camera, { near: 0.5, far: 6 });
+    return [new THREE.HemisphereLight("#ffffff", "#d8d2ca", 2.3), sun];
+  }
+
+  /** Free what an object holds on the graphics card. */
+  function dispose(object) {
+    object.traverse((part) => {
+      part.geometry?.dispose();
+      part.material?.map?.dispose();
+      part.material?.dispose();
+    });
+    object.removeFromParent();
+  }
+
+  return {
+    ball, beats, colours, corners, dispose, floor, hoop, lights, line, lines, orientations,
+    outline, turn,
+  };
+})();

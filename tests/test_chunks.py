@@ -1,0 +1,416 @@
+"""Long work in chunks: in order, kept and gone on with, whatever happens to process or disk."""
+
+from __future__ import annotations
+
+import errno
+import os
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+pa = pytest.importorskip("pyarrow")
+
+from hoopgen.study import chunks  # noqa: E402
+
+CHUNKS = 7
+
+
+@dataclass(frozen=True)
+class Numbers:
+    """A job that counts its work: chunk k has a row for each of its numbers, and their roots."""
+
+    chunks: int | None = CHUNKS
+    scale: float = 1.0
+    computed: list[int] = field(default_factory=list)
+
+    def compute(self, chunk: int) -> Any:
+        self.computed.append(chunk)
+        numbers = np.arange(100.0 * chunk, 100.0 * (chunk + 1))
+        names = pa.array(["even", "odd"] * 50).dictionary_encode()
+        return pa.table({"number": numbers, "root": self.scale * np.sqrt(numbers), "name": names})
+
+    def identity(self) -> Mapping[str, Any]:
+        return {"job": {"scale": self.scale, "rows": 100}}
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
+    """The files of a run that nothing disturbed."""
+    folder = tmp_path_factory.mktemp("whole")
+    list(chunks.run(Numbers(), folder, threads=2))
+    return contents(folder)
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    """Every file of a folder."""
+    return {file.name: file.read_bytes() for file in folder.iterdir()}
+
+
+def kept(folder: Path) -> list[int]:
+    """Chunks in a folder."""
+    return sorted(int(file.stem.partition("-")[2]) for file in folder.glob("chunk-*.arrow"))
+
+
+# In order, lazily
+
+
+@pytest.mark.parametrize("threads", [1, 2, 5])
+def test_chunks_come_in_order_whoever_computes_them(threads: int) -> None:
+    job = Numbers()
+    tables = list(chunks.run(job, threads=threads))
+    assert tables == [job.compute(chunk) for chunk in range(CHUNKS)]
+
+
+def test_only_a_few_chunks_are_computed_ahead() -> None:
+    job = Numbers(chunks=300)
+    threads = 2
+    tables = chunks.run(job, threads=threads)
+    for taken in range(1, 20):
+        next(tables)
+        assert max(job.computed) < taken - 1 + chunks.AHEAD * threads
+    tables.close()
+    assert max(job.computed) < taken - 1 + chunks.AHEAD * threads
+
+
+def test_progress_counts_what_was_given() -> None:
+    seen: list[tuple[int, int | None]] = []
+    for done, _ in enumerate(
+        chunks.run(Numbers(), progress=lambda done, total: seen.append((done, total)))
+    ):
+        assert seen[-1] == (done, CHUNKS)
+    assert seen == [(done, CHUNKS) for done in range(CHUNKS + 1)]
+
+
+@dataclass(frozen=True)
+class Read(Numbers):
+    """The same numbers, as something that is read."""
+
+    read: list[int] = field(default_factory=list)
+
+    def tasks(self) -> Iterator[chunks.Task]:
+        for chunk in range(CHUNKS):
+            self.read.append(chunk)
+            yield lambda chunk=chunk: self.compute(chunk)  # type: ignore[misc]
+
+
+def test_a_stream_is_read_wholly_and_computed_where_chunks_are_missing(tmp_path: Path) -> None:
+    list(islice(chunks.run(Read(chunks=None), tmp_path, threads=1), 2))
+    there = kept(tmp_path)
+    job = Read(chunks=None)
+    assert list(chunks.run(job, tmp_path, threads=2)) == list(chunks.run(Numbers()))
+    assert job.read == list(range(CHUNKS))
+    assert sorted(job.computed) == sorted({*range(CHUNKS)} - {*there})
+
+
+def test_an_error_of_the_job_is_the_error_of_the_run(tmp_path: Path) -> None:
+    class Fails(Numbers):
+        def compute(self, chunk: int) -> Any:
+            if chunk == 3:
+                raise ArithmeticError("chunk 3")
+            return super().compute(chunk)
+
+    tables = chunks.run(Fails(), tmp_path, threads=1)
+    assert list(islice(tables, 3)) == list(islice(chunks.run(Numbers()), 3))
+    with pytest.raises(ArithmeticError, match="chunk 3"):
+        next(tables)
+    job = Numbers()
+    list(chunks.run(job, tmp_path))
+    assert not {0, 1, 2} & {*job.computed}
+
+
+# On disk
+
+
+def test_finished_chunks_are_read_and_not_computed(tmp_path: Path, whole: dict[str, bytes]) -> None:
+    first = list(chunks.run(Numbers(), tmp_path))
+    job = Numbers()
+    assert list(chunks.run(job, tmp_path)) == first
+    assert job.computed == []
+    assert contents(tmp_path) == whole
+
+
+def _flip(file: Path) -> None:
+    content = bytearray(file.read_bytes())
+    content[len(content) // 2] ^= 1
+    file.write_bytes(content)
+
+
+DAMAGE = {
+    "a bit is wrong": _flip,
+    "cut in half": lambda file: os.truncate(file, file.stat().st_size // 2),
+    "empty": lambda file: os.truncate(file, 0),
+    "longer": lambda file: file.write_bytes(file.read_bytes() + b"\0"),
+    "another chunk": lambda file: file.write_bytes(
+        file.with_name("chunk-000000005.arrow").read_bytes()
+    ),
+}
+
+
+@pytest.mark.parametrize("damage", DAMAGE)
+def test_a_damaged_chunk_is_reported_and_it_alone_computed(
+    damage: str, tmp_path: Path, whole: dict[str, bytes]
+) -> None:
+    list(chunks.run(Numbers(), tmp_path))
+    DAMAGE[damage](tmp_path / "chunk-000000002.arrow")
+    job, said = Numbers(), []
+    assert list(chunks.run(job, tmp_path, report=said.append)) == list(chunks.run(Numbers()))
+    assert job.computed == [2]
+    assert len(said) == 1
+    assert "chunk-000000002.arrow is damaged" in said[0]
+    assert contents(tmp_path) == whole
+
+
+def test_a_chunk_of_another_job_is_damage(tmp_path: Path, whole: dict[str, bytes]) -> None:
+    list(chunks.run(Numbers(scale=2.0), tmp_path / "other"))
+    list(chunks.run(Numbers(), tmp_path / "this"))
+    (tmp_path / "other" / "chunk-000000002.arrow").replace(
+        tmp_path / "this" / "chunk-000000002.arrow"
+    )
+    job = Numbers()
+    list(chunks.run(job, tmp_path / "this", report=lambda line: None))
+    assert job.computed == [2]
+    assert contents(tmp_path / "this") == whole
+
+
+def test_another_job_is_refused_and_told_what_differs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    list(chunks.run(Numbers(), tmp_path))
+    before = contents(tmp_path)
+    with pytest.raises(ValueError, match=r"another job: job\.scale is 1\.0 there and 2\.0 here\. "):
+        next(chunks.run(Numbers(scale=2.0), tmp_path))
+    monkeypatch.setattr("hoopgen.__version__", "9.9", raising=False)
+    with pytest.raises(ValueError, match=r'hoopgen is ".*" there and "9\.9" here'):
+        next(chunks.run(Numbers(), tmp_path))
+    assert contents(tmp_path) == before
+
+
+def test_an_identity_that_cannot_be_read_is_an_error(tmp_path: Path) -> None:
+    list(chunks.run(Numbers(), tmp_path))
+    (tmp_path / "identity.json").write_text("{", encoding="utf-8")
+    with pytest.raises(ValueError, match=r"identity\.json cannot be read; delete the folder"):
+        next(chunks.run(Numbers(), tmp_path))
+
+
+def test_what_was_left_unfinished_is_removed(tmp_path: Path, whole: dict[str, bytes]) -> None:
+    (tmp_path / "chunk-000000001.arrow.tmp").write_bytes(b"half")
+    list(chunks.run(Numbers(), tmp_path))
+    assert contents(tmp_path) == whole
+
+
+def test_a_folder_is_removed_but_for_what_others_put_there(tmp_path: Path) -> None:
+    with chunks.opened(tmp_path / "parts", Numbers().identity()) as folder:
+        list(chunks.run(Numbers(), folder))
+        (tmp_path / "parts" / "notes.txt").touch()
+        folder.remove()
+    assert [*contents(tmp_path / "parts")] == ["notes.txt"]
+
+
+# Two at once
+
+
+def script(body: str, *arguments: str) -> list[str]:
+    """Return a command that runs a text of Python with this module at hand."""
+    head = f"import sys; sys.path.insert(0, {str(Path(__file__).parent)!r})\n"
+    head += "from test_chunks import *\n"
+    return [sys.executable, "-c", head + body, *arguments]
+
+
+HOLD = """
+with chunks.opened(sys.argv[1], Numbers().identity()):
+    print("open", flush=True)
+    sys.stdin.read()
+"""
+
+
+def test_a_folder_is_for_one_process_until_it_ends_however_it_does(tmp_path: Path) -> None:
+    with subprocess.Popen(
+        script(HOLD, str(tmp_path)), stdin=subprocess.PIPE, stdout=subprocess.PIPE
+    ) as other:
+        assert other.stdout is not None
+        assert other.stdout.readline() == b"open\n"
+        with pytest.raises(RuntimeError, match="another process is at work in this folder"):
+            next(chunks.run(Numbers(), tmp_path))
+        other.kill()
+    assert len(list(chunks.run(Numbers(), tmp_path))) == CHUNKS
+
+
+def test_nor_for_two_runs_of_one_process(tmp_path: Path) -> None:
+    with (
+        chunks.opened(tmp_path, {}),
+        pytest.raises(RuntimeError, match="another process"),
+        chunks.opened(tmp_path, {}),
+    ):
+        pass
+
+
+# Killed
+
+KILLED = """
+import contextlib, threading
+folder, point, count = Path(sys.argv[1]), sys.argv[2], int(sys.argv[3])
+lock = threading.Lock()
+
+def pass_by():
+    with lock:
+        left[0] -= 1
+        if left[0] == 0:
+            os.kill(os.getpid(), signal.SIGKILL)
+
+left, sync, written = [count], os.fsync, chunks.written
+
+def fsync(descriptor):
+    pass_by()
+    sync(descriptor)
+
+@contextlib.contextmanager
+def half(path):
+    with written(path) as file:
+        class Half:
+            def write(self, data):
+                file.write(data[: len(data) // 2])
+                file.flush()
+                pass_by()
+                file.write(data[len(data) // 2 :])
+        yield Half()
+
+if point == "sync":
+    os.fsync = fsync
+else:
+    chunks.written = half
+for table in chunks.run(Numbers(), folder, threads=2):
+    pass
+"""
+
+
+@pytest.mark.parametrize(
+    ("point", "count"),
+    [
+        ("sync", 1),  # of the identity, before it has its name
+        ("sync", 2),  # and of the folder, after
+        ("sync", 3),  # of a chunk
+        ("sync", 8),
+        ("sync", 2 * CHUNKS + 2),  # of the folder, with the last chunk
+        ("write", 7),  # a file half written
+        ("write", 2 * CHUNKS),
+    ],
+)
+def test_a_run_that_was_killed_goes_on_to_the_same_bytes(
+    point: str, count: int, tmp_path: Path, whole: dict[str, bytes]
+) -> None:
+    killed = subprocess.run(script(KILLED, str(tmp_path), point, str(count)), check=False)
+    assert killed.returncode == -signal.SIGKILL
+    there = kept(tmp_path)
+    for chunk in there:
+        name = f"chunk-{chunk:09d}.arrow"
+        assert (tmp_path / name).read_bytes() == whole[name]
+    job = Numbers()
+    assert list(chunks.run(job, tmp_path)) == list(chunks.run(Numbers()))
+    assert sorted(job.computed) == sorted({*range(CHUNKS)} - {*there})
+    assert contents(tmp_path) == whole
+
+
+SLOW = """
+import time
+class Slow(Numbers):
+    def compute(self, chunk):
+        time.sleep(0.05)
+        return super().compute(chunk)
+
+job = Slow(chunks=None)
+with chunks.opened(sys.argv[1], job.identity()) as folder:
+    for table in chunks.run(job, folder, threads=2):
+        print("chunk", flush=True)
+"""
+
+
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
+def test_a_run_that_was_stopped_from_outside_keeps_what_is_finished(
+    how: signal.Signals, tmp_path: Path, whole: dict[str, bytes]
+) -> None:
+    with subprocess.Popen(
+        script(SLOW, str(tmp_path)), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as slow:
+        assert slow.stdout is not None
+        for _ in range(3):
+            assert slow.stdout.readline() == "chunk\n"
+        slow.send_signal(how)
+        _, said = slow.communicate()
+    assert slow.returncode == -how
+    assert {0, 1, 2} <= {*kept(tmp_path)}
+    if how == signal.SIGINT:
+        assert not list(tmp_path.glob("*.tmp"))
+        assert f"finished chunks are in {tmp_path}: the same call goes on from there" in said
+    job = Numbers()
+    list(chunks.run(job, tmp_path))
+    assert not {0, 1, 2} & {*job.computed}
+    assert whole.items() <= contents(tmp_path).items()
+
+
+# A full disk
+
+
+def test_a_full_disk_is_told_and_costs_what_was_not_finished(
+    tmp_path: Path, whole: dict[str, bytes], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(descriptor: int) -> None:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    tables = chunks.run(Numbers(), tmp_path, threads=1)
+    next(tables)
+    with monkeypatch.context() as patch:
+        patch.setattr(os, "fsync", full)
+        with pytest.raises(OSError, match="No space left on device; finished chunks") as raised:
+            list(tables)
+    assert raised.value.errno == errno.ENOSPC
+    assert Path(raised.value.filename).match("chunk-*.arrow")
+    assert not list(tmp_path.glob("*.tmp"))
+    assert 0 in kept(tmp_path)
+    assert contents(tmp_path).items() <= whole.items()
+    list(chunks.run(Numbers(), tmp_path))
+    assert contents(tmp_path) == whole
+
+
+LIMITED = """
+import resource
+tables = chunks.run(Numbers(), sys.argv[1], threads=1)
+next(tables)
+resource.setrlimit(resource.RLIMIT_FSIZE, (1000, resource.RLIM_INFINITY))
+list(tables)
+"""
+
+
+def test_a_write_that_the_system_refuses_leaves_no_half_file(
+    tmp_path: Path, whole: dict[str, bytes]
+) -> None:
+    limited = subprocess.run(
+        script(LIMITED, str(tmp_path)), check=False, stderr=subprocess.PIPE, text=True
+    )
+    assert limited.returncode == 1
+    assert "File too large; finished chunks are kept" in limited.stderr
+    assert not list(tmp_path.glob("*.tmp"))
+    assert contents(tmp_path).items() <= whole.items()
+    assert len(list(chunks.run(Numbers(), tmp_path))) == CHUNKS
+
+
+# Bad input
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        ({"threads": 0}, "threads: expected a whole number from 1, or None, got 0"),
+        ({"threads": 2, "scheduler": "tcp://127.0.0.1:1"}, "threads: with a scheduler"),
+    ],
+)
+def test_bad_arguments_are_refused(options: dict[str, Any], said: str) -> None:
+    with pytest.raises(ValueError, match=said):
+        next(chunks.run(Numbers(), **options))

@@ -1,0 +1,134 @@
+"""Chunks on a Dask cluster of two worker processes: the bits of one machine, whoever is lost."""
+
+from __future__ import annotations
+
+import os
+import signal
+import time
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+pa = pytest.importorskip("pyarrow")
+pytest.importorskip("pyarrow.parquet")
+distributed = pytest.importorskip("distributed")
+
+import hoopgen  # noqa: E402
+from hoopgen.study import chunks, models  # noqa: E402
+
+pytestmark = pytest.mark.xdist_group("cluster")
+
+
+@dataclass(frozen=True)
+class Free:
+    """A job as studies have them: free throws, drawn by index and simulated."""
+
+    chunks: int | None = 24
+    pause: float = 0.0  # s
+
+    def compute(self, chunk: int) -> Any:
+        time.sleep(self.pause)
+        mean = {"speed": 7.17, "elevation": 0.9, "height": 2.13, "distance": 4.19}
+        model = models.Scatter(mean, {"speed": 0.07, "azimuth": 0.02, "restitution": 0.02})
+        shots = model.draw(200 * chunk, 200 * (chunk + 1), 5)
+        results = hoopgen.simulate(shots.states, shots.parameters, threads=1)
+        return pa.table({"time": results.time, "x": results.state[:, 0], "n": results.contacts})
+
+    def identity(self) -> Mapping[str, Any]:
+        return {"job": "free throws"}
+
+
+@pytest.fixture(scope="module")
+def cluster() -> Iterator[Any]:
+    """Two workers, each a process; one that is killed is started anew."""
+    with distributed.LocalCluster(
+        n_workers=2,
+        threads_per_worker=1,
+        processes=True,
+        host="127.0.0.1",
+        scheduler_port=0,
+        dashboard_address="127.0.0.1:0",
+    ) as cluster:
+        yield cluster
+
+
+def workers(cluster: Any) -> list[int]:
+    """The process of each worker."""
+    with distributed.Client(cluster.scheduler_address, set_as_default=False) as client:
+        client.wait_for_workers(2, timeout=60)
+        return list(client.run(os.getpid).values())
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {file.name: file.read_bytes() for file in folder.iterdir()}
+
+
+def test_a_worker_killed_in_the_middle_changes_no_bit(cluster: Any, tmp_path: Path) -> None:
+    here = list(chunks.run(Free(), tmp_path / "here"))
+    there = []
+    for table in chunks.run(
+        Free(pause=0.05), tmp_path / "there", scheduler=cluster.scheduler_address
+    ):
+        if len(there) == 6:
+            os.kill(workers(cluster)[0], signal.SIGKILL)
+        there.append(table)
+    assert there == here
+    assert contents(tmp_path / "there") == contents(tmp_path / "here")
+    assert len({*workers(cluster)}) == 2
+
+
+def test_a_cluster_goes_on_where_one_machine_stopped(cluster: Any, tmp_path: Path) -> None:
+    here = list(chunks.run(Free(), tmp_path / "here"))
+    some = chunks.run(Free(), tmp_path / "there", threads=1)
+    next(some)
+    some.close()
+    assert len(contents(tmp_path / "there")) < len(contents(tmp_path / "here"))
+    assert list(chunks.run(Free(), tmp_path / "there", scheduler=cluster.scheduler_address)) == here
+    assert contents(tmp_path / "there") == contents(tmp_path / "here")
+
+
+def test_a_table_is_simulated_to_the_same_bytes(cluster: Any, tmp_path: Path) -> None:
+    random = np.random.default_rng(3)
+    numbers = {"speed": random.normal(7.1, 0.2, 300), "elevation": random.normal(0.9, 0.05, 300)}
+    text = pa.array([f"throw {k}" for k in range(300)]).dictionary_encode()
+    pa.parquet.write_table(pa.table({**numbers, "name": text}), tmp_path / "throws.parquet")
+    options = {"release": {"height": 2.1, "distance": 4.2}, "measures": ["depth"], "rows": 40}
+    hoopgen.batch(tmp_path / "throws.parquet", tmp_path / "here.parquet", **options)
+    hoopgen.batch(
+        *(tmp_path / "throws.parquet", tmp_path / "there.parquet"),
+        scheduler=cluster.scheduler_address,
+        **options,
+    )
+    assert (tmp_path / "there.parquet").read_bytes() == (tmp_path / "here.parquet").read_bytes()
+
+
+def test_an_error_of_the_job_comes_from_the_worker(cluster: Any) -> None:
+    class Fails(Free):
+        def compute(self, chunk: int) -> Any:
+            raise ArithmeticError(f"chunk {chunk}")
+
+    with pytest.raises(ArithmeticError, match="chunk 0"):
+        next(chunks.run(Fails(), scheduler=cluster.scheduler_address))
+
+
+def test_workers_with_another_hoopgen_are_refused(
+    cluster: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(hoopgen, "__version__", "9.9", raising=False)
+    with pytest.raises(RuntimeError, match=r"the worker tcp://.* has hoopgen .*, and here it is 9"):
+        next(chunks.run(Free(), scheduler=cluster.scheduler_address))
+
+
+def test_a_late_worker_with_another_hoopgen_computes_nothing() -> None:
+    with pytest.raises(RuntimeError, match=r"a worker has hoopgen .*, not"):
+        chunks._on_worker("9.9", lambda: np.nan)
+
+
+def test_where_no_scheduler_answers_it_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(chunks, "_CONNECT", 0.5)
+    with pytest.raises(ConnectionError, match=r"no Dask scheduler answers at 'tcp://127.0.0.1:1'"):
+        next(chunks.run(Free(), scheduler="tcp://127.0.0.1:1"))

@@ -1,0 +1,409 @@
+"""The best release, what it forgives, and bank shots against direct ones."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import pytest
+from click.testing import CliRunner
+
+pytest.importorskip("scipy")
+pytest.importorskip("xarray")
+pytest.importorskip("pyarrow")
+
+import hoopgen
+from hoopgen.cli import main
+from hoopgen.study.bank import bank_or_direct, crossing, on_board
+from hoopgen.study.margins import _SMOOTH, Margin, margins
+from hoopgen.study.models import Scatter
+from hoopgen.study.optimum import Optimum, optimum
+from hoopgen.study.player import Player
+from hoopgen.study.search import bounds_of
+from hoopgen.study.tallies import wilson
+
+DEGREE = np.pi / 180
+SD = {"speed": 0.07, "elevation": 1.3 * DEGREE, "azimuth": 1.0 * DEGREE}
+PLACE = {"height": 2.1336, "distance": 4.191, "backspin": 6 * np.pi}
+BOARD = hoopgen.SURFACES.index("backboard")
+
+
+@pytest.fixture(scope="module")
+def best() -> Optimum:
+    return optimum(["elevation", "aim"], PLACE, SD, shots=8_000)
+
+
+@pytest.fixture(scope="module")
+def bank() -> Optimum:
+    place = PLACE | {"distance": 2.7, "angle": 50 * DEGREE}
+    return optimum(["elevation", "aim", "azimuth"], place, SD, by="bank", shots=8_000)
+
+
+# Candidates
+
+
+def test_a_candidate_is_thrown_as_the_release_model_throws_it() -> None:
+    sd = SD | {"restitution": 0.02, "ball_radius": 1e-4}
+    correlation = {("speed", "elevation"): -0.3, ("azimuth", "restitution"): 0.5}
+    aims = np.array([-0.05, 0.0, 0.04])
+    values = PLACE | {"elevation": 0.9, "gravity": 9.8}
+    made = Player(sd, correlation).made({**values, "aim": aims}, 1500, seed=9)
+    for aim, count in zip(aims.tolist(), made.tolist(), strict=True):
+        drawn = Scatter({**values, "aim": aim}, sd, correlation).draw(0, 1500, seed=9)
+        outcome = hoopgen.simulate(drawn.states, drawn.parameters).outcome
+        assert count == np.count_nonzero(outcome == hoopgen.Outcome.MADE)
+
+
+def test_so_many_shots_that_they_come_in_blocks_are_the_same_shots(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    values = PLACE | {"elevation": 0.9, "speed": np.linspace(7.0, 7.4, 5)}
+    whole = Player(SD).made(values, 1000, seed=3)
+    monkeypatch.setattr("hoopgen.study.player._BLOCK", 96)
+    assert Player(SD).made(values, 1000, seed=3).tolist() == whole.tolist()
+
+
+def test_off_the_board_counts_what_touches_it_first_and_direct_the_rest() -> None:
+    values = PLACE | {"elevation": 0.93, "speed": np.array([7.2, 7.4, 7.6])}
+    counted = {by: Player(SD, by=by).made(values, 3000) for by in ("any", "direct", "bank")}
+    assert (counted["any"] == counted["direct"] + counted["bank"]).all()
+    for speed, count in zip(values["speed"].tolist(), counted["bank"].tolist(), strict=True):
+        drawn = Scatter({**values, "speed": speed}, SD).draw(0, 3000)
+        shots = hoopgen.simulate(drawn.states)
+        made = shots.outcome == hoopgen.Outcome.MADE
+        assert count == np.count_nonzero(made & (shots.first == BOARD))
+    assert counted["bank"].max() > 1000 < counted["direct"].max()
+
+
+# The best release
+
+
+def test_no_release_of_a_random_hundred_is_better_on_fresh_shots(best: Optimum) -> None:
+    random = np.random.default_rng(1)
+    values = {name: random.uniform(*ends, 100) for name, ends in best.bounds.items()}
+    made = Player(SD).made({**PLACE, **values}, best.shots, seed=77)
+    assert made.max() / best.shots < best.high
+    assert made.mean() / best.shots < best.probability - 0.1
+
+
+def test_the_probability_is_of_fresh_shots_with_its_interval(best: Optimum) -> None:
+    made = Player(SD).made(best.release, best.shots, best.seed + 1)[0]
+    assert (best.made, best.probability) == (made, made / best.shots)
+    assert (best.low, best.high) == wilson(made, best.shots, best.confidence)
+
+
+def test_straight_in_front_the_best_direction_is_straight_on() -> None:
+    release = PLACE | {"elevation": 52 * DEGREE, "aim": 0.04}
+    found = optimum({"azimuth": (-4 * DEGREE, 3 * DEGREE)}, release, SD, shots=8_000, margins=())
+    low, high = found.flat["azimuth"]
+    assert low < 0.0 < high
+    # As flat to the left as to the right, but for the random numbers: a tenth of the scatter.
+    assert abs(low + high) / 2 < 0.1 * SD["azimuth"]
+    assert low <= found.release["azimuth"] <= high
+
+
+def test_the_flat_range_is_flat_and_its_ends_are_its_ends() -> None:
+    release = PLACE | {"elevation": 52 * DEGREE}
+    found = optimum(["aim"], release, SD, shots=40_000, margins=())
+    few = found.shots // 4  # no fewer are taken
+    share = lambda aim: Player(SD).made({**release, "aim": aim}, few)[0] / few  # noqa: E731
+    least = share(found.release["aim"]) - found.tolerance
+    low, high = found.flat["aim"]
+    assert share(low) >= least
+    assert share(high) >= least
+    # The ends are the outermost of some 200 points, so that an eighth further out none is left.
+    assert share(low - (high - low) / 8) < least
+    assert share(high + (high - low) / 8) < least
+
+
+def test_a_bound_that_is_in_the_way_is_named() -> None:
+    over = {"elevation": (44 * DEGREE, 48 * DEGREE), "aim": None}
+    found = optimum(over, PLACE, SD, shots=4_000, margins=())
+    assert found.at_bounds == ("elevation",)
+    assert "elevation" in next(line for line in str(found).splitlines() if "beyond" in line)
+
+
+def test_the_same_question_has_the_same_answer() -> None:
+    once, again, other = (
+        optimum(["elevation", "aim"], PLACE, SD, shots=500, seed=seed, margins=["speed"])
+        for seed in (4, 4, 5)
+    )
+    assert once == again
+    assert once.release != other.release
+
+
+def test_it_knows_where_its_flight_comes_down(best: Optimum) -> None:
+    # eps times the distance, and some for the path through speed and back.
+    assert best.depth == pytest.approx(best.release["aim"], abs=64 * np.finfo(float).eps * 4.2)
+    assert 35 * DEGREE < best.entry_angle < 50 * DEGREE
+
+
+def test_off_the_board_the_best_release_is_off_the_board(bank: Optimum) -> None:
+    shots = hoopgen.simulate(hoopgen.release(**bank.arguments))
+    assert shots.outcome[0] == hoopgen.Outcome.MADE
+    assert shots.first[0] == BOARD
+    # From the right of the board, the ball goes to the right of the ring's centre.
+    assert bank.release["azimuth"] < -2 * DEGREE
+
+
+def test_the_lead_is_of_the_same_shots(best: Optimum) -> None:
+    short = optimum(["elevation"], PLACE | {"aim": -0.1}, SD, shots=8_000, margins=())
+    difference, low, high = best.lead(short)
+    assert difference == (best.made - short.made) / best.shots
+    assert 0.0 < low < difference < high
+    assert best.lead(best)[0] == 0.0
+    with pytest.raises(ValueError, match="same seed"):
+        best.lead(optimum(["elevation"], PLACE | {"aim": 0.0}, SD, shots=100, margins=()))
+
+
+def test_usual_bounds_need_the_place_however_it_is_given() -> None:
+    by_distance = bounds_of(["elevation", "speed"], PLACE, Player(SD))
+    release = {"height": 2.1336, "x": 4.191 * 0.6, "y": 4.191 * 0.8}
+    by_place = bounds_of(["elevation", "speed"], release, Player(SD))
+    for name, ends in by_distance.items():
+        # Three sides of a right triangle: a rounding or two.
+        assert by_place[name] == pytest.approx(ends, rel=1e-15, abs=0.0)
+    with pytest.raises(ValueError, match="no usual bounds"):
+        bounds_of(["elevation"], {"height": 2.0}, Player(SD))
+
+
+def test_everything_goes_into_json(best: Optimum) -> None:
+    read = json.loads(json.dumps(best.as_dict(), allow_nan=False))
+    assert read["release"] == best.release
+    assert read["margins"]["speed"]["low"] == best.margins["speed"].low
+    assert read["flat"]["aim"] == list(best.flat["aim"])
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"over": ["elevaton"]}, "over: unknown elevaton"),
+        ({"over": []}, "over: expected at least one variable"),
+        ({"over": {"aim": (0.1, 0.1)}}, r"over\['aim'\]: expected \(low, high\)"),
+        ({"over": ["elevation", "height"]}, "already in over"),
+        ({"over": ["sidespin", "restitution"]}, r"over\['restitution'\]: .* no usual bounds"),
+        ({"over": {"elevation": None, "aim": (30.0, 31.0)}}, "over: no release tried succeeds"),
+        ({"release": PLACE | {"hight": 2.0}}, "release: unknown hight"),
+        ({"release": PLACE | {"backspin": [1.0, 2.0]}}, r"release\['backspin'\]: expected one"),
+        ({"sd": {}}, "sd: expected a deviation above 0"),
+        ({"sd": {"speed": -0.1}}, r"sd\['speed'\]: expected"),
+        ({"by": "bounce"}, "by: expected any, direct, bank, got 'bounce'"),
+        ({"shots": 0}, "shots: expected a whole number from 1"),
+        ({"seed": 2**64 - 1}, "seed: expected"),
+        ({"confidence": 95}, "confidence: expected a number within 0 and 1"),
+        ({"margins": ["wind"]}, "names: unknown wind"),
+        ({"parameters": hoopgen.PAPER | {"mass": 0.6}}, "parameters: unknown mass"),
+    ],
+)
+def test_a_wrong_argument_is_named(change: Mapping[str, Any], message: str) -> None:
+    good = {"over": ["elevation", "aim"], "release": PLACE, "sd": SD, "shots": 64}
+    with pytest.raises(ValueError, match=message):
+        optimum(**{**good, **change})  # type: ignore[arg-type]
+
+
+# Margins
+
+
+def succeeds(release: Mapping[str, float], by: str = "any") -> bool:
+    shots = hoopgen.simulate(hoopgen.release(**release))
+    made = shots.outcome[0] == hoopgen.Outcome.MADE
+    return bool(made and (by == "any" or (shots.first[0] == BOARD) == (by == "bank")))
+
+
+def ends(margin: Margin) -> list[tuple[float, float]]:
+    """Pairs of what is inside and what is outside an end, a billionth of the range apart."""
+    step = 1e-9 * (margin.searched[1] - margin.searched[0])
+    runs = [(margin.low, margin.high), *margin.elsewhere]
+    pairs = [(low + step, low - step) for low, _ in runs if low > margin.searched[0]]
+    return pairs + [(high - step, high + step) for _, high in runs if high < margin.searched[1]]
+
+
+@pytest.mark.parametrize("which", ["best", "bank"])
+def test_at_the_ends_of_a_margin_the_outcome_changes(
+    which: str, request: pytest.FixtureRequest
+) -> None:
+    found: Optimum = request.getfixturevalue(which)
+    tried = 0
+    for margin in found.margins.values():
+        assert margin.low <= found.arguments[margin.name] <= margin.high
+        for inside, outside in ends(margin):
+            assert succeeds(found.arguments | {margin.name: inside}, found.by)
+            assert not succeeds(found.arguments | {margin.name: outside}, found.by)
+            tried += 1
+    assert tried >= 12
+
+
+def test_a_margin_lists_the_other_ways_in(best: Optimum) -> None:
+    speed = best.margins["speed"]
+    assert speed.elsewhere  # faster, it goes in off the board
+    assert f"in {len(speed.elsewhere)} further intervals" in str(speed)
+    runs = sorted([(speed.low, speed.high), *speed.elsewhere])
+    for (_, left), (right, _) in pairwise(runs):
+        assert left < right
+        assert not succeeds(best.arguments | {"speed": (left + right) / 2})
+
+
+def test_with_scatter_the_probability_falls_by_the_tolerance_at_the_ends(best: Optimum) -> None:
+    few = best.shots  # fewer are not taken
+    for name, margin in best.margins.items():
+        assert margin.steady is not None
+        made = lambda at, name=name: Player(SD).made(  # noqa: E731
+            {**best.arguments, name: at}, few, best.seed
+        )[0]
+        least = made(margin.value) - best.tolerance * few
+        for end, furthest in zip(margin.steady, margin.searched, strict=True):
+            assert made(end) >= least
+            # What is outside was bisected to this distance.
+            out = (furthest - margin.value) / _SMOOTH[0] / 2 ** _SMOOTH[1]
+            assert made(end + out) < least or end == furthest
+
+
+def test_the_margin_of_the_aim_changes_the_speed(best: Optimum) -> None:
+    aim = margins(best.release, names=["aim"])["aim"]
+    speed = best.margins["speed"]
+    at = [
+        Scatter(best.release | {"aim": end}).draw(0, 1).columns["speed"][0]
+        for end in (aim.low, aim.high)
+    ]
+    # Both are bisected to the fortieth part of a step: the speed is as good as the aim is.
+    assert at == pytest.approx([speed.low, speed.high], abs=1e-12)
+
+
+def test_a_shot_that_misses_has_no_margin() -> None:
+    missed = margins(PLACE | {"speed": 5.0, "elevation": 0.9}, names=["azimuth"])["azimuth"]
+    assert np.isnan(missed.low)
+    assert np.isnan(missed.high)
+    assert "does not succeed" in str(missed)
+
+
+@pytest.mark.parametrize("elevation", [89.4, 89.999, 90.0, 91.0, -89.999, -91.0])
+def test_a_release_lies_within_what_is_searched_however_steep(elevation: float) -> None:
+    value = elevation * DEGREE
+    margin = margins(PLACE | {"speed": 9.0, "elevation": value}, names=["elevation"])["elevation"]
+    assert margin.searched[0] <= margin.value == value <= margin.searched[1]
+
+
+@pytest.mark.parametrize("name", ["elevation", "entry"])
+def test_a_steep_release_that_goes_in_has_its_margin(name: str) -> None:
+    given = {"elevation": 89.4 * DEGREE, "aim": 0.0} if name == "elevation" else {"entry": 1.56}
+    margin = margins(PLACE | given, names=[name])[name]
+    assert margin.low < margin.value < margin.high
+    assert margin.high <= 90 * DEGREE
+
+
+def test_a_variable_that_is_not_the_releases_is_refused() -> None:
+    with pytest.raises(ValueError, match="names: aim is no variable of this release"):
+        margins(PLACE | {"speed": 7.2, "elevation": 0.9}, names=["aim"])
+
+
+# Bank or direct
+
+
+def test_lines_cross_where_they_were_drawn_through() -> None:
+    random = np.random.default_rng(5)
+    starts, towards = random.uniform(1.0, 3.0, (2, 7, 2))
+    point = np.array([-0.5, 0.1])
+    found = crossing(starts, starts + (point - starts) * towards[:, :1])
+    # Errors of eps at a few metres, and lines that cross at small angles.
+    assert (found.x, found.y) == pytest.approx(tuple(point), abs=1e-13)
+    assert found.spread < 1e-14
+    with pytest.raises(ValueError, match="parallel"):
+        crossing([[0.0, 0.0], [0.0, 1.0]], [[1.0, 1.0], [1.0, 2.0]])
+
+
+def test_the_ball_touches_the_board_a_radius_from_its_centre(bank: Optimum) -> None:
+    touch = on_board(bank.arguments, bank.parameters)
+    shots = hoopgen.simulate(hoopgen.release(**bank.arguments), record=True)
+    centre = shots.events["before"][0][:3]
+    normal = np.array([1.0, 0.0, 0.0])
+    x, y, z = centre - hoopgen.PAPER["ball_radius"] * normal
+    # The contact's time is rounded, at some 4 m/s.
+    assert x == pytest.approx(-hoopgen.PAPER["board_distance"], abs=1e-14)
+    assert (touch["touch_y"], touch["touch_z"]) == (y, z)
+
+
+def test_a_release_points_along_its_line_of_sight(bank: Optimum) -> None:
+    state = hoopgen.release(**bank.arguments)
+    sight = on_board(bank.arguments, bank.parameters)["sight_y"]
+    towards = np.array([-hoopgen.PAPER["board_distance"], sight]) - state[:2]
+    across = towards[0] * state[4] - towards[1] * state[3]
+    assert abs(across) < 1e-14 * np.hypot(*towards) * np.hypot(state[3], state[4])
+
+
+def test_a_side_place_banks_better_and_a_far_front_place_does_not() -> None:
+    places = [(1.5, 2.6), (4.5, 0.0)]
+    release = {"height": 2.1336, "backspin": 6 * np.pi}
+    found = bank_or_direct(places, release, SD, shots=3_000, over=("elevation", "aim", "azimuth"))
+    side, front = found.difference.values
+    assert side > 0.03
+    assert front < 0.0
+    assert (found.difference_low < found.difference).all()
+    assert (found.difference < found.difference_high).all()
+    # As `optimum` would find and count them, one place and one way at a time.
+    alone = optimum(
+        ["elevation", "aim", "azimuth"],
+        release | {"distance": float(np.hypot(1.5, 2.6)), "angle": float(np.arctan2(2.6, 1.5))},
+        SD,
+        by="bank",
+        shots=3_000,
+        margins=(),
+    )
+    chosen = found.sel(way="bank").isel(place=0)
+    assert float(chosen.probability) == alone.probability
+    assert float(chosen.speed) == alone.arguments["speed"]
+    assert chosen.speed.attrs["units"] == "m/s"
+
+
+def test_a_place_without_a_way_in_is_said_to_have_none() -> None:
+    found = bank_or_direct([(-1.0, 0.0)], {"height": 2.0}, SD, shots=512, over=("elevation", "aim"))
+    bank = found.sel(way="bank").isel(place=0)
+    assert float(bank.probability) == 0.0
+    assert np.isnan(float(bank.speed))
+    assert np.isnan(float(found.touch_y[0]))
+
+
+# On the command line
+
+ASKED = [
+    *["optimum", "--over", "elevation=48:58", "--over", "aim=-5cm:12cm", "--height", "7ft"],
+    *["--distance", "13.75ft", "--backspin", "3Hz", "--scatter", "speed=0.07"],
+    *["--scatter", "elevation=1.3", "--scatter", "azimuth=1", "--shots", "2000"],
+]
+
+
+def test_the_command_says_what_the_library_found() -> None:
+    result = CliRunner().invoke(main, [*ASKED, "--json"])
+    assert result.exit_code == 0, result.output
+    bounds = {"elevation": (48 * DEGREE, 58 * DEGREE), "aim": (-0.05, 0.12)}
+    release = {"height": 7 * 0.3048, "distance": 13.75 * 0.3048, "backspin": 3 * (2 * np.pi)}
+    found = optimum(bounds, release, SD, shots=2000)
+    read = json.loads(result.stdout)
+    assert read["release"] == found.release
+    assert read["probability"] == found.probability
+
+
+def test_the_command_speaks_to_a_coach() -> None:
+    result = CliRunner().invoke(main, [*ASKED, "--versus", "bank"])
+    assert result.exit_code == 0, result.output
+    for word in ("shoot", "straight at the ring", "comes down at", "past the centre", "versus"):
+        assert word in result.stdout
+    assert max(map(len, result.stdout.splitlines())) <= 120
+
+
+@pytest.mark.parametrize(
+    ("option", "message"),
+    [
+        (["--over", "elevaton"], "'elevaton' is none of"),
+        (["--over", "elevation=45"], "elevation: '45' is not low:high"),
+        (["--over", "elevation=45:60:3"], "is not low:high"),
+        (["--over", "elevation=45:60m"], "not a unit of angle"),
+        (["--by", "luck"], "luck"),
+    ],
+)
+def test_the_command_refuses_what_it_cannot_read(option: list[str], message: str) -> None:
+    result = CliRunner().invoke(main, ["optimum", *option])
+    assert result.exit_code == 2
+    assert message in result.stderr
