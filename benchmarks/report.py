@@ -102,7 +102,7 @@ def _speed(results: Results) -> list[str]:
     return [
         "## Shots a second",
         "",
-        "Median and quartiles over the rounds; in a round everybody flies once.",
+        "Median and quartiles over the rounds; in a round everybody has a turn.",
         "hoopgen returns outcome, contacts and time, as the peers do, and bounds no errors; or all",
         "fields, of which `uncertain` takes them.",
         "",
