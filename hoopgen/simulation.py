@@ -21,11 +21,14 @@ from .inputs import check_contacts, check_leaving, check_states, check_threads
 from .parameters import NAMES, PAPER, Value, resolve
 from .results import SURFACES, Shots
 
-CHUNK = 1 << 16
-"""Most shots that a thread takes at a time in C; NumPy, which pays for each, takes all at once."""
+CHUNK = 1 << 17
+"""Most shots that a thread takes at a time. Each chunk costs a call, and lanes that idle at its end."""
 
 SHARE = 8
-"""Chunks for each thread in C, so that they end together."""
+"""Chunks for each of several threads in C, so that they end together; fewer where they are small."""
+
+SMALL = 1 << 12
+"""A chunk that is small."""
 
 RECORD_CHUNK = 1 << 10
 """The same when recording, since room is made for every contact that could be."""
@@ -162,10 +165,7 @@ def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[An
         log["shot"] += start
         return log
 
-    size = RECORD_CHUNK
-    if not record:
-        size = max(size, -(-shots // threads))
-        size = size if batch.library is None else min(CHUNK, max(RECORD_CHUNK, size // SHARE))
+    size = RECORD_CHUNK if record else _chunk(shots, threads, batch.library is not None)
     starts = range(0, shots, size)
     # Python sees no Ctrl-C while its main thread is in the engine, so another one goes there.
     main = threading.current_thread() is threading.main_thread()
@@ -180,6 +180,16 @@ def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[An
                 pool.shutdown(wait=False, cancel_futures=True)
                 raise
     return [log for log in logs if log is not None]
+
+
+def _chunk(shots: int, threads: int, in_c: bool) -> int:
+    """Return how many shots a thread takes at a time."""
+    own = -(-shots // threads)
+    if not in_c:
+        return max(own, 1)  # NumPy pays for every chunk
+    if threads > 1:
+        own = max(own // SHARE, min(own // 2, SMALL))
+    return max(1, min(own, CHUNK))
 
 
 def _present(raw: Raw) -> dict[str, NDArray[Any]]:
