@@ -21,7 +21,7 @@ from hoopgen import FIBA, NBA, PAPER, Outcome, Scatter
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.study.bank import Crossing, bank_or_direct, crossing
 from hoopgen.study.estimate import Estimate
-from hoopgen.study.optimum import Optimum, optimum
+from hoopgen.study.optimum import Optimum, optimum, paired
 from hoopgen.study.player import By, Player
 from hoopgen.study.tallies import wilson
 from hoopgen.study.variables import ARGUMENTS, resolve_variables
@@ -182,7 +182,6 @@ def free_throws(shots: int) -> FreeThrows:
         scene = PAPER | {"restitution": change.pop("restitution", PAPER["restitution"])}
         return optimum(over, LINE | change, sd, None, scene, by=by, shots=shots, margins=())
 
-    recipe = Scatter({**LINE, "elevation": 52 * DEGREE, "aim": 0.05}, SEVENTY)
     return FreeThrows(
         {spin: best(backspin=spin * HERTZ) for spin in BACKSPINS},
         {height: best(height=height * FOOT) for height in HEIGHTS},
@@ -190,7 +189,7 @@ def free_throws(shots: int) -> FreeThrows:
         {e: best(restitution=e, by="bank") for e in RESTITUTIONS},
         best(("elevation",), aim=0.0),
         best(sd=STRAIGHTER),
-        hoopgen.estimate(recipe, shots=shots, seed=1),
+        recipe(shots),
     )
 
 
@@ -204,7 +203,9 @@ class Banks:
     `releases` are the vertical planes of the releases, `touches` the lines to where the ball
     touches the board; `closed` is the distance behind the board by formula, and `past` how far
     from the middle of the ring the balls come down on average. `slope` and `foot` are those of the
-    V on which they touch, `off` its root mean square distance from them, m.
+    V on which they touch, `off` its root mean square distance from them, m. `most` is the index of
+    the place where the bank leads most, and `lead` by how much, with its interval, when that place
+    is thrown again with other random numbers than those it was chosen by.
     """
 
     places: xr.Dataset
@@ -216,6 +217,8 @@ class Banks:
     slope: float
     foot: float
     off: float
+    most: int
+    lead: tuple[float, float, float]
 
 
 def banks(
@@ -238,6 +241,7 @@ def banks(
         front = np.full(len(starts), -scene["board_distance"])
         return crossing(starts, np.stack([front, aside[name]], axis=1))
 
+    most = int(np.argmax(found.difference.values))
     y, z = found.touch_y.values, found.touch_z.values
     slope, foot = np.polyfit(np.abs(y), z, 1)
     off = math.sqrt(np.mean((z - foot - slope * np.abs(y)) ** 2))
@@ -251,7 +255,23 @@ def banks(
         slope=float(slope),
         foot=float(foot),
         off=off,
+        most=most,
+        lead=_thrown_again(found.isel(place=most), sd, scene, shots),
     )
+
+
+def _thrown_again(
+    place: xr.Dataset, sd: Mapping[str, float], scene: Parameters, shots: int
+) -> tuple[float, float, float]:
+    """Bank less direct from a place with new random numbers: seed 2."""
+    ways: tuple[By, By] = ("bank", "direct")
+    bank, direct = (
+        Player(sd, parameters=scene, by=way).scored(
+            {name: float(place.sel(way=way)[name]) for name in ARGUMENTS}, shots, seed=2
+        )
+        for way in ways
+    )
+    return paired(bank, direct, 0.95)
 
 
 def _past(best: xr.Dataset, scene: Parameters) -> float:
@@ -294,10 +314,26 @@ class Curve:
 
 def success(release: Mapping[str, float], name: str, sds: Sequence[float], shots: int) -> Curve:
     """Vary one deviation of the shooter's scatter, all else the same."""
-    made = np.array(
-        [Player(SEVENTY | {name: sd}).made(release, shots, seed=1)[0] for sd in sds], np.int64
-    )
-    return Curve(np.array(sds), made / shots, *wilson(made, shots, 0.95))
+    thrown = [Player(SEVENTY | {name: sd}).thrown(release, shots, seed=1) for sd in sds]
+    pairs = [(one.made, one.valid) for one in thrown]
+    made, valid = (np.concatenate(counts) for counts in zip(*pairs, strict=True))
+    return Curve(np.array(sds), made / valid, *wilson(made, valid, 0.95))
+
+
+def rounded(best: Optimum) -> dict[str, float]:
+    """The best free throw as the page gives it, to a tenth of a degree and of a centimetre."""
+    angle, aim = best.release["elevation"] / DEGREE, best.release["aim"]
+    return free_throw(round(angle, 1), round(100 * aim, 1))
+
+
+def free_throw(angle: float, aim: float) -> dict[str, float]:
+    """A free throw, angle in degrees and aim in cm."""
+    return {**LINE, "elevation": angle * DEGREE, "aim": aim / 100}
+
+
+def recipe(shots: int) -> Estimate:
+    """What becomes of theirs, 52° and 5 cm."""
+    return hoopgen.estimate(Scatter(free_throw(52, 5), SEVENTY), shots=shots, seed=1)
 
 
 # -------------------------------------------------------------------------------- everything
@@ -330,7 +366,7 @@ def everything(shots: int, bank_shots: int, distances: Sequence[float]) -> Resul
     livelier = banks(distances[-2:], bank_shots, restitution_of_axis(THEIR_AXIS))
     straighter = banks(distances[-2:], bank_shots, sd=STRAIGHTER)
     print("scatter")
-    release = line.best.release
+    release = rounded(line.best)
     return Results(
         checks,
         entries,

@@ -1,7 +1,7 @@
 """The page of `benchmarks.validation`: its words, its tables, its picture."""
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -25,6 +25,7 @@ from benchmarks.validation import (
     Results,
     Smallest,
     restitution_of_axis,
+    rounded,
 )
 from hoopgen import PAPER
 from hoopgen.plots.style import COLOURS, PAGE, style
@@ -124,6 +125,7 @@ def _head(results: Results) -> list[str]:
 
 
 def closed_forms(checks: Sequence[Check], entries: Sequence[Smallest]) -> list[str]:
+    steeper = [(one.wire - one.edge) / DEGREE for one in entries]
     return [
         "## Closed forms",
         "",
@@ -137,8 +139,11 @@ def closed_forms(checks: Sequence[Check], entries: Sequence[Smallest]) -> list[s
             [
                 [
                     check.what,
-                    f"{check.ours:.9f} {check.unit}".replace(" °", "°").replace("-", ""),
-                    f"{check.closed:.9f} {check.unit}".replace(" °", "°"),
+                    *(
+                        # z: no minus sign for what is rounded to zero
+                        f"{value:z.9f} {check.unit}".replace(" °", "°").replace("-", "−")
+                        for value in (check.ours, check.closed)
+                    ),
                     f"{check.ours - check.closed:.1e}".replace("-", "−"),
                 ]
                 for check in checks
@@ -147,11 +152,11 @@ def closed_forms(checks: Sequence[Check], entries: Sequence[Smallest]) -> list[s
         "The smallest entry angle is usually given as asin(ball Ø / ring Ø), of the ring's inner "
         "diameter: about 32°. So the ball would slip between two sharp edges. But the rim is a "
         "wire, round in section, and the ball has to clear its lower and its upper side too: "
-        "asin((ball radius + wire radius) / radius of the circle of the wire's centre), more than "
-        "a degree steeper. The engine finds that angle by bisection on swishes in straight "
-        "flight. A free throw falls while it passes the ring: less steep than its entry angle at "
-        "the front, steeper at the back. The angle at which one just swishes, wherever within the "
-        "ring it comes down, follows in the last column.",
+        "asin((ball radius + wire radius) / radius of the circle of the wire's centre), steeper by "
+        f"{min(steeper):.1f}° to {max(steeper):.1f}°. The engine finds that angle by bisection on "
+        "swishes in straight flight. A free throw falls while it passes the ring: less steep than "
+        "its entry angle at the front, steeper at the back. The angle at which one just swishes, "
+        "wherever within the ring it comes down, follows in the last column.",
         "",
         *table(
             ["", "sharp edge", "round wire", "engine, straight", "engine, free throw"],
@@ -218,22 +223,31 @@ def _line(results: Results) -> list[str]:
             ["release height", "release angle", "aim past the centre", "success"],
             [[f"{h:g} ft", angles(o), aims(o), chance(o)] for h, o in line.by_height.items()],
         ),
-        "Backspin helps because a ball that spins back leaves rim and board more slowly; in our "
-        "model, where it always grips, so does more than 3 Hz. The restitution of their model is "
-        "not known to us, and it matters more than all of the above. The best bank shot from the "
-        "free-throw line is beside the direct one in the table: from a dead board it would be the "
-        "better shot.",
+        "A ball that spins back leaves rim and board more slowly. The restitution of their model "
+        "is not known to us. From the least to the greatest success it is "
+        f"{_spread(line.by_spin)} points in the table of backspins, {_spread(line.by_height)} in "
+        f"that of heights, and in that of restitutions {_spread(line.direct)} for direct shots "
+        f"and {_spread(line.bank)} for bank shots. In its last column is the best bank shot from "
+        "the free-throw line, and by how many points it is better than the direct one.",
         "",
         *table(
-            ["restitution", "direct: release angle", "aim", "success", "best bank shot"],
+            ["restitution", "direct: release angle", "aim", "success", "bank shot", "less direct"],
             [
-                [f"{e:.1f}", angles(o), aims(o), chance(o), chance(line.bank[e])]
+                [
+                    *(f"{e:.1f}", angles(o), aims(o), chance(o), chance(line.bank[e])),
+                    points(*line.bank[e].lead(o)),
+                ]
                 for e, o in line.direct.items()
             ],
         ),
         "![Success against backspin, and against the scatter of the speed](validation-throws.svg)",
         "",
     ]
+
+
+def _spread(found: Mapping[float, Optimum] | Mapping[int, Optimum]) -> str:
+    chances = [best.probability for best in found.values()]
+    return f"{100 * (max(chances) - min(chances)):.1f}"
 
 
 def _bank(results: Results) -> list[str]:
@@ -246,7 +260,9 @@ def _bank(results: Results) -> list[str]:
         "",
         "From each place the best direct shot and the best shot off the board, each over release "
         f"angle, speed and direction ({results.bank_shots:,} shots a place). Bank less direct, in "
-        "points; 0° is straight in front of the board, 90° along the baseline.",
+        "points; 0° is straight in front of the board, 90° along the baseline. Each interval, and "
+        "each verdict counted below, is at 95 % by itself. The place where the bank leads most was "
+        "chosen by these random numbers, so its lead is of others (seed 2).",
         "",
         *_grid(found),
         *table(
@@ -255,7 +271,7 @@ def _bank(results: Results) -> list[str]:
                 [
                     "where the bank is better",
                     "intermediate ranges, towards the sides",
-                    f"at {better} of {data.sizes['place']} places (worse at {worse})",
+                    f"at {better} of {data.sizes['place']} places (worse at {worse}), each at 95 %",
                 ],
                 [
                     "by how much at most",
@@ -281,13 +297,11 @@ def _bank(results: Results) -> list[str]:
         f"Theirs belongs to a restitution of {restitution_of_axis(THEIR_AXIS):.3f}. With that, "
         f"from the {livelier.places.sizes['place']} outermost places, ours lies "
         f"{_behind(livelier)} in behind the board, and the bank is better by "
-        f"{_most(livelier)[0]} points at most. The rest is that the best shots come "
-        "down not in the middle of the ring "
-        f"but {100 * found.past:.0f} cm from it on average. Lines to the points that the ball "
-        "touches, rather than along its flight, cross "
+        f"{_most(livelier)[0]} points at most. The formula is for balls that come to the middle "
+        f"of the ring; the best shots come down {100 * found.past:.0f} cm from it on average. "
+        "Lines to the points that the ball touches, rather than along its flight, cross "
         f"{(-PAPER['board_distance'] - found.touches.x) / INCH:.1f} in behind the board, missing "
-        f"by {found.touches.spread * 1000:.0f} mm: as an aid for the eye the axis holds for the "
-        "direction of the ball.",
+        f"by {found.touches.spread * 1000:.0f} mm.",
         "",
         "By how much the bank is better depends on where a shooter's errors are. Of theirs we know "
         "the 70 % of free throws, not the deviations. A bank shot forgives errors of speed and "
@@ -319,15 +333,14 @@ def _grid(found: Banks) -> list[str]:
 
 def _most(found: Banks) -> tuple[str, str]:
     """By how much the bank is better where it is most so, and where that is."""
-    data = found.places.isel(place=int(np.argmax(found.places.difference.values)))
-    names = ("difference", "difference_low", "difference_high")
+    data = found.places.isel(place=found.most)
     away, angle = math.hypot(data.x, data.y) / FOOT, math.atan2(data.y, data.x) / DEGREE
-    return points(*(float(data[name]) for name in names)), f"{away:.0f} ft and {angle:.0f}°"
+    return points(*found.lead), f"{away:.0f} ft and {angle:.0f}°"
 
 
 def _v(found: Banks) -> str:
     return (
-        f"a V: {100 * found.foot:.0f} cm above the ring at the middle, rising "
+        f"the nearest V: {100 * found.foot:.0f} cm above the ring at the middle, rising "
         f"{100 * found.slope:.0f} cm in 100; missed by {1000 * found.off:.0f} mm (rms)"
     )
 
@@ -345,8 +358,9 @@ def _scatter(results: Results) -> list[str]:
         "",
         "Twelve players: SD of the release speed between 0.05 and 0.13 m/s, of the release angle "
         "1.3° ± 0.26° in free throws. How many they made went with the SD of the speed (r = −0.88) "
-        "and not with that of the angle. Here one release, our best free throw, is thrown with one "
-        "deviation varied over the players' range:",
+        "and not with that of the angle. Here one release, our best free throw as the table gives "
+        f"it ({_rounded(results)}), is thrown with one deviation varied "
+        "over the players' range:",
         "",
         *table(["SD of the speed", "success"], _rows(speed, lambda sd: f"{sd:.2f} m/s")),
         *table(["SD of the angle", "success"], _rows(angle, lambda sd: f"{sd / DEGREE:.2f}°")),
@@ -371,6 +385,11 @@ def _scatter(results: Results) -> list[str]:
             ],
         ),
     ]
+
+
+def _rounded(results: Results) -> str:
+    best = rounded(results.line.best)
+    return f"{best['elevation'] / DEGREE:.1f}°, {100 * best['aim']:.1f} cm".replace("-", "−")
 
 
 def _rows(curve: Curve, said: Callable[[float], str]) -> list[list[str]]:

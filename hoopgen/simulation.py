@@ -22,16 +22,16 @@ from .parameters import NAMES, PAPER, Value, resolve
 from .results import SURFACES, Shots
 
 CHUNK = 1 << 17
-"""Most shots that a thread takes at a time. Each chunk costs a call, and lanes that idle at its end."""
+"""Most shots that a thread takes at a time; each chunk costs a call, and lanes idle at its end."""
 
 SHARE = 8
-"""Chunks for each of several threads in C, so that they end together; fewer where they are small."""
+"""Chunks for each of several threads in C, so that they end together; fewer of small ones."""
 
 SMALL = 1 << 12
 """A chunk that is small."""
 
-RECORD_CHUNK = 1 << 10
-"""The same when recording, since room is made for every contact that could be."""
+ROOM = 1 << 16
+"""Rows of the event log that a thread makes room for at a time: every contact that could be."""
 
 AT_ONCE = 1 << 17
 """Contacts that could be, up to which no thread is started: some hundredths of a second."""
@@ -93,7 +93,7 @@ def simulate(
     fields
         "all", or the names of the results that are wanted; by name also "time_error" and
         "state_error", the bounds on the errors of time and state. Without "uncertain" and those
-        two no errors are bounded, which saves a fifth of the time; the path is the same.
+        two no errors are bounded, which saves a fifth or more; the path is the same.
     record
         Whether to keep the event log, which `Shots.trajectory` needs.
     leaving
@@ -165,7 +165,9 @@ def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[An
         log["shot"] += start
         return log
 
-    size = RECORD_CHUNK if record else _chunk(shots, threads, batch.library is not None)
+    size = _chunk(shots, threads, batch.library is not None)
+    if record:
+        size = max(1, min(size, ROOM // (batch.max_contacts + 1)))
     starts = range(0, shots, size)
     # Python sees no Ctrl-C while its main thread is in the engine, so another one goes there.
     main = threading.current_thread() is threading.main_thread()

@@ -480,3 +480,10 @@ def test_errors_of_the_command_are_one_line(arguments: list[str], said: str) -> 
     assert said in result.stderr
     assert result.stderr.startswith("hoopgen: error: ")
     assert result.stderr.count("\n") == 1
+
+
+def test_an_aim_off_the_board_that_goes_in_directly_is_said_not_to_go_in_off_the_board() -> None:
+    result = CliRunner().invoke(
+        main, ["aim", "--distance", "13.75ft", "--height", "7ft", "--by", "bank"]
+    )
+    assert "does not go in off the board" in result.stdout

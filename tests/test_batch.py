@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import os
 import signal
 import subprocess
 import sys
@@ -24,6 +25,7 @@ pq = pytest.importorskip("pyarrow.parquet")
 
 from hoopgen.study import batch as study_batch  # noqa: E402
 from hoopgen.study.measures import MEASURES, Kind, kinds, measure  # noqa: E402
+from hoopgen.study.tables import Source  # noqa: E402
 from hoopgen.units import FOOT  # noqa: E402
 
 ROWS = 500
@@ -63,6 +65,18 @@ def source(tmp_path: Path) -> Path:
     """The throws in a Parquet file."""
     pq.write_table(pa.table(throws()), tmp_path / "throws.parquet")
     return tmp_path / "throws.parquet"
+
+
+def stored(file: Path, columns: Mapping[str, Any]) -> None:
+    """Write a table in the format of the suffix."""
+    table = pa.table(columns)
+    if file.suffix == ".csv":
+        pa.csv.write_csv(table, file)
+    elif file.suffix == ".parquet":
+        pq.write_table(table, file)
+    else:
+        with pa.ipc.new_file(file, table.schema) as out:
+            out.write_table(table)
 
 
 def read(file: Path) -> Any:
@@ -308,6 +322,51 @@ def test_chunks_of_another_table_or_setting_are_not_taken(source: Path, tmp_path
         hoopgen.batch(source, out, release=PLACE, rows=100)
 
 
+def test_whole_numbers_may_be_numpy_s(source: Path, tmp_path: Path) -> None:
+    given = {"rows": np.int64(100), "max_contacts": np.int32(5)}
+    for out, options in (("a", given), ("b", {name: int(n) for name, n in given.items()})):
+        hoopgen.batch(source, tmp_path / f"{out}.parquet", release=PLACE, **options)
+    assert (tmp_path / "a.parquet").read_bytes() == (tmp_path / "b.parquet").read_bytes()
+
+
+@pytest.mark.parametrize("name", ["throws.csv", "throws.parquet", "throws.arrow"])
+@pytest.mark.parametrize("when", ["before it is read", "while", "after the last chunk"])
+def test_a_source_that_changes_meanwhile_gives_no_result(
+    when: str, name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    source, out = tmp_path / name, tmp_path / "out.parquet"
+    stored(source, throws())
+    out.write_bytes(b"old")
+    digest = Source.digest
+
+    def change() -> None:
+        changed = tmp_path / f"new-{name}"
+        stored(changed, throws() | {"speed_ft_s": np.full(ROWS, 20.0)})
+        changed.replace(source)
+        os.utime(source, ns=(0, 0))  # however coarse the clock of the file system is
+
+    def changed_after(table: Source) -> tuple[str, int | None]:
+        found = digest(table)
+        if when == "before it is read":
+            change()
+        return found
+
+    def progress(done: int, total: int | None) -> None:
+        if done == {"while": 1, "after the last chunk": 5}.get(when):
+            change()
+
+    monkeypatch.setattr(Source, "digest", changed_after)
+    with pytest.raises(ValueError, match=rf"{name}: changed while it was read"):
+        hoopgen.batch(source, out, release=PLACE, rows=100, threads=1, progress=progress)
+    assert out.read_bytes() == b"old"
+    monkeypatch.undo()
+    # What was kept is of the table that the digest was taken of.
+    stored(source, throws())
+    hoopgen.batch(source, out, release=PLACE, rows=100)
+    hoopgen.batch(source, tmp_path / "whole.parquet", release=PLACE, rows=100)
+    assert out.read_bytes() == (tmp_path / "whole.parquet").read_bytes()
+
+
 def test_a_full_disk_is_told_and_the_old_file_stays(
     source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -346,7 +405,9 @@ def test_a_full_disk_is_told_and_the_old_file_stays(
         ({"release": PLACE | {"aim": [0.1]}}, r"release\['aim'\]: expected one number"),
         ({"measures": ["deep"]}, "measures: unknown deep. One of entry_angle, "),
         ({"max_contacts": 0}, "max_contacts: expected a whole number from 1, got 0"),
+        ({"max_contacts": 2.5}, "max_contacts: expected a whole number from 1, got 2.5"),
         ({"rows": 0}, "rows: expected a whole number from 1, got 0"),
+        ({"rows": 2.5}, "rows: expected a whole number from 1, got 2.5"),
         ({"parameters": {"gravity": 9.8}}, "parameters: missing ball_radius"),
         (
             {"parameters": hoopgen.PAPER | {"gravity": [9.8]}},

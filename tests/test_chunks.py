@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
 import signal
@@ -193,6 +194,17 @@ def test_another_job_is_refused_and_told_what_differs(
     assert contents(tmp_path) == before
 
 
+@pytest.mark.parametrize("package", ["hoopgen", "numpy", "scipy"])
+def test_chunks_of_other_versions_are_not_taken(
+    package: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    list(chunks.run(Numbers(), tmp_path))
+    others = {**chunks.versions(), package: "9.9"}
+    monkeypatch.setattr(chunks, "versions", lambda: others)
+    with pytest.raises(ValueError, match=rf'another job: {package} is "[^"]*" there and "9\.9" h'):
+        next(chunks.run(Numbers(), tmp_path))
+
+
 def test_an_identity_that_cannot_be_read_is_an_error(tmp_path: Path) -> None:
     list(chunks.run(Numbers(), tmp_path))
     (tmp_path / "identity.json").write_text("{", encoding="utf-8")
@@ -212,6 +224,9 @@ def test_a_folder_is_removed_but_for_what_others_put_there(tmp_path: Path) -> No
         (tmp_path / "parts" / "notes.txt").touch()
         folder.remove()
     assert [*contents(tmp_path / "parts")] == ["notes.txt"]
+    with chunks.opened(tmp_path / "more", {}) as folder:
+        folder.remove()
+    assert not (tmp_path / "more").exists()
 
 
 # Two at once
@@ -250,6 +265,99 @@ def test_nor_for_two_runs_of_one_process(tmp_path: Path) -> None:
         chunks.opened(tmp_path, {}),
     ):
         pass
+
+
+def test_a_folder_that_is_removed_is_held_until_then(tmp_path: Path) -> None:
+    with chunks.opened(tmp_path / "parts", {}) as folder:
+        folder.remove()
+        with pytest.raises(RuntimeError, match="another process"), chunks.opened(folder.path, {}):
+            pass
+    assert not folder.path.exists()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there a file that is open stays")
+def test_a_lock_is_removed_while_it_is_held(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Let go of before, it may be another's by then."""
+    refused, unlink = [], Path.unlink
+
+    def tried(file: Path, missing_ok: bool = False) -> None:
+        if file.name == "lock":
+            with pytest.raises(RuntimeError, match="another process"), chunks.opened(tmp_path, {}):
+                pass
+            refused.append(file)
+        unlink(file, missing_ok)
+
+    monkeypatch.setattr(Path, "unlink", tried)
+    with chunks.opened(tmp_path, {}) as folder:
+        folder.remove()
+    assert refused == [tmp_path / "lock"]
+
+
+@pytest.mark.parametrize("again", [False, True])
+@pytest.mark.parametrize("point", ["before it opens the lock", "before it takes the lock"])
+def test_who_opens_a_folder_that_is_being_removed_holds_a_lock_that_others_see(
+    point: str, again: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Between two steps of one that opens, another removes the folder, a third makes it anew."""
+    path = tmp_path / "parts"
+    opens = point == "before it opens the lock"
+    where, name = (Path, "open") if opens else (chunks, "_take")
+    step = getattr(where, name)
+    with contextlib.ExitStack() as first, contextlib.ExitStack() as third:
+        first.enter_context(chunks.opened(path, {})).remove()
+
+        def meanwhile(file: Any, *given: Any, **options: Any) -> Any:
+            if not opens or file.name == "lock":
+                monkeypatch.setattr(where, name, step)
+                first.close()
+                if again:
+                    third.enter_context(chunks.opened(path, {}))
+            return step(file, *given, **options)
+
+        monkeypatch.setattr(where, name, meanwhile)
+        if again:
+            with pytest.raises(RuntimeError, match="another process"), chunks.opened(path, {}):
+                pass
+            return
+        with chunks.opened(path, {}):
+            with pytest.raises(RuntimeError, match="another process"), chunks.opened(path, {}):
+                pass
+            assert {"lock", "identity.json"} == {*contents(path)}
+
+
+AT_ONCE = """
+import time
+path = Path(sys.argv[1])
+end = time.monotonic() + 60
+for turn in range(100):
+    while True:
+        assert time.monotonic() < end
+        try:
+            with chunks.opened(path, {}) as folder:
+                os.close(os.open(f"{path}.held", os.O_CREAT | os.O_EXCL))
+                os.unlink(f"{path}.held")
+                folder.remove()
+            break
+        except RuntimeError:
+            pass
+"""
+
+
+def test_a_file_is_no_folder(tmp_path: Path) -> None:
+    (tmp_path / "parts").touch()
+    with pytest.raises(FileExistsError), chunks.opened(tmp_path / "parts", {}):
+        pass
+
+
+def test_many_that_make_and_remove_a_folder_are_never_in_it_at_once(tmp_path: Path) -> None:
+    at_once = [
+        subprocess.Popen(script(AT_ONCE, str(tmp_path / "parts")), stderr=subprocess.PIPE)
+        for _ in range(3)
+    ]
+    assert [process.communicate()[1] for process in at_once] == [b""] * len(at_once)
+    assert not [*tmp_path.iterdir()]
 
 
 # Killed

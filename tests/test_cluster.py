@@ -115,17 +115,25 @@ def test_an_error_of_the_job_comes_from_the_worker(cluster: Any) -> None:
         next(chunks.run(Fails(), scheduler=cluster.scheduler_address))
 
 
-def test_workers_with_another_hoopgen_are_refused(
-    cluster: Any, monkeypatch: pytest.MonkeyPatch
+PACKAGES = ["hoopgen", "numpy", "scipy"]
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_workers_with_other_versions_are_refused(
+    package: str, cluster: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(hoopgen, "__version__", "9.9", raising=False)
-    with pytest.raises(RuntimeError, match=r"the worker tcp://.* has hoopgen .*, and here it is 9"):
+    others = {**chunks.versions(), package: "9.9"}
+    monkeypatch.setattr(chunks, "versions", lambda: others)
+    with pytest.raises(
+        RuntimeError, match=rf"the worker tcp://.* has {package} .*, and here it is 9\.9; install"
+    ):
         next(chunks.run(Free(), scheduler=cluster.scheduler_address))
 
 
-def test_a_late_worker_with_another_hoopgen_computes_nothing() -> None:
-    with pytest.raises(RuntimeError, match=r"a worker has hoopgen .*, not"):
-        chunks._on_worker("9.9", lambda: np.nan)
+@pytest.mark.parametrize("package", PACKAGES)
+def test_a_late_worker_with_other_versions_computes_nothing(package: str) -> None:
+    with pytest.raises(RuntimeError, match=rf"a worker has {package} .*, not 9\.9"):
+        chunks._on_worker({**chunks.versions(), package: "9.9"}, lambda: pa.table({}))
 
 
 def test_where_no_scheduler_answers_it_is_said(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -264,6 +264,18 @@ def test_a_folder_of_another_estimate_is_refused(tmp_path: Path, change: Any) ->
 # Precision
 
 
+def test_whole_numbers_may_be_numpy_s(tmp_path: Path) -> None:
+    given = {"shots": np.int64(1500), "seed": np.uint8(3), "max_contacts": np.int64(5)}
+    plain = {name: int(value) for name, value in given.items()}
+    assert estimate(PLAYER, SCENE, **given, folder=tmp_path / "one") == estimate(
+        PLAYER, SCENE, **plain, folder=tmp_path / "one"
+    )
+    pair = (PLAYER, SCENE), (PLAYER, hoopgen.NBA)
+    assert compare(*pair, **given, folder=tmp_path / "two") == compare(
+        *pair, **plain, folder=tmp_path / "two"
+    )
+
+
 def test_it_stops_at_the_first_chunk_that_is_precise_enough() -> None:
     found = estimate(PLAYER, SCENE, precision=0.013)
     assert found.half_width <= 0.013
@@ -420,6 +432,7 @@ def test_a_comparison_in_words() -> None:
         ({"confidence": 95}, ValueError, "confidence: expected a number within 0 and 1, got 95"),
         ({"seed": -1}, ValueError, "seed: expected a whole number from 0"),
         ({"max_contacts": 0}, ValueError, "max_contacts: expected a whole number from 1"),
+        ({"max_contacts": 2.5}, ValueError, "max_contacts: expected a whole number from 1"),
         ({"backend": "gpu"}, ValueError, "backend: expected 'auto', 'c' or 'numpy'"),
         ({"threads": 0}, ValueError, "threads: expected a whole number from 1"),
         ({"parameters": {}}, ValueError, "parameters: missing ball_radius"),
@@ -612,3 +625,17 @@ def test_the_examples_of_the_help_are_commands() -> None:
             assert (program, same) == ("hoopgen", name)
             options = ["/dev/null" if one == "releases.csv" else one for one in arguments]
             command.make_context(name, options)
+
+
+def test_a_precision_that_no_shot_can_bring_nearer_is_refused_at_once() -> None:
+    nowhere = hoopgen.Resample(
+        {"speed": [np.nan], "elevation": 0.9, "height": 2.0, "distance": 4.0}
+    )
+    with pytest.raises(ValueError, match="model: none of the first .* shots is valid"):
+        hoopgen.estimate(nowhere, precision=0.01)
+
+
+def test_a_scene_in_which_nothing_can_be_simulated_is_refused() -> None:
+    model = hoopgen.Resample({"speed": [7.0], "elevation": 0.9, "height": 2.0, "distance": 4.0})
+    with pytest.raises(ValueError, match="parameters: no shot can be simulated with these"):
+        hoopgen.estimate(model, hoopgen.PAPER | {"gravity": 0.0})

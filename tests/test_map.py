@@ -238,6 +238,13 @@ def test_a_folder_is_gone_on_from(tmp_path: Path, sd: Any, monkeypatch: pytest.M
         hoopgen.map(OVER, REST | {"sidespin": 1.0}, sd, **shots, folder=tmp_path)
 
 
+def test_whole_numbers_may_be_numpy_s(tmp_path: Path) -> None:
+    given = {"shots": np.int64(20), "seed": np.uint8(3), "max_contacts": np.int64(5)}
+    plain = {name: int(value) for name, value in given.items()}
+    maps = [hoopgen.map(OVER, REST, SD, **one, folder=tmp_path) for one in (given, plain)]
+    xr.testing.assert_identical(*maps)
+
+
 @pytest.mark.parametrize(
     ("change", "error", "message"),
     [
@@ -266,6 +273,8 @@ def test_a_folder_is_gone_on_from(tmp_path: Path, sd: Any, monkeypatch: pytest.M
         ({"parameters": {"gravity": 9.8}}, ValueError, "parameters: missing"),
         ({"confidence": 0}, ValueError, "confidence: expected a number within 0 and 1"),
         ({"seed": 1.5}, ValueError, "seed: expected a whole number"),
+        ({"max_contacts": 0}, ValueError, "max_contacts: expected a whole number from 1"),
+        ({"max_contacts": 2.5}, ValueError, "max_contacts: expected a whole number from 1"),
     ],
 )
 def test_what_is_wrong_is_said(

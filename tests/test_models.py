@@ -573,3 +573,8 @@ def test_beyond_a_grid_there_is_nothing(start: int, stop: int) -> None:
 def test_what_is_wrong_with_a_grid_is_said(axes: Any, fixed: Any, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         Grid(axes, fixed)
+
+
+def test_degrees_in_place_of_radians_are_refused() -> None:
+    with pytest.raises(ValueError, match=r"mean: elevation is in radians, .* more than a turn: 52"):
+        Scatter({"speed": 7.0, "elevation": 52.0, "height": 2.0, "distance": 4.0})

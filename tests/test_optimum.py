@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from dataclasses import replace
 from itertools import pairwise
 from typing import Any
 
@@ -24,6 +25,7 @@ from hoopgen.study.optimum import Optimum, optimum
 from hoopgen.study.player import Player
 from hoopgen.study.search import bounds_of
 from hoopgen.study.tallies import wilson
+from hoopgen.study.variables import ARGUMENTS
 
 DEGREE = np.pi / 180
 SD = {"speed": 0.07, "elevation": 1.3 * DEGREE, "azimuth": 1.0 * DEGREE}
@@ -50,8 +52,8 @@ def test_a_candidate_is_thrown_as_the_release_model_throws_it() -> None:
     correlation = {("speed", "elevation"): -0.3, ("azimuth", "restitution"): 0.5}
     aims = np.array([-0.05, 0.0, 0.04])
     values = PLACE | {"elevation": 0.9, "gravity": 9.8}
-    made = Player(sd, correlation).made({**values, "aim": aims}, 1500, seed=9)
-    for aim, count in zip(aims.tolist(), made.tolist(), strict=True):
+    thrown = Player(sd, correlation).thrown({**values, "aim": aims}, 1500, seed=9)
+    for aim, count in zip(aims.tolist(), thrown.made.tolist(), strict=True):
         drawn = Scatter({**values, "aim": aim}, sd, correlation).draw(0, 1500, seed=9)
         outcome = hoopgen.simulate(drawn.states, drawn.parameters).outcome
         assert count == np.count_nonzero(outcome == hoopgen.Outcome.MADE)
@@ -61,14 +63,17 @@ def test_so_many_shots_that_they_come_in_blocks_are_the_same_shots(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     values = PLACE | {"elevation": 0.9, "speed": np.linspace(7.0, 7.4, 5)}
-    whole = Player(SD).made(values, 1000, seed=3)
+    whole = Player(SD).thrown(values, 1000, seed=3)
     monkeypatch.setattr("hoopgen.study.player._BLOCK", 96)
-    assert Player(SD).made(values, 1000, seed=3).tolist() == whole.tolist()
+    again = Player(SD).thrown(values, 1000, seed=3)
+    assert (again.made.tolist(), again.valid.tolist()) == (whole.made.tolist(), [1000] * 5)
+    one = Player(SD).scored({**values, "speed": 7.2}, 1000, seed=3)
+    assert (one.made.sum(), one.valid.sum()) == (whole.made[2], 1000)
 
 
 def test_off_the_board_counts_what_touches_it_first_and_direct_the_rest() -> None:
     values = PLACE | {"elevation": 0.93, "speed": np.array([7.2, 7.4, 7.6])}
-    counted = {by: Player(SD, by=by).made(values, 3000) for by in ("any", "direct", "bank")}
+    counted = {by: Player(SD, by=by).thrown(values, 3000).made for by in ("any", "direct", "bank")}
     assert (counted["any"] == counted["direct"] + counted["bank"]).all()
     for speed, count in zip(values["speed"].tolist(), counted["bank"].tolist(), strict=True):
         drawn = Scatter({**values, "speed": speed}, SD).draw(0, 3000)
@@ -78,21 +83,75 @@ def test_off_the_board_counts_what_touches_it_first_and_direct_the_rest() -> Non
     assert counted["bank"].max() > 1000 < counted["direct"].max()
 
 
+def test_the_threads_change_nothing() -> None:
+    values = PLACE | {"elevation": 0.9, "speed": np.linspace(7.0, 7.4, 5)}
+    alone, together = (Player(SD, threads=n).thrown(values, 1000).made for n in (1, 2))
+    assert alone.tolist() == together.tolist()
+
+
 # The best release
 
 
 def test_no_release_of_a_random_hundred_is_better_on_fresh_shots(best: Optimum) -> None:
     random = np.random.default_rng(1)
     values = {name: random.uniform(*ends, 100) for name, ends in best.bounds.items()}
-    made = Player(SD).made({**PLACE, **values}, best.shots, seed=77)
+    made = Player(SD).thrown({**PLACE, **values}, best.shots, seed=77).made
     assert made.max() / best.shots < best.high
     assert made.mean() / best.shots < best.probability - 0.1
 
 
 def test_the_probability_is_of_fresh_shots_with_its_interval(best: Optimum) -> None:
-    made = Player(SD).made(best.release, best.shots, best.seed + 1)[0]
+    made = Player(SD).thrown(best.release, best.shots, best.seed + 1).made[0]
     assert (best.made, best.probability) == (made, made / best.shots)
     assert (best.low, best.high) == wilson(made, best.shots, best.confidence)
+
+
+UNSTEADY = SD | {"restitution": 0.3}
+"""Of so scattered a restitution, that some are above 1, with which no shot can be simulated."""
+
+
+def test_an_invalid_shot_is_no_trial_of_an_optimum_as_of_an_estimate() -> None:
+    found = optimum(["elevation", "aim"], PLACE, UNSTEADY, shots=2_000, seed=6, margins=())
+    counted = hoopgen.estimate(Scatter(found.release, UNSTEADY), shots=2_000, seed=7)
+    assert 100 < found.invalid == counted.invalid
+    assert (found.probability, found.low, found.high) == (
+        counted.probability,
+        counted.low,
+        counted.high,
+    )
+    assert f"invalid  {found.invalid} shots" in str(found)
+
+
+def test_a_pair_with_an_invalid_shot_does_not_count() -> None:
+    over, place = ["elevation"], PLACE | {"aim": 0.03}
+    unsteady = optimum(over, place, UNSTEADY, shots=1_000, margins=())
+    steady = optimum(over, place, SD, shots=1_000, margins=())
+    first, second = (Scatter(one.release, one.sd) for one in (steady, unsteady))
+    counted = hoopgen.compare(first, second, shots=1_000, seed=1)
+    assert unsteady.lead(steady) == (counted.difference, counted.low, counted.high)
+    assert counted.both + counted.only_first + counted.only_second + counted.neither < 950
+
+
+def test_the_scene_may_be_given_in_the_release() -> None:
+    changed = {"restitution": 0.6, "board_distance": 0.5, "gravity": 9.7}
+    within = optimum(["elevation", "aim"], PLACE | changed, SD, shots=500)
+    beside = optimum(["elevation", "aim"], PLACE, SD, parameters=hoopgen.PAPER | changed, shots=500)
+    same = replace(within, release=beside.release)
+    assert same == beside
+    assert within.release == beside.release | changed
+    assert hoopgen.release(**within.arguments).shape == (9,)
+
+
+def test_a_parameter_that_was_searched_over_is_that_of_the_scene() -> None:
+    found = optimum(
+        {"aim": None, "restitution": (0.5, 0.6)},
+        PLACE | {"elevation": 0.93},
+        SD,
+        shots=500,
+        margins=["restitution"],
+    )
+    assert found.parameters["restitution"] == found.release["restitution"] <= 0.6
+    assert found.margins["restitution"].value == found.release["restitution"]
 
 
 def test_straight_in_front_the_best_direction_is_straight_on() -> None:
@@ -109,7 +168,7 @@ def test_the_flat_range_is_flat_and_its_ends_are_its_ends() -> None:
     release = PLACE | {"elevation": 52 * DEGREE}
     found = optimum(["aim"], release, SD, shots=40_000, margins=())
     few = found.shots // 4  # no fewer are taken
-    share = lambda aim: Player(SD).made({**release, "aim": aim}, few)[0] / few  # noqa: E731
+    share = lambda aim: Player(SD).thrown({**release, "aim": aim}, few).share[0]  # noqa: E731
     least = share(found.release["aim"]) - found.tolerance
     low, high = found.flat["aim"]
     assert share(low) >= least
@@ -175,6 +234,16 @@ def test_everything_goes_into_json(best: Optimum) -> None:
     assert read["release"] == best.release
     assert read["margins"]["speed"]["low"] == best.margins["speed"].low
     assert read["flat"]["aim"] == list(best.flat["aim"])
+
+
+def test_what_is_not_a_number_is_none_in_json(best: Optimum) -> None:
+    margin = replace(best.margins["speed"], low=np.nan, high=np.nan, steady=(np.nan, np.nan))
+    margins = {**best.margins, "speed": margin}
+    nowhere = replace(best, entry_angle=np.nan, depth=np.nan, margins=margins)
+    read = json.loads(json.dumps(nowhere.as_dict(), allow_nan=False))
+    assert (read["entry_angle"], read["depth"]) == (None, None)
+    assert (read["margins"]["speed"]["low"], read["margins"]["speed"]["high"]) == (None, None)
+    assert read["margins"]["speed"]["steady"] == [None, None]
 
 
 @pytest.mark.parametrize(
@@ -250,15 +319,17 @@ def test_with_scatter_the_probability_falls_by_the_tolerance_at_the_ends(best: O
     few = best.shots  # fewer are not taken
     for name, margin in best.margins.items():
         assert margin.steady is not None
-        made = lambda at, name=name: Player(SD).made(  # noqa: E731
-            {**best.arguments, name: at}, few, best.seed
-        )[0]
-        least = made(margin.value) - best.tolerance * few
+
+        def share(at: float, name: str = name) -> float:
+            thrown = Player(SD).thrown({**best.arguments, name: at}, few, best.seed)
+            return float(thrown.share[0])
+
+        least = share(margin.value) - best.tolerance
         for end, furthest in zip(margin.steady, margin.searched, strict=True):
-            assert made(end) >= least
+            assert share(end) >= least
             # What is outside was bisected to this distance.
             out = (furthest - margin.value) / _SMOOTH[0] / 2 ** _SMOOTH[1]
-            assert made(end + out) < least or end == furthest
+            assert share(end + out) < least or end == furthest
 
 
 def test_the_margin_of_the_aim_changes_the_speed(best: Optimum) -> None:
@@ -355,6 +426,43 @@ def test_a_side_place_banks_better_and_a_far_front_place_does_not() -> None:
     assert float(chosen.probability) == alone.probability
     assert float(chosen.speed) == alone.arguments["speed"]
     assert chosen.speed.attrs["units"] == "m/s"
+
+
+def test_from_a_place_the_scene_may_be_given_in_the_release_too() -> None:
+    release, changed = {"height": 2.1}, {"board_distance": 0.6, "restitution": 0.75}
+    places, scene = [(1.0, 1.5)], hoopgen.PAPER | changed
+    within = bank_or_direct(places, release | changed, SD, shots=500)
+    beside = bank_or_direct(places, release, SD, parameters=scene, shots=500)
+    assert np.isfinite(within.touch_y).all()
+    assert within.identical(beside)
+
+
+def test_from_a_place_what_was_searched_of_the_scene_is_in_the_results() -> None:
+    over = {"aim": (0.0, 1.0), "board_distance": (0.5, 0.7)}
+    release = {"height": 2.1, "elevation": 0.93}
+    found = bank_or_direct([(2.5, 0.0)], release, SD, over=over, shots=500)
+    bank = found.sel(way="bank").isel(place=0)
+    scene = hoopgen.PAPER | {"board_distance": float(bank.board_distance)}
+    arguments = {name: float(bank[name]) for name in ARGUMENTS}
+    assert float(found.touch_z[0]) == on_board(arguments, scene)["touch_z"]
+
+
+def test_invalid_shots_from_a_place_do_not_count() -> None:
+    over = ("elevation", "aim")
+    found = bank_or_direct([(2.5, 1.0)], {"height": 2.1}, UNSTEADY, over=over, shots=1_000, seed=6)
+    alone = optimum(
+        over,
+        {"height": 2.1, "distance": float(np.hypot(2.5, 1.0)), "angle": float(np.arctan2(1, 2.5))},
+        UNSTEADY,
+        by="direct",
+        shots=1_000,
+        seed=6,
+        margins=(),
+    )
+    direct = found.sel(way="direct").isel(place=0)
+    assert int(direct.invalid) == alone.invalid > 50
+    ends = (float(direct[name]) for name in ("probability", "low", "high"))
+    assert tuple(ends) == (alone.probability, alone.low, alone.high)
 
 
 def test_a_place_without_a_way_in_is_said_to_have_none() -> None:

@@ -238,3 +238,11 @@ def test_labels_keep_clear_of_obstacles_each_other_and_the_edge() -> None:
         assert abs(y - 0.17) > 0.05
         assert x <= 0.2 - 0.1
     assert abs(first[0] - second[0]) > 0.2 or abs(first[1] - second[1]) > 0.1
+
+
+def test_ticks_of_a_flight_of_any_length_have_room() -> None:
+    from hoopgen.plots.panels import _TICK_ROOM, _step
+
+    for span in 10.0 ** np.arange(-1, 300, 7):
+        scale = 5.0 / span  # inches for a metre
+        assert _TICK_ROOM <= _step(span, scale) * scale < 5.0 * _TICK_ROOM or span < 1.0

@@ -38,14 +38,20 @@ def test_engines_widths_threads_and_order_do_not_change_a_bit(family: Family, sh
     engines = engines_here()
     numpy = engines.pop("numpy")(states, parameters, fields=FIELDS + BOUNDS)
     wanted = {name: getattr(numpy, name) for name in FIELDS + BOUNDS}
-    for simulate in engines.values():
-        assert_same(simulate(states, parameters, fields=FIELDS + BOUNDS), wanted)
-
     # Nobody asks what is uncertain: less is computed, and the path is the same.
     path = {name: wanted[name] for name in FIELDS if name != "uncertain"}
+    for simulate in engines.values():
+        assert_same(simulate(states, parameters, fields=FIELDS + BOUNDS), wanted)
+        assert_same(simulate(states, parameters, fields=tuple(path)), path)
     for backend, threads in (("auto", 1), ("auto", 3), ("numpy", 2)):
         given = {"backend": backend, "threads": threads, "fields": tuple(path)}
         assert_same(hoopgen.simulate(states, parameters, **given), path)
+
+    # And a recorded path is that path.
+    few = slice(shots // 50)
+    some = {n: v if np.ndim(v) == 0 else np.asarray(v)[few] for n, v in parameters.items()}
+    recorded = hoopgen.simulate(states[few], some, fields=tuple(path), record=True)
+    assert_same(recorded, path, few)
 
     order = np.random.Generator(np.random.Philox(7)).permutation(shots)
     turned = {n: v if np.ndim(v) == 0 else np.asarray(v)[order] for n, v in parameters.items()}

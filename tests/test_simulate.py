@@ -336,7 +336,7 @@ def test_threads_do_not_change_a_bit(
 ) -> None:
     some = mixed.take(slice(None, None, 30))
     wanted = everything(simulate, some, threads=1)
-    monkeypatch.setattr(simulation, "RECORD_CHUNK", 97)
+    monkeypatch.setattr(simulation, "ROOM", 97 * 41)
     monkeypatch.setattr(simulation, "CHUNK", 97)
     assert_same_bits(everything(simulate, some, threads=threads), wanted)
     unrecorded = simulate(some.states, some.parameters, threads=threads)
@@ -351,7 +351,7 @@ def test_chunks_and_blocks_do_not_change_a_bit(
     some = mixed.take(slice(None, None, 500))
     wanted = everything(simulate, some)
     monkeypatch.setattr(numpy_backend, "BLOCK", size + 1)
-    monkeypatch.setattr(simulation, "RECORD_CHUNK", 3 * size)
+    monkeypatch.setattr(simulation, "ROOM", 3 * size * 41)
     assert_same_bits(everything(simulate, some), wanted)
 
 

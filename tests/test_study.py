@@ -26,6 +26,7 @@ import xarray as xr  # noqa: E402
 import hoopgen  # noqa: E402
 from hoopgen.cli import main  # noqa: E402
 from hoopgen.study.bank import bank_or_direct  # noqa: E402
+from hoopgen.study.chunks import versions  # noqa: E402
 from hoopgen.study.toml import answers, check_study, run_study  # noqa: E402
 from hoopgen.study.toml import lines as toml_lines  # noqa: E402
 from hoopgen.study.toml.reading import StudyError, parse  # noqa: E402
@@ -801,6 +802,18 @@ def test_so_is_one_that_was_not_finished(tmp_path: Path) -> None:
     (results / "probability").rename(results / "probability.unfinished")
     written(tmp_path, HEAD + ESTIMATE.replace("2000", "3000"))
     with pytest.raises(ValueError, match="shots is 2000 there and 3000 here"):
+        run_study(file)
+
+
+@pytest.mark.parametrize("package", ["hoopgen", "numpy", "scipy"])
+def test_answers_by_other_versions_are_another_study(
+    package: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = written(tmp_path, HEAD + ESTIMATE)
+    run_study(file)
+    others = {**versions(), package: "9.9"}
+    monkeypatch.setattr("hoopgen.study.toml.run.versions", lambda: others)
+    with pytest.raises(ValueError, match=rf'probability: {package} is "[^"]*" there and "9\.9" h'):
         run_study(file)
 
 

@@ -316,3 +316,15 @@ def test_a_file_that_is_not_there_is_named(name: str, tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError) as raised:
         Source(tmp_path / name).schema()
     assert raised.value.filename == str(tmp_path / name)
+
+
+def test_a_column_of_degrees_without_a_unit_is_refused() -> None:
+    table = pa.table({"elevation": [52.0, 51.0, None]})
+    with pytest.raises(ValueError, match=r"columns: elevation is in radians.*elevation_deg"):
+        values(table, columns_of(table.column_names, given=("speed", "height", "distance")))
+
+
+def test_a_junk_angle_in_one_row_refuses_no_other() -> None:
+    table = pa.table({"elevation": [0.9, 999.0, 0.8]})
+    numbers = values(table, columns_of(table.column_names, given=("speed", "height", "distance")))
+    assert numbers["elevation"].tolist() == [0.9, 999.0, 0.8]

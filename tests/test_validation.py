@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import sys
 from pathlib import Path
 
@@ -77,6 +78,36 @@ def test_the_page_on_file_is_of_these_sources() -> None:
     for picture in ("validation-throws.svg", "validation-bank.svg"):
         assert f"({picture})" in text
         assert (ROOT / "docs" / picture).exists()
+
+
+def test_the_probabilities_on_file_are_those_of_the_engine() -> None:
+    text = (ROOT / "docs" / "validation.md").read_text(encoding="utf-8")
+    theirs = validation.recipe(50_000)
+    said = validation_page.share(theirs.probability, theirs.low, theirs.high)
+    assert f"| their release, 52° and 5 cm | 70 %, assumed in 2011 | {said} |" in text
+    assert f"({theirs.capped} of the 50,000 thrown below" in text
+    # The release of the tables of scatter is written above them, to the digits it is thrown with.
+    given = re.search(r"as the table gives it \((\S+)°, (\S+) cm\)", text)
+    assert given is not None
+    best = validation.free_throw(*(float(number.replace("−", "-")) for number in given.groups()))
+    for name, sds, said_sd in (
+        ("speed", (0.05, 0.13), lambda sd: f"{sd:.2f} m/s"),
+        ("elevation", (1.04 * validation.DEGREE,), lambda sd: f"{sd / validation.DEGREE:.2f}°"),
+    ):
+        curve = validation.success(best, name, sds, 50_000)
+        rows = zip(sds, curve.probability, curve.low, curve.high, strict=True)
+        for sd, *chance in rows:
+            assert f"| {said_sd(sd)} | {validation_page.share(*chance)} |" in text
+
+
+def test_only_a_zero_loses_its_minus_sign() -> None:
+    checks = [
+        validation.Check("below", -1.5, -1.5, "m"),
+        validation.Check("nothing", -8.9e-16, 0.0, "m"),
+    ]
+    below, nothing = validation_page.closed_forms(checks, validation.smallest_entries())[6:8]
+    assert below.startswith("| below | −1.500000000 m | −1.500000000 m |")
+    assert nothing.startswith("| nothing | 0.000000000 m | 0.000000000 m |")
 
 
 def test_a_small_run_fills_the_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

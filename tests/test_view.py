@@ -617,6 +617,19 @@ def test_every_row_is_as_likely(table: Path) -> None:
     assert np.all(np.abs(often - 20) < 5 * np.sqrt(200 * 0.1 * 0.9))
 
 
+def test_a_sample_is_random_among_shots_that_the_same_seed_drew(tmp_path: Path) -> None:
+    from hoopgen.viewer.sample import sample
+
+    measured = {"speed": np.linspace(6.0, 8.0, 5000), "elevation": 0.9, "height": 2, "distance": 4}
+    drawn = hoopgen.Resample(measured).draw(0, 20_000, seed=0).columns["speed"]
+    file = tmp_path / "drawn.csv"
+    rows = "\n".join(f"{speed},0.9,2,4" for speed in drawn)
+    file.write_text(f"speed,elevation,height,distance\n{rows}\n", encoding="utf-8")
+    chosen = drawn[sample(file, 200, seed=0).rows]
+    # Uniform over 2 m/s: a mean of 200 has a standard deviation of 0.041 m/s; within five of these.
+    assert abs(chosen.mean() - 7.0) < 5 * 2 / np.sqrt(12 * 200)
+
+
 def test_the_command_shows_a_sample_of_a_table(table: Path, tmp_path: Path) -> None:
     out = tmp_path / "shots.html"
     options = ["--sample", "5", "--seed", "3", "--release", "distance=13.75ft", "--preset", "nba"]

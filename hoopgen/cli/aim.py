@@ -128,14 +128,15 @@ def aim(
         aimed(distance=distance[0], arc=arc, parameters=parameters, **wanted)
     columns = aim_table(distance, arc=arc, by=by, parameters=parameters, **spins, **wanted)
     if len(distance) == 1:
-        click.echo(_one({name: float(column[0]) for name, column in columns.items()}, wanted))
+        shot = {name: float(column[0]) for name, column in columns.items()}
+        click.echo(_one(shot, wanted, by))
     else:
         click.echo(_many(columns))
     if file is not None:
         write_csv(file, columns)
 
 
-def _one(shot: Mapping[str, float], wanted: Mapping[str, float]) -> str:
+def _one(shot: Mapping[str, float], wanted: Mapping[str, float], by: str) -> str:
     """Say one release and what it forgives."""
     from hoopgen.study.variables import VARIABLES
     from hoopgen.study.words import say
@@ -150,7 +151,8 @@ def _one(shot: Mapping[str, float], wanted: Mapping[str, float]) -> str:
         f"{say('entry', shot['entry_angle'])}, {where if depth else 'at its centre'}",
     ]
     if math.isnan(shot["low_speed"]):
-        return "\n".join([*lines, "result  does not go in: hoopgen shot shows why"])
+        way = {"any": "in", "direct": "in directly", "bank": "in off the board"}[by]
+        return "\n".join([*lines, f"result  does not go {way}: hoopgen shot shows why"])
     rows = []
     for name in _OFF:
         value, low, high = shot.get(name, 0.0), shot[f"low_{name}"], shot[f"high_{name}"]

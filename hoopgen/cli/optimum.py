@@ -143,7 +143,8 @@ def _advice(best: Optimum) -> str:
         f"shoot    {', '.join([shot, _towards(given['azimuth']), *spins])}",
         _where(best),
         f"success  {percent(best.probability)} {_GO_IN[best.by]} ({100 * best.low:.1f} to "
-        f"{percent(best.high)} with {best.confidence:.0%} confidence; {best.shots:,} fresh shots)",
+        f"{percent(best.high)} with {best.confidence:.0%} confidence; {best.shots:,} fresh shots"
+        f"{f', {best.invalid:,} of them invalid' * bool(best.invalid)})",
     ]
     for name, ends in best.flat.items():
         said = f"{VARIABLES[name].label} {between(name, *ends)}"

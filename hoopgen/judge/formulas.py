@@ -24,8 +24,6 @@ from hoopgen.derive.symbols import NORMAL, POSITION, SPIN, VELOCITY, normal, spi
 
 Function = Callable[..., list[Any]]
 
-_MOTION = (*VELOCITY, *SPIN)
-
 
 def compiled(expressions: Sequence[sp.Expr], *arguments: Sequence[sp.Symbol]) -> Function:
     """Return a Python function from sequences of numbers to the list of the expressions' values.

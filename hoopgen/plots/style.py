@@ -16,7 +16,6 @@ __all__ = [
     "COLUMN",
     "FORMATS",
     "MADE",
-    "MARKERS",
     "MISSED",
     "MISSED_LINES",
     "NEITHER",
@@ -43,11 +42,6 @@ COLOURS: Mapping[str, str] = MappingProxyType(
         "paper": "#FFFFFF",
     }
 )
-
-MARKERS: Mapping[str, str] = MappingProxyType(
-    {"ring": "o", "backboard": "s", "bridge": "D", "end": "o", "release": "o"}
-)
-"""A surface is told by the shape of its badge as well as by its colour."""
 
 # The same hues, each kind of shot at a lightness of its own: made ones dark, missed ones pale. So
 # they are told apart in grey and by readers with any colour vision; tests/test_study_plots.py

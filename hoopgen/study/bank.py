@@ -12,17 +12,17 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.inputs import doubles
-from hoopgen.parameters import PAPER
+from hoopgen.parameters import NAMES, PAPER
 from hoopgen.releases import release as release_states
 from hoopgen.results import SURFACES
 from hoopgen.simulation import simulate
 
 from .draws import check_seed
 from .optimum import paired, scattering
-from .player import By, Player, arguments_of, one_each
+from .player import By, Player, Thrown, arguments_of, one_each
 from .search import Bounds, bounds_of, search
 from .tallies import check_count, check_share, wilson
-from .variables import ARGUMENTS
+from .variables import ARGUMENTS, VARIABLES
 
 __all__ = ["WAYS", "Crossing", "bank_or_direct", "crossing", "on_board"]
 
@@ -33,7 +33,14 @@ _OVER = ("elevation", "aim", "azimuth")
 
 _BACKBOARD = SURFACES.index("backboard")
 
-_UNITS = {"length": "m", "speed": "m/s", "angle": "rad", "spin": "rad/s"}
+_UNITS = {
+    "length": "m",
+    "speed": "m/s",
+    "angle": "rad",
+    "spin": "rad/s",
+    "acceleration": "m/s²",
+    "number": "1",
+}
 
 Floats = NDArray[np.float64]
 
@@ -49,6 +56,7 @@ def bank_or_direct(
     shots: int = 20_000,
     seed: int = 0,
     confidence: float = 0.95,
+    threads: int | None = None,
 ) -> xr.Dataset:
     """Return the best bank shot and the best direct shot from each place, and which is better.
 
@@ -58,15 +66,16 @@ def bank_or_direct(
         x and y on the floor, (n, 2), m; the ring's centre at 0, 0, the board at negative x.
     release
         Variables of the release other than the place and those searched over: height above all.
-    sd, correlation, parameters, over, shots, seed, confidence
+    sd, correlation, parameters, over, shots, seed, confidence, threads
         As for `optimum`.
 
     Returns
     -------
     xarray.Dataset
         Over ``way`` ("direct", "bank") and ``place``: `probability` with its Wilson interval, `low`
-        and `high`, of fresh shots; and the release, each argument of `hoopgen.release`. Where no
-        shot tried succeeds that way, the probability is 0 and the release NaN.
+        and `high`, of the fresh shots that are valid; how many are `invalid`; and the release, each
+        argument of `hoopgen.release` and what parameters were searched over. Where no shot tried
+        succeeds that way, the probability is 0 and the release NaN.
 
         Over ``place``: `difference`, bank less direct, with the interval of the paired shots,
         `difference_low` and `difference_high`; where the ball of the best bank shot touches the
@@ -83,9 +92,9 @@ def bank_or_direct(
         raise ValueError(f"places: expected x and y, shape (n, 2), got shape {spots.shape}")
     check_seed(check_seed(seed) + 1)
     question = _Question(
-        [scattering(sd, correlation, parameters, way) for way in WAYS],
+        [scattering(sd, correlation, parameters, way, threads) for way in WAYS],
         one_each("release", release),
-        over,
+        (over,) if isinstance(over, str) else over,
         check_count("shots", shots),
         seed,
         check_share("confidence", confidence),
@@ -109,32 +118,34 @@ class _Question:
     def answer(self, x: float, y: float) -> dict[str, Floats]:
         """Return the results of one place, (2,) for both ways or ()."""
         here = {**self.fixed, "distance": math.hypot(x, y), "angle": math.atan2(y, x)}
-        released, scored = zip(*(self._best(player, here) for player in self.players), strict=True)
-        made = np.sum(scored, axis=-1)
-        low, high = wilson(made, self.shots, self.confidence)
-        direct, bank = scored
-        difference, least, most = paired(bank, direct, self.confidence)
-        answer = {name: np.array([one[name] for one in released]) for name in ARGUMENTS}
-        answer |= {"probability": made / self.shots, "low": low, "high": high}
+        (direct, straight), (bank, banked) = (self._best(player, here) for player in self.players)
+        both = Thrown(*np.array([[t.made.sum(), t.valid.sum()] for t in (straight, banked)]).T)
+        low, high = wilson(both.made, both.valid, self.confidence)
+        difference, least, most = paired(banked, straight, self.confidence)
+        released = (*ARGUMENTS, *(name for name in self.over if name in NAMES))
+        answer = {name: np.array([direct[name], bank[name]]) for name in released}
+        answer |= {"probability": both.share, "low": low, "high": high}
+        answer |= {"invalid": self.shots - both.valid}
         single = {
             "difference": difference,
             "difference_low": least,
             "difference_high": most,
-            **on_board(released[1], self.players[1].parameters),
+            **on_board(bank, {name: bank[name] for name in NAMES}),
         }
         return answer | {name: np.asarray(value) for name, value in single.items()}
 
-    def _best(
-        self, player: Player, here: Mapping[str, float]
-    ) -> tuple[dict[str, float], NDArray[np.bool_]]:
-        """Return the arguments of the best release, and which fresh shots succeed."""
+    def _best(self, player: Player, here: Mapping[str, float]) -> tuple[dict[str, float], Thrown]:
+        """Return arguments and scene of the best release, and what became of fresh shots."""
         fixed = dict(here)
         point = search(player, bounds_of(self.over, fixed, player), fixed, self.shots, self.seed)
         if point is None:
-            return dict.fromkeys(ARGUMENTS, math.nan), np.zeros(self.shots, np.bool_)
+            nothing = np.zeros(self.shots, np.bool_)
+            unknown = dict.fromkeys((*ARGUMENTS, *self.over), math.nan)
+            return {**player.parameters, **unknown}, Thrown(nothing, ~nothing)
         best = fixed | point
+        player = player.at(best)
         return (
-            arguments_of(best, player.parameters),
+            {**player.parameters, **arguments_of(best, player.parameters)},
             player.scored(best, self.shots, self.seed + 1),
         )
 
@@ -156,6 +167,8 @@ def on_board(arguments: Mapping[str, float], parameters: Mapping[str, float]) ->
         plane of the release meets the board's front. NaN if the board is not touched first.
     """
     nowhere = {"touch_y": math.nan, "touch_z": math.nan, "sight_y": math.nan}
+    if math.isnan(arguments["speed"]):
+        return nowhere
     state = release_states(**{name: arguments[name] for name in ARGUMENTS})
     events = simulate(state, parameters, record=True).events
     if not len(events) or events["surface"][0] != _BACKBOARD:
@@ -171,15 +184,14 @@ def _dataset(spots: Floats, columns: Mapping[str, Floats], question: _Question) 
         "probability": ("1", "probability of success"),
         "low": ("1", "lower end of its interval"),
         "high": ("1", "upper end of its interval"),
+        "invalid": ("1", "shots that could not be simulated"),
         "difference": ("1", "probability, bank less direct"),
         "difference_low": ("1", "lower end of its interval"),
         "difference_high": ("1", "upper end of its interval"),
         "touch_y": ("m", "where the ball touches the board, y"),
         "touch_z": ("m", "where the ball touches the board, height from the ring"),
         "sight_y": ("m", "where the release points on the board, y"),
-        "x": ("m", "place on the floor, x"),
-        "y": ("m", "place on the floor, y"),
-    } | {name: (_UNITS[variable.kind], variable.label) for name, variable in ARGUMENTS.items()}
+    } | {name: (_UNITS[variable.kind], variable.label) for name, variable in VARIABLES.items()}
     data = {
         name: (("way", "place")[-column.ndim :], column, _attributes(*named[name]))
         for name, column in columns.items()

@@ -18,7 +18,7 @@ import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
 import hoopgen
-from hoopgen.inputs import doubles
+from hoopgen.inputs import check_contacts, doubles
 from hoopgen.parameters import PAPER, resolve
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
@@ -26,7 +26,8 @@ from hoopgen.simulation import simulate
 from .chunks import opened, run, written
 from .measures import MEASURES, Kind, kinds, measure
 from .models import from_columns
-from .tables import FORMATS, Column, Source, columns_of, values
+from .tables import FORMATS, Column, Source, Stamp, columns_of, values
+from .tallies import check_count
 from .variables import STATE, VARIABLES, check_names
 
 __all__ = ["ROWS", "batch"]
@@ -104,8 +105,8 @@ def batch(
     Raises
     ------
     ValueError
-        If an argument, the table or one of its columns is not as described, or chunks beside `out`
-        are of another source or other arguments.
+        If an argument, the table or one of its columns is not as described, chunks beside `out`
+        are of another source or other arguments, or `source` changes while it is read.
     OSError
         If `source` cannot be read or `out` not written.
     """
@@ -122,15 +123,15 @@ def batch(
         _numbers("parameters", parameters),
         _numbers("release", release or {}),
         tuple(measures),
-        max_contacts,
+        check_contacts(max_contacts),
     )
     check_names("measures", shots.measures, MEASURES)
-    if rows < 1:
-        raise ValueError(f"rows: expected a whole number from 1, got {rows!r}")
+    rows = check_count("rows", rows)
+    stamp = table.stamp()
     columns = _columns(table, own, shots.release)
     schema = _schema(table, shots, columns, prefix)
     digest, count = table.digest()
-    work = _Rows(table, columns, shots, rows, digest, count)
+    work = _Rows(table, columns, shots, rows, digest, count, stamp)
     outcomes = np.zeros(len(Outcome), np.int64)
     with opened(target.with_name(f"{target.name}.parts"), work.identity()) as folder:
         # In the folder, where the next start removes what was left unfinished.
@@ -148,6 +149,7 @@ def batch(
                 cells = [*work.read.popleft().columns, *results.columns]
                 writer.write_table(pa.Table.from_arrays(cells, schema=schema), rows)
                 outcomes += _by_outcome(results["outcome"])
+            table.check_unchanged(stamp)  # its own columns were read until now
         folder.remove()
     return {outcome.name.lower(): int(outcomes[outcome]) for outcome in Outcome}
 
@@ -214,6 +216,7 @@ class _Rows:
     rows: int
     digest: str
     count: int | None
+    stamp: Stamp
     read: deque[pa.Table] = field(default_factory=deque)
     """What was read, and not yet written."""
 
@@ -234,8 +237,11 @@ class _Rows:
     def tasks(self) -> Iterator[Callable[[], pa.Table]]:
         """Read, and give what simulates the rows of each chunk."""
         for table in self.table.tables(self.rows):
+            given = values(table, self.columns)
+            # Of what was read until now the digest tells: no chunk is kept of anything else.
+            self.table.check_unchanged(self.stamp)
             self.read.append(table)
-            yield partial(self.shots.results, values(table, self.columns))
+            yield partial(self.shots.results, given)
 
 
 @dataclass(frozen=True)

@@ -31,14 +31,33 @@ if sys.platform == "win32":
 
     def _take(file: IO[bytes]) -> None:
         msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+
+    def _drop(file: IO[bytes], path: Path) -> None:
+        file.close()
+        path.unlink()  # fails where another has opened it: it stays theirs
 else:
     import fcntl
 
     def _take(file: IO[bytes]) -> None:
         fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
 
+    def _drop(file: IO[bytes], path: Path) -> None:
+        with file:
+            path.unlink()  # while it is held: after that it may be another's
 
-__all__ = ["Folder", "Job", "Stream", "opened", "run", "written"]
+
+__all__ = [
+    "Folder",
+    "Job",
+    "Stream",
+    "differences",
+    "flat",
+    "opened",
+    "run",
+    "sync",
+    "versions",
+    "written",
+]
 
 Task = Callable[[], pa.Table]
 """Computes one chunk; picklable."""
@@ -48,6 +67,7 @@ AHEAD = 2
 
 _DIGEST = 32  # bytes
 _CONNECT = 10  # s
+_TRIES = 100  # to lock what others remove
 _TEMPORARY = ".tmp"
 _CHUNKS = "chunk-*.arrow"
 
@@ -87,6 +107,17 @@ class Stream(Protocol):
         ...
 
 
+def versions() -> dict[str, str]:
+    """Return the versions, by name, of all that the bits of a chunk hang on.
+
+    Tangents and quantiles are those of NumPy and SciPy.
+    """
+    return {"hoopgen": hoopgen.__version__, **{name: metadata.version(name) for name in _MATHS}}
+
+
+_MATHS = ("numpy", "scipy")
+
+
 def run(
     job: Job | Stream,
     folder: str | os.PathLike[str] | Folder | None = None,
@@ -109,7 +140,7 @@ def run(
         Where finished chunks are kept and looked for; made if it is not there. None keeps none.
     scheduler
         Address of a Dask scheduler whose workers compute, such as "tcp://10.0.0.1:8786"; they need
-        the same version of hoopgen. A worker that is lost costs the time of its chunks.
+        the same `versions`. A worker that is lost costs the time of its chunks.
     threads
         Chunks that are computed at once on this machine; None for as many as the process may use.
     progress
@@ -239,13 +270,13 @@ def _cluster(address: str) -> Iterator[_Workers]:
         raise ConnectionError(
             f"scheduler: no Dask scheduler answers at {address!r} ({error})"
         ) from None
-    version: str = hoopgen.__version__
+    here = versions()
     futures: set[Any] = set()
     stopping = False
 
     def compute(task: Task) -> pa.Table:
         # With its task the scheduler can have a chunk computed again when a worker is lost.
-        future = client.submit(_on_worker, version, task, pure=False)
+        future = client.submit(_on_worker, here, task, pure=False)
         futures.add(future)
         try:
             if stopping:
@@ -271,7 +302,7 @@ def _cluster(address: str) -> Iterator[_Workers]:
 
     with client:
         _await_workers(client, address)
-        _check_versions(client, version)
+        _check_versions(client, here)
         yield _Workers(sum(client.nthreads().values()), compute, stop, remote=True)
 
 
@@ -282,22 +313,25 @@ def _await_workers(client: Any, address: str) -> None:
         raise RuntimeError(f"scheduler: {address!r} has no workers") from None
 
 
-def _check_versions(client: Any, version: str) -> None:
+def _check_versions(client: Any, here: Mapping[str, str]) -> None:
     """Refuse workers that would compute something else, or nothing."""
-    for worker, there in client.run(metadata.version, "hoopgen", on_error="return").items():
-        if there != version:
-            said = there if isinstance(there, str) else "none"
-            raise RuntimeError(
-                f"scheduler: the worker {worker} has hoopgen {said}, and here it is {version}; "
-                "install the same"
-            )
+    for name, version in here.items():
+        # A function of Python's own: a worker without hoopgen has none of ours.
+        for worker, there in client.run(metadata.version, name, on_error="return").items():
+            if there != version:
+                said = there if isinstance(there, str) else "none"
+                raise RuntimeError(
+                    f"scheduler: the worker {worker} has {name} {said}, and here it is {version}; "
+                    "install the same"
+                )
 
 
-def _on_worker(version: str, task: Task) -> pa.Table:
-    """Compute a chunk, unless the worker, perhaps a late comer, has another hoopgen."""
-    there = metadata.version("hoopgen")
-    if there != version:
-        raise RuntimeError(f"scheduler: a worker has hoopgen {there}, not {version}")
+def _on_worker(wanted: Mapping[str, str], task: Task) -> pa.Table:
+    """Compute a chunk, unless the worker, perhaps a late comer, has other versions."""
+    there = versions()
+    for name, version in wanted.items():
+        if there[name] != version:
+            raise RuntimeError(f"scheduler: a worker has {name} {there[name]}, not {version}")
     return task()
 
 
@@ -352,11 +386,12 @@ class Folder:
             file.write(self._digest(chunk, stream))
 
     def remove(self) -> None:
-        """Remove the folder, where nobody else put something into it."""
-        for file in (*self.path.glob(_CHUNKS), *map(self.path.joinpath, _OWN)):
+        """Remove the chunks; and the folder, as soon as it is closed.
+
+        What others put into it stays, and the folder with it.
+        """
+        for file in (*self.path.glob(_CHUNKS), self.path / _IDENTITY):
             file.unlink(missing_ok=True)
-        with contextlib.suppress(OSError):
-            self.path.rmdir()
 
     def _digest(self, chunk: int, stream: memoryview) -> bytes:
         return hashlib.blake2b(
@@ -364,7 +399,7 @@ class Folder:
         ).digest()
 
 
-_IDENTITY, _LOCK = _OWN = ("identity.json", "lock")
+_IDENTITY, _LOCK = "identity.json", "lock"
 
 
 @contextlib.contextmanager
@@ -376,7 +411,7 @@ def opened(path: str | os.PathLike[str], identity: Mapping[str, Any]) -> Iterato
     path
         The folder.
     identity
-        All that the job's chunks depend on, in types that JSON knows; hoopgen's version is added.
+        All that the job's chunks depend on, in types that JSON knows; `versions` are added.
 
     Raises
     ------
@@ -386,8 +421,7 @@ def opened(path: str | os.PathLike[str], identity: Mapping[str, Any]) -> Iterato
         If another process is at work in it.
     """
     folder = Path(path)
-    folder.mkdir(parents=True, exist_ok=True)
-    here = _flat({"hoopgen": hoopgen.__version__, **identity})
+    here = flat({**versions(), **identity})
     with _locked(folder):
         for stale in folder.glob(f"*{_TEMPORARY}"):
             stale.unlink()
@@ -402,13 +436,42 @@ def opened(path: str | os.PathLike[str], identity: Mapping[str, Any]) -> Iterato
 
 @contextlib.contextmanager
 def _locked(folder: Path) -> Iterator[None]:
-    """Hold the folder; the system lets go of it however the process ends."""
-    with (folder / _LOCK).open("ab") as file:
-        try:
-            _take(file)
-        except (BlockingIOError, PermissionError):
-            raise RuntimeError(f"{folder}: another process is at work in this folder") from None
+    """Make the folder and hold it; the system lets go of it however the process ends.
+
+    One without an identity at the end is removed, if nothing else is in it.
+    """
+    file = _lock(folder)
+    try:
         yield
+    finally:
+        if (folder / _IDENTITY).exists():
+            file.close()
+        else:
+            with contextlib.suppress(OSError):
+                _drop(file, folder / _LOCK)
+                folder.rmdir()
+
+
+def _lock(folder: Path) -> IO[bytes]:
+    """Return the lock of a folder, taken; another may be removing both meanwhile."""
+    for _ in range(_TRIES):
+        with contextlib.suppress(FileNotFoundError), contextlib.ExitStack() as stack:
+            try:
+                folder.mkdir(parents=True, exist_ok=True)
+            except FileExistsError:
+                if folder.is_file():
+                    raise
+                continue  # it was there, and is no more
+            file = stack.enter_context((folder / _LOCK).open("ab"))
+            try:
+                _take(file)
+            except (BlockingIOError, PermissionError):
+                break
+            # Else the lock is of a file that nobody will find any more.
+            if os.path.samestat(os.fstat(file.fileno()), (folder / _LOCK).stat()):
+                stack.pop_all()
+                return file
+    raise RuntimeError(f"{folder}: another process is at work in this folder")
 
 
 def _identify(folder: Path, here: dict[str, str]) -> None:
@@ -422,24 +485,28 @@ def _identify(folder: Path, here: dict[str, str]) -> None:
         there = json.loads(file.read_text(encoding="utf-8"))
     except (FileNotFoundError, ValueError):
         raise ValueError(f"{file} cannot be read; delete the folder to begin anew") from None
-    differences = [
-        f"{name} is {_short(there.get(name))} there and {_short(here.get(name))} here"
-        for name in dict.fromkeys((*here, *there))
-        if there.get(name) != here.get(name)
-    ]
-    if differences:
+    if found := differences(there, here):
         raise ValueError(
-            f"{folder} holds another job: {'; '.join(differences)}. Give the same job, "
+            f"{folder} holds another job: {'; '.join(found)}. Give the same job, "
             "or another folder; or delete this one to begin anew"
         )
 
 
-def _flat(values: Mapping[str, Any], prefix: str = "") -> dict[str, str]:
+def differences(there: Mapping[str, str], here: Mapping[str, str]) -> list[str]:
+    """Say what is not the same in two identities as of `flat`."""
+    return [
+        f"{name} is {_short(there.get(name))} there and {_short(here.get(name))} here"
+        for name in dict.fromkeys((*here, *there))
+        if there.get(name) != here.get(name)
+    ]
+
+
+def flat(values: Mapping[str, Any], prefix: str = "") -> dict[str, str]:
     """Return the leaves of nested mappings as JSON, by dotted names."""
     leaves: dict[str, str] = {}
     for name, value in values.items():
         if isinstance(value, Mapping):
-            leaves |= _flat(value, f"{prefix}{name}.")
+            leaves |= flat(value, f"{prefix}{name}.")
         else:
             leaves[f"{prefix}{name}"] = json.dumps(value)
     return leaves
@@ -475,7 +542,7 @@ def written(path: Path, temporary: Path | None = None) -> Iterator[IO[bytes]]:
                 file.flush()
                 os.fsync(file.fileno())
             part.replace(path)
-            _sync({path.parent, part.parent})
+            sync({path.parent, part.parent})
     finally:
         part.unlink(missing_ok=True)
 
@@ -493,7 +560,7 @@ def _explained(path: Path) -> Iterator[None]:
         raise OSError(error.errno, f"{said}; {kept}", str(path)) from error
 
 
-def _sync(folders: Iterable[Path]) -> None:
+def sync(folders: Iterable[Path]) -> None:
     """Make new names last; a folder can be opened on POSIX systems alone."""
     if sys.platform == "win32":
         return

@@ -1,8 +1,8 @@
 """Random numbers by counter: what shot i draws depends on the seed, on what it is for, and on i.
 
 Philox (Salmon et al. 2011, *Parallel random numbers: as easy as 1, 2, 3*) is keyed by the seed and
-a stream, one for each variable, and counts shots. So a shot is the same whatever the chunks,
-threads or machines, and two settings drawn from one seed share their random numbers.
+a stream, one for each variable, and counts shots. So a shot is the same whatever the chunks and
+threads, and two settings drawn from one seed share their random numbers.
 """
 
 from __future__ import annotations
@@ -11,7 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtri
 
-__all__ = ["check_seed", "normals", "uniforms"]
+__all__ = ["ROW_OF_RELEASES", "ROW_OF_SAMPLE", "check_seed", "normals", "uniforms"]
+
+ROW_OF_RELEASES, ROW_OF_SAMPLE = 1 << 32, 2 << 32
+"""Streams that choose rows, of measured releases and of a table to look at; those of variables are
+far below. A choice by the numbers that made the rows would not be a random one."""
 
 _WORDS = 4
 """64-bit words that one step of Philox's counter gives."""

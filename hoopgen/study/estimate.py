@@ -17,6 +17,7 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
+from hoopgen.inputs import check_contacts
 from hoopgen.parameters import PAPER
 from hoopgen.results import Outcome, Shots
 from hoopgen.simulation import simulate
@@ -27,7 +28,18 @@ from .measures import Kind
 from .models import Grid, ReleaseModel
 from .tallies import COLUMNS, FIELDS, Tally, blocks, check_count, check_scene, check_share, wilson
 
-__all__ = ["CHUNK", "Comparison", "Estimate", "Setting", "compare", "estimate"]
+__all__ = [
+    "CHUNK",
+    "Comparison",
+    "Estimate",
+    "Setting",
+    "compare",
+    "decimals",
+    "estimate",
+    "in_percent",
+    "in_points",
+    "newcombe",
+]
 
 CHUNK = 1 << 17
 """Shots in a chunk: after each one the precision is looked at, and a folder has one file."""
@@ -112,21 +124,21 @@ class Estimate:
         return {name: _plain(value) for name, value in (asdict(self) | more).items()}
 
     def __str__(self) -> str:
-        digits = _digits(self.half_width)
+        digits = decimals(self.half_width)
         others = ("missed", "capped", "short", "invalid", "uncertain")
         counts = [f"{getattr(self, name):,} {name}" for name in ("made", *others)]
         lines = [
-            f"made     {_percent(self.probability, digits)}, "
-            f"{_percent(self.low, digits)} to {_percent(self.high, digits)} "
-            f"(Wilson's {_percent(self.confidence)} interval)",
+            f"made     {in_percent(self.probability, digits)}, "
+            f"{in_percent(self.low, digits)} to {in_percent(self.high, digits)} "
+            f"(Wilson's {in_percent(self.confidence)} interval)",
             f"shots    {self.shots:,}: {', '.join(counts)}",
-            *([f"capped   {_percent(self.with_capped, digits)} if made"] if self.capped else []),
+            *([f"capped   {in_percent(self.with_capped, digits)} if made"] if self.capped else []),
             "",
             "kind         share  of it made",
         ]
         lines += [
-            f"{name.replace('_', ', '):9}  {_percent(self.shares[name], 1):>7}"
-            f"  {_percent(self.kinds_made[name] / count, 1):>10}"
+            f"{name.replace('_', ', '):9}  {in_percent(self.shares[name], 1):>7}"
+            f"  {in_percent(self.kinds_made[name] / count, 1):>10}"
             for name, count in self.kinds.items()
             if count
         ]
@@ -191,15 +203,15 @@ class Comparison:
         return {name: _plain(value) for name, value in (asdict(self) | more).items()}
 
     def __str__(self) -> str:
-        digits = _digits(self.half_width)
-        made = [_percent(one.probability, digits) for one in (self.first, self.second)]
-        ends = f"{_points(self.low, digits)} to {_points(self.high, digits)}"
+        digits = decimals(self.half_width)
+        made = [in_percent(one.probability, digits) for one in (self.first, self.second)]
+        ends = f"{in_points(self.low, digits)} to {in_points(self.high, digits)}"
         return "\n".join(
             [
                 f"first       {made[0]} made",
                 f"second      {made[1]} made",
-                f"difference  {_points(self.difference, digits)} points, {ends} "
-                f"(Newcombe's paired {_percent(self.confidence)} interval)",
+                f"difference  {in_points(self.difference, digits)} points, {ends} "
+                f"(Newcombe's paired {in_percent(self.confidence)} interval)",
                 f"pairs       {self.pairs:,}: {self.both:,} both made, "
                 f"{self.only_first:,} the first only, {self.only_second:,} the second only, "
                 f"{self.neither:,} neither",
@@ -258,7 +270,8 @@ def estimate(
     """
     settings = (_setting(model, parameters),)
     level = check_share("confidence", confidence)
-    work = _Work(settings, _most(shots, precision), check_seed(seed), max_contacts, backend)
+    contacts = check_contacts(max_contacts)
+    work = _Work(settings, _most(shots, precision), check_seed(seed), contacts, backend)
     until = _Until(precision, lambda total: _estimate(work, total, 0, level).half_width, progress)
     total = until.total(work, folder, scheduler, threads)
     return _estimate(work, total, 0, level)
@@ -305,7 +318,8 @@ def compare(
         for one in (first, second)
     )
     level = check_share("confidence", confidence)
-    work = _Work(settings, _most(shots, precision), check_seed(seed), max_contacts, backend)
+    contacts = check_contacts(max_contacts)
+    work = _Work(settings, _most(shots, precision), check_seed(seed), contacts, backend)
     until = _Until(precision, lambda total: _comparison(work, total, level).half_width, progress)
     total = until.total(work, folder, scheduler, threads)
     return _comparison(work, total, level)
@@ -403,16 +417,21 @@ class _Until:
         with closing(tables):
             for done, table in enumerate(tables, 1):
                 total += table["numbers"][0].values.to_numpy()
-                needed = self._needed(done, total, work.chunks)
+                needed = self._needed(done, total, work.chunks, len(work.settings))
                 note(done, needed)
                 if done == needed:
                     break
         return total
 
-    def _needed(self, done: int, total: NDArray[np.int64], most: int) -> int:
+    def _needed(self, done: int, total: NDArray[np.int64], most: int, settings: int) -> int:
         """Return how many chunks it will take, as far as can be told."""
         if self.precision is None:
             return most
+        if done == 1 and not all(_tally(total, which).valid for which in range(settings)):
+            raise ValueError(
+                f"model: none of the first {CHUNK:,} shots is valid, so no precision is reached: "
+                "they are not finite, start inside a surface, or have parameters out of range"
+            )
         # The width falls with the square root of the shots.
         ratio = self.half_width(total) / self.precision
         return min(most, done if ratio <= 1.0 else max(done + 1, ceil(done * ratio**2)))
@@ -438,9 +457,14 @@ def _most(shots: int | None, precision: float | None) -> int:
 # ------------------------------------------------------------------------------------ what it says
 
 
+def _tally(total: NDArray[np.int64], which: int) -> Tally:
+    """Return the tally of one setting."""
+    return Tally.read(total[which * COLUMNS : (which + 1) * COLUMNS])
+
+
 def _estimate(work: _Work, total: NDArray[np.int64], which: int, level: float) -> Estimate:
     """Return what the numbers say of one setting."""
-    tally = Tally.read(total[which * COLUMNS : (which + 1) * COLUMNS])
+    tally = _tally(total, which)
     ended = {outcome.name.lower(): int(tally.ended(outcome)) for outcome in Outcome}
     valid = int(tally.valid)
     low, high = wilson(ended["made"], valid, level)
@@ -515,14 +539,16 @@ def _plain(value: Any) -> Any:
     return None if isinstance(value, float) and not isfinite(value) else value
 
 
-def _digits(half_width: float) -> int:
+def decimals(half_width: float) -> int:
     """Return the decimals of percents at which two digits of half an interval are seen."""
     return max(1, min(9, 1 - floor(log10(100.0 * half_width)))) if half_width > 0.0 else 1
 
 
-def _percent(share: float, digits: int | None = None) -> str:
+def in_percent(share: float, digits: int | None = None) -> str:
+    """Say a share with so many decimals; by default four digits of it."""
     return f"{100.0 * share:.4g} %" if digits is None else f"{100.0 * share:.{digits}f} %"
 
 
-def _points(difference: float, digits: int) -> str:
+def in_points(difference: float, digits: int) -> str:
+    """Say a difference of shares in percentage points, with its sign."""
     return f"{100.0 * difference:+.{digits}f}"

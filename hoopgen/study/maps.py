@@ -16,7 +16,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 import hoopgen
-from hoopgen.inputs import doubles
+from hoopgen.inputs import check_contacts, doubles
 from hoopgen.parameters import NAMES, PAPER
 from hoopgen.releases import release as release_states
 from hoopgen.results import Outcome, Shots
@@ -113,7 +113,7 @@ def map(
         parameters=check_scene(parameters),
         shots=check_count("shots", SHOTS if shots is None else shots) if sd else 1,
         seed=check_seed(seed),
-        max_contacts=max_contacts,
+        max_contacts=check_contacts(max_contacts),
         backend=backend,
     )
     level = check_share("confidence", confidence)

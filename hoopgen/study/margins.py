@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -102,6 +102,7 @@ def margins(
     shots: int = 10_000,
     seed: int = 0,
     tolerance: float = 0.01,
+    threads: int | None = None,
 ) -> dict[str, Margin]:
     """Return how far each variable of a release may be off, the others as they are.
 
@@ -121,6 +122,8 @@ def margins(
     shots, seed, tolerance
         Of the probability with scatter: shots for each trial, their random numbers, and how far it
         may fall.
+    threads
+        As for `hoopgen.simulate`.
 
     Returns
     -------
@@ -137,17 +140,17 @@ def margins(
     check_seed(seed)
     check_share("tolerance", tolerance)
     given = one_each("release", release)
-    exact = Player(parameters=parameters, by=by)
-    scattered = Player(sd or {}, correlation or {}, parameters, by)
+    exact = Player(parameters=parameters, by=by, threads=threads).at(given)
+    scattered = replace(exact, sd=sd or {}, correlation=correlation or {})
     found = {}
     for name in names:
-        values = _held(given, name, parameters)
-        line = _Line(name, values, exact, 1, 1, 0)
+        values = _held(given, name, exact.parameters)
+        line = _Line(name, values, exact, 1, 1.0, 0)
         searched = _searched(name, values[name])
         (low, high), elsewhere = line.intervals(searched, *_EXACT)
         steady = None
         if any(scattered.sd.values()):
-            least = scattered.made(values, shots, seed)[0] - tolerance * shots
+            least = scattered.thrown(values, shots, seed).share[0] - tolerance
             line = _Line(name, values, scattered, shots, least, seed)
             steady, _ = line.intervals(searched, *_SMOOTH)
         found[name] = Margin(name, values[name], low, high, elsewhere, searched, steady)
@@ -168,7 +171,7 @@ class _Line:
     def enough(self, at: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Return where enough shots succeed."""
         moved: dict[str, ArrayLike] = {**self.values, self.name: at}
-        return self.player.made(moved, self.shots, self.seed) >= self.least
+        return self.player.thrown(moved, self.shots, self.seed).share >= self.least
 
     def intervals(
         self, searched: Bounds, steps: int, halvings: int

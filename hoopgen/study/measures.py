@@ -107,7 +107,7 @@ def measure(
     Parameters
     ----------
     states
-        The releases that were simulated, (n, 9) or (9,).
+        The releases that were simulated, (n, 9) or (9,); not states that leave a surface.
     shots
         Their results: all fields, or at least those in `Measure.fields` of what is wanted.
     parameters

@@ -14,12 +14,13 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.inputs import doubles
 from hoopgen.parameters import NAMES, PAPER
 
-from .draws import normals, uniforms
+from .draws import ROW_OF_RELEASES, normals, uniforms
 from .variables import (
     ARGUMENTS,
     STATE,
     VARIABLES,
     Releases,
+    check_angles,
     check_names,
     make_releases,
     release_arguments,
@@ -30,9 +31,6 @@ __all__ = ["Grid", "ReleaseModel", "Resample", "Scatter"]
 
 _SCATTERED = (*ARGUMENTS, *NAMES)
 """What may scatter; its index is the stream of its random numbers."""
-
-_CHOICE = 1 << 32
-"""Stream that chooses rows; beyond those of variables, however many there will be."""
 
 
 @runtime_checkable
@@ -81,6 +79,7 @@ class Scatter:
         for name, value in self.mean.items():
             if doubles(f"mean[{name!r}]", value).ndim:
                 raise ValueError(f"mean[{name!r}]: expected one number, got {value!r}")
+        check_angles("mean", self.mean)
         for name, value in self.sd.items():
             if doubles(f"sd[{name!r}]", value).ndim or not 0.0 <= value < np.inf:
                 raise ValueError(f"sd[{name!r}]: expected a number from 0, got {value!r}")
@@ -196,7 +195,7 @@ class Resample:
         self, start: int, stop: int, seed: int = 0, parameters: Mapping[str, Any] = PAPER
     ) -> Releases:
         """Return shots `start` to `stop` - 1, each a row chosen at random."""
-        chosen = uniforms(seed, _CHOICE, start, stop) * self.rows
+        chosen = uniforms(seed, ROW_OF_RELEASES, start, stop) * self.rows
         return self._take(chosen.astype(np.intp), parameters)
 
     def identity(self) -> dict[str, Any]:

@@ -11,18 +11,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
 from hoopgen.parameters import PAPER
 from hoopgen.simulation import simulate
 
 from .draws import check_seed
-from .estimate import newcombe
+from .estimate import _plain, newcombe
 from .margins import MARGINS, Margin
 from .margins import margins as margins_of
 from .measures import measure
-from .player import BY, By, Player, arguments_of, one_each
+from .player import BY, By, Player, Thrown, arguments_of, one_each
 from .search import Bounds, bounds_of, flat_about, search
 from .tallies import check_count, check_scene, check_share, wilson
 from .variables import resolve_variables
@@ -49,8 +46,9 @@ class Optimum:
         What counts as success.
     probability, low, high
         Share of fresh shots, other than those of the search, that succeed; its Wilson interval.
-    made, shots
-        How many of them, and of how many.
+        An invalid shot is no trial.
+    made, shots, invalid
+        How many of them succeed, were drawn, and could not be simulated.
     confidence
         Of the interval.
     seed
@@ -67,7 +65,7 @@ class Optimum:
     sd, correlation
         The scatter.
     parameters
-        Of the scene.
+        Of the scene, those in `release` among them.
     """
 
     release: Mapping[str, float]
@@ -80,6 +78,7 @@ class Optimum:
     high: float
     made: int
     shots: int
+    invalid: int
     confidence: float
     seed: int
     tolerance: float
@@ -102,7 +101,8 @@ class Optimum:
     def lead(self, other: Optimum) -> tuple[float, float, float]:
         """Return by how much this probability is above another's, and the interval of it.
 
-        Of the same fresh shots for both: Newcombe's interval for paired data (1998).
+        Of the same fresh shots for both: Newcombe's interval for paired data (1998). Pairs with an
+        invalid shot do not count.
 
         Raises
         ------
@@ -124,10 +124,7 @@ class Optimum:
         plain = asdict(self)
         plain["correlation"] = {",".join(pair): r for pair, r in self.correlation.items()}
         plain["at_bounds"] = list(self.at_bounds)
-        for margin in plain["margins"].values():
-            if math.isnan(margin["low"]):
-                margin["low"] = margin["high"] = None
-        return plain
+        return {name: _json(value) for name, value in plain.items()}
 
     def __str__(self) -> str:
         given = self.arguments
@@ -140,6 +137,7 @@ class Optimum:
             "centre",
             f"success  {percent(self.probability)}, {100 * self.low:.1f} to {percent(self.high)} "
             f"({self.confidence:.0%} of {self.shots:,} shots, seed {self.seed}): {BY[self.by]}",
+            *([f"invalid  {self.invalid:,} shots, not counted"] if self.invalid else []),
             f"flat     {flat}: within {100 * self.tolerance:g} points of that",
             *(f"bound    {name}: the best may lie beyond" for name in self.at_bounds),
             *(f"margin   {margin}" for margin in self.margins.values()),
@@ -160,6 +158,7 @@ def optimum(
     confidence: float = 0.95,
     tolerance: float = 0.01,
     margins: Sequence[str] = MARGINS,
+    threads: int | None = None,
 ) -> Optimum:
     """Return the release with the greatest probability of success for a player's scatter.
 
@@ -188,18 +187,21 @@ def optimum(
         The fall in probability that is still called flat.
     margins
         Variables whose margins are wanted.
+    threads
+        As for `hoopgen.simulate`.
 
     Returns
     -------
     Optimum
-        The same for the same arguments.
+        The same for the same arguments, whatever the threads.
 
     Raises
     ------
     TypeError, ValueError
         If an argument is not as described, or no release within the bounds succeeds.
     """
-    player, fixed = scattering(sd, correlation, parameters, by), one_each("release", release)
+    player = scattering(sd, correlation, parameters, by, threads)
+    fixed = one_each("release", release)
     bounds = bounds_of(over, fixed, player)
     check_count("shots", shots)
     check_share("confidence", confidence)
@@ -210,22 +212,24 @@ def optimum(
         where = "; ".join(f"{name} {between(name, *ends)}" for name, ends in bounds.items())
         raise ValueError(f"over: no release tried succeeds within {where}")
     best = fixed | point
-    arguments = arguments_of(best, player.parameters)
-    made = int(player.made(best, shots, seed + 1)[0])
-    low, high = map(float, wilson(made, shots, confidence))
+    player = player.at(best)
+    thrown = player.thrown(best, shots, seed + 1)
+    made, valid = int(thrown.made[0]), int(thrown.valid[0])
+    low, high = map(float, wilson(made, valid, confidence))
     entry_angle, depth = _coming_down(best, player)
     few = min(shots, max(10_000, shots // 10))
     return Optimum(
         release=best,
-        arguments=arguments,
+        arguments=arguments_of(best, player.parameters),
         entry_angle=entry_angle,
         depth=depth,
         by=by,
-        probability=made / shots,
+        probability=float(thrown.share[0]),
         low=low,
         high=high,
         made=made,
         shots=shots,
+        invalid=shots - valid,
         confidence=confidence,
         seed=seed,
         tolerance=tolerance,
@@ -241,6 +245,7 @@ def optimum(
             shots=few,
             seed=seed,
             tolerance=tolerance,
+            threads=threads,
         ),
         sd=player.sd,
         correlation=player.correlation,
@@ -248,18 +253,18 @@ def optimum(
     )
 
 
-def paired(
-    mine: NDArray[np.bool_], others: NDArray[np.bool_], confidence: float
-) -> tuple[float, float, float]:
-    """Return by how much the share of the first shots is above that of the second, and interval."""
-    low, high = newcombe(
-        int((mine & others).sum()),
-        int((mine & ~others).sum()),
-        int((~mine & others).sum()),
-        int((~mine & ~others).sum()),
-        confidence,
+def paired(mine: Thrown, others: Thrown, confidence: float) -> tuple[float, float, float]:
+    """Return by how much the share of the first shots is above that of the second, and interval.
+
+    Of the pairs in which both are valid; the difference is NaN if there are none.
+    """
+    valid = mine.valid & others.valid
+    first, second = mine.made[valid], others.made[valid]
+    both, only_first, only_second, neither = (
+        int((a & b).sum()) for a in (first, ~first) for b in (second, ~second)
     )
-    return (int(mine.sum()) - int(others.sum())) / len(mine), low, high
+    difference = (only_first - only_second) / len(first) if len(first) else math.nan
+    return difference, *newcombe(both, only_first, only_second, neither, confidence)
 
 
 def scattering(
@@ -267,6 +272,7 @@ def scattering(
     correlation: Mapping[tuple[str, str], float] | None,
     parameters: Mapping[str, Any],
     by: By,
+    threads: int | None = None,
 ) -> Player:
     """Return a player who scatters.
 
@@ -275,7 +281,7 @@ def scattering(
     TypeError, ValueError
         If an argument is not as described for `optimum`.
     """
-    player = Player(dict(sd), dict(correlation or {}), check_scene(parameters), by)
+    player = Player(dict(sd), dict(correlation or {}), check_scene(parameters), by, threads)
     if not any(sd.values()):
         raise ValueError("sd: expected a deviation above 0; without scatter a shot succeeds or not")
     return player
@@ -287,3 +293,12 @@ def _coming_down(release: Mapping[str, float], player: Player) -> tuple[float, f
     shots = simulate(shot.states, shot.parameters)
     found = measure(shot.states, shots, shot.parameters, ("entry_angle", "depth"))
     return found["entry_angle"].item(), found["depth"].item()
+
+
+def _json(value: Any) -> Any:
+    """Return a value, and all in it, in types that JSON knows."""
+    if isinstance(value, Mapping):
+        return {name: _json(one) for name, one in value.items()}
+    if isinstance(value, list | tuple):
+        return [_json(one) for one in value]
+    return _plain(value)

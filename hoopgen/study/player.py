@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from types import MappingProxyType
 from typing import Any, Literal
 
@@ -20,7 +20,7 @@ from .models import Scatter
 from .tallies import check_scene
 from .variables import ARGUMENTS, VARIABLES, check_names, release_arguments
 
-__all__ = ["BY", "By", "Player", "arguments_of", "one_each"]
+__all__ = ["BY", "By", "Player", "Thrown", "arguments_of", "one_each"]
 
 By = Literal["any", "direct", "bank"]
 
@@ -40,6 +40,29 @@ _BLOCK = 1 << 17
 
 
 @dataclass(frozen=True)
+class Thrown:
+    """What became of shots.
+
+    Attributes
+    ----------
+    made
+        How many succeeded, or of single shots which did.
+    valid
+        How many could be simulated, or which. An invalid shot is no trial.
+    """
+
+    made: NDArray[Any]
+    valid: NDArray[Any]
+
+    @property
+    def share(self) -> NDArray[np.float64]:
+        """Share of the valid shots that succeeded; NaN if there are none."""
+        share = np.full(self.valid.shape, np.nan)
+        np.divide(self.made, self.valid, out=share, where=self.valid > 0)
+        return share
+
+
+@dataclass(frozen=True)
 class Player:
     """A scatter, the scene, and what counts.
 
@@ -51,6 +74,8 @@ class Player:
         Of the scene, one number each.
     by
         One of `BY`.
+    threads
+        As for `hoopgen.simulate`; 1 where others work beside this one.
 
     Raises
     ------
@@ -62,6 +87,7 @@ class Player:
     correlation: Mapping[tuple[str, str], float] = field(default_factory=dict)
     parameters: Mapping[str, Any] = field(default_factory=lambda: PAPER)
     by: By = "any"
+    threads: int | None = None
 
     def __post_init__(self) -> None:
         if self.by not in BY:
@@ -69,8 +95,13 @@ class Player:
         check_scene(self.parameters)
         Scatter({}, self.sd, self.correlation)
 
-    def made(self, values: Mapping[str, ArrayLike], shots: int, seed: int = 0) -> NDArray[np.int64]:
-        """Return how many of the first shots of a seed succeed.
+    def at(self, values: Mapping[str, float]) -> Player:
+        """Return the player in the scene whose parameters are among the values, or as they were."""
+        scene = {name: value for name, value in values.items() if name in NAMES}
+        return replace(self, parameters={**self.parameters, **scene})
+
+    def thrown(self, values: Mapping[str, ArrayLike], shots: int, seed: int = 0) -> Thrown:
+        """Return how many of the first shots of a seed succeed, and how many are valid.
 
         Parameters
         ----------
@@ -79,22 +110,21 @@ class Player:
 
         Returns
         -------
-        ndarray
-            (m,). The shots of each are those that `Scatter.draw` gives.
+        Thrown
+            Counts, (m,). The shots of each are those that `Scatter.draw` gives.
         """
-        counts = [scored.sum(axis=1) for scored in self._blocks(values, shots, seed)]
-        return np.asarray(np.sum(counts, axis=0, dtype=np.int64))
+        counts = [block.sum(axis=-1) for block in self._blocks(values, shots, seed)]
+        return Thrown(*np.array(counts).sum(axis=0))
 
-    def scored(
-        self, values: Mapping[str, float], shots: int = 1, seed: int = 0
-    ) -> NDArray[np.bool_]:
-        """Return which shots of one candidate succeed, (shots,)."""
-        return np.concatenate([scored[0] for scored in self._blocks(values, shots, seed)])
+    def scored(self, values: Mapping[str, float], shots: int = 1, seed: int = 0) -> Thrown:
+        """Return which shots of one candidate succeed, and which are valid, (shots,)."""
+        blocks = self._blocks(values, shots, seed)
+        return Thrown(*np.concatenate([block[:, 0] for block in blocks], axis=-1))
 
     def _blocks(
         self, values: Mapping[str, ArrayLike], shots: int, seed: int
     ) -> Iterator[NDArray[np.bool_]]:
-        """Yield which succeed, (m, some shots) after (m, some shots)."""
+        """Yield which succeed, and which are valid: (2, m, some shots) after (2, m, some shots)."""
         means = self._means(values)
         candidates = max(mean.size for mean in means.values())
         scatter = Scatter({}, self.sd, self.correlation)
@@ -106,7 +136,7 @@ class Player:
                 self._throw({n: mean[low : low + few] for n, mean in means.items()}, noise)
                 for low in range(0, candidates, few)
             ]
-            yield np.concatenate(parts)
+            yield np.concatenate(parts, axis=1)
 
     def _means(self, values: Mapping[str, ArrayLike]) -> dict[str, NDArray[np.float64]]:
         """Return the candidates' arguments, and the parameters that vary; (m,) each."""
@@ -124,7 +154,7 @@ class Player:
     def _throw(
         self, means: Mapping[str, NDArray[np.float64]], noise: Mapping[str, NDArray[np.float64]]
     ) -> NDArray[np.bool_]:
-        """Return which succeed, (candidates, shots)."""
+        """Return which succeed, and which are valid, (2, candidates, shots)."""
         columns = {name: mean[:, None] + noise.get(name, 0.0) for name, mean in means.items()}
         scene = {name: columns.pop(name) for name in NAMES if name in columns}
         states = release(**columns)
@@ -133,12 +163,13 @@ class Player:
         shots = simulate(
             np.broadcast_to(states, (*shape, states.shape[-1])).reshape(-1, states.shape[-1]),
             {**self.parameters, **varying},
+            threads=self.threads,
             fields=("outcome", "first"),
         )
         made = shots.outcome == Outcome.MADE
         if self.by != "any":
             made &= (shots.first == _BACKBOARD) == (self.by == "bank")
-        return np.asarray(made.reshape(shape))
+        return np.stack([made, shots.outcome != Outcome.INVALID]).reshape(2, *shape)
 
 
 def one_each(argument: str, values: Mapping[str, Any]) -> dict[str, float]:
@@ -162,8 +193,10 @@ def one_each(argument: str, values: Mapping[str, Any]) -> dict[str, float]:
 def arguments_of(
     values: Mapping[str, float], parameters: Mapping[str, float] = PAPER
 ) -> dict[str, float]:
-    """Return variables of one release as arguments of `hoopgen.release`, and parameters."""
-    scene = {name: value for name, value in values.items() if name in NAMES}
+    """Return variables of one release as arguments of `hoopgen.release`.
+
+    The parameters of the scene are not taken from the values; see `Player.at`.
+    """
     given = {name: doubles(name, value) for name, value in values.items() if name not in NAMES}
-    columns = release_arguments(given, scene.get("gravity", parameters["gravity"]))
-    return {name: columns[name].item() for name in ARGUMENTS} | scene
+    columns = release_arguments(given, parameters["gravity"])
+    return {name: columns[name].item() for name in ARGUMENTS}

@@ -51,7 +51,7 @@ def bounds_of(
     twice = [name for name in wanted if name in fixed]
     if twice:
         raise ValueError(f"release: {', '.join(twice)} already in over")
-    bounds = {}
+    bounds, player = {}, player.at(fixed)
     for name, ends in wanted.items():
         given = doubles(f"over[{name!r}]", _usual(name, fixed, player) if ends is None else ends)
         if given.shape != (2,) or not np.all(np.isfinite(given)) or not given[0] < given[1]:
@@ -116,8 +116,9 @@ class _Surface:
 
     def failures(self, points: Floats, shots: int) -> Floats:
         """Return the share that fails, (m,), at points (k, m)."""
-        made = self.player.made({**self.fixed, **self.values(points)}, shots, self.seed)
-        return np.asarray(1.0 - made / shots)
+        thrown = self.player.thrown({**self.fixed, **self.values(points)}, shots, self.seed)
+        # Where no shot is valid, none succeeds.
+        return np.asarray(1.0 - np.nan_to_num(thrown.share))
 
     def hill(self, shots: int) -> Floats | None:
         """Return a point near the top of the highest hill; None if there is none."""
@@ -182,15 +183,15 @@ def flat_about(
     low, high = np.array(list(bounds.values())).T
     centre = np.array([[point[name] for name in names]])
 
-    def made(points: Floats) -> NDArray[np.int64]:
+    def share(points: Floats) -> Floats:
         values = dict(zip(names, points.T, strict=True))
-        return player.made({**fixed, **values}, shots, seed)
+        return player.thrown({**fixed, **values}, shots, seed).share
 
     random, shape = np.random.default_rng(seed), np.diag((high - low) / 20)
-    least, found = made(centre)[0] - tolerance * shots, [centre]
+    least, found = share(centre)[0] - tolerance, [centre]
     for _ in range(6):
         drawn = np.clip(centre + 1.4 * _ball(random, 32 * size, size) @ shape.T, low, high)
-        inside = drawn[made(drawn) >= least]
+        inside = drawn[share(drawn) >= least]
         found.append(inside)
         if len(inside) <= size:
             shape = shape / 2

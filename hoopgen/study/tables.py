@@ -14,6 +14,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
+from typing import TypeAlias
 
 import numpy as np
 import pyarrow as pa
@@ -28,9 +29,9 @@ from hoopgen.units import UNITS, Kind
 
 from .measures import MEASURES
 from .models import from_columns
-from .variables import STATE, VARIABLES
+from .variables import STATE, VARIABLES, check_angles
 
-__all__ = ["FORMATS", "Column", "Source", "columns_of", "values"]
+__all__ = ["FORMATS", "Column", "Source", "Stamp", "columns_of", "values", "variable_of"]
 
 FORMATS: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
@@ -40,6 +41,9 @@ FORMATS: Mapping[str, tuple[str, ...]] = MappingProxyType(
     }
 )
 """Formats of tables, and the suffixes that say so. Arrow is the IPC file, Feather, or stream."""
+
+Stamp: TypeAlias = tuple[int, int]
+"""Of a file: its size, and the time of its last change, ns."""
 
 _BLOCK = 1 << 22
 """Bytes of a file that are read at a time; the longest row of CSV."""
@@ -127,7 +131,7 @@ def columns_of(
     if absent:
         raise ValueError(f"own: no column {', '.join(absent)}; there are {', '.join(names)}")
     for column in names:
-        variable, unit = ("", 0.0) if column in own else _variable(column)
+        variable, unit = ("", 0.0) if column in own else variable_of(column)
         if variable in found:
             raise ValueError(
                 f"columns {found[variable].name} and {column} both say {variable}; "
@@ -139,7 +143,7 @@ def columns_of(
     return found
 
 
-def _variable(column: str) -> tuple[str, float]:
+def variable_of(column: str) -> tuple[str, float]:
     """Return the variable and the unit that a column's name says; or none, if it is no such."""
     plain = column.strip().lower()
     if plain in _KNOWN:
@@ -185,9 +189,11 @@ def values(table: pa.Table, columns: Mapping[str, Column]) -> dict[str, NDArray[
     Raises
     ------
     ValueError
-        If a column can hold no numbers.
+        If a column can hold no numbers, or angles in radians are degrees.
     """
-    return {name: _numbers(table, column) for name, column in columns.items()}
+    numbers = {name: _numbers(table, column) for name, column in columns.items()}
+    check_angles("columns", numbers)
+    return numbers
 
 
 def _numbers(table: pa.Table, column: Column) -> NDArray[np.float64]:
@@ -288,6 +294,25 @@ class Source:
             with self._naming(), pq.ParquetFile(self.path) as table:
                 return digest.hexdigest(), table.metadata.num_rows
         return digest.hexdigest(), lines - 1 if self.format == "csv" else None
+
+    def stamp(self) -> Stamp:
+        """Return what is the same for as long as nobody writes to the file."""
+        with self._naming():
+            status = self.path.stat()
+        return status.st_size, status.st_mtime_ns
+
+    def check_unchanged(self, stamp: Stamp) -> None:
+        """Refuse a file that was written to since it had this stamp.
+
+        Raises
+        ------
+        ValueError
+            If it was.
+        """
+        if self.stamp() != stamp:
+            raise ValueError(
+                f"{self.path}: changed while it was read; begin again when nobody writes to it"
+            )
 
     @contextmanager
     def _opened(self) -> Iterator[tuple[pa.Schema, Iterable[pa.RecordBatch]]]:

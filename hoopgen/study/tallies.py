@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from inspect import signature
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtri
 
+from hoopgen.generated.numpy import hoop
 from hoopgen.parameters import NAMES, resolve
 from hoopgen.results import Outcome, Shots
 
@@ -110,6 +112,9 @@ class Tally:
         return np.asarray(self.table.sum(axis=-1))
 
 
+_ALLOWED = tuple(signature(hoop.allowed).parameters)
+
+
 def wilson(
     made: ArrayLike, shots: ArrayLike, confidence: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -123,7 +128,7 @@ def wilson(
         Within 0 and 1.
     """
     n, k = np.asarray(shots, dtype=np.float64), np.asarray(made, dtype=np.float64)
-    z = float(ndtri(0.5 + 0.5 * confidence))
+    z = -float(ndtri(0.5 * (1.0 - confidence)))  # near 1 this keeps its digits
     with np.errstate(invalid="ignore"):
         half = z * np.sqrt(k * (n - k) / n + 0.25 * z * z)
     middle, whole = k + 0.5 * z * z, n + z * z
@@ -138,12 +143,17 @@ def check_scene(parameters: Mapping[str, Any]) -> dict[str, float]:
     Raises
     ------
     TypeError, ValueError
-        If a name is unknown or missing, or a value is not one number.
+        If a name is unknown or missing, a value is not one number, or no shot can be simulated.
     """
-    resolve(parameters, 1)
+    values = dict(zip(NAMES, resolve(parameters, 1), strict=True))
     wrong = [name for name, value in parameters.items() if np.ndim(value)]
     if wrong:
         raise ValueError(f"parameters: expected one number for {', '.join(wrong)}")
+    if not hoop.allowed(*(values[name] for name in _ALLOWED))[0] > 0.0:
+        raise ValueError(
+            "parameters: no shot can be simulated with these: a size or gravity is not above zero, "
+            "or the ball is too big for the ring"
+        )
     return {name: float(parameters[name]) for name in NAMES}
 
 

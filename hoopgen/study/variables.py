@@ -22,6 +22,7 @@ __all__ = [
     "VARIABLES",
     "Releases",
     "Variable",
+    "check_angles",
     "change_variables",
     "check_names",
     "make_releases",
@@ -141,6 +142,27 @@ def check_names(name: str, given: Iterable[str], allowed: Iterable[str]) -> None
     unknown = [str(key) for key in given if key not in known]
     if unknown:
         raise ValueError(f"{name}: unknown {', '.join(unknown)}. One of {', '.join(known)}")
+
+
+def check_angles(name: str, values: Mapping[str, ArrayLike]) -> None:
+    """Refuse angles that are degrees, by their median: all are radians, and within a turn.
+
+    Raises
+    ------
+    ValueError
+        The message begins with `name`.
+    """
+    for variable, value in values.items():
+        if variable not in VARIABLES or VARIABLES[variable].kind != "angle":
+            continue
+        sizes = np.abs(np.asarray(value, dtype=np.float64))
+        sizes = sizes[np.isfinite(sizes)]
+        if sizes.size and np.median(sizes) > 2 * np.pi:
+            raise ValueError(
+                f"{name}: {variable} is in radians, and these are more than a turn: "
+                f"{np.median(sizes):.6g}. Degrees would be np.radians(...), or in a table a column "
+                f"{variable}_deg"
+            )
 
 
 def resolve_variables(

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.parameters import PAPER
-from hoopgen.study.draws import uniforms
+from hoopgen.study.draws import ROW_OF_SAMPLE, uniforms
 from hoopgen.study.models import from_columns
 from hoopgen.study.tables import Source, columns_of, values
 from hoopgen.study.variables import Releases
@@ -20,10 +20,6 @@ __all__ = ["Sample", "sample"]
 
 _ROWS = 1 << 16
 """Read at a time."""
-
-_STREAM = 1 << 32
-"""Of random numbers, far from those of release models: the table may come from one, of this seed,
-and a choice by the numbers that made the speeds would be one of slow shots."""
 
 
 @dataclass(frozen=True)
@@ -92,7 +88,7 @@ def sample(
     kept = {"draw": np.empty(0), "row": np.empty(0), **{name: np.empty(0) for name in columns}}
     total = 0
     for part in table.tables(_ROWS):
-        drawn = uniforms(seed, _STREAM, total, total + part.num_rows)
+        drawn = uniforms(seed, ROW_OF_SAMPLE, total, total + part.num_rows)
         best = np.argsort(drawn, kind="stable")[:count]
         found = {
             "draw": drawn[best],

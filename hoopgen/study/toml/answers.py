@@ -24,7 +24,7 @@ from hoopgen.study.aim import aim, aim_table, write_csv
 from hoopgen.study.bank import bank_or_direct
 from hoopgen.study.batch import batch
 from hoopgen.study.chunks import run
-from hoopgen.study.estimate import _digits, _percent, _points, compare, estimate
+from hoopgen.study.estimate import compare, decimals, estimate, in_percent, in_points
 from hoopgen.study.maps import map as mapped
 from hoopgen.study.measures import measure
 from hoopgen.study.models import Scatter
@@ -174,9 +174,9 @@ def _estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
     shooting = _Shooting(asked, question, found.shots)
     for name in question.figures:
         asked.draw(work, name, shooting.fan() if name == "fan" else shooting.landings())
-    digits = _digits(found.half_width)
-    ends = f"{_percent(found.low, digits)} to {_percent(found.high, digits)}"
-    line = f"{_percent(found.probability, digits)} made ({ends})"
+    digits = decimals(found.half_width)
+    ends = f"{in_percent(found.low, digits)} to {in_percent(found.high, digits)}"
+    line = f"{in_percent(found.probability, digits)} made ({ends})"
     return Answer(line + _short_of(question, found.half_width), _fenced(found), found.as_dict())
 
 
@@ -234,10 +234,10 @@ def _compare(asked: Asked, question: Compare, work: Work) -> Answer:
         max_contacts=question.max_contacts,
         **work.options,
     )
-    digits = _digits(found.half_width)
+    digits = decimals(found.half_width)
     line = (
-        f"{_points(found.difference, digits)} points by the change "
-        f"({_points(found.low, digits)} to {_points(found.high, digits)})"
+        f"{in_points(found.difference, digits)} points by the change "
+        f"({in_points(found.low, digits)} to {in_points(found.high, digits)})"
     )
     return Answer(line + _short_of(question, found.half_width), _fenced(found), found.as_dict())
 
@@ -413,6 +413,7 @@ class _Places:
             shots=self.question.shots,
             seed=self.study.seed,
             confidence=self.study.confidence,
+            threads=1,
         )
         dataset.attrs = {}
         return pa.table({"dataset": [bytes(dataset.to_netcdf(engine="scipy"))]})
@@ -457,8 +458,8 @@ def _bank_table(dataset: xr.Dataset) -> str:
                 *(say(name, here[name].item()) for name in "xy"),
                 percent(direct),
                 percent(bank),
-                f"{_points(here['difference'].item(), 1)} "
-                f"({' to '.join(_points(end, 1) for end in ends)})",
+                f"{in_points(here['difference'].item(), 1)} "
+                f"({' to '.join(in_points(end, 1) for end in ends)})",
             ]
         )
     return _table(["x", "y", "direct", "bank", "bank less direct, points"], rows)

@@ -52,7 +52,7 @@ def parse(content: bytes, file: Path) -> tuple[StudyFile, dict[str, Any], str]:
         If it is not TOML, or not as `StudyFile` describes; with all that is wrong.
     """
     try:
-        text = content.decode()
+        text = content.decode("utf-8-sig")
         document = tomllib.loads(text)
     except UnicodeDecodeError as error:
         line = content.count(b"\n", 0, error.start) + 1

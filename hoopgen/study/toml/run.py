@@ -17,8 +17,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
-import hoopgen
-from hoopgen.study.chunks import _flat, _short, _sync, opened, written
+from hoopgen.study.chunks import differences, flat, opened, sync, versions, written
 
 from . import lines
 from .answers import Answer, Asked, Work, answer, check
@@ -182,7 +181,7 @@ def _files(study: StudyFile) -> Iterator[tuple[lines.Path, str]]:
 
 
 def _identity(asked: Asked) -> dict[str, Any]:
-    return {"hoopgen": hoopgen.__version__, **asked.identity()}
+    return {**versions(), **asked.identity()}
 
 
 # ------------------------------------------------------------------------------------ the folder
@@ -197,27 +196,22 @@ def _refuse_foreign(folder: Path) -> None:
 
 def _refuse_changed(folder: Path, identities: Mapping[str, Mapping[str, Any]]) -> None:
     """Refuse a folder whose questions are others, or are not among those asked."""
-    differences = []
+    found = []
     for file in sorted(folder.glob(f"*/{_ASKED}")):
         name = file.parent.name.removesuffix(_UNFINISHED)
         try:
-            there = _flat(json.loads(file.read_bytes()))
+            there = flat(json.loads(file.read_bytes()))
         except ValueError:
             raise ValueError(f"{file} cannot be read; delete {file.parent}") from None
-        here = _flat(identities[name]) if name in identities else None
+        here = flat(identities[name]) if name in identities else None
         if here is None:
-            differences.append(f"it has the question {name}, which the study has not")
+            found.append(f"it has the question {name}, which the study has not")
             continue
-        changed = [
-            f"{key} is {_short(there.get(key))} there and {_short(here.get(key))} here"
-            for key in dict.fromkeys((*here, *there))
-            if there.get(key) != here.get(key)
-        ]
-        if changed:
-            differences.append(f"question {name}: {'; '.join(changed)}")
-    if differences:
+        if changed := differences(there, here):
+            found.append(f"question {name}: {'; '.join(changed)}")
+    if found:
         raise ValueError(
-            f"{folder} holds another study: {'. '.join(differences)}. Give another folder, or "
+            f"{folder} holds another study: {'. '.join(found)}. Give another folder, or "
             "delete the folders of those questions in it to ask them anew"
         )
 
@@ -237,7 +231,7 @@ def _answered(asked: Asked, identity: Mapping[str, Any], finished: Path, work: W
         _write(work.folder / _ANSWER, _json(vars(found)))
         _settle(work.folder)
         work.folder.rename(finished)
-        _sync({finished.parent})
+        sync({finished.parent})
     shutil.rmtree(finished / "chunks", ignore_errors=True)
     return Answer(**json.loads((finished / _ANSWER).read_bytes()))
 
@@ -248,7 +242,7 @@ def _settle(folder: Path) -> None:
         if file.is_file():
             with file.open("rb+") as opened_file:
                 os.fsync(opened_file.fileno())
-    _sync({folder})
+    sync({folder})
 
 
 def _write(file: Path, content: bytes) -> None:
@@ -272,6 +266,6 @@ def _plain(values: Any) -> Any:
 
 def _versions() -> dict[str, str]:
     """Return what computes."""
-    versions = {name: metadata.version(name) for name in _MADE_WITH}
+    made_with = {name: metadata.version(name) for name in _MADE_WITH}
     system = {"python": platform.python_version(), "platform": platform.platform()}
-    return versions | system
+    return made_with | system

@@ -12,8 +12,7 @@ from typing import Any
 import pyarrow as pa
 
 from hoopgen.study.models import ReleaseModel, Resample, Scatter
-from hoopgen.study.tables import Source, columns_of, values
-from hoopgen.study.tables import _variable as variable_of
+from hoopgen.study.tables import Source, columns_of, values, variable_of
 from hoopgen.study.variables import STATE, change_variables
 
 from .schema import PRESETS, Given, Releases
