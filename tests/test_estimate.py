@@ -631,7 +631,7 @@ def test_a_precision_that_no_shot_can_bring_nearer_is_refused_at_once() -> None:
     nowhere = hoopgen.Resample(
         {"speed": [np.nan], "elevation": 0.9, "height": 2.0, "distance": 4.0}
     )
-    with pytest.raises(ValueError, match="model: none of the first .* shots is valid"):
+    with pytest.raises(ValueError, match=r"model: none of the first .* shots is valid"):
         hoopgen.estimate(nowhere, precision=0.01)
 
 

@@ -221,8 +221,9 @@ def _dropped(points: Points, floor: float) -> Points:
 def _step(span: float, scale: float) -> float:
     """Choose the distance of ticks on an axis of that many metres, so many inches each."""
     fine = _STEPS if span < _FEW * _STEPS[1] else _STEPS[1:]
-    decades = (float(f"{step}e{k}") for k in range(1, 300) for step in (2, 5, 10))
-    return next(step for step in (*fine, *decades) if step * scale >= _TICK_ROOM)
+    coarse = [float(f"{digit}e{k}") for k in range(1, 300) for digit in (2, 5, 10)]
+    steps: list[float] = [*fine, *coarse]
+    return next(step for step in steps if step * scale >= _TICK_ROOM)
 
 
 def _ticks(low: float, high: float, step: float) -> list[float]:
