@@ -33,15 +33,6 @@ _OVER = ("elevation", "aim", "azimuth")
 
 _BACKBOARD = SURFACES.index("backboard")
 
-_UNITS = {
-    "length": "m",
-    "speed": "m/s",
-    "angle": "rad",
-    "spin": "rad/s",
-    "acceleration": "m/s²",
-    "number": "1",
-}
-
 Floats = NDArray[np.float64]
 
 
@@ -191,7 +182,7 @@ def _dataset(spots: Floats, columns: Mapping[str, Floats], question: _Question) 
         "touch_y": ("m", "where the ball touches the board, y"),
         "touch_z": ("m", "where the ball touches the board, height from the ring"),
         "sight_y": ("m", "where the release points on the board, y"),
-    } | {name: (_UNITS[variable.kind], variable.label) for name, variable in VARIABLES.items()}
+    } | {name: (variable.unit or "1", variable.label) for name, variable in VARIABLES.items()}
     data = {
         name: (("way", "place")[-column.ndim :], column, _attributes(*named[name]))
         for name, column in columns.items()

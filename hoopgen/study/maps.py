@@ -26,6 +26,7 @@ from .chunks import run
 from .draws import check_seed
 from .measures import Kind, kinds
 from .models import Scatter
+from .player import one_each
 from .tallies import (
     BLOCK,
     COLUMNS,
@@ -135,16 +136,10 @@ def _axes(over: Mapping[str, ArrayLike]) -> dict[str, Floats]:
 
 
 def _fixed(release: Mapping[str, float], over: Mapping[str, ArrayLike]) -> dict[str, float]:
-    check_names("release", release, VARIABLES)
-    fixed = {}
-    for name, value in release.items():
-        if name in over:
-            raise ValueError(f"release: {name} is mapped over; leave out")
-        number = doubles(f"release[{name!r}]", value)
-        if number.ndim:
-            raise ValueError(f"release[{name!r}]: expected one number, got {value!r}")
-        fixed[name] = float(number)
-    return fixed
+    twice = [name for name in release if name in over]
+    if twice:
+        raise ValueError(f"release: {', '.join(twice)} is mapped over; leave out")
+    return one_each("release", release)
 
 
 # ------------------------------------------------------------------------------------ the work
