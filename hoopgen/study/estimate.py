@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import closing
 from dataclasses import asdict, dataclass
-from math import ceil, floor, inf, isfinite, log10, nan, sqrt
+from math import ceil, floor, inf, log10, nan, sqrt
 from os import PathLike
 from typing import Any, Literal, TypeAlias
 
@@ -27,6 +27,7 @@ from .draws import check_seed
 from .measures import Kind
 from .models import Grid, ReleaseModel
 from .tallies import COLUMNS, FIELDS, Tally, blocks, check_count, check_scene, check_share, wilson
+from .words import for_json
 
 __all__ = [
     "CHUNK",
@@ -121,7 +122,7 @@ class Estimate:
     def as_dict(self) -> dict[str, Any]:
         """Return everything, in types that JSON knows; None for what is not a number."""
         more = {"with_capped": self.with_capped, "shares": self.shares}
-        return {name: _plain(value) for name, value in (asdict(self) | more).items()}
+        return {name: for_json(value) for name, value in (asdict(self) | more).items()}
 
     def __str__(self) -> str:
         digits = decimals(self.half_width)
@@ -200,7 +201,7 @@ class Comparison:
         """Return everything, in types that JSON knows; None for what is not a number."""
         settings = {"first": self.first.as_dict(), "second": self.second.as_dict()}
         more = {"pairs": self.pairs, "gain": self.gain, **settings}
-        return {name: _plain(value) for name, value in (asdict(self) | more).items()}
+        return {name: for_json(value) for name, value in (asdict(self) | more).items()}
 
     def __str__(self) -> str:
         digits = decimals(self.half_width)
@@ -533,10 +534,6 @@ def newcombe(
         float(difference - combined(first - low_1, high_2 - second)),
         float(difference + combined(high_1 - first, second - low_2)),
     )
-
-
-def _plain(value: Any) -> Any:
-    return None if isinstance(value, float) and not isfinite(value) else value
 
 
 def decimals(half_width: float) -> int:

@@ -15,7 +15,7 @@ from hoopgen.parameters import PAPER
 from hoopgen.simulation import simulate
 
 from .draws import check_seed
-from .estimate import _plain, newcombe
+from .estimate import newcombe
 from .margins import MARGINS, Margin
 from .margins import margins as margins_of
 from .measures import measure
@@ -23,7 +23,7 @@ from .player import BY, By, Player, Thrown, arguments_of, one_each
 from .search import Bounds, bounds_of, flat_about, search
 from .tallies import check_count, check_scene, check_share, wilson
 from .variables import resolve_variables
-from .words import between, percent, say
+from .words import between, for_json, percent, say
 
 __all__ = ["Optimum", "optimum", "paired", "scattering"]
 
@@ -124,7 +124,7 @@ class Optimum:
         plain = asdict(self)
         plain["correlation"] = {",".join(pair): r for pair, r in self.correlation.items()}
         plain["at_bounds"] = list(self.at_bounds)
-        return {name: _json(value) for name, value in plain.items()}
+        return {name: for_json(value) for name, value in plain.items()}
 
     def __str__(self) -> str:
         given = self.arguments
@@ -293,12 +293,3 @@ def _coming_down(release: Mapping[str, float], player: Player) -> tuple[float, f
     shots = simulate(shot.states, shot.parameters)
     found = measure(shot.states, shots, shot.parameters, ("entry_angle", "depth"))
     return found["entry_angle"].item(), found["depth"].item()
-
-
-def _json(value: Any) -> Any:
-    """Return a value, and all in it, in types that JSON knows."""
-    if isinstance(value, Mapping):
-        return {name: _json(one) for name, one in value.items()}
-    if isinstance(value, list | tuple):
-        return [_json(one) for one in value]
-    return _plain(value)

@@ -7,8 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from math import pi
+from math import isfinite, pi
 from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,7 +18,16 @@ from hoopgen.units import Kind
 
 from .variables import VARIABLES
 
-__all__ = ["MINUS", "Quantity", "between", "percent", "percent_in_picture", "quantity", "say"]
+__all__ = [
+    "MINUS",
+    "Quantity",
+    "between",
+    "for_json",
+    "percent",
+    "percent_in_picture",
+    "quantity",
+    "say",
+]
 
 MINUS = "\N{MINUS SIGN}"
 
@@ -123,3 +133,12 @@ def percent_in_picture(share: float, digits: int = 1) -> str:
 
 def _with(unit: str, number: str) -> str:
     return number + ("" if unit in ("", "°") else " ") + unit
+
+
+def for_json(value: Any) -> Any:
+    """Return a value, and all in it, in types that JSON knows: None for what is not a number."""
+    if isinstance(value, Mapping):
+        return {str(name): for_json(one) for name, one in value.items()}
+    if isinstance(value, list | tuple):
+        return [for_json(one) for one in value]
+    return None if isinstance(value, float) and not isfinite(value) else value

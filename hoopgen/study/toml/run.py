@@ -8,7 +8,6 @@ gets its name when all of it is there, so what bears a name is finished. Nothing
 from __future__ import annotations
 
 import json
-import math
 import os
 import platform
 import shutil
@@ -18,6 +17,7 @@ from pathlib import Path
 from typing import Any
 
 from hoopgen.study.chunks import differences, flat, opened, sync, versions, written
+from hoopgen.study.words import for_json
 
 from . import lines
 from .answers import Answer, Asked, Work, answer, check
@@ -251,17 +251,8 @@ def _write(file: Path, content: bytes) -> None:
 
 
 def _json(values: Mapping[str, Any]) -> bytes:
-    text = json.dumps(_plain(values), indent=1, allow_nan=False, ensure_ascii=False)
+    text = json.dumps(for_json(values), indent=1, allow_nan=False, ensure_ascii=False)
     return f"{text}\n".encode()
-
-
-def _plain(values: Any) -> Any:
-    """Return values as JSON knows them: None for what is not a number."""
-    if isinstance(values, Mapping):
-        return {str(key): _plain(value) for key, value in values.items()}
-    if isinstance(values, list | tuple):
-        return [_plain(value) for value in values]
-    return None if isinstance(values, float) and not math.isfinite(values) else values
 
 
 def _versions() -> dict[str, str]:
