@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.generated.numpy import hoop
 
 from .engine import native, numpy_backend
+from .engine.arithmetic import check_arithmetic
 from .engine.raw import BOUNDS, EVENT, FIELDS, Raw, allocate, allocate_events
 from .inputs import check_contacts, check_leaving, check_states, check_threads
 from .parameters import NAMES, PAPER, Value, resolve
@@ -58,6 +59,7 @@ class _Batch:
         if self.library is not None:
             self.library.run(states, parameters, leaving, self.max_contacts, out, self.stop)
         else:
+            check_arithmetic()  # the library looks for itself
             numpy_backend.run(
                 hoop, states, parameters, leaving, self.max_contacts, out, self.stopped
             )
@@ -215,15 +217,18 @@ def _library(backend: str) -> native.Library | None:
     if backend == "numpy":
         return None
     library = native.installed()
-    if library is None and backend == "c":
-        raise RuntimeError(
-            "backend: 'c' was not built; install again with a C compiler, or use 'numpy'"
-        )
     if library is None:
-        _say_once()
+        refused = native.load()
+        assert isinstance(refused, native.Refused)
+        if backend == "c":
+            raise RuntimeError(f"backend: 'c' {refused.reason}; {refused.remedy}, or use 'numpy'")
+        _say_once(refused)
     return library
 
 
 @cache
-def _say_once() -> None:
-    print("hoopgen: the C engine was not built; NumPy serves, slower.", file=sys.stderr)
+def _say_once(refused: native.Refused) -> None:
+    print(
+        f"hoopgen: the C engine {refused.reason}; {refused.remedy}. NumPy serves, slower.",
+        file=sys.stderr,
+    )
