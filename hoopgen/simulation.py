@@ -34,6 +34,9 @@ SMALL = 1 << 12
 ROOM = 1 << 16
 """Rows of the event log that a thread makes room for at a time: every contact that could be."""
 
+LEAST = 1 << 12
+"""Fewest shots that a thread takes at a time in NumPy, whose every operation costs a call."""
+
 AT_ONCE = 1 << 17
 """Contacts that could be, up to which no thread is started: some hundredths of a second."""
 
@@ -91,7 +94,8 @@ def simulate(
     backend
         "auto" is "c" where it was built, else "numpy". The results are the same bits.
     threads
-        How many work; None for as many as the process may use.
+        How many work; None for one on each processor that the process may use. Of more than four
+        on each, four work, and with "numpy" no more than have 4096 shots each to do.
     fields
         "all", or the names of the results that are wanted; by name also "time_error" and
         "state_error", the bounds on the errors of time and state. Without "uncertain" and those
@@ -116,7 +120,8 @@ def simulate(
     TypeError, ValueError
         If an argument is not as described; the message says what is.
     RuntimeError
-        If backend "c" is asked for and was not built.
+        If backend "c" is asked for and was not built, or cannot be trusted; if this thread rounds
+        otherwise than to the nearest double, or takes subnormals for zero.
     ImportError
         If shots are to be settled and the extra is missing.
     """
@@ -190,7 +195,7 @@ def _chunk(shots: int, threads: int, in_c: bool) -> int:
     """Return how many shots a thread takes at a time."""
     own = -(-shots // threads)
     if not in_c:
-        return max(own, 1)  # NumPy pays for every chunk
+        return max(own, LEAST)
     if threads > 1:
         own = max(own // SHARE, min(own // 2, SMALL))
     return max(1, min(own, CHUNK))

@@ -22,7 +22,7 @@ from . import arithmetic, sources, trust
 from .raw import Raw
 from .trust import WIDTHS
 
-__all__ = ["WIDTHS", "Library", "Refused", "installed", "load"]
+__all__ = ["WIDTHS", "Library", "Refused", "checked", "installed", "load"]
 
 _RESULT_FIELDS = (
     "outcome",
@@ -187,14 +187,24 @@ def load() -> Library | Refused:
         If this thread does not compute doubles as IEEE 754 says, so that nothing can be compared.
     """
     suffix = importlib.machinery.EXTENSION_SUFFIXES[0]
-    path = Path(__file__).with_name("_hoop" + suffix)
+    return checked(Path(__file__).with_name("_hoop" + suffix))
+
+
+def checked(path: Path) -> Library | Refused:
+    """Return the hoop's engine from a library, or why it cannot be trusted.
+
+    Raises
+    ------
+    RuntimeError
+        If this thread does not compute doubles as IEEE 754 says, so that nothing can be compared.
+    """
     arithmetic.check_arithmetic()
     try:
         library = Library(path, "hoop")
     except (OSError, AttributeError):
         return Refused("was not built", "install again with a C compiler")
     if not arithmetic.exact():
-        return Refused("takes subnormals for zero in the whole process", _AGAIN)
+        return Refused("makes subnormals zero in this process when it is loaded", _AGAIN)
     # Without the sources, as in a bundle, there is nothing that could be newer.
     if sources.word(Path(hoop.__file__).parents[1] / "c") not in ("", library.sources):
         return Refused("was built from other sources than these", "`pip install -e .` again")

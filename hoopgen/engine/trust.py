@@ -12,7 +12,7 @@ import contextlib
 import hashlib
 import os
 import tempfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from types import ModuleType
 from typing import Protocol
@@ -57,6 +57,9 @@ _KINDS = (
 _ODD = (np.nan, np.inf, -np.inf, 0.0, -0.0, 5e-324, -1e-310, 1e-160, 1e160, -1e300)
 
 
+Batch = tuple[NDArray[np.float64], Sequence[NDArray[np.float64] | float], NDArray[np.int8] | None]
+
+
 class Engine(Protocol):
     """A compiled scene, as native.Library is one."""
 
@@ -98,8 +101,15 @@ def trusted(library: Path, engine: Engine, kernels: ModuleType) -> str:
     return found
 
 
-def differences(engine: Engine, kernels: ModuleType) -> str:
+def differences(
+    engine: Engine, kernels: ModuleType, batches: Iterable[Batch] | None = None
+) -> str:
     """Return the widths and the fields in which an engine differs from NumPy, "" if in none.
+
+    Parameters
+    ----------
+    batches
+        Other shots than those of this file: releases, parameters, and the surfaces they leave.
 
     Raises
     ------
@@ -108,7 +118,7 @@ def differences(engine: Engine, kernels: ModuleType) -> str:
     """
     arithmetic.check_arithmetic()
     found: dict[int, list[str]] = {}
-    for states, parameters, leaving in _batches(kernels):
+    for states, parameters, leaving in _batches(kernels) if batches is None else batches:
         stop = np.zeros(1, np.int32)
         wanted = _room(len(states), kernels, raw.FIELDS + raw.BOUNDS)
         numpy_backend.run(kernels, states, parameters, leaving, MOST, wanted, lambda: False)
@@ -129,9 +139,6 @@ def differences(engine: Engine, kernels: ModuleType) -> str:
 
 
 # ------------------------------------------------------------------------------------------ shots
-
-Batch = tuple[NDArray[np.float64], list[NDArray[np.float64] | float], NDArray[np.int8] | None]
-
 
 def _between(rows: int, columns: int) -> NDArray[np.float64]:
     """Return numbers that fill -1/2 to 1/2 evenly, the same with every NumPy."""
