@@ -456,7 +456,7 @@ WRONG = {
     "column": (
         BEGIN + "[[question]]\nkind = 'batch'\nname = 'a'\nfile = 'measured.csv'\n",
         3,
-        "question #1: variables: missing height, distance. The columns are player, speed_mph",
+        "measured.csv: variables: missing height, distance. The columns are player, speed_mph",
     ),
     "no file": (
         BEGIN + HERE + ASKED + "[question.releases]\nfile = 'other.csv'\n",
