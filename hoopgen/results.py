@@ -11,6 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.generated.numpy import hoop
 
+from .brief import brief
+
 SURFACES = tuple(name for name, _, _ in hoop.SURFACES[:-1])
 """Surfaces, in the order of ``Shots.counts``; the event log numbers the end plane after them."""
 
@@ -68,12 +70,16 @@ class Trajectory:
 
         Raises
         ------
+        TypeError
+            If they are not numbers.
         ValueError
             If a time is not within the trajectory.
         """
-        times = np.asarray(t, dtype=np.float64)
+        from .inputs import doubles  # which stands on this file: it knows the surfaces
+
+        times = doubles("t", t)
         if not np.all((times >= 0.0) & (times <= self.duration)):
-            raise ValueError(f"t: expected times from 0 to {self.duration} s, got {t!r}")
+            raise ValueError(f"t: expected times from 0 to {self.duration} s, got {brief(t)}")
         starts = np.concatenate([[0.0], self.events["time"]])
         states = np.concatenate([self.release[None], self.events["after"]])
         segment = np.searchsorted(starts, times, side="right") - 1

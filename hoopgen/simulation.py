@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cache
@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.generated.numpy import hoop
 
+from .brief import brief, listed
 from .engine import native, numpy_backend
 from .engine.arithmetic import check_arithmetic
 from .engine.raw import BOUNDS, EVENT, FIELDS, Raw, allocate, allocate_events
@@ -75,7 +76,7 @@ def simulate(
     max_contacts: int = 40,
     backend: Literal["auto", "c", "numpy"] = "auto",
     threads: int | None = None,
-    fields: Literal["all"] | Sequence[str] = "all",
+    fields: Literal["all"] | Iterable[str] = "all",
     record: bool = False,
     leaving: ArrayLike | None = None,
     settle: bool = False,
@@ -86,7 +87,8 @@ def simulate(
     ----------
     states
         Releases, (n, 9) or (9,): x y z (m), vx vy vz (m/s), wx wy wz (rad/s); origin at the ring's
-        centre, z up, backboard at negative x.
+        centre, z up, backboard at negative x. Here and below, entries that are
+        masked count as NaN.
     parameters
         Name to value, one for all shots or (n,). `PAPER`, `NBA` and `FIBA` merge with ``|``.
     max_contacts
@@ -206,20 +208,23 @@ def _present(raw: Raw) -> dict[str, NDArray[Any]]:
     return {name: array for name, array in vars(raw).items() if array is not None}
 
 
-def _fields(fields: str | Sequence[str]) -> tuple[str, ...]:
+def _fields(fields: str | Iterable[str]) -> tuple[str, ...]:
     if isinstance(fields, str):
         fields = FIELDS if fields == "all" else (fields,)
-    unknown = [str(name) for name in fields if name not in FIELDS + BOUNDS]
+    if not isinstance(fields, Iterable):
+        raise TypeError(f"fields: expected 'all' or names, got {brief(fields)}")
+    wanted = tuple(fields)  # once: they may be an iterator
+    unknown = [name for name in wanted if name not in FIELDS + BOUNDS]
     if unknown:
         raise ValueError(
-            f"fields: unknown {', '.join(unknown)}. 'all', or some of {', '.join(FIELDS + BOUNDS)}"
+            f"fields: unknown {listed(unknown)}. 'all', or some of {', '.join(FIELDS + BOUNDS)}"
         )
-    return tuple(fields)
+    return wanted
 
 
 def _library(backend: str) -> native.Library | None:
     if backend not in ("auto", "c", "numpy"):
-        raise ValueError(f"backend: expected 'auto', 'c' or 'numpy', got {backend!r}")
+        raise ValueError(f"backend: expected 'auto', 'c' or 'numpy', got {brief(backend)}")
     if backend == "numpy":
         return None
     library = native.installed()

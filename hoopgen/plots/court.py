@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.brief import brief
 from hoopgen.plots.page import add_view
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.scene import draw_hoop
@@ -75,7 +76,7 @@ def find_court(name: str) -> Court:
         If there is none.
     """
     if name not in COURTS:
-        raise ValueError(f"court: expected {' or '.join(COURTS)}, got {name!r}")
+        raise ValueError(f"court: expected {' or '.join(COURTS)}, got {brief(name)}")
     return COURTS[name]
 
 

@@ -15,6 +15,7 @@ from matplotlib.path import Path
 from numpy.typing import NDArray
 
 import hoopgen
+from hoopgen.brief import brief
 from hoopgen.plots.key import CLASSES, Class, classify, draw_key, key_height
 from hoopgen.plots.page import add_view, new_page
 from hoopgen.plots.panels import Panel
@@ -75,7 +76,7 @@ def plot_fan(
         If none of them has a path, or `paths` is not above 0.
     """
     if paths < 1:
-        raise ValueError(f"paths: expected a number above 0, got {paths}")
+        raise ValueError(f"paths: expected a number above 0, got {brief(paths)}")
     place = classify(shots.outcome, kinds(shots.outcome, shots.counts, shots.first))
     shares = {
         _as_line(CLASSES[one]): float(np.mean(place == one)) for one in np.unique(place).tolist()

@@ -11,6 +11,8 @@ from typing import Any
 import matplotlib
 from matplotlib.figure import Figure
 
+from hoopgen.brief import brief
+
 __all__ = [
     "COLOURS",
     "COLUMN",
@@ -152,7 +154,7 @@ def save(figure: Figure, path: str | Path, *, dpi: int = 300) -> Path:
     target = Path(path)
     suffix = target.suffix.lower().lstrip(".")
     if suffix not in FORMATS:
-        raise ValueError(f"{target.name!r}: a picture's name ends in .{', .'.join(FORMATS)}")
+        raise ValueError(f"{brief(target.name)}: a picture's name ends in .{', .'.join(FORMATS)}")
     with style():
         figure.savefig(target, format=suffix, dpi=dpi, metadata=_METADATA[suffix])
     return target

@@ -16,6 +16,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
 from hoopgen.inputs import doubles
 from hoopgen.parameters import PAPER
@@ -115,7 +116,7 @@ def aim(
         are numbers, no release does it.
     """
     if arc not in ("high", "low"):
-        raise ValueError(f"arc: expected 'high' or 'low', got {arc!r}")
+        raise ValueError(f"arc: expected 'high' or 'low', got {brief(arc)}")
     if "gravity" not in parameters:
         raise ValueError("parameters: missing gravity")
     wanted = {"entry": entry, "elevation": elevation, "speed": speed}

@@ -17,6 +17,7 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
+from hoopgen.brief import brief
 from hoopgen.inputs import check_contacts
 from hoopgen.parameters import PAPER
 from hoopgen.results import Outcome, Shots
@@ -442,7 +443,7 @@ def _setting(model: ReleaseModel, parameters: Mapping[str, Any]) -> _Set:
     if isinstance(model, Grid) or not isinstance(model, ReleaseModel):
         raise TypeError(
             "model: expected a Scatter, a Resample, or what else draws at random (it has draw and "
-            f"identity; a grid is for hoopgen.map), got {model!r}"
+            f"identity; a grid is for hoopgen.map), got {brief(model)}"
         )
     return _Set(model, check_scene(parameters))
 

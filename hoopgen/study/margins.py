@@ -135,7 +135,7 @@ def margins(
     TypeError, ValueError
         If an argument is not as described.
     """
-    check_names("names", names, VARIABLES)
+    names = check_names("names", names, VARIABLES)
     check_count("shots", shots)
     check_seed(seed)
     check_share("tolerance", tolerance)

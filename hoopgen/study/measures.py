@@ -6,7 +6,7 @@ touched first, the one after that contact, continued as if nothing else were in 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import cached_property, partial
@@ -100,7 +100,7 @@ def measure(
     states: ArrayLike,
     shots: Shots,
     parameters: Mapping[str, Any] = PAPER,
-    names: Sequence[str] | None = None,
+    names: Iterable[str] | None = None,
 ) -> dict[str, Floats]:
     """Return measures of simulated shots.
 
@@ -127,8 +127,7 @@ def measure(
     AttributeError
         If `shots` lacks a field.
     """
-    wanted = tuple(MEASURES) if names is None else tuple(names)
-    check_names("names", wanted, MEASURES)
+    wanted = check_names("names", MEASURES if names is None else names, MEASURES)
     releases = check_states(states)
     if len(releases) != len(shots):
         raise ValueError(

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import hoopgen
+from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
 from hoopgen.parameters import NAMES, Value, resolve
 from hoopgen.releases import RING_HEIGHT
@@ -77,7 +78,7 @@ def view(
     """
     target = Path(path)
     if target.suffix.lower() not in (".html", ".htm"):
-        raise ValueError(f"path: a page's name ends in .html, got {target.name!r}")
+        raise ValueError(f"path: a page's name ends in .html, got {brief(target.name)}")
     text = page(shots, parameters, title=title, about=about, labels=labels)
     target.write_text(text, encoding="utf-8", newline="\n")
     return target
@@ -124,9 +125,10 @@ def _title(shots: Shots, valid: NDArray[np.intp]) -> str:
 def _labels(labels: Sequence[str] | None, shots: int) -> list[str]:
     if labels is None:
         return [f"Shot {number}" for number in range(1, shots + 1)]
-    if isinstance(labels, str) or len(labels) != shots:
-        raise ValueError(f"labels: expected {shots}, one a shot, got {labels!r}")
-    return [str(label) for label in labels]
+    names = list(labels)
+    if isinstance(labels, str) or len(names) != shots:
+        raise ValueError(f"labels: expected {shots}, one a shot, got {brief(labels)}")
+    return [str(label) for label in names]
 
 
 def _shot(
