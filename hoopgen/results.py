@@ -116,7 +116,9 @@ class Trajectory:
         """
         from hoopgen import plots
 
-        return plots.plot_trajectory(self, self.parameters, **{"outcome": self.outcome} | options)
+        told = {"outcome": self.outcome} | options
+        drawn: Figure | Axes = plots.plot_trajectory(self, self.parameters, **told)
+        return drawn
 
     def to_pandas(self) -> Any:
         """Return the events as a pandas.DataFrame, a row each; their units are in its ``attrs``.
@@ -195,7 +197,7 @@ class Shots:
         if name in fields:
             return fields[name]  # type: ignore[no-any-return]
         if name == "made" and fields:
-            return self.outcome == Outcome.MADE
+            return np.asarray(self.outcome == Outcome.MADE)
         if name == "events":
             raise AttributeError("events: simulate with record=True to keep the event log")
         if name in Shots.__annotations__:
@@ -225,7 +227,8 @@ class Shots:
         """Draw the paths; options, and what is returned and raised, as for `plots.plot_fan`."""
         from hoopgen import plots
 
-        return plots.plot_fan(self, self.parameters, **options)
+        drawn: Figure | Axes = plots.plot_fan(self, self.parameters, **options)
+        return drawn
 
     def to_pandas(self) -> Any:
         """Return the results as a pandas.DataFrame, a row a shot; units are in its ``attrs``.
