@@ -347,7 +347,7 @@ def _bottom(
 ) -> None:
     """Note the least distance in cells in which its rate rises throughout."""
     # Here, since a picture that needs a `Kind` need not have SciPy.
-    elementwise = need("scipy.optimize", "this measure").elementwise
+    elementwise = need("scipy.optimize.elementwise", "this measure")
 
     begin, end = t - half, t + half
     falls, rises = note(rows, begin) < 0.0, note(rows, end) > 0.0
