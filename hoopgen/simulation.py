@@ -153,7 +153,7 @@ def simulate(
 
         decide(results, releases, parameters, batch.max_contacts, leaving=batch.leaving)
     kept = {name: array for name, array in results.items() if name in (*wanted, "events")}
-    return Shots(kept, releases, values[NAMES.index("gravity")])
+    return Shots(kept, releases, dict(zip(NAMES, values, strict=True)))
 
 
 def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[Any]]:

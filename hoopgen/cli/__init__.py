@@ -25,24 +25,12 @@ from hoopgen.cli.paper import paper
 from hoopgen.cli.shot import shot
 from hoopgen.cli.study import study
 from hoopgen.cli.view import view
+from hoopgen.installed import explained
 
 __all__ = ["main"]
 
 # What the library raises when it is asked for something wrong, or something is not there.
 _EXPECTED = (click.ClickException, ImportError, LookupError, OSError, RuntimeError, ValueError)
-
-_EXTRAS = {
-    "matplotlib": "plot",
-    "sympy": "generate",
-    "jinja2": "generate",
-    "flint": "certify",
-    "scipy": "study",
-    "pyarrow": "study",
-    "xarray": "study",
-    "pydantic": "study",
-    "distributed": "scale",
-}
-"""What may be missing, and the extra that brings it."""
 
 
 class _Tour(click.Group):
@@ -91,9 +79,7 @@ def _in_words(error: Exception) -> str:
     if isinstance(error, click.ClickException):
         return error.format_message()
     if isinstance(error, ImportError):
-        missing = (error.name or "").partition(".")[0]
-        if missing in _EXTRAS:
-            return f"this needs {missing}: pip install 'hoopgen[{_EXTRAS[missing]}]'"
+        return str(explained(error))
     if isinstance(error, OSError) and error.filename is not None:
         return f"{error.filename}: {error.strerror}"
     if isinstance(error, KeyError) and error.args:

@@ -21,6 +21,8 @@ from numpy.typing import NDArray
 import hoopgen
 from hoopgen.brief import listed
 from hoopgen.inputs import check_contacts, doubles
+from hoopgen.installed import need
+from hoopgen.notebook import table as rendered
 from hoopgen.parameters import PAPER, resolve
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
@@ -32,7 +34,41 @@ from .tables import FORMATS, Column, Source, Stamp
 from .tallies import check_count
 from .variables import STATE, VARIABLES, check_names
 
-__all__ = ["ROWS", "batch"]
+__all__ = ["ROWS", "Batch", "batch"]
+
+
+class Batch(dict[str, int]):
+    """Number of shots by outcome, in lower case; and where the results are.
+
+    Attributes
+    ----------
+    path
+        The file written.
+    """
+
+    def __init__(self, counts: Mapping[str, int], path: Path) -> None:
+        super().__init__(counts)
+        self.path = path
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (dict(self), self.path)
+
+    def to_pandas(self) -> Any:
+        """Return the file's rows as a pandas.DataFrame.
+
+        Raises
+        ------
+        ImportError
+            If pandas is missing: what brings it.
+        """
+        need("pandas", "to_pandas")
+        return pq.read_table(self.path, partitioning=None).to_pandas()
+
+    def _repr_html_(self) -> str:
+        about = f"{sum(self.values()):,} shots in {self.path}"
+        rows = [(name, f"{count:,}") for name, count in self.items()]
+        return rendered(about, ("outcome", "shots"), rows)
+
 
 ROWS = 1 << 16
 """Rows in a chunk: a small part of a second, and few megabytes."""
@@ -60,7 +96,7 @@ def batch(
     threads: int | None = None,
     progress: Callable[[int, int | None], None] | None = None,
     report: Callable[[str], None] | None = None,
-) -> dict[str, int]:
+) -> Batch:
     """Simulate the releases of a table, and write it with the results.
 
     The table is read and written in chunks, so that it may be larger than the memory. Finished
@@ -102,8 +138,8 @@ def batch(
 
     Returns
     -------
-    dict
-        Number of shots by outcome, in lower case.
+    Batch
+        Number of shots by outcome, a dict; the file is its ``path``.
 
     Raises
     ------
@@ -154,7 +190,8 @@ def batch(
                 outcomes += _by_outcome(results["outcome"])
             table.check_unchanged(stamp)  # its own columns were read until now
         folder.remove()
-    return {outcome.name.lower(): int(outcomes[outcome]) for outcome in Outcome}
+    counts = {outcome.name.lower(): int(outcomes[outcome]) for outcome in Outcome}
+    return Batch(counts, target)
 
 
 def _numbers(name: str, values: Mapping[str, Any]) -> dict[str, float]:

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from hoopgen.brief import brief
 from hoopgen.inputs import check_contacts
+from hoopgen.notebook import Said
 from hoopgen.parameters import PAPER
 from hoopgen.results import Outcome, Shots
 from hoopgen.simulation import simulate
@@ -60,7 +61,7 @@ Progress = Callable[[int, int | None], None]
 
 
 @dataclass(frozen=True)
-class Estimate:
+class Estimate(Said):
     """How probably a shot is made.
 
     An invalid shot is no trial: `probability` is of the others. A capped one is a trial and not
@@ -148,7 +149,7 @@ class Estimate:
 
 
 @dataclass(frozen=True)
-class Comparison:
+class Comparison(Said):
     """What the second of two settings adds to the first, over the same random numbers.
 
     Attributes

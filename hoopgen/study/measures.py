@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.generated.numpy import hoop
 from hoopgen.inputs import check_states
+from hoopgen.installed import need
 from hoopgen.parameters import NAMES, PAPER, Value, resolve
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import SURFACES, Outcome, Shots
@@ -345,7 +346,7 @@ def _bottom(
 ) -> None:
     """Note the least distance in cells in which its rate rises throughout."""
     # Here, since a picture that needs a `Kind` need not have SciPy.
-    from scipy.optimize import elementwise
+    elementwise = need("scipy.optimize.elementwise", "this measure")
 
     begin, end = t - half, t + half
     falls, rises = note(rows, begin) < 0.0, note(rows, end) > 0.0

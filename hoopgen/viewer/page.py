@@ -7,6 +7,7 @@ import hashlib
 import html
 import inspect
 import json
+import os
 import re
 from collections.abc import Mapping, Sequence
 from functools import cache
@@ -25,6 +26,8 @@ from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.study.measures import Kind, kinds
 
+from .shown import Page
+
 __all__ = ["MOST", "page", "view"]
 
 MOST = 2000
@@ -36,26 +39,27 @@ _SLOT = re.compile(r"\{\{(\w+)\}\}")
 
 def view(
     shots: Shots,
-    parameters: Mapping[str, Any],
-    path: str | Path,
+    parameters: Mapping[str, Any] | None = None,
+    path: str | os.PathLike[str] | None = None,
     *,
     title: str = "",
     about: str = "",
     labels: Sequence[str] | None = None,
-) -> Path:
-    """Write a page on which shots are seen in motion.
+) -> Page:
+    """Write a page on which shots are seen in motion; in a notebook, show it.
 
-    It is one file of about 0.7 MB, needs no network, and opens in any browser with WebGL.
-    Invalid shots are left out; `about` may say so.
+    It is one file of about 0.7 MB, needs no network, and opens in any browser with WebGL. A
+    notebook that shows it becomes larger by as much. Invalid shots are left out; `about` may say
+    so.
 
     Parameters
     ----------
     shots
         Of `hoopgen.simulate` with ``record=True``, all fields; `MOST` at most.
     parameters
-        Of the scene, as they were simulated with: one number each or (n,).
+        Of the scene, one number each or (n,); by default those they were simulated with.
     path
-        Where to; ends in .html.
+        Where to; ends in .html. Without, no file is written.
     title
         At the top; by default the outcome, or the number of shots.
     about
@@ -65,8 +69,9 @@ def view(
 
     Returns
     -------
-    Path
-        The file written; the same shots give the same bytes.
+    Page
+        It stands for the file written, its ``path``, wherever a path does; the same shots give the
+        same bytes.
 
     Raises
     ------
@@ -76,12 +81,14 @@ def view(
     AttributeError
         If the shots were simulated without ``record=True``.
     """
-    target = Path(path)
-    if target.suffix.lower() not in (".html", ".htm"):
+    target = None if path is None else Path(path)
+    if target is not None and target.suffix.lower() not in (".html", ".htm"):
         raise ValueError(f"path: a page's name ends in .html, got {brief(target.name)}")
-    text = page(shots, parameters, title=title, about=about, labels=labels)
-    target.write_text(text, encoding="utf-8", newline="\n")
-    return target
+    scene = shots.parameters if parameters is None else parameters
+    text = page(shots, scene, title=title, about=about, labels=labels)
+    if target is not None:
+        target.write_text(text, encoding="utf-8", newline="\n")
+    return Page(target, text)
 
 
 def page(
