@@ -243,7 +243,7 @@ class Approach(ABC):
         """Return the outputs of the kernel that opens the search of a flight."""
         outputs = dict(self.constants)
         for k, (low, high) in enumerate(self.windows):
-            outputs |= {f"low{k}": low, f"high{k}": high}
+            outputs |= {f"low{k}": largest(0, low), f"high{k}": smallest(horizon, high)}
         latest = hold(smallest(horizon, largest(0, *(high for _, high in self.windows))))
         outputs |= {"ceiling": self.ceiling.subs(horizon, latest), "latest": latest}
         return outputs | {"lost": self.lost}

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from .choice import Condition, Truth
+
 
 @dataclass(frozen=True)
 class Kernel:
@@ -37,6 +39,11 @@ class Kernel:
         unbound = sorted(map(str, free - set(self.arguments)))
         if unbound:
             raise ValueError(f"kernel {self.name}: not among its arguments: {', '.join(unbound)}")
+
+    @property
+    def truths(self) -> tuple[bool, ...]:
+        """Whether each output holds or does not, instead of having a value."""
+        return tuple(isinstance(e, Condition | Truth) for e in self.expressions)
 
     @property
     def expressions(self) -> tuple[sp.Expr, ...]:

@@ -7,9 +7,12 @@ from dataclasses import dataclass
 import sympy as sp
 
 from . import aiming, events, measures, sensitivity
-from .choice import IfAtMost, IfLess, hold, largest, size
+from .choice import AtMost, Choose, Either, IfAtMost, IfLess, Less, Not, Nowhere, every, hold, largest, size
 from .events import approach, crossing, deflated_coefficients, event_coefficients
 from .flight import flight
+from .follow import decisions, fields
+from .follow.fields import Field, Result, results
+from .follow.loop import Contact, Loop, event_loop
 from .frame import contact_frame
 from .impact import impact, impact_through_frame
 from .kernel import Kernel, kernel
@@ -64,6 +67,8 @@ class Model:
     surfaces: tuple[SurfaceKernels, ...]
     finish: SurfaceKernels
     study: tuple[Kernel, ...]
+    loop: Loop
+    results: tuple[Result, ...]
 
     @property
     def kernels(self) -> tuple[Kernel, ...]:
@@ -160,6 +165,12 @@ def _allowed(scene: Scene) -> dict[str, sp.Expr]:
         if parameter.upper is not None:
             verdict = IfAtMost(value, parameter.upper, verdict, 0)
     return {"allowed": verdict}
+
+
+def _finite(scene: Scene) -> dict[str, sp.Expr]:
+    """Return where every parameter is finite, and all are allowed."""
+    finite = (Less(size(_plain(p.symbol)), sp.oo) for p in scene.parameters)
+    return {"permitted": every(Less(0, decisions.allowed), *finite)}
 
 
 def _largest_input(scene: Scene) -> sp.Expr:
@@ -281,6 +292,13 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
             "the scene's requirements",
         ),
         kernel(
+            "finite_parameters",
+            _finite(scene),
+            (*plain_order, decisions.allowed),
+            "Where the parameters are finite and allowed.",
+            "IEEE 754",
+        ),
+        kernel(
             "valid",
             _valid(scene),
             plain_order,
@@ -295,6 +313,39 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
             "Table 2, success",
         ),
     ]
+
+
+def _edges(count: int) -> dict[str, tuple[dict[str, sp.Basic], str]]:
+    """Return whether a contact lies within its bounds, and whether that is in doubt."""
+    bounds = sp.symbols(f"g:{count}", real=True)
+    slack, clearance = decisions.slack, decisions.clearance
+    surely = every(*(Less(g, -slack) for g in bounds), Less(0, clearance))
+    within = every(*(AtMost(g, 0) for g in bounds))
+    near = every(*(AtMost(g, slack) for g in bounds))
+    return {
+        "within": ({"arrives": within}, "Where a contact counts (Eq. 2)."),
+        "edges": (
+            {"unsure": every(near, Not(surely))},
+            "Where that, or the crossing, lies within its error.",
+        ),
+    }
+
+
+def _enter(count: int) -> dict[str, sp.Basic]:
+    """Return the first window, of those that a search has, that begins no earlier than `after`."""
+    after = sp.Symbol("after", real=True)
+    start, stop = decisions.t, decisions.end
+    found: sp.Basic = Nowhere()
+    for low, high in reversed(list(zip(*_windows(count), strict=True))):
+        opens = every(Less(low, high), AtMost(after, low))
+        start, stop = Choose(opens, low, start), Choose(opens, high, stop)
+        found = Either(found, opens)
+    return {"t": start, "end": stop, "searching": found}
+
+
+def _windows(count: int) -> tuple[tuple[sp.Symbol, ...], tuple[sp.Symbol, ...]]:
+    lows, highs = (sp.symbols(f"{name}:{count}", real=True) for name in ("low", "high"))
+    return lows, highs
 
 
 def _surface_kernels(
@@ -337,6 +388,9 @@ def _surface_kernels(
             "The g of Eq. 2: a contact counts where none is positive.",
             "Eq. 2, Table 2",
         )
+        for part, outputs in _edges(len(surface.bounds)).items():
+            found = decisions.decided(f"{name}_{part}", outputs[0], outputs[1])
+            made[part] = found
     windows = 0
     constants: tuple[str, ...] = ()
     if isinstance(surface, Plane):
@@ -378,6 +432,11 @@ def _surface_kernels(
             search.prepare(),
             "Constants and windows of the search along a flight, and the errors it allows for.",
             "bounds of the event condition",
+        )
+        made["enter"] = decisions.decided(
+            f"{name}_enter",
+            _enter(len(search.windows)),
+            "The start and end of the first window that begins no earlier than a time, if any.",
         )
         add(
             "margins",
@@ -478,10 +537,14 @@ def build(scene: Scene) -> Model:
     """Return all kernels of a scene."""
     order = _order(scene)
     _check_names(scene, order)
-    return Model(
-        scene,
-        {k.name: k for k in _common(scene, order)},
-        tuple(_surface_kernels(surface, scene, order) for surface in scene.surfaces),
-        _surface_kernels(scene.finish, scene, order),
-        tuple(_study(scene, order)),
-    )
+    common = {k.name: k for k in _common(scene, order)} | decisions.KERNELS
+    surfaces = tuple(_surface_kernels(surface, scene, order) for surface in scene.surfaces)
+    finish = _surface_kernels(scene.finish, scene, order)
+    names = [surface.name for surface in scene.surfaces]
+    contacts = [
+        Contact(index, made.kernels, made.window_count)
+        for index, made in enumerate((*surfaces, finish))
+    ]
+    loop = event_loop(common, contacts, fields.fields(names), [s.name for s in scene.symbols])
+    study = tuple(_study(scene, order))
+    return Model(scene, common, surfaces, finish, study, loop, results(names))

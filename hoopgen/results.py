@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import IntEnum
 from typing import Any
 
 import numpy as np
@@ -11,23 +10,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.generated.numpy import hoop
 
+Outcome = hoop.Outcome
+
 SURFACES = tuple(name for name, _, _ in hoop.SURFACES[:-1])
 """Surfaces, in the order of ``Shots.counts``; the event log numbers the end plane after them."""
-
-
-class Outcome(IntEnum):
-    """How a shot ended."""
-
-    MADE = 0
-    """Crossed the end plane downwards inside the ring."""
-    MISSED = 1
-    """Crossed it outside."""
-    CAPPED = 2
-    """Had max_contacts contacts before it."""
-    SHORT = 3
-    """Can never cross it downwards."""
-    INVALID = 4
-    """Not finite, a parameter not allowed, or a ball that starts inside a surface."""
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,19 @@ from sympy.core.sorting import default_sort_key
 from sympy.printing.latex import LatexPrinter
 
 from hoopgen.derive import events, rounding
-from hoopgen.derive.choice import Held, IfAtMost, IfLess, hold, hold_all, release
+from hoopgen.derive.choice import (
+    Both,
+    Choose,
+    Condition,
+    Either,
+    Held,
+    IfAtMost,
+    IfLess,
+    Truth,
+    hold,
+    hold_all,
+    release,
+)
 from hoopgen.derive.events import Approach, approach, event_coefficients
 from hoopgen.derive.flight import flight, flight_polynomials
 from hoopgen.derive.frame import frame_from_axis
@@ -179,10 +191,47 @@ class _Printer(LatexPrinter):  # type: ignore[misc]
 
     _print_IfLess = _print_choice
     _print_IfAtMost = _print_choice
+    _print_Choose = _print_choice
 
     def _print_condition(self, choice: sp.Expr) -> str:
-        sign = "<" if isinstance(choice, IfLess) else r"\le"
-        return f"{self._print(choice.args[0])} {sign} {self._print(choice.args[1])}"
+        if isinstance(choice, Condition | Truth):
+            return self._print(choice)
+        return self._compared(choice, "<" if isinstance(choice, IfLess) else r"\le")
+
+    def _compared(self, condition: sp.Expr, sign: str) -> str:
+        return f"{self._print(condition.args[0])} {sign} {self._print(condition.args[1])}"
+
+    def _print_Less(self, condition: sp.Expr) -> str:
+        return self._compared(condition, "<")
+
+    def _print_AtMost(self, condition: sp.Expr) -> str:
+        return self._compared(condition, r"\le")
+
+    def _print_Equal(self, condition: sp.Expr) -> str:
+        return self._compared(condition, "=")
+
+    def _print_Both(self, condition: sp.Expr) -> str:
+        return self._joined(condition, r"\wedge")
+
+    def _print_Either(self, condition: sp.Expr) -> str:
+        return self._joined(condition, r"\vee")
+
+    def _joined(self, condition: sp.Expr, sign: str) -> str:
+        """Return two conditions, joined; what is joined otherwise stands in brackets."""
+        other = {Both: Either, Either: Both}[type(condition)]
+        parts = [
+            rf"\left({self._print(c)}\right)" if isinstance(c, other) else self._print(c)
+            for c in condition.args
+        ]
+        return f" {sign} ".join(parts)
+
+    def _print_Not(self, condition: sp.Expr) -> str:
+        (inner,) = condition.args
+        text = self._print(inner)
+        return rf"\neg {text}" if isinstance(inner, Truth) else rf"\neg \left({text}\right)"
+
+    def _print_Nowhere(self, _: sp.Expr) -> str:
+        return r"\text{never}"
 
 
 def _degree(term: sp.Expr) -> int:
@@ -215,6 +264,9 @@ def _cases(choice: sp.Expr) -> list[tuple[sp.Expr, list[sp.Expr]]]:
         if isinstance(expression, IfLess | IfAtMost) and _extreme(expression) is None:
             visit(expression.args[2], [*conditions, expression])
             visit(expression.args[3], conditions)
+        elif isinstance(expression, Choose):
+            visit(expression.args[1], [*conditions, expression.args[0]])
+            visit(expression.args[2], conditions)
         else:
             rows.append((expression, conditions))
 
@@ -327,7 +379,7 @@ class _Explanation:
         for symbol, known in self.where:
             if known == content:
                 return symbol
-        cases = isinstance(content, IfLess | IfAtMost) and _extreme(content) is None
+        cases = isinstance(content, IfLess | IfAtMost | Choose) and _extreme(content) is None
         length = len(self.print(content))
         if isinstance(quantity, Held):
             worth = cases or (not content.is_Atom and (repeated or length > HELD))

@@ -9,16 +9,20 @@ from dataclasses import dataclass
 from importlib import resources
 from importlib.metadata import version
 from pathlib import Path, PurePosixPath
+from typing import Any
 
 import jinja2
 
-from hoopgen.derive.events import SHARES
+from hoopgen.derive.choice import Truth
 from hoopgen.derive.kernel import Kernel
 from hoopgen.derive.model import Model, SurfaceKernels, build
 from hoopgen.derive.scene import Scene
 from hoopgen.derive.scenes import SCENES
+from hoopgen.derive.symbols import STATE
+from hoopgen.derive.follow.fields import MEANINGS, Result
 
 from .derivation import derivation_context
+from .loop import loop_view, weighted
 from .printers import JS, NUMPY, Body, C, print_program
 from .program import Program, lower
 
@@ -36,9 +40,6 @@ OUTPUTS = {
 KEPT = ("__init__.py", "numpy/__init__.py")
 """Files of generated/ that are not generated."""
 
-STEP_LIMIT = 200
-"""Steps after which a search gives up and the shot is uncertain; a search takes about five."""
-
 COST_WORDS = {
     "add": "additions",
     "sub": "subtractions",
@@ -49,6 +50,10 @@ COST_WORDS = {
     "abs": "absolute values",
     "less": "comparisons",
     "at_most": "comparisons",
+    "equal": "comparisons",
+    "both": "conjunctions",
+    "either": "disjunctions",
+    "not": "complements",
     "select": "selections",
 }
 
@@ -66,6 +71,26 @@ class KernelView:
     numpy: Body
     c: Body
     js: Body
+    c_arguments: list[str]
+    c_outputs: list[tuple[str, str]]
+
+
+C_TYPES = {"uint8": "uint8_t", "int8": "int8_t", "int32": "int32_t", "bool": "uint8_t"}
+
+
+@dataclass(frozen=True)
+class ResultView:
+    """What a template sees of a result."""
+
+    result: Result
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.result, name)
+
+    @property
+    def c_type(self) -> str:
+        """Its type in C."""
+        return C_TYPES.get(self.result.dtype, "double")
 
 
 @dataclass(frozen=True)
@@ -109,6 +134,8 @@ def _kernel_view(program: Program) -> KernelView:
         print_program(program, NUMPY),
         print_program(program, C),
         print_program(program, JS),
+        [f"{'M' if isinstance(a, Truth) else 'V'} {a.name}" for a in kernel.arguments],
+        [("M" if t else "V", n) for n, t in zip(kernel.output_names, kernel.truths, strict=True)],
     )
 
 
@@ -124,16 +151,6 @@ def derivation_hash(programs: list[Program]) -> str:
         repr((p.kernel.name, p.kernel.output_names, p.operations, p.outputs)) for p in programs
     ]
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]
-
-
-def _caller(views: dict[str, KernelView], scene: str) -> Callable[..., str]:
-    """Return the template function that writes a call: arguments by name, some renamed."""
-
-    def call(name: str, **renamed: str) -> str:
-        arguments = [renamed.pop(a, a) for a in views[name].arguments]
-        return f"LANES({scene}_{name})({', '.join(arguments)})"
-
-    return call
 
 
 def _environment() -> jinja2.Environment:
@@ -172,6 +189,11 @@ def render_scene(scene: Scene) -> dict[str, str]:
     views = {p.kernel.name: _kernel_view(p) for p in programs}
     surfaces = [_surface_view(i, s) for i, s in enumerate((*model.surfaces, model.finish))]
     derivation = derivation_hash(programs)
+    costs = {p.kernel.name: weighted(p.cost) for p in programs}
+    loops = [
+        loop_view(scene.name, costs, model.loop.plain(), bounds=False),
+        loop_view(scene.name, costs, model.loop, bounds=True),
+    ]
     environment = _environment()
     context = {
         "scene": scene,
@@ -180,9 +202,10 @@ def render_scene(scene: Scene) -> dict[str, str]:
         "surfaces": surfaces[:-1],
         "finish": surfaces[-1],
         "all_surfaces": surfaces,
-        "step_limit": STEP_LIMIT,
-        "shares": [float(share) for share in SHARES],
-        "call": _caller(views, scene.name),
+        "state": tuple(symbol.name for symbol in STATE),
+        "loops": loops,
+        "outcomes": MEANINGS,
+        "results": [ResultView(r) for r in model.results],
         "derivation": derivation_context(model),
     }
     files = {}

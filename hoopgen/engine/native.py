@@ -12,28 +12,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .raw import Raw
+from hoopgen.generated.numpy.hoop import RESULTS
+
+from .raw import LOG, Raw
 
 WIDTHS = (1, 2, 4, 8)
 """Vector widths that the source can be built for; which there are depends on the processor."""
 
-_RESULT_FIELDS = (
-    "outcome",
-    "contacts",
-    "counts",
-    "first",
-    "time",
-    "state",
-    "time_error",
-    "state_error",
-    "uncertain",
-    "events",
-    "event_counts",
-)
+_ARRAYS = (*(result.name for result in RESULTS), *LOG)
+"""Pointers of the C struct, in order."""
 
 
 class _Results(ctypes.Structure):
-    _fields_ = [(name, ctypes.c_void_p) for name in _RESULT_FIELDS]
+    _fields_ = [(name, ctypes.c_void_p) for name in _ARRAYS]
 
 
 class Library:
@@ -109,7 +100,7 @@ class Library:
             )
         )
         strides = (ctypes.c_int64 * count)(*(not isinstance(p, float) for p in parameters))
-        results = _Results(*(_address(getattr(out, name)) for name in _RESULT_FIELDS))
+        results = _Results(*(_address(getattr(out, name)) for name in _ARRAYS))
         used = self._simulate(
             len(states),
             _address(states),
