@@ -15,7 +15,7 @@ from ..kernel import Kernel
 from ..symbols import SPIN, VELOCITY
 from .decisions import KERNELS
 from .fields import CLAIMS, Field
-from .tree import Do, Guard, Node, Repeat, check, needed, reads, without
+from .tree import Do, Guard, Node, Repeat, check, needed, reads, walk, without
 
 STEP_LIMIT = 201
 """Steps after which a search gives up and the shot is uncertain; a search takes about five."""
@@ -64,6 +64,12 @@ class Loop:
         known = {*self.job, *self.parameters, *(field.name for field in self.fields)}
         for nodes in self.stages.values():
             known = check(nodes, known)
+
+    @property
+    def called(self) -> frozenset[str]:
+        """The names of the kernels that it evaluates."""
+        nodes = (node for stage in self.stages.values() for node in walk(stage))
+        return frozenset(node.kernel.name for node in nodes if isinstance(node, Do))
 
     def plain(self) -> Loop:
         """Return the loop without all that only bounds errors: the same path."""

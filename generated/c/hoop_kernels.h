@@ -26,78 +26,6 @@ LANES(hoop_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V gravity)
     return (LANES(hoop_flight_out)){ x + (t * vx), y + (t * vy), z + (t * (vz - ((K(0.5) * gravity) * t))), vx, vy, vz - (gravity * t) };
 }
 
-/* The contact frame R = [n1 n2 n3] of a unit normal.
-   Eqs. 7-10, Eq. 7 with the smallest component. 72 operations: 6 additions, 3 subtractions, 18 multiplications, 12 divisions, 3 square roots, 9 negations, 3 comparisons, 18 selections. */
-typedef struct {
-    V n11;
-    V n12;
-    V n13;
-    V n21;
-    V n22;
-    V n23;
-    V n31;
-    V n32;
-    V n33;
-} LANES(hoop_contact_frame_out);
-
-LANES_INLINE LANES(hoop_contact_frame_out)
-LANES(hoop_contact_frame)(V nx, V ny, V nz)
-{
-    const V s0 = nx * nx;
-    const V s1 = ny * ny;
-    const V s2 = nz * nz;
-    const V s3 = lanes_sqrt((K(1.0) - s0));
-    const V s4 = lanes_sqrt((K(1.0) - s1));
-    const V s5 = nx * ny;
-    const V s6 = lanes_sqrt((K(1.0) - s2));
-    const V s7 = nx * nz;
-    const M s8 = s1 <= s2;
-    const V s9 = lanes_select(s8, (-(s5 / s4)), (-(s7 / s6)));
-    const M s10 = s0 <= s2;
-    const M s11 = s0 <= s1;
-    const V s12 = lanes_select(s8, (-((nz * s4) + ((s1 * nz) / s4))), ((ny * s6) + ((ny * s2) / s6)));
-    const V s13 = ny * nz;
-    const V s14 = lanes_select(s8, s4, (-(s13 / s6)));
-    const V s15 = lanes_select(s8, K(0.0), (-((nx * s6) + ((nx * s2) / s6))));
-    const V s16 = lanes_select(s8, (-(s13 / s4)), s6);
-    const V s17 = lanes_select(s8, ((nx * s4) + ((nx * s1) / s4)), K(0.0));
-    const V s18 = lanes_select(s11, lanes_select(s10, (-((ny * s3) + ((s0 * ny) / s3))), s17), s17);
-    return (LANES(hoop_contact_frame_out)){ lanes_select(s11, lanes_select(s10, s3, s9), s9), lanes_select(s11, lanes_select(s10, K(0.0), s12), s12), nx, lanes_select(s11, lanes_select(s10, (-(s5 / s3)), s14), s14), lanes_select(s11, lanes_select(s10, ((nz * s3) + ((s0 * nz) / s3)), s15), s15), ny, lanes_select(s11, lanes_select(s10, (-(s7 / s3)), s16), s16), s18, nz };
-}
-
-/* Velocity and spin after a contact, through the contact frame.
-   Eqs. 11-17 by the closed-form inverse. 96 operations: 21 additions, 11 subtractions, 57 multiplications, 6 divisions, 1 negation. */
-typedef struct {
-    V vx;
-    V vy;
-    V vz;
-    V wx;
-    V wy;
-    V wz;
-} LANES(hoop_impact_through_frame_out);
-
-LANES_INLINE LANES(hoop_impact_through_frame_out)
-LANES(hoop_impact_through_frame)(V vx, V vy, V vz, V wx, V wy, V wz, V n11, V n12, V n13, V n21, V n22, V n23, V n31, V n32, V n33, V ball_radius, V restitution)
-{
-    const V s0 = ((n12 * wx) + (n22 * wy)) + (n32 * wz);
-    const V s1 = K(0.4) * ball_radius;
-    const V s2 = K(0.6) * n11;
-    const V s3 = K(0.6) * n21;
-    const V s4 = K(0.6) * n31;
-    const V s5 = (((s1 * s0) + (s2 * vx)) + (s3 * vy)) + (s4 * vz);
-    const V s6 = K(0.6) * n12;
-    const V s7 = K(0.6) * n22;
-    const V s8 = K(0.6) * n32;
-    const V s9 = ((n11 * wx) + (n21 * wy)) + (n31 * wz);
-    const V s10 = (((s6 * vx) + (s7 * vy)) + (s8 * vz)) - (s1 * s9);
-    const V s11 = ((n13 * vx) + (n23 * vy)) + (n33 * vz);
-    const V s12 = ((n13 * wx) + (n23 * wy)) + (n33 * wz);
-    const V s13 = K(0.6666666666666666) * ball_radius;
-    const V s14 = (((n12 * vx) + (n22 * vy)) + (n32 * vz)) - (s13 * s9);
-    const V s15 = -((((s13 * s0) + (n11 * vx)) + (n21 * vy)) + (n31 * vz));
-    return (LANES(hoop_impact_through_frame_out)){ ((n11 * s5) + (n12 * s10)) - ((n13 * restitution) * s11), ((n21 * s5) + (n22 * s10)) - ((n23 * restitution) * s11), ((n31 * s5) + (n32 * s10)) - ((n33 * restitution) * s11), ((n13 * s12) - ((s2 * s14) / ball_radius)) - ((s6 * s15) / ball_radius), ((n23 * s12) - ((s3 * s14) / ball_radius)) - ((s7 * s15) / ball_radius), ((n33 * s12) - ((s4 * s14) / ball_radius)) - ((s8 * s15) / ball_radius) };
-}
-
 /* Velocity and spin after a contact, frame-free.
    Eqs. 11-17, the frame eliminated. 63 operations: 10 additions, 12 subtractions, 40 multiplications, 1 division. */
 typedef struct {
@@ -981,73 +909,6 @@ LANES(hoop_closing)(V claims, V outcome)
     return (LANES(hoop_closing_out)){ (K(0.0) < claims) & (K(0.0) <= outcome) };
 }
 
-/* Coefficients in time of the event polynomial, constant first.
-   Eq. 3 in Table 2. 64 operations: 12 additions, 8 subtractions, 43 multiplications, 1 negation. */
-typedef struct {
-    V c0;
-    V c1;
-    V c2;
-    V c3;
-    V c4;
-    V c5;
-    V c6;
-    V c7;
-    V c8;
-} LANES(hoop_ring_coefficients_out);
-
-LANES_INLINE LANES(hoop_ring_coefficients_out)
-LANES(hoop_ring_coefficients)(V x, V y, V z, V vx, V vy, V vz, V ball_radius, V ring_radius, V wire_radius, V gravity)
-{
-    const V s0 = ring_radius * ring_radius;
-    const V s1 = x * x;
-    const V s2 = y * y;
-    const V s3 = ball_radius + wire_radius;
-    const V s4 = (((s0 + s1) + s2) + (z * z)) - (s3 * s3);
-    const V s5 = K(4.0) * s0;
-    const V s6 = ((K(2.0) * vx) * x) + ((K(2.0) * vy) * y);
-    const V s7 = s6 + ((K(2.0) * vz) * z);
-    const V s8 = K(2.0) * s7;
-    const V s9 = (vx * vx) + (vy * vy);
-    const V s10 = vz * vz;
-    const V s11 = (s9 + s10) - (gravity * z);
-    const V s12 = (K(2.0) * gravity) * vz;
-    const V s13 = gravity * gravity;
-    const V s14 = K(0.5) * s13;
-    return (LANES(hoop_ring_coefficients_out)){ (s4 * s4) - (s5 * (s1 + s2)), (s8 * s4) - (s5 * s6), (((K(2.0) * s11) * s4) + (s7 * s7)) - (s5 * s9), (s8 * s11) - (s12 * s4), ((s14 * s4) + (s11 * s11)) - (s12 * s7), (s14 * s7) - (s12 * s11), (s13 * s10) + (s14 * s11), -((K(0.5) * (gravity * s13)) * vz), K(0.0625) * (s13 * s13) };
-}
-
-/* Coefficients of the event polynomial over t, after a contact at t = 0.
-   Eq. 3 in Table 2, the exact root divided out. 60 operations: 11 additions, 7 subtractions, 41 multiplications, 1 negation. */
-typedef struct {
-    V c0;
-    V c1;
-    V c2;
-    V c3;
-    V c4;
-    V c5;
-    V c6;
-    V c7;
-} LANES(hoop_ring_deflated_out);
-
-LANES_INLINE LANES(hoop_ring_deflated_out)
-LANES(hoop_ring_deflated)(V x, V y, V z, V vx, V vy, V vz, V ball_radius, V ring_radius, V wire_radius, V gravity)
-{
-    const V s0 = ((K(2.0) * vx) * x) + ((K(2.0) * vy) * y);
-    const V s1 = s0 + ((K(2.0) * vz) * z);
-    const V s2 = ring_radius * ring_radius;
-    const V s3 = ball_radius + wire_radius;
-    const V s4 = (((s2 + (x * x)) + (y * y)) + (z * z)) - (s3 * s3);
-    const V s5 = K(2.0) * s1;
-    const V s6 = K(4.0) * s2;
-    const V s7 = (vx * vx) + (vy * vy);
-    const V s8 = vz * vz;
-    const V s9 = (s7 + s8) - (gravity * z);
-    const V s10 = (K(2.0) * gravity) * vz;
-    const V s11 = gravity * gravity;
-    const V s12 = K(0.5) * s11;
-    return (LANES(hoop_ring_deflated_out)){ (s5 * s4) - (s6 * s0), (((K(2.0) * s9) * s4) + (s1 * s1)) - (s6 * s7), (s5 * s9) - (s10 * s4), ((s12 * s4) + (s9 * s9)) - (s10 * s1), (s12 * s1) - (s10 * s9), (s11 * s8) + (s12 * s9), -((K(0.5) * (gravity * s11)) * vz), K(0.0625) * (s11 * s11) };
-}
-
 /* Outward unit normal n3 at a contact.
    Table 2. 13 operations: 2 additions, 1 subtraction, 7 multiplications, 2 divisions, 1 square root. */
 typedef struct {
@@ -1369,31 +1230,6 @@ LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceili
     return (LANES(hoop_ring_advance_out)){ s10, s15, (steady - s17) - s18, s41, t + s41, t - ((K(0.5) * s10) / s14), lanes_select((K(0.0) < s42), ((s42 * s42) - ((K(8.0) * ceiling) * (margin + (K(32.0) * s22)))), s42) };
 }
 
-/* Coefficients in time of the event polynomial, constant first.
-   Eq. 3 in Table 2. 2 operations: 2 subtractions. */
-typedef struct {
-    V c0;
-    V c1;
-} LANES(hoop_backboard_coefficients_out);
-
-LANES_INLINE LANES(hoop_backboard_coefficients_out)
-LANES(hoop_backboard_coefficients)(V x, V vx, V ball_radius, V board_distance)
-{
-    return (LANES(hoop_backboard_coefficients_out)){ x - (ball_radius - board_distance), vx };
-}
-
-/* Coefficients of the event polynomial over t, after a contact at t = 0.
-   Eq. 3 in Table 2, the exact root divided out. No operations. */
-typedef struct {
-    V c0;
-} LANES(hoop_backboard_deflated_out);
-
-LANES_INLINE LANES(hoop_backboard_deflated_out)
-LANES(hoop_backboard_deflated)(V vx)
-{
-    return (LANES(hoop_backboard_deflated_out)){ vx };
-}
-
 /* Outward unit normal n3 at a contact.
    Table 2. No operations. */
 typedef struct {
@@ -1503,33 +1339,6 @@ LANES_INLINE LANES(hoop_backboard_place_out)
 LANES(hoop_backboard_place)(V y, V z, V ball_radius, V board_distance)
 {
     return (LANES(hoop_backboard_place_out)){ ball_radius - board_distance, y, z };
-}
-
-/* Coefficients in time of the event polynomial, constant first.
-   Eq. 3 in Table 2. 4 operations: 1 addition, 1 subtraction, 1 multiplication, 1 negation. */
-typedef struct {
-    V c0;
-    V c1;
-    V c2;
-} LANES(hoop_bridge_coefficients_out);
-
-LANES_INLINE LANES(hoop_bridge_coefficients_out)
-LANES(hoop_bridge_coefficients)(V z, V vz, V ball_radius, V wire_radius, V gravity)
-{
-    return (LANES(hoop_bridge_coefficients_out)){ z - (ball_radius + wire_radius), vz, -(K(0.5) * gravity) };
-}
-
-/* Coefficients of the event polynomial over t, after a contact at t = 0.
-   Eq. 3 in Table 2, the exact root divided out. 2 operations: 1 multiplication, 1 negation. */
-typedef struct {
-    V c0;
-    V c1;
-} LANES(hoop_bridge_deflated_out);
-
-LANES_INLINE LANES(hoop_bridge_deflated_out)
-LANES(hoop_bridge_deflated)(V vz, V gravity)
-{
-    return (LANES(hoop_bridge_deflated_out)){ vz, -(K(0.5) * gravity) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1649,33 +1458,6 @@ LANES(hoop_bridge_place)(V x, V y, V ball_radius, V wire_radius)
     return (LANES(hoop_bridge_place_out)){ x, y, ball_radius + wire_radius };
 }
 
-/* Coefficients in time of the event polynomial, constant first.
-   Eq. 3 in Table 2. 4 operations: 1 subtraction, 1 multiplication, 2 negations. */
-typedef struct {
-    V c0;
-    V c1;
-    V c2;
-} LANES(hoop_end_coefficients_out);
-
-LANES_INLINE LANES(hoop_end_coefficients_out)
-LANES(hoop_end_coefficients)(V z, V vz, V gravity, V end_depth)
-{
-    return (LANES(hoop_end_coefficients_out)){ z - (-end_depth), vz, -(K(0.5) * gravity) };
-}
-
-/* Coefficients of the event polynomial over t, after a contact at t = 0.
-   Eq. 3 in Table 2, the exact root divided out. 2 operations: 1 multiplication, 1 negation. */
-typedef struct {
-    V c0;
-    V c1;
-} LANES(hoop_end_deflated_out);
-
-LANES_INLINE LANES(hoop_end_deflated_out)
-LANES(hoop_end_deflated)(V vz, V gravity)
-{
-    return (LANES(hoop_end_deflated_out)){ vz, -(K(0.5) * gravity) };
-}
-
 /* Outward unit normal n3 at a contact.
    Table 2. No operations. */
 typedef struct {
@@ -1688,18 +1470,6 @@ LANES_INLINE LANES(hoop_end_normal_out)
 LANES(hoop_end_normal)(void)
 {
     return (LANES(hoop_end_normal_out)){ K(0.0), K(0.0), K(1.0) };
-}
-
-/* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. No operations. */
-typedef struct {
-    V curvature;
-} LANES(hoop_end_curvature_out);
-
-LANES_INLINE LANES(hoop_end_curvature_out)
-LANES(hoop_end_curvature)(void)
-{
-    return (LANES(hoop_end_curvature_out)){ K(0.0) };
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
@@ -1734,200 +1504,5 @@ LANES(hoop_end_margin)(V horizon, V extent, V speed, V position_error, V velocit
 {
     const V s0 = extent + (horizon * (speed + (gravity * horizon)));
     return (LANES(hoop_end_margin_out)){ ((K(6.667843360785852e-16) * end_depth) + (K(2.222614453595284e-16) * s0)) + (K(2.001953125) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s0))) };
-}
-
-/* The point of the contact plane nearest to a position.
-   Table 2. 1 operation: 1 negation. */
-typedef struct {
-    V x;
-    V y;
-    V z;
-} LANES(hoop_end_place_out);
-
-LANES_INLINE LANES(hoop_end_place_out)
-LANES(hoop_end_place)(V x, V y, V end_depth)
-{
-    return (LANES(hoop_end_place_out)){ x, y, -end_depth };
-}
-
-/* Speed of the flight that goes through a point with a slope of release.
-   Eq. 3 without its time, solved for the speed. 9 operations: 1 addition, 1 subtraction, 5 multiplications, 1 division, 1 square root. */
-typedef struct {
-    V speed;
-} LANES(hoop_aimed_speed_out);
-
-LANES_INLINE LANES(hoop_aimed_speed_out)
-LANES(hoop_aimed_speed)(V slope, V reach, V rise, V gravity)
-{
-    const V s0 = reach * lanes_sqrt((((K(0.5) * gravity) * (K(1.0) + (slope * slope))) / ((reach * slope) - rise)));
-    return (LANES(hoop_aimed_speed_out)){ s0 };
-}
-
-/* Slope at a point, positive downwards, of the flight with a slope of release.
-   derivative of Eq. 3 without its time. 3 operations: 1 subtraction, 1 multiplication, 1 division. */
-typedef struct {
-    V entry;
-} LANES(hoop_entry_slope_out);
-
-LANES_INLINE LANES(hoop_entry_slope_out)
-LANES(hoop_entry_slope)(V slope, V reach, V rise)
-{
-    return (LANES(hoop_entry_slope_out)){ slope - ((K(2.0) * rise) / reach) };
-}
-
-/* Slope of release of the flight that has a slope at a point, positive downwards.
-   derivative of Eq. 3 without its time, solved for the release. 3 operations: 1 addition, 1 multiplication, 1 division. */
-typedef struct {
-    V slope;
-} LANES(hoop_slope_of_entry_out);
-
-LANES_INLINE LANES(hoop_slope_of_entry_out)
-LANES(hoop_slope_of_entry)(V entry, V reach, V rise)
-{
-    return (LANES(hoop_slope_of_entry_out)){ entry + ((K(2.0) * rise) / reach) };
-}
-
-/* Slope and speed of the slowest release through a point.
-   Eq. 3 without its time, least speed: at 45° + atan(rise/reach)/2, v² = g (rise + distance). 14 operations: 2 additions, 1 subtraction, 3 multiplications, 3 divisions, 2 square roots, 1 comparison, 2 selections. */
-typedef struct {
-    V slope;
-    V speed;
-} LANES(hoop_least_speed_out);
-
-LANES_INLINE LANES(hoop_least_speed_out)
-LANES(hoop_least_speed)(V reach, V rise, V gravity)
-{
-    const V s0 = reach * reach;
-    const V s1 = lanes_sqrt((s0 + (rise * rise)));
-    const V s2 = s1 - rise;
-    const V s3 = rise + s1;
-    const M s4 = rise < K(0.0);
-    return (LANES(hoop_least_speed_out)){ lanes_select(s4, (reach / s2), (s3 / reach)), lanes_sqrt((gravity * lanes_select(s4, (s0 / s2), s3))) };
-}
-
-/* The low and the high slope of release through a point at a speed.
-   Eq. 3 without its time, solved for the slope. 25 operations: 5 additions, 2 subtractions, 11 multiplications, 3 divisions, 2 square roots, 1 comparison, 1 selection. */
-typedef struct {
-    V low;
-    V high;
-} LANES(hoop_slopes_of_speed_out);
-
-LANES_INLINE LANES(hoop_slopes_of_speed_out)
-LANES(hoop_slopes_of_speed)(V release_speed, V reach, V rise, V gravity)
-{
-    const V s0 = release_speed * release_speed;
-    const V s1 = reach * reach;
-    const V s2 = lanes_sqrt((s1 + (rise * rise)));
-    const V s3 = s2 - rise;
-    const V s4 = lanes_sqrt((((gravity * s3) + s0) * (s0 - (gravity * lanes_select((rise < K(0.0)), (s1 / s3), (rise + s2))))));
-    const V s5 = s0 + s4;
-    const V s6 = gravity * reach;
-    return (LANES(hoop_slopes_of_speed_out)){ ((reach * s6) + ((K(2.0) * rise) * s0)) / (reach * s5), s5 / s6 };
-}
-
-/* When the centre comes down to a height, and its upward velocity then.
-   Eq. 3, solved. 14 operations: 2 additions, 2 subtractions, 4 multiplications, 1 division, 1 square root, 1 negation, 1 comparison, 2 selections. */
-typedef struct {
-    V time;
-    V vz;
-} LANES(hoop_descent_out);
-
-LANES_INLINE LANES(hoop_descent_out)
-LANES(hoop_descent)(V z, V vz, V level, V gravity)
-{
-    const V s0 = z - level;
-    const V s1 = lanes_sqrt(((vz * vz) + ((K(2.0) * gravity) * s0)));
-    const M s2 = vz < K(0.0);
-    return (LANES(hoop_descent_out)){ lanes_select(s2, (K(2.0) * s0), (vz + s1)) / lanes_select(s2, (s1 - vz), gravity), -s1 };
-}
-
-/* When the centre is highest, and its height then.
-   Eq. 3, its derivative zero. 8 operations: 1 addition, 2 multiplications, 2 divisions, 1 comparison, 2 selections. */
-typedef struct {
-    V time;
-    V height;
-} LANES(hoop_apex_out);
-
-LANES_INLINE LANES(hoop_apex_out)
-LANES(hoop_apex)(V z, V vz, V gravity)
-{
-    const M s0 = K(0.0) < vz;
-    return (LANES(hoop_apex_out)){ lanes_select(s0, (vz / gravity), K(0.0)), lanes_select(s0, (z + ((K(0.5) * (vz * vz)) / gravity)), z) };
-}
-
-/* How far a point is past the ring's centre and to the left, seen from a place.
-   components along and across the line of sight. 13 operations: 2 additions, 1 subtraction, 6 multiplications, 2 divisions, 1 square root, 1 negation. */
-typedef struct {
-    V past;
-    V left;
-} LANES(hoop_sighted_out);
-
-LANES_INLINE LANES(hoop_sighted_out)
-LANES(hoop_sighted)(V x, V y, V place_x, V place_y)
-{
-    const V s0 = lanes_sqrt(((place_x * place_x) + (place_y * place_y)));
-    return (LANES(hoop_sighted_out)){ -(((place_x * x) + (place_y * y)) / s0), ((place_y * x) - (place_x * y)) / s0 };
-}
-
-/* Distance of ball and wire at time t, and what bounds it within half a width of t.
-   Eq. 3 in Table 2, Taylor's theorem. 153 operations: 35 additions, 15 subtractions, 58 multiplications, 4 divisions, 6 square roots, 2 negations, 7 absolute values, 13 comparisons, 13 selections. */
-typedef struct {
-    V gap;
-    V rate;
-    V lower;
-    V concavity;
-    V resolution;
-} LANES(hoop_ring_nearness_out);
-
-LANES_INLINE LANES(hoop_ring_nearness_out)
-LANES(hoop_ring_nearness)(V t, V x, V y, V z, V vx, V vy, V vz, V half, V ball_radius, V ring_radius, V wire_radius, V gravity)
-{
-    const V s0 = x + (t * vx);
-    const V s1 = y + (t * vy);
-    const V s2 = lanes_sqrt(((s0 * s0) + (s1 * s1)));
-    const V s3 = s2 - ring_radius;
-    const V s4 = K(0.5) * gravity;
-    const V s5 = z + (t * (vz - (s4 * t)));
-    const V s6 = (s3 * s3) + (s5 * s5);
-    const V s7 = ball_radius + wire_radius;
-    const V s8 = K(2.0) * (((((vx * s0) + (vy * s1)) / s2) * s3) + ((vz - (gravity * t)) * s5));
-    const V s9 = t - half;
-    const V s10 = (vx * vx) + (vy * vy);
-    const V s11 = -(((vx * x) + (vy * y)) / s10);
-    const V s12 = half + t;
-    const V s13 = lanes_select((s11 < s12), s11, s12);
-    const V s14 = lanes_select((s9 < s13), s13, s9);
-    const V s15 = x + (vx * s14);
-    const V s16 = y + (vy * s14);
-    const V s17 = lanes_sqrt(((s15 * s15) + (s16 * s16)));
-    const V s18 = s17 - ring_radius;
-    const V s19 = lanes_select((K(0.0) < s18), s18, K(0.0));
-    const V s20 = x + (vx * s9);
-    const V s21 = y + (vy * s9);
-    const V s22 = lanes_sqrt(((s20 * s20) + (s21 * s21)));
-    const V s23 = x + (vx * s12);
-    const V s24 = y + (vy * s12);
-    const V s25 = lanes_sqrt(((s23 * s23) + (s24 * s24)));
-    const V s26 = ring_radius - lanes_select((s22 < s25), s25, s22);
-    const V s27 = lanes_select((s19 < s26), s26, s19);
-    const V s28 = z + ((vz - (s4 * s12)) * s12);
-    const V s29 = z + ((vz - (s4 * s9)) * s9);
-    const V s30 = lanes_select((s28 < s29), s28, s29);
-    const V s31 = lanes_select((K(0.0) < s30), s30, K(0.0));
-    const V s32 = vz / gravity;
-    const V s33 = lanes_select((s32 < s12), s32, s12);
-    const V s34 = lanes_select((s9 < s33), s33, s9);
-    const V s35 = z + ((vz - (s4 * s34)) * s34);
-    const V s36 = -s35;
-    const V s37 = lanes_select((s31 < s36), s36, s31);
-    const V s38 = (s27 * s27) + (s37 * s37);
-    const V s39 = (s12 * ((((gravity * s12) + lanes_abs(vx)) + lanes_abs(vy)) + lanes_abs(vz))) + lanes_abs(x);
-    const V s40 = K(7.105427357601002e-15) * (ring_radius + ((s39 + lanes_abs(y)) + lanes_abs(z)));
-    const V s41 = s17 - s40;
-    const V s42 = (vy * x) - (vx * y);
-    const V s43 = (((K(2.0) * ring_radius) * (s42 * s42)) / (s41 * (s41 * s41))) + (((K(6.0) * gravity) * s35) - (K(2.0) * (((K(2.0) * gravity) * z) + ((vz * vz) + s10))));
-    const V s44 = lanes_select((K(0.0) < s41), s43, K(INFINITY));
-    const V s45 = s6 - (half * (((K(0.5) * half) * lanes_select((K(0.0) < s44), s44, K(0.0))) + lanes_abs(s8)));
-    return (LANES(hoop_ring_nearness_out)){ lanes_sqrt(s6) - s7, s8, lanes_sqrt(lanes_select((s38 < s45), s45, s38)) - s7, s44, s40 };
 }
 

@@ -205,6 +205,7 @@ def render_scene(scene: Scene) -> dict[str, str]:
         "state": tuple(symbol.name for symbol in STATE),
         "loops": loops,
         "outcomes": MEANINGS,
+        "called": model.loop.called,
         "results": [ResultView(r) for r in model.results],
         "derivation": derivation_context(model),
     }
