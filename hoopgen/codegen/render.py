@@ -195,24 +195,26 @@ def render_scene(scene: Scene) -> dict[str, str]:
         loop_view(scene.name, costs, model.loop, bounds=True),
     ]
     environment = _environment()
-    context = {
+    context: dict[str, Any] = {
         "scene": scene,
         "parameters": [p.symbol.name for p in scene.parameters],
         "kernels": list(views.values()),
         "surfaces": surfaces[:-1],
-        "finish": surfaces[-1],
         "all_surfaces": surfaces,
         "state": tuple(symbol.name for symbol in STATE),
         "loops": loops,
         "outcomes": MEANINGS,
-        "called": model.loop.called,
         "results": [ResultView(r) for r in model.results],
         "derivation": derivation_context(model),
     }
     files = {}
+    # The library in C is for its engine; the others are read, tested and called by studies.
+    called = [view for view in views.values() if view.name in model.loop.called]
     for template, target in OUTPUTS.items():
-        stamp = _stamp(template, scene.name, derivation)
-        text = environment.get_template(template).render(context | {"stamp": stamp})
+        own: dict[str, Any] = {"stamp": _stamp(template, scene.name, derivation)}
+        if template.startswith("c/"):
+            own |= {"kernels": called}
+        text = environment.get_template(template).render(context | own)
         files[_path(target, scene)] = text
     return files
 
