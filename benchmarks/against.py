@@ -34,7 +34,10 @@ LOGGED_IN_NUMPY = 1 << 15
 """Shots of a family whose log NumPy keeps: it works a thousand at a time, and slowly."""
 
 FLOWN_IN_NUMPY = 1 << 16
-"""Shots of a turn of NumPy."""
+"""Shots of a turn of NumPy, or half as many and so on: a turn is to take `LONGEST` at the most."""
+
+LONGEST = 1.0
+"""Seconds."""
 
 EXAMPLES = 3
 
@@ -58,9 +61,10 @@ class Pair:
     tree: Process
 
     def ask(self, do: str, **request: Any) -> tuple[Any, Any]:
-        """Ask both, who work at the same time."""
-        self.base.send(do, **request)
-        self.tree.send(do, **request)
+        """Ask both, who work at the same time. What is a mapping is by side, "base" and "tree"."""
+        for side, process in (("base", self.base), ("tree", self.tree)):
+            own = {k: v[side] if isinstance(v, dict) else v for k, v in request.items()}
+            process.send(do, **own)
         return self.base.receive(), self.tree.receive()
 
 
@@ -152,10 +156,7 @@ class Equality:
         record: bool,
     ) -> None:
         request = {"engine": engine, "threads": 1, "rows": rows, "fields": fields, "record": record}
-        sides = ((self._pair.base, "base"), (self._pair.tree, "tree"))
-        for process, side in sides:
-            process.send("fly", out=str(self._out[side]), **request)
-        names = [process.receive() for process, _ in sides][0]
+        names, _ = self._pair.ask("fly", out={k: str(v) for k, v in self._out.items()}, **request)
         for name in names:
             base, tree = (np.load(self._out[side] / f"{name}.npy") for side in self._out)
             wrong = _shots(name, base, tree)
@@ -211,8 +212,13 @@ class Ratios:
 
 def turn_about(pair: Pair, shots: int, rounds: int, **request: Any) -> Ratios:
     """Time both in turn, each first in every other round."""
-    request |= {"rows": (0, shots), "repeats": 1}
-    warm = max(side.ask("time", **request)["wall"] for side in (pair.base, pair.tree) * 2)
+    request["repeats"] = 1
+    while True:
+        request["rows"] = (0, shots)
+        warm = max(side.ask("time", **request)["wall"] for side in (pair.base, pair.tree) * 2)
+        if request["engine"] != "numpy" or warm <= LONGEST or shots < 2:
+            break
+        shots //= 2
     request["repeats"] = max(1, round(TURN / warm))
     taken: dict[str, list[Mapping[str, float]]] = {"base": [], "tree": []}
     for turn in range(rounds):

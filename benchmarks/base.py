@@ -1,6 +1,7 @@
 """The engine of another commit: built by its own setup.py, and flown in a process of its own.
 
-What was built stays in .bench/<commit>/, so that a second run starts at once; `make clean` removes it.
+What was built stays in .bench/<commit>/, so that a second run starts at once; `make clean`
+removes it.
 """
 
 import io
@@ -59,8 +60,8 @@ def _libraries(package: Path) -> list[Path]:
 
 
 def _build(source: Path, package: Path) -> str:
-    """Build a checked-out commit; return where its C library is from. Where its sources are those of
-    the working tree, so is the library, which saves most of the time."""
+    """Build a checked-out commit; return where its C library is from: where its sources are those
+    of the working tree, so is the library, which saves most of the time."""
     home = str(package.parent)
     setup = (sys.executable, "setup.py", "--quiet")
     tree = Path(hoopgen.__file__).parent

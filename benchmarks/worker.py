@@ -1,4 +1,4 @@
-"""A contender in a process of its own: serves requests, a line of JSON each, until there are no more.
+"""A contender in a process of its own: serves requests, a line of JSON each, until the last.
 
 Run by its path, with the folder to import hoopgen from, or none for the installed one. It may be
 the hoopgen of any commit, so all that is asked of it is `hoopgen.simulate`; and, for the widths of
