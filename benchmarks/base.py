@@ -21,6 +21,7 @@ from typing import Any, Self
 import hoopgen
 
 ROOT = Path(__file__).resolve().parents[1]
+TREE = Path(hoopgen.__file__).parent
 KEPT = ROOT / ".bench"
 SUFFIX = sysconfig.get_config_var("EXT_SUFFIX")
 C_SOURCES = ("setup.py", "generated/c")
@@ -32,7 +33,10 @@ class CannotBuild(Exception):
 
 
 def _run(*command: str | Path, cwd: Path = ROOT) -> bytes:
-    done = subprocess.run(command, cwd=cwd, capture_output=True, check=False)
+    try:
+        done = subprocess.run(command, cwd=cwd, capture_output=True, check=False)
+    except OSError as error:
+        raise CannotBuild(f"{command[0]}: {error}") from error
     if done.returncode:
         said = (done.stderr or done.stdout).decode(errors="replace")
         raise CannotBuild(f"{' '.join(map(str, command))}:\n{said}")
@@ -50,26 +54,28 @@ def _checkout(of: str, into: Path) -> None:
         files.extractall(into)
 
 
-def _contents(root: Path) -> dict[str, bytes]:
-    files = (path for name in C_SOURCES for path in (root / name, *(root / name).glob("*.[ch]")))
-    return {str(p.relative_to(root)): p.read_bytes() for p in files if p.is_file()}
-
-
 def _libraries(package: Path) -> list[Path]:
     return sorted(path.relative_to(package) for path in package.rglob(f"*{SUFFIX}"))
 
 
-def _build(source: Path, package: Path) -> str:
-    """Build a checked-out commit; return where its C library is from: where its sources are those
-    of the working tree, so is the library, which saves most of the time."""
+def shares(of: str) -> bool:
+    """Return whether the working tree's C library, if there is one, is that of a commit too."""
+    # Files that git does not know would be compiled as well.
+    status = _run("git", "status", "--porcelain", "--", *C_SOURCES)
+    same = status == b"" and _run("git", "diff", "--name-only", of, "--", *C_SOURCES) == b""
+    return same and bool(_libraries(TREE))
+
+
+def _build(of: str, source: Path, package: Path) -> str:
+    """Build a checked-out commit; return where its C library is from."""
     home = str(package.parent)
     setup = (sys.executable, "setup.py", "--quiet")
-    tree = Path(hoopgen.__file__).parent
-    libraries = _libraries(tree)
-    if libraries and _contents(source) == _contents(ROOT):
+    libraries = _libraries(TREE)
+    if shares(of):
         _run(*setup, "build_py", "--build-lib", home, cwd=source)
         for library in libraries:
-            shutil.copy2(tree / library, package / library)
+            (package / library).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(TREE / library, package / library)
         return "the working tree's C library, whose sources are the same"
     _run(*setup, "build", "--build-lib", home, cwd=source)
     if libraries and not _libraries(package):
@@ -88,7 +94,7 @@ def built(of: str) -> Iterator[tuple[Path, str]]:
     with tempfile.TemporaryDirectory(dir=kept.parent) as folder:
         source, home = Path(folder, of[:12]), Path(folder, "home")
         _checkout(of, source)
-        said = _build(source, home / "hoopgen")
+        said = _build(of, source, home / "hoopgen")
         # A library of the working tree may be older than its sources: good for now, not for later.
         if said == "its own C library":
             home.replace(kept)
