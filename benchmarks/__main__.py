@@ -4,6 +4,7 @@ With `--base REF` instead the working tree beside another commit: the same resul
 """
 
 import argparse
+import signal
 import sys
 from pathlib import Path
 
@@ -41,7 +42,14 @@ def _add_base(parser: argparse.ArgumentParser) -> None:
     base = parser.add_argument_group("another commit of hoopgen instead")
     base.add_argument("--base", metavar="REF", help="git ref of the commit to compare with")
     base.add_argument("--only", choices=("equality", "speed"), help="default both")
+    base.add_argument("--backend", choices=default.backends, help="default both, C in every width")
     base.add_argument("--shots", type=_count, default=default.shots, help="at most, of each kind")
+    base.add_argument(
+        "--logged",
+        type=_count,
+        default=default.logged,
+        help="how many of them NumPy flies with the event log, which is slow; C all",
+    )
     base.add_argument("--rounds", type=_count, default=default.rounds, help="of each speed")
     base.add_argument(
         "--workloads",
@@ -69,12 +77,16 @@ def _keys(text: str) -> tuple[str, ...]:
 def _beside(arguments: argparse.Namespace) -> int | str:
     """Return the exit status, 1 if the two are not equal."""
     wanted = Wanted(
-        arguments.only != "speed",
-        arguments.only != "equality",
-        arguments.workloads,
-        arguments.shots,
-        arguments.rounds,
+        equality=arguments.only != "speed",
+        speed=arguments.only != "equality",
+        keys=arguments.workloads,
+        backends=(arguments.backend,) if arguments.backend else Wanted.backends,
+        shots=arguments.shots,
+        logged=arguments.logged,
+        rounds=arguments.rounds,
     )
+    # Ended from outside, too, it leaves no files behind.
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
     try:
         return int(not against(arguments.base, wanted))
     except CannotBuild as error:

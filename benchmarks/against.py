@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks.base import Process, built, commit
+from benchmarks.base import CannotBuild, Process, built, commit
 from benchmarks.contenders import CORES, RESULTS
 from benchmarks.families import FAMILIES, Family
 from benchmarks.report import number, short, table
@@ -30,9 +30,6 @@ BOUNDS = ("uncertain", "time_error", "state_error")
 LOGGED = 1 << 14
 """Shots whose event log is compared at a time: 200 bytes a row, up to 41 rows a shot."""
 
-LOGGED_IN_NUMPY = 1 << 15
-"""Shots of a family whose log NumPy keeps: it works a thousand at a time, and slowly."""
-
 FLOWN_IN_NUMPY = 1 << 16
 """Shots of a turn of NumPy, or half as many and so on: a turn is to take `LONGEST` at the most."""
 
@@ -44,12 +41,15 @@ EXAMPLES = 3
 
 @dataclass(frozen=True)
 class Wanted:
-    """What to compare: families by key, no more than `shots` of each; rounds of each speed."""
+    """What to compare: families by key, no more than `shots` of each, no more than `logged` of them
+    with the log in NumPy, which then works a thousand at a time, slowly; rounds of each speed."""
 
     equality: bool = True
     speed: bool = True
     keys: Sequence[str] = tuple(family.key for family in FAMILIES)
+    backends: Sequence[str] = ("numpy", "c")
     shots: int = 1 << 20
+    logged: int = 1 << 15
     rounds: int = 15
 
 
@@ -122,8 +122,9 @@ class Verdict:
 class Equality:
     """Compares what two contenders write into two folders."""
 
-    def __init__(self, pair: Pair, folder: Path) -> None:
+    def __init__(self, pair: Pair, folder: Path, logged: int = Wanted.logged) -> None:
         self._pair = pair
+        self._logged = logged
         self._file = folder / "shots.npz"
         self._out = {side: folder / side for side in ("base", "tree")}
         for out in self._out.values():
@@ -139,7 +140,7 @@ class Equality:
             verdict = verdicts[engine] = Verdict(shots)
             self._compare(verdict, engine, (0, shots), PATH + BOUNDS, False)
             self._compare(verdict, engine, (0, shots), PATH, False)
-            verdict.logged = min(shots, LOGGED_IN_NUMPY) if engine == "numpy" else shots
+            verdict.logged = min(shots, self._logged) if engine == "numpy" else shots
             for low in range(0, verdict.logged, LOGGED):
                 rows = (low, min(low + LOGGED, verdict.logged))
                 self._compare(verdict, engine, rows, PATH + BOUNDS, True)
@@ -181,7 +182,7 @@ def equality(pair: Pair, wanted: Wanted, engines: Sequence[str]) -> bool:
     examples = []
     parent = "/dev/shm" if Path("/dev/shm").is_dir() else None  # some 100 MB at a time
     with tempfile.TemporaryDirectory(dir=parent) as folder:
-        compare = Equality(pair, Path(folder))
+        compare = Equality(pair, Path(folder), wanted.logged)
         for family in (family for family in FAMILIES if family.key in wanted.keys):
             verdicts = compare.of(family, min(wanted.shots, _size(family)), engines)
             cells = map(str, verdicts.values())
@@ -281,12 +282,17 @@ def against(ref: str, wanted: Wanted) -> bool:
         pair = Pair(
             stack.enter_context(Process("base", home)), stack.enter_context(Process("tree", None))
         )
-        before, after = pair.ask("engines")
+        before, after = (
+            [engine for engine in there if engine.split()[0] in wanted.backends]
+            for there in pair.ask("engines")
+        )
         engines = [engine for engine in before if engine in after]
         lost = [engine for engine in before if engine not in after]
         print(
             f"engines: {', '.join(engines)}; only one has: {set(before) ^ set(after) or 'none'}\n"
         )
+        if not engines:
+            raise CannotBuild("the two have no engine in common")
         same = not lost
         if wanted.equality:
             same &= equality(pair, wanted, engines)

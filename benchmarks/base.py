@@ -90,13 +90,14 @@ def built(of: str) -> Iterator[tuple[Path, str]]:
     if kept.exists():
         yield kept, "kept from an earlier run"
         return
-    kept.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=kept.parent) as folder:
+    KEPT.mkdir(exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=KEPT) as folder:
         source, home = Path(folder, of[:12]), Path(folder, "home")
         _checkout(of, source)
         said = _build(of, source, home / "hoopgen")
         # A library of the working tree may be older than its sources: good for now, not for later.
         if said == "its own C library":
+            kept.parent.mkdir(exist_ok=True)
             home.replace(kept)
             home = kept
         yield home, said
