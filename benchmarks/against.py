@@ -169,11 +169,12 @@ class Equality:
                     array[array["shot"] == at] if name == "events" else array[at]
                     for array in (base, tree)
                 )
-                verdict.examples.append(
-                    f"{engine}, {name}{'' if set(BOUNDS) & set(fields) else ', plain'}: "
-                    f"{len(wrong):,} shots, the first is {rows[0] + at}\n"
-                    f"    base {before}\n    tree {after}"
-                )
+                with np.printoptions(floatmode="unique"):
+                    verdict.examples.append(
+                        f"{engine}, {name}{'' if set(BOUNDS) & set(fields) else ', plain'}: "
+                        f"{len(wrong):,} shots, the first is {rows[0] + at}\n"
+                        f"    base {before}\n    tree {after}"
+                    )
 
 
 def equality(pair: Pair, wanted: Wanted, engines: Sequence[str]) -> bool:

@@ -73,6 +73,9 @@ def test_one_bit_and_one_event_are_found(home: Path, tmp_path: Path) -> None:
         compare = Equality(Pair(one, other), tmp_path / "out")
         verdicts = compare.of(BY_KEY["W3"], 300, ("numpy", "c"))
         assert {engine: of.wrong for engine, of in verdicts.items()} == {"numpy": {7}, "c": {5}}
+        what, *rows = verdicts["numpy"].examples[0].replace("tree", "base").split("    base")
+        assert what == "numpy, state: 1 shots, the first is 7\n"
+        assert rows[0].split() != rows[1].split()
         assert verdicts["c"].examples[0].startswith("c, events: 1 shots, the first is 5\n")
 
 
