@@ -12,7 +12,7 @@ from hoopgen.generated.numpy import hoop
 
 Outcome = hoop.Outcome
 
-SURFACES = tuple(name for name, _, _ in hoop.SURFACES[:-1])
+SURFACES = hoop.BODIES
 """Surfaces, in the order of ``Shots.counts``; the event log numbers the end plane after them."""
 
 

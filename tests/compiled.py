@@ -15,8 +15,8 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-from hoopgen.derive.choice import Truth
-from hoopgen.derive.kernel import Kernel
+from hoopgen.derive.ground.choice import Truth
+from hoopgen.derive.ground.kernel import Kernel
 from numpy.typing import NDArray
 
 ROOT = Path(__file__).resolve().parents[1]

@@ -32,7 +32,7 @@ from compiled import (
     same_bits,
     setup_flags,
 )
-from hoopgen.derive.choice import (
+from hoopgen.derive.ground.choice import (
     AtMost,
     Both,
     Choose,
@@ -50,7 +50,7 @@ from hoopgen.derive.choice import (
     smallest,
     some,
 )
-from hoopgen.derive.kernel import Kernel, kernel
+from hoopgen.derive.ground.kernel import Kernel, kernel
 from hoopgen.derive.scenes.hoop import HOOP
 from mpmath import mp, mpf
 from test_kernels import DIGITS, EXTREMES, Evaluator, model

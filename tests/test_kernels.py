@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from compiled import ROOT, WIDTHS, CKernels, Floats, needs_compiler, same_bits
-from hoopgen.derive.choice import (
+from hoopgen.derive.ground.choice import (
     AtMost,
     Both,
     Choose,
@@ -30,7 +30,7 @@ from hoopgen.derive.choice import (
     Truth,
     release,
 )
-from hoopgen.derive.kernel import Kernel
+from hoopgen.derive.ground.kernel import Kernel
 from hoopgen.derive.model import Model, build
 from hoopgen.derive.scenes.hoop import HOOP
 from hoopgen.generated.numpy import hoop
@@ -138,7 +138,6 @@ class Evaluator:
             return self._condition(e, parts)
         raise TypeError(type(e).__name__)
 
-
     def _condition(self, e: sp.Basic, parts: list[Exactly]) -> Exactly:
         """Return 1 where a condition holds, else 0; not sure if its error is not zero."""
         if isinstance(e, Less | AtMost | Equal):
@@ -150,7 +149,9 @@ class Evaluator:
             values = [part.value == 1 for part in parts]
             decisive = isinstance(e, Either)
             self.sides[e] = any(values) if decisive else all(values)
-            settled = any(v == decisive and p.error == 0 for v, p in zip(values, parts, strict=True))
+            settled = any(
+                v == decisive and p.error == 0 for v, p in zip(values, parts, strict=True)
+            )
             sure = settled or all(part.error == 0 for part in parts)
         else:
             self.sides[e] = isinstance(e, Not) and parts[0].value == 0

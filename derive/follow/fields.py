@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 
-from ..sensitivity import ERRORS
-from ..symbols import STATE
+from ..errors.tangent import ERRORS
+from ..ground.symbols import STATE
 
 
 class Outcome(IntEnum):
@@ -92,13 +92,11 @@ CLAIMS = ("position_claim", "velocity_claim", "spin_claim", "time_claim")
 """Bounds on the errors of a shot that has ended."""
 
 
-def fields(surfaces: Sequence[str]) -> tuple[Field, ...]:
-    """Return the fields of a shot among surfaces."""
+def fields(bodies: Sequence[str]) -> tuple[Field, ...]:
+    """Return the fields of a shot among bodies."""
     state = (Field(s.name, None, "of the state") for s in STATE)
     errors = (Field(s.name, 0.0, f"carried error of {s.name[1:]}", True) for s in ERRORS)
-    counts = (
-        Field(f"count_{k}", 0.0, f"contacts with {name}") for k, name in enumerate(surfaces)
-    )
+    counts = (Field(f"count_{k}", 0.0, f"contacts with {name}") for k, name in enumerate(bodies))
     claims = (Field(name, 0.0, "bound on the error at the end", True) for name in CLAIMS)
     return (
         *state,
@@ -106,7 +104,7 @@ def fields(surfaces: Sequence[str]) -> tuple[Field, ...]:
         Field("clock", 0.0, "time of the last event, s since the release"),
         Field("clock_error", 0.0, "what the contacts' times were off by, summed", True),
         Field("last", None, "surface that was touched last, -1: none"),
-        Field("first", NONE, "surface that was touched first, -1: none"),
+        Field("first", NONE, "body that was touched first, -1: none"),
         Field("contacts", 0.0, "how many contacts there were"),
         *counts,
         Field("uncertain", 0.0, "1: a decision lies within its rounding-error bound", True),
@@ -115,15 +113,15 @@ def fields(surfaces: Sequence[str]) -> tuple[Field, ...]:
     )
 
 
-def results(surfaces: Sequence[str]) -> tuple[Result, ...]:
-    """Return the results of shots among surfaces, in the order of the targets' structs."""
-    counts = tuple(f"count_{k}" for k in range(len(surfaces)))
+def results(bodies: Sequence[str]) -> tuple[Result, ...]:
+    """Return the results of shots among bodies, in the order of the targets' structs."""
+    counts = tuple(f"count_{k}" for k in range(len(bodies)))
     state = tuple(symbol.name for symbol in STATE)
     return (
         Result("outcome", "uint8", ("outcome",), "how it ended"),
         Result("contacts", "int32", ("contacts",), "contacts before the end"),
-        Result("counts", "int32", counts, "contacts with each surface", row=True),
-        Result("first", "int8", ("first",), "first surface touched, -1: none"),
+        Result("counts", "int32", counts, "contacts with each body", row=True),
+        Result("first", "int8", ("first",), "first body touched, -1: none"),
         Result(
             "time",
             "float64",

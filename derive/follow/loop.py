@@ -8,37 +8,34 @@ writes the log, and stores results.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from ..kernel import Kernel
-from ..symbols import SPIN, VELOCITY
-from .decisions import KERNELS
+from ..ground.tree import Do, Guard, Node, check, needed, reads, walk, without
+from ..search.search import Parts, Search
 from .fields import CLAIMS, Field
-from .tree import Do, Guard, Node, Repeat, check, needed, reads, walk, without
-
-STEP_LIMIT = 201
-"""Steps after which a search gives up and the shot is uncertain; a search takes about five."""
 
 TEMPORARY_BOUNDS = {"late": 0.0, "delay": 0.0, "doubt": float("inf")}
 """What bounds errors within a stage, as it stands where no bounds are wanted."""
 
-Parts = Mapping[str, Kernel]
-
 
 @dataclass(frozen=True)
 class Contact:
-    """What the loop needs to know of a surface: its index, its kernels by part, its windows.
+    """What the loop needs to know of a surface.
 
     Attributes
     ----------
-    windows
-        How many windows its search has; 0 if its only arrival is a closed form.
+    index, body
+        Its own index, and that of the body it belongs to.
+    parts, search, law
+        Its kernels by part, how arrivals on it are found, and the kernels of its contact law.
     """
 
     index: int
+    body: int
     parts: Parts
-    windows: int
+    search: Search
+    law: Parts
 
 
 @dataclass(frozen=True)
@@ -87,7 +84,8 @@ class Loop:
 
 def event_loop(
     common: Parts,
-    surfaces: Sequence[Contact],
+    contacts: Sequence[Contact],
+    finish: Contact,
     fields: Sequence[Field],
     parameters: Sequence[str],
 ) -> Loop:
@@ -97,8 +95,8 @@ def event_loop(
     ----------
     common
         The kernels of the scene and the decisions.
-    surfaces
-        In the order of their indices; the last one is the plane that ends a shot.
+    contacts, finish
+        What can be touched, in the order of the indices, and the plane that ends a shot.
     """
     return Loop(
         tuple(fields),
@@ -106,174 +104,82 @@ def event_loop(
         tuple(parameters),
         {
             "permit": (Do(common["allowed"]), Do(common["finite_parameters"])),
-            "admit": (Do(common["finite_state"]), Do(common["valid"]), Do(KERNELS["admitted"])),
-            "reach": tuple(_reach(common, surfaces)),
-            "meet": tuple(_meet(common, surfaces)),
+            "admit": (Do(common["finite_state"]), Do(common["valid"]), Do(common["admitted"])),
+            "reach": tuple(_reach(common, contacts, finish)),
+            "meet": tuple(_meet(common, contacts, finish)),
         },
     )
 
 
-def _reach(common: Parts, surfaces: Sequence[Contact]) -> Iterator[Node]:
+def _reach(common: Parts, contacts: Sequence[Contact], finish: Contact) -> Iterator[Node]:
     """Find the earliest arrival (Eq. 4) and take the ball there (Eq. 3)."""
-    finish = surfaces[-1]
     yield Do(common["error_bounds"])
     yield Do(common["scale"])
-    yield Do(KERNELS["opening"])
+    yield Do(common["opening"])
     # The end plane first: what certainly comes after it needs no further look.
-    for surface in (finish, *surfaces[:-1]):
-        if not surface.windows:
-            yield from _plane_arrival(common, surface)
-    for surface in surfaces:
-        if surface.windows:
-            yield from _curved_arrival(common, surface)
-    yield Do(KERNELS["departed"], {"index": finish.index})
-    yield Guard("moves", (Do(common["flight"], {"t": "when"}), Do(KERNELS["ticked"])))
+    for surface in sorted((finish, *contacts), key=lambda s: not s.search.closed):
+        yield from surface.search.nodes(common, surface.parts, surface.index)
+    yield Do(common["departed"], {"index": finish.index})
+    yield Do(common["body_of"])
+    yield Guard("moves", (Do(common["flight"], {"t": "when"}), Do(common["ticked"])))
     yield Do(common["displacement"], {"horizon": "when", "delay": "late"}, {"margin": "slack"})
     yield Do(common["target"], {}, {"target": "miss"})
-    yield Do(KERNELS["doubted"])
-    yield Do(KERNELS["accounted"])
+    yield Do(common["doubted"])
+    yield Do(common["accounted"])
 
 
-def _proposed(index: int) -> Iterator[Node]:
-    """Take an arrival that is earlier than those found so far."""
-    yield Do(KERNELS["tied"])
-    yield Do(KERNELS["sooner"], {"index": index})
-
-
-def _plane_arrival(common: Parts, surface: Contact) -> Iterator[Node]:
-    """Propose the only arrival on a plane; a contact counts within its bounds (Eq. 2)."""
-    parts = surface.parts
-    yield Do(KERNELS["left"], {"index": surface.index})
-    yield Do(parts["arrival"])
-    yield Do(KERNELS["meeting_plane"])
-    yield Do(parts["margin"], {"horizon": "time"})
-    yield Do(common["crossing"], {"rate_margin": 0.0})
-    yield Do(KERNELS["timely"])
-    yield Do(parts["margin"], {"horizon": "apex"})
-    yield Do(KERNELS["grazed"])
-    if "bounds" not in parts:
-        yield Guard(
-            "possible",
-            (Do(KERNELS["crossed"]), *_proposed(surface.index)),
-        )
-        return
-    there = {name: f"there_{name}" for name in ("x", "y", "z")}
-    yield Guard(
-        "possible",
-        (
-            Do(common["flight"], {"t": "time"}, there, frozenset(there)),
-            Do(parts["bounds"], {k: v for k, v in there.items() if _takes(parts["bounds"], k)}),
-            Do(common["displacement"], {"horizon": "time"}, {"margin": "slack"}),
-            Do(parts["edges"]),
-            Do(KERNELS["questioned"]),
-            Do(parts["within"]),
-            *_proposed(surface.index),
-        ),
-    )
-
-
-def _takes(kernel: Kernel, name: str) -> bool:
-    return any(argument.name == name for argument in kernel.arguments)
-
-
-def _curved_arrival(common: Parts, surface: Contact) -> Iterator[Node]:
-    """Propose the first arrival on a curved surface, searched from the left."""
-    parts, index = surface.parts, {"index": surface.index}
-    levels = {"position_error": "level", "velocity_error": "velocity_level"}
-    rename = {"margin": "flat", "leaving_margin": "tilt", "rate_margin": "rate_slack"}
-    own = {"margin": "flat", "leaving_margin": "tilt"}
-
-    def allow() -> Iterator[Node]:
-        """Allow for errors that are a share of the flight."""
-        yield Do(common["allowance"], {"horizon": "latest"})
-        given = {k: v for k, v in levels.items() if _takes(parts["margins"], k)}
-        yield Do(parts["margins"], {"horizon": "latest", **given}, rename)
-
-    def some(kernel: Kernel, **inputs: str) -> Do:
-        return Do(kernel, {k: v for k, v in inputs.items() if _takes(kernel, k)})
-
-    yield Do(common["horizon"], {"t": "when"}, {"horizon": "until"})
-    yield some(parts["clear"], horizon="until")
-    yield Do(KERNELS["opens"])
-    yield Guard(
-        "open",
-        (
-            some(parts["prepare"], horizon="until"),
-            Do(KERNELS["beginning"]),
-            *allow(),
-            Do(KERNELS["beyond"]),
-            Do(parts["enter"], {"after": 0.0, "t": 0.0, "end": 0.0}),
-            Repeat(
-                "searching",
-                STEP_LIMIT,
-                (
-                    Do(KERNELS["nearby"], index),
-                    some(parts["advance"], rate_margin="rate_slack"),
-                    Do(KERNELS["struck"], {"rate_margin": "rate_slack"}),
-                    Guard("vague", (Do(KERNELS["finer"]), *allow(), Do(KERNELS["exceeded"]))),
-                    Do(KERNELS["advanced"]),
-                    Guard("exhausted", (Do(parts["enter"], {"after": "end"}),)),
-                ),
-            ),
-            Do(KERNELS["questioned"], {"unsure": "searching", "time": "t"}),
-            Do(KERNELS["found"]),
-            Do(KERNELS["nearby"], {**index, "t": "arrival"}),
-            *(
-                Do(parts["refine"], {"t": "arrival"}, {"time": "refined"}),
-                Do(KERNELS["polished"]),
-            )
-            * 2,
-            Do(parts["margins"], {"horizon": "latest"}, own),
-            Do(KERNELS["own_margin"]),
-            Do(common["crossing"]),
-            Do(KERNELS["landed"]),
-            Do(KERNELS["landed_surely"]),
-            *_proposed(surface.index),
-        ),
-    )
-
-
-def _meet(common: Parts, surfaces: Sequence[Contact]) -> Iterator[Node]:
+def _meet(common: Parts, contacts: Sequence[Contact], finish: Contact) -> Iterator[Node]:
     """Give the ball its motion after the contact (Eqs. 7-17), and its errors theirs."""
-    yield Do(KERNELS["meeting"])
-    yield Guard("meeting", tuple(_contact(common, surfaces)))
-    yield Do(KERNELS["closing"])
+    yield Do(common["meeting"])
+    yield Guard("meeting", tuple(_contact(common, contacts, finish)))
+    yield Do(common["closing"])
     names = ("position_error", "velocity_error", "spin_error", "time_error")
     claims = dict(zip(names, CLAIMS, strict=True))
     yield Guard("closed", (Do(common["claimed_errors"], {}, claims),))
 
 
-def _contact(common: Parts, surfaces: Sequence[Contact]) -> Iterator[Node]:
-    contacts = surfaces[:-1]
-
-    def on(make: Callable[[Contact], Sequence[Node]], *, curved: bool | None = None) -> Iterator[Node]:
-        """Do something of the surface that the ball is on."""
-        for surface in contacts:
-            if curved is None or bool(surface.windows) == curved:
-                yield Do(KERNELS["here"], {"index": surface.index})
-                yield Guard("here", tuple(make(surface)))
-
-    yield Do(surfaces[-1].parts["normal"])
-    yield from on(
-        lambda s: (
-            Do(s.parts["normal"]),
-            Do(
-                KERNELS["counted"],
-                {"count": f"count_{s.index}"},
-                {"count": f"count_{s.index}"},
-            ),
-        )
-    )
-    yield Do(KERNELS["elsewhere"])
+def _contact(common: Parts, contacts: Sequence[Contact], finish: Contact) -> Iterator[Node]:
+    yield Do(finish.parts["normal"])
     for surface in contacts:
-        yield Do(KERNELS["again"], {"index": surface.index})
+        count = {"count": f"count_{surface.body}"}
+        counted = Do(common["counted"], count, count)
+        yield from _on(common, surface, Do(surface.parts["normal"]), counted)
+    yield Do(common["elsewhere"])
+    for surface in contacts:
+        yield Do(common["again"], {"index": surface.index})
         yield Guard("again", (Do(surface.parts["curvature"], {}, {"curvature": "curving"}),))
     yield Do(common["carry_flight"], {"t": "when"})
-    yield Do(KERNELS["delayed"])
-    yield Guard("ends", (Do(KERNELS["floored"]),))
-    yield Do(KERNELS["unturned"])
-    yield from on(lambda s: (Do(s.parts["carry_normal"]),), curved=True)
-    motion = {s.name: s.name for s in (*VELOCITY, *SPIN)}
-    yield Guard("touches", (Do(common["carry_impact"]), Do(common["impact"], {}, motion)))
-    yield from on(lambda s: (Do(s.parts["place"]),), curved=False)
-    yield Guard("touches", (Do(KERNELS["touched"]),))
+    yield Do(common["delayed"])
+    yield Guard("ends", (Do(common["floored"]),))
+    yield Do(common["unturned"])
+    for surface in contacts:
+        if "carry_normal" in surface.parts:
+            yield from _on(common, surface, Do(surface.parts["carry_normal"]))
+    yield from _laws(common, contacts)
+    for surface in contacts:
+        if "place" in surface.parts:
+            yield from _on(common, surface, Do(surface.parts["place"]))
+    yield Guard("touches", (Do(common["touched"]),))
+
+
+def _on(common: Parts, surface: Contact, *body: Node) -> Iterator[Node]:
+    """Do something where the event is on a surface."""
+    yield Do(common["here"], {"index": surface.index})
+    yield Guard("here", body)
+
+
+def _laws(common: Parts, contacts: Sequence[Contact]) -> Iterator[Node]:
+    """Give ball and errors their motion after the contact, by the law of the body."""
+    by_law: dict[str, list[Contact]] = {}
+    for surface in contacts:
+        by_law.setdefault(surface.law["impact"].name, []).append(surface)
+    if len(by_law) == 1:
+        yield Guard("touches", _law(contacts[0]))
+        return
+    for surfaces in by_law.values():
+        for surface in surfaces:
+            yield from _on(common, surface, *_law(surface))
+
+
+def _law(surface: Contact) -> tuple[Node, ...]:
+    return Do(surface.law["carry"]), Do(surface.law["impact"])

@@ -1,6 +1,6 @@
 /* hoop: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene hoop, derivation ae6a41b5ebf2e78c,
+   Generated from templates/c/scene.h.j2, scene hoop, derivation 6070df632d9c93b8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Plain C11, no dependencies but sqrt. Compile hoop.c, next to which this file and the kernels
@@ -74,8 +74,8 @@ typedef struct {
 typedef struct {
     uint8_t *outcome; /* how it ended */
     int32_t *contacts; /* contacts before the end */
-    int32_t *counts; /* [shot][3], contacts with each surface */
-    int8_t *first; /* first surface touched, -1: none */
+    int32_t *counts; /* [shot][3], contacts with each body */
+    int8_t *first; /* first body touched, -1: none */
     double *time; /* s, at the end plane; capped or short: at the last contact */
     double *state; /* [shot][9], then */
     double *time_error; /* bound on the error of time */

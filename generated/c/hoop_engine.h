@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation ae6a41b5ebf2e78c,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 6070df632d9c93b8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -105,7 +105,7 @@ typedef struct {
     double clock[LANES_WIDTH]; /* time of the last event, s since the release */
     double clock_error[LANES_WIDTH]; /* what the contacts' times were off by, summed */
     double last[LANES_WIDTH]; /* surface that was touched last, -1: none */
-    double first[LANES_WIDTH]; /* surface that was touched first, -1: none */
+    double first[LANES_WIDTH]; /* body that was touched first, -1: none */
     double contacts[LANES_WIDTH]; /* how many contacts there were */
     double count_0[LANES_WIDTH]; /* contacts with ring */
     double count_1[LANES_WIDTH]; /* contacts with backboard */
@@ -608,27 +608,30 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         M moves = o60.moves;
         M ends = o60.ends;
         M touches = o60.touches;
-        const M m61 = flying & moves;
+        const LANES(hoop_body_of_out) o61 =
+            LANES(hoop_body_of)(which);
+        V body = o61.body;
+        const M m62 = flying & moves;
         {
-            const LANES(hoop_flight_out) o62 =
+            const LANES(hoop_flight_out) o63 =
                 LANES(hoop_flight)(when, x, y, z, vx, vy, vz, gravity);
-            x = lanes_select(m61, o62.x, x);
-            y = lanes_select(m61, o62.y, y);
-            z = lanes_select(m61, o62.z, z);
-            vx = lanes_select(m61, o62.vx, vx);
-            vy = lanes_select(m61, o62.vy, vy);
-            vz = lanes_select(m61, o62.vz, vz);
-            const LANES(hoop_ticked_out) o63 =
+            x = lanes_select(m62, o63.x, x);
+            y = lanes_select(m62, o63.y, y);
+            z = lanes_select(m62, o63.z, z);
+            vx = lanes_select(m62, o63.vx, vx);
+            vy = lanes_select(m62, o63.vy, vy);
+            vz = lanes_select(m62, o63.vz, vz);
+            const LANES(hoop_ticked_out) o64 =
                 LANES(hoop_ticked)(clock, when);
-            clock = lanes_select(m61, o63.clock, clock);
+            clock = lanes_select(m62, o64.clock, clock);
         }
-        const LANES(hoop_target_out) o64 =
+        const LANES(hoop_target_out) o65 =
             LANES(hoop_target)(x, y, ring_radius);
-        V miss = o64.target;
-        const LANES(hoop_accounted_out) o65 =
+        V miss = o65.target;
+        const LANES(hoop_accounted_out) o66 =
             LANES(hoop_accounted)(contacts, ends, miss, most_contacts, touches);
-        contacts = o65.contacts;
-        outcome = o65.outcome;
+        contacts = o66.contacts;
+        outcome = o66.outcome;
         const V x_before = x;
         const V y_before = y;
         const V z_before = z;
@@ -640,97 +643,97 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         const V wz_before = wz;
 
         /* What the event does to the ball. */
-        const LANES(hoop_meeting_out) o66 =
+        const LANES(hoop_meeting_out) o67 =
             LANES(hoop_meeting)(K(0.0), ends, touches);
-        M meeting = o66.meeting;
-        const M m67 = flying & meeting;
-        if (lanes_any(m67)) {
-            const LANES(hoop_end_normal_out) o68 =
+        M meeting = o67.meeting;
+        const M m68 = flying & meeting;
+        if (lanes_any(m68)) {
+            const LANES(hoop_end_normal_out) o69 =
                 LANES(hoop_end_normal)();
-            V nx = o68.nx;
-            V ny = o68.ny;
-            V nz = o68.nz;
-            const LANES(hoop_here_out) o69 =
+            V nx = o69.nx;
+            V ny = o69.ny;
+            V nz = o69.nz;
+            const LANES(hoop_here_out) o70 =
                 LANES(hoop_here)(K(0.0), which);
-            M here = o69.here;
-            const M m70 = m67 & here;
+            M here = o70.here;
+            const M m71 = m68 & here;
             {
-                const LANES(hoop_ring_normal_out) o71 =
+                const LANES(hoop_ring_normal_out) o72 =
                     LANES(hoop_ring_normal)(x, y, z, ball_radius, ring_radius, wire_radius);
-                nx = lanes_select(m70, o71.nx, nx);
-                ny = lanes_select(m70, o71.ny, ny);
-                nz = lanes_select(m70, o71.nz, nz);
-                const LANES(hoop_counted_out) o72 =
+                nx = lanes_select(m71, o72.nx, nx);
+                ny = lanes_select(m71, o72.ny, ny);
+                nz = lanes_select(m71, o72.nz, nz);
+                const LANES(hoop_counted_out) o73 =
                     LANES(hoop_counted)(count_0);
-                count_0 = lanes_select(m70, o72.count, count_0);
+                count_0 = lanes_select(m71, o73.count, count_0);
             }
-            const LANES(hoop_here_out) o73 =
+            const LANES(hoop_here_out) o74 =
                 LANES(hoop_here)(K(1.0), which);
-            here = o73.here;
-            const M m74 = m67 & here;
+            here = o74.here;
+            const M m75 = m68 & here;
             {
-                const LANES(hoop_backboard_normal_out) o75 =
+                const LANES(hoop_backboard_normal_out) o76 =
                     LANES(hoop_backboard_normal)();
-                nx = lanes_select(m74, o75.nx, nx);
-                ny = lanes_select(m74, o75.ny, ny);
-                nz = lanes_select(m74, o75.nz, nz);
-                const LANES(hoop_counted_out) o76 =
+                nx = lanes_select(m75, o76.nx, nx);
+                ny = lanes_select(m75, o76.ny, ny);
+                nz = lanes_select(m75, o76.nz, nz);
+                const LANES(hoop_counted_out) o77 =
                     LANES(hoop_counted)(count_1);
-                count_1 = lanes_select(m74, o76.count, count_1);
+                count_1 = lanes_select(m75, o77.count, count_1);
             }
-            const LANES(hoop_here_out) o77 =
+            const LANES(hoop_here_out) o78 =
                 LANES(hoop_here)(K(2.0), which);
-            here = o77.here;
-            const M m78 = m67 & here;
+            here = o78.here;
+            const M m79 = m68 & here;
             {
-                const LANES(hoop_bridge_normal_out) o79 =
+                const LANES(hoop_bridge_normal_out) o80 =
                     LANES(hoop_bridge_normal)();
-                nx = lanes_select(m78, o79.nx, nx);
-                ny = lanes_select(m78, o79.ny, ny);
-                nz = lanes_select(m78, o79.nz, nz);
-                const LANES(hoop_counted_out) o80 =
+                nx = lanes_select(m79, o80.nx, nx);
+                ny = lanes_select(m79, o80.ny, ny);
+                nz = lanes_select(m79, o80.nz, nz);
+                const LANES(hoop_counted_out) o81 =
                     LANES(hoop_counted)(count_2);
-                count_2 = lanes_select(m78, o80.count, count_2);
+                count_2 = lanes_select(m79, o81.count, count_2);
             }
-            const M m81 = m67 & touches;
-            if (lanes_any(m81)) {
-                const LANES(hoop_impact_out) o82 =
+            const M m82 = m68 & touches;
+            if (lanes_any(m82)) {
+                const LANES(hoop_impact_out) o83 =
                     LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, ball_radius, restitution);
-                vx = lanes_select(m81, o82.vx, vx);
-                vy = lanes_select(m81, o82.vy, vy);
-                vz = lanes_select(m81, o82.vz, vz);
-                wx = lanes_select(m81, o82.wx, wx);
-                wy = lanes_select(m81, o82.wy, wy);
-                wz = lanes_select(m81, o82.wz, wz);
+                vx = lanes_select(m82, o83.vx, vx);
+                vy = lanes_select(m82, o83.vy, vy);
+                vz = lanes_select(m82, o83.vz, vz);
+                wx = lanes_select(m82, o83.wx, wx);
+                wy = lanes_select(m82, o83.wy, wy);
+                wz = lanes_select(m82, o83.wz, wz);
             }
-            const LANES(hoop_here_out) o83 =
+            const LANES(hoop_here_out) o84 =
                 LANES(hoop_here)(K(1.0), which);
-            here = o83.here;
-            const M m84 = m67 & here;
+            here = o84.here;
+            const M m85 = m68 & here;
             {
-                const LANES(hoop_backboard_place_out) o85 =
+                const LANES(hoop_backboard_place_out) o86 =
                     LANES(hoop_backboard_place)(y, z, ball_radius, board_distance);
-                x = lanes_select(m84, o85.x, x);
-                y = lanes_select(m84, o85.y, y);
-                z = lanes_select(m84, o85.z, z);
+                x = lanes_select(m85, o86.x, x);
+                y = lanes_select(m85, o86.y, y);
+                z = lanes_select(m85, o86.z, z);
             }
-            const LANES(hoop_here_out) o86 =
+            const LANES(hoop_here_out) o87 =
                 LANES(hoop_here)(K(2.0), which);
-            here = o86.here;
-            const M m87 = m67 & here;
+            here = o87.here;
+            const M m88 = m68 & here;
             {
-                const LANES(hoop_bridge_place_out) o88 =
+                const LANES(hoop_bridge_place_out) o89 =
                     LANES(hoop_bridge_place)(x, y, ball_radius, wire_radius);
-                x = lanes_select(m87, o88.x, x);
-                y = lanes_select(m87, o88.y, y);
-                z = lanes_select(m87, o88.z, z);
+                x = lanes_select(m88, o89.x, x);
+                y = lanes_select(m88, o89.y, y);
+                z = lanes_select(m88, o89.z, z);
             }
-            const M m89 = m67 & touches;
+            const M m90 = m68 & touches;
             {
-                const LANES(hoop_touched_out) o90 =
-                    LANES(hoop_touched)(first, which);
-                first = lanes_select(m89, o90.first, first);
-                last = lanes_select(m89, o90.last, last);
+                const LANES(hoop_touched_out) o91 =
+                    LANES(hoop_touched)(body, first, which);
+                first = lanes_select(m90, o91.first, first);
+                last = lanes_select(m90, o91.last, last);
             }
         }
         lanes_store(pool.x, x);
@@ -753,7 +756,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         if (job->results->events) {
             double surface[LANES_WIDTH];
             double before[HOOP_STATE][LANES_WIDTH];
-            lanes_store(surface, which);
+            lanes_store(surface, body);
             lanes_store(before[0], x_before);
             lanes_store(before[1], y_before);
             lanes_store(before[2], z_before);
@@ -1323,33 +1326,36 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         M moves = o91.moves;
         M ends = o91.ends;
         M touches = o91.touches;
-        const M m92 = flying & moves;
+        const LANES(hoop_body_of_out) o92 =
+            LANES(hoop_body_of)(which);
+        V body = o92.body;
+        const M m93 = flying & moves;
         {
-            const LANES(hoop_flight_out) o93 =
+            const LANES(hoop_flight_out) o94 =
                 LANES(hoop_flight)(when, x, y, z, vx, vy, vz, gravity);
-            x = lanes_select(m92, o93.x, x);
-            y = lanes_select(m92, o93.y, y);
-            z = lanes_select(m92, o93.z, z);
-            vx = lanes_select(m92, o93.vx, vx);
-            vy = lanes_select(m92, o93.vy, vy);
-            vz = lanes_select(m92, o93.vz, vz);
-            const LANES(hoop_ticked_out) o94 =
+            x = lanes_select(m93, o94.x, x);
+            y = lanes_select(m93, o94.y, y);
+            z = lanes_select(m93, o94.z, z);
+            vx = lanes_select(m93, o94.vx, vx);
+            vy = lanes_select(m93, o94.vy, vy);
+            vz = lanes_select(m93, o94.vz, vz);
+            const LANES(hoop_ticked_out) o95 =
                 LANES(hoop_ticked)(clock, when);
-            clock = lanes_select(m92, o94.clock, clock);
+            clock = lanes_select(m93, o95.clock, clock);
         }
-        const LANES(hoop_displacement_out) o95 =
+        const LANES(hoop_displacement_out) o96 =
             LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth);
-        V slack = o95.margin;
-        const LANES(hoop_target_out) o96 =
+        V slack = o96.margin;
+        const LANES(hoop_target_out) o97 =
             LANES(hoop_target)(x, y, ring_radius);
-        V miss = o96.target;
-        const LANES(hoop_doubted_out) o97 =
+        V miss = o97.target;
+        const LANES(hoop_doubted_out) o98 =
             LANES(hoop_doubted)(doubt, ends, late, miss, slack, uncertain, when);
-        uncertain = o97.uncertain;
-        const LANES(hoop_accounted_out) o98 =
+        uncertain = o98.uncertain;
+        const LANES(hoop_accounted_out) o99 =
             LANES(hoop_accounted)(contacts, ends, miss, most_contacts, touches);
-        contacts = o98.contacts;
-        outcome = o98.outcome;
+        contacts = o99.contacts;
+        outcome = o99.outcome;
         const V x_before = x;
         const V y_before = y;
         const V z_before = z;
@@ -1361,187 +1367,187 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         const V wz_before = wz;
 
         /* What the event does to the ball. */
-        const LANES(hoop_meeting_out) o99 =
+        const LANES(hoop_meeting_out) o100 =
             LANES(hoop_meeting)(claims, ends, touches);
-        M meeting = o99.meeting;
-        const M m100 = flying & meeting;
-        if (lanes_any(m100)) {
-            const LANES(hoop_end_normal_out) o101 =
+        M meeting = o100.meeting;
+        const M m101 = flying & meeting;
+        if (lanes_any(m101)) {
+            const LANES(hoop_end_normal_out) o102 =
                 LANES(hoop_end_normal)();
-            V nx = o101.nx;
-            V ny = o101.ny;
-            V nz = o101.nz;
-            const LANES(hoop_here_out) o102 =
+            V nx = o102.nx;
+            V ny = o102.ny;
+            V nz = o102.nz;
+            const LANES(hoop_here_out) o103 =
                 LANES(hoop_here)(K(0.0), which);
-            M here = o102.here;
-            const M m103 = m100 & here;
+            M here = o103.here;
+            const M m104 = m101 & here;
             {
-                const LANES(hoop_ring_normal_out) o104 =
+                const LANES(hoop_ring_normal_out) o105 =
                     LANES(hoop_ring_normal)(x, y, z, ball_radius, ring_radius, wire_radius);
-                nx = lanes_select(m103, o104.nx, nx);
-                ny = lanes_select(m103, o104.ny, ny);
-                nz = lanes_select(m103, o104.nz, nz);
-                const LANES(hoop_counted_out) o105 =
+                nx = lanes_select(m104, o105.nx, nx);
+                ny = lanes_select(m104, o105.ny, ny);
+                nz = lanes_select(m104, o105.nz, nz);
+                const LANES(hoop_counted_out) o106 =
                     LANES(hoop_counted)(count_0);
-                count_0 = lanes_select(m103, o105.count, count_0);
+                count_0 = lanes_select(m104, o106.count, count_0);
             }
-            const LANES(hoop_here_out) o106 =
+            const LANES(hoop_here_out) o107 =
                 LANES(hoop_here)(K(1.0), which);
-            here = o106.here;
-            const M m107 = m100 & here;
+            here = o107.here;
+            const M m108 = m101 & here;
             {
-                const LANES(hoop_backboard_normal_out) o108 =
+                const LANES(hoop_backboard_normal_out) o109 =
                     LANES(hoop_backboard_normal)();
-                nx = lanes_select(m107, o108.nx, nx);
-                ny = lanes_select(m107, o108.ny, ny);
-                nz = lanes_select(m107, o108.nz, nz);
-                const LANES(hoop_counted_out) o109 =
+                nx = lanes_select(m108, o109.nx, nx);
+                ny = lanes_select(m108, o109.ny, ny);
+                nz = lanes_select(m108, o109.nz, nz);
+                const LANES(hoop_counted_out) o110 =
                     LANES(hoop_counted)(count_1);
-                count_1 = lanes_select(m107, o109.count, count_1);
+                count_1 = lanes_select(m108, o110.count, count_1);
             }
-            const LANES(hoop_here_out) o110 =
+            const LANES(hoop_here_out) o111 =
                 LANES(hoop_here)(K(2.0), which);
-            here = o110.here;
-            const M m111 = m100 & here;
+            here = o111.here;
+            const M m112 = m101 & here;
             {
-                const LANES(hoop_bridge_normal_out) o112 =
+                const LANES(hoop_bridge_normal_out) o113 =
                     LANES(hoop_bridge_normal)();
-                nx = lanes_select(m111, o112.nx, nx);
-                ny = lanes_select(m111, o112.ny, ny);
-                nz = lanes_select(m111, o112.nz, nz);
-                const LANES(hoop_counted_out) o113 =
+                nx = lanes_select(m112, o113.nx, nx);
+                ny = lanes_select(m112, o113.ny, ny);
+                nz = lanes_select(m112, o113.nz, nz);
+                const LANES(hoop_counted_out) o114 =
                     LANES(hoop_counted)(count_2);
-                count_2 = lanes_select(m111, o113.count, count_2);
+                count_2 = lanes_select(m112, o114.count, count_2);
             }
-            const LANES(hoop_elsewhere_out) o114 =
+            const LANES(hoop_elsewhere_out) o115 =
                 LANES(hoop_elsewhere)();
-            V curving = o114.curving;
-            const LANES(hoop_again_out) o115 =
+            V curving = o115.curving;
+            const LANES(hoop_again_out) o116 =
                 LANES(hoop_again)(K(0.0), last, which);
-            M again = o115.again;
-            const M m116 = m100 & again;
+            M again = o116.again;
+            const M m117 = m101 & again;
             {
-                const LANES(hoop_ring_curvature_out) o117 =
+                const LANES(hoop_ring_curvature_out) o118 =
                     LANES(hoop_ring_curvature)(ball_radius, ring_radius, wire_radius);
-                curving = lanes_select(m116, o117.curvature, curving);
+                curving = lanes_select(m117, o118.curvature, curving);
             }
-            const LANES(hoop_again_out) o118 =
+            const LANES(hoop_again_out) o119 =
                 LANES(hoop_again)(K(1.0), last, which);
-            again = o118.again;
-            const M m119 = m100 & again;
+            again = o119.again;
+            const M m120 = m101 & again;
             {
-                const LANES(hoop_backboard_curvature_out) o120 =
+                const LANES(hoop_backboard_curvature_out) o121 =
                     LANES(hoop_backboard_curvature)();
-                curving = lanes_select(m119, o120.curvature, curving);
+                curving = lanes_select(m120, o121.curvature, curving);
             }
-            const LANES(hoop_again_out) o121 =
+            const LANES(hoop_again_out) o122 =
                 LANES(hoop_again)(K(2.0), last, which);
-            again = o121.again;
-            const M m122 = m100 & again;
+            again = o122.again;
+            const M m123 = m101 & again;
             {
-                const LANES(hoop_bridge_curvature_out) o123 =
+                const LANES(hoop_bridge_curvature_out) o124 =
                     LANES(hoop_bridge_curvature)();
-                curving = lanes_select(m122, o123.curvature, curving);
+                curving = lanes_select(m123, o124.curvature, curving);
             }
-            const LANES(hoop_carry_flight_out) o124 =
+            const LANES(hoop_carry_flight_out) o125 =
                 LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, gravity);
-            dx = lanes_select(m100, o124.dx, dx);
-            dy = lanes_select(m100, o124.dy, dy);
-            dz = lanes_select(m100, o124.dz, dz);
-            dvx = lanes_select(m100, o124.dvx, dvx);
-            dvy = lanes_select(m100, o124.dvy, dvy);
-            dvz = lanes_select(m100, o124.dvz, dvz);
-            V delay = o124.delay;
-            V shift = o124.shift;
-            const LANES(hoop_delayed_out) o125 =
+            dx = lanes_select(m101, o125.dx, dx);
+            dy = lanes_select(m101, o125.dy, dy);
+            dz = lanes_select(m101, o125.dz, dz);
+            dvx = lanes_select(m101, o125.dvx, dvx);
+            dvy = lanes_select(m101, o125.dvy, dvy);
+            dvz = lanes_select(m101, o125.dvz, dvz);
+            V delay = o125.delay;
+            V shift = o125.shift;
+            const LANES(hoop_delayed_out) o126 =
                 LANES(hoop_delayed)(clock_error, delay);
-            clock_error = lanes_select(m100, o125.clock_error, clock_error);
-            const M m126 = m100 & ends;
+            clock_error = lanes_select(m101, o126.clock_error, clock_error);
+            const M m127 = m101 & ends;
             {
-                const LANES(hoop_floored_out) o127 =
+                const LANES(hoop_floored_out) o128 =
                     LANES(hoop_floored)(dx, dy, dz, shift);
-                dx = lanes_select(m126, o127.dx, dx);
-                dy = lanes_select(m126, o127.dy, dy);
-                dz = lanes_select(m126, o127.dz, dz);
+                dx = lanes_select(m127, o128.dx, dx);
+                dy = lanes_select(m127, o128.dy, dy);
+                dz = lanes_select(m127, o128.dz, dz);
             }
-            const LANES(hoop_unturned_out) o128 =
+            const LANES(hoop_unturned_out) o129 =
                 LANES(hoop_unturned)();
-            V dnx = o128.dnx;
-            V dny = o128.dny;
-            V dnz = o128.dnz;
-            V turn = o128.turn;
-            const LANES(hoop_here_out) o129 =
+            V dnx = o129.dnx;
+            V dny = o129.dny;
+            V dnz = o129.dnz;
+            V turn = o129.turn;
+            const LANES(hoop_here_out) o130 =
                 LANES(hoop_here)(K(0.0), which);
-            here = o129.here;
-            const M m130 = m100 & here;
-            if (lanes_any(m130)) {
-                const LANES(hoop_ring_carry_normal_out) o131 =
+            here = o130.here;
+            const M m131 = m101 & here;
+            if (lanes_any(m131)) {
+                const LANES(hoop_ring_carry_normal_out) o132 =
                     LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, ball_radius, ring_radius, wire_radius);
-                dnx = lanes_select(m130, o131.dnx, dnx);
-                dny = lanes_select(m130, o131.dny, dny);
-                dnz = lanes_select(m130, o131.dnz, dnz);
-                turn = lanes_select(m130, o131.turn, turn);
+                dnx = lanes_select(m131, o132.dnx, dnx);
+                dny = lanes_select(m131, o132.dny, dny);
+                dnz = lanes_select(m131, o132.dnz, dnz);
+                turn = lanes_select(m131, o132.turn, turn);
             }
-            const M m132 = m100 & touches;
-            if (lanes_any(m132)) {
-                const LANES(hoop_carry_impact_out) o133 =
+            const M m133 = m101 & touches;
+            if (lanes_any(m133)) {
+                const LANES(hoop_carry_impact_out) o134 =
                     LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, ball_radius, restitution);
-                dvx = lanes_select(m132, o133.dvx, dvx);
-                dvy = lanes_select(m132, o133.dvy, dvy);
-                dvz = lanes_select(m132, o133.dvz, dvz);
-                dwx = lanes_select(m132, o133.dwx, dwx);
-                dwy = lanes_select(m132, o133.dwy, dwy);
-                dwz = lanes_select(m132, o133.dwz, dwz);
-                const LANES(hoop_impact_out) o134 =
+                dvx = lanes_select(m133, o134.dvx, dvx);
+                dvy = lanes_select(m133, o134.dvy, dvy);
+                dvz = lanes_select(m133, o134.dvz, dvz);
+                dwx = lanes_select(m133, o134.dwx, dwx);
+                dwy = lanes_select(m133, o134.dwy, dwy);
+                dwz = lanes_select(m133, o134.dwz, dwz);
+                const LANES(hoop_impact_out) o135 =
                     LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, ball_radius, restitution);
-                vx = lanes_select(m132, o134.vx, vx);
-                vy = lanes_select(m132, o134.vy, vy);
-                vz = lanes_select(m132, o134.vz, vz);
-                wx = lanes_select(m132, o134.wx, wx);
-                wy = lanes_select(m132, o134.wy, wy);
-                wz = lanes_select(m132, o134.wz, wz);
+                vx = lanes_select(m133, o135.vx, vx);
+                vy = lanes_select(m133, o135.vy, vy);
+                vz = lanes_select(m133, o135.vz, vz);
+                wx = lanes_select(m133, o135.wx, wx);
+                wy = lanes_select(m133, o135.wy, wy);
+                wz = lanes_select(m133, o135.wz, wz);
             }
-            const LANES(hoop_here_out) o135 =
+            const LANES(hoop_here_out) o136 =
                 LANES(hoop_here)(K(1.0), which);
-            here = o135.here;
-            const M m136 = m100 & here;
+            here = o136.here;
+            const M m137 = m101 & here;
             {
-                const LANES(hoop_backboard_place_out) o137 =
+                const LANES(hoop_backboard_place_out) o138 =
                     LANES(hoop_backboard_place)(y, z, ball_radius, board_distance);
-                x = lanes_select(m136, o137.x, x);
-                y = lanes_select(m136, o137.y, y);
-                z = lanes_select(m136, o137.z, z);
+                x = lanes_select(m137, o138.x, x);
+                y = lanes_select(m137, o138.y, y);
+                z = lanes_select(m137, o138.z, z);
             }
-            const LANES(hoop_here_out) o138 =
+            const LANES(hoop_here_out) o139 =
                 LANES(hoop_here)(K(2.0), which);
-            here = o138.here;
-            const M m139 = m100 & here;
+            here = o139.here;
+            const M m140 = m101 & here;
             {
-                const LANES(hoop_bridge_place_out) o140 =
+                const LANES(hoop_bridge_place_out) o141 =
                     LANES(hoop_bridge_place)(x, y, ball_radius, wire_radius);
-                x = lanes_select(m139, o140.x, x);
-                y = lanes_select(m139, o140.y, y);
-                z = lanes_select(m139, o140.z, z);
+                x = lanes_select(m140, o141.x, x);
+                y = lanes_select(m140, o141.y, y);
+                z = lanes_select(m140, o141.z, z);
             }
-            const M m141 = m100 & touches;
+            const M m142 = m101 & touches;
             {
-                const LANES(hoop_touched_out) o142 =
-                    LANES(hoop_touched)(first, which);
-                first = lanes_select(m141, o142.first, first);
-                last = lanes_select(m141, o142.last, last);
+                const LANES(hoop_touched_out) o143 =
+                    LANES(hoop_touched)(body, first, which);
+                first = lanes_select(m142, o143.first, first);
+                last = lanes_select(m142, o143.last, last);
             }
         }
-        const LANES(hoop_closing_out) o143 =
+        const LANES(hoop_closing_out) o144 =
             LANES(hoop_closing)(claims, outcome);
-        M closed = o143.closed;
-        const M m144 = flying & closed;
+        M closed = o144.closed;
+        const M m145 = flying & closed;
         {
-            const LANES(hoop_claimed_errors_out) o145 =
+            const LANES(hoop_claimed_errors_out) o146 =
                 LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            position_claim = lanes_select(m144, o145.position_error, position_claim);
-            velocity_claim = lanes_select(m144, o145.velocity_error, velocity_claim);
-            spin_claim = lanes_select(m144, o145.spin_error, spin_claim);
-            time_claim = lanes_select(m144, o145.time_error, time_claim);
+            position_claim = lanes_select(m145, o146.position_error, position_claim);
+            velocity_claim = lanes_select(m145, o146.velocity_error, velocity_claim);
+            spin_claim = lanes_select(m145, o146.spin_error, spin_claim);
+            time_claim = lanes_select(m145, o146.time_error, time_claim);
         }
         lanes_store(pool.x, x);
         lanes_store(pool.y, y);
@@ -1578,7 +1584,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         if (job->results->events) {
             double surface[LANES_WIDTH];
             double before[HOOP_STATE][LANES_WIDTH];
-            lanes_store(surface, which);
+            lanes_store(surface, body);
             lanes_store(before[0], x_before);
             lanes_store(before[1], y_before);
             lanes_store(before[2], z_before);

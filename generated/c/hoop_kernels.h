@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation ae6a41b5ebf2e78c,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 6070df632d9c93b8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -24,30 +24,6 @@ LANES_INLINE LANES(hoop_flight_out)
 LANES(hoop_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V gravity)
 {
     return (LANES(hoop_flight_out)){ x + (t * vx), y + (t * vy), z + (t * (vz - ((K(0.5) * gravity) * t))), vx, vy, vz - (gravity * t) };
-}
-
-/* Velocity and spin after a contact, frame-free.
-   Eqs. 11-17, the frame eliminated. 63 operations: 10 additions, 12 subtractions, 40 multiplications, 1 division. */
-typedef struct {
-    V vx;
-    V vy;
-    V vz;
-    V wx;
-    V wy;
-    V wz;
-} LANES(hoop_impact_out);
-
-LANES_INLINE LANES(hoop_impact_out)
-LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V ball_radius, V restitution)
-{
-    const V s0 = K(0.4) * ball_radius;
-    const V s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
-    const V s2 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
-    const V s3 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
-    const V s4 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
-    const V s5 = ((nx * wx) + (ny * wy)) + (nz * wz);
-    const V s6 = K(1.0) / ball_radius;
-    return (LANES(hoop_impact_out)){ s2 - ((nx * restitution) * s1), s3 - ((ny * restitution) * s1), s4 - ((nz * restitution) * s1), (nx * s5) + (s6 * ((ny * s4) - (nz * s3))), (ny * s5) + (s6 * ((nz * s2) - (nx * s4))), (nz * s5) + (s6 * ((nx * s3) - (ny * s2))) };
 }
 
 /* Positive clearance if a crossing is certain, and the bound on its delay.
@@ -196,67 +172,6 @@ LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz,
     return (LANES(hoop_carry_flight_out)){ lanes_select((lanes_abs(s15) < s31), lanes_select((s15 < K(0.0)), s32, s31), s15), lanes_select((lanes_abs(s33) < s31), lanes_select((s33 < K(0.0)), s32, s31), s33), lanes_select((lanes_abs(s34) < s31), lanes_select((s34 < K(0.0)), s32, s31), s34), dvx, dvy, dvz - (gravity * s14), (K(4.440892098500626e-16) * (clock + t)) + lanes_select((s35 < s36), s36, s35), s30 };
 }
 
-/* Errors of velocity and spin after a contact, from those before it.
-   derivative of the frame-free Eq. 17, with roundings. 243 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections. */
-typedef struct {
-    V dvx;
-    V dvy;
-    V dvz;
-    V dwx;
-    V dwy;
-    V dwz;
-} LANES(hoop_carry_impact_out);
-
-LANES_INLINE LANES(hoop_carry_impact_out)
-LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V ball_radius, V restitution)
-{
-    const V s0 = K(0.4) * ball_radius;
-    const V s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
-    const V s2 = (((((dnx * vx) + (dny * vy)) + (dnz * vz)) + (dvx * nx)) + (dvy * ny)) + (dvz * nz);
-    const V s3 = (s0 * ((((dnz * wy) + (dwy * nz)) - (dny * wz)) - (dwz * ny))) + (K(0.6) * ((dvx - (dnx * s1)) - (nx * s2)));
-    const V s4 = (s3 - ((dnx * restitution) * s1)) - ((nx * restitution) * s2);
-    const V s5 = ((ball_radius * ((lanes_abs(wx) + lanes_abs(wy)) + lanes_abs(wz))) + lanes_abs(vx)) + lanes_abs(vy);
-    const V s6 = s5 + lanes_abs(vz);
-    const V s7 = K(2.220446049250313e-16) * s6;
-    const V s8 = -s7;
-    const V s9 = s4 + lanes_select((s4 < K(0.0)), s8, s7);
-    const V s10 = K(8.0) + (K(8.0) * contacts);
-    const V s11 = lanes_abs(dwx);
-    const V s12 = lanes_abs(dwy);
-    const V s13 = lanes_select((s11 < s12), s12, s11);
-    const V s14 = lanes_abs(dwz);
-    const V s15 = lanes_abs(dvx);
-    const V s16 = lanes_abs(dvy);
-    const V s17 = lanes_select((s15 < s16), s16, s15);
-    const V s18 = lanes_abs(dvz);
-    const V s19 = ((ball_radius * lanes_select((s13 < s14), s14, s13)) + (turn * s6)) + lanes_select((s17 < s18), s18, s17);
-    const V s20 = s19 / s10;
-    const V s21 = -s20;
-    const V s22 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (K(0.6) * ((dvy - (dny * s1)) - (ny * s2)));
-    const V s23 = (s22 - ((dny * restitution) * s1)) - ((ny * restitution) * s2);
-    const V s24 = s23 + lanes_select((s23 < K(0.0)), s8, s7);
-    const V s25 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (K(0.6) * ((dvz - (dnz * s1)) - (nz * s2)));
-    const V s26 = (s25 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2);
-    const V s27 = s26 + lanes_select((s26 < K(0.0)), s8, s7);
-    const V s28 = ((nx * wx) + (ny * wy)) + (nz * wz);
-    const V s29 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz);
-    const V s30 = K(1.0) / ball_radius;
-    const V s31 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
-    const V s32 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
-    const V s33 = ((dnx * s28) + (nx * s29)) + (s30 * ((((dny * s31) + (ny * s25)) - (dnz * s32)) - (nz * s22)));
-    const V s34 = s7 / ball_radius;
-    const V s35 = -s34;
-    const V s36 = s33 + lanes_select((s33 < K(0.0)), s35, s34);
-    const V s37 = s19 / (ball_radius * s10);
-    const V s38 = -s37;
-    const V s39 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
-    const V s40 = ((dny * s28) + (ny * s29)) + (s30 * ((((dnz * s39) + (nz * s3)) - (dnx * s31)) - (nx * s25)));
-    const V s41 = s40 + lanes_select((s40 < K(0.0)), s35, s34);
-    const V s42 = ((dnz * s28) + (nz * s29)) + (s30 * ((((dnx * s32) + (nx * s22)) - (dny * s39)) - (ny * s3)));
-    const V s43 = s42 + lanes_select((s42 < K(0.0)), s35, s34);
-    return (LANES(hoop_carry_impact_out)){ lanes_select((lanes_abs(s9) < s20), lanes_select((s9 < K(0.0)), s21, s20), s9), lanes_select((lanes_abs(s24) < s20), lanes_select((s24 < K(0.0)), s21, s20), s24), lanes_select((lanes_abs(s27) < s20), lanes_select((s27 < K(0.0)), s21, s20), s27), lanes_select((lanes_abs(s36) < s37), lanes_select((s36 < K(0.0)), s38, s37), s36), lanes_select((lanes_abs(s41) < s37), lanes_select((s41 < K(0.0)), s38, s37), s41), lanes_select((lanes_abs(s43) < s37), lanes_select((s43 < K(0.0)), s38, s37), s43) };
-}
-
 /* Bounds on the errors of a state and its time that decisions allow for.
    the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
@@ -401,49 +316,6 @@ LANES_INLINE LANES(hoop_target_out)
 LANES(hoop_target)(V x, V y, V ring_radius)
 {
     return (LANES(hoop_target_out)){ lanes_sqrt(((x * x) + (y * y))) - ring_radius };
-}
-
-/* Whether a shot can start, and whether that is in doubt.
-   Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections. */
-typedef struct {
-    V outcome;
-    V uncertain;
-} LANES(hoop_admitted_out);
-
-LANES_INLINE LANES(hoop_admitted_out)
-LANES(hoop_admitted)(V doubt, M finite, M permitted, V valid)
-{
-    const M s0 = permitted & finite;
-    return (LANES(hoop_admitted_out)){ lanes_select((s0 & (K(0.0) < valid)), K(-1.0), K(4.0)), lanes_select((s0 & (K(0.0) < doubt)), K(1.0), K(0.0)) };
-}
-
-/* Where every number of a state is finite.
-   Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions. */
-typedef struct {
-    M finite;
-} LANES(hoop_finite_state_out);
-
-LANES_INLINE LANES(hoop_finite_state_out)
-LANES(hoop_finite_state)(V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
-{
-    const M s0 = ((((lanes_abs(x) < K(INFINITY)) & (lanes_abs(y) < K(INFINITY))) & (lanes_abs(z) < K(INFINITY))) & (lanes_abs(vx) < K(INFINITY))) & (lanes_abs(vy) < K(INFINITY));
-    const M s1 = (((s0 & (lanes_abs(vz) < K(INFINITY))) & (lanes_abs(wx) < K(INFINITY))) & (lanes_abs(wy) < K(INFINITY))) & (lanes_abs(wz) < K(INFINITY));
-    return (LANES(hoop_finite_state_out)){ s1 };
-}
-
-/* No arrival yet; nothing is certain where the errors are not bounded.
-   Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 selection. */
-typedef struct {
-    V when;
-    V which;
-    V late;
-    V doubt;
-} LANES(hoop_opening_out);
-
-LANES_INLINE LANES(hoop_opening_out)
-LANES(hoop_opening)(V excess, V position_error, V velocity_error)
-{
-    return (LANES(hoop_opening_out)){ K(INFINITY), K(-1.0), K(0.0), lanes_select((((position_error < K(INFINITY)) & (velocity_error < K(INFINITY))) & (excess <= K(0.0))), K(INFINITY), K(0.0)) };
 }
 
 /* 1 where the ball leaves a surface.
@@ -726,6 +598,49 @@ LANES(hoop_landed_surely)(M arrives, M certain, V clearance, V delay, V doubt, V
     return (LANES(hoop_landed_surely_out)){ lanes_select(s0, delay, K(0.0)), lanes_select(((arrives & NOT(s0)) & (time < doubt)), time, doubt) };
 }
 
+/* Whether a shot can start, and whether that is in doubt.
+   Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections. */
+typedef struct {
+    V outcome;
+    V uncertain;
+} LANES(hoop_admitted_out);
+
+LANES_INLINE LANES(hoop_admitted_out)
+LANES(hoop_admitted)(V doubt, M finite, M permitted, V valid)
+{
+    const M s0 = permitted & finite;
+    return (LANES(hoop_admitted_out)){ lanes_select((s0 & (K(0.0) < valid)), K(-1.0), K(4.0)), lanes_select((s0 & (K(0.0) < doubt)), K(1.0), K(0.0)) };
+}
+
+/* Where every number of a state is finite.
+   Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions. */
+typedef struct {
+    M finite;
+} LANES(hoop_finite_state_out);
+
+LANES_INLINE LANES(hoop_finite_state_out)
+LANES(hoop_finite_state)(V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
+{
+    const M s0 = ((((lanes_abs(x) < K(INFINITY)) & (lanes_abs(y) < K(INFINITY))) & (lanes_abs(z) < K(INFINITY))) & (lanes_abs(vx) < K(INFINITY))) & (lanes_abs(vy) < K(INFINITY));
+    const M s1 = (((s0 & (lanes_abs(vz) < K(INFINITY))) & (lanes_abs(wx) < K(INFINITY))) & (lanes_abs(wy) < K(INFINITY))) & (lanes_abs(wz) < K(INFINITY));
+    return (LANES(hoop_finite_state_out)){ s1 };
+}
+
+/* No arrival yet; nothing is certain where the errors are not bounded.
+   Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 selection. */
+typedef struct {
+    V when;
+    V which;
+    V late;
+    V doubt;
+} LANES(hoop_opening_out);
+
+LANES_INLINE LANES(hoop_opening_out)
+LANES(hoop_opening)(V excess, V position_error, V velocity_error)
+{
+    return (LANES(hoop_opening_out)){ K(INFINITY), K(-1.0), K(0.0), lanes_select((((position_error < K(INFINITY)) & (velocity_error < K(INFINITY))) & (excess <= K(0.0))), K(INFINITY), K(0.0)) };
+}
+
 /* Whether there is no event, the end, or a contact.
    Table 1. 5 operations: 2 comparisons, 1 conjunction, 2 complements. */
 typedef struct {
@@ -892,9 +807,9 @@ typedef struct {
 } LANES(hoop_touched_out);
 
 LANES_INLINE LANES(hoop_touched_out)
-LANES(hoop_touched)(V first, V which)
+LANES(hoop_touched)(V body, V first, V which)
 {
-    return (LANES(hoop_touched_out)){ lanes_select((first < K(0.0)), which, first), which };
+    return (LANES(hoop_touched_out)){ lanes_select((first < K(0.0)), body, first), which };
 }
 
 /* Where a shot has ended whose errors are asked for.
@@ -907,6 +822,103 @@ LANES_INLINE LANES(hoop_closing_out)
 LANES(hoop_closing)(V claims, V outcome)
 {
     return (LANES(hoop_closing_out)){ (K(0.0) < claims) & (K(0.0) <= outcome) };
+}
+
+/* The body that the event is on.
+   Table 1. No operations. */
+typedef struct {
+    V body;
+} LANES(hoop_body_of_out);
+
+LANES_INLINE LANES(hoop_body_of_out)
+LANES(hoop_body_of)(V which)
+{
+    return (LANES(hoop_body_of_out)){ which };
+}
+
+/* Velocity and spin after a contact, frame-free.
+   Eqs. 11-17, the frame eliminated. 63 operations: 10 additions, 12 subtractions, 40 multiplications, 1 division. */
+typedef struct {
+    V vx;
+    V vy;
+    V vz;
+    V wx;
+    V wy;
+    V wz;
+} LANES(hoop_impact_out);
+
+LANES_INLINE LANES(hoop_impact_out)
+LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V ball_radius, V restitution)
+{
+    const V s0 = K(0.4) * ball_radius;
+    const V s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const V s2 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
+    const V s3 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
+    const V s4 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
+    const V s5 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    const V s6 = K(1.0) / ball_radius;
+    return (LANES(hoop_impact_out)){ s2 - ((nx * restitution) * s1), s3 - ((ny * restitution) * s1), s4 - ((nz * restitution) * s1), (nx * s5) + (s6 * ((ny * s4) - (nz * s3))), (ny * s5) + (s6 * ((nz * s2) - (nx * s4))), (nz * s5) + (s6 * ((nx * s3) - (ny * s2))) };
+}
+
+/* Errors of velocity and spin after a contact, from those before it.
+   derivative of the frame-free Eq. 17, with roundings. 243 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections. */
+typedef struct {
+    V dvx;
+    V dvy;
+    V dvz;
+    V dwx;
+    V dwy;
+    V dwz;
+} LANES(hoop_carry_impact_out);
+
+LANES_INLINE LANES(hoop_carry_impact_out)
+LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V ball_radius, V restitution)
+{
+    const V s0 = K(0.4) * ball_radius;
+    const V s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const V s2 = (((((dnx * vx) + (dny * vy)) + (dnz * vz)) + (dvx * nx)) + (dvy * ny)) + (dvz * nz);
+    const V s3 = (s0 * ((((dnz * wy) + (dwy * nz)) - (dny * wz)) - (dwz * ny))) + (K(0.6) * ((dvx - (dnx * s1)) - (nx * s2)));
+    const V s4 = (s3 - ((dnx * restitution) * s1)) - ((nx * restitution) * s2);
+    const V s5 = ((ball_radius * ((lanes_abs(wx) + lanes_abs(wy)) + lanes_abs(wz))) + lanes_abs(vx)) + lanes_abs(vy);
+    const V s6 = s5 + lanes_abs(vz);
+    const V s7 = K(2.220446049250313e-16) * s6;
+    const V s8 = -s7;
+    const V s9 = s4 + lanes_select((s4 < K(0.0)), s8, s7);
+    const V s10 = K(8.0) + (K(8.0) * contacts);
+    const V s11 = lanes_abs(dwx);
+    const V s12 = lanes_abs(dwy);
+    const V s13 = lanes_select((s11 < s12), s12, s11);
+    const V s14 = lanes_abs(dwz);
+    const V s15 = lanes_abs(dvx);
+    const V s16 = lanes_abs(dvy);
+    const V s17 = lanes_select((s15 < s16), s16, s15);
+    const V s18 = lanes_abs(dvz);
+    const V s19 = ((ball_radius * lanes_select((s13 < s14), s14, s13)) + (turn * s6)) + lanes_select((s17 < s18), s18, s17);
+    const V s20 = s19 / s10;
+    const V s21 = -s20;
+    const V s22 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (K(0.6) * ((dvy - (dny * s1)) - (ny * s2)));
+    const V s23 = (s22 - ((dny * restitution) * s1)) - ((ny * restitution) * s2);
+    const V s24 = s23 + lanes_select((s23 < K(0.0)), s8, s7);
+    const V s25 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (K(0.6) * ((dvz - (dnz * s1)) - (nz * s2)));
+    const V s26 = (s25 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2);
+    const V s27 = s26 + lanes_select((s26 < K(0.0)), s8, s7);
+    const V s28 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    const V s29 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz);
+    const V s30 = K(1.0) / ball_radius;
+    const V s31 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
+    const V s32 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
+    const V s33 = ((dnx * s28) + (nx * s29)) + (s30 * ((((dny * s31) + (ny * s25)) - (dnz * s32)) - (nz * s22)));
+    const V s34 = s7 / ball_radius;
+    const V s35 = -s34;
+    const V s36 = s33 + lanes_select((s33 < K(0.0)), s35, s34);
+    const V s37 = s19 / (ball_radius * s10);
+    const V s38 = -s37;
+    const V s39 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
+    const V s40 = ((dny * s28) + (ny * s29)) + (s30 * ((((dnz * s39) + (nz * s3)) - (dnx * s31)) - (nx * s25)));
+    const V s41 = s40 + lanes_select((s40 < K(0.0)), s35, s34);
+    const V s42 = ((dnz * s28) + (nz * s29)) + (s30 * ((((dnx * s32) + (nx * s22)) - (dny * s39)) - (ny * s3)));
+    const V s43 = s42 + lanes_select((s42 < K(0.0)), s35, s34);
+    return (LANES(hoop_carry_impact_out)){ lanes_select((lanes_abs(s9) < s20), lanes_select((s9 < K(0.0)), s21, s20), s9), lanes_select((lanes_abs(s24) < s20), lanes_select((s24 < K(0.0)), s21, s20), s24), lanes_select((lanes_abs(s27) < s20), lanes_select((s27 < K(0.0)), s21, s20), s27), lanes_select((lanes_abs(s36) < s37), lanes_select((s36 < K(0.0)), s38, s37), s36), lanes_select((lanes_abs(s41) < s37), lanes_select((s41 < K(0.0)), s38, s37), s41), lanes_select((lanes_abs(s43) < s37), lanes_select((s43 < K(0.0)), s38, s37), s43) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1100,23 +1112,6 @@ LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_
     return (LANES(hoop_ring_prepare_out)){ s2, s5, lanes_sqrt(s6), lanes_select((K(0.0) < s28), s28, K(0.0)), lanes_select((s42 < horizon), s42, horizon), lanes_select((K(0.0) < s50), s50, K(0.0)), lanes_select((s51 < horizon), s51, horizon), lanes_select((K(0.0) < s52), s52, K(0.0)), lanes_select((s53 < horizon), s53, horizon), (((K(6.0003662109375) * gravity) * s7) + (s5 * (s54 * (s54 * s54)))) + lanes_abs(s2), lanes_select((s57 < horizon), s57, horizon), lanes_select((s58 < s59), s59, s58) };
 }
 
-/* The start and end of the first window that begins no earlier than a time, if any.
-   Table 1. 18 operations: 6 comparisons, 3 conjunctions, 3 disjunctions, 6 selections. */
-typedef struct {
-    V t;
-    V end;
-    M searching;
-} LANES(hoop_ring_enter_out);
-
-LANES_INLINE LANES(hoop_ring_enter_out)
-LANES(hoop_ring_enter)(V after, V end, V high0, V high1, V high2, V low0, V low1, V low2, V t)
-{
-    const M s0 = (low0 < high0) & (after <= low0);
-    const M s1 = (low1 < high1) & (after <= low1);
-    const M s2 = (low2 < high2) & (after <= low2);
-    return (LANES(hoop_ring_enter_out)){ lanes_select(s0, low0, lanes_select(s1, low1, lanes_select(s2, low2, t))), lanes_select(s0, high0, lanes_select(s1, high1, lanes_select(s2, high2, end))), ((NOWHERE | s2) | s1) | s0 };
-}
-
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
    running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections. */
 typedef struct {
@@ -1230,6 +1225,23 @@ LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceili
     return (LANES(hoop_ring_advance_out)){ s10, s15, (steady - s17) - s18, s41, t + s41, t - ((K(0.5) * s10) / s14), lanes_select((K(0.0) < s42), ((s42 * s42) - ((K(8.0) * ceiling) * (margin + (K(32.0) * s22)))), s42) };
 }
 
+/* The first window that begins no earlier than a time, if there is one.
+   Table 1. 18 operations: 6 comparisons, 3 conjunctions, 3 disjunctions, 6 selections. */
+typedef struct {
+    V t;
+    V end;
+    M searching;
+} LANES(hoop_ring_enter_out);
+
+LANES_INLINE LANES(hoop_ring_enter_out)
+LANES(hoop_ring_enter)(V after, V end, V high0, V high1, V high2, V low0, V low1, V low2, V t)
+{
+    const M s0 = (low0 < high0) & (after <= low0);
+    const M s1 = (low1 < high1) & (after <= low1);
+    const M s2 = (low2 < high2) & (after <= low2);
+    return (LANES(hoop_ring_enter_out)){ lanes_select(s0, low0, lanes_select(s1, low1, lanes_select(s2, low2, t))), lanes_select(s0, high0, lanes_select(s1, high1, lanes_select(s2, high2, end))), ((NOWHERE | s2) | s1) | s0 };
+}
+
 /* Outward unit normal n3 at a contact.
    Table 2. No operations. */
 typedef struct {
@@ -1269,32 +1281,6 @@ LANES_INLINE LANES(hoop_backboard_bounds_out)
 LANES(hoop_backboard_bounds)(V y, V z, V board_half_width, V board_bottom, V board_top)
 {
     return (LANES(hoop_backboard_bounds_out)){ -(board_half_width + y), y - board_half_width, board_bottom - z, z - board_top };
-}
-
-/* Where a contact counts (Eq. 2).
-   Table 1. 7 operations: 4 comparisons, 3 conjunctions. */
-typedef struct {
-    M arrives;
-} LANES(hoop_backboard_within_out);
-
-LANES_INLINE LANES(hoop_backboard_within_out)
-LANES(hoop_backboard_within)(V g0, V g1, V g2, V g3)
-{
-    return (LANES(hoop_backboard_within_out)){ (((g0 <= K(0.0)) & (g1 <= K(0.0))) & (g2 <= K(0.0))) & (g3 <= K(0.0)) };
-}
-
-/* Where that, or the crossing, lies within its error.
-   Table 1. 19 operations: 1 negation, 9 comparisons, 8 conjunctions, 1 complement. */
-typedef struct {
-    M unsure;
-} LANES(hoop_backboard_edges_out);
-
-LANES_INLINE LANES(hoop_backboard_edges_out)
-LANES(hoop_backboard_edges)(V clearance, V g0, V g1, V g2, V g3, V slack)
-{
-    const V s0 = -slack;
-    const M s1 = NOT((((((g0 < s0) & (g1 < s0)) & (g2 < s0)) & (g3 < s0)) & (K(0.0) < clearance)));
-    return (LANES(hoop_backboard_edges_out)){ ((((g0 <= slack) & (g1 <= slack)) & (g2 <= slack)) & (g3 <= slack)) & s1 };
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
@@ -1341,6 +1327,32 @@ LANES(hoop_backboard_place)(V y, V z, V ball_radius, V board_distance)
     return (LANES(hoop_backboard_place_out)){ ball_radius - board_distance, y, z };
 }
 
+/* Where a contact counts (Eq. 2).
+   Table 1. 7 operations: 4 comparisons, 3 conjunctions. */
+typedef struct {
+    M arrives;
+} LANES(hoop_backboard_within_out);
+
+LANES_INLINE LANES(hoop_backboard_within_out)
+LANES(hoop_backboard_within)(V g0, V g1, V g2, V g3)
+{
+    return (LANES(hoop_backboard_within_out)){ (((g0 <= K(0.0)) & (g1 <= K(0.0))) & (g2 <= K(0.0))) & (g3 <= K(0.0)) };
+}
+
+/* Where that, or the crossing, lies within its error.
+   Table 1. 19 operations: 1 negation, 9 comparisons, 8 conjunctions, 1 complement. */
+typedef struct {
+    M unsure;
+} LANES(hoop_backboard_edges_out);
+
+LANES_INLINE LANES(hoop_backboard_edges_out)
+LANES(hoop_backboard_edges)(V clearance, V g0, V g1, V g2, V g3, V slack)
+{
+    const V s0 = -slack;
+    const M s1 = NOT((((((g0 < s0) & (g1 < s0)) & (g2 < s0)) & (g3 < s0)) & (K(0.0) < clearance)));
+    return (LANES(hoop_backboard_edges_out)){ ((((g0 <= slack) & (g1 <= slack)) & (g2 <= slack)) & (g3 <= slack)) & s1 };
+}
+
 /* Outward unit normal n3 at a contact.
    Table 2. No operations. */
 typedef struct {
@@ -1381,33 +1393,6 @@ LANES_INLINE LANES(hoop_bridge_bounds_out)
 LANES(hoop_bridge_bounds)(V x, V y, V ring_radius, V board_distance, V bridge_half_width)
 {
     return (LANES(hoop_bridge_bounds_out)){ -(bridge_half_width + y), y - bridge_half_width, ring_radius - lanes_sqrt(((x * x) + (y * y))), x, -(board_distance + x) };
-}
-
-/* Where a contact counts (Eq. 2).
-   Table 1. 9 operations: 5 comparisons, 4 conjunctions. */
-typedef struct {
-    M arrives;
-} LANES(hoop_bridge_within_out);
-
-LANES_INLINE LANES(hoop_bridge_within_out)
-LANES(hoop_bridge_within)(V g0, V g1, V g2, V g3, V g4)
-{
-    return (LANES(hoop_bridge_within_out)){ ((((g0 <= K(0.0)) & (g1 <= K(0.0))) & (g2 <= K(0.0))) & (g3 <= K(0.0))) & (g4 <= K(0.0)) };
-}
-
-/* Where that, or the crossing, lies within its error.
-   Table 1. 23 operations: 1 negation, 11 comparisons, 10 conjunctions, 1 complement. */
-typedef struct {
-    M unsure;
-} LANES(hoop_bridge_edges_out);
-
-LANES_INLINE LANES(hoop_bridge_edges_out)
-LANES(hoop_bridge_edges)(V clearance, V g0, V g1, V g2, V g3, V g4, V slack)
-{
-    const V s0 = -slack;
-    const M s1 = (((((g0 < s0) & (g1 < s0)) & (g2 < s0)) & (g3 < s0)) & (g4 < s0)) & (K(0.0) < clearance);
-    const M s2 = (((((g0 <= slack) & (g1 <= slack)) & (g2 <= slack)) & (g3 <= slack)) & (g4 <= slack)) & NOT(s1);
-    return (LANES(hoop_bridge_edges_out)){ s2 };
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
@@ -1456,6 +1441,33 @@ LANES_INLINE LANES(hoop_bridge_place_out)
 LANES(hoop_bridge_place)(V x, V y, V ball_radius, V wire_radius)
 {
     return (LANES(hoop_bridge_place_out)){ x, y, ball_radius + wire_radius };
+}
+
+/* Where a contact counts (Eq. 2).
+   Table 1. 9 operations: 5 comparisons, 4 conjunctions. */
+typedef struct {
+    M arrives;
+} LANES(hoop_bridge_within_out);
+
+LANES_INLINE LANES(hoop_bridge_within_out)
+LANES(hoop_bridge_within)(V g0, V g1, V g2, V g3, V g4)
+{
+    return (LANES(hoop_bridge_within_out)){ ((((g0 <= K(0.0)) & (g1 <= K(0.0))) & (g2 <= K(0.0))) & (g3 <= K(0.0))) & (g4 <= K(0.0)) };
+}
+
+/* Where that, or the crossing, lies within its error.
+   Table 1. 23 operations: 1 negation, 11 comparisons, 10 conjunctions, 1 complement. */
+typedef struct {
+    M unsure;
+} LANES(hoop_bridge_edges_out);
+
+LANES_INLINE LANES(hoop_bridge_edges_out)
+LANES(hoop_bridge_edges)(V clearance, V g0, V g1, V g2, V g3, V g4, V slack)
+{
+    const V s0 = -slack;
+    const M s1 = (((((g0 < s0) & (g1 < s0)) & (g2 < s0)) & (g3 < s0)) & (g4 < s0)) & (K(0.0) < clearance);
+    const M s2 = (((((g0 <= slack) & (g1 <= slack)) & (g2 <= slack)) & (g3 <= slack)) & (g4 <= slack)) & NOT(s1);
+    return (LANES(hoop_bridge_edges_out)){ s2 };
 }
 
 /* Outward unit normal n3 at a contact.

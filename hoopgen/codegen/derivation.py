@@ -14,8 +14,18 @@ import sympy as sp
 from sympy.core.sorting import default_sort_key
 from sympy.printing.latex import LatexPrinter
 
-from hoopgen.derive import events, rounding
-from hoopgen.derive.choice import (
+from hoopgen.derive.contact.frame import frame_from_axis
+from hoopgen.derive.contact.rolling import (
+    AFTER,
+    BEFORE,
+    INERTIA_FACTOR,
+    impact_equations,
+    impact_inverse,
+    impact_system,
+)
+from hoopgen.derive.flight.parabola import flight, flight_polynomials
+from hoopgen.derive.ground import rounding
+from hoopgen.derive.ground.choice import (
     Both,
     Choose,
     Condition,
@@ -28,24 +38,17 @@ from hoopgen.derive.choice import (
     hold_all,
     release,
 )
-from hoopgen.derive.events import Approach, approach, event_coefficients
-from hoopgen.derive.flight import flight, flight_polynomials
-from hoopgen.derive.frame import frame_from_axis
-from hoopgen.derive.impact import (
-    AFTER,
-    BEFORE,
-    INERTIA_FACTOR,
-    impact_equations,
-    impact_inverse,
-    impact_system,
-)
-from hoopgen.derive.kernel import Kernel
+from hoopgen.derive.ground.kernel import Kernel
+from hoopgen.derive.ground.polynomials import compose
+from hoopgen.derive.ground.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, normal
 from hoopgen.derive.model import Model
-from hoopgen.derive.polynomials import compose
-from hoopgen.derive.ring import WIDER, Ring
-from hoopgen.derive.scene import Scene
-from hoopgen.derive.surfaces import Plane, Surface
-from hoopgen.derive.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, normal
+from hoopgen.derive.scenes.scene import Scene
+from hoopgen.derive.search import approach, events
+from hoopgen.derive.search.approach import Approach
+from hoopgen.derive.search.events import event_coefficients
+from hoopgen.derive.search.plane import plane_arrival, plane_margin
+from hoopgen.derive.search.ring import WIDER
+from hoopgen.derive.surfaces import Plane, Ring, Surface
 
 Names = Mapping[sp.Expr, str]
 Outputs = Mapping[str, sp.Expr]
@@ -616,7 +619,7 @@ def _surface(surface: Surface, gravity: sp.Expr, brief: _Brief) -> SurfaceText:
         arrival = explain(
             {
                 written.get(name, rf"\text{{{name}}}"): brief(e)
-                for name, e in events.plane_arrival(surface, gravity).items()
+                for name, e in plane_arrival(surface, gravity).items()
             },
             {brief(start): "c"} | brief.names,
         )
@@ -764,7 +767,8 @@ def _kernel(kernel: Kernel, names: Names) -> KernelText:
 def derivation_context(model: Model) -> Derivation:
     """Return what the template of derivation.md shows."""
     scene = model.scene
-    gravity, ball_radius, restitution = scene.gravity, scene.ball_radius, scene.restitution
+    gravity, ball_radius = scene.gravity, scene.ball_radius
+    restitution = scene.laws[0].restitution
     brief, names = _Brief(scene), _known_names(scene)
     matrix, right = impact_system(ball_radius, restitution)
     inverse = impact_inverse(ball_radius)
@@ -817,9 +821,7 @@ def derivation_context(model: Model) -> Derivation:
                 r"\hat\varepsilon_v": moving.error,
             }
         ),
-        plane_margins=explain(
-            {rf"m_\text{{{p.name}}}": events.plane_margin(p, gravity) for p in planes}
-        ),
+        plane_margins=explain({rf"m_\text{{{p.name}}}": plane_margin(p, gravity) for p in planes}),
         displacement=explain({"d": events.displacement(gravity, lengths)}),
         kernels={kernel.name: _kernel(kernel, names) for kernel in model.kernels},
     )

@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 from hoopgen.derive.follow.fields import Field
 from hoopgen.derive.follow.loop import Loop
-from hoopgen.derive.follow.tree import Do, Guard, Node, Repeat, needed, reads, writes
+from hoopgen.derive.ground.tree import Do, Guard, Node, Repeat, needed, reads, writes
 
 from .printers import NUMPY, C, Spelling, constant
 
@@ -133,14 +133,12 @@ class CLoop(_Printer):
             own = scope(node, later)
             truth = self.fresh("m")
             inner = indent + "    "
-            inside = {name: kind for name, kind in known.items()}
+            inside = dict(known)
             shared = set(own.gives) | set(own.keeps)
             for name in set(writes(node.body)) - shared:
                 inside.pop(name, None)
             if isinstance(node, Repeat):
-                self.lines.append(
-                    f"{indent}for (int turn = 0; turn < {node.limit}; turn++) {{"
-                )
+                self.lines.append(f"{indent}for (int turn = 0; turn < {node.limit}; turn++) {{")
                 self.lines.append(f"{inner}const M {truth} = {mask} & {node.truth};")
                 self.lines.append(f"{inner}if (!lanes_any({truth}))")
                 self.lines.append(f"{inner}    break;")
@@ -173,9 +171,13 @@ class CLoop(_Printer):
             elif variable not in outer:
                 self.lines.append(f"{indent}{variable} = {value};")
             elif kinds[output]:
-                self.lines.append(f"{indent}{variable} = lanes_choose({mask}, {value}, {variable});")
+                self.lines.append(
+                    f"{indent}{variable} = lanes_choose({mask}, {value}, {variable});"
+                )
             else:
-                self.lines.append(f"{indent}{variable} = lanes_select({mask}, {value}, {variable});")
+                self.lines.append(
+                    f"{indent}{variable} = lanes_select({mask}, {value}, {variable});"
+                )
 
     def _value(self, value: str | float) -> str:
         return value if isinstance(value, str) else constant(float(value), C)
@@ -224,7 +226,9 @@ class NumPyLoop(_Printer):
             targets.pop()
         if targets[-1] == "_":
             targets[-1] = "*_"
-        self.lines.append(f"{indent}{', '.join(targets)}{',' * (len(targets) == 1)} = {node.kernel.name}({given})")
+        self.lines.append(
+            f"{indent}{', '.join(targets)}{',' * (len(targets) == 1)} = {node.kernel.name}({given})"
+        )
 
     def _chosen(
         self, node: Guard, names: dict[str, str], indent: str, later: set[str], depth: int
@@ -263,7 +267,9 @@ class NumPyLoop(_Printer):
         if isinstance(node, Guard):
             self._body(node.body, inside, own_count, deeper, later, depth + 1)
             for name in own.gives:
-                line(f"{deeper}{name}_{depth} = _put({names[name]}, {rows}, {inside[name]}, {count})")
+                line(
+                    f"{deeper}{name}_{depth} = _put({names[name]}, {rows}, {inside[name]}, {count})"
+                )
         else:
             turning = deeper + "    "
             for name in own.gives:
@@ -354,7 +360,7 @@ def loop_view(prefix: str, costs: Mapping[str, int], loop: Loop, bounds: bool) -
 
 def _after(loop: Loop, names: Sequence[str]) -> dict[str, tuple[tuple[Node, ...], set[str]]]:
     """Return each stage's nodes, and the variables that are needed after it."""
-    wanted = {*names, "which"}
+    wanted = {*names, "body"}
     found: dict[str, tuple[tuple[Node, ...], set[str]]] = {}
     for stage, nodes in reversed(loop.stages.items()):
         kept = needed(nodes, wanted)

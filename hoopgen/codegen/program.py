@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 import sympy as sp
 from sympy.core.sorting import default_sort_key
 
-from hoopgen.derive.choice import (
+from hoopgen.derive.ground.choice import (
     AtMost,
     Both,
     Choose,
@@ -28,7 +28,7 @@ from hoopgen.derive.choice import (
     Nowhere,
     Truth,
 )
-from hoopgen.derive.kernel import Kernel
+from hoopgen.derive.ground.kernel import Kernel
 
 CONDITIONS = {
     Less: "less",

@@ -13,13 +13,13 @@ from typing import Any
 
 import jinja2
 
-from hoopgen.derive.choice import Truth
-from hoopgen.derive.kernel import Kernel
-from hoopgen.derive.model import Model, SurfaceKernels, build
-from hoopgen.derive.scene import Scene
-from hoopgen.derive.scenes import SCENES
-from hoopgen.derive.symbols import STATE
 from hoopgen.derive.follow.fields import MEANINGS, Result
+from hoopgen.derive.ground.choice import Truth
+from hoopgen.derive.ground.kernel import Kernel
+from hoopgen.derive.ground.symbols import STATE
+from hoopgen.derive.model import Model, build
+from hoopgen.derive.scenes import SCENES
+from hoopgen.derive.scenes.scene import Scene
 
 from .derivation import derivation_context
 from .loop import loop_view, weighted
@@ -93,22 +93,6 @@ class ResultView:
         return C_TYPES.get(self.result.dtype, "double")
 
 
-@dataclass(frozen=True)
-class SurfaceView:
-    """What a template sees of a surface."""
-
-    index: int
-    name: str
-    windows: int
-    bounds: tuple[str, ...]
-    constants: dict[str, str]
-
-    @property
-    def bounded(self) -> bool:
-        """True if it has bounds."""
-        return bool(self.bounds)
-
-
 def describe_cost(program: Program) -> str:
     """Return the operation count of a program as a sentence."""
     words: dict[str, int] = {}
@@ -137,12 +121,6 @@ def _kernel_view(program: Program) -> KernelView:
         [f"{'M' if isinstance(a, Truth) else 'V'} {a.name}" for a in kernel.arguments],
         [("M" if t else "V", n) for n, t in zip(kernel.output_names, kernel.truths, strict=True)],
     )
-
-
-def _surface_view(index: int, surface: SurfaceKernels) -> SurfaceView:
-    bounds = surface.kernels["bounds"].output_names if "bounds" in surface.kernels else ()
-    constants = {name: f"p.{name}" for name in surface.constants}
-    return SurfaceView(index, surface.surface.name, surface.window_count, bounds, constants)
 
 
 def derivation_hash(programs: list[Program]) -> str:
@@ -187,7 +165,6 @@ def render_scene(scene: Scene) -> dict[str, str]:
     model: Model = build(scene)
     programs = [lower(kernel) for kernel in model.kernels]
     views = {p.kernel.name: _kernel_view(p) for p in programs}
-    surfaces = [_surface_view(i, s) for i, s in enumerate((*model.surfaces, model.finish))]
     derivation = derivation_hash(programs)
     costs = {p.kernel.name: weighted(p.cost) for p in programs}
     loops = [
@@ -199,8 +176,6 @@ def render_scene(scene: Scene) -> dict[str, str]:
         "scene": scene,
         "parameters": [p.symbol.name for p in scene.parameters],
         "kernels": list(views.values()),
-        "surfaces": surfaces[:-1],
-        "all_surfaces": surfaces,
         "state": tuple(symbol.name for symbol in STATE),
         "loops": loops,
         "outcomes": MEANINGS,

@@ -93,11 +93,11 @@ class Flights:
     def _record(self, columns: dict[str, Any], before: Floats, out: Raw) -> None:
         assert out.events is not None
         assert out.event_counts is not None
-        happened = np.flatnonzero(columns["which"] >= 0.0)
+        happened = np.flatnonzero(columns["body"] >= 0.0)
         row = self.row[happened]
         rows = (row, out.event_counts[row])
         out.events["shot"][rows] = row
-        out.events["surface"][rows] = columns["which"][happened]
+        out.events["surface"][rows] = columns["body"][happened]
         out.events["time"][rows] = columns["clock"][happened]
         out.events["before"][rows] = before[happened]
         out.events["after"][rows] = self._states(columns)[happened]

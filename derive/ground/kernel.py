@@ -68,3 +68,11 @@ def kernel(
     free = set().union(*(e.free_symbols for e in sympified.values()))
     arguments = tuple(symbol for symbol in order if symbol in free)
     return Kernel(name, arguments, tuple(sympified.items()), summary, equation)
+
+
+def decision(name: str, outputs: Mapping[str, sp.Basic], summary: str) -> Kernel:
+    """Return a kernel of the event loop, whose arguments come in the order of their names."""
+    sympified = {key: sp.sympify(value) for key, value in outputs.items()}
+    free = set().union(*(e.free_symbols for e in sympified.values()))
+    arguments = tuple(sorted(free, key=lambda symbol: symbol.name))
+    return Kernel(name, arguments, tuple(sympified.items()), summary, "Table 1")

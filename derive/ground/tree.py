@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
-from ..kernel import Kernel
+from .kernel import Kernel
 
 Value = str | float
 """What a kernel is given: a variable, or a number."""
@@ -140,9 +140,7 @@ def without(nodes: Iterable[Node], fixed: Mapping[str, float]) -> tuple[Node, ..
     for node in nodes:
         if isinstance(node, Do):
             inputs = {
-                argument.name: fixed[value]
-                if isinstance(value, str) and value in fixed
-                else value
+                argument.name: fixed[value] if isinstance(value, str) and value in fixed else value
                 for argument, value in zip(node.kernel.arguments, node.arguments, strict=True)
             }
             kept = {o for o, variable in node.assigned.items() if variable not in fixed}
