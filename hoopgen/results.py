@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from enum import IntEnum
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
@@ -19,27 +18,10 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-SURFACES = tuple(name for name, _, _ in hoop.SURFACES[:-1])
+Outcome = hoop.Outcome
+
+SURFACES = hoop.BODIES
 """Surfaces, in the order of ``Shots.counts``; the event log numbers the end plane after them."""
-
-
-class Outcome(IntEnum):
-    """How a shot ended.
-
-    A code, not a verdict: MADE is 0, so ``bool(outcome)`` is false for a shot that is made. Compare
-    with a member, or ask `Shots.made`.
-    """
-
-    MADE = 0
-    """Crossed the end plane downwards inside the ring."""
-    MISSED = 1
-    """Crossed it outside."""
-    CAPPED = 2
-    """Had max_contacts contacts before it."""
-    SHORT = 3
-    """Can never cross it downwards."""
-    INVALID = 4
-    """Not finite, a parameter not allowed, or a ball that starts inside a surface."""
 
 
 @dataclass(frozen=True)

@@ -144,7 +144,7 @@ def simulate(
     computed = tuple(dict.fromkeys((*wanted, "uncertain"))) if settle else wanted
     out = allocate(shots, len(SURFACES), computed)
     logs = _run(batch, out, check_threads(threads), record)
-    results = {name: getattr(out, name) for name in computed}
+    results = dict(out.arrays)
     if record:
         results["events"] = np.concatenate([np.empty(0, EVENT), *logs])
     if settle:
@@ -167,11 +167,9 @@ def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[An
             batch.run(start, stop, rows)
             return None
         room = allocate_events(stop - start, batch.max_contacts)
-        assert room.events is not None
-        assert room.event_counts is not None
-        batch.run(start, stop, Raw(**{**vars(rows), **_present(room)}))
-        used = np.arange(batch.max_contacts + 1) < room.event_counts[:, None]
-        log = room.events[used]
+        batch.run(start, stop, rows.joined(room))
+        used = np.arange(batch.max_contacts + 1) < room.arrays["event_counts"][:, None]
+        log = room.arrays["events"][used]
         log["shot"] += start
         return log
 
@@ -202,10 +200,6 @@ def _chunk(shots: int, threads: int, in_c: bool) -> int:
     if threads > 1:
         own = max(own // SHARE, min(own // 2, SMALL))
     return max(1, min(own, CHUNK))
-
-
-def _present(raw: Raw) -> dict[str, NDArray[Any]]:
-    return {name: array for name, array in vars(raw).items() if array is not None}
 
 
 def _fields(fields: str | Iterable[str]) -> tuple[str, ...]:

@@ -22,8 +22,8 @@ pytest.importorskip("flint")
 from click.testing import CliRunner
 from conftest import Batch, Flown
 from flint import arb, arb_poly, ctx
+from hoopgen.derive.ground.symbols import POSITION
 from hoopgen.derive.scenes import HOOP
-from hoopgen.derive.symbols import POSITION
 
 import hoopgen
 from benchmarks import exactness

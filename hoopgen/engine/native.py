@@ -17,26 +17,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.generated.numpy import hoop
+from hoopgen.generated.numpy.hoop import RESULTS
 
 from . import arithmetic, sources, trust
-from .raw import Raw
+from .raw import LOG, Raw
 from .trust import WIDTHS
 
 __all__ = ["WIDTHS", "Library", "Refused", "checked", "installed", "load"]
 
-_RESULT_FIELDS = (
-    "outcome",
-    "contacts",
-    "counts",
-    "first",
-    "time",
-    "state",
-    "time_error",
-    "state_error",
-    "uncertain",
-    "events",
-    "event_counts",
-)
+_ARRAYS = (*(result.name for result in RESULTS), *LOG)
+"""Pointers of the C struct, in order."""
 
 
 _INEXACT = -2
@@ -47,7 +37,7 @@ _AGAIN = "install again without CFLAGS and LDFLAGS of your own"
 
 
 class _Results(ctypes.Structure):
-    _fields_ = [(name, ctypes.c_void_p) for name in _RESULT_FIELDS]
+    _fields_ = [(name, ctypes.c_void_p) for name in _ARRAYS]
 
 
 class Library:
@@ -133,7 +123,7 @@ class Library:
             )
         )
         strides = (ctypes.c_int64 * count)(*(not isinstance(p, float) for p in parameters))
-        results = _Results(*(_address(getattr(out, name)) for name in _RESULT_FIELDS))
+        results = _Results(*(_address(getattr(out, name)) for name in _ARRAYS))
         used = self._simulate(
             len(states),
             _address(states),

@@ -160,16 +160,14 @@ def _batches(kernels: ModuleType) -> Iterator[Batch]:
     own = np.array(defaults) * (1.0 + 0.2 * _between(len(states), len(defaults)))
     own[:: len(_ODD), 0] = np.resize(_ODD, len(own[:: len(_ODD)]))
     columns = [np.ascontiguousarray(column) for column in own.T]
-    surfaces = len(kernels.SURFACES) - 1
+    surfaces = len(kernels.BODIES)
     leaving = np.arange(len(states)) % (4 * surfaces)
     yield states, columns, np.where(leaving < surfaces, leaving, -1).astype(np.int8)
 
 
 def _room(shots: int, kernels: ModuleType, fields: Sequence[str]) -> raw.Raw:
-    results = raw.allocate(shots, len(kernels.SURFACES) - 1, fields)
-    log = raw.allocate_events(shots, MOST)
-    given = {name: array for name, array in vars(results).items() if array is not None}
-    return raw.Raw(**given, events=log.events, event_counts=log.event_counts)
+    results = raw.allocate(shots, len(kernels.BODIES), fields)
+    return results.joined(raw.allocate_events(shots, MOST))
 
 
 def _widths(engine: Engine, kernels: ModuleType) -> list[int]:
