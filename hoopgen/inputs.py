@@ -13,6 +13,9 @@ from .results import SURFACES
 
 __all__ = ["check_contacts", "check_leaving", "check_states", "check_threads", "doubles"]
 
+CROWD = 4
+"""Most threads for each processor."""
+
 
 def doubles(name: str, value: ArrayLike, expected: str = "numbers") -> NDArray[np.float64]:
     """Return `value` as float64.
@@ -85,16 +88,19 @@ def check_contacts(max_contacts: Any) -> int:
 
 
 def check_threads(threads: Any) -> int:
-    """Return how many threads work; of None, as many as the process may use.
+    """Return how many threads work; of None, as many as there are processors for this process.
+
+    Of more than `CROWD` for each of those, so many: none would be done sooner.
 
     Raises
     ------
     ValueError
         If it is neither None nor a whole number from 1.
     """
+    own = getattr(os, "sched_getaffinity", None)
+    processors = len(own(0)) if own else os.cpu_count() or 1
     if threads is None:
-        own = getattr(os, "sched_getaffinity", None)
-        return len(own(0)) if own else os.cpu_count() or 1
+        return processors
     if not isinstance(threads, int | np.integer) or threads < 1:
         raise ValueError(f"threads: expected a whole number from 1, or None, got {threads!r}")
-    return int(threads)
+    return min(int(threads), CROWD * processors)

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.generated.numpy import hoop
 
 from .engine import native, numpy_backend
+from .engine.arithmetic import check_arithmetic
 from .engine.raw import BOUNDS, EVENT, FIELDS, Raw, allocate, allocate_events
 from .inputs import check_contacts, check_leaving, check_states, check_threads
 from .parameters import NAMES, PAPER, Value, resolve
@@ -32,6 +33,9 @@ SMALL = 1 << 12
 
 ROOM = 1 << 16
 """Rows of the event log that a thread makes room for at a time: every contact that could be."""
+
+LEAST = 1 << 12
+"""Fewest shots that a thread takes at a time in NumPy, whose every operation costs a call."""
 
 AT_ONCE = 1 << 17
 """Contacts that could be, up to which no thread is started: some hundredths of a second."""
@@ -58,6 +62,7 @@ class _Batch:
         if self.library is not None:
             self.library.run(states, parameters, leaving, self.max_contacts, out, self.stop)
         else:
+            check_arithmetic()  # the library looks for itself
             numpy_backend.run(
                 hoop, states, parameters, leaving, self.max_contacts, out, self.stopped
             )
@@ -89,7 +94,8 @@ def simulate(
     backend
         "auto" is "c" where it was built, else "numpy". The results are the same bits.
     threads
-        How many work; None for as many as the process may use.
+        How many work; None for one on each processor that the process may use. Of more than four
+        on each, four work, and with "numpy" no more than have 4096 shots each to do.
     fields
         "all", or the names of the results that are wanted; by name also "time_error" and
         "state_error", the bounds on the errors of time and state. Without "uncertain" and those
@@ -114,7 +120,8 @@ def simulate(
     TypeError, ValueError
         If an argument is not as described; the message says what is.
     RuntimeError
-        If backend "c" is asked for and was not built.
+        If backend "c" is asked for and was not built, or cannot be trusted; if this thread rounds
+        otherwise than to the nearest double, or takes subnormals for zero.
     ImportError
         If shots are to be settled and the extra is missing.
     """
@@ -188,7 +195,7 @@ def _chunk(shots: int, threads: int, in_c: bool) -> int:
     """Return how many shots a thread takes at a time."""
     own = -(-shots // threads)
     if not in_c:
-        return max(own, 1)  # NumPy pays for every chunk
+        return max(own, LEAST)
     if threads > 1:
         own = max(own // SHARE, min(own // 2, SMALL))
     return max(1, min(own, CHUNK))
@@ -215,15 +222,18 @@ def _library(backend: str) -> native.Library | None:
     if backend == "numpy":
         return None
     library = native.installed()
-    if library is None and backend == "c":
-        raise RuntimeError(
-            "backend: 'c' was not built; install again with a C compiler, or use 'numpy'"
-        )
     if library is None:
-        _say_once()
+        refused = native.load()
+        assert isinstance(refused, native.Refused)
+        if backend == "c":
+            raise RuntimeError(f"backend: 'c' {refused.reason}; {refused.remedy}, or use 'numpy'")
+        _say_once(refused)
     return library
 
 
 @cache
-def _say_once() -> None:
-    print("hoopgen: the C engine was not built; NumPy serves, slower.", file=sys.stderr)
+def _say_once(refused: native.Refused) -> None:
+    print(
+        f"hoopgen: the C engine {refused.reason}; {refused.remedy}. NumPy serves, slower.",
+        file=sys.stderr,
+    )

@@ -3,9 +3,10 @@
    Generated from templates/c/scene.h.j2, scene hoop, derivation 604c640efcccdbbc,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
-   Plain C11, no dependencies but sqrt. Compile hoop.c, next to which this file and the kernels
+   Plain C11, no dependencies but sqrt. Compile hoop.c, next to which this and the other files
    stand, with contraction of a*b + c off (-ffp-contract=off) and without fast-math: results are
-   then the same bits for every width, compiler and target. SI units, radians. */
+   then the same bits for every width, compiler and target. Where flags, or the process's rounding
+   mode, stand against that, it does not compile, or nothing runs. SI units, radians. */
 
 #ifndef HOOPGEN_HOOP_H
 #define HOOPGEN_HOOP_H
@@ -95,11 +96,16 @@ typedef struct {
    width        vector lanes: 1, 2, 4 or 8; 0 for the widest that this processor has
    stop         NULL, or a flag: when it becomes nonzero, the run ends, its results unfinished
 
-   Returns the width that was used, or -1 if that width is not there. */
+   Returns the width that was used; or, with nothing run, -1 if that width is not there, -2 if
+   doubles are not computed as IEEE 754 says: flags of the compiler (-ffp-contract=fast, parts of
+   fast-math), or this thread rounds otherwise than to nearest or makes subnormals zero. */
 HOOPGEN_API int hoop_simulate(size_t shots, const double *states,
                               const double *const *parameters, const int64_t *strides,
                               const int8_t *leaving, int32_t max_contacts, int width, const volatile int32_t *stop,
                               const hoop_results *results);
+
+/* The word for its sources that the build gave as HOOP_SOURCES, else "unknown". */
+HOOPGEN_API const char *hoop_sources(void);
 
 #ifdef __cplusplus
 }

@@ -26,6 +26,7 @@ OUTPUTS = {
     "numpy/kernels.py.j2": "numpy/{scene}.py",
     "c/kernels.h.j2": "c/{scene}_kernels.h",
     "c/engine.h.j2": "c/{scene}_engine.h",
+    "c/exact.h.j2": "c/{scene}_exact.h",
     "c/scene.h.j2": "c/{scene}.h",
     "c/scene.c.j2": "c/{scene}.c",
     "js/flight.js.j2": "js/{scene}.js",
