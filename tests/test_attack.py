@@ -273,7 +273,9 @@ def test_a_command_line_with_a_fault_is_found(fault: Entry, tmp_path: Path) -> N
 def test_who_asks_for_much_can_still_stop() -> None:
     stopped = Ended(130, b"", "hoopgen: error: interrupted\n", late=True)
     assert wrong(stopped, may_take_long=True) == ""
-    assert wrong(stopped).startswith("Ctrl-C: status 130")
+    assert wrong(stopped).startswith("exit status 130")
+    just_ended = Ended(0, b"", "", late=True)
+    assert wrong(just_ended) == wrong(just_ended, may_take_long=True) == ""
     deaf = Ended(-signal.SIGKILL, b"", "", late=True)
     assert wrong(deaf, may_take_long=True) == "does not heed Ctrl-C"
 

@@ -15,20 +15,19 @@ ATTACKS = (files.ATTACK, rows.ATTACK, kills.ATTACK, compilers.ATTACK, lines.ATTA
 
 
 def _run(attacks: Sequence[Attack], arguments: argparse.Namespace) -> list[Tally]:
-    """Give each attack its share of the time that is left; what prepares it is not counted."""
+    """Give each attack the same time; what prepares it, and ends its last case, is not counted."""
     tallies: list[Tally] = []
-    for number, attack in enumerate(attacks):
+    for attack in attacks:
         with tempfile.TemporaryDirectory(prefix="attack-", ignore_cleanup_errors=True) as name:
             print(f"{attack.title} ...", flush=True)
             attempt = attack.prepare(Path(name))
-            left = 60 * arguments.minutes - sum(tally.seconds for tally in tallies)
             tally = attacked(
                 attack,
                 attempt,
                 arguments.seed,
                 itertools.count() if arguments.case is None else [arguments.case],
                 arguments.keep,
-                seconds=left / (len(attacks) - number),
+                seconds=60 * arguments.minutes / len(attacks),
             )
         tallies.append(tally)
     return tallies

@@ -21,18 +21,28 @@ SHOT = {"--speed": "7.17", "--elevation": "51", "--height": "7ft", "--distance":
 PLAYER = {**SHOT, "--scatter": "speed=0.07", "--shots": "200"}
 SOUGHT = {name: value for name, value in PLAYER.items() if name != "--elevation"}
 
-USUAL: Mapping[str, Mapping[str, str]] = {
-    "paper": {"--format": "svg"},
-    "shot": SHOT,
-    "estimate": PLAYER,
-    "map": {**PLAYER, "--over": "backspin=0:3:2"},
-    "optimum": {**SOUGHT, "--over": "elevation=50:52"},
-    "aim": {"--distance": "13.75ft", "--height": "7ft"},
-    "batch": {"file": "releases.csv", "--out": "results.parquet"},
-    "study": {"file": "study.toml"},
-    "view": {"file": "releases.csv", "--out": "page.html", "--sample": "3"},
-    "certify": SHOT,
-}
+MAP = {**PLAYER, "--over": "backspin=0:3:2"}
+BATCH = {"file": "releases.csv", "--out": "results.parquet"}
+
+USUAL: tuple[tuple[str, Mapping[str, str]], ...] = (
+    ("shot", SHOT),
+    ("shot", {**SHOT, "--picture": "shot.svg"}),
+    ("shot", {**SHOT, "--view": "shot.html"}),
+    ("estimate", PLAYER),
+    ("estimate", {**PLAYER, "--folder": "kept", "--precision": "0.1"}),
+    ("map", MAP),
+    ("map", {**MAP, "--picture": "map.svg", "--out": "map.nc"}),
+    ("optimum", {**SOUGHT, "--over": "elevation=50:52"}),
+    ("aim", {"--distance": "13.75ft", "--height": "7ft"}),
+    ("aim", {"--distance": "4m:5m:0.5m", "--height": "7ft", "--csv": "aim.csv"}),
+    ("batch", BATCH),
+    ("batch", {**BATCH, "--measure": "depth"}),
+    ("study", {"file": "study.toml"}),
+    ("study", {"file": "study.toml", "--check": ""}),
+    ("view", {"file": "releases.csv", "--out": "page.html", "--sample": "3"}),
+    ("certify", SHOT),
+    ("paper", {"--format": "svg"}),
+)
 """Small work for each command. Those that are not here write or measure the sources."""
 
 INSTEAD = {"--aim": "--speed", "--entry": "--elevation"}
@@ -40,6 +50,19 @@ INSTEAD = {"--aim": "--speed", "--entry": "--elevation"}
 
 AT_LENGTH = {"--shots", "--precision", "--over", "--max-contacts", "--max-bits", "--distance"}
 """Options by which one may ask for more work than anyone waits for; that must heed Ctrl-C."""
+
+CHANGES = {"--set", "--scatter", "--release", "--versus"}
+"""Options by which one changes anything."""
+
+OFTEN = 3
+"""How much oftener these two are absurd than others."""
+
+FLAGS = {
+    option.opts[0]
+    for command in main.commands.values()
+    for option in command.params
+    if getattr(option, "is_flag", False)
+}
 
 PATIENCE = 8.0
 """Seconds until then."""
@@ -133,27 +156,34 @@ def absurd(random: np.random.Generator, option: click.Parameter) -> str:
 
 def line(random: np.random.Generator) -> list[str]:
     """A command and its arguments: one or two are absurd, the others small and usual."""
-    name = _one(random, tuple(USUAL))
-    if name == "paper" and random.integers(4):
-        name = "shot"  # paper draws for seconds, and has little that could be absurd
-    given = dict(USUAL[name])
-    command = main.commands[name]
-    options = [p for p in command.params if p.name not in ("help", "reference")]
-    chosen = random.choice(np.arange(len(options)), random.integers(1, 3)).tolist()
+    name, usual = USUAL[random.integers(len(USUAL))]
+    given = dict(usual)
+    options = [p for p in main.commands[name].params if p.name not in ("help", "reference")]
+    weights = np.array(
+        [OFTEN if _typed(option) in AT_LENGTH | CHANGES else 1 for option in options]
+    )
+    chosen = random.choice(len(options), random.integers(1, 3), p=weights / weights.sum())
     words: list[str] = []
-    for option in (options[k] for k in chosen):
-        typed = option.opts[0] if option.param_type_name == "option" else str(option.name)
-        if getattr(option, "is_flag", False):
-            words.append(typed)
-            continue
-        if not (option.multiple if isinstance(option, click.Option) else False):
+    for option in (options[k] for k in chosen.tolist()):
+        typed = _typed(option)
+        if not getattr(option, "multiple", False):
             given.pop(typed, None)
         given.pop(INSTEAD.get(typed, ""), None)
-        value = absurd(random, option)
-        words += [typed, value] if typed.startswith("--") else [value]
+        words += _words(typed, "" if getattr(option, "is_flag", False) else absurd(random, option))
     for typed, value in given.items():
-        words += [typed, value] if typed.startswith("--") else [value]
+        words += _words(typed, value)
     return [name, *words]
+
+
+def _typed(option: click.Parameter) -> str:
+    """What is typed before the value; of an argument its name, which is not typed."""
+    return option.opts[0]
+
+
+def _words(typed: str, value: str) -> list[str]:
+    if not typed.startswith("-"):
+        return [value]
+    return [typed] if typed in FLAGS else [typed, value]
 
 
 def study(random: np.random.Generator) -> str:
@@ -217,9 +247,9 @@ ATTACK = Attack(
     "absurd command lines",
     "lines",
     "For each command but those that write the sources, one or two options with values that "
-    "nobody means, and study files with one such value: huge, tiny, negative, NaN, infinite, empty, "
-    "60,000 letters, control characters, other scripts, halves of surrogates, paths that cannot be. Exit "
-    "status 0, 1, 2 or 70 and one line for an error; no traceback; 4 GB of address space and 20 s "
-    "at most. What asks for more work than that must end at Ctrl-C.",
+    "nobody means, and study files with one such value: huge, tiny, negative, NaN, infinite, "
+    "empty, 60,000 letters, control characters, other scripts, halves of surrogates, paths that "
+    "cannot be. Exit status 0, 1, 2 or 70 and one line for an error; no traceback; 4 GB of address "
+    "space and 20 s at most. What asks for more work than that must end at Ctrl-C.",
     prepare,
 )

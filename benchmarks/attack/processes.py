@@ -141,15 +141,13 @@ def wrong(ended: Ended, *, may_take_long: bool = False) -> str:
     """Say what is wrong with how a command ended; nothing if it ended as it should."""
     words = ended.err.strip().splitlines()
     last = _short(words[-1]) if words else ""
-    if ended.late and not (may_take_long and ended.status == 130):
-        if ended.status == -signal.SIGKILL:
-            return "does not heed Ctrl-C" if may_take_long else "still at work when its time was up"
-        return f"Ctrl-C: status {ended.status}: {last}"
+    if ended.late and ended.status == -signal.SIGKILL:
+        return "does not heed Ctrl-C" if may_take_long else "still at work when its time was up"
     if ended.status < 0:
         return f"killed by {signal.Signals(-ended.status).name}"
     if "Traceback (most recent call last)" in ended.err:
         return f"traceback: {last}"
-    if ended.status not in _ALLOWED and not ended.late:
+    if ended.status not in _ALLOWED and not (may_take_long and ended.late and ended.status == 130):
         return f"exit status {ended.status}: {last}"
     if ended.status in (2, _UNFORESEEN) and not any(
         w.startswith("hoopgen: error: ") for w in words

@@ -31,10 +31,10 @@ from compiled import COMPILER, SANITIZERS, same_bits, shared_library  # noqa: E4
 Floats = NDArray[np.float64]
 
 KEY = "rows"
-BATCHES = 3
+BATCHES = 2
 """Of a case."""
 
-ROWS = 20_000
+ROWS = 10_000
 """In the largest batch."""
 
 SECONDS = 300.0
