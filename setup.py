@@ -11,8 +11,9 @@ WORD = run_path("hoopgen/engine/sources.py")["word"]
 ROOMS = ("derive", "templates", "generated")
 
 # Every operation is done as it is written, and gives the bits of the NumPy target. These come after
-# CFLAGS and LDFLAGS, and take back each of their flags that would change that: -fno-fast-math alone
-# takes back none of its parts. The C file refuses to compile, or to run, with what is left.
+# CFLAGS and LDFLAGS, and take back each of their flags that would change that, by its name: with
+# -fno-fast-math alone GCC 12 compiles as it should, but still links the start-up code of fast-math.
+# The C file refuses to compile, or to run, with what is left.
 # No -march: the C file chooses its vector width at run time.
 UNIX_FLAGS = [
     "-O3",
@@ -68,7 +69,11 @@ setup(
         Extension(
             "hoopgen.engine._hoop",
             sources=["generated/c/hoop.c"],
-            depends=["setup.py", *sorted(map(str, Path("generated/c").glob("*.h")))],
+            depends=[
+                "setup.py",
+                "hoopgen/engine/sources.py",
+                *sorted(map(str, Path("generated/c").glob("*.h"))),
+            ],
             optional=True,  # without a compiler NumPy serves
         )
     ],

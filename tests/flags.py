@@ -1,7 +1,7 @@
-"""Compilers' flags against the C engine: what becomes of its results, built as setup.py builds it or by hand.
+"""Compilers' flags against the C engine, built by setup.py or by hand.
 
-`try_flags` builds the engine under flags that a stranger has set, and loads it in a process of its own.
-`MATRIX` is what there is to try; a flag may be refused, undone or found out, never be silent.
+`try_flags` builds the engine under flags that a stranger has set, and loads it in a process of its
+own. `MATRIX` is what there is to try; a flag may be refused, undone or found, and never be silent.
 """
 
 from __future__ import annotations
@@ -172,9 +172,10 @@ def _run(command: Sequence[str], **environment: str) -> str:
 
 def _look(path: Path, shots: int) -> Verdict:
     """Return what hoopgen says of a library, and what it should have said."""
+    from hoopgen.generated.numpy import hoop
+
     from benchmarks.families import FAMILIES
     from hoopgen.engine import native, trust
-    from hoopgen.generated.numpy import hoop
     from hoopgen.parameters import resolve
 
     library = native.checked(path)

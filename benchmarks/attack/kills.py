@@ -63,14 +63,16 @@ class Kills:
         shutil.copytree(self.given, folder / "work")
         after = ", ".join(f"{moment:.2f}" for moment in moments)
         command = f"{said(whole.command)}   killed after {after} s"
+        killed = 0  # less than `moments` if it ended before
         for seconds in (*moments, 10 * SECONDS):
             threads = str(random.integers(1, 4))
             ended = run(
                 [*whole.command, "--threads", threads], folder, entry=self.entry, seconds=seconds
             )
+            killed += ended.status == -signal.SIGKILL
             if ended.status != -signal.SIGKILL and (what := wrong(ended)):
                 return Result(what, command, unforeseen=int(ended.unforeseen))
-        return Result(_otherwise(ended, _left(folder), whole.left), command, tries=len(moments))
+        return Result(_otherwise(ended, _left(folder), whole.left), command, tries=killed)
 
 
 def _otherwise(ended: Ended, left: Mapping[str, bytes], wanted: Mapping[str, bytes]) -> str:

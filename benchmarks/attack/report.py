@@ -13,12 +13,12 @@ NOT_TRIED = """\
   (`msvcrt.locking`), which nothing here has run.
 - **Network disks** (NFS, SMB, cluster file systems): locks and renames are those of a local disk.
 - **Loss of power**. Every file that is kept is written beside, synced, and moved, and its folder
-  synced; SIGKILL proves the order of these steps, not that a disk obeys.
+  synced; SIGKILL tries the order of these steps, not whether a disk obeys.
 - **Other machines**: 32-bit, big-endian, and any processor or libc but the one below.
 - **Full or failing disks, and memory that runs out** while others use it. Tests have a full disk
   and a limit on the size of files; the attacks have a limit on the address space.
-- **A Dask cluster** under attack: schedulers and workers are killed in `tests/test_cluster.py`,
-  a few times.
+- **A Dask cluster** under attack: `tests/test_cluster.py` kills a worker
+  now and then, no more.
 - **Files that change while they are read**, and inputs that are larger than a few kilobytes.
 - **Somebody who means it**: flips are random; nobody has built a file to fool a checksum or a
   parser. A damaged cell in a table without checksums is another number, which nobody can see."""

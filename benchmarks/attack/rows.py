@@ -223,7 +223,7 @@ ATTACK = Attack(
     "Random bits, infinities, NaN, subnormal and huge numbers, in states and in parameters, and "
     "shots of the hard families, flown by the C engine under AddressSanitizer and UBSan and by the "
     "C engine as it is installed, with every width. No report of a sanitizer; every result and "
-    "every event the same bits as NumPy's.",
+    "every event the same bits as NumPy's (a NaN is any NaN).",
     prepare,
 )
 

@@ -1,6 +1,6 @@
 """The C engine, through ctypes: no call holds the interpreter's lock.
 
-It serves if it was built from the sources that are here, and once it has given NumPy's bits (trust.py).
+It serves if it was built from the sources that are here, and has given NumPy's bits (trust.py).
 """
 
 from __future__ import annotations

@@ -5,7 +5,6 @@ Standard library alone, and nothing of hoopgen: setup.py runs this file by its p
 
 from __future__ import annotations
 
-import hashlib
 from pathlib import Path
 
 __all__ = ["word"]
@@ -16,6 +15,8 @@ def word(folder: Path) -> str:
 
     It is a C identifier: the compiler gets it as the value of a macro, whatever the shell.
     """
+    import hashlib  # loads OpenSSL, which importing hoopgen need not
+
     digest = hashlib.sha256()
     files = sorted(folder.glob("*.[ch]"))
     for file in files:

@@ -1,17 +1,15 @@
 """Whether a compiled engine gives NumPy's bits here: looked at once, before it is trusted.
 
-Flags, a compiler's mistake or a damaged file can change results without a word. A few hundred shots of
-every kind are compared, on every width of the processor, and a stamp that says so makes later loads
-cost nothing. A stamp is about one library, one NumPy and these sources; one that cannot be read or
-does not say that is no stamp, and the shots are compared again.
+Flags, a compiler's mistake or a damaged file can change results without a word. A few hundred shots
+of every kind are compared, on every width of the processor, and a stamp that says so makes later
+loads cost nothing. A stamp is about one library, one NumPy and these sources; one that cannot be
+read or does not say that is no stamp, and the shots are compared again.
 """
 
 from __future__ import annotations
 
 import contextlib
-import hashlib
 import os
-import tempfile
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from types import ModuleType
@@ -101,9 +99,7 @@ def trusted(library: Path, engine: Engine, kernels: ModuleType) -> str:
     return found
 
 
-def differences(
-    engine: Engine, kernels: ModuleType, batches: Iterable[Batch] | None = None
-) -> str:
+def differences(engine: Engine, kernels: ModuleType, batches: Iterable[Batch] | None = None) -> str:
     """Return the widths and the fields in which an engine differs from NumPy, "" if in none.
 
     Parameters
@@ -134,16 +130,20 @@ def differences(
                     continue
                 wrong += _unlike(wanted, got)
     return "; ".join(
-        f"width {width}: {', '.join(dict.fromkeys(wrong))}" for width, wrong in found.items() if wrong
+        f"width {width}: {', '.join(dict.fromkeys(wrong))}"
+        for width, wrong in found.items()
+        if wrong
     )
 
 
 # ------------------------------------------------------------------------------------------ shots
 
+
 def _between(rows: int, columns: int) -> NDArray[np.float64]:
     """Return numbers that fill -1/2 to 1/2 evenly, the same with every NumPy."""
     steps = np.sqrt([2.0, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0, 23.0, 29.0, 31.0, 37.0])
-    return np.modf(np.outer(np.arange(1, rows + 1), steps[:columns]))[0] - 0.5
+    fractions: NDArray[np.float64] = np.outer(np.arange(1, rows + 1), steps[:columns]) % 1.0
+    return fractions - 0.5
 
 
 def _batches(kernels: ModuleType) -> Iterator[Batch]:
@@ -155,11 +155,11 @@ def _batches(kernels: ModuleType) -> Iterator[Batch]:
         shot[row % raw.STATE_SIZE] = _ODD[row // raw.STATE_SIZE]
     states = np.concatenate([*kinds, odd])
     defaults = [default for default, _, _ in kernels.PARAMETERS.values()]
-    yield states, list(defaults), None
+    yield states, defaults, None
 
-    own = defaults * (1.0 + 0.2 * _between(len(states), len(defaults)))
+    own = np.array(defaults) * (1.0 + 0.2 * _between(len(states), len(defaults)))
     own[:: len(_ODD), 0] = np.resize(_ODD, len(own[:: len(_ODD)]))
-    columns: list[NDArray[np.float64] | float] = [np.ascontiguousarray(c) for c in own.T]
+    columns = [np.ascontiguousarray(column) for column in own.T]
     surfaces = len(kernels.SURFACES) - 1
     leaving = np.arange(len(states)) % (4 * surfaces)
     yield states, columns, np.where(leaving < surfaces, leaving, -1).astype(np.int8)
@@ -178,12 +178,13 @@ def _widths(engine: Engine, kernels: ModuleType) -> list[int]:
     parameters = [0.0] * len(kernels.PARAMETERS)
     there = []
     for width in WIDTHS:
-        with contextlib.suppress(ValueError):
-            try:
-                engine.run(nothing, parameters, None, 1, raw.Raw(), np.zeros(1, np.int32), width)
-            except RuntimeError:
-                pass
-            there.append(width)
+        try:
+            engine.run(nothing, parameters, None, 1, raw.Raw(), np.zeros(1, np.int32), width)
+        except ValueError:
+            continue
+        except RuntimeError:
+            pass  # there, and of no use
+        there.append(width)
     return there
 
 
@@ -209,6 +210,8 @@ def _unlike(wanted: raw.Raw, got: raw.Raw) -> list[str]:
 
 def _key(library: Path, engine: Engine, kernels: ModuleType) -> str:
     """Return what a stamp says: a digest of all that is compared; "" where it cannot be read."""
+    import hashlib  # loads OpenSSL, which importing hoopgen need not
+
     said = f"NumPy {np.__version__}, widths {_widths(engine, kernels)}"
     digest = hashlib.sha256(said.encode())
     try:
@@ -220,7 +223,7 @@ def _key(library: Path, engine: Engine, kernels: ModuleType) -> str:
 
 
 def _folders(library: Path) -> Iterator[Path]:
-    """Give where stamps lie: beside the library, or where it cannot be written to, the user's cache.
+    """Give where stamps lie: beside the library; or, where none can be written, the user's cache.
 
     Who can write there could as well write the library's loader, or is the user.
     """
@@ -243,14 +246,10 @@ def _read(file: Path) -> str:
 
 
 def _write(file: Path, key: str) -> bool:
-    """Write a stamp, whole or not at all; return whether it is there."""
+    """Write a stamp; return whether it is there. Part of one says something else, and is none."""
     try:
         file.parent.mkdir(exist_ok=True)
-        handle, unfinished = tempfile.mkstemp(dir=file.parent, prefix=file.stem)
-        with open(handle, "w", encoding="ascii") as stamp:
-            stamp.write(key)
-        Path(unfinished).chmod(0o644)
-        Path(unfinished).replace(file)
+        file.write_text(key, encoding="ascii")
     except OSError:
         return False
     return True
