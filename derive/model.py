@@ -31,7 +31,7 @@ from .ground.symbols import (
 from .scenes import validity
 from .scenes.scene import Scene
 from .search import events, search
-from .search.search import Search
+from .search.search import Formula, Search
 from .studies import ARGUMENTS, study_kernels
 from .surfaces import Surface
 
@@ -257,7 +257,7 @@ def _surface_kernels(
     surface: Surface, scene: Scene, order: tuple[sp.Symbol, ...]
 ) -> SurfaceKernels:
     found = search(surface, scene.gravity)
-    formulas = {
+    formulas: dict[str, Formula] = {
         "coefficients": (
             _named("c", events.event_coefficients(surface, scene.gravity)),
             "Coefficients in time of the event polynomial, constant first.",

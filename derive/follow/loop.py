@@ -75,7 +75,7 @@ class Loop:
         kept = tuple(field for field in self.fields if not field.bounds)
         wanted = {field.name for field in kept}
         stages: dict[str, tuple[Node, ...]] = {}
-        for name, nodes in reversed(self.stages.items()):
+        for name, nodes in reversed(list(self.stages.items())):
             stages[name] = needed(without(nodes, fixed), wanted)
             wanted |= live_before(stages[name], wanted)
         stages = dict(reversed(stages.items()))

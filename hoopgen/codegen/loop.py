@@ -349,7 +349,7 @@ def _after(loop: Loop, names: Sequence[str]) -> dict[str, tuple[tuple[Node, ...]
     """Return each stage's nodes, and the variables that are needed after it."""
     wanted = {*names, "body"}
     found: dict[str, tuple[tuple[Node, ...], set[str]]] = {}
-    for stage, nodes in reversed(loop.stages.items()):
+    for stage, nodes in reversed(list(loop.stages.items())):
         kept = needed(nodes, wanted)
         found[stage] = (kept, set(wanted))
         wanted = set(names) | live_before(kept, wanted)
