@@ -8,12 +8,12 @@ from collections.abc import Container, Iterator
 
 from pydantic.fields import FieldInfo
 
-from hoopgen.parameters import NAMES
+from hoopgen.parameters import NAMES, PRESETS
 from hoopgen.study.variables import ARGUMENTS, VARIABLES
 from hoopgen.units import UNITS
 
 from .fields import Table
-from .schema import KINDS, PRESETS, Given, Question, Releases, Study
+from .schema import KINDS, Given, Question, Releases, Study
 
 __all__ = ["reference"]
 
