@@ -229,6 +229,10 @@ def test_options_that_contradict_results_are_refused(
         assert said in failure("estimate", "--from", results, *options)
 
 
+def test_without_a_file_there_is_nothing_to_override() -> None:
+    assert "there is no file" in failure("estimate", *SHOT, *SCATTER, "--override")
+
+
 def test_a_setting_alone_changes_the_file_s_scene(results: Path, tmp_path: Path) -> None:
     page = tmp_path / "page.html"
     run("view", results, "--out", page, "--set", "gravity=9.8", "--override")

@@ -78,6 +78,8 @@ def estimate(
 
     measured: Mapping[str, Any] = {}
     assumed = ""
+    if file is None and override:
+        raise click.UsageError("--override: there is no file of results; leave it out")
     if file is not None:
         asked, assumed = flown(file)
         measured, releasing, work["max_contacts"] = _measured(file, releasing, asked, override)

@@ -115,8 +115,8 @@ preset_options = together(
         "--preset",
         type=click.Choice(list(PRESETS), case_sensitive=False),
         default="paper",
-        show_default="paper; of a file of results, its own",
-        help="Ball, ring, board and restitution.",
+        show_default=True,
+        help="Ball, ring, board and restitution; a file of results names its own.",
     ),
     click.option(
         "--set",

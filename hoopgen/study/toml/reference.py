@@ -97,7 +97,8 @@ _VARIABLES = """
 """
 
 _TABLES = {
-    "scene": 'Ball and hoop: `preset`, one of {presets} (by default "paper"), and parameters.',
+    "scene": "Ball and hoop: `preset`, one of {presets} (by default the scene that a file of "
+    'results says, else "paper"), and parameters.',
     "release": "The release aimed at: height, a place, an elevation or `entry`, a speed or `aim`.",
     "scatter": 'Standard deviations about it; `scatter = "none"` for none.',
     "correlation": "Of pairs that scatter: `speed.elevation = -0.3`.",
