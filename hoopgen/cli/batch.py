@@ -61,3 +61,4 @@ def batch(file: Path, out: Path, release: tuple[tuple[str, float], ...], **optio
         outcomes = hoopgen.batch(file, out, release=dict(release), progress=progress, **options)
     counts = [f"{count:,} {name}" for name, count in outcomes.items()]
     click.echo(f"{sum(outcomes.values()):,} shots: {', '.join(counts)}; in {out}")
+    click.echo(f"scene: {outcomes.scene}")

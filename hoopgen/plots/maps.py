@@ -102,7 +102,7 @@ def plot_map(
         Above the picture.
     note
         Below the title; by default what is the same in all cells, the scatter, the number of shots
-        and the seed, but none on `ax`, where several maps may share one.
+        and the seed; on `ax`, where several maps may share one, the scene alone.
     width
         Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
     ax
@@ -128,7 +128,7 @@ def plot_map(
         shown = replace(shown, note=note)
     with style():
         if ax is not None:
-            return _draw_on(check_axes(ax), shown, title, note or "")
+            return _draw_on(check_axes(ax), shown, title, shown.scene if note is None else note)
         if shown.of == "probability" and len(shown.axes) == 1:
             return _plot_line(shown, title, width)
         return _plot_panels(shown, title, width)
