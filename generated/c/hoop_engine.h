@@ -1,85 +1,12 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 4e3fee7f36fc1578,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 001f64a6a6e5c543,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
    its place. No lane's result depends on its neighbours. */
 
-#if LANES_WIDTH == 1
-typedef double LANES(vector);
-typedef int LANES(mask);
-#else
-typedef double LANES(vector) __attribute__((vector_size(8 * LANES_WIDTH)));
-typedef int64_t LANES(mask) __attribute__((vector_size(8 * LANES_WIDTH)));
-#endif
-
-#define V LANES(vector)
-#define M LANES(mask)
-#define lanes_select LANES(select)
-#define lanes_choose LANES(choose)
-#define lanes_abs LANES(abs)
-#define lanes_sqrt LANES(sqrt)
-#define lanes_any LANES(any)
-#define lanes_load LANES(load)
-#define lanes_store LANES(store)
-#define lanes_gather LANES(gather)
-
-#if LANES_WIDTH == 1
-#define K(c) (c)
-#define NOT(m) (!(m))
-#define NOWHERE 0
-LANES_INLINE V lanes_select(M m, V a, V b) { return m ? a : b; }
-LANES_INLINE V lanes_abs(V a) { return fabs(a); }
-LANES_INLINE V lanes_sqrt(V a) { return sqrt(a); }
-LANES_INLINE int lanes_any(M m) { return m; }
-#else
-#define K(c) ((c) - (V){0})
-#define NOT(m) (~(m))
-#define NOWHERE ((M){0})
-LANES_INLINE V lanes_select(M m, V a, V b) { return (V)(((M)a & m) | ((M)b & ~m)); }
-LANES_INLINE V lanes_abs(V a) { return (V)((M)a & (INT64_MAX - (M){0})); }
-LANES_INLINE V lanes_sqrt(V a)
-{
-    V root = a;
-    for (int lane = 0; lane < LANES_WIDTH; lane++)
-        root[lane] = sqrt(a[lane]);
-    return root;
-}
-LANES_INLINE int lanes_any(M m)
-{
-    int64_t any = 0;
-    for (int lane = 0; lane < LANES_WIDTH; lane++)
-        any |= m[lane];
-    return any != 0;
-}
-#endif
-
-/* Where one truth holds instead of another. */
-LANES_INLINE M lanes_choose(M m, M a, M b) { return (a & m) | (b & NOT(m)); }
-
-LANES_INLINE V lanes_load(const double *row)
-{
-    V a;
-    memcpy(&a, row, sizeof a);
-    return a;
-}
-
-LANES_INLINE void lanes_store(double *row, V a) { memcpy(row, &a, sizeof a); }
-
-LANES_INLINE V lanes_gather(const double *first, int64_t stride)
-{
-#if LANES_WIDTH == 1
-    (void)stride;
-    return *first;
-#else
-    V a;
-    for (int lane = 0; lane < LANES_WIDTH; lane++)
-        a[lane] = first[stride * lane];
-    return a;
-#endif
-}
-
+#include "hoop_lanes.h"
 #include "hoop_kernels.h"
 
 /* Shots in flight, a row of lanes for each quantity. */
@@ -328,11 +255,11 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         V count_1 = lanes_load(pool.count_1);
         V count_2 = lanes_load(pool.count_2);
         V outcome = lanes_load(pool.outcome);
-        const M flying = lanes_load(pool.occupied) > zero;
+        const M flying = lanes_less(zero, lanes_load(pool.occupied));
 
         /* A new shot is looked at once; one that is not valid ends here. */
         if (refilled) {
-            const M fresh = flying & (lanes_load(pool.fresh) > zero);
+            const M fresh = lanes_both(flying, lanes_less(zero, lanes_load(pool.fresh)));
             clock = lanes_select(fresh, K(0.0), clock);
             last = lanes_select(fresh, lanes_load(pool.from), last);
             first = lanes_select(fresh, K(-1.0), first);
@@ -354,7 +281,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
                 LANES(hoop_admitted)(K(INFINITY), finite, permitted, valid);
             outcome = lanes_select(fresh, o5.outcome, outcome);
             lanes_store(pool.fresh, zero);
-            if (lanes_any(fresh & (outcome >= zero))) {
+            if (lanes_any(lanes_both(fresh, lanes_at_most(zero, outcome)))) {
                 lanes_store(pool.x, x);
                 lanes_store(pool.y, y);
                 lanes_store(pool.z, z);
@@ -405,7 +332,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         const LANES(hoop_timely_out) o11 =
             LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
         M possible = o11.possible;
-        const M m12 = flying & possible;
+        const M m12 = lanes_both(flying, possible);
         {
             const LANES(hoop_sooner_out) o13 =
                 LANES(hoop_sooner)(arrives, K(3.0), time, when, which);
@@ -426,7 +353,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         const LANES(hoop_timely_out) o17 =
             LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
         possible = o17.possible;
-        const M m18 = flying & possible;
+        const M m18 = lanes_both(flying, possible);
         {
             const LANES(hoop_flight_out) o19 =
                 LANES(hoop_flight)(time, x, y, z, vx, vy, vz, gravity);
@@ -460,7 +387,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         const LANES(hoop_timely_out) o26 =
             LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
         possible = o26.possible;
-        const M m27 = flying & possible;
+        const M m27 = lanes_both(flying, possible);
         if (lanes_any(m27)) {
             const LANES(hoop_flight_out) o28 =
                 LANES(hoop_flight)(time, x, y, z, vx, vy, vz, gravity);
@@ -490,7 +417,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         const LANES(hoop_opens_out) o34 =
             LANES(hoop_opens)(clear);
         M open = o34.open;
-        const M m35 = flying & open;
+        const M m35 = lanes_both(flying, open);
         if (lanes_any(m35)) {
             const LANES(hoop_ring_prepare_out) o36 =
                 LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), ball_radius, ring_radius, wire_radius, gravity);
@@ -525,7 +452,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
             V end = o40.end;
             M searching = o40.searching;
             for (int turn = 0; turn < 201; turn++) {
-                const M m41 = m35 & searching;
+                const M m41 = lanes_both(m35, searching);
                 if (!lanes_any(m41))
                     break;
                 const LANES(hoop_nearby_out) o42 =
@@ -546,7 +473,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
                 M hit = o44.hit;
                 M sure = o44.sure;
                 M vague = o44.vague;
-                const M m45 = m41 & vague;
+                const M m45 = lanes_both(m41, vague);
                 if (lanes_any(m45)) {
                     const LANES(hoop_finer_out) o46 =
                         LANES(hoop_finer)(share);
@@ -568,7 +495,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
                 M exhausted = o49.exhausted;
                 searching = lanes_choose(m41, o49.searching, searching);
                 t = lanes_select(m41, o49.t, t);
-                const M m50 = m41 & exhausted;
+                const M m50 = lanes_both(m41, exhausted);
                 {
                     const LANES(hoop_ring_enter_out) o51 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
@@ -611,7 +538,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         const LANES(hoop_body_of_out) o61 =
             LANES(hoop_body_of)(which);
         V body = o61.body;
-        const M m62 = flying & moves;
+        const M m62 = lanes_both(flying, moves);
         {
             const LANES(hoop_flight_out) o63 =
                 LANES(hoop_flight)(when, x, y, z, vx, vy, vz, gravity);
@@ -646,7 +573,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         const LANES(hoop_meeting_out) o67 =
             LANES(hoop_meeting)(K(0.0), ends, touches);
         M meeting = o67.meeting;
-        const M m68 = flying & meeting;
+        const M m68 = lanes_both(flying, meeting);
         if (lanes_any(m68)) {
             const LANES(hoop_end_normal_out) o69 =
                 LANES(hoop_end_normal)();
@@ -656,7 +583,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
             const LANES(hoop_here_out) o70 =
                 LANES(hoop_here)(K(0.0), which);
             M here = o70.here;
-            const M m71 = m68 & here;
+            const M m71 = lanes_both(m68, here);
             {
                 const LANES(hoop_ring_normal_out) o72 =
                     LANES(hoop_ring_normal)(x, y, z, ball_radius, ring_radius, wire_radius);
@@ -670,7 +597,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
             const LANES(hoop_here_out) o74 =
                 LANES(hoop_here)(K(1.0), which);
             here = o74.here;
-            const M m75 = m68 & here;
+            const M m75 = lanes_both(m68, here);
             {
                 const LANES(hoop_backboard_normal_out) o76 =
                     LANES(hoop_backboard_normal)();
@@ -684,7 +611,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
             const LANES(hoop_here_out) o78 =
                 LANES(hoop_here)(K(2.0), which);
             here = o78.here;
-            const M m79 = m68 & here;
+            const M m79 = lanes_both(m68, here);
             {
                 const LANES(hoop_bridge_normal_out) o80 =
                     LANES(hoop_bridge_normal)();
@@ -695,7 +622,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
                     LANES(hoop_counted)(count_2);
                 count_2 = lanes_select(m79, o81.count, count_2);
             }
-            const M m82 = m68 & touches;
+            const M m82 = lanes_both(m68, touches);
             if (lanes_any(m82)) {
                 const LANES(hoop_impact_out) o83 =
                     LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, ball_radius, restitution);
@@ -709,7 +636,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
             const LANES(hoop_here_out) o84 =
                 LANES(hoop_here)(K(1.0), which);
             here = o84.here;
-            const M m85 = m68 & here;
+            const M m85 = lanes_both(m68, here);
             {
                 const LANES(hoop_backboard_place_out) o86 =
                     LANES(hoop_backboard_place)(y, z, ball_radius, board_distance);
@@ -720,7 +647,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
             const LANES(hoop_here_out) o87 =
                 LANES(hoop_here)(K(2.0), which);
             here = o87.here;
-            const M m88 = m68 & here;
+            const M m88 = lanes_both(m68, here);
             {
                 const LANES(hoop_bridge_place_out) o89 =
                     LANES(hoop_bridge_place)(x, y, ball_radius, wire_radius);
@@ -728,7 +655,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
                 y = lanes_select(m88, o89.y, y);
                 z = lanes_select(m88, o89.z, z);
             }
-            const M m90 = m68 & touches;
+            const M m90 = lanes_both(m68, touches);
             {
                 const LANES(hoop_touched_out) o91 =
                     LANES(hoop_touched)(body, first, which);
@@ -893,11 +820,11 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         V spin_claim = lanes_load(pool.spin_claim);
         V time_claim = lanes_load(pool.time_claim);
         V outcome = lanes_load(pool.outcome);
-        const M flying = lanes_load(pool.occupied) > zero;
+        const M flying = lanes_less(zero, lanes_load(pool.occupied));
 
         /* A new shot is looked at once; one that is not valid ends here. */
         if (refilled) {
-            const M fresh = flying & (lanes_load(pool.fresh) > zero);
+            const M fresh = lanes_both(flying, lanes_less(zero, lanes_load(pool.fresh)));
             dx = lanes_select(fresh, K(0.0), dx);
             dy = lanes_select(fresh, K(0.0), dy);
             dz = lanes_select(fresh, K(0.0), dz);
@@ -936,7 +863,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             outcome = lanes_select(fresh, o5.outcome, outcome);
             uncertain = lanes_select(fresh, o5.uncertain, uncertain);
             lanes_store(pool.fresh, zero);
-            if (lanes_any(fresh & (outcome >= zero))) {
+            if (lanes_any(lanes_both(fresh, lanes_at_most(zero, outcome)))) {
                 lanes_store(pool.x, x);
                 lanes_store(pool.y, y);
                 lanes_store(pool.z, z);
@@ -1024,7 +951,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         const LANES(hoop_grazed_out) o16 =
             LANES(hoop_grazed)(apex, doubt, height, margin);
         doubt = o16.doubt;
-        const M m17 = flying & possible;
+        const M m17 = lanes_both(flying, possible);
         {
             const LANES(hoop_crossed_out) o18 =
                 LANES(hoop_crossed)(arrives, clearance, doubt, time);
@@ -1068,7 +995,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         const LANES(hoop_grazed_out) o28 =
             LANES(hoop_grazed)(apex, doubt, height, margin);
         doubt = o28.doubt;
-        const M m29 = flying & possible;
+        const M m29 = lanes_both(flying, possible);
         if (lanes_any(m29)) {
             const LANES(hoop_flight_out) o30 =
                 LANES(hoop_flight)(time, x, y, z, vx, vy, vz, gravity);
@@ -1131,7 +1058,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         const LANES(hoop_grazed_out) o45 =
             LANES(hoop_grazed)(apex, doubt, height, margin);
         doubt = o45.doubt;
-        const M m46 = flying & possible;
+        const M m46 = lanes_both(flying, possible);
         if (lanes_any(m46)) {
             const LANES(hoop_flight_out) o47 =
                 LANES(hoop_flight)(time, x, y, z, vx, vy, vz, gravity);
@@ -1175,7 +1102,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         const LANES(hoop_opens_out) o57 =
             LANES(hoop_opens)(clear);
         M open = o57.open;
-        const M m58 = flying & open;
+        const M m58 = lanes_both(flying, open);
         if (lanes_any(m58)) {
             const LANES(hoop_ring_prepare_out) o59 =
                 LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, ball_radius, ring_radius, wire_radius, gravity);
@@ -1215,7 +1142,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             V end = o64.end;
             M searching = o64.searching;
             for (int turn = 0; turn < 201; turn++) {
-                const M m65 = m58 & searching;
+                const M m65 = lanes_both(m58, searching);
                 if (!lanes_any(m65))
                     break;
                 const LANES(hoop_nearby_out) o66 =
@@ -1236,7 +1163,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
                 M hit = o68.hit;
                 M sure = o68.sure;
                 M vague = o68.vague;
-                const M m69 = m65 & vague;
+                const M m69 = lanes_both(m65, vague);
                 if (lanes_any(m69)) {
                     const LANES(hoop_finer_out) o70 =
                         LANES(hoop_finer)(share);
@@ -1262,7 +1189,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
                 M exhausted = o74.exhausted;
                 searching = lanes_choose(m65, o74.searching, searching);
                 t = lanes_select(m65, o74.t, t);
-                const M m75 = m65 & exhausted;
+                const M m75 = lanes_both(m65, exhausted);
                 {
                     const LANES(hoop_ring_enter_out) o76 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
@@ -1329,7 +1256,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         const LANES(hoop_body_of_out) o92 =
             LANES(hoop_body_of)(which);
         V body = o92.body;
-        const M m93 = flying & moves;
+        const M m93 = lanes_both(flying, moves);
         {
             const LANES(hoop_flight_out) o94 =
                 LANES(hoop_flight)(when, x, y, z, vx, vy, vz, gravity);
@@ -1370,7 +1297,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         const LANES(hoop_meeting_out) o100 =
             LANES(hoop_meeting)(claims, ends, touches);
         M meeting = o100.meeting;
-        const M m101 = flying & meeting;
+        const M m101 = lanes_both(flying, meeting);
         if (lanes_any(m101)) {
             const LANES(hoop_end_normal_out) o102 =
                 LANES(hoop_end_normal)();
@@ -1380,7 +1307,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_here_out) o103 =
                 LANES(hoop_here)(K(0.0), which);
             M here = o103.here;
-            const M m104 = m101 & here;
+            const M m104 = lanes_both(m101, here);
             {
                 const LANES(hoop_ring_normal_out) o105 =
                     LANES(hoop_ring_normal)(x, y, z, ball_radius, ring_radius, wire_radius);
@@ -1394,7 +1321,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_here_out) o107 =
                 LANES(hoop_here)(K(1.0), which);
             here = o107.here;
-            const M m108 = m101 & here;
+            const M m108 = lanes_both(m101, here);
             {
                 const LANES(hoop_backboard_normal_out) o109 =
                     LANES(hoop_backboard_normal)();
@@ -1408,7 +1335,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_here_out) o111 =
                 LANES(hoop_here)(K(2.0), which);
             here = o111.here;
-            const M m112 = m101 & here;
+            const M m112 = lanes_both(m101, here);
             {
                 const LANES(hoop_bridge_normal_out) o113 =
                     LANES(hoop_bridge_normal)();
@@ -1425,7 +1352,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_again_out) o116 =
                 LANES(hoop_again)(K(0.0), last, which);
             M again = o116.again;
-            const M m117 = m101 & again;
+            const M m117 = lanes_both(m101, again);
             {
                 const LANES(hoop_ring_curvature_out) o118 =
                     LANES(hoop_ring_curvature)(ball_radius, ring_radius, wire_radius);
@@ -1434,7 +1361,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_again_out) o119 =
                 LANES(hoop_again)(K(1.0), last, which);
             again = o119.again;
-            const M m120 = m101 & again;
+            const M m120 = lanes_both(m101, again);
             {
                 const LANES(hoop_backboard_curvature_out) o121 =
                     LANES(hoop_backboard_curvature)();
@@ -1443,7 +1370,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_again_out) o122 =
                 LANES(hoop_again)(K(2.0), last, which);
             again = o122.again;
-            const M m123 = m101 & again;
+            const M m123 = lanes_both(m101, again);
             {
                 const LANES(hoop_bridge_curvature_out) o124 =
                     LANES(hoop_bridge_curvature)();
@@ -1462,7 +1389,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_delayed_out) o126 =
                 LANES(hoop_delayed)(clock_error, delay);
             clock_error = lanes_select(m101, o126.clock_error, clock_error);
-            const M m127 = m101 & ends;
+            const M m127 = lanes_both(m101, ends);
             {
                 const LANES(hoop_floored_out) o128 =
                     LANES(hoop_floored)(dx, dy, dz, shift);
@@ -1479,7 +1406,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_here_out) o130 =
                 LANES(hoop_here)(K(0.0), which);
             here = o130.here;
-            const M m131 = m101 & here;
+            const M m131 = lanes_both(m101, here);
             if (lanes_any(m131)) {
                 const LANES(hoop_ring_carry_normal_out) o132 =
                     LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, ball_radius, ring_radius, wire_radius);
@@ -1488,7 +1415,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
                 dnz = lanes_select(m131, o132.dnz, dnz);
                 turn = lanes_select(m131, o132.turn, turn);
             }
-            const M m133 = m101 & touches;
+            const M m133 = lanes_both(m101, touches);
             if (lanes_any(m133)) {
                 const LANES(hoop_carry_impact_out) o134 =
                     LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, ball_radius, restitution);
@@ -1510,7 +1437,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_here_out) o136 =
                 LANES(hoop_here)(K(1.0), which);
             here = o136.here;
-            const M m137 = m101 & here;
+            const M m137 = lanes_both(m101, here);
             {
                 const LANES(hoop_backboard_place_out) o138 =
                     LANES(hoop_backboard_place)(y, z, ball_radius, board_distance);
@@ -1521,7 +1448,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_here_out) o139 =
                 LANES(hoop_here)(K(2.0), which);
             here = o139.here;
-            const M m140 = m101 & here;
+            const M m140 = lanes_both(m101, here);
             {
                 const LANES(hoop_bridge_place_out) o141 =
                     LANES(hoop_bridge_place)(x, y, ball_radius, wire_radius);
@@ -1529,7 +1456,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
                 y = lanes_select(m140, o141.y, y);
                 z = lanes_select(m140, o141.z, z);
             }
-            const M m142 = m101 & touches;
+            const M m142 = lanes_both(m101, touches);
             {
                 const LANES(hoop_touched_out) o143 =
                     LANES(hoop_touched)(body, first, which);
@@ -1540,7 +1467,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         const LANES(hoop_closing_out) o144 =
             LANES(hoop_closing)(claims, outcome);
         M closed = o144.closed;
-        const M m145 = flying & closed;
+        const M m145 = lanes_both(flying, closed);
         {
             const LANES(hoop_claimed_errors_out) o146 =
                 LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
@@ -1643,12 +1570,25 @@ static void LANES(hoop_run)(const hoop_job *job)
 #undef V
 #undef M
 #undef K
-#undef NOT
-#undef NOWHERE
+#undef lanes_all
+#undef lanes_add
+#undef lanes_sub
+#undef lanes_mul
+#undef lanes_div
+#undef lanes_neg
+#undef lanes_sqrt
+#undef lanes_abs
+#undef lanes_max
+#undef lanes_min
+#undef lanes_less
+#undef lanes_at_most
+#undef lanes_equal
+#undef lanes_both
+#undef lanes_either
+#undef lanes_not
+#undef lanes_nowhere
 #undef lanes_select
 #undef lanes_choose
-#undef lanes_abs
-#undef lanes_sqrt
 #undef lanes_any
 #undef lanes_load
 #undef lanes_store

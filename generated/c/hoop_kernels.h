@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 4e3fee7f36fc1578,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 001f64a6a6e5c543,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -23,7 +23,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_flight_out)
 LANES(hoop_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V gravity)
 {
-    return (LANES(hoop_flight_out)){ x + (t * vx), y + (t * vy), z + (t * (vz - ((K(0.5) * gravity) * t))), vx, vy, vz - (gravity * t) };
+    return (LANES(hoop_flight_out)){ lanes_add(x, lanes_mul(t, vx)), lanes_add(y, lanes_mul(t, vy)), lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), gravity), t)))), vx, vy, lanes_sub(vz, lanes_mul(gravity, t)) };
 }
 
 /* Positive clearance if a crossing is certain, and the bound on its delay.
@@ -36,13 +36,13 @@ typedef struct {
 LANES_INLINE LANES(hoop_crossing_out)
 LANES(hoop_crossing)(V margin, V rate_margin, V rate, V ceiling)
 {
-    const V s0 = -(rate + rate_margin);
-    const M s1 = K(0.0) < s0;
-    return (LANES(hoop_crossing_out)){ lanes_select(s1, ((s0 * s0) - ((K(6.0) * ceiling) * margin)), s0), lanes_select(s1, ((K(6.0) * margin) / s0), K(INFINITY)) };
+    const V s0 = lanes_neg(lanes_add(rate, rate_margin));
+    const M s1 = lanes_less(K(0.0), s0);
+    return (LANES(hoop_crossing_out)){ lanes_select(s1, lanes_sub(lanes_mul(s0, s0), lanes_mul(lanes_mul(K(6.0), ceiling), margin)), s0), lanes_select(s1, lanes_div(lanes_mul(K(6.0), margin), s0), K(INFINITY)) };
 }
 
 /* Errors of a state that a search allows for, and by how much the errors exceed them.
-   a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection. */
+   a share of the size of the flight. 9 operations: 2 additions, 2 subtractions, 4 multiplications, 1 maxima. */
 typedef struct {
     V level;
     V velocity_level;
@@ -52,12 +52,10 @@ typedef struct {
 LANES_INLINE LANES(hoop_allowance_out)
 LANES(hoop_allowance)(V share, V horizon, V extent, V speed, V position_error, V velocity_error, V gravity)
 {
-    const V s0 = speed + (gravity * horizon);
-    const V s1 = share * (extent + (horizon * s0));
-    const V s2 = share * s0;
-    const V s3 = position_error - s1;
-    const V s4 = velocity_error - s2;
-    return (LANES(hoop_allowance_out)){ s1, s2, lanes_select((s3 < s4), s4, s3) };
+    const V s0 = lanes_add(speed, lanes_mul(gravity, horizon));
+    const V s1 = lanes_mul(share, lanes_add(extent, lanes_mul(horizon, s0)));
+    const V s2 = lanes_mul(share, s0);
+    return (LANES(hoop_allowance_out)){ s1, s2, lanes_max(lanes_sub(position_error, s1), lanes_sub(velocity_error, s2)) };
 }
 
 /* A time after which no event is wanted, and how long that is after t.
@@ -70,12 +68,12 @@ typedef struct {
 LANES_INLINE LANES(hoop_horizon_out)
 LANES(hoop_horizon)(V t, V speed, V gravity)
 {
-    const V s0 = K(9.5367431640625e-07) * (t + (speed * (K(1.0) / gravity)));
-    return (LANES(hoop_horizon_out)){ t + s0, s0 };
+    const V s0 = lanes_mul(K(9.5367431640625e-07), lanes_add(t, lanes_mul(speed, lanes_div(K(1.0), gravity))));
+    return (LANES(hoop_horizon_out)){ lanes_add(t, s0), s0 };
 }
 
 /* Sums of the sizes of the coordinates and of the velocities; excess over the largest.
-   what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections. */
+   what rounding errors are measured by. 18 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 maxima. */
 typedef struct {
     V extent;
     V speed;
@@ -91,13 +89,8 @@ LANES(hoop_scale)(V x, V y, V z, V vx, V vy, V vz, V gravity)
     const V s3 = lanes_abs(vx);
     const V s4 = lanes_abs(vy);
     const V s5 = lanes_abs(vz);
-    const V s6 = K(1.0) / gravity;
-    const V s7 = lanes_select((s6 < s0), s0, s6);
-    const V s8 = lanes_select((s7 < s1), s1, s7);
-    const V s9 = lanes_select((s8 < s2), s2, s8);
-    const V s10 = lanes_select((s9 < s3), s3, s9);
-    const V s11 = lanes_select((s10 < s4), s4, s10);
-    return (LANES(hoop_scale_out)){ (s0 + s1) + s2, (s3 + s4) + s5, lanes_select((s11 < s5), s5, s11) - K(2.9073548971824276e+135) };
+    const V s6 = lanes_max(lanes_max(lanes_max(lanes_max(lanes_max(lanes_div(K(1.0), gravity), s0), s1), s2), s3), s4);
+    return (LANES(hoop_scale_out)){ lanes_add(lanes_add(s0, s1), s2), lanes_add(lanes_add(s3, s4), s5), lanes_sub(lanes_max(s6, s5), K(2.9073548971824276e+135)) };
 }
 
 /* Bound on the error of a length at a computed arrival.
@@ -109,15 +102,15 @@ typedef struct {
 LANES_INLINE LANES(hoop_displacement_out)
 LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V gravity, V end_depth)
 {
-    const V s0 = speed + (gravity * horizon);
-    const V s1 = extent + (horizon * s0);
-    const V s2 = (((((ball_radius + board_distance) + board_half_width) + bridge_half_width) + end_depth) + ring_radius) + wire_radius;
-    const V s3 = ((K(1.0009765625) * delay) * s0) + (K(4.445228907190568e-16) * (s1 + ((s2 + lanes_abs(board_bottom)) + lanes_abs(board_top))));
-    return (LANES(hoop_displacement_out)){ s3 + (K(3.0029296875) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s1))) };
+    const V s0 = lanes_add(speed, lanes_mul(gravity, horizon));
+    const V s1 = lanes_add(extent, lanes_mul(horizon, s0));
+    const V s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(ball_radius, board_distance), board_half_width), bridge_half_width), end_depth), ring_radius), wire_radius);
+    const V s3 = lanes_add(lanes_mul(lanes_mul(K(1.0009765625), delay), s0), lanes_mul(K(4.445228907190568e-16), lanes_add(s1, lanes_add(lanes_add(s2, lanes_abs(board_bottom)), lanes_abs(board_top)))));
+    return (LANES(hoop_displacement_out)){ lanes_add(s3, lanes_mul(K(3.0029296875), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), s1)))) };
 }
 
 /* Errors of a state at the end of a flight to a surface, from those at its start.
-   derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections. */
+   derivative of Eq. 3 and of the contact time, with roundings. 108 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 9 maxima, 1 minima, 9 comparisons, 9 selections. */
 typedef struct {
     V dx;
     V dy;
@@ -132,48 +125,36 @@ typedef struct {
 LANES_INLINE LANES(hoop_carry_flight_out)
 LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V late, V dx, V dy, V dz, V dvx, V dvy, V dvz, V curving, V gravity)
 {
-    const V s0 = dx + (dvx * t);
+    const V s0 = lanes_add(dx, lanes_mul(dvx, t));
     const V s1 = lanes_abs(vx);
-    const V s2 = K(2.0) * t;
-    const V s3 = K(1.1102230246251565e-16) * ((s2 * s1) + lanes_abs(x));
-    const V s4 = s0 + lanes_select((s0 < K(0.0)), (-s3), s3);
-    const V s5 = dy + (dvy * t);
+    const V s2 = lanes_mul(K(2.0), t);
+    const V s3 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(s2, s1), lanes_abs(x)));
+    const V s4 = lanes_add(s0, lanes_select(lanes_less(s0, K(0.0)), lanes_neg(s3), s3));
+    const V s5 = lanes_add(dy, lanes_mul(dvy, t));
     const V s6 = lanes_abs(vy);
-    const V s7 = K(1.1102230246251565e-16) * ((s2 * s6) + lanes_abs(y));
-    const V s8 = s5 + lanes_select((s5 < K(0.0)), (-s7), s7);
-    const V s9 = dz + (dvz * t);
+    const V s7 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(s2, s6), lanes_abs(y)));
+    const V s8 = lanes_add(s5, lanes_select(lanes_less(s5, K(0.0)), lanes_neg(s7), s7));
+    const V s9 = lanes_add(dz, lanes_mul(dvz, t));
     const V s10 = lanes_abs(vz);
-    const V s11 = K(1.1102230246251565e-16) * (((gravity * (t * t)) + (s2 * s10)) + lanes_abs(z));
-    const V s12 = s9 + lanes_select((s9 < K(0.0)), (-s11), s11);
-    const V s13 = ((nx * vx) + (ny * vy)) + (nz * vz);
-    const V s14 = (-(((nx * s4) + (ny * s8)) + (nz * s12))) / s13;
-    const V s15 = (vx * s14) + s4;
-    const V s16 = lanes_select((s1 < s6), s6, s1);
-    const V s17 = lanes_select((s16 < s10), s10, s16);
-    const V s18 = lanes_abs(dx);
-    const V s19 = lanes_abs(dy);
-    const V s20 = lanes_select((s18 < s19), s19, s18);
-    const V s21 = lanes_abs(dz);
-    const V s22 = lanes_select((s20 < s21), s21, s20);
-    const V s23 = curving * (t * s17);
-    const V s24 = lanes_abs(dvx);
-    const V s25 = lanes_abs(dvy);
-    const V s26 = lanes_select((s24 < s25), s25, s24);
-    const V s27 = lanes_abs(dvz);
-    const V s28 = lanes_select((s3 < s7), s7, s3);
-    const V s29 = (t * lanes_select((s26 < s27), s27, s26)) + lanes_select((s28 < s11), s11, s28);
-    const V s30 = ((s17 / lanes_abs(s13)) * ((s22 * lanes_select((s23 < K(1.0)), s23, K(1.0))) + s29)) + (s29 + s22);
-    const V s31 = s30 / (K(8.0) + (K(8.0) * contacts));
-    const V s32 = -s31;
-    const V s33 = (vy * s14) + s8;
-    const V s34 = (vz * s14) + s12;
-    const V s35 = lanes_abs(s14);
-    const V s36 = K(0.0625) * late;
-    return (LANES(hoop_carry_flight_out)){ lanes_select((lanes_abs(s15) < s31), lanes_select((s15 < K(0.0)), s32, s31), s15), lanes_select((lanes_abs(s33) < s31), lanes_select((s33 < K(0.0)), s32, s31), s33), lanes_select((lanes_abs(s34) < s31), lanes_select((s34 < K(0.0)), s32, s31), s34), dvx, dvy, dvz - (gravity * s14), (K(4.440892098500626e-16) * (clock + t)) + lanes_select((s35 < s36), s36, s35), s30 };
+    const V s11 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(gravity, lanes_mul(t, t)), lanes_mul(s2, s10)), lanes_abs(z)));
+    const V s12 = lanes_add(s9, lanes_select(lanes_less(s9, K(0.0)), lanes_neg(s11), s11));
+    const V s13 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V s14 = lanes_div(lanes_neg(lanes_add(lanes_add(lanes_mul(nx, s4), lanes_mul(ny, s8)), lanes_mul(nz, s12))), s13);
+    const V s15 = lanes_add(lanes_mul(vx, s14), s4);
+    const V s16 = lanes_max(lanes_max(s1, s6), s10);
+    const V s17 = lanes_max(lanes_max(lanes_abs(dx), lanes_abs(dy)), lanes_abs(dz));
+    const V s18 = lanes_add(lanes_mul(t, lanes_max(lanes_max(lanes_abs(dvx), lanes_abs(dvy)), lanes_abs(dvz))), lanes_max(lanes_max(s3, s7), s11));
+    const V s19 = lanes_mul(lanes_div(s16, lanes_abs(s13)), lanes_add(lanes_mul(s17, lanes_min(lanes_mul(curving, lanes_mul(t, s16)), K(1.0))), s18));
+    const V s20 = lanes_add(s19, lanes_add(s18, s17));
+    const V s21 = lanes_div(s20, lanes_add(K(8.0), lanes_mul(K(8.0), contacts)));
+    const V s22 = lanes_neg(s21);
+    const V s23 = lanes_add(lanes_mul(vy, s14), s8);
+    const V s24 = lanes_add(lanes_mul(vz, s14), s12);
+    return (LANES(hoop_carry_flight_out)){ lanes_select(lanes_less(lanes_abs(s15), s21), lanes_select(lanes_less(s15, K(0.0)), s22, s21), s15), lanes_select(lanes_less(lanes_abs(s23), s21), lanes_select(lanes_less(s23, K(0.0)), s22, s21), s23), lanes_select(lanes_less(lanes_abs(s24), s21), lanes_select(lanes_less(s24, K(0.0)), s22, s21), s24), dvx, dvy, lanes_sub(dvz, lanes_mul(gravity, s14)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(lanes_abs(s14), lanes_mul(K(0.0625), late))), s20 };
 }
 
 /* Bounds on the errors of a state and its time that decisions allow for.
-   the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+   the carried errors times a guard. 19 operations: 4 multiplications, 9 absolute values, 6 maxima. */
 typedef struct {
     V position_error;
     V velocity_error;
@@ -184,23 +165,11 @@ typedef struct {
 LANES_INLINE LANES(hoop_error_bounds_out)
 LANES(hoop_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
 {
-    const V s0 = lanes_abs(dx);
-    const V s1 = lanes_abs(dy);
-    const V s2 = lanes_select((s0 < s1), s1, s0);
-    const V s3 = lanes_abs(dz);
-    const V s4 = lanes_abs(dvx);
-    const V s5 = lanes_abs(dvy);
-    const V s6 = lanes_select((s4 < s5), s5, s4);
-    const V s7 = lanes_abs(dvz);
-    const V s8 = lanes_abs(dwx);
-    const V s9 = lanes_abs(dwy);
-    const V s10 = lanes_select((s8 < s9), s9, s8);
-    const V s11 = lanes_abs(dwz);
-    return (LANES(hoop_error_bounds_out)){ K(16.0) * lanes_select((s2 < s3), s3, s2), K(16.0) * lanes_select((s6 < s7), s7, s6), K(16.0) * lanes_select((s10 < s11), s11, s10), K(16.0) * clock_error };
+    return (LANES(hoop_error_bounds_out)){ lanes_mul(K(16.0), lanes_max(lanes_max(lanes_abs(dx), lanes_abs(dy)), lanes_abs(dz))), lanes_mul(K(16.0), lanes_max(lanes_max(lanes_abs(dvx), lanes_abs(dvy)), lanes_abs(dvz))), lanes_mul(K(16.0), lanes_max(lanes_max(lanes_abs(dwx), lanes_abs(dwy)), lanes_abs(dwz))), lanes_mul(K(16.0), clock_error) };
 }
 
 /* Bounds on the errors of a state and its time that a shot claims.
-   the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+   the carried errors times a larger guard. 19 operations: 4 multiplications, 9 absolute values, 6 maxima. */
 typedef struct {
     V position_error;
     V velocity_error;
@@ -211,19 +180,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_claimed_errors_out)
 LANES(hoop_claimed_errors)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
 {
-    const V s0 = lanes_abs(dx);
-    const V s1 = lanes_abs(dy);
-    const V s2 = lanes_select((s0 < s1), s1, s0);
-    const V s3 = lanes_abs(dz);
-    const V s4 = lanes_abs(dvx);
-    const V s5 = lanes_abs(dvy);
-    const V s6 = lanes_select((s4 < s5), s5, s4);
-    const V s7 = lanes_abs(dvz);
-    const V s8 = lanes_abs(dwx);
-    const V s9 = lanes_abs(dwy);
-    const V s10 = lanes_select((s8 < s9), s9, s8);
-    const V s11 = lanes_abs(dwz);
-    return (LANES(hoop_claimed_errors_out)){ K(64.0) * lanes_select((s2 < s3), s3, s2), K(64.0) * lanes_select((s6 < s7), s7, s6), K(64.0) * lanes_select((s10 < s11), s11, s10), K(64.0) * clock_error };
+    return (LANES(hoop_claimed_errors_out)){ lanes_mul(K(64.0), lanes_max(lanes_max(lanes_abs(dx), lanes_abs(dy)), lanes_abs(dz))), lanes_mul(K(64.0), lanes_max(lanes_max(lanes_abs(dvx), lanes_abs(dvy)), lanes_abs(dvz))), lanes_mul(K(64.0), lanes_max(lanes_max(lanes_abs(dwx), lanes_abs(dwy)), lanes_abs(dwz))), lanes_mul(K(64.0), clock_error) };
 }
 
 /* 1 where finite parameters are allowed.
@@ -235,9 +192,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_allowed_out)
 LANES(hoop_allowed)(V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V bridge_half_width, V restitution, V gravity, V end_depth)
 {
-    const V s0 = lanes_select((K(0.0) < ring_radius), lanes_select((K(0.0) < ball_radius), lanes_select((K(0.0) < ((ring_radius - ball_radius) - wire_radius)), K(1.0), K(0.0)), K(0.0)), K(0.0));
-    const V s1 = lanes_select((K(0.0) <= restitution), lanes_select((K(0.0) < bridge_half_width), lanes_select((K(0.0) < board_half_width), lanes_select((K(0.0) < board_distance), lanes_select((K(0.0) < wire_radius), s0, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
-    return (LANES(hoop_allowed_out)){ lanes_select((K(0.0) < end_depth), lanes_select((K(0.0) < gravity), lanes_select((restitution <= K(1.0)), s1, K(0.0)), K(0.0)), K(0.0)) };
+    const V s0 = lanes_select(lanes_less(K(0.0), ring_radius), lanes_select(lanes_less(K(0.0), ball_radius), lanes_select(lanes_less(K(0.0), lanes_sub(lanes_sub(ring_radius, ball_radius), wire_radius)), K(1.0), K(0.0)), K(0.0)), K(0.0));
+    const V s1 = lanes_select(lanes_at_most(K(0.0), restitution), lanes_select(lanes_less(K(0.0), bridge_half_width), lanes_select(lanes_less(K(0.0), board_half_width), lanes_select(lanes_less(K(0.0), board_distance), lanes_select(lanes_less(K(0.0), wire_radius), s0, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
+    return (LANES(hoop_allowed_out)){ lanes_select(lanes_less(K(0.0), end_depth), lanes_select(lanes_less(K(0.0), gravity), lanes_select(lanes_at_most(restitution, K(1.0)), s1, K(0.0)), K(0.0)), K(0.0)) };
 }
 
 /* Where the parameters are finite and allowed.
@@ -249,13 +206,13 @@ typedef struct {
 LANES_INLINE LANES(hoop_finite_parameters_out)
 LANES(hoop_finite_parameters)(V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V restitution, V gravity, V end_depth, V allowed)
 {
-    const M s0 = ((((K(0.0) < allowed) & (lanes_abs(ball_radius) < K(INFINITY))) & (lanes_abs(ring_radius) < K(INFINITY))) & (lanes_abs(wire_radius) < K(INFINITY))) & (lanes_abs(board_distance) < K(INFINITY));
-    const M s1 = (((s0 & (lanes_abs(board_half_width) < K(INFINITY))) & (lanes_abs(board_bottom) < K(INFINITY))) & (lanes_abs(board_top) < K(INFINITY))) & (lanes_abs(bridge_half_width) < K(INFINITY));
-    return (LANES(hoop_finite_parameters_out)){ ((s1 & (lanes_abs(restitution) < K(INFINITY))) & (lanes_abs(gravity) < K(INFINITY))) & (lanes_abs(end_depth) < K(INFINITY)) };
+    const M s0 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), allowed), lanes_less(lanes_abs(ball_radius), K(INFINITY))), lanes_less(lanes_abs(ring_radius), K(INFINITY))), lanes_less(lanes_abs(wire_radius), K(INFINITY))), lanes_less(lanes_abs(board_distance), K(INFINITY)));
+    const M s1 = lanes_both(lanes_both(lanes_both(lanes_both(s0, lanes_less(lanes_abs(board_half_width), K(INFINITY))), lanes_less(lanes_abs(board_bottom), K(INFINITY))), lanes_less(lanes_abs(board_top), K(INFINITY))), lanes_less(lanes_abs(bridge_half_width), K(INFINITY)));
+    return (LANES(hoop_finite_parameters_out)){ lanes_both(lanes_both(lanes_both(s1, lanes_less(lanes_abs(restitution), K(INFINITY))), lanes_less(lanes_abs(gravity), K(INFINITY))), lanes_less(lanes_abs(end_depth), K(INFINITY))) };
 }
 
 /* 1 where no surface is overlapped; 1 where that is in doubt.
-   Table 2. 111 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 23 selections. */
+   Table 2. 100 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 11 maxima, 9 comparisons, 12 selections. */
 typedef struct {
     V valid;
     V doubt;
@@ -264,46 +221,27 @@ typedef struct {
 LANES_INLINE LANES(hoop_valid_out)
 LANES(hoop_valid)(V last, V x, V y, V z, V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V end_depth)
 {
-    const V s0 = lanes_sqrt(((x * x) + (y * y)));
-    const V s1 = s0 - ring_radius;
-    const V s2 = ball_radius + wire_radius;
-    const V s3 = ((z * z) + (s1 * s1)) - (s2 * s2);
-    const M s4 = lanes_abs(last) < K(0.5);
-    const V s5 = lanes_select(s4, K(1.0), lanes_select((K(0.0) <= s3), K(1.0), K(0.0)));
-    const V s6 = ball_radius - board_distance;
-    const V s7 = x - s6;
-    const V s8 = K(2.0) * ball_radius;
-    const V s9 = (s6 - s8) - x;
-    const V s10 = lanes_select((s7 < s9), s9, s7);
-    const V s11 = -(board_half_width + y);
-    const V s12 = lanes_select((s10 < s11), s11, s10);
-    const V s13 = y - board_half_width;
-    const V s14 = lanes_select((s12 < s13), s13, s12);
-    const V s15 = board_bottom - z;
-    const V s16 = lanes_select((s14 < s15), s15, s14);
-    const V s17 = z - board_top;
-    const V s18 = lanes_select((s16 < s17), s17, s16);
-    const M s19 = lanes_abs((last - K(1.0))) < K(0.5);
-    const V s20 = lanes_select(s19, s5, lanes_select((K(0.0) <= s18), s5, K(0.0)));
-    const V s21 = z - s2;
-    const V s22 = ((s2 - s8) - (K(2.0) * wire_radius)) - z;
-    const V s23 = lanes_select((s21 < s22), s22, s21);
-    const V s24 = -(bridge_half_width + y);
-    const V s25 = lanes_select((s23 < s24), s24, s23);
-    const V s26 = y - bridge_half_width;
-    const V s27 = lanes_select((s25 < s26), s26, s25);
-    const V s28 = ring_radius - s0;
-    const V s29 = lanes_select((s27 < s28), s28, s27);
-    const V s30 = lanes_select((s29 < x), x, s29);
-    const V s31 = -(board_distance + x);
-    const V s32 = lanes_select((s30 < s31), s31, s30);
-    const M s33 = lanes_abs((last - K(2.0))) < K(0.5);
-    const V s34 = ((((lanes_abs(ball_radius) + lanes_abs(board_bottom)) + lanes_abs(board_distance)) + lanes_abs(board_half_width)) + lanes_abs(board_top)) + lanes_abs(bridge_half_width);
-    const V s35 = ((((s34 + lanes_abs(end_depth)) + lanes_abs(ring_radius)) + lanes_abs(wire_radius)) + lanes_abs(x)) + lanes_abs(y);
-    const V s36 = K(1.7763568394002505e-15) * (s35 + lanes_abs(z));
-    const V s37 = lanes_select(s4, K(0.0), lanes_select((lanes_abs(s3) <= (((K(4.0) * ball_radius) + (K(4.0) * wire_radius)) * s36)), K(1.0), K(0.0)));
-    const V s38 = lanes_select(s19, s37, lanes_select((lanes_abs(s18) <= s36), K(1.0), s37));
-    return (LANES(hoop_valid_out)){ lanes_select(s33, s20, lanes_select((K(0.0) <= s32), s20, K(0.0))), lanes_select(s33, s38, lanes_select((lanes_abs(s32) <= s36), K(1.0), s38)) };
+    const V s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V s1 = lanes_sub(s0, ring_radius);
+    const V s2 = lanes_add(ball_radius, wire_radius);
+    const V s3 = lanes_sub(lanes_add(lanes_mul(z, z), lanes_mul(s1, s1)), lanes_mul(s2, s2));
+    const M s4 = lanes_less(lanes_abs(last), K(0.5));
+    const V s5 = lanes_select(s4, K(1.0), lanes_select(lanes_at_most(K(0.0), s3), K(1.0), K(0.0)));
+    const V s6 = lanes_sub(ball_radius, board_distance);
+    const V s7 = lanes_mul(K(2.0), ball_radius);
+    const V s8 = lanes_max(lanes_max(lanes_max(lanes_max(lanes_sub(x, s6), lanes_sub(lanes_sub(s6, s7), x)), lanes_neg(lanes_add(board_half_width, y))), lanes_sub(y, board_half_width)), lanes_sub(board_bottom, z));
+    const V s9 = lanes_max(s8, lanes_sub(z, board_top));
+    const M s10 = lanes_less(lanes_abs(lanes_sub(last, K(1.0))), K(0.5));
+    const V s11 = lanes_select(s10, s5, lanes_select(lanes_at_most(K(0.0), s9), s5, K(0.0)));
+    const V s12 = lanes_max(lanes_max(lanes_max(lanes_sub(z, s2), lanes_sub(lanes_sub(lanes_sub(s2, s7), lanes_mul(K(2.0), wire_radius)), z)), lanes_neg(lanes_add(bridge_half_width, y))), lanes_sub(y, bridge_half_width));
+    const V s13 = lanes_max(lanes_max(lanes_max(s12, lanes_sub(ring_radius, s0)), x), lanes_neg(lanes_add(board_distance, x)));
+    const M s14 = lanes_less(lanes_abs(lanes_sub(last, K(2.0))), K(0.5));
+    const V s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(ball_radius), lanes_abs(board_bottom)), lanes_abs(board_distance)), lanes_abs(board_half_width)), lanes_abs(board_top)), lanes_abs(bridge_half_width));
+    const V s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(s15, lanes_abs(end_depth)), lanes_abs(ring_radius)), lanes_abs(wire_radius)), lanes_abs(x)), lanes_abs(y));
+    const V s17 = lanes_mul(K(1.7763568394002505e-15), lanes_add(s16, lanes_abs(z)));
+    const V s18 = lanes_select(s4, K(0.0), lanes_select(lanes_at_most(lanes_abs(s3), lanes_mul(lanes_add(lanes_mul(K(4.0), ball_radius), lanes_mul(K(4.0), wire_radius)), s17)), K(1.0), K(0.0)));
+    const V s19 = lanes_select(s10, s18, lanes_select(lanes_at_most(lanes_abs(s9), s17), K(1.0), s18));
+    return (LANES(hoop_valid_out)){ lanes_select(s14, s11, lanes_select(lanes_at_most(K(0.0), s13), s11, K(0.0))), lanes_select(s14, s19, lanes_select(lanes_at_most(lanes_abs(s13), s17), K(1.0), s19)) };
 }
 
 /* Not positive where a crossing of the end plane is made.
@@ -315,7 +253,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_target_out)
 LANES(hoop_target)(V x, V y, V ring_radius)
 {
-    return (LANES(hoop_target_out)){ lanes_sqrt(((x * x) + (y * y))) - ring_radius };
+    return (LANES(hoop_target_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), ring_radius) };
 }
 
 /* 1 where the ball leaves a surface.
@@ -327,7 +265,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_left_out)
 LANES(hoop_left)(V index, V last)
 {
-    return (LANES(hoop_left_out)){ lanes_select((last == index), K(1.0), K(0.0)) };
+    return (LANES(hoop_left_out)){ lanes_select(lanes_equal(last, index), K(1.0), K(0.0)) };
 }
 
 /* Whether a plane's only arrival is one, and the size of the bend there.
@@ -340,7 +278,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_meeting_plane_out)
 LANES(hoop_meeting_plane)(V bend, V rate, V time)
 {
-    const M s0 = (((rate < K(0.0)) | (((rate <= K(0.0)) & (bend < K(0.0))) & (time == K(0.0)))) & (K(0.0) <= time)) & (time < K(INFINITY));
+    const M s0 = lanes_both(lanes_both(lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_both(lanes_at_most(rate, K(0.0)), lanes_less(bend, K(0.0))), lanes_equal(time, K(0.0)))), lanes_at_most(K(0.0), time)), lanes_less(time, K(INFINITY)));
     return (LANES(hoop_meeting_plane_out)){ s0, lanes_abs(bend) };
 }
 
@@ -353,7 +291,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_timely_out)
 LANES(hoop_timely)(M arrives, V delay, V late, V time, V when)
 {
-    return (LANES(hoop_timely_out)){ arrives & NOT(((delay + late) < (time - when))) };
+    return (LANES(hoop_timely_out)){ lanes_both(arrives, lanes_not(lanes_less(lanes_add(delay, late), lanes_sub(time, when)))) };
 }
 
 /* A doubt where the gap's apex is zero within its error.
@@ -365,7 +303,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_grazed_out)
 LANES(hoop_grazed)(V apex, V doubt, V height, V margin)
 {
-    return (LANES(hoop_grazed_out)){ lanes_select((((K(0.0) <= apex) & (lanes_abs(height) <= margin)) & (apex < doubt)), apex, doubt) };
+    return (LANES(hoop_grazed_out)){ lanes_select(lanes_both(lanes_both(lanes_at_most(K(0.0), apex), lanes_at_most(lanes_abs(height), margin)), lanes_less(apex, doubt)), apex, doubt) };
 }
 
 /* A doubt about a decision at a time.
@@ -377,7 +315,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_questioned_out)
 LANES(hoop_questioned)(V doubt, V time, M unsure)
 {
-    return (LANES(hoop_questioned_out)){ lanes_select((unsure & (time < doubt)), time, doubt) };
+    return (LANES(hoop_questioned_out)){ lanes_select(lanes_both(unsure, lanes_less(time, doubt)), time, doubt) };
 }
 
 /* A doubt about an arrival whose crossing is not certain.
@@ -389,7 +327,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_crossed_out)
 LANES(hoop_crossed)(M arrives, V clearance, V doubt, V time)
 {
-    return (LANES(hoop_crossed_out)){ lanes_select(((arrives & NOT((K(0.0) < clearance))) & (time < doubt)), time, doubt) };
+    return (LANES(hoop_crossed_out)){ lanes_select(lanes_both(lanes_both(arrives, lanes_not(lanes_less(K(0.0), clearance))), lanes_less(time, doubt)), time, doubt) };
 }
 
 /* A doubt about two arrivals within their delays; the delay of the earlier one.
@@ -402,10 +340,10 @@ typedef struct {
 LANES_INLINE LANES(hoop_tied_out)
 LANES(hoop_tied)(M arrives, V delay, V doubt, V late, V time, V when)
 {
-    const M s0 = time < when;
+    const M s0 = lanes_less(time, when);
     const V s1 = lanes_select(s0, time, when);
-    const V s2 = lanes_select(((arrives & (lanes_abs((time - when)) <= (delay + late))) & (s1 < doubt)), s1, doubt);
-    return (LANES(hoop_tied_out)){ s2, lanes_select((arrives & s0), delay, late) };
+    const V s2 = lanes_select(lanes_both(lanes_both(arrives, lanes_at_most(lanes_abs(lanes_sub(time, when)), lanes_add(delay, late))), lanes_less(s1, doubt)), s1, doubt);
+    return (LANES(hoop_tied_out)){ s2, lanes_select(lanes_both(arrives, s0), delay, late) };
 }
 
 /* The earlier of the earliest arrival so far and this one.
@@ -418,7 +356,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_sooner_out)
 LANES(hoop_sooner)(M arrives, V index, V time, V when, V which)
 {
-    const M s0 = arrives & (time < when);
+    const M s0 = lanes_both(arrives, lanes_less(time, when));
     return (LANES(hoop_sooner_out)){ lanes_select(s0, time, when), lanes_select(s0, index, which) };
 }
 
@@ -431,7 +369,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_opens_out)
 LANES(hoop_opens)(V clear)
 {
-    return (LANES(hoop_opens_out)){ NOT((K(0.0) < clear)) };
+    return (LANES(hoop_opens_out)){ lanes_not(lanes_less(K(0.0), clear)) };
 }
 
 /* How a search begins: with the errors that it allows for, and nothing found.
@@ -445,7 +383,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_beginning_out)
 LANES(hoop_beginning)(void)
 {
-    return (LANES(hoop_beginning_out)){ K(2.9802322387695312e-08), K(INFINITY), NOWHERE };
+    return (LANES(hoop_beginning_out)){ K(2.9802322387695312e-08), K(INFINITY), lanes_nowhere() };
 }
 
 /* Nothing is certain where the errors exceed what the search allows for.
@@ -457,7 +395,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_beyond_out)
 LANES(hoop_beyond)(V doubt, V excess, V late, V lost, V pad)
 {
-    return (LANES(hoop_beyond_out)){ lanes_select((((K(0.0) < excess) | (K(0.0) < lost)) | (pad < late)), K(0.0), doubt) };
+    return (LANES(hoop_beyond_out)){ lanes_select(lanes_either(lanes_either(lanes_less(K(0.0), excess), lanes_less(K(0.0), lost)), lanes_less(pad, late)), K(0.0), doubt) };
 }
 
 /* 1 near the surface that the ball left, where F/t is known better than F; the margin.
@@ -470,8 +408,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_nearby_out)
 LANES(hoop_nearby)(V flat, V index, V last, V t, V tilt)
 {
-    const V s0 = t * tilt;
-    const M s1 = (last == index) & (s0 < flat);
+    const V s0 = lanes_mul(t, tilt);
+    const M s1 = lanes_both(lanes_equal(last, index), lanes_less(s0, flat));
     return (LANES(hoop_nearby_out)){ lanes_select(s1, K(1.0), K(0.0)), lanes_select(s1, s0, flat) };
 }
 
@@ -486,12 +424,12 @@ typedef struct {
 LANES_INLINE LANES(hoop_struck_out)
 LANES(hoop_struck)(V bend, V clearance, V gap, V margin, V rate, V rate_margin, V share)
 {
-    const M s0 = (rate < K(0.0)) | ((rate <= rate_margin) & (bend < K(0.0)));
-    const M s1 = K(0.0) < clearance;
-    const M s2 = s0 & (((gap - margin) <= margin) | s1);
-    const M s3 = s0 & s1;
-    const M s4 = (s2 & NOT(s3)) & (K(0.0) < share);
-    return (LANES(hoop_struck_out)){ s2 & NOT(s4), s3, s4 };
+    const M s0 = lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_at_most(rate, rate_margin), lanes_less(bend, K(0.0))));
+    const M s1 = lanes_less(K(0.0), clearance);
+    const M s2 = lanes_both(s0, lanes_either(lanes_at_most(lanes_sub(gap, margin), margin), s1));
+    const M s3 = lanes_both(s0, s1);
+    const M s4 = lanes_both(lanes_both(s2, lanes_not(s3)), lanes_less(K(0.0), share));
+    return (LANES(hoop_struck_out)){ lanes_both(s2, lanes_not(s4)), s3, s4 };
 }
 
 /* The next smaller errors that a search allows for.
@@ -503,7 +441,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_finer_out)
 LANES(hoop_finer)(V share)
 {
-    return (LANES(hoop_finer_out)){ lanes_select((K(2.842170943040401e-14) < share), (K(0.03125) * share), K(0.0)) };
+    return (LANES(hoop_finer_out)){ lanes_select(lanes_less(K(2.842170943040401e-14), share), lanes_mul(K(0.03125), share), K(0.0)) };
 }
 
 /* A doubt where the errors exceed what is allowed for.
@@ -515,7 +453,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_exceeded_out)
 LANES(hoop_exceeded)(V doubt, V excess, V t)
 {
-    return (LANES(hoop_exceeded_out)){ lanes_select(((K(0.0) < excess) & (t < doubt)), t, doubt) };
+    return (LANES(hoop_exceeded_out)){ lanes_select(lanes_both(lanes_less(K(0.0), excess), lanes_less(t, doubt)), t, doubt) };
 }
 
 /* The search after a step: what it found, whether its window is exhausted, where it is.
@@ -531,9 +469,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_advanced_out)
 LANES(hoop_advanced)(V arrival, M certain, V end, M hit, V next, V root, V step, M sure, V t, M vague)
 {
-    const M s0 = NOT(hit);
-    const M s1 = (s0 & NOT(vague)) & ((end - t) <= step);
-    return (LANES(hoop_advanced_out)){ lanes_select(hit, lanes_select(sure, root, t), arrival), certain | (hit & sure), s1, s0 & NOT(s1), lanes_select((hit | vague), t, next) };
+    const M s0 = lanes_not(hit);
+    const M s1 = lanes_both(lanes_both(s0, lanes_not(vague)), lanes_at_most(lanes_sub(end, t), step));
+    return (LANES(hoop_advanced_out)){ lanes_select(hit, lanes_select(sure, root, t), arrival), lanes_either(certain, lanes_both(hit, sure)), s1, lanes_both(s0, lanes_not(s1)), lanes_select(lanes_either(hit, vague), t, next) };
 }
 
 /* Whether a search found an arrival.
@@ -545,7 +483,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_found_out)
 LANES(hoop_found)(V arrival)
 {
-    return (LANES(hoop_found_out)){ arrival < K(INFINITY) };
+    return (LANES(hoop_found_out)){ lanes_less(arrival, K(INFINITY)) };
 }
 
 /* A root that is certain, refined.
@@ -569,7 +507,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_own_margin_out)
 LANES(hoop_own_margin)(V arrival, V flat, V leaving, V tilt)
 {
-    return (LANES(hoop_own_margin_out)){ lanes_select((K(0.0) < leaving), (arrival * tilt), flat) };
+    return (LANES(hoop_own_margin_out)){ lanes_select(lanes_less(K(0.0), leaving), lanes_mul(arrival, tilt), flat) };
 }
 
 /* The time of an arrival, not before the flight.
@@ -581,7 +519,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_landed_out)
 LANES(hoop_landed)(V arrival)
 {
-    return (LANES(hoop_landed_out)){ lanes_select((arrival < K(0.0)), K(0.0), arrival) };
+    return (LANES(hoop_landed_out)){ lanes_select(lanes_less(arrival, K(0.0)), K(0.0), arrival) };
 }
 
 /* The delay of an arrival that is certain, a doubt about another one.
@@ -594,8 +532,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_landed_surely_out)
 LANES(hoop_landed_surely)(M arrives, M certain, V clearance, V delay, V doubt, V time)
 {
-    const M s0 = certain & (K(0.0) < clearance);
-    return (LANES(hoop_landed_surely_out)){ lanes_select(s0, delay, K(0.0)), lanes_select(((arrives & NOT(s0)) & (time < doubt)), time, doubt) };
+    const M s0 = lanes_both(certain, lanes_less(K(0.0), clearance));
+    return (LANES(hoop_landed_surely_out)){ lanes_select(s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(s0)), lanes_less(time, doubt)), time, doubt) };
 }
 
 /* A search that begins outside the surface.
@@ -620,8 +558,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_admitted_out)
 LANES(hoop_admitted)(V doubt, M finite, M permitted, V valid)
 {
-    const M s0 = permitted & finite;
-    return (LANES(hoop_admitted_out)){ lanes_select((s0 & (K(0.0) < valid)), K(-1.0), K(4.0)), lanes_select((s0 & (K(0.0) < doubt)), K(1.0), K(0.0)) };
+    const M s0 = lanes_both(permitted, finite);
+    return (LANES(hoop_admitted_out)){ lanes_select(lanes_both(s0, lanes_less(K(0.0), valid)), K(-1.0), K(4.0)), lanes_select(lanes_both(s0, lanes_less(K(0.0), doubt)), K(1.0), K(0.0)) };
 }
 
 /* Where every number of a state is finite.
@@ -633,8 +571,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_finite_state_out)
 LANES(hoop_finite_state)(V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
 {
-    const M s0 = ((((lanes_abs(x) < K(INFINITY)) & (lanes_abs(y) < K(INFINITY))) & (lanes_abs(z) < K(INFINITY))) & (lanes_abs(vx) < K(INFINITY))) & (lanes_abs(vy) < K(INFINITY));
-    const M s1 = (((s0 & (lanes_abs(vz) < K(INFINITY))) & (lanes_abs(wx) < K(INFINITY))) & (lanes_abs(wy) < K(INFINITY))) & (lanes_abs(wz) < K(INFINITY));
+    const M s0 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(lanes_abs(x), K(INFINITY)), lanes_less(lanes_abs(y), K(INFINITY))), lanes_less(lanes_abs(z), K(INFINITY))), lanes_less(lanes_abs(vx), K(INFINITY))), lanes_less(lanes_abs(vy), K(INFINITY)));
+    const M s1 = lanes_both(lanes_both(lanes_both(lanes_both(s0, lanes_less(lanes_abs(vz), K(INFINITY))), lanes_less(lanes_abs(wx), K(INFINITY))), lanes_less(lanes_abs(wy), K(INFINITY))), lanes_less(lanes_abs(wz), K(INFINITY)));
     return (LANES(hoop_finite_state_out)){ s1 };
 }
 
@@ -650,7 +588,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_opening_out)
 LANES(hoop_opening)(V excess, V position_error, V velocity_error)
 {
-    return (LANES(hoop_opening_out)){ K(INFINITY), K(-1.0), K(0.0), lanes_select((((position_error < K(INFINITY)) & (velocity_error < K(INFINITY))) & (excess <= K(0.0))), K(INFINITY), K(0.0)) };
+    return (LANES(hoop_opening_out)){ K(INFINITY), K(-1.0), K(0.0), lanes_select(lanes_both(lanes_both(lanes_less(position_error, K(INFINITY)), lanes_less(velocity_error, K(INFINITY))), lanes_at_most(excess, K(0.0))), K(INFINITY), K(0.0)) };
 }
 
 /* Whether there is no event, the end, or a contact.
@@ -665,10 +603,10 @@ typedef struct {
 LANES_INLINE LANES(hoop_departed_out)
 LANES(hoop_departed)(V index, V which)
 {
-    const M s0 = which < K(0.0);
-    const M s1 = NOT(s0);
-    const M s2 = which == index;
-    return (LANES(hoop_departed_out)){ s0, s1, s2, s1 & NOT(s2) };
+    const M s0 = lanes_less(which, K(0.0));
+    const M s1 = lanes_not(s0);
+    const M s2 = lanes_equal(which, index);
+    return (LANES(hoop_departed_out)){ s0, s1, s2, lanes_both(s1, lanes_not(s2)) };
 }
 
 /* The time of the event.
@@ -680,7 +618,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_ticked_out)
 LANES(hoop_ticked)(V clock, V when)
 {
-    return (LANES(hoop_ticked_out)){ clock + when };
+    return (LANES(hoop_ticked_out)){ lanes_add(clock, when) };
 }
 
 /* 1 where a decision up to this event, or on the target, lies within its error.
@@ -692,7 +630,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_doubted_out)
 LANES(hoop_doubted)(V doubt, M ends, V late, V miss, V slack, V uncertain, V when)
 {
-    const V s0 = lanes_select(((NOT(((late + when) < doubt)) & (doubt < K(INFINITY))) | (ends & (lanes_abs(miss) <= slack))), K(1.0), uncertain);
+    const V s0 = lanes_select(lanes_either(lanes_both(lanes_not(lanes_less(lanes_add(late, when), doubt)), lanes_less(doubt, K(INFINITY))), lanes_both(ends, lanes_at_most(lanes_abs(miss), slack))), K(1.0), uncertain);
     return (LANES(hoop_doubted_out)){ s0 };
 }
 
@@ -706,8 +644,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_accounted_out)
 LANES(hoop_accounted)(V contacts, M ends, V miss, V most_contacts, M touches)
 {
-    const V s0 = K(1.0) + contacts;
-    return (LANES(hoop_accounted_out)){ lanes_select(touches, s0, contacts), lanes_select(touches, lanes_select((most_contacts <= s0), K(2.0), K(-1.0)), lanes_select(ends, lanes_select((miss <= K(0.0)), K(0.0), K(1.0)), K(3.0))) };
+    const V s0 = lanes_add(K(1.0), contacts);
+    return (LANES(hoop_accounted_out)){ lanes_select(touches, s0, contacts), lanes_select(touches, lanes_select(lanes_at_most(most_contacts, s0), K(2.0), K(-1.0)), lanes_select(ends, lanes_select(lanes_at_most(miss, K(0.0)), K(0.0), K(1.0)), K(3.0))) };
 }
 
 /* Where an event changes the ball, or its errors are asked for.
@@ -719,7 +657,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_meeting_out)
 LANES(hoop_meeting)(V claims, M ends, M touches)
 {
-    return (LANES(hoop_meeting_out)){ touches | (ends & (K(0.0) < claims)) };
+    return (LANES(hoop_meeting_out)){ lanes_either(touches, lanes_both(ends, lanes_less(K(0.0), claims))) };
 }
 
 /* Whether the event is on a surface.
@@ -731,7 +669,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_here_out)
 LANES(hoop_here)(V index, V which)
 {
-    return (LANES(hoop_here_out)){ which == index };
+    return (LANES(hoop_here_out)){ lanes_equal(which, index) };
 }
 
 /* One more contact.
@@ -743,7 +681,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_counted_out)
 LANES(hoop_counted)(V count)
 {
-    return (LANES(hoop_counted_out)){ K(1.0) + count };
+    return (LANES(hoop_counted_out)){ lanes_add(K(1.0), count) };
 }
 
 /* A ball that meets another surface.
@@ -767,7 +705,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_again_out)
 LANES(hoop_again)(V index, V last, V which)
 {
-    return (LANES(hoop_again_out)){ (which == index) & (last == which) };
+    return (LANES(hoop_again_out)){ lanes_both(lanes_equal(which, index), lanes_equal(last, which)) };
 }
 
 /* The error of the event's time.
@@ -779,7 +717,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_delayed_out)
 LANES(hoop_delayed)(V clock_error, V delay)
 {
-    return (LANES(hoop_delayed_out)){ clock_error + delay };
+    return (LANES(hoop_delayed_out)){ lanes_add(clock_error, delay) };
 }
 
 /* Errors of the position at the end, not below what one flight can make.
@@ -793,7 +731,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_floored_out)
 LANES(hoop_floored)(V dx, V dy, V dz, V shift)
 {
-    return (LANES(hoop_floored_out)){ lanes_select((lanes_abs(dx) < shift), shift, dx), lanes_select((lanes_abs(dy) < shift), shift, dy), lanes_select((lanes_abs(dz) < shift), shift, dz) };
+    return (LANES(hoop_floored_out)){ lanes_select(lanes_less(lanes_abs(dx), shift), shift, dx), lanes_select(lanes_less(lanes_abs(dy), shift), shift, dy), lanes_select(lanes_less(lanes_abs(dz), shift), shift, dz) };
 }
 
 /* A normal without error.
@@ -821,7 +759,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_touched_out)
 LANES(hoop_touched)(V body, V first, V which)
 {
-    return (LANES(hoop_touched_out)){ lanes_select((first < K(0.0)), body, first), which };
+    return (LANES(hoop_touched_out)){ lanes_select(lanes_less(first, K(0.0)), body, first), which };
 }
 
 /* Where a shot has ended whose errors are asked for.
@@ -833,7 +771,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_closing_out)
 LANES(hoop_closing)(V claims, V outcome)
 {
-    return (LANES(hoop_closing_out)){ (K(0.0) < claims) & (K(0.0) <= outcome) };
+    return (LANES(hoop_closing_out)){ lanes_both(lanes_less(K(0.0), claims), lanes_at_most(K(0.0), outcome)) };
 }
 
 /* The body that the event is on.
@@ -862,18 +800,18 @@ typedef struct {
 LANES_INLINE LANES(hoop_impact_out)
 LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V ball_radius, V restitution)
 {
-    const V s0 = K(0.4) * ball_radius;
-    const V s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
-    const V s2 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
-    const V s3 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
-    const V s4 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
-    const V s5 = ((nx * wx) + (ny * wy)) + (nz * wz);
-    const V s6 = K(1.0) / ball_radius;
-    return (LANES(hoop_impact_out)){ s2 - ((nx * restitution) * s1), s3 - ((ny * restitution) * s1), s4 - ((nz * restitution) * s1), (nx * s5) + (s6 * ((ny * s4) - (nz * s3))), (ny * s5) + (s6 * ((nz * s2) - (nx * s4))), (nz * s5) + (s6 * ((nx * s3) - (ny * s2))) };
+    const V s0 = lanes_mul(K(0.4), ball_radius);
+    const V s1 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V s2 = lanes_add(lanes_mul(s0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))), lanes_mul(K(0.6), lanes_sub(vx, lanes_mul(nx, s1))));
+    const V s3 = lanes_add(lanes_mul(s0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, s1))));
+    const V s4 = lanes_add(lanes_mul(s0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, s1))));
+    const V s5 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
+    const V s6 = lanes_div(K(1.0), ball_radius);
+    return (LANES(hoop_impact_out)){ lanes_sub(s2, lanes_mul(lanes_mul(nx, restitution), s1)), lanes_sub(s3, lanes_mul(lanes_mul(ny, restitution), s1)), lanes_sub(s4, lanes_mul(lanes_mul(nz, restitution), s1)), lanes_add(lanes_mul(nx, s5), lanes_mul(s6, lanes_sub(lanes_mul(ny, s4), lanes_mul(nz, s3)))), lanes_add(lanes_mul(ny, s5), lanes_mul(s6, lanes_sub(lanes_mul(nz, s2), lanes_mul(nx, s4)))), lanes_add(lanes_mul(nz, s5), lanes_mul(s6, lanes_sub(lanes_mul(nx, s3), lanes_mul(ny, s2)))) };
 }
 
 /* Errors of velocity and spin after a contact, from those before it.
-   derivative of the frame-free Eq. 17, with roundings. 243 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 239 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 4 maxima, 18 comparisons, 18 selections. */
 typedef struct {
     V dvx;
     V dvy;
@@ -886,51 +824,43 @@ typedef struct {
 LANES_INLINE LANES(hoop_carry_impact_out)
 LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V ball_radius, V restitution)
 {
-    const V s0 = K(0.4) * ball_radius;
-    const V s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
-    const V s2 = (((((dnx * vx) + (dny * vy)) + (dnz * vz)) + (dvx * nx)) + (dvy * ny)) + (dvz * nz);
-    const V s3 = (s0 * ((((dnz * wy) + (dwy * nz)) - (dny * wz)) - (dwz * ny))) + (K(0.6) * ((dvx - (dnx * s1)) - (nx * s2)));
-    const V s4 = (s3 - ((dnx * restitution) * s1)) - ((nx * restitution) * s2);
-    const V s5 = ((ball_radius * ((lanes_abs(wx) + lanes_abs(wy)) + lanes_abs(wz))) + lanes_abs(vx)) + lanes_abs(vy);
-    const V s6 = s5 + lanes_abs(vz);
-    const V s7 = K(2.220446049250313e-16) * s6;
-    const V s8 = -s7;
-    const V s9 = s4 + lanes_select((s4 < K(0.0)), s8, s7);
-    const V s10 = K(8.0) + (K(8.0) * contacts);
-    const V s11 = lanes_abs(dwx);
-    const V s12 = lanes_abs(dwy);
-    const V s13 = lanes_select((s11 < s12), s12, s11);
-    const V s14 = lanes_abs(dwz);
-    const V s15 = lanes_abs(dvx);
-    const V s16 = lanes_abs(dvy);
-    const V s17 = lanes_select((s15 < s16), s16, s15);
-    const V s18 = lanes_abs(dvz);
-    const V s19 = ((ball_radius * lanes_select((s13 < s14), s14, s13)) + (turn * s6)) + lanes_select((s17 < s18), s18, s17);
-    const V s20 = s19 / s10;
-    const V s21 = -s20;
-    const V s22 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (K(0.6) * ((dvy - (dny * s1)) - (ny * s2)));
-    const V s23 = (s22 - ((dny * restitution) * s1)) - ((ny * restitution) * s2);
-    const V s24 = s23 + lanes_select((s23 < K(0.0)), s8, s7);
-    const V s25 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (K(0.6) * ((dvz - (dnz * s1)) - (nz * s2)));
-    const V s26 = (s25 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2);
-    const V s27 = s26 + lanes_select((s26 < K(0.0)), s8, s7);
-    const V s28 = ((nx * wx) + (ny * wy)) + (nz * wz);
-    const V s29 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz);
-    const V s30 = K(1.0) / ball_radius;
-    const V s31 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
-    const V s32 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
-    const V s33 = ((dnx * s28) + (nx * s29)) + (s30 * ((((dny * s31) + (ny * s25)) - (dnz * s32)) - (nz * s22)));
-    const V s34 = s7 / ball_radius;
-    const V s35 = -s34;
-    const V s36 = s33 + lanes_select((s33 < K(0.0)), s35, s34);
-    const V s37 = s19 / (ball_radius * s10);
-    const V s38 = -s37;
-    const V s39 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
-    const V s40 = ((dny * s28) + (ny * s29)) + (s30 * ((((dnz * s39) + (nz * s3)) - (dnx * s31)) - (nx * s25)));
-    const V s41 = s40 + lanes_select((s40 < K(0.0)), s35, s34);
-    const V s42 = ((dnz * s28) + (nz * s29)) + (s30 * ((((dnx * s32) + (nx * s22)) - (dny * s39)) - (ny * s3)));
-    const V s43 = s42 + lanes_select((s42 < K(0.0)), s35, s34);
-    return (LANES(hoop_carry_impact_out)){ lanes_select((lanes_abs(s9) < s20), lanes_select((s9 < K(0.0)), s21, s20), s9), lanes_select((lanes_abs(s24) < s20), lanes_select((s24 < K(0.0)), s21, s20), s24), lanes_select((lanes_abs(s27) < s20), lanes_select((s27 < K(0.0)), s21, s20), s27), lanes_select((lanes_abs(s36) < s37), lanes_select((s36 < K(0.0)), s38, s37), s36), lanes_select((lanes_abs(s41) < s37), lanes_select((s41 < K(0.0)), s38, s37), s41), lanes_select((lanes_abs(s43) < s37), lanes_select((s43 < K(0.0)), s38, s37), s43) };
+    const V s0 = lanes_mul(K(0.4), ball_radius);
+    const V s1 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
+    const V s3 = lanes_add(lanes_mul(s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvx, lanes_mul(dnx, s1)), lanes_mul(nx, s2))));
+    const V s4 = lanes_sub(lanes_sub(s3, lanes_mul(lanes_mul(dnx, restitution), s1)), lanes_mul(lanes_mul(nx, restitution), s2));
+    const V s5 = lanes_add(lanes_add(lanes_mul(ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V s6 = lanes_add(s5, lanes_abs(vz));
+    const V s7 = lanes_mul(K(2.220446049250313e-16), s6);
+    const V s8 = lanes_neg(s7);
+    const V s9 = lanes_add(s4, lanes_select(lanes_less(s4, K(0.0)), s8, s7));
+    const V s10 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
+    const V s11 = lanes_add(lanes_add(lanes_mul(ball_radius, lanes_max(lanes_max(lanes_abs(dwx), lanes_abs(dwy)), lanes_abs(dwz))), lanes_mul(turn, s6)), lanes_max(lanes_max(lanes_abs(dvx), lanes_abs(dvy)), lanes_abs(dvz)));
+    const V s12 = lanes_div(s11, s10);
+    const V s13 = lanes_neg(s12);
+    const V s14 = lanes_add(lanes_mul(s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvy, lanes_mul(dny, s1)), lanes_mul(ny, s2))));
+    const V s15 = lanes_sub(lanes_sub(s14, lanes_mul(lanes_mul(dny, restitution), s1)), lanes_mul(lanes_mul(ny, restitution), s2));
+    const V s16 = lanes_add(s15, lanes_select(lanes_less(s15, K(0.0)), s8, s7));
+    const V s17 = lanes_add(lanes_mul(s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvz, lanes_mul(dnz, s1)), lanes_mul(nz, s2))));
+    const V s18 = lanes_sub(lanes_sub(s17, lanes_mul(lanes_mul(dnz, restitution), s1)), lanes_mul(lanes_mul(nz, restitution), s2));
+    const V s19 = lanes_add(s18, lanes_select(lanes_less(s18, K(0.0)), s8, s7));
+    const V s20 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
+    const V s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, wx), lanes_mul(dny, wy)), lanes_mul(dnz, wz)), lanes_mul(dwx, nx)), lanes_mul(dwy, ny)), lanes_mul(dwz, nz));
+    const V s22 = lanes_div(K(1.0), ball_radius);
+    const V s23 = lanes_add(lanes_mul(s0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, s1))));
+    const V s24 = lanes_add(lanes_mul(s0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, s1))));
+    const V s25 = lanes_add(lanes_add(lanes_mul(dnx, s20), lanes_mul(nx, s21)), lanes_mul(s22, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, s23), lanes_mul(ny, s17)), lanes_mul(dnz, s24)), lanes_mul(nz, s14))));
+    const V s26 = lanes_div(s7, ball_radius);
+    const V s27 = lanes_neg(s26);
+    const V s28 = lanes_add(s25, lanes_select(lanes_less(s25, K(0.0)), s27, s26));
+    const V s29 = lanes_div(s11, lanes_mul(ball_radius, s10));
+    const V s30 = lanes_neg(s29);
+    const V s31 = lanes_add(lanes_mul(s0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))), lanes_mul(K(0.6), lanes_sub(vx, lanes_mul(nx, s1))));
+    const V s32 = lanes_add(lanes_add(lanes_mul(dny, s20), lanes_mul(ny, s21)), lanes_mul(s22, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, s31), lanes_mul(nz, s3)), lanes_mul(dnx, s23)), lanes_mul(nx, s17))));
+    const V s33 = lanes_add(s32, lanes_select(lanes_less(s32, K(0.0)), s27, s26));
+    const V s34 = lanes_add(lanes_add(lanes_mul(dnz, s20), lanes_mul(nz, s21)), lanes_mul(s22, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, s24), lanes_mul(nx, s14)), lanes_mul(dny, s31)), lanes_mul(ny, s3))));
+    const V s35 = lanes_add(s34, lanes_select(lanes_less(s34, K(0.0)), s27, s26));
+    return (LANES(hoop_carry_impact_out)){ lanes_select(lanes_less(lanes_abs(s9), s12), lanes_select(lanes_less(s9, K(0.0)), s13, s12), s9), lanes_select(lanes_less(lanes_abs(s16), s12), lanes_select(lanes_less(s16, K(0.0)), s13, s12), s16), lanes_select(lanes_less(lanes_abs(s19), s12), lanes_select(lanes_less(s19, K(0.0)), s13, s12), s19), lanes_select(lanes_less(lanes_abs(s28), s29), lanes_select(lanes_less(s28, K(0.0)), s30, s29), s28), lanes_select(lanes_less(lanes_abs(s33), s29), lanes_select(lanes_less(s33, K(0.0)), s30, s29), s33), lanes_select(lanes_less(lanes_abs(s35), s29), lanes_select(lanes_less(s35, K(0.0)), s30, s29), s35) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -944,14 +874,14 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_normal_out)
 LANES(hoop_ring_normal)(V x, V y, V z, V ball_radius, V ring_radius, V wire_radius)
 {
-    const V s0 = K(1.0) / (ball_radius + wire_radius);
-    const V s1 = lanes_sqrt(((x * x) + (y * y)));
-    const V s2 = (s0 * (s1 - ring_radius)) * (K(1.0) / s1);
-    return (LANES(hoop_ring_normal_out)){ x * s2, y * s2, z * s0 };
+    const V s0 = lanes_div(K(1.0), lanes_add(ball_radius, wire_radius));
+    const V s1 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V s2 = lanes_mul(lanes_mul(s0, lanes_sub(s1, ring_radius)), lanes_div(K(1.0), s1));
+    return (LANES(hoop_ring_normal_out)){ lanes_mul(x, s2), lanes_mul(y, s2), lanes_mul(z, s0) };
 }
 
 /* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. 6 operations: 1 addition, 2 subtractions, 1 division, 1 comparison, 1 selection. */
+   Table 2. 5 operations: 1 addition, 2 subtractions, 1 division, 1 minima. */
 typedef struct {
     V curvature;
 } LANES(hoop_ring_curvature_out);
@@ -959,13 +889,11 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_curvature_out)
 LANES(hoop_ring_curvature)(V ball_radius, V ring_radius, V wire_radius)
 {
-    const V s0 = (ring_radius - ball_radius) - wire_radius;
-    const V s1 = ball_radius + wire_radius;
-    return (LANES(hoop_ring_curvature_out)){ K(1.0) / lanes_select((s0 < s1), s0, s1) };
+    return (LANES(hoop_ring_curvature_out)){ lanes_div(K(1.0), lanes_min(lanes_sub(lanes_sub(ring_radius, ball_radius), wire_radius), lanes_add(ball_radius, wire_radius))) };
 }
 
 /* Error of the normal, from that of the position.
-   derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection. */
+   derivative of Table 2's normal. 37 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 minima. */
 typedef struct {
     V dnx;
     V dny;
@@ -976,20 +904,19 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_carry_normal_out)
 LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V ball_radius, V ring_radius, V wire_radius)
 {
-    const V s0 = ball_radius + wire_radius;
-    const V s1 = K(1.0) / s0;
-    const V s2 = lanes_sqrt(((x * x) + (y * y)));
-    const V s3 = s2 - ring_radius;
-    const V s4 = K(1.0) / s2;
-    const V s5 = (s1 * s3) * s4;
-    const V s6 = (K(0.5) * (((K(2.0) * dx) * x) + ((K(2.0) * dy) * y))) / s2;
-    const V s7 = ((s6 * s1) * s4) + (((-(s6 * (s4 * s4))) * s1) * s3);
-    const V s8 = (ring_radius - ball_radius) - wire_radius;
-    return (LANES(hoop_ring_carry_normal_out)){ (dx * s5) + (x * s7), (dy * s5) + (y * s7), dz * s1, shift * (K(1.0) / lanes_select((s8 < s0), s8, s0)) };
+    const V s0 = lanes_add(ball_radius, wire_radius);
+    const V s1 = lanes_div(K(1.0), s0);
+    const V s2 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V s3 = lanes_sub(s2, ring_radius);
+    const V s4 = lanes_div(K(1.0), s2);
+    const V s5 = lanes_mul(lanes_mul(s1, s3), s4);
+    const V s6 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), dx), x), lanes_mul(lanes_mul(K(2.0), dy), y))), s2);
+    const V s7 = lanes_add(lanes_mul(lanes_mul(s6, s1), s4), lanes_mul(lanes_mul(lanes_neg(lanes_mul(s6, lanes_mul(s4, s4))), s1), s3));
+    return (LANES(hoop_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, s5), lanes_mul(x, s7)), lanes_add(lanes_mul(dy, s5), lanes_mul(y, s7)), lanes_mul(dz, s1), lanes_mul(shift, lanes_div(K(1.0), lanes_min(lanes_sub(lanes_sub(ring_radius, ball_radius), wire_radius), s0))) };
 }
 
 /* Positive if there certainly is no contact before the horizon.
-   bounds of the event condition. 146 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 15 comparisons, 15 selections. */
+   bounds of the event condition. 144 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 2 maxima, 13 comparisons, 13 selections. */
 typedef struct {
     V clear;
 } LANES(hoop_ring_clear_out);
@@ -997,52 +924,49 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_clear_out)
 LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V gravity)
 {
-    const V s0 = ball_radius + wire_radius;
-    const V s1 = (K(0.000244140625) * ring_radius) - (ring_radius - s0);
-    const V s2 = position_error + (horizon * velocity_error);
-    const V s3 = (s2 - (K(1.52587890625e-05) * ball_radius)) - (K(1.52587890625e-05) * wire_radius);
-    const V s4 = K(1.00006103515625) * s0;
-    const V s5 = ring_radius + s4;
-    const V s6 = vz * vz;
-    const V s7 = s6 + ((K(2.0) * gravity) * (z - s4));
-    const V s8 = K(1.0) / gravity;
-    const V s9 = lanes_sqrt(s7);
-    const V s10 = s8 * (vz - s9);
-    const V s11 = s8 * (vz + s9);
-    const V s12 = x + (vx * s11);
-    const V s13 = y + (vy * s11);
-    const V s14 = (s12 * s12) + (s13 * s13);
-    const V s15 = lanes_sqrt(s14);
-    const V s16 = s15 - ring_radius;
-    const V s17 = z + ((vz - ((K(0.5) * gravity) * s11)) * s11);
-    const V s18 = s5 * s5;
-    const V s19 = K(9.313225746154785e-10) * s18;
-    const V s20 = (((s16 * s16) + (s17 * s17)) - (s0 * s0)) - s19;
-    const V s21 = (vx * vx) + (vy * vy);
-    const V s22 = ring_radius - s4;
-    const V s23 = K(0.0001220703125) * ring_radius;
-    const V s24 = lanes_select((s22 < s23), s23, s22);
-    const V s25 = s24 * s24;
-    const V s26 = s24 * s25;
-    const V s27 = ((((K(2.0) * s6) + ((K(4.0) * gravity) * z)) + (K(2.0) * s21)) - ((K(6.0003662109375) * gravity) * s0)) * s26;
-    const V s28 = (vy * x) - (vx * y);
-    const V s29 = s28 * s28;
-    const V s30 = s27 - ((K(2.0) * ring_radius) * s29);
-    const V s31 = (s16 * ((vx * s12) + (vy * s13))) + ((s17 * (vz - (gravity * s11))) * s15);
-    const V s32 = x + (horizon * vx);
-    const V s33 = y + (horizon * vy);
-    const V s34 = lanes_select(((((s19 + (s32 * s32)) + (s33 * s33)) - s25) < K(0.0)), K(1.0), lanes_select((((s21 * (s19 + s25)) - s29) < K(0.0)), K(1.0), K(0.0)));
-    const V s35 = lanes_select(((((K(4.0) * (s31 * s31)) * s26) - (((K(2.0) * s30) * s14) * s20)) < K(0.0)), s34, K(0.0));
-    const V s36 = lanes_select((horizon < (s11 - (K(9.313225746154785e-10) * horizon))), K(1.0), lanes_select((K(0.0) < s20), lanes_select((K(0.0) < s30), s35, K(0.0)), K(0.0)));
-    const V s37 = (vx * x) + (vy * y);
-    const V s38 = (s10 * s21) + s37;
-    const V s39 = lanes_select((s38 < K(0.0)), lanes_select((s18 < ((s10 * (s37 + s38)) + ((x * x) + (y * y)))), s36, K(0.0)), K(0.0));
-    const V s40 = lanes_select(((extent + (horizon * (speed + (gravity * horizon)))) < (K(65536.0) * s5)), lanes_select((K(0.0) < s7), lanes_select((s10 < K(0.0)), s36, s39), K(0.0)), K(0.0));
-    return (LANES(hoop_ring_clear_out)){ lanes_select((K(0.0) < lanes_select((s1 < s3), s3, s1)), K(0.0), lanes_select((s2 < (K(5.820766091346741e-11) * s5)), s40, K(0.0))) };
+    const V s0 = lanes_add(ball_radius, wire_radius);
+    const V s1 = lanes_add(position_error, lanes_mul(horizon, velocity_error));
+    const V s2 = lanes_mul(K(1.00006103515625), s0);
+    const V s3 = lanes_add(ring_radius, s2);
+    const V s4 = lanes_mul(vz, vz);
+    const V s5 = lanes_add(s4, lanes_mul(lanes_mul(K(2.0), gravity), lanes_sub(z, s2)));
+    const V s6 = lanes_div(K(1.0), gravity);
+    const V s7 = lanes_sqrt(s5);
+    const V s8 = lanes_mul(s6, lanes_sub(vz, s7));
+    const V s9 = lanes_mul(s6, lanes_add(vz, s7));
+    const V s10 = lanes_add(x, lanes_mul(vx, s9));
+    const V s11 = lanes_add(y, lanes_mul(vy, s9));
+    const V s12 = lanes_add(lanes_mul(s10, s10), lanes_mul(s11, s11));
+    const V s13 = lanes_sqrt(s12);
+    const V s14 = lanes_sub(s13, ring_radius);
+    const V s15 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), gravity), s9)), s9));
+    const V s16 = lanes_mul(s3, s3);
+    const V s17 = lanes_mul(K(9.313225746154785e-10), s16);
+    const V s18 = lanes_sub(lanes_sub(lanes_add(lanes_mul(s14, s14), lanes_mul(s15, s15)), lanes_mul(s0, s0)), s17);
+    const V s19 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
+    const V s20 = lanes_max(lanes_sub(ring_radius, s2), lanes_mul(K(0.0001220703125), ring_radius));
+    const V s21 = lanes_mul(s20, s20);
+    const V s22 = lanes_mul(s20, s21);
+    const V s23 = lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), s4), lanes_mul(lanes_mul(K(4.0), gravity), z)), lanes_mul(K(2.0), s19)), lanes_mul(lanes_mul(K(6.0003662109375), gravity), s0)), s22);
+    const V s24 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V s25 = lanes_mul(s24, s24);
+    const V s26 = lanes_sub(s23, lanes_mul(lanes_mul(K(2.0), ring_radius), s25));
+    const V s27 = lanes_add(lanes_mul(s14, lanes_add(lanes_mul(vx, s10), lanes_mul(vy, s11))), lanes_mul(lanes_mul(s15, lanes_sub(vz, lanes_mul(gravity, s9))), s13));
+    const V s28 = lanes_add(x, lanes_mul(horizon, vx));
+    const V s29 = lanes_add(y, lanes_mul(horizon, vy));
+    const V s30 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(s17, lanes_mul(s28, s28)), lanes_mul(s29, s29)), s21), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(s19, lanes_add(s17, s21)), s25), K(0.0)), K(1.0), K(0.0)));
+    const V s31 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(s27, s27)), s22), lanes_mul(lanes_mul(lanes_mul(K(2.0), s26), s12), s18)), K(0.0)), s30, K(0.0));
+    const V s32 = lanes_select(lanes_less(horizon, lanes_sub(s9, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), s18), lanes_select(lanes_less(K(0.0), s26), s31, K(0.0)), K(0.0)));
+    const V s33 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V s34 = lanes_add(lanes_mul(s8, s19), s33);
+    const V s35 = lanes_select(lanes_less(s34, K(0.0)), lanes_select(lanes_less(s16, lanes_add(lanes_mul(s8, lanes_add(s33, s34)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), s32, K(0.0)), K(0.0));
+    const V s36 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(gravity, horizon)))), lanes_mul(K(65536.0), s3)), lanes_select(lanes_less(K(0.0), s5), lanes_select(lanes_less(s8, K(0.0)), s32, s35), K(0.0)), K(0.0));
+    const V s37 = lanes_select(lanes_less(K(0.0), lanes_max(lanes_sub(lanes_mul(K(0.000244140625), ring_radius), lanes_sub(ring_radius, s0)), lanes_sub(lanes_sub(s1, lanes_mul(K(1.52587890625e-05), ball_radius)), lanes_mul(K(1.52587890625e-05), wire_radius)))), K(0.0), lanes_select(lanes_less(s1, lanes_mul(K(5.820766091346741e-11), s3)), s36, K(0.0)));
+    return (LANES(hoop_ring_clear_out)){ s37 };
 }
 
 /* Constants and windows of the search along a flight, and the errors it allows for.
-   bounds of the event condition. 177 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections. */
+   bounds of the event condition. 153 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 16 maxima, 8 minima, 6 comparisons, 13 selections. */
 typedef struct {
     V steady;
     V swing;
@@ -1061,71 +985,59 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_prepare_out)
 LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V gravity)
 {
-    const V s0 = vz * vz;
-    const V s1 = (vx * vx) + (vy * vy);
-    const V s2 = ((K(2.0) * s0) + ((K(4.0) * gravity) * z)) + (K(2.0) * s1);
-    const V s3 = (vy * x) - (vx * y);
-    const V s4 = s3 * s3;
-    const V s5 = (K(2.0) * ring_radius) * s4;
-    const V s6 = (x * x) + (y * y);
-    const V s7 = ball_radius + wire_radius;
-    const V s8 = K(1.00006103515625) * s7;
-    const V s9 = K(2.0) * gravity;
-    const V s10 = K(8.881784197001252e-16) * (s0 + (s9 * (lanes_abs(z) + s8)));
-    const V s11 = (s0 + (s9 * (z + s8))) + s10;
-    const V s12 = K(1.0) / gravity;
+    const V s0 = lanes_mul(vz, vz);
+    const V s1 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
+    const V s2 = lanes_add(lanes_add(lanes_mul(K(2.0), s0), lanes_mul(lanes_mul(K(4.0), gravity), z)), lanes_mul(K(2.0), s1));
+    const V s3 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V s4 = lanes_mul(s3, s3);
+    const V s5 = lanes_mul(lanes_mul(K(2.0), ring_radius), s4);
+    const V s6 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
+    const V s7 = lanes_add(ball_radius, wire_radius);
+    const V s8 = lanes_mul(K(1.00006103515625), s7);
+    const V s9 = lanes_mul(K(2.0), gravity);
+    const V s10 = lanes_mul(K(8.881784197001252e-16), lanes_add(s0, lanes_mul(s9, lanes_add(lanes_abs(z), s8))));
+    const V s11 = lanes_add(lanes_add(s0, lanes_mul(s9, lanes_add(z, s8))), s10);
+    const V s12 = lanes_div(K(1.0), gravity);
     const V s13 = lanes_sqrt(s11);
-    const V s14 = K(1.7763568394002505e-15) * (lanes_abs(vz) + s13);
-    const M s15 = K(0.0) <= s11;
-    const V s16 = lanes_select(s15, (s12 * ((vz - s13) - s14)), K(INFINITY));
-    const V s17 = ring_radius + s8;
-    const V s18 = s17 * s17;
-    const V s19 = (K(1.7763568394002505e-15) * s1) * (s18 + s6);
-    const V s20 = ((s18 * s1) + s19) - s4;
-    const V s21 = (vx * x) + (vy * y);
+    const V s14 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_abs(vz), s13));
+    const M s15 = lanes_at_most(K(0.0), s11);
+    const V s16 = lanes_select(s15, lanes_mul(s12, lanes_sub(lanes_sub(vz, s13), s14)), K(INFINITY));
+    const V s17 = lanes_add(ring_radius, s8);
+    const V s18 = lanes_mul(s17, s17);
+    const V s19 = lanes_mul(lanes_mul(K(1.7763568394002505e-15), s1), lanes_add(s18, s6));
+    const V s20 = lanes_sub(lanes_add(lanes_mul(s18, s1), s19), s4);
+    const V s21 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
     const V s22 = lanes_sqrt(s20);
-    const V s23 = K(1.7763568394002505e-15) * ((lanes_abs(s21) + lanes_abs(s3)) + s22);
-    const V s24 = K(1.0) / s1;
-    const M s25 = K(0.0) <= s20;
-    const M s26 = K(2.409919865102884e-181) < s1;
-    const V s27 = lanes_select(s26, lanes_select(s25, ((-((s21 + s22) + s23)) * s24), K(INFINITY)), (-K(INFINITY)));
-    const V s28 = lanes_select((s16 < s27), s27, s16);
-    const V s29 = ring_radius - s8;
-    const V s30 = K(0.0001220703125) * ring_radius;
-    const V s31 = lanes_select((s29 < s30), s30, s29);
-    const V s32 = ((s1 * (s31 * s31)) - s19) - s4;
-    const V s33 = lanes_sqrt(lanes_select((s32 < K(0.0)), K(0.0), s32));
-    const V s34 = lanes_select(s26, lanes_select(s25, (((s22 + s23) - s21) * s24), (-K(INFINITY))), K(INFINITY));
-    const M s35 = K(0.0) < lanes_select(s26, s32, K(0.0));
-    const V s36 = lanes_select(s35, (((s23 - s21) - s33) * s24), s34);
-    const V s37 = (s0 + (s9 * (z - s8))) - s10;
-    const V s38 = lanes_sqrt(lanes_select((s37 < K(0.0)), K(0.0), s37));
-    const V s39 = lanes_select(s15, (s12 * ((vz + s13) + s14)), (-K(INFINITY)));
-    const M s40 = K(0.0) < s37;
-    const V s41 = lanes_select(s40, (s12 * ((vz + s14) - s38)), s39);
-    const V s42 = lanes_select((s36 < s41), s36, s41);
-    const V s43 = lanes_select(s35, (((s33 - s21) - s23) * s24), K(INFINITY));
-    const V s44 = lanes_select((s43 < s36), s36, s43);
-    const V s45 = lanes_select((s16 < s44), s44, s16);
-    const V s46 = lanes_select((s34 < s41), s34, s41);
-    const V s47 = lanes_select(s40, (s12 * ((vz + s38) - s14)), K(INFINITY));
-    const V s48 = lanes_select((s47 < s41), s41, s47);
-    const M s49 = s45 <= s46;
-    const V s50 = lanes_select(s49, s45, lanes_select((s48 < s27), s27, s48));
-    const V s51 = lanes_select(s49, s46, lanes_select((s36 < s39), s36, s39));
-    const V s52 = lanes_select((s48 < s44), s44, s48);
-    const V s53 = lanes_select((s34 < s39), s34, s39);
-    const V s54 = K(1.0) / s31;
-    const V s55 = lanes_select((K(0.0) < s42), s42, K(0.0));
-    const V s56 = lanes_select((s55 < s51), s51, s55);
-    const V s57 = lanes_select((s56 < s53), s53, s56);
-    const V s58 = (K(0.000244140625) * ring_radius) - (ring_radius - s7);
-    const V s59 = ((position_error + (horizon * velocity_error)) - (K(1.52587890625e-05) * ball_radius)) - (K(1.52587890625e-05) * wire_radius);
-    return (LANES(hoop_ring_prepare_out)){ s2, s5, lanes_sqrt(s6), lanes_select((K(0.0) < s28), s28, K(0.0)), lanes_select((s42 < horizon), s42, horizon), lanes_select((K(0.0) < s50), s50, K(0.0)), lanes_select((s51 < horizon), s51, horizon), lanes_select((K(0.0) < s52), s52, K(0.0)), lanes_select((s53 < horizon), s53, horizon), (((K(6.0003662109375) * gravity) * s7) + (s5 * (s54 * (s54 * s54)))) + lanes_abs(s2), lanes_select((s57 < horizon), s57, horizon), lanes_select((s58 < s59), s59, s58) };
+    const V s23 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_abs(s21), lanes_abs(s3)), s22));
+    const V s24 = lanes_div(K(1.0), s1);
+    const M s25 = lanes_at_most(K(0.0), s20);
+    const M s26 = lanes_less(K(2.409919865102884e-181), s1);
+    const V s27 = lanes_select(s26, lanes_select(s25, lanes_mul(lanes_neg(lanes_add(lanes_add(s21, s22), s23)), s24), K(INFINITY)), K(-INFINITY));
+    const V s28 = lanes_max(lanes_sub(ring_radius, s8), lanes_mul(K(0.0001220703125), ring_radius));
+    const V s29 = lanes_sub(lanes_sub(lanes_mul(s1, lanes_mul(s28, s28)), s19), s4);
+    const V s30 = lanes_sqrt(lanes_max(s29, K(0.0)));
+    const V s31 = lanes_select(s26, lanes_select(s25, lanes_mul(lanes_sub(lanes_add(s22, s23), s21), s24), K(-INFINITY)), K(INFINITY));
+    const M s32 = lanes_less(K(0.0), lanes_select(s26, s29, K(0.0)));
+    const V s33 = lanes_select(s32, lanes_mul(lanes_sub(lanes_sub(s23, s21), s30), s24), s31);
+    const V s34 = lanes_sub(lanes_add(s0, lanes_mul(s9, lanes_sub(z, s8))), s10);
+    const V s35 = lanes_sqrt(lanes_max(s34, K(0.0)));
+    const V s36 = lanes_select(s15, lanes_mul(s12, lanes_add(lanes_add(vz, s13), s14)), K(-INFINITY));
+    const M s37 = lanes_less(K(0.0), s34);
+    const V s38 = lanes_select(s37, lanes_mul(s12, lanes_sub(lanes_add(vz, s14), s35)), s36);
+    const V s39 = lanes_min(s33, s38);
+    const V s40 = lanes_max(lanes_select(s32, lanes_mul(lanes_sub(lanes_sub(s30, s21), s23), s24), K(INFINITY)), s33);
+    const V s41 = lanes_max(s16, s40);
+    const V s42 = lanes_min(s31, s38);
+    const V s43 = lanes_max(lanes_select(s37, lanes_mul(s12, lanes_sub(lanes_add(vz, s35), s14)), K(INFINITY)), s38);
+    const M s44 = lanes_at_most(s41, s42);
+    const V s45 = lanes_select(s44, s42, lanes_min(s33, s36));
+    const V s46 = lanes_min(s31, s36);
+    const V s47 = lanes_div(K(1.0), s28);
+    return (LANES(hoop_ring_prepare_out)){ s2, s5, lanes_sqrt(s6), lanes_max(K(0.0), lanes_max(s16, s27)), lanes_min(s39, horizon), lanes_max(K(0.0), lanes_select(s44, s41, lanes_max(s43, s27))), lanes_min(s45, horizon), lanes_max(K(0.0), lanes_max(s43, s40)), lanes_min(s46, horizon), lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.0003662109375), gravity), s7), lanes_mul(s5, lanes_mul(s47, lanes_mul(s47, s47)))), lanes_abs(s2)), lanes_min(lanes_max(lanes_max(lanes_max(K(0.0), s39), s45), s46), horizon), lanes_max(lanes_sub(lanes_mul(K(0.000244140625), ring_radius), lanes_sub(ring_radius, s7)), lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(1.52587890625e-05), ball_radius)), lanes_mul(K(1.52587890625e-05), wire_radius))) };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
-   running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections. */
+   running error analysis. 45 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 maxima. */
 typedef struct {
     V margin;
     V leaving_margin;
@@ -1135,20 +1047,17 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_margins_out)
 LANES(hoop_ring_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V gravity)
 {
-    const V s0 = ball_radius + wire_radius;
-    const V s1 = speed + (gravity * horizon);
-    const V s2 = K(1.00006103515625) * s0;
-    const V s3 = s2 * s1;
-    const V s4 = ring_radius + s2;
-    const V s5 = extent + (horizon * s1);
-    const V s6 = (position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s5);
-    const V s7 = ring_radius - s2;
-    const V s8 = K(0.0001220703125) * ring_radius;
-    const V s9 = s2 / lanes_select((s7 < s8), s8, s7);
-    const V s10 = lanes_select((K(1.0) < s9), s9, K(1.0));
-    const V s11 = K(5.0) * (((s1 * s10) * s6) + (s2 * (velocity_error + (K(2.220446049250313e-16) * s1))));
-    const V s12 = K(1.0009765625) * ((((K(3.552713678800501e-15) * s1) * ((s5 * s10) + s4)) + (K(4.440892098500626e-16) * s3)) + s11);
-    return (LANES(hoop_ring_margins_out)){ K(1.0009765625) * ((((K(4.440892098500626e-16) * horizon) * s3) + ((K(1.3323489447131243e-15) * s0) * s4)) + ((K(5.00030517578125) * s0) * s6)), s12, K(1.0009765625) * ((K(3.552713678800501e-15) * (s4 * s1)) + s11) };
+    const V s0 = lanes_add(ball_radius, wire_radius);
+    const V s1 = lanes_add(speed, lanes_mul(gravity, horizon));
+    const V s2 = lanes_mul(K(1.00006103515625), s0);
+    const V s3 = lanes_mul(s2, s1);
+    const V s4 = lanes_add(ring_radius, s2);
+    const V s5 = lanes_add(extent, lanes_mul(horizon, s1));
+    const V s6 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), s5));
+    const V s7 = lanes_max(K(1.0), lanes_div(s2, lanes_max(lanes_sub(ring_radius, s2), lanes_mul(K(0.0001220703125), ring_radius))));
+    const V s8 = lanes_mul(K(5.0), lanes_add(lanes_mul(lanes_mul(s1, s7), s6), lanes_mul(s2, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), s1)))));
+    const V s9 = lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(3.552713678800501e-15), s1), lanes_add(lanes_mul(s5, s7), s4)), lanes_mul(K(4.440892098500626e-16), s3)), s8));
+    return (LANES(hoop_ring_margins_out)){ lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(4.440892098500626e-16), horizon), s3), lanes_mul(lanes_mul(K(1.3323489447131243e-15), s0), s4)), lanes_mul(lanes_mul(K(5.00030517578125), s0), s6))), s9, lanes_mul(K(1.0009765625), lanes_add(lanes_mul(K(3.552713678800501e-15), lanes_mul(s4, s1)), s8)) };
 }
 
 /* Newton's next value of a root near t, and the rate there.
@@ -1161,23 +1070,23 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_refine_out)
 LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_start, V ball_radius, V ring_radius, V wire_radius, V gravity)
 {
-    const V s0 = x + (t * vx);
-    const V s1 = y + (t * vy);
-    const V s2 = lanes_sqrt(((s0 * s0) + (s1 * s1)));
-    const V s3 = rho_start + s2;
-    const V s4 = K(1.0) / (s3 * s2);
-    const V s5 = s2 - ring_radius;
-    const V s6 = vz - ((K(0.5) * gravity) * t);
-    const V s7 = z + (t * s6);
-    const V s8 = K(2.0) * ((((s3 * s4) * ((vx * s0) + (vy * s1))) * s5) + ((vz - (gravity * t)) * s7));
-    const V s9 = (((t * ((vx * vx) + (vy * vy))) + (K(2.0) * ((vx * x) + (vy * y)))) * ((rho_start - ring_radius) + s5)) * (s2 * s4);
-    const V s10 = ball_radius + wire_radius;
-    const V s11 = lanes_select((K(0.0) < leaving), (t * (s9 + ((z + s7) * s6))), (((s5 * s5) + (s7 * s7)) - (s10 * s10))) / s8;
-    return (LANES(hoop_ring_refine_out)){ t - s11, s8 };
+    const V s0 = lanes_add(x, lanes_mul(t, vx));
+    const V s1 = lanes_add(y, lanes_mul(t, vy));
+    const V s2 = lanes_sqrt(lanes_add(lanes_mul(s0, s0), lanes_mul(s1, s1)));
+    const V s3 = lanes_add(rho_start, s2);
+    const V s4 = lanes_div(K(1.0), lanes_mul(s3, s2));
+    const V s5 = lanes_sub(s2, ring_radius);
+    const V s6 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), gravity), t));
+    const V s7 = lanes_add(z, lanes_mul(t, s6));
+    const V s8 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(lanes_mul(s3, s4), lanes_add(lanes_mul(vx, s0), lanes_mul(vy, s1))), s5), lanes_mul(lanes_sub(vz, lanes_mul(gravity, t)), s7)));
+    const V s9 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, ring_radius), s5)), lanes_mul(s2, s4));
+    const V s10 = lanes_add(ball_radius, wire_radius);
+    const V s11 = lanes_div(lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(s9, lanes_mul(lanes_add(z, s7), s6))), lanes_sub(lanes_add(lanes_mul(s5, s5), lanes_mul(s7, s7)), lanes_mul(s10, s10))), s8);
+    return (LANES(hoop_ring_refine_out)){ lanes_sub(t, s11), s8 };
 }
 
 /* Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
-   Newton from the left under a curvature bound. 146 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections. */
+   Newton from the left under a curvature bound. 136 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 6 maxima, 4 minima, 6 comparisons, 9 selections. */
 typedef struct {
     V gap;
     V rate;
@@ -1191,50 +1100,41 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_advance_out)
 LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V ball_radius, V ring_radius, V wire_radius, V gravity)
 {
-    const V s0 = x + (t * vx);
-    const V s1 = y + (t * vy);
-    const V s2 = lanes_sqrt(((s0 * s0) + (s1 * s1)));
-    const V s3 = s2 - ring_radius;
-    const V s4 = rho_start + s2;
-    const V s5 = K(1.0) / (s4 * s2);
-    const V s6 = (((t * ((vx * vx) + (vy * vy))) + (K(2.0) * ((vx * x) + (vy * y)))) * ((rho_start - ring_radius) + s3)) * (s2 * s5);
-    const V s7 = vz - ((K(0.5) * gravity) * t);
-    const V s8 = z + (t * s7);
-    const V s9 = ball_radius + wire_radius;
-    const V s10 = lanes_select((K(0.0) < leaving), (t * (s6 + ((z + s8) * s7))), (((s3 * s3) + (s8 * s8)) - (s9 * s9)));
-    const V s11 = s4 * s5;
-    const V s12 = s11 * ((vx * s0) + (vy * s1));
-    const V s13 = vz - (gravity * t);
-    const V s14 = (s12 * s3) + (s13 * s8);
-    const V s15 = K(2.0) * s14;
-    const V s16 = K(6.0) * gravity;
-    const V s17 = s16 * s8;
-    const V s18 = swing * (s11 * (s11 * s11));
-    const V s19 = K(1.00006103515625) * s9;
-    const V s20 = s15 - rate_margin;
-    const V s21 = s10 - margin;
-    const V s22 = lanes_select((s21 < K(0.0)), K(0.0), s21);
-    const V s23 = (s17 + s18) - steady;
-    const M s24 = s20 < K(0.0);
-    const V s25 = K(2.0) * s22;
-    const V s26 = lanes_select((K(0.0) < lanes_select((K(0.0) <= s20), s22, K(0.0))), K(INFINITY), (lanes_select(s24, s25, (K(4.0) * s20)) / lanes_select(s24, (-s20), lanes_select((K(0.0) < s23), s23, K(0.0)))));
-    const V s27 = end - t;
-    const V s28 = lanes_select((s26 < s27), s26, s27);
-    const V s29 = (s28 * lanes_select((s13 < K(0.0)), K(0.0), s13)) + s8;
-    const V s30 = s16 * lanes_select((s19 < s29), s19, s29);
-    const V s31 = ((s28 * lanes_select((K(0.0) < s12), K(0.0), s12)) + s2) - (K(9.094947017729282e-13) * (ring_radius + s19));
-    const V s32 = ring_radius - s19;
-    const V s33 = K(0.0001220703125) * ring_radius;
-    const V s34 = lanes_select((s32 < s33), s33, s32);
-    const V s35 = K(1.0) / lanes_select((s31 < s34), s34, s31);
-    const V s36 = swing * (s35 * (s35 * s35));
-    const V s37 = ((s30 + s36) + (K(9.094947017729282e-13) * ((s36 + lanes_abs(steady)) + lanes_abs(s30)))) - steady;
-    const V s38 = ((K(2.0) * s37) * s22) + (s20 * s20);
-    const V s39 = lanes_sqrt(s38);
-    const V s40 = lanes_select((K(0.0) <= s38), (lanes_select(s24, s25, (s20 + s39)) / lanes_select(s24, (s39 - s20), lanes_select((K(0.0) < s37), s37, K(0.0)))), K(INFINITY));
-    const V s41 = lanes_select((s40 < s28), s40, s28);
-    const V s42 = -(rate_margin + s15);
-    return (LANES(hoop_ring_advance_out)){ s10, s15, (steady - s17) - s18, s41, t + s41, t - ((K(0.5) * s10) / s14), lanes_select((K(0.0) < s42), ((s42 * s42) - ((K(8.0) * ceiling) * (margin + (K(32.0) * s22)))), s42) };
+    const V s0 = lanes_add(x, lanes_mul(t, vx));
+    const V s1 = lanes_add(y, lanes_mul(t, vy));
+    const V s2 = lanes_sqrt(lanes_add(lanes_mul(s0, s0), lanes_mul(s1, s1)));
+    const V s3 = lanes_sub(s2, ring_radius);
+    const V s4 = lanes_add(rho_start, s2);
+    const V s5 = lanes_div(K(1.0), lanes_mul(s4, s2));
+    const V s6 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, ring_radius), s3)), lanes_mul(s2, s5));
+    const V s7 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), gravity), t));
+    const V s8 = lanes_add(z, lanes_mul(t, s7));
+    const V s9 = lanes_add(ball_radius, wire_radius);
+    const V s10 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(s6, lanes_mul(lanes_add(z, s8), s7))), lanes_sub(lanes_add(lanes_mul(s3, s3), lanes_mul(s8, s8)), lanes_mul(s9, s9)));
+    const V s11 = lanes_mul(s4, s5);
+    const V s12 = lanes_mul(s11, lanes_add(lanes_mul(vx, s0), lanes_mul(vy, s1)));
+    const V s13 = lanes_sub(vz, lanes_mul(gravity, t));
+    const V s14 = lanes_add(lanes_mul(s12, s3), lanes_mul(s13, s8));
+    const V s15 = lanes_mul(K(2.0), s14);
+    const V s16 = lanes_mul(K(6.0), gravity);
+    const V s17 = lanes_mul(s16, s8);
+    const V s18 = lanes_mul(swing, lanes_mul(s11, lanes_mul(s11, s11)));
+    const V s19 = lanes_mul(K(1.00006103515625), s9);
+    const V s20 = lanes_sub(s15, rate_margin);
+    const V s21 = lanes_max(lanes_sub(s10, margin), K(0.0));
+    const M s22 = lanes_less(s20, K(0.0));
+    const V s23 = lanes_mul(K(2.0), s21);
+    const V s24 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), s20), s21, K(0.0))), K(INFINITY), lanes_div(lanes_select(s22, s23, lanes_mul(K(4.0), s20)), lanes_select(s22, lanes_neg(s20), lanes_max(K(0.0), lanes_sub(lanes_add(s17, s18), steady)))));
+    const V s25 = lanes_min(s24, lanes_sub(end, t));
+    const V s26 = lanes_mul(s16, lanes_min(s19, lanes_add(lanes_mul(s25, lanes_max(s13, K(0.0))), s8)));
+    const V s27 = lanes_div(K(1.0), lanes_max(lanes_sub(lanes_add(lanes_mul(s25, lanes_min(K(0.0), s12)), s2), lanes_mul(K(9.094947017729282e-13), lanes_add(ring_radius, s19))), lanes_max(lanes_sub(ring_radius, s19), lanes_mul(K(0.0001220703125), ring_radius))));
+    const V s28 = lanes_mul(swing, lanes_mul(s27, lanes_mul(s27, s27)));
+    const V s29 = lanes_sub(lanes_add(lanes_add(s26, s28), lanes_mul(K(9.094947017729282e-13), lanes_add(lanes_add(s28, lanes_abs(steady)), lanes_abs(s26)))), steady);
+    const V s30 = lanes_add(lanes_mul(lanes_mul(K(2.0), s29), s21), lanes_mul(s20, s20));
+    const V s31 = lanes_sqrt(s30);
+    const V s32 = lanes_min(lanes_select(lanes_at_most(K(0.0), s30), lanes_div(lanes_select(s22, s23, lanes_add(s20, s31)), lanes_select(s22, lanes_sub(s31, s20), lanes_max(K(0.0), s29))), K(INFINITY)), s25);
+    const V s33 = lanes_neg(lanes_add(rate_margin, s15));
+    return (LANES(hoop_ring_advance_out)){ s10, s15, lanes_sub(lanes_sub(steady, s17), s18), s32, lanes_add(t, s32), lanes_sub(t, lanes_div(lanes_mul(K(0.5), s10), s14)), lanes_select(lanes_less(K(0.0), s33), lanes_sub(lanes_mul(s33, s33), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, lanes_mul(K(32.0), s21)))), s33) };
 }
 
 /* The first window that begins no earlier than a time, if there is one.
@@ -1248,10 +1148,10 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_enter_out)
 LANES(hoop_ring_enter)(V after, V end, V high0, V high1, V high2, V low0, V low1, V low2, V t)
 {
-    const M s0 = (low0 < high0) & (after <= low0);
-    const M s1 = (low1 < high1) & (after <= low1);
-    const M s2 = (low2 < high2) & (after <= low2);
-    return (LANES(hoop_ring_enter_out)){ lanes_select(s0, low0, lanes_select(s1, low1, lanes_select(s2, low2, t))), lanes_select(s0, high0, lanes_select(s1, high1, lanes_select(s2, high2, end))), ((NOWHERE | s2) | s1) | s0 };
+    const M s0 = lanes_both(lanes_less(low0, high0), lanes_at_most(after, low0));
+    const M s1 = lanes_both(lanes_less(low1, high1), lanes_at_most(after, low1));
+    const M s2 = lanes_both(lanes_less(low2, high2), lanes_at_most(after, low2));
+    return (LANES(hoop_ring_enter_out)){ lanes_select(s0, low0, lanes_select(s1, low1, lanes_select(s2, low2, t))), lanes_select(s0, high0, lanes_select(s1, high1, lanes_select(s2, high2, end))), lanes_either(lanes_either(lanes_either(lanes_nowhere(), s2), s1), s0) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1292,7 +1192,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_backboard_bounds_out)
 LANES(hoop_backboard_bounds)(V y, V z, V board_half_width, V board_bottom, V board_top)
 {
-    return (LANES(hoop_backboard_bounds_out)){ -(board_half_width + y), y - board_half_width, board_bottom - z, z - board_top };
+    return (LANES(hoop_backboard_bounds_out)){ lanes_neg(lanes_add(board_half_width, y)), lanes_sub(y, board_half_width), lanes_sub(board_bottom, z), lanes_sub(z, board_top) };
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
@@ -1308,8 +1208,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_backboard_arrival_out)
 LANES(hoop_backboard_arrival)(V leaving, V x, V vx, V ball_radius, V board_distance)
 {
-    const V s0 = lanes_select((K(0.0) < leaving), K(0.0), (x - (ball_radius - board_distance)));
-    return (LANES(hoop_backboard_arrival_out)){ -(s0 / vx), vx, K(0.0), lanes_select((lanes_abs(vx) <= K(0.0)), K(0.0), K(-1.0)), s0 };
+    const V s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(x, lanes_sub(ball_radius, board_distance)));
+    return (LANES(hoop_backboard_arrival_out)){ lanes_neg(lanes_div(s0, vx)), vx, K(0.0), lanes_select(lanes_at_most(lanes_abs(vx), K(0.0)), K(0.0), K(-1.0)), s0 };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -1321,8 +1221,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_backboard_margin_out)
 LANES(hoop_backboard_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V ball_radius, V board_distance, V gravity)
 {
-    const V s0 = extent + (horizon * (speed + (gravity * horizon)));
-    return (LANES(hoop_backboard_margin_out)){ (((K(6.667843360785852e-16) * ball_radius) + (K(8.890457814381136e-16) * board_distance)) + (K(2.222614453595284e-16) * s0)) + (K(2.001953125) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s0))) };
+    const V s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(gravity, horizon))));
+    return (LANES(hoop_backboard_margin_out)){ lanes_add(lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), ball_radius), lanes_mul(K(8.890457814381136e-16), board_distance)), lanes_mul(K(2.222614453595284e-16), s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), s0)))) };
 }
 
 /* The point of the contact plane nearest to a position.
@@ -1336,7 +1236,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_backboard_place_out)
 LANES(hoop_backboard_place)(V y, V z, V ball_radius, V board_distance)
 {
-    return (LANES(hoop_backboard_place_out)){ ball_radius - board_distance, y, z };
+    return (LANES(hoop_backboard_place_out)){ lanes_sub(ball_radius, board_distance), y, z };
 }
 
 /* Where a contact counts (Eq. 2).
@@ -1348,7 +1248,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_backboard_within_out)
 LANES(hoop_backboard_within)(V g0, V g1, V g2, V g3)
 {
-    return (LANES(hoop_backboard_within_out)){ (((g0 <= K(0.0)) & (g1 <= K(0.0))) & (g2 <= K(0.0))) & (g3 <= K(0.0)) };
+    return (LANES(hoop_backboard_within_out)){ lanes_both(lanes_both(lanes_both(lanes_at_most(g0, K(0.0)), lanes_at_most(g1, K(0.0))), lanes_at_most(g2, K(0.0))), lanes_at_most(g3, K(0.0))) };
 }
 
 /* Where that, or the crossing, lies within its error.
@@ -1360,9 +1260,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_backboard_edges_out)
 LANES(hoop_backboard_edges)(V clearance, V g0, V g1, V g2, V g3, V slack)
 {
-    const V s0 = -slack;
-    const M s1 = NOT((((((g0 < s0) & (g1 < s0)) & (g2 < s0)) & (g3 < s0)) & (K(0.0) < clearance)));
-    return (LANES(hoop_backboard_edges_out)){ ((((g0 <= slack) & (g1 <= slack)) & (g2 <= slack)) & (g3 <= slack)) & s1 };
+    const V s0 = lanes_neg(slack);
+    const M s1 = lanes_not(lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(g0, s0), lanes_less(g1, s0)), lanes_less(g2, s0)), lanes_less(g3, s0)), lanes_less(K(0.0), clearance)));
+    return (LANES(hoop_backboard_edges_out)){ lanes_both(lanes_both(lanes_both(lanes_both(lanes_at_most(g0, slack), lanes_at_most(g1, slack)), lanes_at_most(g2, slack)), lanes_at_most(g3, slack)), s1) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1404,7 +1304,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_bridge_bounds_out)
 LANES(hoop_bridge_bounds)(V x, V y, V ring_radius, V board_distance, V bridge_half_width)
 {
-    return (LANES(hoop_bridge_bounds_out)){ -(bridge_half_width + y), y - bridge_half_width, ring_radius - lanes_sqrt(((x * x) + (y * y))), x, -(board_distance + x) };
+    return (LANES(hoop_bridge_bounds_out)){ lanes_neg(lanes_add(bridge_half_width, y)), lanes_sub(y, bridge_half_width), lanes_sub(ring_radius, lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), x, lanes_neg(lanes_add(board_distance, x)) };
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
@@ -1420,12 +1320,12 @@ typedef struct {
 LANES_INLINE LANES(hoop_bridge_arrival_out)
 LANES(hoop_bridge_arrival)(V leaving, V z, V vz, V ball_radius, V wire_radius, V gravity)
 {
-    const V s0 = lanes_select((K(0.0) < leaving), K(0.0), (z - (ball_radius + wire_radius)));
-    const V s1 = (vz * vz) + ((K(2.0) * gravity) * s0);
+    const V s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(z, lanes_add(ball_radius, wire_radius)));
+    const V s1 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), gravity), s0));
     const V s2 = lanes_sqrt(s1);
-    const M s3 = vz < K(0.0);
-    const V s4 = -(K(1.0) / gravity);
-    return (LANES(hoop_bridge_arrival_out)){ lanes_select(s3, (K(2.0) * s0), (vz + s2)) / lanes_select(s3, (s2 - vz), gravity), -s2, -gravity, -(vz * s4), -((K(0.5) * s4) * s1) };
+    const M s3 = lanes_less(vz, K(0.0));
+    const V s4 = lanes_neg(lanes_div(K(1.0), gravity));
+    return (LANES(hoop_bridge_arrival_out)){ lanes_div(lanes_select(s3, lanes_mul(K(2.0), s0), lanes_add(vz, s2)), lanes_select(s3, lanes_sub(s2, vz), gravity)), lanes_neg(s2), lanes_neg(gravity), lanes_neg(lanes_mul(vz, s4)), lanes_neg(lanes_mul(lanes_mul(K(0.5), s4), s1)) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -1437,8 +1337,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_bridge_margin_out)
 LANES(hoop_bridge_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V ball_radius, V wire_radius, V gravity)
 {
-    const V s0 = extent + (horizon * (speed + (gravity * horizon)));
-    return (LANES(hoop_bridge_margin_out)){ (((K(6.667843360785852e-16) * ball_radius) + (K(6.667843360785852e-16) * wire_radius)) + (K(2.222614453595284e-16) * s0)) + (K(2.001953125) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s0))) };
+    const V s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(gravity, horizon))));
+    return (LANES(hoop_bridge_margin_out)){ lanes_add(lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), ball_radius), lanes_mul(K(6.667843360785852e-16), wire_radius)), lanes_mul(K(2.222614453595284e-16), s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), s0)))) };
 }
 
 /* The point of the contact plane nearest to a position.
@@ -1452,7 +1352,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_bridge_place_out)
 LANES(hoop_bridge_place)(V x, V y, V ball_radius, V wire_radius)
 {
-    return (LANES(hoop_bridge_place_out)){ x, y, ball_radius + wire_radius };
+    return (LANES(hoop_bridge_place_out)){ x, y, lanes_add(ball_radius, wire_radius) };
 }
 
 /* Where a contact counts (Eq. 2).
@@ -1464,7 +1364,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_bridge_within_out)
 LANES(hoop_bridge_within)(V g0, V g1, V g2, V g3, V g4)
 {
-    return (LANES(hoop_bridge_within_out)){ ((((g0 <= K(0.0)) & (g1 <= K(0.0))) & (g2 <= K(0.0))) & (g3 <= K(0.0))) & (g4 <= K(0.0)) };
+    return (LANES(hoop_bridge_within_out)){ lanes_both(lanes_both(lanes_both(lanes_both(lanes_at_most(g0, K(0.0)), lanes_at_most(g1, K(0.0))), lanes_at_most(g2, K(0.0))), lanes_at_most(g3, K(0.0))), lanes_at_most(g4, K(0.0))) };
 }
 
 /* Where that, or the crossing, lies within its error.
@@ -1476,9 +1376,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_bridge_edges_out)
 LANES(hoop_bridge_edges)(V clearance, V g0, V g1, V g2, V g3, V g4, V slack)
 {
-    const V s0 = -slack;
-    const M s1 = (((((g0 < s0) & (g1 < s0)) & (g2 < s0)) & (g3 < s0)) & (g4 < s0)) & (K(0.0) < clearance);
-    const M s2 = (((((g0 <= slack) & (g1 <= slack)) & (g2 <= slack)) & (g3 <= slack)) & (g4 <= slack)) & NOT(s1);
+    const V s0 = lanes_neg(slack);
+    const M s1 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(g0, s0), lanes_less(g1, s0)), lanes_less(g2, s0)), lanes_less(g3, s0)), lanes_less(g4, s0)), lanes_less(K(0.0), clearance));
+    const M s2 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_both(lanes_at_most(g0, slack), lanes_at_most(g1, slack)), lanes_at_most(g2, slack)), lanes_at_most(g3, slack)), lanes_at_most(g4, slack)), lanes_not(s1));
     return (LANES(hoop_bridge_edges_out)){ s2 };
 }
 
@@ -1509,12 +1409,12 @@ typedef struct {
 LANES_INLINE LANES(hoop_end_arrival_out)
 LANES(hoop_end_arrival)(V leaving, V z, V vz, V gravity, V end_depth)
 {
-    const V s0 = lanes_select((K(0.0) < leaving), K(0.0), (z - (-end_depth)));
-    const V s1 = (vz * vz) + ((K(2.0) * gravity) * s0);
+    const V s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(z, lanes_neg(end_depth)));
+    const V s1 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), gravity), s0));
     const V s2 = lanes_sqrt(s1);
-    const M s3 = vz < K(0.0);
-    const V s4 = -(K(1.0) / gravity);
-    return (LANES(hoop_end_arrival_out)){ lanes_select(s3, (K(2.0) * s0), (vz + s2)) / lanes_select(s3, (s2 - vz), gravity), -s2, -gravity, -(vz * s4), -((K(0.5) * s4) * s1) };
+    const M s3 = lanes_less(vz, K(0.0));
+    const V s4 = lanes_neg(lanes_div(K(1.0), gravity));
+    return (LANES(hoop_end_arrival_out)){ lanes_div(lanes_select(s3, lanes_mul(K(2.0), s0), lanes_add(vz, s2)), lanes_select(s3, lanes_sub(s2, vz), gravity)), lanes_neg(s2), lanes_neg(gravity), lanes_neg(lanes_mul(vz, s4)), lanes_neg(lanes_mul(lanes_mul(K(0.5), s4), s1)) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -1526,7 +1426,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_end_margin_out)
 LANES(hoop_end_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V gravity, V end_depth)
 {
-    const V s0 = extent + (horizon * (speed + (gravity * horizon)));
-    return (LANES(hoop_end_margin_out)){ ((K(6.667843360785852e-16) * end_depth) + (K(2.222614453595284e-16) * s0)) + (K(2.001953125) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s0))) };
+    const V s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(gravity, horizon))));
+    return (LANES(hoop_end_margin_out)){ lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), end_depth), lanes_mul(K(2.222614453595284e-16), s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), s0)))) };
 }
 

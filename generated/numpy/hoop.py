@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 4e3fee7f36fc1578,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 001f64a6a6e5c543,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -321,15 +321,13 @@ def crossing(margin: Any, rate_margin: Any, rate: Any, ceiling: Any) -> tuple[An
 def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, gravity: Any) -> tuple[Any, ...]:
     """Errors of a state that a search allows for, and by how much the errors exceed them.
 
-    a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection.
+    a share of the size of the flight. 9 operations: 2 additions, 2 subtractions, 4 multiplications, 1 maxima.
     Returns level, velocity_level, excess.
     """
     s0 = speed + (gravity * horizon)
     s1 = share * (extent + (horizon * s0))
     s2 = share * s0
-    s3 = position_error - s1
-    s4 = velocity_error - s2
-    return s1, s2, where((s3 < s4), s4, s3)
+    return s1, s2, where((position_error - s1) < (velocity_error - s2), (velocity_error - s2), (position_error - s1))
 
 
 def horizon(t: Any, speed: Any, gravity: Any) -> tuple[Any, ...]:
@@ -345,7 +343,7 @@ def horizon(t: Any, speed: Any, gravity: Any) -> tuple[Any, ...]:
 def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, gravity: Any) -> tuple[Any, ...]:
     """Sums of the sizes of the coordinates and of the velocities; excess over the largest.
 
-    what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections.
+    what rounding errors are measured by. 18 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 maxima.
     Returns extent, speed, excess.
     """
     s0 = absolute(x)
@@ -354,13 +352,8 @@ def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, gravity: Any) -> tu
     s3 = absolute(vx)
     s4 = absolute(vy)
     s5 = absolute(vz)
-    s6 = 1.0 / gravity
-    s7 = where((s6 < s0), s0, s6)
-    s8 = where((s7 < s1), s1, s7)
-    s9 = where((s8 < s2), s2, s8)
-    s10 = where((s9 < s3), s3, s9)
-    s11 = where((s10 < s4), s4, s10)
-    return (s0 + s1) + s2, (s3 + s4) + s5, where((s11 < s5), s5, s11) - 2.9073548971824276e+135
+    s6 = where(where(where(where(where((1.0 / gravity) < s0, s0, (1.0 / gravity)) < s1, s1, where((1.0 / gravity) < s0, s0, (1.0 / gravity))) < s2, s2, where(where((1.0 / gravity) < s0, s0, (1.0 / gravity)) < s1, s1, where((1.0 / gravity) < s0, s0, (1.0 / gravity)))) < s3, s3, where(where(where((1.0 / gravity) < s0, s0, (1.0 / gravity)) < s1, s1, where((1.0 / gravity) < s0, s0, (1.0 / gravity))) < s2, s2, where(where((1.0 / gravity) < s0, s0, (1.0 / gravity)) < s1, s1, where((1.0 / gravity) < s0, s0, (1.0 / gravity))))) < s4, s4, where(where(where(where((1.0 / gravity) < s0, s0, (1.0 / gravity)) < s1, s1, where((1.0 / gravity) < s0, s0, (1.0 / gravity))) < s2, s2, where(where((1.0 / gravity) < s0, s0, (1.0 / gravity)) < s1, s1, where((1.0 / gravity) < s0, s0, (1.0 / gravity)))) < s3, s3, where(where(where((1.0 / gravity) < s0, s0, (1.0 / gravity)) < s1, s1, where((1.0 / gravity) < s0, s0, (1.0 / gravity))) < s2, s2, where(where((1.0 / gravity) < s0, s0, (1.0 / gravity)) < s1, s1, where((1.0 / gravity) < s0, s0, (1.0 / gravity))))))
+    return (s0 + s1) + s2, (s3 + s4) + s5, where(s6 < s5, s5, s6) - 2.9073548971824276e+135
 
 
 def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
@@ -379,7 +372,7 @@ def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_err
 def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, late: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, curving: Any, gravity: Any) -> tuple[Any, ...]:
     """Errors of a state at the end of a flight to a surface, from those at its start.
 
-    derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections.
+    derivative of Eq. 3 and of the contact time, with roundings. 108 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 9 maxima, 1 minima, 9 comparisons, 9 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, delay, shift.
     """
     s0 = dx + (dvx * t)
@@ -398,70 +391,34 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     s13 = ((nx * vx) + (ny * vy)) + (nz * vz)
     s14 = (-(((nx * s4) + (ny * s8)) + (nz * s12))) / s13
     s15 = (vx * s14) + s4
-    s16 = where((s1 < s6), s6, s1)
-    s17 = where((s16 < s10), s10, s16)
-    s18 = absolute(dx)
-    s19 = absolute(dy)
-    s20 = where((s18 < s19), s19, s18)
-    s21 = absolute(dz)
-    s22 = where((s20 < s21), s21, s20)
-    s23 = curving * (t * s17)
-    s24 = absolute(dvx)
-    s25 = absolute(dvy)
-    s26 = where((s24 < s25), s25, s24)
-    s27 = absolute(dvz)
-    s28 = where((s3 < s7), s7, s3)
-    s29 = (t * where((s26 < s27), s27, s26)) + where((s28 < s11), s11, s28)
-    s30 = ((s17 / absolute(s13)) * ((s22 * where((s23 < 1.0), s23, 1.0)) + s29)) + (s29 + s22)
-    s31 = s30 / (8.0 + (8.0 * contacts))
-    s32 = -s31
-    s33 = (vy * s14) + s8
-    s34 = (vz * s14) + s12
-    s35 = absolute(s14)
-    s36 = 0.0625 * late
-    return where((absolute(s15) < s31), where((s15 < 0.0), s32, s31), s15), where((absolute(s33) < s31), where((s33 < 0.0), s32, s31), s33), where((absolute(s34) < s31), where((s34 < 0.0), s32, s31), s34), dvx, dvy, dvz - (gravity * s14), (4.440892098500626e-16 * (clock + t)) + where((s35 < s36), s36, s35), s30
+    s16 = where(where(s1 < s6, s6, s1) < s10, s10, where(s1 < s6, s6, s1))
+    s17 = where(where(absolute(dx) < absolute(dy), absolute(dy), absolute(dx)) < absolute(dz), absolute(dz), where(absolute(dx) < absolute(dy), absolute(dy), absolute(dx)))
+    s18 = (t * where(where(absolute(dvx) < absolute(dvy), absolute(dvy), absolute(dvx)) < absolute(dvz), absolute(dvz), where(absolute(dvx) < absolute(dvy), absolute(dvy), absolute(dvx)))) + where(where(s3 < s7, s7, s3) < s11, s11, where(s3 < s7, s7, s3))
+    s19 = (s16 / absolute(s13)) * ((s17 * where((curving * (t * s16)) < 1.0, (curving * (t * s16)), 1.0)) + s18)
+    s20 = s19 + (s18 + s17)
+    s21 = s20 / (8.0 + (8.0 * contacts))
+    s22 = -s21
+    s23 = (vy * s14) + s8
+    s24 = (vz * s14) + s12
+    return where((absolute(s15) < s21), where((s15 < 0.0), s22, s21), s15), where((absolute(s23) < s21), where((s23 < 0.0), s22, s21), s23), where((absolute(s24) < s21), where((s24 < 0.0), s22, s21), s24), dvx, dvy, dvz - (gravity * s14), (4.440892098500626e-16 * (clock + t)) + where(absolute(s14) < (0.0625 * late), (0.0625 * late), absolute(s14)), s20
 
 
 def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
     """Bounds on the errors of a state and its time that decisions allow for.
 
-    the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
+    the carried errors times a guard. 19 operations: 4 multiplications, 9 absolute values, 6 maxima.
     Returns position_error, velocity_error, spin_error, time_error.
     """
-    s0 = absolute(dx)
-    s1 = absolute(dy)
-    s2 = where((s0 < s1), s1, s0)
-    s3 = absolute(dz)
-    s4 = absolute(dvx)
-    s5 = absolute(dvy)
-    s6 = where((s4 < s5), s5, s4)
-    s7 = absolute(dvz)
-    s8 = absolute(dwx)
-    s9 = absolute(dwy)
-    s10 = where((s8 < s9), s9, s8)
-    s11 = absolute(dwz)
-    return 16.0 * where((s2 < s3), s3, s2), 16.0 * where((s6 < s7), s7, s6), 16.0 * where((s10 < s11), s11, s10), 16.0 * clock_error
+    return 16.0 * where(where(absolute(dx) < absolute(dy), absolute(dy), absolute(dx)) < absolute(dz), absolute(dz), where(absolute(dx) < absolute(dy), absolute(dy), absolute(dx))), 16.0 * where(where(absolute(dvx) < absolute(dvy), absolute(dvy), absolute(dvx)) < absolute(dvz), absolute(dvz), where(absolute(dvx) < absolute(dvy), absolute(dvy), absolute(dvx))), 16.0 * where(where(absolute(dwx) < absolute(dwy), absolute(dwy), absolute(dwx)) < absolute(dwz), absolute(dwz), where(absolute(dwx) < absolute(dwy), absolute(dwy), absolute(dwx))), 16.0 * clock_error
 
 
 def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
     """Bounds on the errors of a state and its time that a shot claims.
 
-    the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
+    the carried errors times a larger guard. 19 operations: 4 multiplications, 9 absolute values, 6 maxima.
     Returns position_error, velocity_error, spin_error, time_error.
     """
-    s0 = absolute(dx)
-    s1 = absolute(dy)
-    s2 = where((s0 < s1), s1, s0)
-    s3 = absolute(dz)
-    s4 = absolute(dvx)
-    s5 = absolute(dvy)
-    s6 = where((s4 < s5), s5, s4)
-    s7 = absolute(dvz)
-    s8 = absolute(dwx)
-    s9 = absolute(dwy)
-    s10 = where((s8 < s9), s9, s8)
-    s11 = absolute(dwz)
-    return 64.0 * where((s2 < s3), s3, s2), 64.0 * where((s6 < s7), s7, s6), 64.0 * where((s10 < s11), s11, s10), 64.0 * clock_error
+    return 64.0 * where(where(absolute(dx) < absolute(dy), absolute(dy), absolute(dx)) < absolute(dz), absolute(dz), where(absolute(dx) < absolute(dy), absolute(dy), absolute(dx))), 64.0 * where(where(absolute(dvx) < absolute(dvy), absolute(dvy), absolute(dvx)) < absolute(dvz), absolute(dvz), where(absolute(dvx) < absolute(dvy), absolute(dvy), absolute(dvx))), 64.0 * where(where(absolute(dwx) < absolute(dwy), absolute(dwy), absolute(dwx)) < absolute(dwz), absolute(dwz), where(absolute(dwx) < absolute(dwy), absolute(dwy), absolute(dwx))), 64.0 * clock_error
 
 
 def allowed(ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, bridge_half_width: Any, restitution: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
@@ -489,7 +446,7 @@ def finite_parameters(ball_radius: Any, ring_radius: Any, wire_radius: Any, boar
 def valid(last: Any, x: Any, y: Any, z: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, end_depth: Any) -> tuple[Any, ...]:
     """1 where no surface is overlapped; 1 where that is in doubt.
 
-    Table 2. 111 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 23 selections.
+    Table 2. 100 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 11 maxima, 9 comparisons, 12 selections.
     Returns valid, doubt.
     """
     s0 = sqrt(((x * x) + (y * y)))
@@ -499,39 +456,20 @@ def valid(last: Any, x: Any, y: Any, z: Any, ball_radius: Any, ring_radius: Any,
     s4 = absolute(last) < 0.5
     s5 = where(s4, 1.0, where((0.0 <= s3), 1.0, 0.0))
     s6 = ball_radius - board_distance
-    s7 = x - s6
-    s8 = 2.0 * ball_radius
-    s9 = (s6 - s8) - x
-    s10 = where((s7 < s9), s9, s7)
-    s11 = -(board_half_width + y)
-    s12 = where((s10 < s11), s11, s10)
-    s13 = y - board_half_width
-    s14 = where((s12 < s13), s13, s12)
-    s15 = board_bottom - z
-    s16 = where((s14 < s15), s15, s14)
-    s17 = z - board_top
-    s18 = where((s16 < s17), s17, s16)
-    s19 = absolute((last - 1.0)) < 0.5
-    s20 = where(s19, s5, where((0.0 <= s18), s5, 0.0))
-    s21 = z - s2
-    s22 = ((s2 - s8) - (2.0 * wire_radius)) - z
-    s23 = where((s21 < s22), s22, s21)
-    s24 = -(bridge_half_width + y)
-    s25 = where((s23 < s24), s24, s23)
-    s26 = y - bridge_half_width
-    s27 = where((s25 < s26), s26, s25)
-    s28 = ring_radius - s0
-    s29 = where((s27 < s28), s28, s27)
-    s30 = where((s29 < x), x, s29)
-    s31 = -(board_distance + x)
-    s32 = where((s30 < s31), s31, s30)
-    s33 = absolute((last - 2.0)) < 0.5
-    s34 = ((((absolute(ball_radius) + absolute(board_bottom)) + absolute(board_distance)) + absolute(board_half_width)) + absolute(board_top)) + absolute(bridge_half_width)
-    s35 = ((((s34 + absolute(end_depth)) + absolute(ring_radius)) + absolute(wire_radius)) + absolute(x)) + absolute(y)
-    s36 = 1.7763568394002505e-15 * (s35 + absolute(z))
-    s37 = where(s4, 0.0, where((absolute(s3) <= (((4.0 * ball_radius) + (4.0 * wire_radius)) * s36)), 1.0, 0.0))
-    s38 = where(s19, s37, where((absolute(s18) <= s36), 1.0, s37))
-    return where(s33, s20, where((0.0 <= s32), s20, 0.0)), where(s33, s38, where((absolute(s32) <= s36), 1.0, s38))
+    s7 = 2.0 * ball_radius
+    s8 = where(where(where(where((x - s6) < ((s6 - s7) - x), ((s6 - s7) - x), (x - s6)) < (-(board_half_width + y)), (-(board_half_width + y)), where((x - s6) < ((s6 - s7) - x), ((s6 - s7) - x), (x - s6))) < (y - board_half_width), (y - board_half_width), where(where((x - s6) < ((s6 - s7) - x), ((s6 - s7) - x), (x - s6)) < (-(board_half_width + y)), (-(board_half_width + y)), where((x - s6) < ((s6 - s7) - x), ((s6 - s7) - x), (x - s6)))) < (board_bottom - z), (board_bottom - z), where(where(where((x - s6) < ((s6 - s7) - x), ((s6 - s7) - x), (x - s6)) < (-(board_half_width + y)), (-(board_half_width + y)), where((x - s6) < ((s6 - s7) - x), ((s6 - s7) - x), (x - s6))) < (y - board_half_width), (y - board_half_width), where(where((x - s6) < ((s6 - s7) - x), ((s6 - s7) - x), (x - s6)) < (-(board_half_width + y)), (-(board_half_width + y)), where((x - s6) < ((s6 - s7) - x), ((s6 - s7) - x), (x - s6)))))
+    s9 = where(s8 < (z - board_top), (z - board_top), s8)
+    s10 = absolute((last - 1.0)) < 0.5
+    s11 = where(s10, s5, where((0.0 <= s9), s5, 0.0))
+    s12 = where(where(where((z - s2) < (((s2 - s7) - (2.0 * wire_radius)) - z), (((s2 - s7) - (2.0 * wire_radius)) - z), (z - s2)) < (-(bridge_half_width + y)), (-(bridge_half_width + y)), where((z - s2) < (((s2 - s7) - (2.0 * wire_radius)) - z), (((s2 - s7) - (2.0 * wire_radius)) - z), (z - s2))) < (y - bridge_half_width), (y - bridge_half_width), where(where((z - s2) < (((s2 - s7) - (2.0 * wire_radius)) - z), (((s2 - s7) - (2.0 * wire_radius)) - z), (z - s2)) < (-(bridge_half_width + y)), (-(bridge_half_width + y)), where((z - s2) < (((s2 - s7) - (2.0 * wire_radius)) - z), (((s2 - s7) - (2.0 * wire_radius)) - z), (z - s2))))
+    s13 = where(where(where(s12 < (ring_radius - s0), (ring_radius - s0), s12) < x, x, where(s12 < (ring_radius - s0), (ring_radius - s0), s12)) < (-(board_distance + x)), (-(board_distance + x)), where(where(s12 < (ring_radius - s0), (ring_radius - s0), s12) < x, x, where(s12 < (ring_radius - s0), (ring_radius - s0), s12)))
+    s14 = absolute((last - 2.0)) < 0.5
+    s15 = ((((absolute(ball_radius) + absolute(board_bottom)) + absolute(board_distance)) + absolute(board_half_width)) + absolute(board_top)) + absolute(bridge_half_width)
+    s16 = ((((s15 + absolute(end_depth)) + absolute(ring_radius)) + absolute(wire_radius)) + absolute(x)) + absolute(y)
+    s17 = 1.7763568394002505e-15 * (s16 + absolute(z))
+    s18 = where(s4, 0.0, where((absolute(s3) <= (((4.0 * ball_radius) + (4.0 * wire_radius)) * s17)), 1.0, 0.0))
+    s19 = where(s10, s18, where((absolute(s9) <= s17), 1.0, s18))
+    return where(s14, s11, where((0.0 <= s13), s11, 0.0)), where(s14, s19, where((absolute(s13) <= s17), 1.0, s19))
 
 
 def target(x: Any, y: Any, ring_radius: Any) -> tuple[Any, ...]:
@@ -945,7 +883,7 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
 def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, contacts: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, ball_radius: Any, restitution: Any) -> tuple[Any, ...]:
     """Errors of velocity and spin after a contact, from those before it.
 
-    derivative of the frame-free Eq. 17, with roundings. 243 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections.
+    derivative of the frame-free Eq. 17, with roundings. 239 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 4 maxima, 18 comparisons, 18 selections.
     Returns dvx, dvy, dvz, dwx, dwy, dwz.
     """
     s0 = 0.4 * ball_radius
@@ -959,40 +897,32 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
     s8 = -s7
     s9 = s4 + where((s4 < 0.0), s8, s7)
     s10 = 8.0 + (8.0 * contacts)
-    s11 = absolute(dwx)
-    s12 = absolute(dwy)
-    s13 = where((s11 < s12), s12, s11)
-    s14 = absolute(dwz)
-    s15 = absolute(dvx)
-    s16 = absolute(dvy)
-    s17 = where((s15 < s16), s16, s15)
-    s18 = absolute(dvz)
-    s19 = ((ball_radius * where((s13 < s14), s14, s13)) + (turn * s6)) + where((s17 < s18), s18, s17)
-    s20 = s19 / s10
-    s21 = -s20
-    s22 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (0.6 * ((dvy - (dny * s1)) - (ny * s2)))
-    s23 = (s22 - ((dny * restitution) * s1)) - ((ny * restitution) * s2)
-    s24 = s23 + where((s23 < 0.0), s8, s7)
-    s25 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (0.6 * ((dvz - (dnz * s1)) - (nz * s2)))
-    s26 = (s25 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2)
-    s27 = s26 + where((s26 < 0.0), s8, s7)
-    s28 = ((nx * wx) + (ny * wy)) + (nz * wz)
-    s29 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz)
-    s30 = 1.0 / ball_radius
-    s31 = (s0 * ((ny * wx) - (nx * wy))) + (0.6 * (vz - (nz * s1)))
-    s32 = (s0 * ((nx * wz) - (nz * wx))) + (0.6 * (vy - (ny * s1)))
-    s33 = ((dnx * s28) + (nx * s29)) + (s30 * ((((dny * s31) + (ny * s25)) - (dnz * s32)) - (nz * s22)))
-    s34 = s7 / ball_radius
-    s35 = -s34
-    s36 = s33 + where((s33 < 0.0), s35, s34)
-    s37 = s19 / (ball_radius * s10)
-    s38 = -s37
-    s39 = (s0 * ((nz * wy) - (ny * wz))) + (0.6 * (vx - (nx * s1)))
-    s40 = ((dny * s28) + (ny * s29)) + (s30 * ((((dnz * s39) + (nz * s3)) - (dnx * s31)) - (nx * s25)))
-    s41 = s40 + where((s40 < 0.0), s35, s34)
-    s42 = ((dnz * s28) + (nz * s29)) + (s30 * ((((dnx * s32) + (nx * s22)) - (dny * s39)) - (ny * s3)))
-    s43 = s42 + where((s42 < 0.0), s35, s34)
-    return where((absolute(s9) < s20), where((s9 < 0.0), s21, s20), s9), where((absolute(s24) < s20), where((s24 < 0.0), s21, s20), s24), where((absolute(s27) < s20), where((s27 < 0.0), s21, s20), s27), where((absolute(s36) < s37), where((s36 < 0.0), s38, s37), s36), where((absolute(s41) < s37), where((s41 < 0.0), s38, s37), s41), where((absolute(s43) < s37), where((s43 < 0.0), s38, s37), s43)
+    s11 = ((ball_radius * where(where(absolute(dwx) < absolute(dwy), absolute(dwy), absolute(dwx)) < absolute(dwz), absolute(dwz), where(absolute(dwx) < absolute(dwy), absolute(dwy), absolute(dwx)))) + (turn * s6)) + where(where(absolute(dvx) < absolute(dvy), absolute(dvy), absolute(dvx)) < absolute(dvz), absolute(dvz), where(absolute(dvx) < absolute(dvy), absolute(dvy), absolute(dvx)))
+    s12 = s11 / s10
+    s13 = -s12
+    s14 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (0.6 * ((dvy - (dny * s1)) - (ny * s2)))
+    s15 = (s14 - ((dny * restitution) * s1)) - ((ny * restitution) * s2)
+    s16 = s15 + where((s15 < 0.0), s8, s7)
+    s17 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (0.6 * ((dvz - (dnz * s1)) - (nz * s2)))
+    s18 = (s17 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2)
+    s19 = s18 + where((s18 < 0.0), s8, s7)
+    s20 = ((nx * wx) + (ny * wy)) + (nz * wz)
+    s21 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz)
+    s22 = 1.0 / ball_radius
+    s23 = (s0 * ((ny * wx) - (nx * wy))) + (0.6 * (vz - (nz * s1)))
+    s24 = (s0 * ((nx * wz) - (nz * wx))) + (0.6 * (vy - (ny * s1)))
+    s25 = ((dnx * s20) + (nx * s21)) + (s22 * ((((dny * s23) + (ny * s17)) - (dnz * s24)) - (nz * s14)))
+    s26 = s7 / ball_radius
+    s27 = -s26
+    s28 = s25 + where((s25 < 0.0), s27, s26)
+    s29 = s11 / (ball_radius * s10)
+    s30 = -s29
+    s31 = (s0 * ((nz * wy) - (ny * wz))) + (0.6 * (vx - (nx * s1)))
+    s32 = ((dny * s20) + (ny * s21)) + (s22 * ((((dnz * s31) + (nz * s3)) - (dnx * s23)) - (nx * s17)))
+    s33 = s32 + where((s32 < 0.0), s27, s26)
+    s34 = ((dnz * s20) + (nz * s21)) + (s22 * ((((dnx * s24) + (nx * s14)) - (dny * s31)) - (ny * s3)))
+    s35 = s34 + where((s34 < 0.0), s27, s26)
+    return where((absolute(s9) < s12), where((s9 < 0.0), s13, s12), s9), where((absolute(s16) < s12), where((s16 < 0.0), s13, s12), s16), where((absolute(s19) < s12), where((s19 < 0.0), s13, s12), s19), where((absolute(s28) < s29), where((s28 < 0.0), s30, s29), s28), where((absolute(s33) < s29), where((s33 < 0.0), s30, s29), s33), where((absolute(s35) < s29), where((s35 < 0.0), s30, s29), s35)
 
 
 def ring_coefficients(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
@@ -1056,18 +986,16 @@ def ring_normal(x: Any, y: Any, z: Any, ball_radius: Any, ring_radius: Any, wire
 def ring_curvature(ball_radius: Any, ring_radius: Any, wire_radius: Any) -> tuple[Any, ...]:
     """Bound on the rate at which the normal turns along the contact surface.
 
-    Table 2. 6 operations: 1 addition, 2 subtractions, 1 division, 1 comparison, 1 selection.
+    Table 2. 5 operations: 1 addition, 2 subtractions, 1 division, 1 minima.
     Returns curvature.
     """
-    s0 = (ring_radius - ball_radius) - wire_radius
-    s1 = ball_radius + wire_radius
-    return 1.0 / where((s0 < s1), s0, s1),
+    return 1.0 / where(((ring_radius - ball_radius) - wire_radius) < (ball_radius + wire_radius), ((ring_radius - ball_radius) - wire_radius), (ball_radius + wire_radius)),
 
 
 def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any) -> tuple[Any, ...]:
     """Error of the normal, from that of the position.
 
-    derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection.
+    derivative of Table 2's normal. 37 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 minima.
     Returns dnx, dny, dnz, turn.
     """
     s0 = ball_radius + wire_radius
@@ -1078,64 +1006,60 @@ def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, bal
     s5 = (s1 * s3) * s4
     s6 = (0.5 * (((2.0 * dx) * x) + ((2.0 * dy) * y))) / s2
     s7 = ((s6 * s1) * s4) + (((-(s6 * (s4 * s4))) * s1) * s3)
-    s8 = (ring_radius - ball_radius) - wire_radius
-    return (dx * s5) + (x * s7), (dy * s5) + (y * s7), dz * s1, shift * (1.0 / where((s8 < s0), s8, s0))
+    return (dx * s5) + (x * s7), (dy * s5) + (y * s7), dz * s1, shift * (1.0 / where(((ring_radius - ball_radius) - wire_radius) < s0, ((ring_radius - ball_radius) - wire_radius), s0))
 
 
 def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
     """Positive if there certainly is no contact before the horizon.
 
-    bounds of the event condition. 146 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 15 comparisons, 15 selections.
+    bounds of the event condition. 144 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 2 maxima, 13 comparisons, 13 selections.
     Returns clear.
     """
     s0 = ball_radius + wire_radius
-    s1 = (0.000244140625 * ring_radius) - (ring_radius - s0)
-    s2 = position_error + (horizon * velocity_error)
-    s3 = (s2 - (1.52587890625e-05 * ball_radius)) - (1.52587890625e-05 * wire_radius)
-    s4 = 1.00006103515625 * s0
-    s5 = ring_radius + s4
-    s6 = vz * vz
-    s7 = s6 + ((2.0 * gravity) * (z - s4))
-    s8 = 1.0 / gravity
-    s9 = sqrt(s7)
-    s10 = s8 * (vz - s9)
-    s11 = s8 * (vz + s9)
-    s12 = x + (vx * s11)
-    s13 = y + (vy * s11)
-    s14 = (s12 * s12) + (s13 * s13)
-    s15 = sqrt(s14)
-    s16 = s15 - ring_radius
-    s17 = z + ((vz - ((0.5 * gravity) * s11)) * s11)
-    s18 = s5 * s5
-    s19 = 9.313225746154785e-10 * s18
-    s20 = (((s16 * s16) + (s17 * s17)) - (s0 * s0)) - s19
-    s21 = (vx * vx) + (vy * vy)
-    s22 = ring_radius - s4
-    s23 = 0.0001220703125 * ring_radius
-    s24 = where((s22 < s23), s23, s22)
+    s1 = position_error + (horizon * velocity_error)
+    s2 = 1.00006103515625 * s0
+    s3 = ring_radius + s2
+    s4 = vz * vz
+    s5 = s4 + ((2.0 * gravity) * (z - s2))
+    s6 = 1.0 / gravity
+    s7 = sqrt(s5)
+    s8 = s6 * (vz - s7)
+    s9 = s6 * (vz + s7)
+    s10 = x + (vx * s9)
+    s11 = y + (vy * s9)
+    s12 = (s10 * s10) + (s11 * s11)
+    s13 = sqrt(s12)
+    s14 = s13 - ring_radius
+    s15 = z + ((vz - ((0.5 * gravity) * s9)) * s9)
+    s16 = s3 * s3
+    s17 = 9.313225746154785e-10 * s16
+    s18 = (((s14 * s14) + (s15 * s15)) - (s0 * s0)) - s17
+    s19 = (vx * vx) + (vy * vy)
+    s20 = where((ring_radius - s2) < (0.0001220703125 * ring_radius), (0.0001220703125 * ring_radius), (ring_radius - s2))
+    s21 = s20 * s20
+    s22 = s20 * s21
+    s23 = ((((2.0 * s4) + ((4.0 * gravity) * z)) + (2.0 * s19)) - ((6.0003662109375 * gravity) * s0)) * s22
+    s24 = (vy * x) - (vx * y)
     s25 = s24 * s24
-    s26 = s24 * s25
-    s27 = ((((2.0 * s6) + ((4.0 * gravity) * z)) + (2.0 * s21)) - ((6.0003662109375 * gravity) * s0)) * s26
-    s28 = (vy * x) - (vx * y)
-    s29 = s28 * s28
-    s30 = s27 - ((2.0 * ring_radius) * s29)
-    s31 = (s16 * ((vx * s12) + (vy * s13))) + ((s17 * (vz - (gravity * s11))) * s15)
-    s32 = x + (horizon * vx)
-    s33 = y + (horizon * vy)
-    s34 = where(((((s19 + (s32 * s32)) + (s33 * s33)) - s25) < 0.0), 1.0, where((((s21 * (s19 + s25)) - s29) < 0.0), 1.0, 0.0))
-    s35 = where(((((4.0 * (s31 * s31)) * s26) - (((2.0 * s30) * s14) * s20)) < 0.0), s34, 0.0)
-    s36 = where((horizon < (s11 - (9.313225746154785e-10 * horizon))), 1.0, where((0.0 < s20), where((0.0 < s30), s35, 0.0), 0.0))
-    s37 = (vx * x) + (vy * y)
-    s38 = (s10 * s21) + s37
-    s39 = where((s38 < 0.0), where((s18 < ((s10 * (s37 + s38)) + ((x * x) + (y * y)))), s36, 0.0), 0.0)
-    s40 = where(((extent + (horizon * (speed + (gravity * horizon)))) < (65536.0 * s5)), where((0.0 < s7), where((s10 < 0.0), s36, s39), 0.0), 0.0)
-    return where((0.0 < where((s1 < s3), s3, s1)), 0.0, where((s2 < (5.820766091346741e-11 * s5)), s40, 0.0)),
+    s26 = s23 - ((2.0 * ring_radius) * s25)
+    s27 = (s14 * ((vx * s10) + (vy * s11))) + ((s15 * (vz - (gravity * s9))) * s13)
+    s28 = x + (horizon * vx)
+    s29 = y + (horizon * vy)
+    s30 = where(((((s17 + (s28 * s28)) + (s29 * s29)) - s21) < 0.0), 1.0, where((((s19 * (s17 + s21)) - s25) < 0.0), 1.0, 0.0))
+    s31 = where(((((4.0 * (s27 * s27)) * s22) - (((2.0 * s26) * s12) * s18)) < 0.0), s30, 0.0)
+    s32 = where((horizon < (s9 - (9.313225746154785e-10 * horizon))), 1.0, where((0.0 < s18), where((0.0 < s26), s31, 0.0), 0.0))
+    s33 = (vx * x) + (vy * y)
+    s34 = (s8 * s19) + s33
+    s35 = where((s34 < 0.0), where((s16 < ((s8 * (s33 + s34)) + ((x * x) + (y * y)))), s32, 0.0), 0.0)
+    s36 = where(((extent + (horizon * (speed + (gravity * horizon)))) < (65536.0 * s3)), where((0.0 < s5), where((s8 < 0.0), s32, s35), 0.0), 0.0)
+    s37 = where((0.0 < where(((0.000244140625 * ring_radius) - (ring_radius - s0)) < ((s1 - (1.52587890625e-05 * ball_radius)) - (1.52587890625e-05 * wire_radius)), ((s1 - (1.52587890625e-05 * ball_radius)) - (1.52587890625e-05 * wire_radius)), ((0.000244140625 * ring_radius) - (ring_radius - s0)))), 0.0, where((s1 < (5.820766091346741e-11 * s3)), s36, 0.0))
+    return s37,
 
 
 def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
     """Constants and windows of the search along a flight, and the errors it allows for.
 
-    bounds of the event condition. 177 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections.
+    bounds of the event condition. 153 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 16 maxima, 8 minima, 6 comparisons, 13 selections.
     Returns steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, lost.
     """
     s0 = vz * vz
@@ -1166,45 +1090,33 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     s25 = 0.0 <= s20
     s26 = 2.409919865102884e-181 < s1
     s27 = where(s26, where(s25, ((-((s21 + s22) + s23)) * s24), inf), (-inf))
-    s28 = where((s16 < s27), s27, s16)
-    s29 = ring_radius - s8
-    s30 = 0.0001220703125 * ring_radius
-    s31 = where((s29 < s30), s30, s29)
-    s32 = ((s1 * (s31 * s31)) - s19) - s4
-    s33 = sqrt(where((s32 < 0.0), 0.0, s32))
-    s34 = where(s26, where(s25, (((s22 + s23) - s21) * s24), (-inf)), inf)
-    s35 = 0.0 < where(s26, s32, 0.0)
-    s36 = where(s35, (((s23 - s21) - s33) * s24), s34)
-    s37 = (s0 + (s9 * (z - s8))) - s10
-    s38 = sqrt(where((s37 < 0.0), 0.0, s37))
-    s39 = where(s15, (s12 * ((vz + s13) + s14)), (-inf))
-    s40 = 0.0 < s37
-    s41 = where(s40, (s12 * ((vz + s14) - s38)), s39)
-    s42 = where((s36 < s41), s36, s41)
-    s43 = where(s35, (((s33 - s21) - s23) * s24), inf)
-    s44 = where((s43 < s36), s36, s43)
-    s45 = where((s16 < s44), s44, s16)
-    s46 = where((s34 < s41), s34, s41)
-    s47 = where(s40, (s12 * ((vz + s38) - s14)), inf)
-    s48 = where((s47 < s41), s41, s47)
-    s49 = s45 <= s46
-    s50 = where(s49, s45, where((s48 < s27), s27, s48))
-    s51 = where(s49, s46, where((s36 < s39), s36, s39))
-    s52 = where((s48 < s44), s44, s48)
-    s53 = where((s34 < s39), s34, s39)
-    s54 = 1.0 / s31
-    s55 = where((0.0 < s42), s42, 0.0)
-    s56 = where((s55 < s51), s51, s55)
-    s57 = where((s56 < s53), s53, s56)
-    s58 = (0.000244140625 * ring_radius) - (ring_radius - s7)
-    s59 = ((position_error + (horizon * velocity_error)) - (1.52587890625e-05 * ball_radius)) - (1.52587890625e-05 * wire_radius)
-    return s2, s5, sqrt(s6), where((0.0 < s28), s28, 0.0), where((s42 < horizon), s42, horizon), where((0.0 < s50), s50, 0.0), where((s51 < horizon), s51, horizon), where((0.0 < s52), s52, 0.0), where((s53 < horizon), s53, horizon), (((6.0003662109375 * gravity) * s7) + (s5 * (s54 * (s54 * s54)))) + absolute(s2), where((s57 < horizon), s57, horizon), where((s58 < s59), s59, s58)
+    s28 = where((ring_radius - s8) < (0.0001220703125 * ring_radius), (0.0001220703125 * ring_radius), (ring_radius - s8))
+    s29 = ((s1 * (s28 * s28)) - s19) - s4
+    s30 = sqrt(where(s29 < 0.0, 0.0, s29))
+    s31 = where(s26, where(s25, (((s22 + s23) - s21) * s24), (-inf)), inf)
+    s32 = 0.0 < where(s26, s29, 0.0)
+    s33 = where(s32, (((s23 - s21) - s30) * s24), s31)
+    s34 = (s0 + (s9 * (z - s8))) - s10
+    s35 = sqrt(where(s34 < 0.0, 0.0, s34))
+    s36 = where(s15, (s12 * ((vz + s13) + s14)), (-inf))
+    s37 = 0.0 < s34
+    s38 = where(s37, (s12 * ((vz + s14) - s35)), s36)
+    s39 = where(s33 < s38, s33, s38)
+    s40 = where(where(s32, (((s30 - s21) - s23) * s24), inf) < s33, s33, where(s32, (((s30 - s21) - s23) * s24), inf))
+    s41 = where(s16 < s40, s40, s16)
+    s42 = where(s31 < s38, s31, s38)
+    s43 = where(where(s37, (s12 * ((vz + s35) - s14)), inf) < s38, s38, where(s37, (s12 * ((vz + s35) - s14)), inf))
+    s44 = s41 <= s42
+    s45 = where(s44, s42, where(s33 < s36, s33, s36))
+    s46 = where(s31 < s36, s31, s36)
+    s47 = 1.0 / s28
+    return s2, s5, sqrt(s6), where(0.0 < where(s16 < s27, s27, s16), where(s16 < s27, s27, s16), 0.0), where(s39 < horizon, s39, horizon), where(0.0 < where(s44, s41, where(s43 < s27, s27, s43)), where(s44, s41, where(s43 < s27, s27, s43)), 0.0), where(s45 < horizon, s45, horizon), where(0.0 < where(s43 < s40, s40, s43), where(s43 < s40, s40, s43), 0.0), where(s46 < horizon, s46, horizon), (((6.0003662109375 * gravity) * s7) + (s5 * (s47 * (s47 * s47)))) + absolute(s2), where(where(where(where(0.0 < s39, s39, 0.0) < s45, s45, where(0.0 < s39, s39, 0.0)) < s46, s46, where(where(0.0 < s39, s39, 0.0) < s45, s45, where(0.0 < s39, s39, 0.0))) < horizon, where(where(where(0.0 < s39, s39, 0.0) < s45, s45, where(0.0 < s39, s39, 0.0)) < s46, s46, where(where(0.0 < s39, s39, 0.0) < s45, s45, where(0.0 < s39, s39, 0.0))), horizon), where(((0.000244140625 * ring_radius) - (ring_radius - s7)) < (((position_error + (horizon * velocity_error)) - (1.52587890625e-05 * ball_radius)) - (1.52587890625e-05 * wire_radius)), (((position_error + (horizon * velocity_error)) - (1.52587890625e-05 * ball_radius)) - (1.52587890625e-05 * wire_radius)), ((0.000244140625 * ring_radius) - (ring_radius - s7)))
 
 
 def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
     """Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
 
-    running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections.
+    running error analysis. 45 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 maxima.
     Returns margin, leaving_margin, rate_margin.
     """
     s0 = ball_radius + wire_radius
@@ -1214,13 +1126,10 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     s4 = ring_radius + s2
     s5 = extent + (horizon * s1)
     s6 = (position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * s5)
-    s7 = ring_radius - s2
-    s8 = 0.0001220703125 * ring_radius
-    s9 = s2 / where((s7 < s8), s8, s7)
-    s10 = where((1.0 < s9), s9, 1.0)
-    s11 = 5.0 * (((s1 * s10) * s6) + (s2 * (velocity_error + (2.220446049250313e-16 * s1))))
-    s12 = 1.0009765625 * ((((3.552713678800501e-15 * s1) * ((s5 * s10) + s4)) + (4.440892098500626e-16 * s3)) + s11)
-    return 1.0009765625 * ((((4.440892098500626e-16 * horizon) * s3) + ((1.3323489447131243e-15 * s0) * s4)) + ((5.00030517578125 * s0) * s6)), s12, 1.0009765625 * ((3.552713678800501e-15 * (s4 * s1)) + s11)
+    s7 = where(1.0 < (s2 / where((ring_radius - s2) < (0.0001220703125 * ring_radius), (0.0001220703125 * ring_radius), (ring_radius - s2))), (s2 / where((ring_radius - s2) < (0.0001220703125 * ring_radius), (0.0001220703125 * ring_radius), (ring_radius - s2))), 1.0)
+    s8 = 5.0 * (((s1 * s7) * s6) + (s2 * (velocity_error + (2.220446049250313e-16 * s1))))
+    s9 = 1.0009765625 * ((((3.552713678800501e-15 * s1) * ((s5 * s7) + s4)) + (4.440892098500626e-16 * s3)) + s8)
+    return 1.0009765625 * ((((4.440892098500626e-16 * horizon) * s3) + ((1.3323489447131243e-15 * s0) * s4)) + ((5.00030517578125 * s0) * s6)), s9, 1.0009765625 * ((3.552713678800501e-15 * (s4 * s1)) + s8)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
@@ -1247,7 +1156,7 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
 def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
     """Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
 
-    Newton from the left under a curvature bound. 146 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections.
+    Newton from the left under a curvature bound. 136 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 6 maxima, 4 minima, 6 comparisons, 9 selections.
     Returns gap, rate, bend, step, next, root, clearance.
     """
     s0 = x + (t * vx)
@@ -1271,29 +1180,20 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     s18 = swing * (s11 * (s11 * s11))
     s19 = 1.00006103515625 * s9
     s20 = s15 - rate_margin
-    s21 = s10 - margin
-    s22 = where((s21 < 0.0), 0.0, s21)
-    s23 = (s17 + s18) - steady
-    s24 = s20 < 0.0
-    s25 = 2.0 * s22
-    s26 = where((0.0 < where((0.0 <= s20), s22, 0.0)), inf, (where(s24, s25, (4.0 * s20)) / where(s24, (-s20), where((0.0 < s23), s23, 0.0))))
-    s27 = end - t
-    s28 = where((s26 < s27), s26, s27)
-    s29 = (s28 * where((s13 < 0.0), 0.0, s13)) + s8
-    s30 = s16 * where((s19 < s29), s19, s29)
-    s31 = ((s28 * where((0.0 < s12), 0.0, s12)) + s2) - (9.094947017729282e-13 * (ring_radius + s19))
-    s32 = ring_radius - s19
-    s33 = 0.0001220703125 * ring_radius
-    s34 = where((s32 < s33), s33, s32)
-    s35 = 1.0 / where((s31 < s34), s34, s31)
-    s36 = swing * (s35 * (s35 * s35))
-    s37 = ((s30 + s36) + (9.094947017729282e-13 * ((s36 + absolute(steady)) + absolute(s30)))) - steady
-    s38 = ((2.0 * s37) * s22) + (s20 * s20)
-    s39 = sqrt(s38)
-    s40 = where((0.0 <= s38), (where(s24, s25, (s20 + s39)) / where(s24, (s39 - s20), where((0.0 < s37), s37, 0.0))), inf)
-    s41 = where((s40 < s28), s40, s28)
-    s42 = -(rate_margin + s15)
-    return s10, s15, (steady - s17) - s18, s41, t + s41, t - ((0.5 * s10) / s14), where((0.0 < s42), ((s42 * s42) - ((8.0 * ceiling) * (margin + (32.0 * s22)))), s42)
+    s21 = where((s10 - margin) < 0.0, 0.0, (s10 - margin))
+    s22 = s20 < 0.0
+    s23 = 2.0 * s21
+    s24 = where((0.0 < where((0.0 <= s20), s21, 0.0)), inf, (where(s22, s23, (4.0 * s20)) / where(s22, (-s20), where(0.0 < ((s17 + s18) - steady), ((s17 + s18) - steady), 0.0))))
+    s25 = where(s24 < (end - t), s24, (end - t))
+    s26 = s16 * where(s19 < ((s25 * where(s13 < 0.0, 0.0, s13)) + s8), s19, ((s25 * where(s13 < 0.0, 0.0, s13)) + s8))
+    s27 = 1.0 / where((((s25 * where(0.0 < s12, 0.0, s12)) + s2) - (9.094947017729282e-13 * (ring_radius + s19))) < where((ring_radius - s19) < (0.0001220703125 * ring_radius), (0.0001220703125 * ring_radius), (ring_radius - s19)), where((ring_radius - s19) < (0.0001220703125 * ring_radius), (0.0001220703125 * ring_radius), (ring_radius - s19)), (((s25 * where(0.0 < s12, 0.0, s12)) + s2) - (9.094947017729282e-13 * (ring_radius + s19))))
+    s28 = swing * (s27 * (s27 * s27))
+    s29 = ((s26 + s28) + (9.094947017729282e-13 * ((s28 + absolute(steady)) + absolute(s26)))) - steady
+    s30 = ((2.0 * s29) * s21) + (s20 * s20)
+    s31 = sqrt(s30)
+    s32 = where(where((0.0 <= s30), (where(s22, s23, (s20 + s31)) / where(s22, (s31 - s20), where(0.0 < s29, s29, 0.0))), inf) < s25, where((0.0 <= s30), (where(s22, s23, (s20 + s31)) / where(s22, (s31 - s20), where(0.0 < s29, s29, 0.0))), inf), s25)
+    s33 = -(rate_margin + s15)
+    return s10, s15, (steady - s17) - s18, s32, t + s32, t - ((0.5 * s10) / s14), where((0.0 < s33), ((s33 * s33) - ((8.0 * ceiling) * (margin + (32.0 * s21)))), s33)
 
 
 def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any) -> tuple[Any, ...]:
@@ -1663,7 +1563,7 @@ def sighted(x: Any, y: Any, place_x: Any, place_y: Any) -> tuple[Any, ...]:
 def ring_nearness(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, half: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
     """Distance of ball and wire at time t, and what bounds it within half a width of t.
 
-    Eq. 3 in Table 2, Taylor's theorem. 153 operations: 35 additions, 15 subtractions, 58 multiplications, 4 divisions, 6 square roots, 2 negations, 7 absolute values, 13 comparisons, 13 selections.
+    Eq. 3 in Table 2, Taylor's theorem. 141 operations: 35 additions, 15 subtractions, 58 multiplications, 4 divisions, 6 square roots, 2 negations, 7 absolute values, 9 maxima, 3 minima, 1 comparison, 1 selection.
     Returns gap, rate, lower, concavity, resolution.
     """
     s0 = x + (t * vx)
@@ -1677,42 +1577,28 @@ def ring_nearness(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, hal
     s8 = 2.0 * (((((vx * s0) + (vy * s1)) / s2) * s3) + ((vz - (gravity * t)) * s5))
     s9 = t - half
     s10 = (vx * vx) + (vy * vy)
-    s11 = -(((vx * x) + (vy * y)) / s10)
-    s12 = half + t
-    s13 = where((s11 < s12), s11, s12)
-    s14 = where((s9 < s13), s13, s9)
-    s15 = x + (vx * s14)
-    s16 = y + (vy * s14)
-    s17 = sqrt(((s15 * s15) + (s16 * s16)))
-    s18 = s17 - ring_radius
-    s19 = where((0.0 < s18), s18, 0.0)
-    s20 = x + (vx * s9)
-    s21 = y + (vy * s9)
-    s22 = sqrt(((s20 * s20) + (s21 * s21)))
-    s23 = x + (vx * s12)
-    s24 = y + (vy * s12)
-    s25 = sqrt(((s23 * s23) + (s24 * s24)))
-    s26 = ring_radius - where((s22 < s25), s25, s22)
-    s27 = where((s19 < s26), s26, s19)
-    s28 = z + ((vz - (s4 * s12)) * s12)
-    s29 = z + ((vz - (s4 * s9)) * s9)
-    s30 = where((s28 < s29), s28, s29)
-    s31 = where((0.0 < s30), s30, 0.0)
-    s32 = vz / gravity
-    s33 = where((s32 < s12), s32, s12)
-    s34 = where((s9 < s33), s33, s9)
-    s35 = z + ((vz - (s4 * s34)) * s34)
-    s36 = -s35
-    s37 = where((s31 < s36), s36, s31)
-    s38 = (s27 * s27) + (s37 * s37)
-    s39 = (s12 * ((((gravity * s12) + absolute(vx)) + absolute(vy)) + absolute(vz))) + absolute(x)
-    s40 = 7.105427357601002e-15 * (ring_radius + ((s39 + absolute(y)) + absolute(z)))
-    s41 = s17 - s40
-    s42 = (vy * x) - (vx * y)
-    s43 = (((2.0 * ring_radius) * (s42 * s42)) / (s41 * (s41 * s41))) + (((6.0 * gravity) * s35) - (2.0 * (((2.0 * gravity) * z) + ((vz * vz) + s10))))
-    s44 = where((0.0 < s41), s43, inf)
-    s45 = s6 - (half * (((0.5 * half) * where((0.0 < s44), s44, 0.0)) + absolute(s8)))
-    return sqrt(s6) - s7, s8, sqrt(where((s38 < s45), s45, s38)) - s7, s44, s40
+    s11 = half + t
+    s12 = where(s9 < where((-(((vx * x) + (vy * y)) / s10)) < s11, (-(((vx * x) + (vy * y)) / s10)), s11), where((-(((vx * x) + (vy * y)) / s10)) < s11, (-(((vx * x) + (vy * y)) / s10)), s11), s9)
+    s13 = x + (vx * s12)
+    s14 = y + (vy * s12)
+    s15 = sqrt(((s13 * s13) + (s14 * s14)))
+    s16 = x + (vx * s9)
+    s17 = y + (vy * s9)
+    s18 = x + (vx * s11)
+    s19 = y + (vy * s11)
+    s20 = where(where(0.0 < (s15 - ring_radius), (s15 - ring_radius), 0.0) < (ring_radius - where(sqrt(((s16 * s16) + (s17 * s17))) < sqrt(((s18 * s18) + (s19 * s19))), sqrt(((s18 * s18) + (s19 * s19))), sqrt(((s16 * s16) + (s17 * s17))))), (ring_radius - where(sqrt(((s16 * s16) + (s17 * s17))) < sqrt(((s18 * s18) + (s19 * s19))), sqrt(((s18 * s18) + (s19 * s19))), sqrt(((s16 * s16) + (s17 * s17))))), where(0.0 < (s15 - ring_radius), (s15 - ring_radius), 0.0))
+    s21 = where(0.0 < where((z + ((vz - (s4 * s11)) * s11)) < (z + ((vz - (s4 * s9)) * s9)), (z + ((vz - (s4 * s11)) * s11)), (z + ((vz - (s4 * s9)) * s9))), where((z + ((vz - (s4 * s11)) * s11)) < (z + ((vz - (s4 * s9)) * s9)), (z + ((vz - (s4 * s11)) * s11)), (z + ((vz - (s4 * s9)) * s9))), 0.0)
+    s22 = where(s9 < where((vz / gravity) < s11, (vz / gravity), s11), where((vz / gravity) < s11, (vz / gravity), s11), s9)
+    s23 = z + ((vz - (s4 * s22)) * s22)
+    s24 = where(s21 < (-s23), (-s23), s21)
+    s25 = (s11 * ((((gravity * s11) + absolute(vx)) + absolute(vy)) + absolute(vz))) + absolute(x)
+    s26 = 7.105427357601002e-15 * (ring_radius + ((s25 + absolute(y)) + absolute(z)))
+    s27 = s15 - s26
+    s28 = (vy * x) - (vx * y)
+    s29 = (((2.0 * ring_radius) * (s28 * s28)) / (s27 * (s27 * s27))) + (((6.0 * gravity) * s23) - (2.0 * (((2.0 * gravity) * z) + ((vz * vz) + s10))))
+    s30 = where((0.0 < s27), s29, inf)
+    s31 = where(((s20 * s20) + (s24 * s24)) < (s6 - (half * (((0.5 * half) * where(0.0 < s30, s30, 0.0)) + absolute(s8)))), (s6 - (half * (((0.5 * half) * where(0.0 < s30, s30, 0.0)) + absolute(s8)))), ((s20 * s20) + (s24 * s24)))
+    return sqrt(s6) - s7, s8, sqrt(s31) - s7, s30, s26
 
 
 # The event loop, one function for each stage: it reads and writes the columns of the shots.

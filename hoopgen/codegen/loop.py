@@ -126,7 +126,7 @@ class CLoop(_Printer):
                 inside.pop(name, None)
             if isinstance(node, Repeat):
                 self.lines.append(f"{indent}for (int turn = 0; turn < {node.limit}; turn++) {{")
-                self.lines.append(f"{inner}const M {truth} = {mask} & {node.truth};")
+                self.lines.append(f"{inner}const M {truth} = lanes_both({mask}, {node.truth});")
                 self.lines.append(f"{inner}if (!lanes_any({truth}))")
                 self.lines.append(f"{inner}    break;")
                 self._body(
@@ -134,7 +134,7 @@ class CLoop(_Printer):
                 )
                 self.lines.append(f"{indent}}}")
                 continue
-            self.lines.append(f"{indent}const M {truth} = {mask} & {node.truth};")
+            self.lines.append(f"{indent}const M {truth} = lanes_both({mask}, {node.truth});")
             skip = "" if self.cheap(node) else f"if (lanes_any({truth})) "
             self.lines.append(f"{indent}{skip}{{")
             self._body(node.body, inside, shared, truth, inner, later)

@@ -50,7 +50,7 @@ class Operation:
     """One operation: its name, and its operands as indices of earlier operations.
 
     Names: argument, truth (an argument that holds or does not), constant, add, sub, mul, div, neg,
-    sqrt, abs, select, and those of `CONDITIONS`.
+    sqrt, abs, max, min, select, and those of `CONDITIONS`.
     """
 
     name: str
@@ -126,6 +126,8 @@ class Program:
             return self._add("abs", self.lower(expression.args[0]))
         if isinstance(expression, IfLess | IfAtMost):
             left, right, then, other = (self.lower(a) for a in expression.args)
+            if isinstance(expression, IfLess) and {then, other} == {left, right}:
+                return self._add("max" if then == right else "min", left, right)
             name = "less" if isinstance(expression, IfLess) else "at_most"
             return self._add("select", self._add(name, left, right), then, other)
         if isinstance(expression, Choose):

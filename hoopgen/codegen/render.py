@@ -29,6 +29,7 @@ from .program import Program, lower
 OUTPUTS = {
     "numpy/kernels.py.j2": "numpy/{scene}.py",
     "c/kernels.h.j2": "c/{scene}_kernels.h",
+    "c/lanes.h.j2": "c/{scene}_lanes.h",
     "c/engine.h.j2": "c/{scene}_engine.h",
     "c/exact.h.j2": "c/{scene}_exact.h",
     "c/scene.h.j2": "c/{scene}.h",
@@ -49,6 +50,8 @@ COST_WORDS = {
     "sqrt": "square roots",
     "neg": "negations",
     "abs": "absolute values",
+    "max": "maxima",
+    "min": "minima",
     "less": "comparisons",
     "at_most": "comparisons",
     "equal": "comparisons",
