@@ -80,7 +80,10 @@ def check_contacts(max_contacts: Any) -> int:
         If it is no whole number from 1, or more than the engines count.
     """
     if not isinstance(max_contacts, int | np.integer) or not 1 <= max_contacts < 2**31:
-        raise ValueError(f"max_contacts: expected a whole number from 1, got {max_contacts!r}")
+        raise ValueError(
+            f"max_contacts: expected a whole number from 1, got {max_contacts!r}; "
+            f"at most {2**31 - 1}"
+        )
     return int(max_contacts)
 
 

@@ -51,6 +51,8 @@ def paper(
     from hoopgen.paper import run
 
     suffixes = [] if out is None else _suffixes(formats)
+    if out is not None:
+        out.mkdir(parents=True, exist_ok=True)
     results = run(backend=backend)
     click.echo(_overview(results))
     click.echo(_notes(results))
@@ -122,7 +124,6 @@ def _draw(results: tuple[Result, ...], folder: Path, suffixes: list[str]) -> int
     """Write the pictures and count them."""
     from hoopgen import plots
 
-    folder.mkdir(parents=True, exist_ok=True)
     count = 0
     for result in results:
         figure = plots.plot_trajectory(

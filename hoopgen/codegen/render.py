@@ -17,6 +17,7 @@ from hoopgen.derive.kernel import Kernel
 from hoopgen.derive.model import Model, SurfaceKernels, build
 from hoopgen.derive.scene import Scene
 from hoopgen.derive.scenes import SCENES
+from hoopgen.outputs import write
 
 from .derivation import derivation_context
 from .printers import JS, NUMPY, Body, C, print_program
@@ -223,7 +224,7 @@ def generate(root: Path) -> list[Path]:
         path = folder / name
         if not path.exists() or path.read_text(encoding="utf-8") != text:
             path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, encoding="utf-8", newline="\n")
+            write(path, text)
             changed.append(path)
     for name in _extra(folder, files):
         (folder / name).unlink()

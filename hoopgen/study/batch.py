@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 import hoopgen
 from hoopgen.inputs import check_contacts, doubles
+from hoopgen.outputs import check_output, followed
 from hoopgen.parameters import PAPER, resolve
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
@@ -113,10 +114,14 @@ def batch(
     table, target = Source(Path(source), format or ""), Path(out)
     if target.suffix.lower() not in FORMATS["parquet"]:
         raise ValueError(f"out: expected a file {' or '.join(FORMATS['parquet'])}, got {target}")
+    target = followed(target)  # which the parts lie beside: on its file system
     if target.exists() and target.samefile(table.path):
         raise ValueError(f"out: {target} is the source")
     if not target.parent.is_dir():
         raise ValueError(f"out: there is no folder {target.parent}")
+    check_output(target)
+    if target.exists() and not target.is_file():
+        raise ValueError(f"out: expected a file, which can be moved into its place; got {target}")
     resolve(parameters, 1)  # all of them, and none else
     check_names("release", release or {}, VARIABLES)
     shots = _Shots(

@@ -165,8 +165,11 @@ def check_count(name: str, value: Any) -> int:
     ValueError
         If it is none; the message begins with `name`.
     """
-    if not isinstance(value, int | np.integer) or isinstance(value, bool) or value < 1:
-        raise ValueError(f"{name}: expected a whole number from 1, got {value!r}")
+    whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
+    if not whole or not 1 <= value < 2**63:
+        raise ValueError(
+            f"{name}: expected a whole number from 1, got {value!r}; at most {2**63 - 1}"
+        )
     return int(value)
 
 

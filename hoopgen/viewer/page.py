@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 import hoopgen
 from hoopgen.generated.numpy import hoop
+from hoopgen.outputs import PAGES, check_output, write
 from hoopgen.parameters import NAMES, Value, resolve
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import SURFACES, Outcome, Shots
@@ -74,13 +75,11 @@ def view(
         parameters are not as described.
     AttributeError
         If the shots were simulated without ``record=True``.
+    OSError
+        If the file cannot be written; what was there before stays.
     """
-    target = Path(path)
-    if target.suffix.lower() not in (".html", ".htm"):
-        raise ValueError(f"path: a page's name ends in .html, got {target.name!r}")
-    text = page(shots, parameters, title=title, about=about, labels=labels)
-    target.write_text(text, encoding="utf-8", newline="\n")
-    return target
+    target = check_output(path, PAGES)
+    return write(target, page(shots, parameters, title=title, about=about, labels=labels))
 
 
 def page(
