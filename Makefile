@@ -32,7 +32,7 @@ lint: $(VENV)/with-dev $(VENV)/typing ## format, lint and types
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 
-bench: $(VENV)/with-bench ## speed, beside the other methods
+bench: $(VENV)/with-bench ## speed, beside the other methods or, ARGS="--base REF", a commit
 	$(BIN)/python -m benchmarks $(ARGS)
 
 exactness: $(VENV)/with-certify ## results against ball arithmetic
@@ -46,7 +46,7 @@ validate: $(VENV)/with-study ## results beside those of the literature
 
 clean: ## remove all that these targets made, .venv too
 	rm -rf $(VENV) build dist hoopgen.egg-info paper-figures
-	rm -rf .hypothesis .mypy_cache .pytest_cache .ruff_cache
+	rm -rf .bench .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	rm -f hoopgen/engine/_hoop.*.so hoopgen/engine/_hoop.*.pyd
 	find benchmarks derive generated hoopgen templates tests -name __pycache__ -prune -exec rm -rf {} +
 

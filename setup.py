@@ -2,15 +2,33 @@
 
 import sysconfig
 from pathlib import Path
+from runpy import run_path
 
 from setuptools import Extension, find_namespace_packages, setup
 from setuptools.command.build_ext import build_ext
 
+WORD = run_path("hoopgen/engine/sources.py")["word"]
 ROOMS = ("derive", "templates", "generated")
 
-# -ffp-contract=off keeps every operation as written, and so the bits of the NumPy target.
+# Every operation is done as it is written, and gives the bits of the NumPy target. These come after
+# CFLAGS and LDFLAGS, and take back each of their flags that would change that, by its name: with
+# -fno-fast-math alone GCC 12 compiles as it should, but still links the start-up code of fast-math.
+# The C file refuses to compile, or to run, with what is left.
 # No -march: the C file chooses its vector width at run time.
-UNIX_FLAGS = ["-O3", "-std=c11", "-ffp-contract=off", "-fno-math-errno", "-fno-trapping-math"]
+UNIX_FLAGS = [
+    "-O3",
+    "-g0",
+    "-std=c11",
+    "-fno-fast-math",
+    "-fno-unsafe-math-optimizations",
+    "-fno-associative-math",
+    "-fno-reciprocal-math",
+    "-fno-finite-math-only",
+    "-fsigned-zeros",
+    "-ffp-contract=off",
+    "-fno-math-errno",
+    "-fno-trapping-math",
+]
 MSVC_FLAGS = ["/O2", "/std:c11", "/fp:precise"]
 
 
@@ -20,6 +38,9 @@ class BuildPlainLibrary(build_ext):
     def build_extension(self, ext: Extension) -> None:
         msvc = self.compiler.compiler_type == "msvc"
         ext.extra_compile_args = MSVC_FLAGS if msvc else UNIX_FLAGS
+        # Linking with fast-math makes subnormals zero in every process that loads the library.
+        ext.extra_link_args = [] if msvc else UNIX_FLAGS
+        ext.define_macros = [("HOOP_SOURCES", WORD(Path("generated/c")))]
         super().build_extension(ext)
 
     def copy_extensions_to_source(self) -> None:
@@ -48,7 +69,11 @@ setup(
         Extension(
             "hoopgen.engine._hoop",
             sources=["generated/c/hoop.c"],
-            depends=["setup.py", *sorted(map(str, Path("generated/c").glob("*.h")))],
+            depends=[
+                "setup.py",
+                "hoopgen/engine/sources.py",
+                *sorted(map(str, Path("generated/c").glob("*.h"))),
+            ],
             optional=True,  # without a compiler NumPy serves
         )
     ],

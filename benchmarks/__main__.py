@@ -1,8 +1,16 @@
-"""`python -m benchmarks`: everything side by side; a table, the numbers and a picture."""
+"""`python -m benchmarks`: everything side by side; a table, the numbers and a picture.
+
+With `--base REF` instead the working tree beside another commit: the same results, and how fast.
+"""
 
 import argparse
+import signal
+import sys
 from pathlib import Path
 
+from benchmarks.against import Wanted, against
+from benchmarks.base import CannotBuild
+from benchmarks.families import FAMILIES
 from benchmarks.picture import draw
 from benchmarks.report import as_json, as_markdown
 from benchmarks.run import QUICK, Settings, run
@@ -18,13 +26,72 @@ def main() -> None:
     )
     parser.add_argument("--quick", action="store_true", help="about a minute, rougher")
     parser.add_argument("--out", type=Path, default=Path("docs"), help="folder, default docs")
+    _add_base(parser)
     arguments = parser.parse_args()
+    if arguments.base:
+        sys.exit(_beside(arguments))
     arguments.out.mkdir(parents=True, exist_ok=True)
     results = run(QUICK if arguments.quick else Settings())
     write(arguments.out / "benchmarks.json", as_json(results))
     write(arguments.out / "benchmarks.md", as_markdown(results))
     save(draw(results), arguments.out / "benchmarks.svg")
     print(as_markdown(results))
+
+
+def _add_base(parser: argparse.ArgumentParser) -> None:
+    default = Wanted()
+    base = parser.add_argument_group("another commit of hoopgen instead")
+    base.add_argument("--base", metavar="REF", help="git ref of the commit to compare with")
+    base.add_argument("--only", choices=("equality", "speed"), help="default both")
+    base.add_argument("--backend", choices=default.backends, help="default both, C in every width")
+    base.add_argument("--shots", type=_count, default=default.shots, help="at most, of each kind")
+    base.add_argument(
+        "--logged",
+        type=_count,
+        default=default.logged,
+        help="how many of them NumPy flies with the event log, which is slow; C all",
+    )
+    base.add_argument("--rounds", type=_count, default=default.rounds, help="of each speed")
+    base.add_argument(
+        "--workloads",
+        type=_keys,
+        default=default.keys,
+        metavar="W1,W4,rim",
+        help=f"default all: {', '.join(default.keys)}",
+    )
+
+
+def _count(text: str) -> int:
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"expected a whole number, 1 or more, got {text!r}")
+    return int(text)
+
+
+def _keys(text: str) -> tuple[str, ...]:
+    known = [family.key for family in FAMILIES]
+    keys = tuple(text.split(","))
+    if not set(keys) <= set(known):
+        raise argparse.ArgumentTypeError(f"expected some of {','.join(known)}, got {text!r}")
+    return keys
+
+
+def _beside(arguments: argparse.Namespace) -> int | str:
+    """Return the exit status, 1 if the two are not equal."""
+    wanted = Wanted(
+        equality=arguments.only != "speed",
+        speed=arguments.only != "equality",
+        keys=arguments.workloads,
+        backends=(arguments.backend,) if arguments.backend else Wanted.backends,
+        shots=arguments.shots,
+        logged=arguments.logged,
+        rounds=arguments.rounds,
+    )
+    # Ended from outside, too, it leaves no files behind.
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(1))
+    try:
+        return int(not against(arguments.base, wanted))
+    except CannotBuild as error:
+        return f"--base: {error}"
 
 
 if __name__ == "__main__":

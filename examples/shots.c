@@ -2,7 +2,7 @@
 
    cc -O2 -ffp-contract=off -Igenerated/c examples/shots.c generated/c/hoop.c -lm -o shots && ./shots
 
-   Without -ffp-contract=off some compilers fuse a*b + c, and the bits are not hoopgen's. */
+   Under flags that change hoopgen's bits hoop.c does not compile, or hoop_simulate returns -2. */
 
 #include "hoop.h"
 

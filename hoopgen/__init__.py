@@ -8,7 +8,13 @@ array([0], dtype=uint8)
 
 from __future__ import annotations
 
+from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
+
+if find_spec(f"{__name__}.generated") is None:
+    # In a checkout whose hoopgen/ shadows an installed one: its rooms lie beside this folder.
+    __path__.append(str(Path(__file__).resolve().parent.parent))
 
 from .parameters import FIBA, NBA, PAPER
 from .releases import release
@@ -48,18 +54,29 @@ _LATER = {
 }
 """Imported when first asked for, since they stand on the extras; and from where."""
 
+_ROOMS = ("plots",)
+"""Modules that are part of the interface, imported when first asked for too."""
+
 
 def __getattr__(name: str) -> Any:
     if name == "__version__":
-        from importlib.metadata import version
+        from .installed import version
 
-        return version("hoopgen")
-    if name in _LATER:
-        from importlib import import_module
+        return version()
+    if name not in (*_LATER, *_ROOMS):
+        raise AttributeError(f"module 'hoopgen' has no attribute {name!r}")
+    from importlib import import_module
 
+    try:
+        if name in _ROOMS:
+            return import_module(f"{__name__}.{name}")
         return getattr(import_module(f"{__name__}.{_LATER[name]}"), name)
-    raise AttributeError(f"module 'hoopgen' has no attribute {name!r}")
+    except ImportError as error:
+        from .installed import explained
+
+        raise explained(error, f"hoopgen.{name}") from None
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *_LATER, "__version__"})
+    own = [name for name in globals() if name.startswith("__") and name.endswith("__")]
+    return sorted({*own, *__all__, *_LATER, *_ROOMS, "__version__"})

@@ -8,29 +8,67 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .brief import brief
 from .engine.raw import STATE_SIZE
 from .results import SURFACES
 
-__all__ = ["check_contacts", "check_leaving", "check_states", "check_threads", "doubles"]
+__all__ = [
+    "check_contacts",
+    "check_leaving",
+    "check_states",
+    "check_threads",
+    "doubles",
+    "is_whole",
+]
+
+CROWD = 4
+"""Most threads for each processor."""
 
 
 def doubles(name: str, value: ArrayLike, expected: str = "numbers") -> NDArray[np.float64]:
-    """Return `value` as float64.
+    """Return `value` as float64; what a mask hides is NaN.
 
     Raises
     ------
     TypeError
-        If it is not real numbers; the message begins with `name`.
+        If it is not real numbers: text that looks like them, times, None; the message begins with
+        `name`.
+    ValueError
+        If a whole number is too large for a double.
     """
     try:
-        array = np.asarray(value)
-        if array.dtype == object:  # float() is stricter: NumPy makes a NaN of None
-            array = np.array([float(v) for v in array.flat]).reshape(array.shape)
-        if not np.iscomplexobj(array):
-            return array.astype(np.float64, copy=False)
-    except (TypeError, ValueError):
-        pass
-    raise TypeError(f"{name}: expected {expected}, got {value!r}")
+        array = np.asarray(_unmasked(value))
+        if array.dtype == object:
+            array = np.array([_double(v) for v in array.flat]).reshape(array.shape)
+        # "same_kind" is numbers alone; NumPy would read text, and count a time's units.
+        return array.astype(np.float64, casting="same_kind", copy=False)
+    except OverflowError:
+        raise ValueError(
+            f"{name}: expected {expected} below 1.8e308 in size, got {brief(value)}"
+        ) from None
+    except (TypeError, ValueError, RecursionError):
+        raise TypeError(f"{name}: expected {expected}, got {brief(value)}") from None
+
+
+def _unmasked(value: Any) -> Any:
+    """Return `value` with NaN for what is masked: `np.asarray` shows what is behind a mask."""
+    if isinstance(value, np.ma.MaskedArray):
+        return np.where(np.ma.getmaskarray(value), np.nan, value.data)
+    if isinstance(value, list | tuple) and value and not isinstance(value[0], float | int):
+        return [_unmasked(one) for one in value]
+    return value
+
+
+def _double(value: Any) -> float:
+    """Return an object as a number; float() is stricter than NumPy, which makes a NaN of None."""
+    if np.asarray(value).dtype != object:
+        return np.asarray(value).astype(np.float64, casting="same_kind").item()
+    return float(value)
+
+
+def is_whole(value: Any) -> bool:
+    """Return whether `value` is a whole number; to NumPy a span of time is one too."""
+    return isinstance(value, int | np.integer) and not isinstance(value, np.timedelta64)
 
 
 def check_states(states: ArrayLike) -> NDArray[np.float64]:
@@ -62,12 +100,15 @@ def check_leaving(leaving: ArrayLike | None, shots: int) -> NDArray[np.int8] | N
     """
     if leaving is None:
         return None
-    array = np.asarray(leaving)
-    whole = np.issubdtype(array.dtype, np.integer)
+    try:
+        array = np.asarray(leaving)
+    except ValueError:  # rows of different lengths
+        array = np.empty((0, 0))
+    whole = array.dtype.kind in "iu" and not np.ma.is_masked(leaving)
     if not whole or array.shape not in ((), (shots,)):
-        raise ValueError(f"leaving: expected whole numbers, one or {shots}, got {leaving!r}")
+        raise ValueError(f"leaving: expected whole numbers, one or {shots}, got {brief(leaving)}")
     if np.any((array < -1) | (array >= len(SURFACES))):
-        raise ValueError(f"leaving: expected -1 to {len(SURFACES) - 1}, got {leaving!r}")
+        raise ValueError(f"leaving: expected -1 to {len(SURFACES) - 1}, got {brief(leaving)}")
     return np.ascontiguousarray(np.broadcast_to(array, shots), dtype=np.int8)
 
 
@@ -79,25 +120,28 @@ def check_contacts(max_contacts: Any) -> int:
     ValueError
         If it is no whole number from 1, or more than the engines count.
     """
-    if not isinstance(max_contacts, int | np.integer) or not 1 <= max_contacts < 2**31:
+    if not is_whole(max_contacts) or not 1 <= max_contacts < 2**31:
         raise ValueError(
-            f"max_contacts: expected a whole number from 1, got {max_contacts!r}; "
+            f"max_contacts: expected a whole number from 1, got {brief(max_contacts)}; "
             f"at most {2**31 - 1}"
         )
     return int(max_contacts)
 
 
 def check_threads(threads: Any) -> int:
-    """Return how many threads work; of None, as many as the process may use.
+    """Return how many threads work; of None, as many as there are processors for this process.
+
+    Of more than `CROWD` for each of those, so many: none would be done sooner.
 
     Raises
     ------
     ValueError
         If it is neither None nor a whole number from 1.
     """
+    own = getattr(os, "sched_getaffinity", None)
+    processors = len(own(0)) if own else os.cpu_count() or 1
     if threads is None:
-        own = getattr(os, "sched_getaffinity", None)
-        return len(own(0)) if own else os.cpu_count() or 1
-    if not isinstance(threads, int | np.integer) or threads < 1:
-        raise ValueError(f"threads: expected a whole number from 1, or None, got {threads!r}")
-    return int(threads)
+        return processors
+    if not is_whole(threads) or threads < 1:
+        raise ValueError(f"threads: expected a whole number from 1, or None, got {brief(threads)}")
+    return min(int(threads), CROWD * processors)

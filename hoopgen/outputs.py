@@ -12,6 +12,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import IO
 
+from .brief import brief
+
 __all__ = [
     "MAPS",
     "PAGES",
@@ -51,7 +53,7 @@ def check_output(path: str | os.PathLike[str], suffixes: Sequence[str] = ()) -> 
     """
     target = Path(path)
     if suffixes and target.suffix.lower() not in suffixes:
-        raise ValueError(f"{target} ends in none of {', '.join(suffixes)}")
+        raise ValueError(f"{brief(target.name)} ends in none of {', '.join(suffixes)}")
     if target.is_dir():
         raise _refused(errno.EISDIR, target)
     folder = followed(target).parent

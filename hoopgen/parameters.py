@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from hoopgen.generated.numpy import hoop
 
+from .brief import brief, listed
 from .inputs import doubles
 
 NAMES = tuple(hoop.PARAMETERS)
@@ -106,11 +107,13 @@ def resolve(parameters: Mapping[str, Any], shots: int) -> list[Value]:
         outside [0, 1].
     """
     if not isinstance(parameters, Mapping):
-        raise TypeError(f"parameters: expected a mapping of names to values, got {parameters!r}")
+        raise TypeError(
+            f"parameters: expected a mapping of names to values, got {brief(parameters)}"
+        )
     if parameters.keys() != _NAME_SET:
-        unknown = [str(name) for name in parameters if name not in NAMES]
+        unknown = [name for name in parameters if name not in NAMES]
         missing = [name for name in NAMES if name not in parameters]
-        wrong = [f"unknown {', '.join(unknown)}"] if unknown else []
+        wrong = [f"unknown {listed(unknown)}"] if unknown else []
         wrong += [f"missing {', '.join(missing)}"] if missing else []
         raise ValueError(f"parameters: {'; '.join(wrong)}. The names are {', '.join(NAMES)}")
     values: list[Value] = []

@@ -26,7 +26,7 @@ def release(
 ) -> NDArray[np.float64]:
     """Return the states of shots released from a place on the court.
 
-    All arguments broadcast.
+    All arguments broadcast. Entries that are masked count as NaN.
 
     Parameters
     ----------

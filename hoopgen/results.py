@@ -2,32 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from enum import IntEnum
-from typing import Any
+from itertools import groupby
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.generated.numpy import hoop
 
-SURFACES = tuple(name for name, _, _ in hoop.SURFACES[:-1])
+from .brief import brief
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Outcome = hoop.Outcome
+
+SURFACES = hoop.BODIES
 """Surfaces, in the order of ``Shots.counts``; the event log numbers the end plane after them."""
-
-
-class Outcome(IntEnum):
-    """How a shot ended."""
-
-    MADE = 0
-    """Crossed the end plane downwards inside the ring."""
-    MISSED = 1
-    """Crossed it outside."""
-    CAPPED = 2
-    """Had max_contacts contacts before it."""
-    SHORT = 3
-    """Can never cross it downwards."""
-    INVALID = 4
-    """Not finite, a parameter not allowed, or a ball that starts inside a surface."""
 
 
 @dataclass(frozen=True)
@@ -40,13 +34,21 @@ class Trajectory:
         State at time 0, (9,).
     events
         Its rows of the event log; the end is the last one.
-    gravity
-        m/s².
+    parameters
+        Of the scene, one number each.
+    outcome
+        If it was asked for.
     """
 
     release: NDArray[np.float64]
     events: NDArray[Any]
-    gravity: float
+    parameters: Mapping[str, float]
+    outcome: Outcome | None = None
+
+    @property
+    def gravity(self) -> float:
+        """m/s²."""
+        return self.parameters["gravity"]
 
     @property
     def duration(self) -> float:
@@ -68,12 +70,16 @@ class Trajectory:
 
         Raises
         ------
+        TypeError
+            If they are not numbers.
         ValueError
             If a time is not within the trajectory.
         """
-        times = np.asarray(t, dtype=np.float64)
+        from .inputs import doubles  # which stands on this file: it knows the surfaces
+
+        times = doubles("t", t)
         if not np.all((times >= 0.0) & (times <= self.duration)):
-            raise ValueError(f"t: expected times from 0 to {self.duration} s, got {t!r}")
+            raise ValueError(f"t: expected times from 0 to {self.duration} s, got {brief(t)}")
         starts = np.concatenate([[0.0], self.events["time"]])
         states = np.concatenate([self.release[None], self.events["after"]])
         segment = np.searchsorted(starts, times, side="right") - 1
@@ -81,6 +87,45 @@ class Trajectory:
         x, y, z, vx, vy, vz, *spin = np.moveaxis(origin, -1, 0)
         moved = hoop.flight(times - starts[segment], x, y, z, vx, vy, vz, self.gravity)
         return np.stack([*moved, *spin], -1)
+
+    def __repr__(self) -> str:
+        runs = ((surface, len(list(run))) for surface, run in groupby(self.events["surface"]))
+        names = [
+            f"{(*SURFACES, 'end')[surface]}{f' {times} times' if times > 1 else ''}"
+            for surface, times in runs
+        ]
+        ended = "" if self.outcome is None else f"; {self.outcome.name.lower()}"
+        return f"Trajectory({self.duration:.3f} s: {', '.join(['release', *names])}{ended})"
+
+    def plot(self, **options: Any) -> Figure | Axes:
+        """Draw the path; options, and what is returned and raised, as for `plots.plot_trajectory`.
+
+        The outcome is said if it is known.
+        """
+        from hoopgen import plots
+
+        told = {"outcome": self.outcome} | options
+        drawn: Figure | Axes = plots.plot_trajectory(self, self.parameters, **told)
+        return drawn
+
+    def to_pandas(self) -> Any:
+        """Return the events as a pandas.DataFrame, a row each; their units are in its ``attrs``.
+
+        Time, surface, position, and velocity and spin before and after.
+
+        Raises
+        ------
+        ImportError
+            If pandas is missing: what brings it.
+        """
+        from .frames import contacts_frame
+
+        return contacts_frame(self)
+
+    def _repr_html_(self) -> str:
+        from .frames import contacts_html
+
+        return contacts_html(self)
 
 
 class Shots:
@@ -90,6 +135,8 @@ class Shots:
     ----------
     outcome
         uint8 (n,), an `Outcome`.
+    made
+        bool (n,), whether `outcome` is MADE.
     contacts
         int32 (n,), contacts before the end.
     counts
@@ -107,9 +154,12 @@ class Shots:
         component of the position, velocity and spin in `state`, for shots that are not uncertain.
     events
         With ``record=True``: the event log, rows in order of shot, then time.
+    parameters
+        Of the scene, as they were simulated with: one number each or (n,).
     """
 
     outcome: NDArray[np.uint8]
+    made: NDArray[np.bool_]
     contacts: NDArray[np.int32]
     counts: NDArray[np.int32]
     first: NDArray[np.int8]
@@ -124,27 +174,83 @@ class Shots:
         self,
         fields: dict[str, NDArray[Any]],
         states: NDArray[np.float64],
-        gravity: float | NDArray[np.float64],
+        parameters: Mapping[str, float | NDArray[np.float64]],
     ) -> None:
         self._fields = fields
         self._states = states
-        self._gravity = gravity
+        self.parameters = parameters
 
     def __getattr__(self, name: str) -> NDArray[Any]:
         fields = self.__dict__.get("_fields", {})
         if name in fields:
             return fields[name]  # type: ignore[no-any-return]
+        if name == "made" and fields:
+            return np.asarray(self.outcome == Outcome.MADE)
         if name == "events":
             raise AttributeError("events: simulate with record=True to keep the event log")
         if name in Shots.__annotations__:
             raise AttributeError(f"{name}: not among the fields asked for: {', '.join(fields)}")
         raise AttributeError(f"Shots has no attribute {name!r}")
 
+    def __dir__(self) -> list[str]:
+        made = ["made"] if "outcome" in self._fields else []
+        return sorted({*super().__dir__(), *self._fields, *made})
+
     def __len__(self) -> int:
         return len(self._states)
 
     def __repr__(self) -> str:
-        return f"Shots({len(self)} shots: {', '.join(self._fields)})"
+        shots = f"{len(self):,} shot{'' if len(self) == 1 else 's'}"
+        what = self._counts() if "outcome" in self._fields else ", ".join(self._fields)
+        return f"Shots({shots}{': ' if what else ''}{what})"
+
+    def _counts(self) -> str:
+        """Say how many ended how, and how many of them are uncertain."""
+        ended = {one.name.lower(): np.count_nonzero(self.outcome == one) for one in Outcome}
+        said = ", ".join(f"{count:,} {name}" for name, count in ended.items() if count)
+        doubt = np.count_nonzero(self.uncertain) if "uncertain" in self._fields else 0
+        return f"{said}; {doubt:,} uncertain" if doubt else said
+
+    def plot(self, **options: Any) -> Figure | Axes:
+        """Draw the paths; options, and what is returned and raised, as for `plots.plot_fan`."""
+        from hoopgen import plots
+
+        drawn: Figure | Axes = plots.plot_fan(self, self.parameters, **options)
+        return drawn
+
+    def to_pandas(self) -> Any:
+        """Return the results as a pandas.DataFrame, a row a shot; units are in its ``attrs``.
+
+        Fields with several numbers a shot are as many columns: ``ring_contacts``, ..., ``x``, ...
+
+        Raises
+        ------
+        ImportError
+            If pandas is missing: what brings it.
+        """
+        from .frames import shots_frame
+
+        return shots_frame(self)
+
+    def to_xarray(self) -> Any:
+        """Return the results as an xarray.Dataset over ``shot``, with what the codes mean.
+
+        Parameters of the scene are coordinates where they differ from shot to shot, else in its
+        ``attrs``.
+
+        Raises
+        ------
+        ImportError
+            If xarray is missing: what brings it.
+        """
+        from .frames import shots_dataset
+
+        return shots_dataset(self)
+
+    def _repr_html_(self) -> str:
+        from .frames import shots_html
+
+        return shots_html(self)
 
     def trajectory(self, shot: int) -> Trajectory:
         """Return the path of one shot; needs ``record=True``.
@@ -158,5 +264,9 @@ class Shots:
             raise IndexError(f"shot {shot}: there are {len(self)}")
         index = shot % len(self)
         low, high = np.searchsorted(self.events["shot"], [index, index + 1])
-        gravity = self._gravity if isinstance(self._gravity, float) else self._gravity[index]
-        return Trajectory(self._states[index], self.events[low:high], float(gravity))
+        own = {
+            name: float(value if np.ndim(value) == 0 else np.asarray(value)[index])
+            for name, value in self.parameters.items()
+        }
+        ended = Outcome(int(self.outcome[index])) if "outcome" in self._fields else None
+        return Trajectory(self._states[index], self.events[low:high], own, ended)

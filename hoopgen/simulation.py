@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cache
@@ -15,7 +15,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.generated.numpy import hoop
 
+from .brief import brief, listed
 from .engine import native, numpy_backend
+from .engine.arithmetic import check_arithmetic
 from .engine.raw import BOUNDS, EVENT, FIELDS, Raw, allocate, allocate_events
 from .inputs import check_contacts, check_leaving, check_states, check_threads
 from .parameters import NAMES, PAPER, Value, resolve
@@ -33,6 +35,9 @@ SMALL = 1 << 12
 
 ROOM = 1 << 16
 """Rows of the event log that a thread makes room for at a time: every contact that could be."""
+
+LEAST = 1 << 12
+"""Fewest shots that a thread takes at a time in NumPy, whose every operation costs a call."""
 
 AT_ONCE = 1 << 17
 """Contacts that could be, up to which no thread is started: some hundredths of a second."""
@@ -59,6 +64,7 @@ class _Batch:
         if self.library is not None:
             self.library.run(states, parameters, leaving, self.max_contacts, out, self.stop)
         else:
+            check_arithmetic()  # the library looks for itself
             numpy_backend.run(
                 hoop, states, parameters, leaving, self.max_contacts, out, self.stopped
             )
@@ -71,7 +77,7 @@ def simulate(
     max_contacts: int = 40,
     backend: Literal["auto", "c", "numpy"] = "auto",
     threads: int | None = None,
-    fields: Literal["all"] | Sequence[str] = "all",
+    fields: Literal["all"] | Iterable[str] = "all",
     record: bool = False,
     leaving: ArrayLike | None = None,
     settle: bool = False,
@@ -82,7 +88,8 @@ def simulate(
     ----------
     states
         Releases, (n, 9) or (9,): x y z (m), vx vy vz (m/s), wx wy wz (rad/s); origin at the ring's
-        centre, z up, backboard at negative x.
+        centre, z up, backboard at negative x. Here and below, entries that are
+        masked count as NaN.
     parameters
         Name to value, one for all shots or (n,). `PAPER`, `NBA` and `FIBA` merge with ``|``.
     max_contacts
@@ -90,7 +97,9 @@ def simulate(
     backend
         "auto" is "c" where it was built, else "numpy". The results are the same bits.
     threads
-        How many work; None for as many as the process may use.
+        How many work; None for one on each processor that the process may use. More than four on
+        each are not started, nor with NumPy more than have 4096 shots each: they would be in each
+        other's way.
     fields
         "all", or the names of the results that are wanted; by name also "time_error" and
         "state_error", the bounds on the errors of time and state. Without "uncertain" and those
@@ -115,7 +124,8 @@ def simulate(
     TypeError, ValueError
         If an argument is not as described; the message says what is.
     RuntimeError
-        If backend "c" is asked for and was not built.
+        If backend "c" is asked for and was not built, or cannot be trusted; if this thread rounds
+        otherwise than to the nearest double, or takes subnormals for zero.
     ImportError
         If shots are to be settled and the extra is missing.
     """
@@ -138,7 +148,7 @@ def simulate(
     computed = tuple(dict.fromkeys((*wanted, "uncertain"))) if settle else wanted
     out = allocate(shots, len(SURFACES), computed)
     logs = _run(batch, out, workers, record)
-    results = {name: getattr(out, name) for name in computed}
+    results = dict(out.arrays)
     if record:
         results["events"] = np.concatenate([np.empty(0, EVENT), *logs])
     if settle:
@@ -147,7 +157,7 @@ def simulate(
 
         decide(results, releases, parameters, batch.max_contacts, leaving=batch.leaving)
     kept = {name: array for name, array in results.items() if name in (*wanted, "events")}
-    return Shots(kept, releases, values[NAMES.index("gravity")])
+    return Shots(kept, releases, dict(zip(NAMES, values, strict=True)))
 
 
 def check_log(shots: int, max_contacts: int, threads: int | None = None) -> None:
@@ -175,11 +185,9 @@ def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[An
             batch.run(start, stop, rows)
             return None
         room = allocate_events(stop - start, batch.max_contacts)
-        assert room.events is not None
-        assert room.event_counts is not None
-        batch.run(start, stop, Raw(**{**vars(rows), **_present(room)}))
-        used = np.arange(batch.max_contacts + 1) < room.event_counts[:, None]
-        log = room.events[used]
+        batch.run(start, stop, rows.joined(room))
+        used = np.arange(batch.max_contacts + 1) < room.arrays["event_counts"][:, None]
+        log = room.arrays["events"][used]
         log["shot"] += start
         return log
 
@@ -206,42 +214,44 @@ def _chunk(shots: int, threads: int, in_c: bool) -> int:
     """Return how many shots a thread takes at a time."""
     own = -(-shots // threads)
     if not in_c:
-        return max(own, 1)  # NumPy pays for every chunk
+        return max(own, LEAST)
     if threads > 1:
         own = max(own // SHARE, min(own // 2, SMALL))
     return max(1, min(own, CHUNK))
 
 
-def _present(raw: Raw) -> dict[str, NDArray[Any]]:
-    return {name: array for name, array in vars(raw).items() if array is not None}
-
-
-def _fields(fields: str | Sequence[str]) -> tuple[str, ...]:
+def _fields(fields: str | Iterable[str]) -> tuple[str, ...]:
     if isinstance(fields, str):
         fields = FIELDS if fields == "all" else (fields,)
-    unknown = [str(name) for name in fields if name not in FIELDS + BOUNDS]
+    if not isinstance(fields, Iterable):
+        raise TypeError(f"fields: expected 'all' or names, got {brief(fields)}")
+    wanted = tuple(fields)  # once: they may be an iterator
+    unknown = [name for name in wanted if name not in FIELDS + BOUNDS]
     if unknown:
         raise ValueError(
-            f"fields: unknown {', '.join(unknown)}. 'all', or some of {', '.join(FIELDS + BOUNDS)}"
+            f"fields: unknown {listed(unknown)}. 'all', or some of {', '.join(FIELDS + BOUNDS)}"
         )
-    return tuple(fields)
+    return wanted
 
 
 def _library(backend: str) -> native.Library | None:
     if backend not in ("auto", "c", "numpy"):
-        raise ValueError(f"backend: expected 'auto', 'c' or 'numpy', got {backend!r}")
+        raise ValueError(f"backend: expected 'auto', 'c' or 'numpy', got {brief(backend)}")
     if backend == "numpy":
         return None
     library = native.installed()
-    if library is None and backend == "c":
-        raise RuntimeError(
-            "backend: 'c' was not built; install again with a C compiler, or use 'numpy'"
-        )
     if library is None:
-        _say_once()
+        refused = native.load()
+        assert isinstance(refused, native.Refused)
+        if backend == "c":
+            raise RuntimeError(f"backend: 'c' {refused.reason}; {refused.remedy}, or use 'numpy'")
+        _say_once(refused)
     return library
 
 
 @cache
-def _say_once() -> None:
-    print("hoopgen: the C engine was not built; NumPy serves, slower.", file=sys.stderr)
+def _say_once(refused: native.Refused) -> None:
+    print(
+        f"hoopgen: the C engine {refused.reason}; {refused.remedy}. NumPy serves, slower.",
+        file=sys.stderr,
+    )

@@ -12,6 +12,8 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Literal
 
+from .brief import brief
+
 __all__ = ["FOOT", "UNITS", "Kind", "parse_quantity"]
 
 Kind = Literal["length", "speed", "angle", "spin", "acceleration", "number"]
@@ -88,7 +90,7 @@ def parse_quantity(text: str, kind: Kind, *, bare: str | None = None) -> float:
             raise ValueError(_wrong_unit(text, unit, kind))
         total += float(number) * units[unit]
     if not math.isfinite(total):
-        raise ValueError(f"{text!r} is too large")
+        raise ValueError(f"{brief(text)} is too large")
     return -total if sign == "-" else total
 
 
@@ -111,14 +113,14 @@ def _split(text: str, kind: Kind) -> tuple[str, list[tuple[str, str]]]:
 
 def _complaint(text: str, kind: Kind) -> str:
     if kind == "number":
-        return f"{text!r} is not a number"
-    return f"{text!r} is not a number with a unit of {kind} ({_listed(kind)})"
+        return f"{brief(text)} is not a number"
+    return f"{brief(text)} is not a number with a unit of {kind} ({_listed(kind)})"
 
 
 def _wrong_unit(text: str, unit: str, kind: Kind) -> str:
     if kind == "number":
-        return f"{text!r} has the unit {unit!r}; a plain number is wanted"
-    return f"{text!r}: {unit!r} is not a unit of {kind}; use {_listed(kind)}"
+        return f"{brief(text)} has the unit {brief(unit)}; a plain number is wanted"
+    return f"{brief(text)}: {brief(unit)} is not a unit of {kind}; use {_listed(kind)}"
 
 
 def _listed(kind: Kind) -> str:

@@ -15,7 +15,8 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-from hoopgen.derive.kernel import Kernel
+from hoopgen.derive.ground.choice import Truth
+from hoopgen.derive.ground.kernel import Kernel
 from numpy.typing import NDArray
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -127,10 +128,17 @@ class CKernels:
 
     @staticmethod
     def _function(kernel: Kernel, scene: str) -> str:
-        arguments = (f"lanes_load(in[{i}] + row)" for i in range(len(kernel.arguments)))
+        # A truth comes and goes as a number that is not zero where it holds.
+        arguments = (
+            f"lanes_load(in[{i}] + row){' != K(0.0)' if isinstance(a, Truth) else ''}"
+            for i, a in enumerate(kernel.arguments)
+        )
+        values = (
+            f"lanes_select(o.{name}, K(1.0), K(0.0))" if truth else f"o.{name}"
+            for name, truth in zip(kernel.output_names, kernel.truths, strict=True)
+        )
         stores = (
-            f"        lanes_store(out[{i}] + row, o.{name});"
-            for i, name in enumerate(kernel.output_names)
+            f"        lanes_store(out[{i}] + row, {value});" for i, value in enumerate(values)
         )
         return _FUNCTION.format(
             name=kernel.name,

@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 import sympy as sp
 from click.testing import CliRunner, Result
-from hoopgen.derive import aiming
-from hoopgen.derive.aiming import entry, reach, release_speed, rise, slope
-from hoopgen.derive.choice import IfLess
-from hoopgen.derive.choice import release as unheld
-from hoopgen.derive.flight import flight
-from hoopgen.derive.symbols import POSITION, VELOCITY
+from hoopgen.derive.flight.parabola import flight
+from hoopgen.derive.ground.choice import IfLess
+from hoopgen.derive.ground.choice import release as unheld
+from hoopgen.derive.ground.symbols import POSITION, VELOCITY
+from hoopgen.derive.studies import aiming
+from hoopgen.derive.studies.aiming import entry, reach, release_speed, rise, slope
 from hoopgen.generated.numpy import hoop
 from mpmath import mp, mpf
 from numpy.typing import NDArray

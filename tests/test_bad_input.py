@@ -406,7 +406,8 @@ def test_options_are_given_by_name() -> None:
 
 @pytest.fixture
 def without_library(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    monkeypatch.setattr(native, "installed", lambda: None)
+    refused = native.Refused("was not built", "install again with a C compiler")
+    monkeypatch.setattr(native, "load", lambda: refused)
     simulation._say_once.cache_clear()
     yield
     simulation._say_once.cache_clear()
@@ -450,7 +451,9 @@ def test_a_library_that_cannot_be_loaded_is_none(monkeypatch: pytest.MonkeyPatch
         raise OSError("cannot open shared object file")
 
     monkeypatch.setattr(native, "Library", broken)
-    assert native.installed.__wrapped__() is None
+    found = native.load.__wrapped__()
+    assert isinstance(found, native.Refused)
+    assert found.reason == "was not built"
 
 
 def test_a_width_that_is_not_there_is_an_error() -> None:

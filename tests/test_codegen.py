@@ -32,8 +32,25 @@ from compiled import (
     same_bits,
     setup_flags,
 )
-from hoopgen.derive.choice import IfAtMost, IfLess, hold, largest, size, smallest
-from hoopgen.derive.kernel import Kernel, kernel
+from hoopgen.derive.ground.choice import (
+    AtMost,
+    Both,
+    Choose,
+    Either,
+    Equal,
+    IfAtMost,
+    IfLess,
+    Less,
+    Not,
+    Nowhere,
+    every,
+    hold,
+    largest,
+    size,
+    smallest,
+    some,
+)
+from hoopgen.derive.ground.kernel import Kernel, kernel
 from hoopgen.derive.scenes.hoop import HOOP
 from mpmath import mp, mpf
 from test_kernels import DIGITS, EXTREMES, Evaluator, model
@@ -104,6 +121,10 @@ ZOO = {
     "nested_choices": _tree(4),
     "largest": largest(a, b, c, 0),
     "smallest": smallest(d, c, b, 1),
+    "both": Choose(every(Less(a, b), Less(b, c), AtMost(c, d)), a, d),
+    "either": Choose(some(Less(a, b), Equal(b, a), Nowhere()), c, d),
+    "complement": Choose(Not(Both(Less(a, b), Either(AtMost(b, c), Less(c, a)))), b, c),
+    "equal": IfLess(Choose(Equal(a, b), 1, 0), c, d, 2),
     "masked_root": IfLess(a, 0, b, sp.sqrt(a)),
     "shared": _SHARED**2 + _SHARED * a + sp.sqrt(size(_SHARED)),
     "shared_again": _SHARED / (1 + _SHARED**2),
@@ -541,13 +562,15 @@ def test_each_function_states_equation_and_operations(files: dict[str, str]) -> 
             files["c/hoop_kernels.h"],
         )
     }
+    called = model().loop.called
     for made in model().kernels:
         document = ast.get_docstring(functions[made.name])
         assert document is not None
-        for text in (document, comments[made.name]):
+        for text in (document, comments.get(made.name, document)):
             assert made.summary in text
             assert made.equation
             assert f"{made.equation}. " in text
-        assert stated(document) == stated(comments[made.name])
+        assert stated(document) == stated(comments.get(made.name, document))
         assert stated(document) == numpy_operations(functions[made.name])
-    assert len(functions) == len(comments) == len(model().kernels)
+    assert set(comments) == called, "C has what its loop evaluates"
+    assert set(functions) > {made.name for made in model().kernels}

@@ -7,9 +7,11 @@ from typing import Any
 import mpmath
 import pytest
 import sympy as sp
-from hoopgen.derive.events import Approach, PolynomialApproach, approach
-from hoopgen.derive.ring import WIDER
 from hoopgen.derive.scenes import HOOP
+from hoopgen.derive.search import approach
+from hoopgen.derive.search.approach import Approach
+from hoopgen.derive.search.bernstein import PolynomialApproach
+from hoopgen.derive.search.ring import WIDER
 from hoopgen.derive.surfaces import Sphere
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st

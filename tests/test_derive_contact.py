@@ -7,9 +7,8 @@ from itertools import permutations
 
 import pytest
 import sympy as sp
-from hoopgen.derive.choice import Held, hold, hold_all, largest, release
-from hoopgen.derive.frame import contact_frame, frame_from_axis
-from hoopgen.derive.impact import (
+from hoopgen.derive.contact.frame import contact_frame, frame_from_axis
+from hoopgen.derive.contact.rolling import (
     AFTER,
     BEFORE,
     INERTIA_FACTOR,
@@ -19,7 +18,8 @@ from hoopgen.derive.impact import (
     impact_system,
     impact_through_frame,
 )
-from hoopgen.derive.symbols import NORMAL, normal, spin, velocity
+from hoopgen.derive.ground.choice import Held, hold, hold_all, largest, release
+from hoopgen.derive.ground.symbols import NORMAL, normal, spin, velocity
 
 AXES = pytest.mark.parametrize("axis", [0, 1, 2], ids="xyz")
 ball_radius = sp.Symbol("ball_radius", positive=True)

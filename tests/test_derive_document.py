@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
-from hoopgen.derive.choice import IfLess, hold, largest, smallest
+from hoopgen.derive.ground.choice import IfLess, hold, largest, smallest
 from hoopgen.generated.numpy import hoop
 from sympy import symbols
 

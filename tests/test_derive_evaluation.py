@@ -20,10 +20,10 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
-from hoopgen.derive.choice import Held, IfAtMost, IfLess, hold, largest, size, smallest
-from hoopgen.derive.events import Approach
-from hoopgen.derive.kernel import Kernel
+from hoopgen.derive.ground.choice import Held, IfAtMost, IfLess, hold, largest, size, smallest
+from hoopgen.derive.ground.kernel import Kernel
 from hoopgen.derive.scenes import HOOP
+from hoopgen.derive.search.approach import Approach
 from hypothesis import strategies as st
 from mpmath import mpf
 from numpy.typing import NDArray

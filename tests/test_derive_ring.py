@@ -7,12 +7,14 @@ from itertools import pairwise
 import mpmath
 import numpy as np
 import sympy as sp
-from hoopgen.derive.choice import release
-from hoopgen.derive.events import approach, event_coefficients
-from hoopgen.derive.flight import flight
-from hoopgen.derive.ring import CONSTANTS, Ring, RingApproach
+from hoopgen.derive.flight.parabola import flight
+from hoopgen.derive.ground.choice import release
+from hoopgen.derive.ground.symbols import POSITION, VELOCITY, t
 from hoopgen.derive.scenes import HOOP
-from hoopgen.derive.symbols import POSITION, VELOCITY, t
+from hoopgen.derive.search import approach
+from hoopgen.derive.search.events import event_coefficients
+from hoopgen.derive.search.ring import CONSTANTS, RingApproach
+from hoopgen.derive.surfaces import Ring
 from hypothesis import assume, example, given, settings
 from mpmath import mpf
 from test_derive_evaluation import PARAMETERS, Path, digits, exactly, in_doubles, paths, resting

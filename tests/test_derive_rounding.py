@@ -8,10 +8,9 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from hoopgen.derive.choice import hold
-from hoopgen.derive.events import displacement, plane_arrival, plane_margin
-from hoopgen.derive.flight import flight
-from hoopgen.derive.rounding import (
+from hoopgen.derive.flight.parabola import flight
+from hoopgen.derive.ground.choice import hold
+from hoopgen.derive.ground.rounding import (
     SAFETY,
     Rounded,
     exact,
@@ -21,9 +20,11 @@ from hoopgen.derive.rounding import (
     start_rounding,
     velocity_error,
 )
+from hoopgen.derive.ground.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
 from hoopgen.derive.scenes import HOOP
+from hoopgen.derive.search.events import displacement
+from hoopgen.derive.search.plane import plane_arrival, plane_margin
 from hoopgen.derive.surfaces import Plane
-from hoopgen.derive.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from mpmath import mpf

@@ -6,17 +6,9 @@ from itertools import product
 
 import pytest
 import sympy as sp
-from hoopgen.derive import events
-from hoopgen.derive.choice import IfLess, release
-from hoopgen.derive.events import (
-    PolynomialApproach,
-    approach,
-    crossing,
-    event_coefficients,
-    plane_arrival,
-)
-from hoopgen.derive.flight import flight_polynomials
-from hoopgen.derive.polynomials import (
+from hoopgen.derive.flight.parabola import flight_polynomials
+from hoopgen.derive.ground.choice import IfLess, release
+from hoopgen.derive.ground.polynomials import (
     add,
     bernstein,
     compose,
@@ -25,9 +17,13 @@ from hoopgen.derive.polynomials import (
     multiply,
     taylor,
 )
+from hoopgen.derive.ground.symbols import POSITION, VELOCITY, t
 from hoopgen.derive.scenes import HOOP
+from hoopgen.derive.search import approach, events
+from hoopgen.derive.search.bernstein import PolynomialApproach
+from hoopgen.derive.search.events import crossing, event_coefficients
+from hoopgen.derive.search.plane import plane_arrival
 from hoopgen.derive.surfaces import Plane, Sphere
-from hoopgen.derive.symbols import POSITION, VELOCITY, t
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from mpmath import mpf

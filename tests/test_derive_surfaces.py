@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import pytest
 import sympy as sp
-from hoopgen.derive.choice import release
-from hoopgen.derive.events import deflated_coefficients, event_coefficients
-from hoopgen.derive.flight import flight, flight_polynomials
-from hoopgen.derive.polynomials import horner
-from hoopgen.derive.ring import Ring
+from hoopgen.derive.flight.parabola import flight, flight_polynomials
+from hoopgen.derive.ground.choice import release
+from hoopgen.derive.ground.polynomials import horner
+from hoopgen.derive.ground.symbols import POSITION, VELOCITY, position, t
 from hoopgen.derive.scenes import HOOP
-from hoopgen.derive.surfaces import Plane, Sphere, Surface
-from hoopgen.derive.symbols import POSITION, VELOCITY, position, t
+from hoopgen.derive.search.events import deflated_coefficients, event_coefficients
+from hoopgen.derive.surfaces import Plane, Ring, Sphere, Surface
 
 x, y, z = POSITION
 gravity = HOOP.gravity

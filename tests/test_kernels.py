@@ -14,8 +14,23 @@ import numpy as np
 import pytest
 import sympy as sp
 from compiled import ROOT, WIDTHS, CKernels, Floats, needs_compiler, same_bits
-from hoopgen.derive.choice import Held, IfAtMost, IfLess, release
-from hoopgen.derive.kernel import Kernel
+from hoopgen.derive.ground.choice import (
+    AtMost,
+    Both,
+    Choose,
+    Condition,
+    Either,
+    Equal,
+    Held,
+    IfAtMost,
+    IfLess,
+    Less,
+    Not,
+    Nowhere,
+    Truth,
+    release,
+)
+from hoopgen.derive.ground.kernel import Kernel
 from hoopgen.derive.model import Model, build
 from hoopgen.derive.scenes.hoop import HOOP
 from hoopgen.generated.numpy import hoop
@@ -32,6 +47,8 @@ RARELY_MET = {"ring_prepare": 2, "ring_nearness": 1}
 """Choices of which random rows meet one side only: windows whose pads overlap, and a flight
 through the very axis."""
 """Rows at which kernels are compared with 50 digits."""
+UNBOUNDED = ("finite_parameters", "finite_state", "opening")
+"""Kernels that ask whether their arguments are finite."""
 
 EXTREMES = [0.0, -0.0, 5e-324, -5e-324, 2.5e-308, 1e-150, -1e-150, 1e150, -1e150]
 EXTREMES += [1.7e308, -1.7e308, np.inf, -np.inf, np.nan, 1.0, -1.0, 0.1, -3.0, 1 + 2.0**-52]
@@ -91,6 +108,8 @@ class Evaluator:
         return self._known[expression]
 
     def _evaluate(self, e: sp.Basic) -> Exactly:
+        if isinstance(e, Truth):
+            return Exactly(mpf(int(bool(self._inputs[e.name]))))
         if e.is_Symbol:
             return Exactly(mpf(float(self._inputs[e.name])))
         if e.is_Number:
@@ -109,9 +128,35 @@ class Evaluator:
             return _product(parts)
         if isinstance(e, IfLess | IfAtMost):
             left, right, then, other = parts
-            self.sides[e] = _holds(isinstance(e, IfLess), left.value, right.value)
-            return _choice(self.sides[e], left, right, then, other)
+            self.sides[e] = _holds(IfLess if isinstance(e, IfLess) else IfAtMost, left, right)
+            return _choice(self.sides[e], _sure(left, right), then, other)
+        if isinstance(e, Choose):
+            condition, then, other = parts
+            self.sides[e] = condition.value == 1
+            return _choice(self.sides[e], condition.error == 0, then, other)
+        if isinstance(e, Condition):
+            return self._condition(e, parts)
         raise TypeError(type(e).__name__)
+
+    def _condition(self, e: sp.Basic, parts: list[Exactly]) -> Exactly:
+        """Return 1 where a condition holds, else 0; not sure if its error is not zero."""
+        if isinstance(e, Less | AtMost | Equal):
+            self.sides[e] = _holds(type(e), *parts)
+            sure = _sure(*parts)
+        elif isinstance(e, Nowhere):
+            return Exactly(mpf(0))
+        elif isinstance(e, Both | Either):
+            values = [part.value == 1 for part in parts]
+            decisive = isinstance(e, Either)
+            self.sides[e] = any(values) if decisive else all(values)
+            settled = any(
+                v == decisive and p.error == 0 for v, p in zip(values, parts, strict=True)
+            )
+            sure = settled or all(part.error == 0 for part in parts)
+        else:
+            self.sides[e] = isinstance(e, Not) and parts[0].value == 0
+            sure = all(part.error == 0 for part in parts)
+        return Exactly(mpf(int(self.sides[e])), mpf(0) if sure else mp.inf)
 
 
 def _number(e: sp.Number) -> Exactly:
@@ -163,18 +208,25 @@ def _power(base: Exactly, exponent: Fraction) -> Exactly:
     return Exactly(value, max(upper - abs(value), abs(value) - lower))
 
 
-def _holds(strict: bool, left: mpf, right: mpf) -> bool:
-    if mp.isnan(left) or mp.isnan(right):
+def _holds(kind: type, left: Exactly, right: Exactly) -> bool:
+    a, b = left.value, right.value
+    if mp.isnan(a) or mp.isnan(b):
         return False
-    return bool(left < right if strict else left <= right)
+    if issubclass(kind, Equal):
+        return bool(a == b)
+    return bool(a < b if issubclass(kind, Less | IfLess) else a <= b)
 
 
-def _choice(holds: bool, left: Exactly, right: Exactly, then: Exactly, other: Exactly) -> Exactly:
-    chosen, left_out = (then, other) if holds else (other, then)
+def _sure(left: Exactly, right: Exactly) -> bool:
+    """Return whether the errors of two sides leave their comparison as it is."""
     errors = left.error + right.error
     # Equal infinities are not apart; a NaN is, unless its operand's error could undo it.
     apart = 0 if left.value == right.value else abs(left.value - right.value)
-    sure = errors == 0 or (mp.isfinite(errors) and not apart <= errors)
+    return bool(errors == 0 or (mp.isfinite(errors) and not apart <= errors))
+
+
+def _choice(holds: bool, sure: bool, then: Exactly, other: Exactly) -> Exactly:
+    chosen, left_out = (then, other) if holds else (other, then)
     if sure or chosen == left_out:
         return chosen
     if not _finite(chosen, left_out):
@@ -248,8 +300,9 @@ def random_columns(seed: int, rows: int) -> dict[str, Floats]:
     columns |= zip(("nx", "ny", "nz"), normal / np.linalg.norm(normal, axis=0), strict=True)
     columns |= _asked(seed, rows)
     columns["leaving"] = rng.choice([0.0, 1.0], rows)
-    columns["last"] = rng.integers(-1, len(hoop.SURFACES), rows).astype(float)
+    columns["last"] = rng.integers(-1, len(hoop.BODIES) + 1, rows).astype(float)
     columns["rate"] = rng.normal(-2, 2, rows)
+    columns["rate"][::9] = 0.0
     erring = 10 ** rng.uniform(-20, -12, rows)
     for name in all_arguments():
         if re.fullmatch(r"n[123][123]|d[vwn]?[xyz]", name):
@@ -261,6 +314,7 @@ def random_columns(seed: int, rows: int) -> dict[str, Floats]:
             columns[name] = 1e-15 * rng.uniform(0, 1, rows)
         elif name in ("t", "horizon", "end", "delay", "clock"):
             columns[name] = arrival * rng.uniform(0, 1.2, rows)
+    columns |= _passed_on(rng, rows, arrival)
     columns["position_error"][3::20] = 1.0
     columns["end"] += columns["t"]
     for name in NAMES:
@@ -271,6 +325,28 @@ def random_columns(seed: int, rows: int) -> dict[str, Floats]:
         outputs = evaluate_numpy(name, columns, rows)
         for output, column in zip(hoop.OUTPUTS[name], outputs, strict=True):
             columns.setdefault(output, np.array(column))
+    return columns
+
+
+def _passed_on(rng: np.random.Generator, rows: int, arrival: Floats) -> dict[str, Floats]:
+    """Return what the event loop passes from decision to decision."""
+    truths = {a.name for k in model().kernels for a in k.arguments if isinstance(a, Truth)}
+    columns = {name: rng.choice([0.0, 1.0], rows) for name in sorted(truths)}
+    for name in ("which", "index", "first", "outcome"):
+        columns[name] = rng.integers(-1, 4, rows).astype(float)
+    for name in ("when", "time", "doubt", "arrival", "apex", "low0", "low1", "low2", "after"):
+        columns[name] = rng.choice([arrival, rng.normal(0, 1, rows), np.full(rows, np.inf)])
+        columns[name][::5] = arrival[::5]
+        columns[name][1::5] = rng.normal(0, 1, len(columns[name][1::5]))
+        columns[name][2::35] = np.inf
+    for name in ("excess", "lost", "bend", "height", "gap", "clearance", "clear", "miss", "slack"):
+        columns[name] = rng.normal(0, 1, rows)
+    for name in ("g0", "g1", "g2", "g3", "g4", "valid", "allowed"):
+        columns[name] = rng.choice([-2.0, -0.1, 0.1], rows, p=[0.5, 0.4, 0.1])
+    for name in ("claims", "share"):
+        columns[name] = rng.choice([0.0, 2.0**-45, 2.0**-30, 1.0], rows)
+    columns["height"][::7] = 0.0
+    columns["time"][::9] = 0.0
     return columns
 
 
@@ -315,7 +391,9 @@ def extreme_columns(seed: int, rows: int) -> dict[str, Floats]:
 
 @pytest.fixture(scope="module")
 def c_kernels(tmp_path_factory: pytest.TempPathFactory) -> Callable[[int], CKernels]:
-    header = (ROOT / "generated/c/hoop_kernels.h").read_text(encoding="utf-8")
+    from test_codegen import printed  # which imports this file
+
+    header = printed("c/kernels.h.j2", list(model().kernels))
     folder = tmp_path_factory.mktemp("kernels")
     return cache(lambda width: CKernels(header, model().kernels, "hoop", folder, width))
 
@@ -367,6 +445,9 @@ def test_numpy_is_as_near_to_fifty_digits_as_its_roundings_allow(name: str) -> N
     An infinite or undefined value is the same one. The bound is rigorous, so there is no factor.
     """
     columns = random_columns(1, ROWS)
+    if name in UNBOUNDED:
+        for k, argument in enumerate(arguments(getattr(hoop, name))):
+            columns[argument][3 + k] = np.inf
     kernel, outputs = derived(name), evaluate_numpy(name, columns, ROWS)
     bounds = []
     seen: dict[sp.Basic, set[bool]] = {}

@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 import sympy as sp
 from conftest import Batch
-from hoopgen.derive import measures as derived
-from hoopgen.derive.choice import IfLess
-from hoopgen.derive.choice import release as unheld
-from hoopgen.derive.flight import flight
-from hoopgen.derive.ring import Ring
+from hoopgen.derive.flight.parabola import flight
+from hoopgen.derive.ground.choice import IfLess
+from hoopgen.derive.ground.choice import release as unheld
+from hoopgen.derive.ground.symbols import POSITION, VELOCITY, t
 from hoopgen.derive.scenes.hoop import HOOP
-from hoopgen.derive.symbols import POSITION, VELOCITY, t
+from hoopgen.derive.studies import measures as derived
+from hoopgen.derive.surfaces import Ring
 from hoopgen.generated.numpy import hoop
 from mpmath import mp, mpf
 from numpy.typing import NDArray

@@ -20,10 +20,13 @@ from typing import Any
 import numpy as np
 import pytest
 from compiled import load_module
-from hoopgen.derive import frame, model, ring, sensitivity
-from hoopgen.derive.kernel import Kernel
-from hoopgen.derive.scene import Scene
+from hoopgen.derive import model
+from hoopgen.derive.contact import frame
+from hoopgen.derive.errors import tangent as sensitivity
+from hoopgen.derive.ground.kernel import Kernel
 from hoopgen.derive.scenes.hoop import HOOP
+from hoopgen.derive.scenes.scene import Scene
+from hoopgen.derive.search import ring
 from hoopgen.derive.surfaces import Surface
 from hoopgen.generated.numpy import hoop
 from numpy.typing import NDArray

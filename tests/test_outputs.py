@@ -296,7 +296,7 @@ def test_so_is_a_suffix_that_nobody_writes(command: str, tmp_path: Path, idle: N
     arguments, _ = COMMANDS[command]
     result = run(*arguments, str(tmp_path / "out.txt"))
     assert result.exit_code == 2
-    assert "out.txt ends in none of ." in result.stderr
+    assert "'out.txt' ends in none of ." in result.stderr
 
 
 def test_so_is_a_folder_of_pictures_below_a_file(tmp_path: Path, idle: None) -> None:

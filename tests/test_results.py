@@ -5,10 +5,12 @@ from __future__ import annotations
 import contextlib
 import copy
 import io
+import json
 import math
 import pickle
 import re
 import shlex
+import sys
 from collections.abc import Mapping
 from itertools import pairwise
 from pathlib import Path
@@ -23,6 +25,7 @@ from numpy.typing import NDArray
 import hoopgen
 from hoopgen import FIBA, NBA, PAPER, Outcome
 from hoopgen.cli import main
+from hoopgen.notebook import table
 
 README = Path(__file__).resolve().parents[1] / "README.md"
 EPS = float(np.finfo(np.float64).eps)
@@ -157,7 +160,147 @@ def test_outcomes_and_surfaces_are_numbered_as_documented() -> None:
 def test_shots_have_a_length_and_say_what_they_hold() -> None:
     shots = hoopgen.simulate([FIGURE_7] * 3, fields=["outcome", "time"])
     assert len(shots) == 3
-    assert repr(shots) == "Shots(3 shots: outcome, time)"
+    assert repr(shots) == "Shots(3 shots: 3 missed)"
+    assert (
+        repr(hoopgen.simulate(FIGURE_7, fields=["time", "first"])) == "Shots(1 shot: time, first)"
+    )
+    assert repr(hoopgen.simulate(np.empty((0, 9)))) == "Shots(0 shots)"
+
+
+def test_shots_count_what_became_of_them() -> None:
+    states = hoopgen.release(7.17, np.linspace(0.7, 1.0, 50_000), height=2.13, distance=4.19)
+    states[0] = np.nan
+    shots = hoopgen.simulate(states)
+    ended = [int((shots.outcome == one).sum()) for one in Outcome]
+    assert ended[0] > 100
+    assert ended[1] > 100
+    said = f"Shots(50,000 shots: {ended[0]:,} made, {ended[1]:,} missed, "
+    assert repr(shots).startswith(said)
+    assert "1 invalid" in repr(shots)
+    assert "short" not in repr(shots)
+    assert shots.uncertain.any()
+    assert repr(shots).endswith(f"; {shots.uncertain.sum():,} uncertain)")
+
+
+def test_made_is_true_for_a_made_shot_though_its_code_is_not() -> None:
+    shots = hoopgen.simulate([FIGURE_7, [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]])
+    assert shots.outcome.tolist() == [Outcome.MISSED, Outcome.MADE]
+    assert shots.made.dtype == np.bool_
+    assert shots.made.tolist() == [False, True]
+    assert not shots.outcome[1]  # the trap
+    with pytest.raises(AttributeError, match=r"^outcome: not among the fields asked for: time"):
+        _ = hoopgen.simulate(FIGURE_7, fields=["time"]).made
+
+
+def test_tab_completion_shows_the_results_that_there_are() -> None:
+    shown = set(dir(hoopgen.simulate(FIGURE_7)))
+    assert {"outcome", "made", "contacts", "counts", "first", "time", "state"} <= shown
+    assert {"uncertain", "trajectory", "parameters"} <= shown
+    assert not {"events", "time_error", "state_error"} & shown
+    assert "events" in dir(hoopgen.simulate(FIGURE_7, record=True))
+    few = hoopgen.simulate(FIGURE_7, fields=["contacts"])
+    assert not {"outcome", "made", "time"} & set(dir(few))
+    assert all(hasattr(few, name) for name in dir(few))
+
+
+def test_shots_know_the_scene_they_were_simulated_in() -> None:
+    scene = NBA | {"gravity": np.array([9.81, 1.62])}
+    shots = hoopgen.simulate([FIGURE_7] * 2, scene, record=True)
+    assert tuple(shots.parameters) == NAMES
+    assert shots.trajectory(1).parameters == dict(NBA) | {"gravity": 1.62}
+    assert shots.trajectory(-1).outcome == shots.outcome[1]
+    again = pickle.loads(pickle.dumps(shots))
+    np.testing.assert_array_equal(again.state, shots.state)
+    assert again.parameters.keys() == shots.parameters.keys()
+
+
+def test_a_trajectory_says_what_it_is() -> None:
+    shots = hoopgen.simulate(FIGURE_7, record=True)
+    assert repr(shots.trajectory(0)) == (
+        "Trajectory(1.550 s: release, ring, backboard, end; missed)"
+    )
+    swirl = [0.2286, -0.94488, -0.6096, -0.8382, 2.1336, 3.85572, 0.0, 0.0, 0.0]
+    shots = hoopgen.simulate(swirl, record=True)
+    assert "release, ring 9 times, end; missed" in repr(shots.trajectory(0))
+
+
+# ----------------------------------------------------------------------------------------- tables
+
+
+def some_shots(**options: Any) -> hoopgen.Shots:
+    states = hoopgen.release(7.17, np.linspace(0.85, 0.95, 40), height=2.13, distance=4.19)
+    states[3] = np.nan
+    return hoopgen.simulate(states, **options)
+
+
+def test_shots_are_a_table_of_pandas() -> None:
+    pytest.importorskip("pandas")
+    shots = some_shots(fields=[*hoopgen.engine.raw.FIELDS, "state_error"])
+    frame = shots.to_pandas()
+    assert len(frame) == 40
+    assert frame.index.name == "shot"
+    assert list(frame.outcome) == [Outcome(code).name.lower() for code in shots.outcome]
+    assert list(frame["first"].cat.codes) == shots.first.tolist()
+    np.testing.assert_array_equal(frame[["x", "y", "z"]], shots.state[:, :3])
+    np.testing.assert_array_equal(frame["backboard_contacts"], shots.counts[:, 1])
+    np.testing.assert_array_equal(frame["spin_error"], shots.state_error[:, 2])
+    assert frame.attrs["units"]["vx"] == "m/s"
+    assert list(some_shots(fields=["time"]).to_pandas()) == ["time"]
+
+
+def test_shots_are_a_dataset_of_xarray() -> None:
+    pytest.importorskip("xarray")
+    gravity = np.linspace(9.7, 9.9, 40)
+    dataset = some_shots(parameters=PAPER | {"gravity": gravity}).to_xarray()
+    shots = some_shots(parameters=PAPER | {"gravity": gravity})
+    assert dict(dataset.sizes) == {"shot": 40, "surface": 3, "component": 9}
+    np.testing.assert_array_equal(dataset["state"].sel(component="vz"), shots.state[:, 5])
+    np.testing.assert_array_equal(dataset["counts"].sel(surface="bridge"), shots.counts[:, 2])
+    np.testing.assert_array_equal(dataset["gravity"], gravity)
+    for name, codes in (("outcome", shots.outcome), ("first", shots.first)):
+        told = dataset[name].attrs
+        assert len(told["flag_meanings"].split()) == len(told["flag_values"])
+        assert set(codes.tolist()) <= set(told["flag_values"].tolist())
+    assert json.loads(dataset.attrs["parameters"])["restitution"] == 0.7
+
+
+def test_contacts_are_a_table_of_pandas() -> None:
+    pytest.importorskip("pandas")
+    path = hoopgen.simulate(FIGURE_7, record=True).trajectory(0)
+    frame = path.to_pandas()
+    assert list(frame.surface) == ["ring", "backboard", "end"]
+    np.testing.assert_array_equal(frame.time, path.events["time"])
+    np.testing.assert_array_equal(frame[["x", "y", "z"]], path.events["before"][:, :3])
+    np.testing.assert_array_equal(frame.after_wz, path.events["after"][:, 8])
+
+
+@pytest.mark.parametrize("missing", ["pandas", "xarray"])
+def test_a_table_that_cannot_be_made_says_what_is_missing(
+    missing: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, missing, None)
+    with pytest.raises(ImportError, match=rf"^to_{missing} needs {missing}: pip install "):
+        getattr(some_shots(), f"to_{missing}")()
+
+
+def test_notebooks_show_shots_and_contacts_as_tables() -> None:
+    shots = some_shots(record=True)
+    text = shots._repr_html_()
+    assert text.count("<tr>") == 1 + 5 + 1 + 5  # head, first ones, a gap, last ones
+    assert "<td>invalid</td>" in text
+    assert "40 shots: " in text
+    text = hoopgen.simulate(FIGURE_7, record=True).trajectory(0)._repr_html_()
+    assert text.count("<tr>") == 1 + 1 + 3
+    assert "<td>backboard</td>" in text
+    assert "<tbody></tbody>" in hoopgen.simulate(np.empty((0, 9)))._repr_html_()
+
+
+def test_words_in_a_table_are_text() -> None:
+    text = table("<b>&", ["<i>"], [["<script>alert(1)</script>"]])
+    assert "<script" not in text
+    assert "<b>" not in text
+    assert "&lt;b&gt;&amp;" in text
+    assert "<i>" not in text
 
 
 def test_what_was_not_asked_for_says_how_to_get_it() -> None:

@@ -84,9 +84,9 @@ class Engines:
 
 def room(shots: int) -> Raw:
     """Return room for all results and the event log."""
-    arrays = vars(allocate(shots, len(TABLE.surfaces), (*FIELDS, *BOUNDS)))
+    arrays = allocate(shots, len(TABLE.surfaces), (*FIELDS, *BOUNDS))
     log = allocate_events(shots, MAX_CONTACTS)
-    return Raw(**{**arrays, "events": log.events, "event_counts": log.event_counts})
+    return arrays.joined(log)
 
 
 def events(out: Raw, shot: int) -> NDArray[Any]:
@@ -113,7 +113,7 @@ def engines(tmp_path_factory: pytest.TempPathFactory) -> Engines:
 
 def state(**given: float) -> list[float]:
     """Return a state; what is not given is zero."""
-    return [given.get(name, 0.0) for name in numpy_backend.STATE]
+    return [given.get(name, 0.0) for name in raw.STATE]
 
 
 def shots(count: int, seed: int) -> NDArray[np.float64]:

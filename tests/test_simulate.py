@@ -338,6 +338,7 @@ def test_threads_do_not_change_a_bit(
     wanted = everything(simulate, some, threads=1)
     monkeypatch.setattr(simulation, "ROOM", 97 * 41)
     monkeypatch.setattr(simulation, "CHUNK", 97)
+    monkeypatch.setattr(simulation, "LEAST", 97)
     assert_same_bits(everything(simulate, some, threads=threads), wanted)
     unrecorded = simulate(some.states, some.parameters, threads=threads)
     for name in FIELDS:

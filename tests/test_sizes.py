@@ -149,11 +149,11 @@ def test_without_a_log_max_contacts_takes_no_room() -> None:
 
 
 def test_room_for_the_log_is_that_of_the_shots_at_once() -> None:
-    contacts = 10**7  # 1.8 GB a shot
-    check_log(1, contacts, threads=10**6)
-    check_log(10**6, contacts, threads=4)
-    with pytest.raises(ValueError, match=r"^max_contacts: 100,000,010 events .* 18 GB of memory"):
-        check_log(10, contacts, threads=10**6)
+    contacts = 5 * 10**7  # 8.9 GB a shot
+    check_log(1, contacts, threads=2)
+    check_log(10**6, contacts, threads=1)
+    with pytest.raises(ValueError, match=r"^max_contacts: 100,000,002 events .* 18 GB of memory"):
+        check_log(10, contacts, threads=2)
     check_log(10**6, 40, threads=100)
 
 

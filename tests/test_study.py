@@ -31,6 +31,7 @@ from hoopgen.study.toml import answers, check_study, run_study  # noqa: E402
 from hoopgen.study.toml import lines as toml_lines  # noqa: E402
 from hoopgen.study.toml.reading import StudyError, parse  # noqa: E402
 from hoopgen.study.toml.reference import reference  # noqa: E402
+from hoopgen.study.toml.report import _text as report_text  # noqa: E402
 from hoopgen.study.toml.schema import KINDS  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -455,7 +456,7 @@ WRONG = {
     "column": (
         BEGIN + "[[question]]\nkind = 'batch'\nname = 'a'\nfile = 'measured.csv'\n",
         3,
-        "question #1: variables: missing height, distance. The columns are player, speed_mph",
+        "measured.csv: variables: missing height, distance. The columns are player, speed_mph",
     ),
     "no file": (
         BEGIN + HERE + ASKED + "[question.releases]\nfile = 'other.csv'\n",
@@ -705,6 +706,41 @@ def test_the_report_lists_what_was_asked_and_every_answer(whole: Path) -> None:
     assert all((whole / link).is_file() for link in links)
     files = {name.partition("/")[0] + "/" + name.partition("/")[2] for name in contents(whole)}
     assert {name for name in files if not name.endswith("/")} <= {*links, "report.md"}
+
+
+def test_a_report_holds_titles_as_text_and_a_description_as_markdown(tmp_path: Path) -> None:
+    head = HEAD.replace(
+        'name = "Free throws"',
+        'name = "<b>Free</b> *throws*"\n'
+        'description = "See <https://a.b/c>, *all* of <img src=x onerror=alert(1)>, 1 < 2"',
+    )
+    title = r"<script>alert(1)</script> | [a](b) `c` $d$ # e"
+    text = f'{head}{ESTIMATE}title = "{title}"\n'
+    run_study(written(tmp_path, text))
+    report = (tmp_path / "study-results" / "report.md").read_text(encoding="utf-8")
+    lines = report.splitlines()
+    assert lines[0] == r"# &lt;b&gt;Free&lt;/b&gt; \*throws\*"
+    assert lines[2] == "See <https://a.b/c>, *all* of &lt;img src=x onerror=alert(1)>, 1 < 2"
+    said = r"&lt;script&gt;alert(1)&lt;/script&gt; \| \[a\](b) \`c\` \$d\$ \# e"
+    assert f"## {said}" in lines
+    assert sum(line.startswith(f"| [{said}](#probability) | ") for line in lines) == 1
+    assert not re.findall(r"<(?!a id=|/a>|https:)\w", report)
+    assert report_text("one\r# two\x1b[31m") == r"one \# two\[31m"
+
+
+def test_the_report_holds_errors_as_text(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    lost = "[[question]]\nkind = 'optimum'\nname = 'lost'\nshots = 100\nover.elevation = {}\n"
+    file = written(tmp_path, HEAD + lost.format("['1 deg', '2 deg']") + ESTIMATE)
+    monkeypatch.setattr(answers, "optimum", _fails)
+    with pytest.raises(ExceptionGroup):
+        run_study(file)
+    report = (tmp_path / "study-results" / "report.md").read_text(encoding="utf-8")
+    assert r"| not answered: &lt;b&gt; \| \*x\* |" in report
+    assert "Not answered: &lt;b&gt; \\| \\*x\\*\n" in report
+
+
+def _fails(*_: Any, **__: Any) -> None:
+    raise ValueError("<b> |\n*x*")
 
 
 def test_the_folder_has_the_file_as_it_was_and_the_versions(whole: Path) -> None:

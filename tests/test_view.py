@@ -153,7 +153,7 @@ def test_parameters_by_shot_go_with_the_shot() -> None:
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"path": "shot.txt"}, r"shot\.txt ends in none of \.html, \.htm"),
+        ({"path": "shot.txt"}, r"'shot\.txt' ends in none of \.html, \.htm"),
         ({"labels": ["one"]}, "labels: expected 2"),
         ({"labels": "ab"}, "labels: expected 2"),
         ({"parameters": {}}, "parameters: missing"),

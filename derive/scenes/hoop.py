@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..ring import Ring
-from ..scene import Scene, parameter
-from ..surfaces import Plane
-from ..symbols import POSITION
+from ..contact.rolling import Rolling
+from ..ground.symbols import POSITION
+from ..surfaces import Plane, Ring, body
+from .scene import Scene, parameter
 
 _PARAMETERS = (
     parameter("ball_radius", "m", "R_B, radius of the ball", 0.12128),
@@ -36,35 +36,38 @@ def _hoop() -> Scene:
     board = by_name["board_distance"]
     rho = sp.sqrt(x**2 + y**2)
     half_width, half_bridge = by_name["board_half_width"], by_name["bridge_half_width"]
+    law = Rolling("impact", by_name["restitution"])
     return Scene(
         name="hoop",
         parameters=_PARAMETERS,
-        surfaces=(
-            Ring("ring", ring_radius, reach),
-            Plane(
-                "backboard",
-                direction=(1, 0, 0),
-                offset=ball_radius - board,
-                reach=ball_radius,
-                limits=(
-                    -y - half_width,
-                    y - half_width,
-                    by_name["board_bottom"] - z,
-                    z - by_name["board_top"],
+        bodies=tuple(
+            body(face, law)
+            for face in (
+                Ring("ring", ring_radius, reach),
+                Plane(
+                    "backboard",
+                    direction=(1, 0, 0),
+                    offset=ball_radius - board,
+                    reach=ball_radius,
+                    limits=(
+                        -y - half_width,
+                        y - half_width,
+                        by_name["board_bottom"] - z,
+                        z - by_name["board_top"],
+                    ),
                 ),
-            ),
-            Plane(
-                "bridge",
-                direction=(0, 0, 1),
-                offset=reach,
-                reach=reach,
-                limits=(-y - half_bridge, y - half_bridge, ring_radius - rho, x, -board - x),
-            ),
+                Plane(
+                    "bridge",
+                    direction=(0, 0, 1),
+                    offset=reach,
+                    reach=reach,
+                    limits=(-y - half_bridge, y - half_bridge, ring_radius - rho, x, -board - x),
+                ),
+            )
         ),
         finish=Plane("end", direction=(0, 0, 1), offset=-by_name["end_depth"], reach=sp.Integer(0)),
         target=rho - ring_radius,
         ball_radius=ball_radius,
-        restitution=by_name["restitution"],
         gravity=by_name["gravity"],
         requirements=(ring_radius - reach,),
     )

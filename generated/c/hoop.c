@@ -1,6 +1,6 @@
 /* hoop: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene hoop, derivation 604c640efcccdbbc,
+   Generated from templates/c/scene.c.j2, scene hoop, derivation 6070df632d9c93b8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 
@@ -10,12 +10,52 @@
 #include <math.h>
 #include <string.h>
 
-#if FLT_EVAL_METHOD != 0
+/* Results are the same bits everywhere because every operation is done as it is written. Most of what
+   flags can do to that the compiler admits to here; what it does not, hoop_exact.h finds. */
+#if FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD > 64
 #error "doubles must be evaluated in double precision (on 32-bit x86: -msse2 -mfpmath=sse)"
 #endif
-#ifdef __FAST_MATH__
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
 #error "fast-math changes results: compile without it"
 #endif
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "NaN must be told from numbers: compile without -ffinite-math-only"
+#endif
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "operations must not be rearranged: compile without -funsafe-math-optimizations"
+#endif
+#ifdef __NO_SIGNED_ZEROS__
+#error "zeros have a sign: compile without -fno-signed-zeros"
+#endif
+_Static_assert(sizeof 0.1 == sizeof(double), "compile without -fsingle-precision-constant");
+
+/* a*b + c is two operations. -ffp-contract=off says so to GCC and Clang; without it, this does, but
+   for Clang under -ffp-contract=fast. */
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#elif defined(__GNUC__)
+#pragma GCC optimize("fp-contract=off")
+#elif defined(_MSC_VER)
+#pragma fp_contract(off)
+#endif
+
+/* The widest vectors that are compiled. A build may ask for fewer, which take less time. */
+#ifndef HOOP_WIDEST
+#if defined(__GNUC__) && defined(__x86_64__)
+#define HOOP_WIDEST 8
+#elif defined(__GNUC__)
+#define HOOP_WIDEST 2
+#else
+#define HOOP_WIDEST 1
+#endif
+#endif
+
+/* What the build says of the sources: a word. */
+#ifndef HOOP_SOURCES
+#define HOOP_SOURCES unknown
+#endif
+#define TEXT_(word) #word
+#define TEXT(word) TEXT_(word)
 
 /* What the widths share: where shots come from and where their results go. */
 typedef struct {
@@ -36,13 +76,18 @@ typedef struct {
 
 #if defined(__GNUC__)
 #define LANES_INLINE static inline __attribute__((always_inline))
+#else
+#define LANES_INLINE static inline
+#endif
 
+#if HOOP_WIDEST >= 2
 #define LANES_WIDTH 2
+#include "hoop_exact.h"
 #include "hoop_engine.h"
 #undef LANES_WIDTH
+#endif
 
-#if defined(__x86_64__)
-
+#if HOOP_WIDEST >= 4
 #ifdef __clang__
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
 #else
@@ -50,17 +95,25 @@ typedef struct {
 #pragma GCC target("avx2")
 #endif
 #define LANES_WIDTH 4
+#include "hoop_exact.h"
 #include "hoop_engine.h"
 #undef LANES_WIDTH
 #ifdef __clang__
 #pragma clang attribute pop
-#pragma clang attribute push(__attribute__((target("avx512f,avx512dq,avx512vl"))), apply_to = function)
 #else
 #pragma GCC pop_options
+#endif
+#endif
+
+#if HOOP_WIDEST >= 8
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx512f,avx512dq,avx512vl"))), apply_to = function)
+#else
 #pragma GCC push_options
 #pragma GCC target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")
 #endif
 #define LANES_WIDTH 8
+#include "hoop_exact.h"
 #include "hoop_engine.h"
 #undef LANES_WIDTH
 #ifdef __clang__
@@ -68,31 +121,28 @@ typedef struct {
 #else
 #pragma GCC pop_options
 #endif
-
-#endif
-#else
-#define LANES_INLINE static inline
 #endif
 
 #define LANES_WIDTH 1
+#include "hoop_exact.h"
 #include "hoop_engine.h"
 #undef LANES_WIDTH
 
 static int widest(void)
 {
-#if defined(__GNUC__) && defined(__x86_64__)
+#if HOOP_WIDEST >= 8
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512vl"))
         return 8;
+#endif
+#if HOOP_WIDEST >= 4
     if (__builtin_cpu_supports("avx2"))
         return 4;
 #endif
-#if defined(__GNUC__)
-    return 2;
-#else
-    return 1;
-#endif
+    return HOOP_WIDEST < 2 ? 1 : 2;
 }
+
+const char *hoop_sources(void) { return TEXT(HOOP_SOURCES); }
 
 int hoop_simulate(size_t shots, const double *states, const double *const *parameters,
                   const int64_t *strides, const int8_t *leaving, int32_t max_contacts, int width,
@@ -106,22 +156,22 @@ int hoop_simulate(size_t shots, const double *states, const double *const *param
         width = most;
     if (width > most || max_contacts < 1)
         return -1;
+#define RUN(width) \
+    case width: \
+        if (!hoop_exact_w##width()) \
+            return -2; \
+        hoop_run_w##width(&job); \
+        return width;
     switch (width) {
-    case 1:
-        hoop_run_w1(&job);
-        return width;
-#if defined(__GNUC__)
-    case 2:
-        hoop_run_w2(&job);
-        return width;
-#if defined(__x86_64__)
-    case 4:
-        hoop_run_w4(&job);
-        return width;
-    case 8:
-        hoop_run_w8(&job);
-        return width;
+        RUN(1)
+#if HOOP_WIDEST >= 2
+        RUN(2)
 #endif
+#if HOOP_WIDEST >= 4
+        RUN(4)
+#endif
+#if HOOP_WIDEST >= 8
+        RUN(8)
 #endif
     default:
         return -1;

@@ -1,11 +1,12 @@
 /* hoop: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene hoop, derivation 604c640efcccdbbc,
+   Generated from templates/c/scene.h.j2, scene hoop, derivation 6070df632d9c93b8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
-   Plain C11, no dependencies but sqrt. Compile hoop.c, next to which this file and the kernels
+   Plain C11, no dependencies but sqrt. Compile hoop.c, next to which this and the other files
    stand, with contraction of a*b + c off (-ffp-contract=off) and without fast-math: results are
-   then the same bits for every width, compiler and target. SI units, radians. */
+   then the same bits for every width, compiler and target. Where flags, or the process's rounding
+   mode, stand against that, it does not compile, or nothing runs. SI units, radians. */
 
 #ifndef HOOPGEN_HOOP_H
 #define HOOPGEN_HOOP_H
@@ -54,11 +55,11 @@ enum {
 };
 
 enum {
-    HOOP_MADE = 0,   /* crossed the end plane downwards inside the target */
-    HOOP_MISSED = 1, /* crossed it outside */
-    HOOP_CAPPED = 2, /* had max_contacts contacts before it */
-    HOOP_SHORT = 3,  /* can never cross it */
-    HOOP_INVALID = 4 /* not finite, a parameter not allowed, or inside a surface */
+    HOOP_MADE = 0, /* Crossed the end plane downwards inside the target. */
+    HOOP_MISSED = 1, /* Crossed it outside. */
+    HOOP_CAPPED = 2, /* Had max_contacts contacts before it. */
+    HOOP_SHORT = 3, /* Can never cross it downwards. */
+    HOOP_INVALID = 4 /* Not finite, a parameter not allowed, or a ball that starts inside a surface. */
 };
 
 /* One row of the event log; the crossing of the end plane is a row. */
@@ -72,15 +73,15 @@ typedef struct {
 
 /* Where the results go, by shot; what is NULL is not written. */
 typedef struct {
-    uint8_t *outcome;
-    int32_t *contacts;       /* before the end */
-    int32_t *counts;         /* [shot][surface] */
-    int8_t *first;           /* first surface touched, -1: none */
-    double *time;            /* at the end plane; capped or short: at the last contact */
-    double *state;           /* [shot][HOOP_STATE], then */
-    double *time_error;      /* bound on the error of `time` */
-    double *state_error;     /* [shot][3], of each component of position, velocity and spin */
-    uint8_t *uncertain;      /* 1: a decision lies within its rounding-error bound */
+    uint8_t *outcome; /* how it ended */
+    int32_t *contacts; /* contacts before the end */
+    int32_t *counts; /* [shot][3], contacts with each body */
+    int8_t *first; /* first body touched, -1: none */
+    double *time; /* s, at the end plane; capped or short: at the last contact */
+    double *state; /* [shot][9], then */
+    double *time_error; /* bound on the error of time */
+    double *state_error; /* [shot][3], bounds on the errors of each component of position, velocity and spin */
+    uint8_t *uncertain; /* a decision lies within its rounding-error bound */
     hoop_event *events;   /* [shot][max_contacts + 1] */
     int32_t *event_counts;   /* rows of `events` used, by shot */
 } hoop_results;
@@ -95,11 +96,16 @@ typedef struct {
    width        vector lanes: 1, 2, 4 or 8; 0 for the widest that this processor has
    stop         NULL, or a flag: when it becomes nonzero, the run ends, its results unfinished
 
-   Returns the width that was used, or -1 if that width is not there. */
+   Returns the width that was used; or, with nothing run, -1 if that width is not there, -2 if
+   doubles are not computed as IEEE 754 says: flags of the compiler (-ffp-contract=fast, parts of
+   fast-math), or this thread rounds otherwise than to nearest or makes subnormals zero. */
 HOOPGEN_API int hoop_simulate(size_t shots, const double *states,
                               const double *const *parameters, const int64_t *strides,
                               const int8_t *leaving, int32_t max_contacts, int width, const volatile int32_t *stop,
                               const hoop_results *results);
+
+/* The word for its sources that the build gave as HOOP_SOURCES, else "unknown". */
+HOOPGEN_API const char *hoop_sources(void);
 
 #ifdef __cplusplus
 }

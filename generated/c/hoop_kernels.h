@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 604c640efcccdbbc,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 6070df632d9c93b8,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -12,7 +12,12 @@
 /* Position and velocity at time t of a flight.
    Eq. 3. 11 operations: 3 additions, 2 subtractions, 6 multiplications. */
 typedef struct {
-    V x, y, z, vx, vy, vz;
+    V x;
+    V y;
+    V z;
+    V vx;
+    V vy;
+    V vz;
 } LANES(hoop_flight_out);
 
 LANES_INLINE LANES(hoop_flight_out)
@@ -21,88 +26,11 @@ LANES(hoop_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V gravity)
     return (LANES(hoop_flight_out)){ x + (t * vx), y + (t * vy), z + (t * (vz - ((K(0.5) * gravity) * t))), vx, vy, vz - (gravity * t) };
 }
 
-/* The contact frame R = [n1 n2 n3] of a unit normal.
-   Eqs. 7-10, Eq. 7 with the smallest component. 72 operations: 6 additions, 3 subtractions, 18 multiplications, 12 divisions, 3 square roots, 9 negations, 3 comparisons, 18 selections. */
-typedef struct {
-    V n11, n12, n13, n21, n22, n23, n31, n32, n33;
-} LANES(hoop_contact_frame_out);
-
-LANES_INLINE LANES(hoop_contact_frame_out)
-LANES(hoop_contact_frame)(V nx, V ny, V nz)
-{
-    const V s0 = nx * nx;
-    const V s1 = ny * ny;
-    const V s2 = nz * nz;
-    const V s3 = lanes_sqrt((K(1.0) - s0));
-    const V s4 = lanes_sqrt((K(1.0) - s1));
-    const V s5 = nx * ny;
-    const V s6 = lanes_sqrt((K(1.0) - s2));
-    const V s7 = nx * nz;
-    const M s8 = s1 <= s2;
-    const V s9 = lanes_select(s8, (-(s5 / s4)), (-(s7 / s6)));
-    const M s10 = s0 <= s2;
-    const M s11 = s0 <= s1;
-    const V s12 = lanes_select(s8, (-((nz * s4) + ((s1 * nz) / s4))), ((ny * s6) + ((ny * s2) / s6)));
-    const V s13 = ny * nz;
-    const V s14 = lanes_select(s8, s4, (-(s13 / s6)));
-    const V s15 = lanes_select(s8, K(0.0), (-((nx * s6) + ((nx * s2) / s6))));
-    const V s16 = lanes_select(s8, (-(s13 / s4)), s6);
-    const V s17 = lanes_select(s8, ((nx * s4) + ((nx * s1) / s4)), K(0.0));
-    const V s18 = lanes_select(s11, lanes_select(s10, (-((ny * s3) + ((s0 * ny) / s3))), s17), s17);
-    return (LANES(hoop_contact_frame_out)){ lanes_select(s11, lanes_select(s10, s3, s9), s9), lanes_select(s11, lanes_select(s10, K(0.0), s12), s12), nx, lanes_select(s11, lanes_select(s10, (-(s5 / s3)), s14), s14), lanes_select(s11, lanes_select(s10, ((nz * s3) + ((s0 * nz) / s3)), s15), s15), ny, lanes_select(s11, lanes_select(s10, (-(s7 / s3)), s16), s16), s18, nz };
-}
-
-/* Velocity and spin after a contact, through the contact frame.
-   Eqs. 11-17 by the closed-form inverse. 96 operations: 21 additions, 11 subtractions, 57 multiplications, 6 divisions, 1 negation. */
-typedef struct {
-    V vx, vy, vz, wx, wy, wz;
-} LANES(hoop_impact_through_frame_out);
-
-LANES_INLINE LANES(hoop_impact_through_frame_out)
-LANES(hoop_impact_through_frame)(V vx, V vy, V vz, V wx, V wy, V wz, V n11, V n12, V n13, V n21, V n22, V n23, V n31, V n32, V n33, V ball_radius, V restitution)
-{
-    const V s0 = ((n12 * wx) + (n22 * wy)) + (n32 * wz);
-    const V s1 = K(0.4) * ball_radius;
-    const V s2 = K(0.6) * n11;
-    const V s3 = K(0.6) * n21;
-    const V s4 = K(0.6) * n31;
-    const V s5 = (((s1 * s0) + (s2 * vx)) + (s3 * vy)) + (s4 * vz);
-    const V s6 = K(0.6) * n12;
-    const V s7 = K(0.6) * n22;
-    const V s8 = K(0.6) * n32;
-    const V s9 = ((n11 * wx) + (n21 * wy)) + (n31 * wz);
-    const V s10 = (((s6 * vx) + (s7 * vy)) + (s8 * vz)) - (s1 * s9);
-    const V s11 = ((n13 * vx) + (n23 * vy)) + (n33 * vz);
-    const V s12 = ((n13 * wx) + (n23 * wy)) + (n33 * wz);
-    const V s13 = K(0.6666666666666666) * ball_radius;
-    const V s14 = (((n12 * vx) + (n22 * vy)) + (n32 * vz)) - (s13 * s9);
-    const V s15 = -((((s13 * s0) + (n11 * vx)) + (n21 * vy)) + (n31 * vz));
-    return (LANES(hoop_impact_through_frame_out)){ ((n11 * s5) + (n12 * s10)) - ((n13 * restitution) * s11), ((n21 * s5) + (n22 * s10)) - ((n23 * restitution) * s11), ((n31 * s5) + (n32 * s10)) - ((n33 * restitution) * s11), ((n13 * s12) - ((s2 * s14) / ball_radius)) - ((s6 * s15) / ball_radius), ((n23 * s12) - ((s3 * s14) / ball_radius)) - ((s7 * s15) / ball_radius), ((n33 * s12) - ((s4 * s14) / ball_radius)) - ((s8 * s15) / ball_radius) };
-}
-
-/* Velocity and spin after a contact, frame-free.
-   Eqs. 11-17, the frame eliminated. 63 operations: 10 additions, 12 subtractions, 40 multiplications, 1 division. */
-typedef struct {
-    V vx, vy, vz, wx, wy, wz;
-} LANES(hoop_impact_out);
-
-LANES_INLINE LANES(hoop_impact_out)
-LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V ball_radius, V restitution)
-{
-    const V s0 = K(0.4) * ball_radius;
-    const V s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
-    const V s2 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
-    const V s3 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
-    const V s4 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
-    const V s5 = ((nx * wx) + (ny * wy)) + (nz * wz);
-    const V s6 = K(1.0) / ball_radius;
-    return (LANES(hoop_impact_out)){ s2 - ((nx * restitution) * s1), s3 - ((ny * restitution) * s1), s4 - ((nz * restitution) * s1), (nx * s5) + (s6 * ((ny * s4) - (nz * s3))), (ny * s5) + (s6 * ((nz * s2) - (nx * s4))), (nz * s5) + (s6 * ((nx * s3) - (ny * s2))) };
-}
-
 /* Positive clearance if a crossing is certain, and the bound on its delay.
    Taylor's theorem with the margins of the gap and its rate. 11 operations: 1 addition, 1 subtraction, 4 multiplications, 1 division, 1 negation, 1 comparison, 2 selections. */
 typedef struct {
-    V clearance, delay;
+    V clearance;
+    V delay;
 } LANES(hoop_crossing_out);
 
 LANES_INLINE LANES(hoop_crossing_out)
@@ -116,7 +44,9 @@ LANES(hoop_crossing)(V margin, V rate_margin, V rate, V ceiling)
 /* Errors of a state that a search allows for, and by how much the errors exceed them.
    a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection. */
 typedef struct {
-    V level, velocity_level, excess;
+    V level;
+    V velocity_level;
+    V excess;
 } LANES(hoop_allowance_out);
 
 LANES_INLINE LANES(hoop_allowance_out)
@@ -133,7 +63,8 @@ LANES(hoop_allowance)(V share, V horizon, V extent, V speed, V position_error, V
 /* A time after which no event is wanted, and how long that is after t.
    the earliest arrival, with room for its delay. 5 operations: 2 additions, 2 multiplications, 1 division. */
 typedef struct {
-    V horizon, pad;
+    V horizon;
+    V pad;
 } LANES(hoop_horizon_out);
 
 LANES_INLINE LANES(hoop_horizon_out)
@@ -146,7 +77,9 @@ LANES(hoop_horizon)(V t, V speed, V gravity)
 /* Sums of the sizes of the coordinates and of the velocities; excess over the largest.
    what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
-    V extent, speed, excess;
+    V extent;
+    V speed;
+    V excess;
 } LANES(hoop_scale_out);
 
 LANES_INLINE LANES(hoop_scale_out)
@@ -186,7 +119,14 @@ LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error
 /* Errors of a state at the end of a flight to a surface, from those at its start.
    derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections. */
 typedef struct {
-    V dx, dy, dz, dvx, dvy, dvz, delay, shift;
+    V dx;
+    V dy;
+    V dz;
+    V dvx;
+    V dvy;
+    V dvz;
+    V delay;
+    V shift;
 } LANES(hoop_carry_flight_out);
 
 LANES_INLINE LANES(hoop_carry_flight_out)
@@ -232,66 +172,13 @@ LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz,
     return (LANES(hoop_carry_flight_out)){ lanes_select((lanes_abs(s15) < s31), lanes_select((s15 < K(0.0)), s32, s31), s15), lanes_select((lanes_abs(s33) < s31), lanes_select((s33 < K(0.0)), s32, s31), s33), lanes_select((lanes_abs(s34) < s31), lanes_select((s34 < K(0.0)), s32, s31), s34), dvx, dvy, dvz - (gravity * s14), (K(4.440892098500626e-16) * (clock + t)) + lanes_select((s35 < s36), s36, s35), s30 };
 }
 
-/* Errors of velocity and spin after a contact, from those before it.
-   derivative of the frame-free Eq. 17, with roundings. 243 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections. */
-typedef struct {
-    V dvx, dvy, dvz, dwx, dwy, dwz;
-} LANES(hoop_carry_impact_out);
-
-LANES_INLINE LANES(hoop_carry_impact_out)
-LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V ball_radius, V restitution)
-{
-    const V s0 = K(0.4) * ball_radius;
-    const V s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
-    const V s2 = (((((dnx * vx) + (dny * vy)) + (dnz * vz)) + (dvx * nx)) + (dvy * ny)) + (dvz * nz);
-    const V s3 = (s0 * ((((dnz * wy) + (dwy * nz)) - (dny * wz)) - (dwz * ny))) + (K(0.6) * ((dvx - (dnx * s1)) - (nx * s2)));
-    const V s4 = (s3 - ((dnx * restitution) * s1)) - ((nx * restitution) * s2);
-    const V s5 = ((ball_radius * ((lanes_abs(wx) + lanes_abs(wy)) + lanes_abs(wz))) + lanes_abs(vx)) + lanes_abs(vy);
-    const V s6 = s5 + lanes_abs(vz);
-    const V s7 = K(2.220446049250313e-16) * s6;
-    const V s8 = -s7;
-    const V s9 = s4 + lanes_select((s4 < K(0.0)), s8, s7);
-    const V s10 = K(8.0) + (K(8.0) * contacts);
-    const V s11 = lanes_abs(dwx);
-    const V s12 = lanes_abs(dwy);
-    const V s13 = lanes_select((s11 < s12), s12, s11);
-    const V s14 = lanes_abs(dwz);
-    const V s15 = lanes_abs(dvx);
-    const V s16 = lanes_abs(dvy);
-    const V s17 = lanes_select((s15 < s16), s16, s15);
-    const V s18 = lanes_abs(dvz);
-    const V s19 = ((ball_radius * lanes_select((s13 < s14), s14, s13)) + (turn * s6)) + lanes_select((s17 < s18), s18, s17);
-    const V s20 = s19 / s10;
-    const V s21 = -s20;
-    const V s22 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (K(0.6) * ((dvy - (dny * s1)) - (ny * s2)));
-    const V s23 = (s22 - ((dny * restitution) * s1)) - ((ny * restitution) * s2);
-    const V s24 = s23 + lanes_select((s23 < K(0.0)), s8, s7);
-    const V s25 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (K(0.6) * ((dvz - (dnz * s1)) - (nz * s2)));
-    const V s26 = (s25 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2);
-    const V s27 = s26 + lanes_select((s26 < K(0.0)), s8, s7);
-    const V s28 = ((nx * wx) + (ny * wy)) + (nz * wz);
-    const V s29 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz);
-    const V s30 = K(1.0) / ball_radius;
-    const V s31 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
-    const V s32 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
-    const V s33 = ((dnx * s28) + (nx * s29)) + (s30 * ((((dny * s31) + (ny * s25)) - (dnz * s32)) - (nz * s22)));
-    const V s34 = s7 / ball_radius;
-    const V s35 = -s34;
-    const V s36 = s33 + lanes_select((s33 < K(0.0)), s35, s34);
-    const V s37 = s19 / (ball_radius * s10);
-    const V s38 = -s37;
-    const V s39 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
-    const V s40 = ((dny * s28) + (ny * s29)) + (s30 * ((((dnz * s39) + (nz * s3)) - (dnx * s31)) - (nx * s25)));
-    const V s41 = s40 + lanes_select((s40 < K(0.0)), s35, s34);
-    const V s42 = ((dnz * s28) + (nz * s29)) + (s30 * ((((dnx * s32) + (nx * s22)) - (dny * s39)) - (ny * s3)));
-    const V s43 = s42 + lanes_select((s42 < K(0.0)), s35, s34);
-    return (LANES(hoop_carry_impact_out)){ lanes_select((lanes_abs(s9) < s20), lanes_select((s9 < K(0.0)), s21, s20), s9), lanes_select((lanes_abs(s24) < s20), lanes_select((s24 < K(0.0)), s21, s20), s24), lanes_select((lanes_abs(s27) < s20), lanes_select((s27 < K(0.0)), s21, s20), s27), lanes_select((lanes_abs(s36) < s37), lanes_select((s36 < K(0.0)), s38, s37), s36), lanes_select((lanes_abs(s41) < s37), lanes_select((s41 < K(0.0)), s38, s37), s41), lanes_select((lanes_abs(s43) < s37), lanes_select((s43 < K(0.0)), s38, s37), s43) };
-}
-
 /* Bounds on the errors of a state and its time that decisions allow for.
    the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
-    V position_error, velocity_error, spin_error, time_error;
+    V position_error;
+    V velocity_error;
+    V spin_error;
+    V time_error;
 } LANES(hoop_error_bounds_out);
 
 LANES_INLINE LANES(hoop_error_bounds_out)
@@ -315,7 +202,10 @@ LANES(hoop_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V
 /* Bounds on the errors of a state and its time that a shot claims.
    the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
-    V position_error, velocity_error, spin_error, time_error;
+    V position_error;
+    V velocity_error;
+    V spin_error;
+    V time_error;
 } LANES(hoop_claimed_errors_out);
 
 LANES_INLINE LANES(hoop_claimed_errors_out)
@@ -350,10 +240,25 @@ LANES(hoop_allowed)(V ball_radius, V ring_radius, V wire_radius, V board_distanc
     return (LANES(hoop_allowed_out)){ lanes_select((K(0.0) < end_depth), lanes_select((K(0.0) < gravity), lanes_select((restitution <= K(1.0)), s1, K(0.0)), K(0.0)), K(0.0)) };
 }
 
+/* Where the parameters are finite and allowed.
+   IEEE 754. 34 operations: 11 absolute values, 12 comparisons, 11 conjunctions. */
+typedef struct {
+    M permitted;
+} LANES(hoop_finite_parameters_out);
+
+LANES_INLINE LANES(hoop_finite_parameters_out)
+LANES(hoop_finite_parameters)(V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V restitution, V gravity, V end_depth, V allowed)
+{
+    const M s0 = ((((K(0.0) < allowed) & (lanes_abs(ball_radius) < K(INFINITY))) & (lanes_abs(ring_radius) < K(INFINITY))) & (lanes_abs(wire_radius) < K(INFINITY))) & (lanes_abs(board_distance) < K(INFINITY));
+    const M s1 = (((s0 & (lanes_abs(board_half_width) < K(INFINITY))) & (lanes_abs(board_bottom) < K(INFINITY))) & (lanes_abs(board_top) < K(INFINITY))) & (lanes_abs(bridge_half_width) < K(INFINITY));
+    return (LANES(hoop_finite_parameters_out)){ ((s1 & (lanes_abs(restitution) < K(INFINITY))) & (lanes_abs(gravity) < K(INFINITY))) & (lanes_abs(end_depth) < K(INFINITY)) };
+}
+
 /* 1 where no surface is overlapped; 1 where that is in doubt.
    Table 2. 111 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 23 selections. */
 typedef struct {
-    V valid, doubt;
+    V valid;
+    V doubt;
 } LANES(hoop_valid_out);
 
 LANES_INLINE LANES(hoop_valid_out)
@@ -413,62 +318,615 @@ LANES(hoop_target)(V x, V y, V ring_radius)
     return (LANES(hoop_target_out)){ lanes_sqrt(((x * x) + (y * y))) - ring_radius };
 }
 
-/* Coefficients in time of the event polynomial, constant first.
-   Eq. 3 in Table 2. 64 operations: 12 additions, 8 subtractions, 43 multiplications, 1 negation. */
+/* 1 where the ball leaves a surface.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
 typedef struct {
-    V c0, c1, c2, c3, c4, c5, c6, c7, c8;
-} LANES(hoop_ring_coefficients_out);
+    V leaving;
+} LANES(hoop_left_out);
 
-LANES_INLINE LANES(hoop_ring_coefficients_out)
-LANES(hoop_ring_coefficients)(V x, V y, V z, V vx, V vy, V vz, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES_INLINE LANES(hoop_left_out)
+LANES(hoop_left)(V index, V last)
 {
-    const V s0 = ring_radius * ring_radius;
-    const V s1 = x * x;
-    const V s2 = y * y;
-    const V s3 = ball_radius + wire_radius;
-    const V s4 = (((s0 + s1) + s2) + (z * z)) - (s3 * s3);
-    const V s5 = K(4.0) * s0;
-    const V s6 = ((K(2.0) * vx) * x) + ((K(2.0) * vy) * y);
-    const V s7 = s6 + ((K(2.0) * vz) * z);
-    const V s8 = K(2.0) * s7;
-    const V s9 = (vx * vx) + (vy * vy);
-    const V s10 = vz * vz;
-    const V s11 = (s9 + s10) - (gravity * z);
-    const V s12 = (K(2.0) * gravity) * vz;
-    const V s13 = gravity * gravity;
-    const V s14 = K(0.5) * s13;
-    return (LANES(hoop_ring_coefficients_out)){ (s4 * s4) - (s5 * (s1 + s2)), (s8 * s4) - (s5 * s6), (((K(2.0) * s11) * s4) + (s7 * s7)) - (s5 * s9), (s8 * s11) - (s12 * s4), ((s14 * s4) + (s11 * s11)) - (s12 * s7), (s14 * s7) - (s12 * s11), (s13 * s10) + (s14 * s11), -((K(0.5) * (gravity * s13)) * vz), K(0.0625) * (s13 * s13) };
+    return (LANES(hoop_left_out)){ lanes_select((last == index), K(1.0), K(0.0)) };
 }
 
-/* Coefficients of the event polynomial over t, after a contact at t = 0.
-   Eq. 3 in Table 2, the exact root divided out. 60 operations: 11 additions, 7 subtractions, 41 multiplications, 1 negation. */
+/* Whether a plane's only arrival is one, and the size of the bend there.
+   Table 1. 12 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction. */
 typedef struct {
-    V c0, c1, c2, c3, c4, c5, c6, c7;
-} LANES(hoop_ring_deflated_out);
+    M arrives;
+    V ceiling;
+} LANES(hoop_meeting_plane_out);
 
-LANES_INLINE LANES(hoop_ring_deflated_out)
-LANES(hoop_ring_deflated)(V x, V y, V z, V vx, V vy, V vz, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES_INLINE LANES(hoop_meeting_plane_out)
+LANES(hoop_meeting_plane)(V bend, V rate, V time)
 {
-    const V s0 = ((K(2.0) * vx) * x) + ((K(2.0) * vy) * y);
-    const V s1 = s0 + ((K(2.0) * vz) * z);
-    const V s2 = ring_radius * ring_radius;
-    const V s3 = ball_radius + wire_radius;
-    const V s4 = (((s2 + (x * x)) + (y * y)) + (z * z)) - (s3 * s3);
-    const V s5 = K(2.0) * s1;
-    const V s6 = K(4.0) * s2;
-    const V s7 = (vx * vx) + (vy * vy);
-    const V s8 = vz * vz;
-    const V s9 = (s7 + s8) - (gravity * z);
-    const V s10 = (K(2.0) * gravity) * vz;
-    const V s11 = gravity * gravity;
-    const V s12 = K(0.5) * s11;
-    return (LANES(hoop_ring_deflated_out)){ (s5 * s4) - (s6 * s0), (((K(2.0) * s9) * s4) + (s1 * s1)) - (s6 * s7), (s5 * s9) - (s10 * s4), ((s12 * s4) + (s9 * s9)) - (s10 * s1), (s12 * s1) - (s10 * s9), (s11 * s8) + (s12 * s9), -((K(0.5) * (gravity * s11)) * vz), K(0.0625) * (s11 * s11) };
+    const M s0 = (((rate < K(0.0)) | (((rate <= K(0.0)) & (bend < K(0.0))) & (time == K(0.0)))) & (K(0.0) <= time)) & (time < K(INFINITY));
+    return (LANES(hoop_meeting_plane_out)){ s0, lanes_abs(bend) };
+}
+
+/* Whether an arrival may be the earliest, as far as their delays are bounded.
+   Table 1. 5 operations: 1 addition, 1 subtraction, 1 comparison, 1 conjunction, 1 complement. */
+typedef struct {
+    M possible;
+} LANES(hoop_timely_out);
+
+LANES_INLINE LANES(hoop_timely_out)
+LANES(hoop_timely)(M arrives, V delay, V late, V time, V when)
+{
+    return (LANES(hoop_timely_out)){ arrives & NOT(((delay + late) < (time - when))) };
+}
+
+/* A doubt where the gap's apex is zero within its error.
+   Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection. */
+typedef struct {
+    V doubt;
+} LANES(hoop_grazed_out);
+
+LANES_INLINE LANES(hoop_grazed_out)
+LANES(hoop_grazed)(V apex, V doubt, V height, V margin)
+{
+    return (LANES(hoop_grazed_out)){ lanes_select((((K(0.0) <= apex) & (lanes_abs(height) <= margin)) & (apex < doubt)), apex, doubt) };
+}
+
+/* A doubt about a decision at a time.
+   Table 1. 3 operations: 1 comparison, 1 conjunction, 1 selection. */
+typedef struct {
+    V doubt;
+} LANES(hoop_questioned_out);
+
+LANES_INLINE LANES(hoop_questioned_out)
+LANES(hoop_questioned)(V doubt, V time, M unsure)
+{
+    return (LANES(hoop_questioned_out)){ lanes_select((unsure & (time < doubt)), time, doubt) };
+}
+
+/* A doubt about an arrival whose crossing is not certain.
+   Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection. */
+typedef struct {
+    V doubt;
+} LANES(hoop_crossed_out);
+
+LANES_INLINE LANES(hoop_crossed_out)
+LANES(hoop_crossed)(M arrives, V clearance, V doubt, V time)
+{
+    return (LANES(hoop_crossed_out)){ lanes_select(((arrives & NOT((K(0.0) < clearance))) & (time < doubt)), time, doubt) };
+}
+
+/* A doubt about two arrivals within their delays; the delay of the earlier one.
+   Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections. */
+typedef struct {
+    V doubt;
+    V late;
+} LANES(hoop_tied_out);
+
+LANES_INLINE LANES(hoop_tied_out)
+LANES(hoop_tied)(M arrives, V delay, V doubt, V late, V time, V when)
+{
+    const M s0 = time < when;
+    const V s1 = lanes_select(s0, time, when);
+    const V s2 = lanes_select(((arrives & (lanes_abs((time - when)) <= (delay + late))) & (s1 < doubt)), s1, doubt);
+    return (LANES(hoop_tied_out)){ s2, lanes_select((arrives & s0), delay, late) };
+}
+
+/* The earlier of the earliest arrival so far and this one.
+   Table 1. 4 operations: 1 comparison, 1 conjunction, 2 selections. */
+typedef struct {
+    V when;
+    V which;
+} LANES(hoop_sooner_out);
+
+LANES_INLINE LANES(hoop_sooner_out)
+LANES(hoop_sooner)(M arrives, V index, V time, V when, V which)
+{
+    const M s0 = arrives & (time < when);
+    return (LANES(hoop_sooner_out)){ lanes_select(s0, time, when), lanes_select(s0, index, which) };
+}
+
+/* Where a surface is not certainly missed.
+   Table 1. 2 operations: 1 comparison, 1 complement. */
+typedef struct {
+    M open;
+} LANES(hoop_opens_out);
+
+LANES_INLINE LANES(hoop_opens_out)
+LANES(hoop_opens)(V clear)
+{
+    return (LANES(hoop_opens_out)){ NOT((K(0.0) < clear)) };
+}
+
+/* How a search begins: with the errors that it allows for, and nothing found.
+   Table 1. No operations. */
+typedef struct {
+    V share;
+    V arrival;
+    M certain;
+} LANES(hoop_beginning_out);
+
+LANES_INLINE LANES(hoop_beginning_out)
+LANES(hoop_beginning)(void)
+{
+    return (LANES(hoop_beginning_out)){ K(2.9802322387695312e-08), K(INFINITY), NOWHERE };
+}
+
+/* Nothing is certain where the errors exceed what the search allows for.
+   Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection. */
+typedef struct {
+    V doubt;
+} LANES(hoop_beyond_out);
+
+LANES_INLINE LANES(hoop_beyond_out)
+LANES(hoop_beyond)(V doubt, V excess, V late, V lost, V pad)
+{
+    return (LANES(hoop_beyond_out)){ lanes_select((((K(0.0) < excess) | (K(0.0) < lost)) | (pad < late)), K(0.0), doubt) };
+}
+
+/* 1 near the surface that the ball left, where F/t is known better than F; the margin.
+   Table 1. 6 operations: 1 multiplication, 2 comparisons, 1 conjunction, 2 selections. */
+typedef struct {
+    V leaving;
+    V margin;
+} LANES(hoop_nearby_out);
+
+LANES_INLINE LANES(hoop_nearby_out)
+LANES(hoop_nearby)(V flat, V index, V last, V t, V tilt)
+{
+    const V s0 = t * tilt;
+    const M s1 = (last == index) & (s0 < flat);
+    return (LANES(hoop_nearby_out)){ lanes_select(s1, K(1.0), K(0.0)), lanes_select(s1, s0, flat) };
+}
+
+/* Whether the gap closes, surely, or is to be looked at with smaller errors allowed.
+   Table 1. 17 operations: 1 subtraction, 6 comparisons, 6 conjunctions, 2 disjunctions, 2 complements. */
+typedef struct {
+    M hit;
+    M sure;
+    M vague;
+} LANES(hoop_struck_out);
+
+LANES_INLINE LANES(hoop_struck_out)
+LANES(hoop_struck)(V bend, V clearance, V gap, V margin, V rate, V rate_margin, V share)
+{
+    const M s0 = (rate < K(0.0)) | ((rate <= rate_margin) & (bend < K(0.0)));
+    const M s1 = K(0.0) < clearance;
+    const M s2 = s0 & (((gap - margin) <= margin) | s1);
+    const M s3 = s0 & s1;
+    const M s4 = (s2 & NOT(s3)) & (K(0.0) < share);
+    return (LANES(hoop_struck_out)){ s2 & NOT(s4), s3, s4 };
+}
+
+/* The next smaller errors that a search allows for.
+   Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
+typedef struct {
+    V share;
+} LANES(hoop_finer_out);
+
+LANES_INLINE LANES(hoop_finer_out)
+LANES(hoop_finer)(V share)
+{
+    return (LANES(hoop_finer_out)){ lanes_select((K(2.842170943040401e-14) < share), (K(0.03125) * share), K(0.0)) };
+}
+
+/* A doubt where the errors exceed what is allowed for.
+   Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection. */
+typedef struct {
+    V doubt;
+} LANES(hoop_exceeded_out);
+
+LANES_INLINE LANES(hoop_exceeded_out)
+LANES(hoop_exceeded)(V doubt, V excess, V t)
+{
+    return (LANES(hoop_exceeded_out)){ lanes_select(((K(0.0) < excess) & (t < doubt)), t, doubt) };
+}
+
+/* The search after a step: what it found, whether its window is exhausted, where it is.
+   Table 1. 14 operations: 1 subtraction, 1 comparison, 4 conjunctions, 2 disjunctions, 3 complements, 3 selections. */
+typedef struct {
+    V arrival;
+    M certain;
+    M exhausted;
+    M searching;
+    V t;
+} LANES(hoop_advanced_out);
+
+LANES_INLINE LANES(hoop_advanced_out)
+LANES(hoop_advanced)(V arrival, M certain, V end, M hit, V next, V root, V step, M sure, V t, M vague)
+{
+    const M s0 = NOT(hit);
+    const M s1 = (s0 & NOT(vague)) & ((end - t) <= step);
+    return (LANES(hoop_advanced_out)){ lanes_select(hit, lanes_select(sure, root, t), arrival), certain | (hit & sure), s1, s0 & NOT(s1), lanes_select((hit | vague), t, next) };
+}
+
+/* Whether a search found an arrival.
+   Table 1. 1 operation: 1 comparison. */
+typedef struct {
+    M arrives;
+} LANES(hoop_found_out);
+
+LANES_INLINE LANES(hoop_found_out)
+LANES(hoop_found)(V arrival)
+{
+    return (LANES(hoop_found_out)){ arrival < K(INFINITY) };
+}
+
+/* A root that is certain, refined.
+   Table 1. 1 operation: 1 selection. */
+typedef struct {
+    V arrival;
+} LANES(hoop_polished_out);
+
+LANES_INLINE LANES(hoop_polished_out)
+LANES(hoop_polished)(V arrival, M certain, V refined)
+{
+    return (LANES(hoop_polished_out)){ lanes_select(certain, refined, arrival) };
+}
+
+/* The margin of the form that an arrival was found with.
+   Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
+typedef struct {
+    V margin;
+} LANES(hoop_own_margin_out);
+
+LANES_INLINE LANES(hoop_own_margin_out)
+LANES(hoop_own_margin)(V arrival, V flat, V leaving, V tilt)
+{
+    return (LANES(hoop_own_margin_out)){ lanes_select((K(0.0) < leaving), (arrival * tilt), flat) };
+}
+
+/* The time of an arrival, not before the flight.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+typedef struct {
+    V time;
+} LANES(hoop_landed_out);
+
+LANES_INLINE LANES(hoop_landed_out)
+LANES(hoop_landed)(V arrival)
+{
+    return (LANES(hoop_landed_out)){ lanes_select((arrival < K(0.0)), K(0.0), arrival) };
+}
+
+/* The delay of an arrival that is certain, a doubt about another one.
+   Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
+typedef struct {
+    V delay;
+    V doubt;
+} LANES(hoop_landed_surely_out);
+
+LANES_INLINE LANES(hoop_landed_surely_out)
+LANES(hoop_landed_surely)(M arrives, M certain, V clearance, V delay, V doubt, V time)
+{
+    const M s0 = certain & (K(0.0) < clearance);
+    return (LANES(hoop_landed_surely_out)){ lanes_select(s0, delay, K(0.0)), lanes_select(((arrives & NOT(s0)) & (time < doubt)), time, doubt) };
+}
+
+/* Whether a shot can start, and whether that is in doubt.
+   Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections. */
+typedef struct {
+    V outcome;
+    V uncertain;
+} LANES(hoop_admitted_out);
+
+LANES_INLINE LANES(hoop_admitted_out)
+LANES(hoop_admitted)(V doubt, M finite, M permitted, V valid)
+{
+    const M s0 = permitted & finite;
+    return (LANES(hoop_admitted_out)){ lanes_select((s0 & (K(0.0) < valid)), K(-1.0), K(4.0)), lanes_select((s0 & (K(0.0) < doubt)), K(1.0), K(0.0)) };
+}
+
+/* Where every number of a state is finite.
+   Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions. */
+typedef struct {
+    M finite;
+} LANES(hoop_finite_state_out);
+
+LANES_INLINE LANES(hoop_finite_state_out)
+LANES(hoop_finite_state)(V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
+{
+    const M s0 = ((((lanes_abs(x) < K(INFINITY)) & (lanes_abs(y) < K(INFINITY))) & (lanes_abs(z) < K(INFINITY))) & (lanes_abs(vx) < K(INFINITY))) & (lanes_abs(vy) < K(INFINITY));
+    const M s1 = (((s0 & (lanes_abs(vz) < K(INFINITY))) & (lanes_abs(wx) < K(INFINITY))) & (lanes_abs(wy) < K(INFINITY))) & (lanes_abs(wz) < K(INFINITY));
+    return (LANES(hoop_finite_state_out)){ s1 };
+}
+
+/* No arrival yet; nothing is certain where the errors are not bounded.
+   Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 selection. */
+typedef struct {
+    V when;
+    V which;
+    V late;
+    V doubt;
+} LANES(hoop_opening_out);
+
+LANES_INLINE LANES(hoop_opening_out)
+LANES(hoop_opening)(V excess, V position_error, V velocity_error)
+{
+    return (LANES(hoop_opening_out)){ K(INFINITY), K(-1.0), K(0.0), lanes_select((((position_error < K(INFINITY)) & (velocity_error < K(INFINITY))) & (excess <= K(0.0))), K(INFINITY), K(0.0)) };
+}
+
+/* Whether there is no event, the end, or a contact.
+   Table 1. 5 operations: 2 comparisons, 1 conjunction, 2 complements. */
+typedef struct {
+    M stays;
+    M moves;
+    M ends;
+    M touches;
+} LANES(hoop_departed_out);
+
+LANES_INLINE LANES(hoop_departed_out)
+LANES(hoop_departed)(V index, V which)
+{
+    const M s0 = which < K(0.0);
+    const M s1 = NOT(s0);
+    const M s2 = which == index;
+    return (LANES(hoop_departed_out)){ s0, s1, s2, s1 & NOT(s2) };
+}
+
+/* The time of the event.
+   Table 1. 1 operation: 1 addition. */
+typedef struct {
+    V clock;
+} LANES(hoop_ticked_out);
+
+LANES_INLINE LANES(hoop_ticked_out)
+LANES(hoop_ticked)(V clock, V when)
+{
+    return (LANES(hoop_ticked_out)){ clock + when };
+}
+
+/* 1 where a decision up to this event, or on the target, lies within its error.
+   Table 1. 10 operations: 1 addition, 1 absolute value, 3 comparisons, 2 conjunctions, 1 disjunction, 1 complement, 1 selection. */
+typedef struct {
+    V uncertain;
+} LANES(hoop_doubted_out);
+
+LANES_INLINE LANES(hoop_doubted_out)
+LANES(hoop_doubted)(V doubt, M ends, V late, V miss, V slack, V uncertain, V when)
+{
+    const V s0 = lanes_select(((NOT(((late + when) < doubt)) & (doubt < K(INFINITY))) | (ends & (lanes_abs(miss) <= slack))), K(1.0), uncertain);
+    return (LANES(hoop_doubted_out)){ s0 };
+}
+
+/* How many contacts there were, and whether the shot ends and how.
+   Table 1. 8 operations: 1 addition, 2 comparisons, 5 selections. */
+typedef struct {
+    V contacts;
+    V outcome;
+} LANES(hoop_accounted_out);
+
+LANES_INLINE LANES(hoop_accounted_out)
+LANES(hoop_accounted)(V contacts, M ends, V miss, V most_contacts, M touches)
+{
+    const V s0 = K(1.0) + contacts;
+    return (LANES(hoop_accounted_out)){ lanes_select(touches, s0, contacts), lanes_select(touches, lanes_select((most_contacts <= s0), K(2.0), K(-1.0)), lanes_select(ends, lanes_select((miss <= K(0.0)), K(0.0), K(1.0)), K(3.0))) };
+}
+
+/* Where an event changes the ball, or its errors are asked for.
+   Table 1. 3 operations: 1 comparison, 1 conjunction, 1 disjunction. */
+typedef struct {
+    M meeting;
+} LANES(hoop_meeting_out);
+
+LANES_INLINE LANES(hoop_meeting_out)
+LANES(hoop_meeting)(V claims, M ends, M touches)
+{
+    return (LANES(hoop_meeting_out)){ touches | (ends & (K(0.0) < claims)) };
+}
+
+/* Whether the event is on a surface.
+   Table 1. 1 operation: 1 comparison. */
+typedef struct {
+    M here;
+} LANES(hoop_here_out);
+
+LANES_INLINE LANES(hoop_here_out)
+LANES(hoop_here)(V index, V which)
+{
+    return (LANES(hoop_here_out)){ which == index };
+}
+
+/* One more contact.
+   Table 1. 1 operation: 1 addition. */
+typedef struct {
+    V count;
+} LANES(hoop_counted_out);
+
+LANES_INLINE LANES(hoop_counted_out)
+LANES(hoop_counted)(V count)
+{
+    return (LANES(hoop_counted_out)){ K(1.0) + count };
+}
+
+/* A ball that meets another surface.
+   Table 1. No operations. */
+typedef struct {
+    V curving;
+} LANES(hoop_elsewhere_out);
+
+LANES_INLINE LANES(hoop_elsewhere_out)
+LANES(hoop_elsewhere)(void)
+{
+    return (LANES(hoop_elsewhere_out)){ K(INFINITY) };
+}
+
+/* Whether the ball meets the surface that it touched last.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+typedef struct {
+    M again;
+} LANES(hoop_again_out);
+
+LANES_INLINE LANES(hoop_again_out)
+LANES(hoop_again)(V index, V last, V which)
+{
+    return (LANES(hoop_again_out)){ (which == index) & (last == which) };
+}
+
+/* The error of the event's time.
+   Table 1. 1 operation: 1 addition. */
+typedef struct {
+    V clock_error;
+} LANES(hoop_delayed_out);
+
+LANES_INLINE LANES(hoop_delayed_out)
+LANES(hoop_delayed)(V clock_error, V delay)
+{
+    return (LANES(hoop_delayed_out)){ clock_error + delay };
+}
+
+/* Errors of the position at the end, not below what one flight can make.
+   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
+typedef struct {
+    V dx;
+    V dy;
+    V dz;
+} LANES(hoop_floored_out);
+
+LANES_INLINE LANES(hoop_floored_out)
+LANES(hoop_floored)(V dx, V dy, V dz, V shift)
+{
+    return (LANES(hoop_floored_out)){ lanes_select((lanes_abs(dx) < shift), shift, dx), lanes_select((lanes_abs(dy) < shift), shift, dy), lanes_select((lanes_abs(dz) < shift), shift, dz) };
+}
+
+/* A normal without error.
+   Table 1. No operations. */
+typedef struct {
+    V dnx;
+    V dny;
+    V dnz;
+    V turn;
+} LANES(hoop_unturned_out);
+
+LANES_INLINE LANES(hoop_unturned_out)
+LANES(hoop_unturned)(void)
+{
+    return (LANES(hoop_unturned_out)){ K(0.0), K(0.0), K(0.0), K(0.0) };
+}
+
+/* The surfaces that were touched first and last.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+typedef struct {
+    V first;
+    V last;
+} LANES(hoop_touched_out);
+
+LANES_INLINE LANES(hoop_touched_out)
+LANES(hoop_touched)(V body, V first, V which)
+{
+    return (LANES(hoop_touched_out)){ lanes_select((first < K(0.0)), body, first), which };
+}
+
+/* Where a shot has ended whose errors are asked for.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+typedef struct {
+    M closed;
+} LANES(hoop_closing_out);
+
+LANES_INLINE LANES(hoop_closing_out)
+LANES(hoop_closing)(V claims, V outcome)
+{
+    return (LANES(hoop_closing_out)){ (K(0.0) < claims) & (K(0.0) <= outcome) };
+}
+
+/* The body that the event is on.
+   Table 1. No operations. */
+typedef struct {
+    V body;
+} LANES(hoop_body_of_out);
+
+LANES_INLINE LANES(hoop_body_of_out)
+LANES(hoop_body_of)(V which)
+{
+    return (LANES(hoop_body_of_out)){ which };
+}
+
+/* Velocity and spin after a contact, frame-free.
+   Eqs. 11-17, the frame eliminated. 63 operations: 10 additions, 12 subtractions, 40 multiplications, 1 division. */
+typedef struct {
+    V vx;
+    V vy;
+    V vz;
+    V wx;
+    V wy;
+    V wz;
+} LANES(hoop_impact_out);
+
+LANES_INLINE LANES(hoop_impact_out)
+LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V ball_radius, V restitution)
+{
+    const V s0 = K(0.4) * ball_radius;
+    const V s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const V s2 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
+    const V s3 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
+    const V s4 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
+    const V s5 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    const V s6 = K(1.0) / ball_radius;
+    return (LANES(hoop_impact_out)){ s2 - ((nx * restitution) * s1), s3 - ((ny * restitution) * s1), s4 - ((nz * restitution) * s1), (nx * s5) + (s6 * ((ny * s4) - (nz * s3))), (ny * s5) + (s6 * ((nz * s2) - (nx * s4))), (nz * s5) + (s6 * ((nx * s3) - (ny * s2))) };
+}
+
+/* Errors of velocity and spin after a contact, from those before it.
+   derivative of the frame-free Eq. 17, with roundings. 243 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections. */
+typedef struct {
+    V dvx;
+    V dvy;
+    V dvz;
+    V dwx;
+    V dwy;
+    V dwz;
+} LANES(hoop_carry_impact_out);
+
+LANES_INLINE LANES(hoop_carry_impact_out)
+LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V ball_radius, V restitution)
+{
+    const V s0 = K(0.4) * ball_radius;
+    const V s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const V s2 = (((((dnx * vx) + (dny * vy)) + (dnz * vz)) + (dvx * nx)) + (dvy * ny)) + (dvz * nz);
+    const V s3 = (s0 * ((((dnz * wy) + (dwy * nz)) - (dny * wz)) - (dwz * ny))) + (K(0.6) * ((dvx - (dnx * s1)) - (nx * s2)));
+    const V s4 = (s3 - ((dnx * restitution) * s1)) - ((nx * restitution) * s2);
+    const V s5 = ((ball_radius * ((lanes_abs(wx) + lanes_abs(wy)) + lanes_abs(wz))) + lanes_abs(vx)) + lanes_abs(vy);
+    const V s6 = s5 + lanes_abs(vz);
+    const V s7 = K(2.220446049250313e-16) * s6;
+    const V s8 = -s7;
+    const V s9 = s4 + lanes_select((s4 < K(0.0)), s8, s7);
+    const V s10 = K(8.0) + (K(8.0) * contacts);
+    const V s11 = lanes_abs(dwx);
+    const V s12 = lanes_abs(dwy);
+    const V s13 = lanes_select((s11 < s12), s12, s11);
+    const V s14 = lanes_abs(dwz);
+    const V s15 = lanes_abs(dvx);
+    const V s16 = lanes_abs(dvy);
+    const V s17 = lanes_select((s15 < s16), s16, s15);
+    const V s18 = lanes_abs(dvz);
+    const V s19 = ((ball_radius * lanes_select((s13 < s14), s14, s13)) + (turn * s6)) + lanes_select((s17 < s18), s18, s17);
+    const V s20 = s19 / s10;
+    const V s21 = -s20;
+    const V s22 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (K(0.6) * ((dvy - (dny * s1)) - (ny * s2)));
+    const V s23 = (s22 - ((dny * restitution) * s1)) - ((ny * restitution) * s2);
+    const V s24 = s23 + lanes_select((s23 < K(0.0)), s8, s7);
+    const V s25 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (K(0.6) * ((dvz - (dnz * s1)) - (nz * s2)));
+    const V s26 = (s25 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2);
+    const V s27 = s26 + lanes_select((s26 < K(0.0)), s8, s7);
+    const V s28 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    const V s29 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz);
+    const V s30 = K(1.0) / ball_radius;
+    const V s31 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
+    const V s32 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
+    const V s33 = ((dnx * s28) + (nx * s29)) + (s30 * ((((dny * s31) + (ny * s25)) - (dnz * s32)) - (nz * s22)));
+    const V s34 = s7 / ball_radius;
+    const V s35 = -s34;
+    const V s36 = s33 + lanes_select((s33 < K(0.0)), s35, s34);
+    const V s37 = s19 / (ball_radius * s10);
+    const V s38 = -s37;
+    const V s39 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
+    const V s40 = ((dny * s28) + (ny * s29)) + (s30 * ((((dnz * s39) + (nz * s3)) - (dnx * s31)) - (nx * s25)));
+    const V s41 = s40 + lanes_select((s40 < K(0.0)), s35, s34);
+    const V s42 = ((dnz * s28) + (nz * s29)) + (s30 * ((((dnx * s32) + (nx * s22)) - (dny * s39)) - (ny * s3)));
+    const V s43 = s42 + lanes_select((s42 < K(0.0)), s35, s34);
+    return (LANES(hoop_carry_impact_out)){ lanes_select((lanes_abs(s9) < s20), lanes_select((s9 < K(0.0)), s21, s20), s9), lanes_select((lanes_abs(s24) < s20), lanes_select((s24 < K(0.0)), s21, s20), s24), lanes_select((lanes_abs(s27) < s20), lanes_select((s27 < K(0.0)), s21, s20), s27), lanes_select((lanes_abs(s36) < s37), lanes_select((s36 < K(0.0)), s38, s37), s36), lanes_select((lanes_abs(s41) < s37), lanes_select((s41 < K(0.0)), s38, s37), s41), lanes_select((lanes_abs(s43) < s37), lanes_select((s43 < K(0.0)), s38, s37), s43) };
 }
 
 /* Outward unit normal n3 at a contact.
    Table 2. 13 operations: 2 additions, 1 subtraction, 7 multiplications, 2 divisions, 1 square root. */
 typedef struct {
-    V nx, ny, nz;
+    V nx;
+    V ny;
+    V nz;
 } LANES(hoop_ring_normal_out);
 
 LANES_INLINE LANES(hoop_ring_normal_out)
@@ -497,7 +955,10 @@ LANES(hoop_ring_curvature)(V ball_radius, V ring_radius, V wire_radius)
 /* Error of the normal, from that of the position.
    derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection. */
 typedef struct {
-    V dnx, dny, dnz, turn;
+    V dnx;
+    V dny;
+    V dnz;
+    V turn;
 } LANES(hoop_ring_carry_normal_out);
 
 LANES_INLINE LANES(hoop_ring_carry_normal_out)
@@ -569,9 +1030,20 @@ LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V s
 }
 
 /* Constants and windows of the search along a flight, and the errors it allows for.
-   bounds of the event condition. 165 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 24 comparisons, 31 selections. */
+   bounds of the event condition. 177 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections. */
 typedef struct {
-    V steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, lost;
+    V steady;
+    V swing;
+    V rho_start;
+    V low0;
+    V high0;
+    V low1;
+    V high1;
+    V low2;
+    V high2;
+    V ceiling;
+    V latest;
+    V lost;
 } LANES(hoop_ring_prepare_out);
 
 LANES_INLINE LANES(hoop_ring_prepare_out)
@@ -605,42 +1077,47 @@ LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_
     const M s25 = K(0.0) <= s20;
     const M s26 = K(2.409919865102884e-181) < s1;
     const V s27 = lanes_select(s26, lanes_select(s25, ((-((s21 + s22) + s23)) * s24), K(INFINITY)), (-K(INFINITY)));
-    const V s28 = ring_radius - s8;
-    const V s29 = K(0.0001220703125) * ring_radius;
-    const V s30 = lanes_select((s28 < s29), s29, s28);
-    const V s31 = ((s1 * (s30 * s30)) - s19) - s4;
-    const V s32 = lanes_sqrt(lanes_select((s31 < K(0.0)), K(0.0), s31));
-    const V s33 = lanes_select(s26, lanes_select(s25, (((s22 + s23) - s21) * s24), (-K(INFINITY))), K(INFINITY));
-    const M s34 = K(0.0) < lanes_select(s26, s31, K(0.0));
-    const V s35 = lanes_select(s34, (((s23 - s21) - s32) * s24), s33);
-    const V s36 = (s0 + (s9 * (z - s8))) - s10;
-    const V s37 = lanes_sqrt(lanes_select((s36 < K(0.0)), K(0.0), s36));
-    const V s38 = lanes_select(s15, (s12 * ((vz + s13) + s14)), (-K(INFINITY)));
-    const M s39 = K(0.0) < s36;
-    const V s40 = lanes_select(s39, (s12 * ((vz + s14) - s37)), s38);
-    const V s41 = lanes_select((s35 < s40), s35, s40);
-    const V s42 = lanes_select(s34, (((s32 - s21) - s23) * s24), K(INFINITY));
-    const V s43 = lanes_select((s42 < s35), s35, s42);
-    const V s44 = lanes_select((s16 < s43), s43, s16);
-    const V s45 = lanes_select((s33 < s40), s33, s40);
-    const V s46 = lanes_select(s39, (s12 * ((vz + s37) - s14)), K(INFINITY));
-    const V s47 = lanes_select((s46 < s40), s40, s46);
-    const M s48 = s44 <= s45;
-    const V s49 = lanes_select(s48, s45, lanes_select((s35 < s38), s35, s38));
-    const V s50 = lanes_select((s33 < s38), s33, s38);
-    const V s51 = K(1.0) / s30;
-    const V s52 = lanes_select((K(0.0) < s41), s41, K(0.0));
-    const V s53 = lanes_select((s52 < s49), s49, s52);
-    const V s54 = lanes_select((s53 < s50), s50, s53);
-    const V s55 = (K(0.000244140625) * ring_radius) - (ring_radius - s7);
-    const V s56 = ((position_error + (horizon * velocity_error)) - (K(1.52587890625e-05) * ball_radius)) - (K(1.52587890625e-05) * wire_radius);
-    return (LANES(hoop_ring_prepare_out)){ s2, s5, lanes_sqrt(s6), lanes_select((s16 < s27), s27, s16), s41, lanes_select(s48, s44, lanes_select((s47 < s27), s27, s47)), s49, lanes_select((s47 < s43), s43, s47), s50, (((K(6.0003662109375) * gravity) * s7) + (s5 * (s51 * (s51 * s51)))) + lanes_abs(s2), lanes_select((s54 < horizon), s54, horizon), lanes_select((s55 < s56), s56, s55) };
+    const V s28 = lanes_select((s16 < s27), s27, s16);
+    const V s29 = ring_radius - s8;
+    const V s30 = K(0.0001220703125) * ring_radius;
+    const V s31 = lanes_select((s29 < s30), s30, s29);
+    const V s32 = ((s1 * (s31 * s31)) - s19) - s4;
+    const V s33 = lanes_sqrt(lanes_select((s32 < K(0.0)), K(0.0), s32));
+    const V s34 = lanes_select(s26, lanes_select(s25, (((s22 + s23) - s21) * s24), (-K(INFINITY))), K(INFINITY));
+    const M s35 = K(0.0) < lanes_select(s26, s32, K(0.0));
+    const V s36 = lanes_select(s35, (((s23 - s21) - s33) * s24), s34);
+    const V s37 = (s0 + (s9 * (z - s8))) - s10;
+    const V s38 = lanes_sqrt(lanes_select((s37 < K(0.0)), K(0.0), s37));
+    const V s39 = lanes_select(s15, (s12 * ((vz + s13) + s14)), (-K(INFINITY)));
+    const M s40 = K(0.0) < s37;
+    const V s41 = lanes_select(s40, (s12 * ((vz + s14) - s38)), s39);
+    const V s42 = lanes_select((s36 < s41), s36, s41);
+    const V s43 = lanes_select(s35, (((s33 - s21) - s23) * s24), K(INFINITY));
+    const V s44 = lanes_select((s43 < s36), s36, s43);
+    const V s45 = lanes_select((s16 < s44), s44, s16);
+    const V s46 = lanes_select((s34 < s41), s34, s41);
+    const V s47 = lanes_select(s40, (s12 * ((vz + s38) - s14)), K(INFINITY));
+    const V s48 = lanes_select((s47 < s41), s41, s47);
+    const M s49 = s45 <= s46;
+    const V s50 = lanes_select(s49, s45, lanes_select((s48 < s27), s27, s48));
+    const V s51 = lanes_select(s49, s46, lanes_select((s36 < s39), s36, s39));
+    const V s52 = lanes_select((s48 < s44), s44, s48);
+    const V s53 = lanes_select((s34 < s39), s34, s39);
+    const V s54 = K(1.0) / s31;
+    const V s55 = lanes_select((K(0.0) < s42), s42, K(0.0));
+    const V s56 = lanes_select((s55 < s51), s51, s55);
+    const V s57 = lanes_select((s56 < s53), s53, s56);
+    const V s58 = (K(0.000244140625) * ring_radius) - (ring_radius - s7);
+    const V s59 = ((position_error + (horizon * velocity_error)) - (K(1.52587890625e-05) * ball_radius)) - (K(1.52587890625e-05) * wire_radius);
+    return (LANES(hoop_ring_prepare_out)){ s2, s5, lanes_sqrt(s6), lanes_select((K(0.0) < s28), s28, K(0.0)), lanes_select((s42 < horizon), s42, horizon), lanes_select((K(0.0) < s50), s50, K(0.0)), lanes_select((s51 < horizon), s51, horizon), lanes_select((K(0.0) < s52), s52, K(0.0)), lanes_select((s53 < horizon), s53, horizon), (((K(6.0003662109375) * gravity) * s7) + (s5 * (s54 * (s54 * s54)))) + lanes_abs(s2), lanes_select((s57 < horizon), s57, horizon), lanes_select((s58 < s59), s59, s58) };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
    running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections. */
 typedef struct {
-    V margin, leaving_margin, rate_margin;
+    V margin;
+    V leaving_margin;
+    V rate_margin;
 } LANES(hoop_ring_margins_out);
 
 LANES_INLINE LANES(hoop_ring_margins_out)
@@ -665,7 +1142,8 @@ LANES(hoop_ring_margins)(V horizon, V extent, V speed, V position_error, V veloc
 /* Newton's next value of a root near t, and the rate there.
    Newton's method. 56 operations: 15 additions, 6 subtractions, 30 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection. */
 typedef struct {
-    V time, rate;
+    V time;
+    V rate;
 } LANES(hoop_ring_refine_out);
 
 LANES_INLINE LANES(hoop_ring_refine_out)
@@ -689,7 +1167,13 @@ LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_s
 /* Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
    Newton from the left under a curvature bound. 146 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections. */
 typedef struct {
-    V gap, rate, bend, step, next, root, clearance;
+    V gap;
+    V rate;
+    V bend;
+    V step;
+    V next;
+    V root;
+    V clearance;
 } LANES(hoop_ring_advance_out);
 
 LANES_INLINE LANES(hoop_ring_advance_out)
@@ -741,34 +1225,29 @@ LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceili
     return (LANES(hoop_ring_advance_out)){ s10, s15, (steady - s17) - s18, s41, t + s41, t - ((K(0.5) * s10) / s14), lanes_select((K(0.0) < s42), ((s42 * s42) - ((K(8.0) * ceiling) * (margin + (K(32.0) * s22)))), s42) };
 }
 
-/* Coefficients in time of the event polynomial, constant first.
-   Eq. 3 in Table 2. 2 operations: 2 subtractions. */
+/* The first window that begins no earlier than a time, if there is one.
+   Table 1. 18 operations: 6 comparisons, 3 conjunctions, 3 disjunctions, 6 selections. */
 typedef struct {
-    V c0, c1;
-} LANES(hoop_backboard_coefficients_out);
+    V t;
+    V end;
+    M searching;
+} LANES(hoop_ring_enter_out);
 
-LANES_INLINE LANES(hoop_backboard_coefficients_out)
-LANES(hoop_backboard_coefficients)(V x, V vx, V ball_radius, V board_distance)
+LANES_INLINE LANES(hoop_ring_enter_out)
+LANES(hoop_ring_enter)(V after, V end, V high0, V high1, V high2, V low0, V low1, V low2, V t)
 {
-    return (LANES(hoop_backboard_coefficients_out)){ x - (ball_radius - board_distance), vx };
-}
-
-/* Coefficients of the event polynomial over t, after a contact at t = 0.
-   Eq. 3 in Table 2, the exact root divided out. No operations. */
-typedef struct {
-    V c0;
-} LANES(hoop_backboard_deflated_out);
-
-LANES_INLINE LANES(hoop_backboard_deflated_out)
-LANES(hoop_backboard_deflated)(V vx)
-{
-    return (LANES(hoop_backboard_deflated_out)){ vx };
+    const M s0 = (low0 < high0) & (after <= low0);
+    const M s1 = (low1 < high1) & (after <= low1);
+    const M s2 = (low2 < high2) & (after <= low2);
+    return (LANES(hoop_ring_enter_out)){ lanes_select(s0, low0, lanes_select(s1, low1, lanes_select(s2, low2, t))), lanes_select(s0, high0, lanes_select(s1, high1, lanes_select(s2, high2, end))), ((NOWHERE | s2) | s1) | s0 };
 }
 
 /* Outward unit normal n3 at a contact.
    Table 2. No operations. */
 typedef struct {
-    V nx, ny, nz;
+    V nx;
+    V ny;
+    V nz;
 } LANES(hoop_backboard_normal_out);
 
 LANES_INLINE LANES(hoop_backboard_normal_out)
@@ -792,7 +1271,10 @@ LANES(hoop_backboard_curvature)(void)
 /* The g of Eq. 2: a contact counts where none is positive.
    Eq. 2, Table 2. 5 operations: 1 addition, 3 subtractions, 1 negation. */
 typedef struct {
-    V g0, g1, g2, g3;
+    V g0;
+    V g1;
+    V g2;
+    V g3;
 } LANES(hoop_backboard_bounds_out);
 
 LANES_INLINE LANES(hoop_backboard_bounds_out)
@@ -804,7 +1286,11 @@ LANES(hoop_backboard_bounds)(V y, V z, V board_half_width, V board_bottom, V boa
 /* Time of the only arrival, the gap's rate there and its bend.
    Eq. 3 in Table 2, solved. 9 operations: 2 subtractions, 1 division, 1 negation, 1 absolute value, 2 comparisons, 2 selections. */
 typedef struct {
-    V time, rate, bend, apex, height;
+    V time;
+    V rate;
+    V bend;
+    V apex;
+    V height;
 } LANES(hoop_backboard_arrival_out);
 
 LANES_INLINE LANES(hoop_backboard_arrival_out)
@@ -830,7 +1316,9 @@ LANES(hoop_backboard_margin)(V horizon, V extent, V speed, V position_error, V v
 /* The point of the contact plane nearest to a position.
    Table 2. 1 operation: 1 subtraction. */
 typedef struct {
-    V x, y, z;
+    V x;
+    V y;
+    V z;
 } LANES(hoop_backboard_place_out);
 
 LANES_INLINE LANES(hoop_backboard_place_out)
@@ -839,34 +1327,38 @@ LANES(hoop_backboard_place)(V y, V z, V ball_radius, V board_distance)
     return (LANES(hoop_backboard_place_out)){ ball_radius - board_distance, y, z };
 }
 
-/* Coefficients in time of the event polynomial, constant first.
-   Eq. 3 in Table 2. 4 operations: 1 addition, 1 subtraction, 1 multiplication, 1 negation. */
+/* Where a contact counts (Eq. 2).
+   Table 1. 7 operations: 4 comparisons, 3 conjunctions. */
 typedef struct {
-    V c0, c1, c2;
-} LANES(hoop_bridge_coefficients_out);
+    M arrives;
+} LANES(hoop_backboard_within_out);
 
-LANES_INLINE LANES(hoop_bridge_coefficients_out)
-LANES(hoop_bridge_coefficients)(V z, V vz, V ball_radius, V wire_radius, V gravity)
+LANES_INLINE LANES(hoop_backboard_within_out)
+LANES(hoop_backboard_within)(V g0, V g1, V g2, V g3)
 {
-    return (LANES(hoop_bridge_coefficients_out)){ z - (ball_radius + wire_radius), vz, -(K(0.5) * gravity) };
+    return (LANES(hoop_backboard_within_out)){ (((g0 <= K(0.0)) & (g1 <= K(0.0))) & (g2 <= K(0.0))) & (g3 <= K(0.0)) };
 }
 
-/* Coefficients of the event polynomial over t, after a contact at t = 0.
-   Eq. 3 in Table 2, the exact root divided out. 2 operations: 1 multiplication, 1 negation. */
+/* Where that, or the crossing, lies within its error.
+   Table 1. 19 operations: 1 negation, 9 comparisons, 8 conjunctions, 1 complement. */
 typedef struct {
-    V c0, c1;
-} LANES(hoop_bridge_deflated_out);
+    M unsure;
+} LANES(hoop_backboard_edges_out);
 
-LANES_INLINE LANES(hoop_bridge_deflated_out)
-LANES(hoop_bridge_deflated)(V vz, V gravity)
+LANES_INLINE LANES(hoop_backboard_edges_out)
+LANES(hoop_backboard_edges)(V clearance, V g0, V g1, V g2, V g3, V slack)
 {
-    return (LANES(hoop_bridge_deflated_out)){ vz, -(K(0.5) * gravity) };
+    const V s0 = -slack;
+    const M s1 = NOT((((((g0 < s0) & (g1 < s0)) & (g2 < s0)) & (g3 < s0)) & (K(0.0) < clearance)));
+    return (LANES(hoop_backboard_edges_out)){ ((((g0 <= slack) & (g1 <= slack)) & (g2 <= slack)) & (g3 <= slack)) & s1 };
 }
 
 /* Outward unit normal n3 at a contact.
    Table 2. No operations. */
 typedef struct {
-    V nx, ny, nz;
+    V nx;
+    V ny;
+    V nz;
 } LANES(hoop_bridge_normal_out);
 
 LANES_INLINE LANES(hoop_bridge_normal_out)
@@ -890,7 +1382,11 @@ LANES(hoop_bridge_curvature)(void)
 /* The g of Eq. 2: a contact counts where none is positive.
    Eq. 2, Table 2. 10 operations: 3 additions, 2 subtractions, 2 multiplications, 1 square root, 2 negations. */
 typedef struct {
-    V g0, g1, g2, g3, g4;
+    V g0;
+    V g1;
+    V g2;
+    V g3;
+    V g4;
 } LANES(hoop_bridge_bounds_out);
 
 LANES_INLINE LANES(hoop_bridge_bounds_out)
@@ -902,7 +1398,11 @@ LANES(hoop_bridge_bounds)(V x, V y, V ring_radius, V board_distance, V bridge_ha
 /* Time of the only arrival, the gap's rate there and its bend.
    Eq. 3 in Table 2, solved. 25 operations: 3 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 5 negations, 2 comparisons, 3 selections. */
 typedef struct {
-    V time, rate, bend, apex, height;
+    V time;
+    V rate;
+    V bend;
+    V apex;
+    V height;
 } LANES(hoop_bridge_arrival_out);
 
 LANES_INLINE LANES(hoop_bridge_arrival_out)
@@ -932,7 +1432,9 @@ LANES(hoop_bridge_margin)(V horizon, V extent, V speed, V position_error, V velo
 /* The point of the contact plane nearest to a position.
    Table 2. 1 operation: 1 addition. */
 typedef struct {
-    V x, y, z;
+    V x;
+    V y;
+    V z;
 } LANES(hoop_bridge_place_out);
 
 LANES_INLINE LANES(hoop_bridge_place_out)
@@ -941,34 +1443,39 @@ LANES(hoop_bridge_place)(V x, V y, V ball_radius, V wire_radius)
     return (LANES(hoop_bridge_place_out)){ x, y, ball_radius + wire_radius };
 }
 
-/* Coefficients in time of the event polynomial, constant first.
-   Eq. 3 in Table 2. 4 operations: 1 subtraction, 1 multiplication, 2 negations. */
+/* Where a contact counts (Eq. 2).
+   Table 1. 9 operations: 5 comparisons, 4 conjunctions. */
 typedef struct {
-    V c0, c1, c2;
-} LANES(hoop_end_coefficients_out);
+    M arrives;
+} LANES(hoop_bridge_within_out);
 
-LANES_INLINE LANES(hoop_end_coefficients_out)
-LANES(hoop_end_coefficients)(V z, V vz, V gravity, V end_depth)
+LANES_INLINE LANES(hoop_bridge_within_out)
+LANES(hoop_bridge_within)(V g0, V g1, V g2, V g3, V g4)
 {
-    return (LANES(hoop_end_coefficients_out)){ z - (-end_depth), vz, -(K(0.5) * gravity) };
+    return (LANES(hoop_bridge_within_out)){ ((((g0 <= K(0.0)) & (g1 <= K(0.0))) & (g2 <= K(0.0))) & (g3 <= K(0.0))) & (g4 <= K(0.0)) };
 }
 
-/* Coefficients of the event polynomial over t, after a contact at t = 0.
-   Eq. 3 in Table 2, the exact root divided out. 2 operations: 1 multiplication, 1 negation. */
+/* Where that, or the crossing, lies within its error.
+   Table 1. 23 operations: 1 negation, 11 comparisons, 10 conjunctions, 1 complement. */
 typedef struct {
-    V c0, c1;
-} LANES(hoop_end_deflated_out);
+    M unsure;
+} LANES(hoop_bridge_edges_out);
 
-LANES_INLINE LANES(hoop_end_deflated_out)
-LANES(hoop_end_deflated)(V vz, V gravity)
+LANES_INLINE LANES(hoop_bridge_edges_out)
+LANES(hoop_bridge_edges)(V clearance, V g0, V g1, V g2, V g3, V g4, V slack)
 {
-    return (LANES(hoop_end_deflated_out)){ vz, -(K(0.5) * gravity) };
+    const V s0 = -slack;
+    const M s1 = (((((g0 < s0) & (g1 < s0)) & (g2 < s0)) & (g3 < s0)) & (g4 < s0)) & (K(0.0) < clearance);
+    const M s2 = (((((g0 <= slack) & (g1 <= slack)) & (g2 <= slack)) & (g3 <= slack)) & (g4 <= slack)) & NOT(s1);
+    return (LANES(hoop_bridge_edges_out)){ s2 };
 }
 
 /* Outward unit normal n3 at a contact.
    Table 2. No operations. */
 typedef struct {
-    V nx, ny, nz;
+    V nx;
+    V ny;
+    V nz;
 } LANES(hoop_end_normal_out);
 
 LANES_INLINE LANES(hoop_end_normal_out)
@@ -977,22 +1484,14 @@ LANES(hoop_end_normal)(void)
     return (LANES(hoop_end_normal_out)){ K(0.0), K(0.0), K(1.0) };
 }
 
-/* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. No operations. */
-typedef struct {
-    V curvature;
-} LANES(hoop_end_curvature_out);
-
-LANES_INLINE LANES(hoop_end_curvature_out)
-LANES(hoop_end_curvature)(void)
-{
-    return (LANES(hoop_end_curvature_out)){ K(0.0) };
-}
-
 /* Time of the only arrival, the gap's rate there and its bend.
    Eq. 3 in Table 2, solved. 25 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 2 comparisons, 3 selections. */
 typedef struct {
-    V time, rate, bend, apex, height;
+    V time;
+    V rate;
+    V bend;
+    V apex;
+    V height;
 } LANES(hoop_end_arrival_out);
 
 LANES_INLINE LANES(hoop_end_arrival_out)
@@ -1017,189 +1516,5 @@ LANES(hoop_end_margin)(V horizon, V extent, V speed, V position_error, V velocit
 {
     const V s0 = extent + (horizon * (speed + (gravity * horizon)));
     return (LANES(hoop_end_margin_out)){ ((K(6.667843360785852e-16) * end_depth) + (K(2.222614453595284e-16) * s0)) + (K(2.001953125) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s0))) };
-}
-
-/* The point of the contact plane nearest to a position.
-   Table 2. 1 operation: 1 negation. */
-typedef struct {
-    V x, y, z;
-} LANES(hoop_end_place_out);
-
-LANES_INLINE LANES(hoop_end_place_out)
-LANES(hoop_end_place)(V x, V y, V end_depth)
-{
-    return (LANES(hoop_end_place_out)){ x, y, -end_depth };
-}
-
-/* Speed of the flight that goes through a point with a slope of release.
-   Eq. 3 without its time, solved for the speed. 9 operations: 1 addition, 1 subtraction, 5 multiplications, 1 division, 1 square root. */
-typedef struct {
-    V speed;
-} LANES(hoop_aimed_speed_out);
-
-LANES_INLINE LANES(hoop_aimed_speed_out)
-LANES(hoop_aimed_speed)(V slope, V reach, V rise, V gravity)
-{
-    const V s0 = reach * lanes_sqrt((((K(0.5) * gravity) * (K(1.0) + (slope * slope))) / ((reach * slope) - rise)));
-    return (LANES(hoop_aimed_speed_out)){ s0 };
-}
-
-/* Slope at a point, positive downwards, of the flight with a slope of release.
-   derivative of Eq. 3 without its time. 3 operations: 1 subtraction, 1 multiplication, 1 division. */
-typedef struct {
-    V entry;
-} LANES(hoop_entry_slope_out);
-
-LANES_INLINE LANES(hoop_entry_slope_out)
-LANES(hoop_entry_slope)(V slope, V reach, V rise)
-{
-    return (LANES(hoop_entry_slope_out)){ slope - ((K(2.0) * rise) / reach) };
-}
-
-/* Slope of release of the flight that has a slope at a point, positive downwards.
-   derivative of Eq. 3 without its time, solved for the release. 3 operations: 1 addition, 1 multiplication, 1 division. */
-typedef struct {
-    V slope;
-} LANES(hoop_slope_of_entry_out);
-
-LANES_INLINE LANES(hoop_slope_of_entry_out)
-LANES(hoop_slope_of_entry)(V entry, V reach, V rise)
-{
-    return (LANES(hoop_slope_of_entry_out)){ entry + ((K(2.0) * rise) / reach) };
-}
-
-/* Slope and speed of the slowest release through a point.
-   Eq. 3 without its time, least speed: at 45° + atan(rise/reach)/2, v² = g (rise + distance). 14 operations: 2 additions, 1 subtraction, 3 multiplications, 3 divisions, 2 square roots, 1 comparison, 2 selections. */
-typedef struct {
-    V slope, speed;
-} LANES(hoop_least_speed_out);
-
-LANES_INLINE LANES(hoop_least_speed_out)
-LANES(hoop_least_speed)(V reach, V rise, V gravity)
-{
-    const V s0 = reach * reach;
-    const V s1 = lanes_sqrt((s0 + (rise * rise)));
-    const V s2 = s1 - rise;
-    const V s3 = rise + s1;
-    const M s4 = rise < K(0.0);
-    return (LANES(hoop_least_speed_out)){ lanes_select(s4, (reach / s2), (s3 / reach)), lanes_sqrt((gravity * lanes_select(s4, (s0 / s2), s3))) };
-}
-
-/* The low and the high slope of release through a point at a speed.
-   Eq. 3 without its time, solved for the slope. 25 operations: 5 additions, 2 subtractions, 11 multiplications, 3 divisions, 2 square roots, 1 comparison, 1 selection. */
-typedef struct {
-    V low, high;
-} LANES(hoop_slopes_of_speed_out);
-
-LANES_INLINE LANES(hoop_slopes_of_speed_out)
-LANES(hoop_slopes_of_speed)(V release_speed, V reach, V rise, V gravity)
-{
-    const V s0 = release_speed * release_speed;
-    const V s1 = reach * reach;
-    const V s2 = lanes_sqrt((s1 + (rise * rise)));
-    const V s3 = s2 - rise;
-    const V s4 = lanes_sqrt((((gravity * s3) + s0) * (s0 - (gravity * lanes_select((rise < K(0.0)), (s1 / s3), (rise + s2))))));
-    const V s5 = s0 + s4;
-    const V s6 = gravity * reach;
-    return (LANES(hoop_slopes_of_speed_out)){ ((reach * s6) + ((K(2.0) * rise) * s0)) / (reach * s5), s5 / s6 };
-}
-
-/* When the centre comes down to a height, and its upward velocity then.
-   Eq. 3, solved. 14 operations: 2 additions, 2 subtractions, 4 multiplications, 1 division, 1 square root, 1 negation, 1 comparison, 2 selections. */
-typedef struct {
-    V time, vz;
-} LANES(hoop_descent_out);
-
-LANES_INLINE LANES(hoop_descent_out)
-LANES(hoop_descent)(V z, V vz, V level, V gravity)
-{
-    const V s0 = z - level;
-    const V s1 = lanes_sqrt(((vz * vz) + ((K(2.0) * gravity) * s0)));
-    const M s2 = vz < K(0.0);
-    return (LANES(hoop_descent_out)){ lanes_select(s2, (K(2.0) * s0), (vz + s1)) / lanes_select(s2, (s1 - vz), gravity), -s1 };
-}
-
-/* When the centre is highest, and its height then.
-   Eq. 3, its derivative zero. 8 operations: 1 addition, 2 multiplications, 2 divisions, 1 comparison, 2 selections. */
-typedef struct {
-    V time, height;
-} LANES(hoop_apex_out);
-
-LANES_INLINE LANES(hoop_apex_out)
-LANES(hoop_apex)(V z, V vz, V gravity)
-{
-    const M s0 = K(0.0) < vz;
-    return (LANES(hoop_apex_out)){ lanes_select(s0, (vz / gravity), K(0.0)), lanes_select(s0, (z + ((K(0.5) * (vz * vz)) / gravity)), z) };
-}
-
-/* How far a point is past the ring's centre and to the left, seen from a place.
-   components along and across the line of sight. 13 operations: 2 additions, 1 subtraction, 6 multiplications, 2 divisions, 1 square root, 1 negation. */
-typedef struct {
-    V past, left;
-} LANES(hoop_sighted_out);
-
-LANES_INLINE LANES(hoop_sighted_out)
-LANES(hoop_sighted)(V x, V y, V place_x, V place_y)
-{
-    const V s0 = lanes_sqrt(((place_x * place_x) + (place_y * place_y)));
-    return (LANES(hoop_sighted_out)){ -(((place_x * x) + (place_y * y)) / s0), ((place_y * x) - (place_x * y)) / s0 };
-}
-
-/* Distance of ball and wire at time t, and what bounds it within half a width of t.
-   Eq. 3 in Table 2, Taylor's theorem. 153 operations: 35 additions, 15 subtractions, 58 multiplications, 4 divisions, 6 square roots, 2 negations, 7 absolute values, 13 comparisons, 13 selections. */
-typedef struct {
-    V gap, rate, lower, concavity, resolution;
-} LANES(hoop_ring_nearness_out);
-
-LANES_INLINE LANES(hoop_ring_nearness_out)
-LANES(hoop_ring_nearness)(V t, V x, V y, V z, V vx, V vy, V vz, V half, V ball_radius, V ring_radius, V wire_radius, V gravity)
-{
-    const V s0 = x + (t * vx);
-    const V s1 = y + (t * vy);
-    const V s2 = lanes_sqrt(((s0 * s0) + (s1 * s1)));
-    const V s3 = s2 - ring_radius;
-    const V s4 = K(0.5) * gravity;
-    const V s5 = z + (t * (vz - (s4 * t)));
-    const V s6 = (s3 * s3) + (s5 * s5);
-    const V s7 = ball_radius + wire_radius;
-    const V s8 = K(2.0) * (((((vx * s0) + (vy * s1)) / s2) * s3) + ((vz - (gravity * t)) * s5));
-    const V s9 = t - half;
-    const V s10 = (vx * vx) + (vy * vy);
-    const V s11 = -(((vx * x) + (vy * y)) / s10);
-    const V s12 = half + t;
-    const V s13 = lanes_select((s11 < s12), s11, s12);
-    const V s14 = lanes_select((s9 < s13), s13, s9);
-    const V s15 = x + (vx * s14);
-    const V s16 = y + (vy * s14);
-    const V s17 = lanes_sqrt(((s15 * s15) + (s16 * s16)));
-    const V s18 = s17 - ring_radius;
-    const V s19 = lanes_select((K(0.0) < s18), s18, K(0.0));
-    const V s20 = x + (vx * s9);
-    const V s21 = y + (vy * s9);
-    const V s22 = lanes_sqrt(((s20 * s20) + (s21 * s21)));
-    const V s23 = x + (vx * s12);
-    const V s24 = y + (vy * s12);
-    const V s25 = lanes_sqrt(((s23 * s23) + (s24 * s24)));
-    const V s26 = ring_radius - lanes_select((s22 < s25), s25, s22);
-    const V s27 = lanes_select((s19 < s26), s26, s19);
-    const V s28 = z + ((vz - (s4 * s12)) * s12);
-    const V s29 = z + ((vz - (s4 * s9)) * s9);
-    const V s30 = lanes_select((s28 < s29), s28, s29);
-    const V s31 = lanes_select((K(0.0) < s30), s30, K(0.0));
-    const V s32 = vz / gravity;
-    const V s33 = lanes_select((s32 < s12), s32, s12);
-    const V s34 = lanes_select((s9 < s33), s33, s9);
-    const V s35 = z + ((vz - (s4 * s34)) * s34);
-    const V s36 = -s35;
-    const V s37 = lanes_select((s31 < s36), s36, s31);
-    const V s38 = (s27 * s27) + (s37 * s37);
-    const V s39 = (s12 * ((((gravity * s12) + lanes_abs(vx)) + lanes_abs(vy)) + lanes_abs(vz))) + lanes_abs(x);
-    const V s40 = K(7.105427357601002e-15) * (ring_radius + ((s39 + lanes_abs(y)) + lanes_abs(z)));
-    const V s41 = s17 - s40;
-    const V s42 = (vy * x) - (vx * y);
-    const V s43 = (((K(2.0) * ring_radius) * (s42 * s42)) / (s41 * (s41 * s41))) + (((K(6.0) * gravity) * s35) - (K(2.0) * (((K(2.0) * gravity) * z) + ((vz * vz) + s10))));
-    const V s44 = lanes_select((K(0.0) < s41), s43, K(INFINITY));
-    const V s45 = s6 - (half * (((K(0.5) * half) * lanes_select((K(0.0) < s44), s44, K(0.0))) + lanes_abs(s8)));
-    return (LANES(hoop_ring_nearness_out)){ lanes_sqrt(s6) - s7, s8, lanes_sqrt(lanes_select((s38 < s45), s45, s38)) - s7, s44, s40 };
 }
 

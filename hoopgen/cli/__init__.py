@@ -6,6 +6,7 @@ needs is imported when it runs, so that help is quick.
 
 from __future__ import annotations
 
+import io
 import os
 import sys
 import traceback
@@ -37,6 +38,8 @@ class _Tour(click.Group):
     def main(self, *args: Any, **kwargs: Any) -> Any:
         """Run the command line and exit with its status."""
         standalone = kwargs.pop("standalone_mode", True)
+        if standalone:
+            _write_what_can_be_written()
         kwargs.setdefault("prog_name", "hoopgen")
         run: Callable[..., Any] = super().main
         try:
@@ -67,6 +70,13 @@ class _Tour(click.Group):
     def list_commands(self, ctx: click.Context) -> list[str]:
         """List the commands in the order of a first visit, not of the alphabet."""
         return list(self.commands)
+
+
+def _write_what_can_be_written() -> None:
+    """Put ? for a sign that the terminal has not, such as ² in cp437, instead of failing."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper) and stream.errors == "strict":
+            stream.reconfigure(errors="replace")
 
 
 def _complain(text: str) -> None:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from hoopgen.brief import brief
 from hoopgen.cli.options import (
     UNITS_IN_WORDS,
     by_option,
@@ -47,7 +48,7 @@ def _distances(text: str) -> tuple[float, ...]:
     if len(parts) == 1:
         return tuple(parse_quantity(part, "length") for part in text.split(","))
     if len(parts) != 3:
-        raise ValueError(f"{text!r} is not from:to:step, such as 1m:7m:0.5m")
+        raise ValueError(f"{brief(text)} is not from:to:step, such as 1m:7m:0.5m")
     return _range(*parts)
 
 

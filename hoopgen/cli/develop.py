@@ -15,10 +15,10 @@ __all__ = ["bench", "check", "generate"]
 
 def _checkout() -> Path:
     """Find the source checkout this hoopgen runs from."""
-    import hoopgen
+    from hoopgen.installed import checkout
 
-    root = Path(hoopgen.__file__).resolve().parent.parent
-    if not (root / "pyproject.toml").is_file() or not (root / "derive").is_dir():
+    root = checkout()
+    if root is None:
         raise click.UsageError("hoopgen does not run from a source checkout; give --root")
     return root
 

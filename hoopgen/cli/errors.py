@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import click
 
+from hoopgen.installed import explained
+
 __all__ = ["NOT_FORESEEN", "OWN_ERROR", "TRACEBACK", "OwnError", "foreseen", "in_words"]
 
 TRACEBACK = "HOOPGEN_TRACEBACK"
@@ -16,19 +18,6 @@ OWN_ERROR = 70
 
 # What the library raises when it is asked for something wrong, or something is not there.
 _EXPECTED = (click.ClickException, ImportError, OSError, RuntimeError, ValueError)
-
-_EXTRAS = {
-    "matplotlib": "plot",
-    "sympy": "generate",
-    "jinja2": "generate",
-    "flint": "certify",
-    "scipy": "study",
-    "pyarrow": "study",
-    "xarray": "study",
-    "pydantic": "study",
-    "distributed": "scale",
-}
-"""What may be missing, and the extra that brings it."""
 
 
 class OwnError(click.ClickException):
@@ -47,9 +36,7 @@ def in_words(error: Exception) -> str:
     if isinstance(error, click.ClickException):
         return error.format_message()
     if isinstance(error, ImportError):
-        missing = (error.name or "").partition(".")[0]
-        if missing in _EXTRAS:
-            return f"this needs {missing}: pip install 'hoopgen[{_EXTRAS[missing]}]'"
+        return str(explained(error))
     if isinstance(error, OSError) and error.filename is not None:
         return f"{error.filename}: {error.strerror}"
     return str(error) if foreseen(error) else f"{type(error).__name__}: {error}"

@@ -95,13 +95,13 @@ def _measured(file: Path, releasing: Releasing) -> Mapping[str, Any]:
     """Return the columns of the file that say something, without those that are given."""
     import pyarrow as pa
 
-    from hoopgen.study.tables import Source, columns_of, values
+    from hoopgen.study.tables import Source
 
     if releasing.sd:
         raise click.UsageError("--scatter is about a release, and --from has many; leave one out")
     source = Source(file)
-    columns = columns_of(source.schema().names, given=releasing.values)
-    return values(pa.concat_tables(source.tables(_ROWS)), columns)
+    columns = source.columns(given=releasing.values)
+    return source.values(pa.concat_tables(source.tables(_ROWS)), columns)
 
 
 _ROWS = 1 << 20

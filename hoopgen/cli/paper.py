@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Literal
 
 import click
 
+from hoopgen.brief import brief
 from hoopgen.cli.options import backend_option, examples
 from hoopgen.cli.table import NO_BREAK, table
 from hoopgen.cli.types import FOLDER
@@ -73,7 +74,7 @@ def _suffixes(text: str) -> list[str]:
     for suffix in suffixes:
         if suffix not in FORMATS:
             raise click.BadParameter(
-                f"{suffix!r} is none of {', '.join(FORMATS)}", param_hint="'--format'"
+                f"{brief(suffix)} is none of {', '.join(FORMATS)}", param_hint="'--format'"
             )
     return suffixes
 

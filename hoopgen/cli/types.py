@@ -10,6 +10,7 @@ import click
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.brief import brief
 from hoopgen.outputs import MAPS, PAGES, PICTURES, check_folder, check_output
 from hoopgen.parameters import PAPER
 from hoopgen.sizes import evenly
@@ -143,14 +144,14 @@ def _read(text: str, variable: Variable) -> float:
 
 def _known(name: str, allowed: Mapping[str, Any]) -> Variable:
     if name not in allowed:
-        raise ValueError(f"{name!r} is none of {', '.join(allowed)}")
+        raise ValueError(f"{brief(name)} is none of {', '.join(allowed)}")
     return VARIABLES[name]
 
 
 def _split(text: str, allowed: Mapping[str, Any] = VARIABLES) -> tuple[Variable, str]:
     name, separator, value = (part.strip() for part in text.partition("="))
     if not separator:
-        raise ValueError(f"{text!r} is not name=value")
+        raise ValueError(f"{brief(text)} is not name=value")
     return _known(name, allowed), value
 
 
@@ -166,7 +167,7 @@ def _axis(text: str) -> tuple[str, NDArray[np.float64]]:
         return variable.name, np.array([_read(part, variable) for part in values.split(",")])
     if len(parts) != 3 or not parts[2].strip().isdecimal() or int(parts[2]) < 2:
         raise ValueError(
-            f"{variable.name}: {values!r} is neither from:to:count, count from 2, "
+            f"{variable.name}: {brief(values)} is neither from:to:count, count from 2, "
             "nor values with commas between"
         )
     first, last = (_read(part, variable) for part in parts[:2])
@@ -179,7 +180,7 @@ def _bounds(text: str) -> tuple[str, tuple[float, float] | None]:
     variable, values = _split(text)
     ends = values.split(":")
     if len(ends) != 2:
-        raise ValueError(f"{variable.name}: {values!r} is not low:high")
+        raise ValueError(f"{variable.name}: {brief(values)} is not low:high")
     return variable.name, (_read(ends[0], variable), _read(ends[1], variable))
 
 
@@ -187,7 +188,7 @@ def _correlation(text: str) -> tuple[tuple[str, str], float]:
     names, _, value = text.partition("=")
     first, separator, second = (name.strip() for name in names.partition(","))
     if not separator or not value:
-        raise ValueError(f"{text!r} is not name,name=value")
+        raise ValueError(f"{brief(text)} is not name,name=value")
     return (first, second), parse_quantity(value, "number")
 
 
@@ -197,7 +198,7 @@ def _count(text: str) -> int:
     except ValueError:
         number = 0.0
     if not 1 <= number < 2**63 or number != int(number):
-        raise ValueError(f"{text!r} is not a whole number from 1")
+        raise ValueError(f"{brief(text)} is not a whole number from 1")
     return int(number)
 
 

@@ -14,12 +14,8 @@ import sympy as sp
 from sympy.core.sorting import default_sort_key
 from sympy.printing.latex import LatexPrinter
 
-from hoopgen.derive import events, rounding
-from hoopgen.derive.choice import Held, IfAtMost, IfLess, hold, hold_all, release
-from hoopgen.derive.events import Approach, approach, event_coefficients
-from hoopgen.derive.flight import flight, flight_polynomials
-from hoopgen.derive.frame import frame_from_axis
-from hoopgen.derive.impact import (
+from hoopgen.derive.contact.frame import frame_from_axis
+from hoopgen.derive.contact.rolling import (
     AFTER,
     BEFORE,
     INERTIA_FACTOR,
@@ -27,13 +23,32 @@ from hoopgen.derive.impact import (
     impact_inverse,
     impact_system,
 )
-from hoopgen.derive.kernel import Kernel
+from hoopgen.derive.flight.parabola import flight, flight_polynomials
+from hoopgen.derive.ground import rounding
+from hoopgen.derive.ground.choice import (
+    Both,
+    Choose,
+    Condition,
+    Either,
+    Held,
+    IfAtMost,
+    IfLess,
+    Truth,
+    hold,
+    hold_all,
+    release,
+)
+from hoopgen.derive.ground.kernel import Kernel
+from hoopgen.derive.ground.polynomials import compose
+from hoopgen.derive.ground.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, normal
 from hoopgen.derive.model import Model
-from hoopgen.derive.polynomials import compose
-from hoopgen.derive.ring import WIDER, Ring
-from hoopgen.derive.scene import Scene
-from hoopgen.derive.surfaces import Plane, Surface
-from hoopgen.derive.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, normal
+from hoopgen.derive.scenes.scene import Scene
+from hoopgen.derive.search import approach, events
+from hoopgen.derive.search.approach import Approach
+from hoopgen.derive.search.events import event_coefficients
+from hoopgen.derive.search.plane import plane_arrival, plane_margin
+from hoopgen.derive.search.ring import WIDER
+from hoopgen.derive.surfaces import Plane, Ring, Surface
 
 Names = Mapping[sp.Expr, str]
 Outputs = Mapping[str, sp.Expr]
@@ -179,10 +194,47 @@ class _Printer(LatexPrinter):  # type: ignore[misc]
 
     _print_IfLess = _print_choice
     _print_IfAtMost = _print_choice
+    _print_Choose = _print_choice
 
     def _print_condition(self, choice: sp.Expr) -> str:
-        sign = "<" if isinstance(choice, IfLess) else r"\le"
-        return f"{self._print(choice.args[0])} {sign} {self._print(choice.args[1])}"
+        if isinstance(choice, Condition | Truth):
+            return self._print(choice)
+        return self._compared(choice, "<" if isinstance(choice, IfLess) else r"\le")
+
+    def _compared(self, condition: sp.Expr, sign: str) -> str:
+        return f"{self._print(condition.args[0])} {sign} {self._print(condition.args[1])}"
+
+    def _print_Less(self, condition: sp.Expr) -> str:
+        return self._compared(condition, "<")
+
+    def _print_AtMost(self, condition: sp.Expr) -> str:
+        return self._compared(condition, r"\le")
+
+    def _print_Equal(self, condition: sp.Expr) -> str:
+        return self._compared(condition, "=")
+
+    def _print_Both(self, condition: sp.Expr) -> str:
+        return self._joined(condition, r"\wedge")
+
+    def _print_Either(self, condition: sp.Expr) -> str:
+        return self._joined(condition, r"\vee")
+
+    def _joined(self, condition: sp.Expr, sign: str) -> str:
+        """Return two conditions, joined; what is joined otherwise stands in brackets."""
+        other = {Both: Either, Either: Both}[type(condition)]
+        parts = [
+            rf"\left({self._print(c)}\right)" if isinstance(c, other) else self._print(c)
+            for c in condition.args
+        ]
+        return f" {sign} ".join(parts)
+
+    def _print_Not(self, condition: sp.Expr) -> str:
+        (inner,) = condition.args
+        text = self._print(inner)
+        return rf"\neg {text}" if isinstance(inner, Truth) else rf"\neg \left({text}\right)"
+
+    def _print_Nowhere(self, _: sp.Expr) -> str:
+        return r"\text{never}"
 
 
 def _degree(term: sp.Expr) -> int:
@@ -215,6 +267,9 @@ def _cases(choice: sp.Expr) -> list[tuple[sp.Expr, list[sp.Expr]]]:
         if isinstance(expression, IfLess | IfAtMost) and _extreme(expression) is None:
             visit(expression.args[2], [*conditions, expression])
             visit(expression.args[3], conditions)
+        elif isinstance(expression, Choose):
+            visit(expression.args[1], [*conditions, expression.args[0]])
+            visit(expression.args[2], conditions)
         else:
             rows.append((expression, conditions))
 
@@ -327,7 +382,7 @@ class _Explanation:
         for symbol, known in self.where:
             if known == content:
                 return symbol
-        cases = isinstance(content, IfLess | IfAtMost) and _extreme(content) is None
+        cases = isinstance(content, IfLess | IfAtMost | Choose) and _extreme(content) is None
         length = len(self.print(content))
         if isinstance(quantity, Held):
             worth = cases or (not content.is_Atom and (repeated or length > HELD))
@@ -564,7 +619,7 @@ def _surface(surface: Surface, gravity: sp.Expr, brief: _Brief) -> SurfaceText:
         arrival = explain(
             {
                 written.get(name, rf"\text{{{name}}}"): brief(e)
-                for name, e in events.plane_arrival(surface, gravity).items()
+                for name, e in plane_arrival(surface, gravity).items()
             },
             {brief(start): "c"} | brief.names,
         )
@@ -712,7 +767,8 @@ def _kernel(kernel: Kernel, names: Names) -> KernelText:
 def derivation_context(model: Model) -> Derivation:
     """Return what the template of derivation.md shows."""
     scene = model.scene
-    gravity, ball_radius, restitution = scene.gravity, scene.ball_radius, scene.restitution
+    gravity, ball_radius = scene.gravity, scene.ball_radius
+    restitution = scene.laws[0].restitution
     brief, names = _Brief(scene), _known_names(scene)
     matrix, right = impact_system(ball_radius, restitution)
     inverse = impact_inverse(ball_radius)
@@ -765,9 +821,7 @@ def derivation_context(model: Model) -> Derivation:
                 r"\hat\varepsilon_v": moving.error,
             }
         ),
-        plane_margins=explain(
-            {rf"m_\text{{{p.name}}}": events.plane_margin(p, gravity) for p in planes}
-        ),
+        plane_margins=explain({rf"m_\text{{{p.name}}}": plane_margin(p, gravity) for p in planes}),
         displacement=explain({"d": events.displacement(gravity, lengths)}),
         kernels={kernel.name: _kernel(kernel, names) for kernel in model.kernels},
     )

@@ -33,6 +33,11 @@ NUMPY = Spelling(
         "abs": "absolute({0})",
         "less": "({0} < {1})",
         "at_most": "({0} <= {1})",
+        "equal": "({0} == {1})",
+        "both": "logical_and({0}, {1})",
+        "either": "logical_or({0}, {1})",
+        "not": "logical_not({0})",
+        "nowhere": "False",
         "select": "where({0}, {1}, {2})",
     },
     constant="{0}",
@@ -47,6 +52,11 @@ C = Spelling(
         "abs": "lanes_abs({0})",
         "less": "({0} < {1})",
         "at_most": "({0} <= {1})",
+        "equal": "({0} == {1})",
+        "both": "({0} & {1})",
+        "either": "({0} | {1})",
+        "not": "NOT({0})",
+        "nowhere": "NOWHERE",
         "select": "lanes_select({0}, {1}, {2})",
     },
     constant="K({0})",
@@ -62,6 +72,11 @@ JS = Spelling(
         "abs": "Math.abs({0})",
         "less": "({0} < {1})",
         "at_most": "({0} <= {1})",
+        "equal": "({0} === {1})",
+        "both": "({0} && {1})",
+        "either": "({0} || {1})",
+        "not": "(!{0})",
+        "nowhere": "false",
         "select": "({0} ? {1} : {2})",
     },
     constant="{0}",
@@ -91,7 +106,7 @@ def print_program(program: Program, spelling: Spelling) -> Body:
     text: list[str] = []
     statements: list[str] = []
     for index, operation in enumerate(program.operations):
-        if operation.name == "argument":
+        if operation.name in ("argument", "truth"):
             text.append(operation.symbol)
         elif operation.name == "constant":
             text.append(constant(operation.value, spelling))
@@ -100,7 +115,7 @@ def print_program(program: Program, spelling: Spelling) -> Body:
             value = spelling.operations[operation.name].format(*operands)
             if index in named:
                 name = f"s{len(statements)}"
-                kind = "M" if operation.name in ("less", "at_most") else "V"
+                kind = "M" if operation.is_truth else "V"
                 statements.append(
                     spelling.assignment.format(name=name, type=kind, value=_bare(value))
                 )

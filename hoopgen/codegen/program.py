@@ -13,8 +13,33 @@ from dataclasses import dataclass, field
 import sympy as sp
 from sympy.core.sorting import default_sort_key
 
-from hoopgen.derive.choice import Held, IfAtMost, IfLess
-from hoopgen.derive.kernel import Kernel
+from hoopgen.derive.ground.choice import (
+    AtMost,
+    Both,
+    Choose,
+    Condition,
+    Either,
+    Equal,
+    Held,
+    IfAtMost,
+    IfLess,
+    Less,
+    Not,
+    Nowhere,
+    Truth,
+)
+from hoopgen.derive.ground.kernel import Kernel
+
+CONDITIONS = {
+    Less: "less",
+    AtMost: "at_most",
+    Equal: "equal",
+    Both: "both",
+    Either: "either",
+    Not: "not",
+    Nowhere: "nowhere",
+}
+"""The operations whose result holds or does not."""
 
 INLINE_DEPTH = 6
 """An operation used once is printed inside its user, up to this depth."""
@@ -24,13 +49,24 @@ INLINE_DEPTH = 6
 class Operation:
     """One operation: its name, and its operands as indices of earlier operations.
 
-    Names: argument, constant, add, sub, mul, div, neg, sqrt, abs, less, at_most, select.
+    Names: argument, truth (an argument that holds or does not), constant, add, sub, mul, div, neg,
+    sqrt, abs, select, and those of `CONDITIONS`.
     """
 
     name: str
     operands: tuple[int, ...] = ()
     symbol: str = ""
     value: float = 0.0
+
+    @property
+    def is_truth(self) -> bool:
+        """True if its result holds or does not."""
+        return self.name == "truth" or self.name in CONDITIONS.values()
+
+    @property
+    def is_free(self) -> bool:
+        """True if nothing is to be done for it."""
+        return self.name in ("argument", "truth", "constant", "nowhere")
 
 
 @dataclass
@@ -56,8 +92,7 @@ class Program:
     @property
     def cost(self) -> Counter[str]:
         """How many of each operation one evaluation takes; inputs and constants are free."""
-        free = {"argument", "constant"}
-        return Counter(o.name for o in self.operations if o.name not in free)
+        return Counter(o.name for o in self.operations if not o.is_free)
 
     def _add(self, name: str, *operands: int, symbol: str = "", value: float = 0.0) -> int:
         operation = Operation(name, operands, symbol, value)
@@ -73,6 +108,8 @@ class Program:
         return self._lowered[expression]
 
     def _lower(self, expression: sp.Basic) -> int:
+        if isinstance(expression, Truth):
+            return self._add("truth", symbol=str(expression))
         if expression.is_Symbol:
             return self._add("argument", symbol=str(expression))
         if expression.is_Number:
@@ -91,6 +128,10 @@ class Program:
             left, right, then, other = (self.lower(a) for a in expression.args)
             name = "less" if isinstance(expression, IfLess) else "at_most"
             return self._add("select", self._add(name, left, right), then, other)
+        if isinstance(expression, Choose):
+            return self._add("select", *map(self.lower, expression.args))
+        if isinstance(expression, Condition):
+            return self._add(CONDITIONS[type(expression)], *map(self.lower, expression.args))
         raise TypeError(f"kernel {self.kernel.name}: cannot lower {type(expression).__name__}")
 
     def _constant(self, number: sp.Number) -> int:
@@ -160,7 +201,7 @@ class Program:
         depth: list[int] = []
         named: set[int] = set()
         for index, operation in enumerate(self.operations):
-            if operation.name in ("argument", "constant"):
+            if operation.is_free:
                 depth.append(0)
                 continue
             own = 1 + max(depth[operand] for operand in operation.operands)
@@ -181,6 +222,6 @@ def lower(kernel: Kernel) -> Program:
     """
     program = Program(kernel)
     for argument in kernel.arguments:
-        program._add("argument", symbol=argument.name)
+        program.lower(argument)
     program.outputs = [program.lower(expression) for expression in kernel.expressions]
     return program

@@ -9,17 +9,21 @@ from dataclasses import dataclass
 from importlib import resources
 from importlib.metadata import version
 from pathlib import Path, PurePosixPath
+from typing import Any
 
 import jinja2
 
-from hoopgen.derive.events import SHARES
-from hoopgen.derive.kernel import Kernel
-from hoopgen.derive.model import Model, SurfaceKernels, build
-from hoopgen.derive.scene import Scene
+from hoopgen.derive.follow.fields import MEANINGS, Result
+from hoopgen.derive.ground.choice import Truth
+from hoopgen.derive.ground.kernel import Kernel
+from hoopgen.derive.ground.symbols import STATE
+from hoopgen.derive.model import Model, build
 from hoopgen.derive.scenes import SCENES
+from hoopgen.derive.scenes.scene import Scene
 from hoopgen.outputs import write
 
 from .derivation import derivation_context
+from .loop import loop_view, weighted
 from .printers import JS, NUMPY, Body, C, print_program
 from .program import Program, lower
 
@@ -27,6 +31,7 @@ OUTPUTS = {
     "numpy/kernels.py.j2": "numpy/{scene}.py",
     "c/kernels.h.j2": "c/{scene}_kernels.h",
     "c/engine.h.j2": "c/{scene}_engine.h",
+    "c/exact.h.j2": "c/{scene}_exact.h",
     "c/scene.h.j2": "c/{scene}.h",
     "c/scene.c.j2": "c/{scene}.c",
     "js/flight.js.j2": "js/{scene}.js",
@@ -36,9 +41,6 @@ OUTPUTS = {
 
 KEPT = ("__init__.py", "numpy/__init__.py")
 """Files of generated/ that are not generated."""
-
-STEP_LIMIT = 200
-"""Steps after which a search gives up and the shot is uncertain; a search takes about five."""
 
 COST_WORDS = {
     "add": "additions",
@@ -50,6 +52,10 @@ COST_WORDS = {
     "abs": "absolute values",
     "less": "comparisons",
     "at_most": "comparisons",
+    "equal": "comparisons",
+    "both": "conjunctions",
+    "either": "disjunctions",
+    "not": "complements",
     "select": "selections",
 }
 
@@ -67,22 +73,26 @@ class KernelView:
     numpy: Body
     c: Body
     js: Body
+    c_arguments: list[str]
+    c_outputs: list[tuple[str, str]]
+
+
+C_TYPES = {"uint8": "uint8_t", "int8": "int8_t", "int32": "int32_t", "bool": "uint8_t"}
 
 
 @dataclass(frozen=True)
-class SurfaceView:
-    """What a template sees of a surface."""
+class ResultView:
+    """What a template sees of a result."""
 
-    index: int
-    name: str
-    windows: int
-    bounds: tuple[str, ...]
-    constants: dict[str, str]
+    result: Result
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.result, name)
 
     @property
-    def bounded(self) -> bool:
-        """True if it has bounds."""
-        return bool(self.bounds)
+    def c_type(self) -> str:
+        """Its type in C."""
+        return C_TYPES.get(self.result.dtype, "double")
 
 
 def describe_cost(program: Program) -> str:
@@ -110,13 +120,9 @@ def _kernel_view(program: Program) -> KernelView:
         print_program(program, NUMPY),
         print_program(program, C),
         print_program(program, JS),
+        [f"{'M' if isinstance(a, Truth) else 'V'} {a.name}" for a in kernel.arguments],
+        [("M" if t else "V", n) for n, t in zip(kernel.output_names, kernel.truths, strict=True)],
     )
-
-
-def _surface_view(index: int, surface: SurfaceKernels) -> SurfaceView:
-    bounds = surface.kernels["bounds"].output_names if "bounds" in surface.kernels else ()
-    constants = {name: f"p.{name}" for name in surface.constants}
-    return SurfaceView(index, surface.surface.name, surface.window_count, bounds, constants)
 
 
 def derivation_hash(programs: list[Program]) -> str:
@@ -125,16 +131,6 @@ def derivation_hash(programs: list[Program]) -> str:
         repr((p.kernel.name, p.kernel.output_names, p.operations, p.outputs)) for p in programs
     ]
     return hashlib.sha256("\n".join(lines).encode()).hexdigest()[:16]
-
-
-def _caller(views: dict[str, KernelView], scene: str) -> Callable[..., str]:
-    """Return the template function that writes a call: arguments by name, some renamed."""
-
-    def call(name: str, **renamed: str) -> str:
-        arguments = [renamed.pop(a, a) for a in views[name].arguments]
-        return f"LANES({scene}_{name})({', '.join(arguments)})"
-
-    return call
 
 
 def _environment() -> jinja2.Environment:
@@ -171,25 +167,31 @@ def render_scene(scene: Scene) -> dict[str, str]:
     model: Model = build(scene)
     programs = [lower(kernel) for kernel in model.kernels]
     views = {p.kernel.name: _kernel_view(p) for p in programs}
-    surfaces = [_surface_view(i, s) for i, s in enumerate((*model.surfaces, model.finish))]
     derivation = derivation_hash(programs)
+    costs = {p.kernel.name: weighted(p.cost) for p in programs}
+    loops = [
+        loop_view(scene.name, costs, model.loop.plain(), bounds=False),
+        loop_view(scene.name, costs, model.loop, bounds=True),
+    ]
     environment = _environment()
-    context = {
+    context: dict[str, Any] = {
         "scene": scene,
         "parameters": [p.symbol.name for p in scene.parameters],
         "kernels": list(views.values()),
-        "surfaces": surfaces[:-1],
-        "finish": surfaces[-1],
-        "all_surfaces": surfaces,
-        "step_limit": STEP_LIMIT,
-        "shares": [float(share) for share in SHARES],
-        "call": _caller(views, scene.name),
+        "state": tuple(symbol.name for symbol in STATE),
+        "loops": loops,
+        "outcomes": MEANINGS,
+        "results": [ResultView(r) for r in model.results],
         "derivation": derivation_context(model),
     }
     files = {}
+    # The library in C is for its engine; the others are read, tested and called by studies.
+    called = [view for view in views.values() if view.name in model.loop.called]
     for template, target in OUTPUTS.items():
-        stamp = _stamp(template, scene.name, derivation)
-        text = environment.get_template(template).render(context | {"stamp": stamp})
+        own: dict[str, Any] = {"stamp": _stamp(template, scene.name, derivation)}
+        if template.startswith("c/"):
+            own |= {"kernels": called}
+        text = environment.get_template(template).render(context | own)
         files[_path(target, scene)] = text
     return files
 

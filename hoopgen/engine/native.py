@@ -1,10 +1,14 @@
-"""The C engine, through ctypes: no call holds the interpreter's lock."""
+"""The C engine, through ctypes: no call holds the interpreter's lock.
+
+It serves if it was built from the sources that are here, and has given NumPy's bits (trust.py).
+"""
 
 from __future__ import annotations
 
 import ctypes
 import importlib.machinery
 from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -12,28 +16,28 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .raw import Raw
+from hoopgen.generated.numpy import hoop
+from hoopgen.generated.numpy.hoop import RESULTS
 
-WIDTHS = (1, 2, 4, 8)
-"""Vector widths that the source can be built for; which there are depends on the processor."""
+from . import arithmetic, sources, trust
+from .raw import LOG, Raw
+from .trust import WIDTHS
 
-_RESULT_FIELDS = (
-    "outcome",
-    "contacts",
-    "counts",
-    "first",
-    "time",
-    "state",
-    "time_error",
-    "state_error",
-    "uncertain",
-    "events",
-    "event_counts",
-)
+__all__ = ["WIDTHS", "Library", "Refused", "checked", "installed", "load"]
+
+_ARRAYS = (*(result.name for result in RESULTS), *LOG)
+"""Pointers of the C struct, in order."""
+
+
+_INEXACT = -2
+"""Returned instead of a width: nothing was run, for it would not be exact."""
+
+
+_AGAIN = "install again without CFLAGS and LDFLAGS of your own"
 
 
 class _Results(ctypes.Structure):
-    _fields_ = [(name, ctypes.c_void_p) for name in _RESULT_FIELDS]
+    _fields_ = [(name, ctypes.c_void_p) for name in _ARRAYS]
 
 
 class Library:
@@ -67,6 +71,14 @@ class Library:
             ctypes.c_void_p,
             ctypes.c_void_p,
         ]
+        self._sources = getattr(library, f"{scene}_sources", None)
+        if self._sources is not None:
+            self._sources.restype = ctypes.c_char_p
+
+    @property
+    def sources(self) -> str:
+        """What the build said of the sources; "" if it is older than that."""
+        return "" if self._sources is None else self._sources().decode()
 
     def run(
         self,
@@ -97,6 +109,8 @@ class Library:
         ------
         ValueError
             If that width is not there.
+        RuntimeError
+            If doubles are not computed as IEEE 754 says: in this thread, or by how it was built.
         """
         count = len(parameters)
         shared = [p if isinstance(p, float) else 0.0 for p in parameters]
@@ -109,7 +123,7 @@ class Library:
             )
         )
         strides = (ctypes.c_int64 * count)(*(not isinstance(p, float) for p in parameters))
-        results = _Results(*(_address(getattr(out, name)) for name in _RESULT_FIELDS))
+        results = _Results(*(_address(getattr(out, name)) for name in _ARRAYS))
         used = self._simulate(
             len(states),
             _address(states),
@@ -121,6 +135,9 @@ class Library:
             _address(stop),
             ctypes.byref(results),
         )
+        if used == _INEXACT:
+            arithmetic.check_arithmetic()
+            raise RuntimeError("the C engine was built with flags that change arithmetic")
         if used < 0:
             raise ValueError(f"width {width}: this processor or build does not have it")
 
@@ -130,12 +147,58 @@ def _address(array: NDArray[Any] | None) -> int | None:
     return None if array is None else array.__array_interface__["data"][0]
 
 
-@cache
+@dataclass(frozen=True)
+class Refused:
+    """Why there is no C engine, and what to do: both go on after "the C engine"."""
+
+    reason: str
+    remedy: str
+
+
 def installed() -> Library | None:
-    """Return the hoop's compiled engine, or None where it was not built."""
+    """Return the hoop's compiled engine, None where there is none that can be trusted.
+
+    Raises
+    ------
+    RuntimeError
+        If this thread does not compute doubles as IEEE 754 says, so that nothing can be compared.
+    """
+    found = load()
+    return found if isinstance(found, Library) else None
+
+
+@cache
+def load() -> Library | Refused:
+    """Return the hoop's compiled engine, or why there is none that can be trusted.
+
+    Raises
+    ------
+    RuntimeError
+        If this thread does not compute doubles as IEEE 754 says, so that nothing can be compared.
+    """
     suffix = importlib.machinery.EXTENSION_SUFFIXES[0]
-    path = Path(__file__).with_name("_hoop" + suffix)
+    return checked(Path(__file__).with_name("_hoop" + suffix))
+
+
+def checked(path: Path) -> Library | Refused:
+    """Return the hoop's engine from a library, or why it cannot be trusted.
+
+    Raises
+    ------
+    RuntimeError
+        If this thread does not compute doubles as IEEE 754 says, so that nothing can be compared.
+    """
+    arithmetic.check_arithmetic()
     try:
-        return Library(path, "hoop")
-    except OSError:
-        return None
+        library = Library(path, "hoop")
+    except (OSError, AttributeError):
+        return Refused("was not built", "install again with a C compiler")
+    if not arithmetic.exact():
+        return Refused("makes subnormals zero in this process when it is loaded", _AGAIN)
+    # Without the sources, as in a bundle, there is nothing that could be newer.
+    if sources.word(Path(hoop.__file__).parents[1] / "c") not in ("", library.sources):
+        return Refused("was built from other sources than these", "`pip install -e .` again")
+    differences = trust.trusted(path, library, hoop)
+    if differences:
+        return Refused(f"does not give NumPy's results ({differences})", _AGAIN)
+    return library

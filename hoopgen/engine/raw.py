@@ -1,17 +1,20 @@
-"""What a backend reads and writes: plain arrays, by shot."""
+"""What a backend reads and writes: plain arrays, by shot, as the table of results says."""
 
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-STATE_SIZE = 9
-FIELDS = ("outcome", "contacts", "counts", "first", "time", "state", "uncertain")
-BOUNDS = ("time_error", "state_error")
+from hoopgen.generated.numpy.hoop import RESULTS, STATE
+
+STATE_SIZE = len(STATE)
+RESULT = {result.name: result for result in RESULTS}
+FIELDS = tuple(result.name for result in RESULTS if not result.asked)
+BOUNDS = tuple(result.name for result in RESULTS if result.asked)
+LOG = ("events", "event_counts")
 
 EVENT = np.dtype(
     [
@@ -24,56 +27,48 @@ EVENT = np.dtype(
 )
 """A row of the event log; the layout of the C struct."""
 
-_DTYPES: dict[str, Any] = {
-    "outcome": np.uint8,
-    "contacts": np.int32,
-    "counts": np.int32,
-    "first": np.int8,
-    "time": np.float64,
-    "state": np.float64,
-    "uncertain": np.bool_,
-    "time_error": np.float64,
-    "state_error": np.float64,
-}
 
-
-@dataclass(frozen=True)
 class Raw:
-    """Result arrays of a batch; None is not wanted.
+    """Result arrays of a batch, attributes by name; None is not wanted.
 
-    Attributes
+    Parameters
     ----------
-    events, event_counts
-        Room for max_contacts + 1 rows a shot, and how many of them are used.
+    arrays
+        The results of the table by name; `events` and `event_counts`, room for max_contacts + 1
+        rows a shot, and how many of them are used.
     """
 
-    outcome: NDArray[np.uint8] | None = None
-    contacts: NDArray[np.int32] | None = None
-    counts: NDArray[np.int32] | None = None
-    first: NDArray[np.int8] | None = None
-    time: NDArray[np.float64] | None = None
-    state: NDArray[np.float64] | None = None
-    uncertain: NDArray[np.bool_] | None = None
-    time_error: NDArray[np.float64] | None = None
-    state_error: NDArray[np.float64] | None = None
-    events: NDArray[Any] | None = None
-    event_counts: NDArray[np.int32] | None = None
+    def __init__(self, **arrays: NDArray[Any]) -> None:
+        self.arrays = arrays
+
+    def __getattr__(self, name: str) -> NDArray[Any] | None:
+        if name in RESULT or name in LOG:
+            return self.arrays.get(name)
+        raise AttributeError(name)
 
     @property
     def certified(self) -> bool:
         """Whether anything that bounds errors is wanted."""
-        return not (self.uncertain is None and self.time_error is None and self.state_error is None)
+        return any(RESULT[name].bounds for name in self.arrays if name in RESULT)
 
     def rows(self, start: int, stop: int) -> Raw:
         """Return views of the arrays for some of the shots."""
-        arrays = {f.name: getattr(self, f.name) for f in fields(self)}
-        return Raw(**{n: None if a is None else a[start:stop] for n, a in arrays.items()})
+        return Raw(**{name: array[start:stop] for name, array in self.arrays.items()})
+
+    def joined(self, other: Raw) -> Raw:
+        """Return these arrays and the others."""
+        return Raw(**self.arrays, **other.arrays)
 
 
 def allocate(shots: int, surfaces: int, wanted: Collection[str]) -> Raw:
     """Return uninitialised results of `shots` shots for the fields that are wanted."""
-    tails = {"counts": (surfaces,), "state": (STATE_SIZE,), "state_error": (3,)}
-    return Raw(**{name: np.empty((shots, *tails.get(name, ())), _DTYPES[name]) for name in wanted})
+
+    def empty(name: str) -> NDArray[Any]:
+        result = RESULT[name]
+        width = surfaces if name == "counts" else len(result.columns)
+        return np.empty((shots, width) if result.row else shots, result.dtype)
+
+    return Raw(**{name: empty(name) for name in wanted})
 
 
 def allocate_events(shots: int, max_contacts: int) -> Raw:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from hoopgen.installed import explained
+
 try:
     import flint as _flint  # noqa: F401
     import sympy as _sympy  # noqa: F401
 except ImportError as error:
-    raise ImportError(f"certify needs {error.name}: pip install 'hoopgen[certify]'") from None
+    raise explained(error, "certify", extra="certify") from None
 
 from .batch import MAX_BITS, certify
 from .certificate import UNDECIDED, Certificate, Enclosure, Proof

@@ -16,7 +16,8 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.inputs import check_contacts, check_leaving, check_states
+from hoopgen.brief import brief
+from hoopgen.inputs import check_contacts, check_leaving, check_states, is_whole
 from hoopgen.parameters import PAPER, resolve
 from hoopgen.results import Outcome
 
@@ -79,8 +80,10 @@ def certify(
         [np.broadcast_to(p, len(releases)) for p in resolve(parameters, len(releases))], axis=-1
     )
     most = check_contacts(max_contacts)
-    if not isinstance(max_bits, int | np.integer) or max_bits < FIRST_BITS:
-        raise ValueError(f"max_bits: expected a whole number from {FIRST_BITS}, got {max_bits!r}")
+    if not is_whole(max_bits) or max_bits < FIRST_BITS:
+        raise ValueError(
+            f"max_bits: expected a whole number from {FIRST_BITS}, got {brief(max_bits)}"
+        )
     formulas()  # compiled here, once for all processes that are forked
     task = _Task(most, int(max_bits), record)
     left = check_leaving(leaving, len(releases))
@@ -103,8 +106,10 @@ def certify(
 def _processes(processes: int | None) -> int:
     if processes is None:
         return len(os.sched_getaffinity(0)) if _FORKS else 1
-    if not isinstance(processes, int | np.integer) or processes < 1:
-        raise ValueError(f"processes: expected a whole number from 1, or None, got {processes!r}")
+    if not is_whole(processes) or processes < 1:
+        raise ValueError(
+            f"processes: expected a whole number from 1, or None, got {brief(processes)}"
+        )
     return int(processes)
 
 

@@ -13,14 +13,22 @@ from typing import Any
 
 import sympy as sp
 
-from hoopgen.derive.choice import Held
-from hoopgen.derive.events import event_coefficients
-from hoopgen.derive.flight import flight
-from hoopgen.derive.impact import impact
-from hoopgen.derive.scene import Scene
+from hoopgen.derive.flight.parabola import flight
+from hoopgen.derive.ground.choice import Held
+from hoopgen.derive.ground.symbols import (
+    NORMAL,
+    POSITION,
+    SPIN,
+    VELOCITY,
+    normal,
+    spin,
+    t,
+    velocity,
+)
 from hoopgen.derive.scenes import HOOP
+from hoopgen.derive.scenes.scene import Scene
+from hoopgen.derive.search.events import event_coefficients
 from hoopgen.derive.surfaces import Plane, Surface
-from hoopgen.derive.symbols import NORMAL, POSITION, SPIN, VELOCITY, normal, spin, t, velocity
 
 Function = Callable[..., list[Any]]
 
@@ -210,7 +218,8 @@ def formulas(scene: Scene = HOOP) -> Formulas:
     """Return the scene's formulas, compiled once."""
     state = (*POSITION, *VELOCITY, *SPIN)
     parameters = scene.symbols
-    after = impact(normal, velocity, spin, scene.ball_radius, scene.restitution)
+    (law,) = scene.laws
+    after = law.after(normal, velocity, spin, scene.ball_radius)
     there = flight(scene.gravity)
     surfaces = tuple(_surface(surface, scene) for surface in (*scene.surfaces, scene.finish))
     return Formulas(
@@ -223,5 +232,5 @@ def formulas(scene: Scene = HOOP) -> Formulas:
         tuple(p.symbol.name for p in scene.parameters),
         tuple(p.sign for p in scene.parameters),
         tuple(p.upper for p in scene.parameters),
-        parameters.index(scene.restitution),
+        parameters.index(law.restitution),
     )

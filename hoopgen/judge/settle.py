@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.engine.raw import EVENT
+from hoopgen.inputs import doubles
 from hoopgen.parameters import PAPER
 
 from .batch import certify
@@ -48,7 +49,7 @@ def settle(
     rows = np.flatnonzero(fields["uncertain"])
     if not len(rows):
         return rows
-    own = {name: _rows(value, rows) for name, value in parameters.items()}
+    own = {name: _rows(doubles(name, value), rows) for name, value in parameters.items()}
     certificate = certify(
         states[rows],
         own,

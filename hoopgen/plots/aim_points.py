@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.axes import Axes
-from matplotlib.collections import LineCollection
+from matplotlib.collections import Collection, LineCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 
 from hoopgen.plots.court import FLOOR, Court, add_floor, find_court, on_floor
 from hoopgen.plots.page import add_view, new_page
-from hoopgen.plots.panels import Panel
+from hoopgen.plots.panels import Limits, Panel
+from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scene import draw_hoop, scene_corners
 from hoopgen.plots.style import PAGE, style
 from hoopgen.plots.views import View
@@ -56,6 +57,30 @@ _MARGIN = 0.1  # m
 _AIRY = 0.25  # m, around the places
 
 
+@overload
+def plot_aim_points(
+    dataset: xr.Dataset,
+    parameters: Mapping[str, Any],
+    *,
+    court: str = ...,
+    title: str = ...,
+    width: float = ...,
+    ax: None = None,
+) -> Figure: ...
+
+
+@overload
+def plot_aim_points(
+    dataset: xr.Dataset,
+    parameters: Mapping[str, Any],
+    *,
+    court: str = ...,
+    title: str = ...,
+    width: float = ...,
+    ax: Axes,
+) -> Axes: ...
+
+
 def plot_aim_points(
     dataset: xr.Dataset,
     parameters: Mapping[str, Any],
@@ -63,7 +88,8 @@ def plot_aim_points(
     court: str = "NBA",
     title: str = "",
     width: float = PAGE,
-) -> Figure:
+    ax: Axes | None = None,
+) -> Figure | Axes:
     """Draw where on the board the best bank shots touch it, and the places they come from.
 
     A place and its point on the board have one colour, by direction from the ring, and one marker,
@@ -82,14 +108,20 @@ def plot_aim_points(
         Above the picture.
     width
         Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+    ax
+        To draw on, the board without the floor. The key is to the right of them: figures with
+        ``layout="constrained"`` make room for it.
 
     Returns
     -------
-    matplotlib.figure.Figure
-        To be written with `hoopgen.plots.save`; not known to pyplot.
+    Figure or Axes
+        A page of its own, which notebooks show and `hoopgen.plots.save` writes, not known to
+        pyplot; or `ax`, where it is given.
 
     Raises
     ------
+    TypeError
+        If `ax` is not axes.
     ValueError
         If the dataset lacks a variable, no place has a bank shot, or there is no such court.
     """
@@ -103,6 +135,8 @@ def plot_aim_points(
         raise ValueError("dataset: expected a bank shot from one place at least, got none")
     aims = _Aims(**{name: column[there] for name, column in columns.items()})
     with style():
+        if ax is not None:
+            return _draw_on(check_axes(ax), aims, parameters, title)
         return _draw(aims, parameters, lines, title, width)
 
 
@@ -139,17 +173,14 @@ def _draw(
     top = max(panel.bottom + panel.height for panel in (board, floor))
     figure = new_page(width, top + _ABOVE - _LEGEND, title=title, note=_NOTE, foot=_LEGEND)
     front = add_view(figure, board)
-    draw_hoop(front, FRONT, parameters, board.scale)
-    _draw_target(front, parameters)
+    _draw_board(front, board, aims, parameters)
     plan = add_floor(figure, floor, court, parameters)
     edge = np.full_like(aims.x, -parameters["board_distance"])
     sights = np.stack([on_floor(aims.x, aims.y), on_floor(edge, aims.sight_y)], axis=1)
     plan.add_collection(LineCollection(list(sights), colors=aims.colours, lw=0.4, zorder=3.0))
-    _scatter(front, np.stack([aims.touch_y, aims.touch_z], axis=1), aims)
     _scatter(plan, on_floor(aims.x, aims.y), aims)
-    said = [plan.collections[-len(_VERDICTS) + one] for one in np.unique(aims.verdicts)]
     figure.legend(
-        handles=said,
+        handles=_said(plan, aims),
         loc="lower left",
         ncols=len(_VERDICTS),
         frameon=False,
@@ -160,11 +191,35 @@ def _draw(
     return figure
 
 
-def _arrange(aims: _Aims, parameters: Mapping[str, float], width: float) -> tuple[Panel, Panel]:
-    """Place board and floor, equally high if beside one another, equally wide if not."""
+def _draw_on(axes: Axes, aims: _Aims, parameters: Mapping[str, float], title: str) -> Axes:
+    """Draw the board on axes that there are."""
+    _draw_board(axes, fit_view(axes, FRONT, _board(parameters)), aims, parameters)
+    add_title(axes, title, _NOTE.partition(". ")[0] + ".")
+    add_key(axes, _said(axes, aims))
+    return axes
+
+
+def _draw_board(axes: Axes, panel: Panel, aims: _Aims, parameters: Mapping[str, float]) -> None:
+    draw_hoop(axes, FRONT, parameters, panel.scale)
+    _draw_target(axes, parameters)
+    _scatter(axes, np.stack([aims.touch_y, aims.touch_z], axis=1), aims)
+
+
+def _said(axes: Axes, aims: _Aims) -> list[Collection]:
+    """Return what the key shows: the verdicts that there are, as they were drawn last."""
+    return [axes.collections[-len(_VERDICTS) + one] for one in np.unique(aims.verdicts)]
+
+
+def _board(parameters: Mapping[str, float]) -> Limits:
+    """Bound the board and the ring from the front."""
     scene = FRONT.flatten(scene_corners(parameters))
     low, high = scene.min(axis=0) - _MARGIN, scene.max(axis=0) + _MARGIN
-    board = (float(low[0]), float(high[0]), float(low[1]), float(high[1]))
+    return float(low[0]), float(high[0]), float(low[1]), float(high[1])
+
+
+def _arrange(aims: _Aims, parameters: Mapping[str, float], width: float) -> tuple[Panel, Panel]:
+    """Place board and floor, equally high if beside one another, equally wide if not."""
+    board = _board(parameters)
     wide = float(np.abs(aims.y).max()) + _AIRY
     floor = (-wide, wide, -float(aims.x.max()) - _AIRY, parameters["board_distance"] + _AIRY)
     bottom = _LEGEND + _BELOW

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.brief import brief
 from hoopgen.plots.key import classify
 from hoopgen.study.words import Quantity, percent_in_picture, quantity
 
@@ -157,7 +158,7 @@ def _choose(dataset: xr.Dataset, of: str | None) -> str:
             f"them; got {', '.join(map(str, dataset.data_vars)) or 'none'}"
         )
     if of is not None and of not in possible:
-        raise ValueError(f"of: expected {' or '.join(possible)} for this dataset, got {of!r}")
+        raise ValueError(f"of: expected {' or '.join(possible)} for this dataset, got {brief(of)}")
     return of or possible[0]
 
 
@@ -167,7 +168,9 @@ def _axis(dataset: xr.Dataset, name: Hashable) -> Axis:
     ordered = np.issubdtype(values.dtype, np.number) and bool(np.isfinite(values).all())
     steps = np.diff(values) if ordered else np.zeros(1)
     if not (np.all(steps > 0) or np.all(steps < 0)):
-        raise ValueError(f"dataset: coordinate {name}: expected numbers in order, got {values!r}")
+        raise ValueError(
+            f"dataset: coordinate {name}: expected numbers in order, got {brief(values)}"
+        )
     shown = quantity(str(name), column.attrs)
     return Axis(shown.shown(values), shown)
 

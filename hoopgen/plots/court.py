@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.brief import brief
 from hoopgen.plots.page import add_view
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.scene import draw_hoop
@@ -18,7 +19,7 @@ from hoopgen.plots.views import View
 from hoopgen.study.words import MINUS
 from hoopgen.units import FOOT
 
-__all__ = ["COURTS", "FLOOR", "Court", "add_floor", "find_court", "on_floor"]
+__all__ = ["COURTS", "FLOOR", "Court", "add_floor", "draw_floor", "find_court", "on_floor"]
 
 FLOOR = View("floor plan", (0.0, 1.0, 0.0), (-1.0, 0.0, 0.0), ("y (m)", "x (m)"))
 """As the shooter sees it: the board at the top, +y to the right."""
@@ -75,7 +76,7 @@ def find_court(name: str) -> Court:
         If there is none.
     """
     if name not in COURTS:
-        raise ValueError(f"court: expected {' or '.join(COURTS)}, got {name!r}")
+        raise ValueError(f"court: expected {' or '.join(COURTS)}, got {brief(name)}")
     return COURTS[name]
 
 
@@ -96,6 +97,12 @@ def add_floor(figure: Figure, panel: Panel, court: Court, parameters: Mapping[st
         Of the scene.
     """
     axes = add_view(figure, panel)
+    draw_floor(axes, panel, court, parameters)
+    return axes
+
+
+def draw_floor(axes: Axes, panel: Panel, court: Court, parameters: Mapping[str, float]) -> None:
+    """Draw a floor plan on axes that show it."""
     axes.yaxis.set_major_formatter(lambda value, _: f"{-value + 0.0:g}".replace("-", MINUS))
     front, half = -parameters["board_distance"], court.lane / 2.0
     baseline, line = front - court.baseline, front + court.free_throw
@@ -109,7 +116,6 @@ def add_floor(figure: Figure, panel: Panel, court: Court, parameters: Mapping[st
         flat = on_floor(*np.transpose(points))
         axes.plot(*flat.T, color=_LINES, lw=0.8, zorder=1.0, label="_court")
     draw_hoop(axes, FLOOR, parameters, panel.scale)
-    return axes
 
 
 def on_floor(x: ArrayLike, y: ArrayLike) -> NDArray[np.float64]:

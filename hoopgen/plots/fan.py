@@ -4,20 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PathCollection
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Rectangle
 from matplotlib.path import Path
 from numpy.typing import NDArray
 
 import hoopgen
+from hoopgen.brief import brief
 from hoopgen.plots.key import CLASSES, Class, classify, draw_key, key_height
 from hoopgen.plots.page import add_view, new_page
 from hoopgen.plots.panels import Panel
+from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scene import draw_hoop, scene_corners
 from hoopgen.plots.style import MISSED_LINES, PAGE, style
 from hoopgen.plots.views import View
@@ -38,6 +41,30 @@ _LINE = 0.45  # points
 _MARGIN = 0.08  # m around what is drawn
 
 
+@overload
+def plot_fan(
+    shots: hoopgen.Shots,
+    parameters: Mapping[str, Any],
+    *,
+    paths: int = ...,
+    title: str = ...,
+    width: float = ...,
+    ax: None = None,
+) -> Figure: ...
+
+
+@overload
+def plot_fan(
+    shots: hoopgen.Shots,
+    parameters: Mapping[str, Any],
+    *,
+    paths: int = ...,
+    title: str = ...,
+    width: float = ...,
+    ax: Axes,
+) -> Axes: ...
+
+
 def plot_fan(
     shots: hoopgen.Shots,
     parameters: Mapping[str, Any],
@@ -45,7 +72,8 @@ def plot_fan(
     paths: int = 150,
     title: str = "",
     width: float = PAGE,
-) -> Figure:
+    ax: Axes | None = None,
+) -> Figure | Axes:
     """Draw the paths of many shots from the side, to scale.
 
     Parameters
@@ -61,21 +89,27 @@ def plot_fan(
         Above the picture.
     width
         Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+    ax
+        To draw on, without the part near the ring. The key is to the right of them: figures with
+        ``layout="constrained"`` make room for it.
 
     Returns
     -------
-    matplotlib.figure.Figure
-        To be written with `hoopgen.plots.save`; not known to pyplot.
+    Figure or Axes
+        A page of its own, which notebooks show and `hoopgen.plots.save` writes, not known to
+        pyplot; or `ax`, where it is given.
 
     Raises
     ------
+    TypeError
+        If `ax` is not axes.
     AttributeError
         If the shots were simulated without their events, outcome, counts or first.
     ValueError
         If none of them has a path, or `paths` is not above 0.
     """
     if paths < 1:
-        raise ValueError(f"paths: expected a number above 0, got {paths}")
+        raise ValueError(f"paths: expected a number above 0, got {brief(paths)}")
     place = classify(shots.outcome, kinds(shots.outcome, shots.counts, shots.first))
     shares = {
         _as_line(CLASSES[one]): float(np.mean(place == one)) for one in np.unique(place).tolist()
@@ -84,6 +118,8 @@ def plot_fan(
     made = percent_in_picture(float(np.mean(shots.outcome == hoopgen.Outcome.MADE)))
     note = f"{len(shots)} shots, {made} made; {len(fan.curves)} are drawn."
     with style():
+        if ax is not None:
+            return _draw_on(check_axes(ax), fan, shares, title, note)
         return _draw(fan, shares, title, note, width)
 
 
@@ -175,6 +211,15 @@ def _draw(fan: Fan, shares: Mapping[Class, float], title: str, note: str, width:
     _outline(figure.axes[0], panels[1].limits)
     draw_key(figure, shares, _PAD, foot, key_width)
     return figure
+
+
+def _draw_on(axes: Axes, fan: Fan, shares: Mapping[Class, float], title: str, note: str) -> Axes:
+    """Draw all of it on axes that there are."""
+    draw_fan(axes, fit_view(axes, fan.view, fan.limits()), fan)
+    add_title(axes, title, note)
+    said = {one: f"{one.words} {percent_in_picture(share)}" for one, share in shares.items()}
+    add_key(axes, [Line2D([], [], color=one.colour, label=text) for one, text in said.items()])
+    return axes
 
 
 def _arrange(fan: Fan, width: float, foot: float) -> tuple[Panel, Panel]:

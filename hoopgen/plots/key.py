@@ -38,6 +38,11 @@ class Class:
     kind: str
     colour: str
 
+    @property
+    def words(self) -> str:
+        """Say what its shots are."""
+        return ", ".join([self.outcome, *filter(None, self.kind.split("_"))])
+
 
 def _classes() -> tuple[Class, ...]:
     made = [Class("made", kind, colour) for kind, colour in MADE.items()]

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, overload
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -15,9 +16,10 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.inputs import doubles
-from hoopgen.plots.court import FLOOR, Court, add_floor, find_court, on_floor
+from hoopgen.plots.court import FLOOR, Court, add_floor, draw_floor, find_court, on_floor
 from hoopgen.plots.page import add_axes, new_page
 from hoopgen.plots.panels import Panel
+from hoopgen.plots.picture import add_title, check_axes, fit_view
 from hoopgen.plots.style import COLOURS, PAGE, SHADES, style
 from hoopgen.study.words import percent_in_picture
 
@@ -39,6 +41,36 @@ _SHOWN = 0.995  # of the balls; the few that go furthest do not set the limits
 _MARGIN = 0.3  # m
 _CELLS = 500  # along a side, at most
 
+_SHARE = "balls that land there (% per m²)"
+
+
+@overload
+def plot_landings(
+    x: ArrayLike,
+    y: ArrayLike,
+    parameters: Mapping[str, Any],
+    *,
+    place: tuple[float, float] | None = ...,
+    court: str = ...,
+    title: str = ...,
+    width: float = ...,
+    ax: None = None,
+) -> Figure: ...
+
+
+@overload
+def plot_landings(
+    x: ArrayLike,
+    y: ArrayLike,
+    parameters: Mapping[str, Any],
+    *,
+    place: tuple[float, float] | None = ...,
+    court: str = ...,
+    title: str = ...,
+    width: float = ...,
+    ax: Axes,
+) -> Axes: ...
+
 
 def plot_landings(
     x: ArrayLike,
@@ -49,7 +81,8 @@ def plot_landings(
     court: str = "NBA",
     title: str = "",
     width: float = PAGE,
-) -> Figure:
+    ax: Axes | None = None,
+) -> Figure | Axes:
     """Draw how densely balls reach the floor around the basket, to scale.
 
     Parameters
@@ -67,22 +100,31 @@ def plot_landings(
         Above the picture.
     width
         Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+    ax
+        To draw on; the bar of colours takes its place from them.
 
     Returns
     -------
-    matplotlib.figure.Figure
-        To be written with `hoopgen.plots.save`; not known to pyplot.
+    Figure or Axes
+        A page of its own, which notebooks show and `hoopgen.plots.save` writes, not known to
+        pyplot; or `ax`, where it is given.
 
     Raises
     ------
+    TypeError
+        If `ax` is not axes.
     ValueError
         If x and y are not (n,) both, none is a number, or there is no such court.
     """
     lines = find_court(court)
     points = _points(x, y)
     scene = {name: float(np.mean(value)) for name, value in parameters.items()}
+    circles = {share: float(np.quantile(np.hypot(*points.T), share)) for share in _WITHIN}
+    places = _Places(points, circles, place, scene, lines)
     with style():
-        return _draw(points, scene, place, lines, title, width)
+        if ax is not None:
+            return _draw_on(check_axes(ax), places, title)
+        return _draw(places, title, width)
 
 
 def _points(x: ArrayLike, y: ArrayLike) -> Points:
@@ -97,48 +139,82 @@ def _points(x: ArrayLike, y: ArrayLike) -> Points:
     return points
 
 
-def _draw(
-    points: Points,
-    scene: Mapping[str, float],
-    place: tuple[float, float] | None,
-    court: Court,
-    title: str,
-    width: float,
-) -> Figure:
-    """Draw the places on the floor, `points` (n, 2) as x and y."""
-    shown = on_floor(*points.T)
-    circles = {share: float(np.quantile(np.hypot(*points.T), share)) for share in _WITHIN}
-    limits = _limits(points, max(circles.values()), scene, place, court)
+@dataclass(frozen=True)
+class _Places:
+    """Where balls land: x and y, (n, 2); radii that hold shares of them; and what is around."""
+
+    points: Points
+    circles: Mapping[float, float]
+    place: tuple[float, float] | None
+    scene: Mapping[str, float]
+    court: Court
+
+    @property
+    def limits(self) -> Limits:
+        """Bound what is shown."""
+        radius = max(self.circles.values())
+        return _limits(self.points, radius, self.scene, self.place, self.court)
+
+    @property
+    def note(self) -> str:
+        """Say how many there are."""
+        return f"n = {len(self.points)}"
+
+    def draw(self, axes: Axes, limits: Limits) -> PolyCollection:
+        """Draw all but the floor, on a floor plan."""
+        shown = on_floor(*self.points.T)
+        cells = _draw_density(axes, shown, limits, self.scene["ball_radius"])
+        for share, radius in self.circles.items():
+            _draw_circle(axes, radius, share)
+        if self.place is not None:
+            _draw_release(axes, *on_floor(*self.place).tolist())
+        return cells
+
+
+def _draw(places: _Places, title: str, width: float) -> Figure:
+    """Draw the places on a page, the floor to scale."""
+    limits = places.limits
     beside = _LEFT + _BAR_GAP + _BAR + _BAR_LABELS
     left, right, bottom, top = limits
     scale = min((width - beside) / (right - left), _TALLEST / (top - bottom))
     panel = Panel(FLOOR, limits, scale, _LEFT, _BELOW)
     body = _BELOW + panel.height + _ABOVE
-    figure = new_page(panel.width + beside, body, title=title, note=f"n = {len(points)}")
-    axes = add_floor(figure, panel, court, scene)
-    cells = _draw_density(axes, shown, limits, scene["ball_radius"])
-    for share, radius in circles.items():
-        _draw_circle(axes, radius, share)
-    if place is not None:
-        across, up = on_floor(*place).tolist()
-        axes.plot(
-            across, up, marker="x", ms=5.0, mew=1.2, color=COLOURS["release"], label="release"
-        )
-        inwards = -6.0 if across > 0.0 else 6.0  # points
-        axes.annotate(
-            "release",
-            (across, up),
-            (inwards, 0.0),
-            textcoords="offset points",
-            ha="right" if across > 0.0 else "left",
-            va="center",
-            fontsize=7.0,
-        )
+    figure = new_page(panel.width + beside, body, title=title, note=places.note)
+    axes = add_floor(figure, panel, places.court, places.scene)
+    cells = places.draw(axes, limits)
     left_of_bar = panel.left + panel.width + _BAR_GAP
     bar = add_axes(figure, left_of_bar, panel.bottom, _BAR, panel.height, "bar")
-    figure.colorbar(cells, cax=bar, label="balls that land there (% per m²)")
+    figure.colorbar(cells, cax=bar, label=_SHARE)
     bar.yaxis.set_major_locator(MaxNLocator(steps=[1, 2, 5, 10]))
     return figure
+
+
+def _draw_on(axes: Axes, places: _Places, title: str) -> Axes:
+    """Draw the places on axes that there are."""
+    panel = fit_view(axes, FLOOR, places.limits)
+    draw_floor(axes, panel, places.court, places.scene)
+    cells = places.draw(axes, panel.limits)
+    add_title(axes, title, places.note)
+    figure = axes.figure
+    assert figure is not None
+    ticks = MaxNLocator(steps=[1, 2, 5, 10])
+    figure.colorbar(cells, ax=axes, label=_SHARE, ticks=ticks)
+    return axes
+
+
+def _draw_release(axes: Axes, across: float, up: float) -> None:
+    """Mark where the shots are released, on the floor plan."""
+    axes.plot(across, up, marker="x", ms=5.0, mew=1.2, color=COLOURS["release"], label="release")
+    inwards = -6.0 if across > 0.0 else 6.0  # points
+    axes.annotate(
+        "release",
+        (across, up),
+        (inwards, 0.0),
+        textcoords="offset points",
+        ha="right" if across > 0.0 else "left",
+        va="center",
+        fontsize=7.0,
+    )
 
 
 def _limits(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 from matplotlib import colormaps
@@ -12,12 +12,14 @@ from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 from matplotlib.colors import ListedColormap, Normalize
 from matplotlib.contour import QuadContourSet
-from matplotlib.figure import Figure
+from matplotlib.figure import Figure, FigureBase
+from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from hoopgen.plots.cells import Cells, read_cells
 from hoopgen.plots.key import CLASSES, draw_key, key_height
 from hoopgen.plots.page import new_page
+from hoopgen.plots.picture import add_key, add_title, check_axes
 from hoopgen.plots.style import COLOURS, PAGE, SHADES, style
 from hoopgen.study.words import percent_in_picture
 
@@ -50,6 +52,30 @@ _SHORT = 0.15  # a contour without label
 _SMALL = 7.5  # points
 
 
+@overload
+def plot_map(
+    dataset: xr.Dataset,
+    *,
+    of: str | None = ...,
+    title: str = ...,
+    note: str | None = ...,
+    width: float = ...,
+    ax: None = None,
+) -> Figure: ...
+
+
+@overload
+def plot_map(
+    dataset: xr.Dataset,
+    *,
+    of: str | None = ...,
+    title: str = ...,
+    note: str | None = ...,
+    width: float = ...,
+    ax: Axes,
+) -> Axes: ...
+
+
 def plot_map(
     dataset: xr.Dataset,
     *,
@@ -57,7 +83,8 @@ def plot_map(
     title: str = "",
     note: str | None = None,
     width: float = PAGE,
-) -> Figure:
+    ax: Axes | None = None,
+) -> Figure | Axes:
     """Draw a map of `hoopgen.map`.
 
     Over one variable a probability is a line with its interval; over two it is colours with
@@ -75,17 +102,23 @@ def plot_map(
         Above the picture.
     note
         Below the title; by default what is the same in all cells, the scatter, the number of shots
-        and the seed.
+        and the seed, but none on `ax`, where several maps may share one.
     width
         Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+    ax
+        To draw on, a map over one or two variables. A bar of colours takes its place from them; the
+        key of kinds is to the right: figures with ``layout="constrained"`` make room for it.
 
     Returns
     -------
-    matplotlib.figure.Figure
-        To be written with `hoopgen.plots.save`; not known to pyplot.
+    Figure or Axes
+        A page of its own, which notebooks show and `hoopgen.plots.save` writes, not known to
+        pyplot; or `ax`, where it is given.
 
     Raises
     ------
+    TypeError
+        If `ax` is not axes.
     ValueError
         If the dataset has not what is to be shown, has no dimension or too many, or a coordinate
         is not numbers in order.
@@ -94,6 +127,8 @@ def plot_map(
     if note is not None:
         shown = replace(shown, note=note)
     with style():
+        if ax is not None:
+            return _draw_on(check_axes(ax), shown, title, note or "")
         if shown.of == "probability" and len(shown.axes) == 1:
             return _plot_line(shown, title, width)
         return _plot_panels(shown, title, width)
@@ -101,10 +136,45 @@ def plot_map(
 
 def _plot_line(shown: Cells, title: str, width: float) -> Figure:
     """Draw a probability over one variable."""
-    axis, top = shown.axes[0], shown.values
     body = 2.4 if width < _NARROW else 3.2
     figure = new_page(width, body, title=title, note=shown.note, arrange=True)
-    axes = figure.subplots()
+    _draw_line(figure.subplots(), shown)
+    return figure
+
+
+def _draw_on(axes: Axes, shown: Cells, title: str, note: str) -> Axes:
+    """Draw a map on axes that there are."""
+    (panel, *more) = shown.panels()
+    if more:
+        third = shown.axes[2].quantity.name
+        raise ValueError(
+            f"ax: over a third variable, {third}, there is a panel for each of its "
+            f"{1 + len(more)} values; select one, dataset.sel(name=value, method='nearest'), or "
+            "leave ax out"
+        )
+    if panel.of == "probability" and len(panel.axes) == 1:
+        _draw_line(axes, panel)
+    else:
+        axes.set_xlabel(panel.axes[0].quantity.label)
+        if len(panel.axes) > 1:
+            axes.set_ylabel(panel.axes[1].quantity.label)
+        else:
+            axes.set_yticks([])
+    if panel.of == "kind":
+        draw_kinds(axes, panel)
+        present = [CLASSES[place] for place in np.unique(panel.values)]
+        add_key(axes, [Patch(fc=one.colour, ec="#777777", label=one.words) for one in present])
+    elif len(panel.axes) > 1:
+        figure = axes.figure
+        assert figure is not None
+        _draw_probabilities(figure, [axes], [panel])
+    add_title(axes, title, note, axes.get_title(loc="left"))
+    return axes
+
+
+def _draw_line(axes: Axes, shown: Cells) -> None:
+    """Draw a probability over one variable, with its interval."""
+    axis, top = shown.axes[0], shown.values
     if shown.interval is not None:
         low, top = shown.interval
         share = f"{percent_in_picture(shown.confidence, 0)} " if shown.confidence else ""
@@ -123,7 +193,6 @@ def _plot_line(shown: Cells, title: str, width: float) -> Figure:
     axes.set_axisbelow(True)
     if shown.interval is not None:
         axes.legend(frameon=False, fontsize=_SMALL)
-    return figure
 
 
 def _plot_panels(shown: Cells, title: str, width: float) -> Figure:
@@ -176,7 +245,9 @@ def draw_kinds(axes: Axes, panel: Cells) -> None:
     _draw_cells(axes, panel, cmap=colours, norm=Normalize(-0.5, len(CLASSES) - 0.5))
 
 
-def _draw_probabilities(figure: Figure, places: Sequence[Axes], panels: Sequence[Cells]) -> None:
+def _draw_probabilities(
+    figure: FigureBase, places: Sequence[Axes], panels: Sequence[Cells]
+) -> None:
     top = max(float(np.nanmax(panel.values, initial=0.01)) for panel in panels)
     steps = _LEVELS if len(panels) == 1 else _FEW_LEVELS
     levels = steps.tick_values(0.0, top)

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from hoopgen.plots.panels import Panel
+from hoopgen.plots.picture import Picture
 
 __all__ = ["add_axes", "add_view", "new_page"]
 
@@ -47,7 +48,7 @@ def new_page(
     lines = textwrap.wrap(note, int((width - 2.0 * _MARGIN) / _LETTER))
     head = _TITLE * bool(title) + _NOTE * len(lines) + (_MARGIN if title or lines else 0.0)
     height = body + head + foot
-    figure = Figure(figsize=(width, height))
+    figure = Picture(figsize=(width, height))
     if arrange:
         room = (0.0, foot / height, 1.0, body / height)
         figure.set_layout_engine(ConstrainedLayoutEngine(rect=room))

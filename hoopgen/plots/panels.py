@@ -16,7 +16,7 @@ from hoopgen.plots.scene import draw_ball, draw_hoop, draw_path, scene_points
 from hoopgen.plots.style import COLOURS
 from hoopgen.plots.views import View
 
-__all__ = ["Drawing", "Panel", "Room", "draw_panel", "some"]
+__all__ = ["Drawing", "Limits", "Panel", "Room", "draw_panel", "draw_view", "some"]
 
 Points = NDArray[np.float64]
 Limits = tuple[float, float, float, float]
@@ -122,8 +122,14 @@ def draw_panel(figure: Figure, panel: Panel, drawing: Drawing) -> Axes:
     matplotlib.axes.Axes
         With equal aspect, labelled with the view's name.
     """
-    view = panel.view
     axes = _add_axes(figure, panel)
+    draw_view(axes, panel, drawing)
+    return axes
+
+
+def draw_view(axes: Axes, panel: Panel, drawing: Drawing) -> None:
+    """Draw a view of a shot on axes that show it."""
+    view = panel.view
     written = _draw_floor(axes, panel, drawing) if view.labels is None else []
     if view.labels is not None:
         _dress_flat(axes, panel, drawing)
@@ -137,7 +143,6 @@ def draw_panel(figure: Figure, panel: Panel, drawing: Drawing) -> Axes:
     lines = np.vstack([some(drawing.path, _LEFT_VISIBLE), scene_points(drawing.parameters)])
     obstacles = np.vstack([view.flatten(lines), *written])
     draw_badges(axes, view, drawing.marks, obstacles, panel.limits, radius, panel.scale)
-    return axes
 
 
 def some(rows: Points, most: int) -> Points:

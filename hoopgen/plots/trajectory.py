@@ -5,17 +5,20 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, Protocol
+from typing import Any, Protocol, overload
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 
 import hoopgen
-from hoopgen.plots.marks import KEY_ROW, collect_marks, draw_key, key_rows
-from hoopgen.plots.panels import Drawing, Panel, Room, draw_panel, some
+from hoopgen.plots.marks import KEY_ROW, Mark, collect_marks, draw_key, key_rows
+from hoopgen.plots.panels import Drawing, Panel, Room, draw_panel, draw_view, some
+from hoopgen.plots.picture import Picture, add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scene import scene_corners
-from hoopgen.plots.style import PAGE, style
+from hoopgen.plots.style import COLOURS, PAGE, style
 from hoopgen.plots.views import SIDE, TOP, View, oblique
 
 __all__ = ["plot_trajectory"]
@@ -62,6 +65,30 @@ _ELEVATION = np.radians(25.0)
 _ALONG, _ACROSS = np.radians(62.0), np.radians(36.0)  # azimuth, for a long and for a wide room
 
 
+@overload
+def plot_trajectory(
+    trajectory: Path,
+    parameters: Mapping[str, float],
+    *,
+    outcome: hoopgen.Outcome | None = ...,
+    title: str = ...,
+    three_d: bool | None = ...,
+    ax: None = None,
+) -> Figure: ...
+
+
+@overload
+def plot_trajectory(
+    trajectory: Path,
+    parameters: Mapping[str, float],
+    *,
+    outcome: hoopgen.Outcome | None = ...,
+    title: str = ...,
+    three_d: bool | None = ...,
+    ax: Axes,
+) -> Axes: ...
+
+
 def plot_trajectory(
     trajectory: Path,
     parameters: Mapping[str, float],
@@ -69,7 +96,8 @@ def plot_trajectory(
     outcome: hoopgen.Outcome | None = None,
     title: str = "",
     three_d: bool | None = None,
-) -> Figure:
+    ax: Axes | None = None,
+) -> Figure | Axes:
     """Draw a shot to scale: from the side, from above and, out of plane, in space.
 
     Parameters
@@ -84,28 +112,52 @@ def plot_trajectory(
         Above the picture.
     three_d
         Whether there is a 3D view; by default where the ball leaves the plane y = 0.
+    ax
+        To draw on, from the side only. The key is to the right of them: figures with
+        ``layout="constrained"`` make room for it.
 
     Returns
     -------
-    matplotlib.figure.Figure
-        To be written with `hoopgen.plots.save`; not known to pyplot.
+    Figure or Axes
+        A page of its own, which notebooks show and `hoopgen.plots.save` writes, not known to
+        pyplot; or `ax`, where it is given.
 
     Raises
     ------
+    TypeError
+        If `ax` is not axes.
     ValueError
-        If the path leads further than 1e290 m.
+        If a 3D view is asked for on `ax`, or the path leads further than 1e290 m.
     """
     drawing = _collect(trajectory, parameters, outcome)
+    if ax is not None:
+        if three_d:
+            raise ValueError("three_d: on ax there is the side view alone; leave out")
+        with style():
+            return _draw_on(check_axes(ax), drawing, title, _release_text(trajectory))
     if three_d is None:
         three_d = bool(np.abs(drawing.path[:, 1]).max() > _FLAT)
     with style():
         page = _arrange(drawing, three_d)
-        figure = Figure(figsize=(page.width, page.height))
+        figure = Picture(figsize=(page.width, page.height))
         for panel in page.panels:
             draw_panel(figure, panel, drawing)
         _draw_title(figure, title, _release_text(trajectory))
         draw_key(figure, drawing.marks, page.panels[0].left, 0.12)
     return figure
+
+
+def _draw_on(axes: Axes, drawing: Drawing, title: str, text: str) -> Axes:
+    """Draw the side view on axes that there are."""
+    draw_view(axes, fit_view(axes, SIDE, _flat_limits(drawing, SIDE)), drawing)
+    add_title(axes, title, text)
+    add_key(axes, [_key_of(mark) for mark in drawing.marks if mark.text])
+    return axes
+
+
+def _key_of(mark: Mark) -> Line2D:
+    colour, text = COLOURS[mark.kind], f"{mark.label}  {mark.text}".strip()
+    return Line2D([], [], color=colour, label=text, marker="o", markersize=5.0, linestyle="none")
 
 
 def _collect(

@@ -15,8 +15,11 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
 from hoopgen.inputs import doubles
+from hoopgen.installed import need
+from hoopgen.notebook import ROWS, some_rows, table
 from hoopgen.outputs import written_text
 from hoopgen.parameters import PAPER
 from hoopgen.releases import RING_HEIGHT
@@ -61,6 +64,31 @@ class Aim:
         """Arguments of `hoopgen.release`; spin may be added, the flight does not depend on it."""
         names = ("speed", "elevation", "height", "distance", "angle")
         return {name: getattr(self, name) for name in names}
+
+    def to_pandas(self) -> Any:
+        """Return the releases as a pandas.DataFrame, a row each; their units are in its ``attrs``.
+
+        Raises
+        ------
+        ImportError
+            If pandas is missing: what brings it.
+        """
+        frame = need("pandas", "to_pandas").DataFrame(self._columns())
+        frame.attrs["units"] = {name: TABLE[name] for name in frame.columns}
+        return frame
+
+    def _columns(self) -> dict[str, NDArray[np.float64]]:
+        """Return the releases, (n,) each."""
+        return {name: np.ravel(value) for name, value in vars(self).items()}
+
+    def _repr_html_(self) -> str:
+        columns = self._columns()
+        rows = some_rows(len(columns["speed"]))
+        turned = {name: TABLE[name] == "rad" for name in columns}
+        head = [f"{name} ({'°' if turned[name] else TABLE[name]})" for name in columns]
+        shown = [np.degrees(c[rows]) if turned[name] else c[rows] for name, c in columns.items()]
+        gap = ROWS // 2 if len(rows) < len(columns["speed"]) else None
+        return table("", head, zip(*(c.tolist() for c in shown), strict=True), gap=gap)
 
 
 def aim(
@@ -115,7 +143,7 @@ def aim(
         are numbers, no release does it.
     """
     if arc not in ("high", "low"):
-        raise ValueError(f"arc: expected 'high' or 'low', got {arc!r}")
+        raise ValueError(f"arc: expected 'high' or 'low', got {brief(arc)}")
     if "gravity" not in parameters:
         raise ValueError("parameters: missing gravity")
     wanted = {"entry": entry, "elevation": elevation, "speed": speed}

@@ -90,7 +90,7 @@ def bank_or_direct(
     question = _Question(
         [scattering(sd, correlation, parameters, way, threads) for way in WAYS],
         one_each("release", release),
-        (over,) if isinstance(over, str) else over,
+        over if isinstance(over, Mapping) else (over,) if isinstance(over, str) else tuple(over),
         check_count("shots", shots),
         seed,
         check_share("confidence", confidence),

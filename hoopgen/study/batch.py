@@ -5,7 +5,8 @@ from __future__ import annotations
 import json
 import os
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass, field
 from functools import partial
 from math import ceil
@@ -18,7 +19,10 @@ import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
 import hoopgen
+from hoopgen.brief import listed
 from hoopgen.inputs import check_contacts, doubles
+from hoopgen.installed import need
+from hoopgen.notebook import table as rendered
 from hoopgen.outputs import check_output, followed
 from hoopgen.parameters import PAPER, resolve
 from hoopgen.results import SURFACES, Outcome, Shots
@@ -27,11 +31,45 @@ from hoopgen.simulation import simulate
 from .chunks import opened, run, written
 from .measures import MEASURES, Kind, kinds, measure
 from .models import from_columns
-from .tables import FORMATS, Column, Source, Stamp, columns_of, values
+from .tables import FORMATS, Column, Source, Stamp
 from .tallies import check_count
 from .variables import STATE, VARIABLES, check_names
 
-__all__ = ["ROWS", "batch"]
+__all__ = ["ROWS", "Batch", "batch"]
+
+
+class Batch(dict[str, int]):
+    """Number of shots by outcome, in lower case; and where the results are.
+
+    Attributes
+    ----------
+    path
+        The file written.
+    """
+
+    def __init__(self, counts: Mapping[str, int], path: Path) -> None:
+        super().__init__(counts)
+        self.path = path
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return type(self), (dict(self), self.path)
+
+    def to_pandas(self) -> Any:
+        """Return the file's rows as a pandas.DataFrame.
+
+        Raises
+        ------
+        ImportError
+            If pandas is missing: what brings it.
+        """
+        need("pandas", "to_pandas")
+        return pq.read_table(self.path, partitioning=None).to_pandas()
+
+    def _repr_html_(self) -> str:
+        about = f"{sum(self.values()):,} shots in {self.path}"
+        rows = [(name, f"{count:,}") for name, count in self.items()]
+        return rendered(about, ("outcome", "shots"), rows)
+
 
 ROWS = 1 << 16
 """Rows in a chunk: a small part of a second, and few megabytes."""
@@ -59,7 +97,7 @@ def batch(
     threads: int | None = None,
     progress: Callable[[int, int | None], None] | None = None,
     report: Callable[[str], None] | None = None,
-) -> dict[str, int]:
+) -> Batch:
     """Simulate the releases of a table, and write it with the results.
 
     The table is read and written in chunks, so that it may be larger than the memory. Finished
@@ -74,7 +112,8 @@ def batch(
         or the states; and parameters of the scene, in place of those below. A row with no number
         where one is needed becomes INVALID.
     out
-        Parquet: the columns of `source` as they are, those of CSV as text; and after them outcome,
+        Parquet: the columns of `source` as they are, those of CSV as text (also text that a
+        spreadsheet would take for a formula, such as ``=1+1``); and after them outcome,
         kind (see `hoopgen.study.measures.Kind`), contacts, contacts by surface, first surface
         touched, time and state at the end plane (NaN for a shot that does not come to it),
         uncertain, and what is measured. Units are in the fields' metadata, settings in the
@@ -100,8 +139,8 @@ def batch(
 
     Returns
     -------
-    dict
-        Number of shots by outcome, in lower case.
+    Batch
+        Number of shots by outcome, a dict; the file is its ``path``.
 
     Raises
     ------
@@ -133,7 +172,7 @@ def batch(
     check_names("measures", shots.measures, MEASURES)
     rows = check_count("rows", rows)
     stamp = table.stamp()
-    columns = _columns(table, own, shots.release)
+    columns = table.columns(own, shots.release)
     schema = _schema(table, shots, columns, prefix)
     digest, count = table.digest()
     work = _Rows(table, columns, shots, rows, digest, count, stamp)
@@ -141,7 +180,7 @@ def batch(
     with opened(target.with_name(f"{target.name}.parts"), work.identity()) as folder:
         # In the folder, where the next start removes what was left unfinished.
         unfinished = folder.path / f"{target.name}.tmp"
-        with written(target, unfinished), _writer(unfinished, schema) as writer:
+        with written(target, unfinished), _writer(unfinished, schema, table) as writer:
             chunks = run(
                 work,
                 folder,
@@ -156,7 +195,8 @@ def batch(
                 outcomes += _by_outcome(results["outcome"])
             table.check_unchanged(stamp)  # its own columns were read until now
         folder.remove()
-    return {outcome.name.lower(): int(outcomes[outcome]) for outcome in Outcome}
+    counts = {outcome.name.lower(): int(outcomes[outcome]) for outcome in Outcome}
+    return Batch(counts, target)
 
 
 def _numbers(name: str, values: Mapping[str, Any]) -> dict[str, float]:
@@ -169,24 +209,18 @@ def _numbers(name: str, values: Mapping[str, Any]) -> dict[str, float]:
     return {key: float(array) for key, array in arrays.items()}
 
 
-def _columns(table: Source, own: Sequence[str], given: Iterable[str]) -> dict[str, Column]:
-    try:
-        return columns_of(table.schema().names, own, given)
-    except ValueError as error:
-        raise ValueError(f"{table.path}: {error}") from None
-
-
 def _schema(table: Source, shots: _Shots, columns: Mapping[str, Column], prefix: str) -> pa.Schema:
     """Return that of the file of results; arguments that shots cannot have are refused here."""
     given = table.schema()
+    read = pa.schema([given.field(column.name) for column in columns.values()])
     results = [
         column.with_name(prefix + column.name)
-        for column in shots.results(values(given.empty_table(), columns)).schema
+        for column in shots.results(table.values(read.empty_table(), columns)).schema
     ]
     both = [column.name for column in results if column.name in given.names]
     if both:
         raise ValueError(
-            f"{table.path}: has columns named like results: {', '.join(both)}; give a prefix"
+            f"{table.path}: has columns named like results: {listed(both)}; give a prefix"
         )
     about = {
         "version": hoopgen.__version__,
@@ -197,11 +231,16 @@ def _schema(table: Source, shots: _Shots, columns: Mapping[str, Column], prefix:
     return pa.schema([*given, *results], {**(given.metadata or {}), "hoopgen": json.dumps(about)})
 
 
-def _writer(file: Path, schema: pa.Schema) -> pq.ParquetWriter:
+@contextmanager
+def _writer(file: Path, schema: pa.Schema, table: Source) -> Iterator[pq.ParquetWriter]:
     # A dictionary of doubles that hardly repeat is larger and slower than they are.
     repeat = [column.name for column in schema if not pa.types.is_floating(column.type)]
     # By its name: every write of a Python file would wait for the interpreter's lock.
-    return pq.ParquetWriter(str(file), schema, compression="zstd", use_dictionary=repeat)
+    try:
+        with pq.ParquetWriter(str(file), schema, compression="zstd", use_dictionary=repeat) as new:
+            yield new
+    except pa.ArrowNotImplementedError as error:  # of reading it is none: that names the file
+        raise ValueError(f"{table.path}: Parquet has no such column: {error}") from error
 
 
 def _by_outcome(column: pa.ChunkedArray) -> NDArray[np.int64]:
@@ -242,7 +281,7 @@ class _Rows:
     def tasks(self) -> Iterator[Callable[[], pa.Table]]:
         """Read, and give what simulates the rows of each chunk."""
         for table in self.table.tables(self.rows):
-            given = values(table, self.columns)
+            given = self.table.values(table, self.columns)
             # Of what was read until now the digest tells: no chunk is kept of anything else.
             self.table.check_unchanged(self.stamp)
             self.read.append(table)

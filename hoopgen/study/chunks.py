@@ -26,6 +26,7 @@ import pyarrow as pa
 import hoopgen
 from hoopgen import outputs
 from hoopgen.inputs import check_threads
+from hoopgen.installed import need
 
 if sys.platform == "win32":
     import msvcrt
@@ -261,13 +262,10 @@ def _workers(
 @contextlib.contextmanager
 def _cluster(address: str) -> Iterator[_Workers]:
     """Connect to a Dask scheduler; each waiting thread has one chunk on the cluster."""
-    import distributed
-
+    distributed = need("distributed", "scheduler")
     _check_tls(address)
     try:
-        client: Any = distributed.Client(  # type: ignore[no-untyped-call]
-            address, set_as_default=False, timeout=_CONNECT
-        )
+        client: Any = distributed.Client(address, set_as_default=False, timeout=_CONNECT)
     except (OSError, ValueError) as error:
         raise ConnectionError(
             f"scheduler: no Dask scheduler answers at {address!r} ({error})"

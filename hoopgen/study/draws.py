@@ -11,6 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtri
 
+from hoopgen.brief import brief
+from hoopgen.inputs import is_whole
+
 __all__ = ["ROW_OF_RELEASES", "ROW_OF_SAMPLE", "check_seed", "normals", "uniforms"]
 
 ROW_OF_RELEASES, ROW_OF_SAMPLE = 1 << 32, 2 << 32
@@ -68,6 +71,6 @@ def check_seed(seed: int) -> int:
     ValueError
         If it is not a whole number from 0 to 2^64 - 1.
     """
-    if not isinstance(seed, int | np.integer) or not 0 <= seed < 2**64:
-        raise ValueError(f"seed: expected a whole number from 0 to 2**64 - 1, got {seed!r}")
+    if not is_whole(seed) or not 0 <= seed < 2**64:
+        raise ValueError(f"seed: expected a whole number from 0 to 2**64 - 1, got {brief(seed)}")
     return int(seed)

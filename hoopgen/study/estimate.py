@@ -19,7 +19,9 @@ import pyarrow as pa
 from numpy.typing import NDArray
 from scipy.special import ndtri
 
+from hoopgen.brief import brief
 from hoopgen.inputs import check_contacts
+from hoopgen.notebook import Said
 from hoopgen.parameters import PAPER
 from hoopgen.results import Outcome, Shots
 from hoopgen.simulation import simulate
@@ -64,7 +66,7 @@ Progress = Callable[[int, int | None], None]
 
 
 @dataclass(frozen=True)
-class Estimate:
+class Estimate(Said):
     """How probably a shot is made.
 
     An invalid shot is no trial: `probability` is of the others. A capped one is a trial and not
@@ -152,7 +154,7 @@ class Estimate:
 
 
 @dataclass(frozen=True)
-class Comparison:
+class Comparison(Said):
     """What the second of two settings adds to the first, over the same random numbers.
 
     Attributes
@@ -454,7 +456,7 @@ def _setting(model: ReleaseModel, parameters: Mapping[str, Any]) -> _Set:
     if isinstance(model, Grid) or not isinstance(model, ReleaseModel):
         raise TypeError(
             "model: expected a Scatter, a Resample, or what else draws at random (it has draw and "
-            f"identity; a grid is for hoopgen.map), got {model!r}"
+            f"identity; a grid is for hoopgen.map), got {brief(model)}"
         )
     return _Set(model, check_scene(parameters))
 

@@ -16,6 +16,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 import hoopgen
+from hoopgen.brief import brief
 from hoopgen.inputs import check_contacts, doubles
 from hoopgen.parameters import NAMES, PAPER
 from hoopgen.releases import release as release_states
@@ -148,7 +149,7 @@ def _axes(over: Mapping[str, ArrayLike]) -> dict[str, Floats]:
     axes = {name: doubles(f"over[{name!r}]", values) for name, values in over.items()}
     for name, values in axes.items():
         if values.ndim != 1 or not values.size:
-            raise ValueError(f"over[{name!r}]: expected a list of numbers, got {over[name]!r}")
+            raise ValueError(f"over[{name!r}]: expected a list of numbers, got {brief(over[name])}")
     return axes
 
 

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.notebook import Said
 from hoopgen.parameters import PAPER
 
 from .draws import check_seed
 from .player import By, Player, arguments_of, one_each
 from .tallies import check_count, check_share
 from .variables import VARIABLES, check_names
-from .words import between, say
+from .words import between, for_json, say
 
 __all__ = ["MARGINS", "Margin", "margins"]
 
@@ -44,7 +45,7 @@ _ENDS: Mapping[str, Bounds] = {
 
 
 @dataclass(frozen=True)
-class Margin:
+class Margin(Said):
     """How far one variable may be off, the others as they are.
 
     Attributes
@@ -76,6 +77,10 @@ class Margin:
     def __str__(self) -> str:
         more = f", and in {len(self.elsewhere)} further intervals" if self.elsewhere else ""
         return f"{self.name} {self.said(self.low, self.high)}{more}"
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return everything, in types that JSON knows; SI. What is not a number is None."""
+        return {name: for_json(value) for name, value in asdict(self).items()}
 
     def said(self, low: float, high: float) -> str:
         """Say an interval, of those above, open where it reaches as far as was looked."""
@@ -135,7 +140,7 @@ def margins(
     TypeError, ValueError
         If an argument is not as described.
     """
-    check_names("names", names, VARIABLES)
+    names = check_names("names", names, VARIABLES)
     check_count("shots", shots)
     check_seed(seed)
     check_share("tolerance", tolerance)

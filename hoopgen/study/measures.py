@@ -6,7 +6,7 @@ touched first, the one after that contact, continued as if nothing else were in 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import cached_property, partial
@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.generated.numpy import hoop
 from hoopgen.inputs import check_states
+from hoopgen.installed import need
 from hoopgen.parameters import NAMES, PAPER, Value, resolve
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import SURFACES, Outcome, Shots
@@ -100,7 +101,7 @@ def measure(
     states: ArrayLike,
     shots: Shots,
     parameters: Mapping[str, Any] = PAPER,
-    names: Sequence[str] | None = None,
+    names: Iterable[str] | None = None,
 ) -> dict[str, Floats]:
     """Return measures of simulated shots.
 
@@ -127,8 +128,7 @@ def measure(
     AttributeError
         If `shots` lacks a field.
     """
-    wanted = tuple(MEASURES) if names is None else tuple(names)
-    check_names("names", wanted, MEASURES)
+    wanted = check_names("names", MEASURES if names is None else names, MEASURES)
     releases = check_states(states)
     if len(releases) != len(shots):
         raise ValueError(
@@ -346,7 +346,7 @@ def _bottom(
 ) -> None:
     """Note the least distance in cells in which its rate rises throughout."""
     # Here, since a picture that needs a `Kind` need not have SciPy.
-    from scipy.optimize import elementwise
+    elementwise = need("scipy.optimize.elementwise", "this measure")
 
     begin, end = t - half, t + half
     falls, rises = note(rows, begin) < 0.0, note(rows, end) > 0.0

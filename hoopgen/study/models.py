@@ -11,6 +11,7 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.brief import brief
 from hoopgen.inputs import doubles
 from hoopgen.parameters import NAMES, PAPER
 from hoopgen.sizes import check_room
@@ -82,11 +83,12 @@ class Scatter:
         check_names("sd", self.sd, _SCATTERED)
         for name, value in self.mean.items():
             if doubles(f"mean[{name!r}]", value).ndim:
-                raise ValueError(f"mean[{name!r}]: expected one number, got {value!r}")
+                raise ValueError(f"mean[{name!r}]: expected one number, got {brief(value)}")
         check_angles("mean", self.mean)
         for name, value in self.sd.items():
-            if doubles(f"sd[{name!r}]", value).ndim or not 0.0 <= value < np.inf:
-                raise ValueError(f"sd[{name!r}]: expected a number from 0, got {value!r}")
+            deviation = doubles(f"sd[{name!r}]", value)
+            if deviation.ndim or not 0.0 <= deviation < np.inf:
+                raise ValueError(f"sd[{name!r}]: expected a number from 0, got {brief(value)}")
         self._mix()
 
     def noise(self, start: int, stop: int, seed: int = 0) -> dict[str, NDArray[np.float64]]:
@@ -143,15 +145,13 @@ class Scatter:
         matrix = np.eye(len(names))
         for (a, b), value in self.correlation.items():
             if a == b or a not in self.sd or b not in self.sd:
-                raise ValueError(
-                    f"correlation: ({a!r}, {b!r}) is no pair of {', '.join(self.sd) or 'none'}"
-                )
+                known = ", ".join(self.sd) or "none"
+                raise ValueError(f"correlation: ({brief(a)}, {brief(b)}) is no pair of {known}")
             if (b, a) in self.correlation:
                 raise ValueError(f"correlation: {a} and {b} are given twice")
-            if not -1.0 < value < 1.0:
-                raise ValueError(
-                    f"correlation: {a} and {b}: expected a number within -1 and 1, got {value!r}"
-                )
+            pair = f"correlation: {a} and {b}"
+            if not -1.0 < doubles(pair, value) < 1.0:
+                raise ValueError(f"{pair}: expected a number within -1 and 1, got {brief(value)}")
             if a in names and b in names:
                 i, j = names.index(a), names.index(b)
                 matrix[i, j] = matrix[j, i] = value
@@ -159,7 +159,7 @@ class Scatter:
             factor = np.linalg.cholesky(matrix)
         except np.linalg.LinAlgError:
             raise ValueError(
-                f"correlation: no distribution has all of these: {dict(self.correlation)!r}"
+                f"correlation: no distribution has all of these: {brief(dict(self.correlation))}"
             ) from None
         return [row[: i + 1] for i, row in enumerate(factor)]
 
@@ -248,7 +248,7 @@ class Grid:
             raise ValueError(f"fixed: {', '.join(twice)} already among the axes")
         for name, values in self.axes.items():
             if doubles(f"axes[{name!r}]", values).ndim != 1 or not np.size(values):
-                raise ValueError(f"axes[{name!r}]: expected a list of numbers, got {values!r}")
+                raise ValueError(f"axes[{name!r}]: expected a list of numbers, got {brief(values)}")
         self.draw(0, 1)
 
     @property
@@ -287,7 +287,7 @@ class Grid:
         """Return what tells this model from others, in types that JSON knows."""
         return {
             "model": "grid",
-            "axes": {name: np.asarray(values).tolist() for name, values in self.axes.items()},
+            "axes": {name: doubles(name, values).tolist() for name, values in self.axes.items()},
             "fixed": {name: float(value) for name, value in self.fixed.items()},
         }
 

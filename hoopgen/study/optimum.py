@@ -9,8 +9,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from hoopgen.notebook import Said
 from hoopgen.parameters import PAPER
 from hoopgen.simulation import simulate
 
@@ -19,17 +20,25 @@ from .estimate import newcombe
 from .margins import MARGINS, Margin
 from .margins import margins as margins_of
 from .measures import measure
+from .models import Scatter
 from .player import BY, By, Player, Thrown, arguments_of, one_each
 from .search import Bounds, bounds_of, flat_about, search
 from .tallies import check_count, check_scene, check_share, wilson
 from .variables import resolve_variables
 from .words import between, for_json, percent, say
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
 __all__ = ["Optimum", "optimum", "paired", "scattering"]
+
+_PLOTTED = 2_000
+"""Shots whose shares are beside their paths."""
 
 
 @dataclass(frozen=True)
-class Optimum:
+class Optimum(Said):
     """The release with the greatest probability of success.
 
     Attributes
@@ -118,6 +127,15 @@ class Optimum:
             for one in (self, other)
         )
         return paired(mine, others, self.confidence)
+
+    def plot(self, **options: Any) -> Figure | Axes:
+        """Draw paths of its fresh shots; options, and what is returned, as for `plots.plot_fan`.
+
+        The shares in the key are those of the first 2000 at most.
+        """
+        player = Scatter(self.release, self.sd, self.correlation)
+        shots = player.draw(0, min(self.shots, _PLOTTED), self.seed + 1, self.parameters)
+        return simulate(shots.states, shots.parameters, record=True).plot(**options)
 
     def as_dict(self) -> dict[str, Any]:
         """Return everything in types that JSON knows; SI. What is not a number is None."""

@@ -10,6 +10,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.brief import brief
 from hoopgen.inputs import doubles
 from hoopgen.parameters import NAMES, PAPER
 from hoopgen.releases import release
@@ -91,7 +92,7 @@ class Player:
 
     def __post_init__(self) -> None:
         if self.by not in BY:
-            raise ValueError(f"by: expected {', '.join(BY)}, got {self.by!r}")
+            raise ValueError(f"by: expected {', '.join(BY)}, got {brief(self.by)}")
         check_scene(self.parameters)
         Scatter({}, self.sd, self.correlation)
 
@@ -185,7 +186,7 @@ def one_each(argument: str, values: Mapping[str, Any]) -> dict[str, float]:
     for name, value in values.items():
         number = doubles(f"{argument}[{name!r}]", value)
         if number.ndim:
-            raise ValueError(f"{argument}[{name!r}]: expected one number, got {value!r}")
+            raise ValueError(f"{argument}[{name!r}]: expected one number, got {brief(value)}")
         plain[name] = float(number)
     return plain
 

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from scipy.optimize import differential_evolution, minimize
 from scipy.stats import qmc
 
+from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
 from hoopgen.inputs import doubles
 from hoopgen.releases import RING_HEIGHT
@@ -43,9 +44,8 @@ def bounds_of(
     TypeError, ValueError
         If they are not as described for `optimum`.
     """
-    names = (over,) if isinstance(over, str) else over
+    names = check_names("over", (over,) if isinstance(over, str) else over, VARIABLES)
     wanted = dict(over) if isinstance(over, Mapping) else dict.fromkeys(names)
-    check_names("over", wanted, VARIABLES)
     if not wanted:
         raise ValueError("over: expected at least one variable")
     twice = [name for name in wanted if name in fixed]
@@ -55,7 +55,9 @@ def bounds_of(
     for name, ends in wanted.items():
         given = doubles(f"over[{name!r}]", _usual(name, fixed, player) if ends is None else ends)
         if given.shape != (2,) or not np.all(np.isfinite(given)) or not given[0] < given[1]:
-            raise ValueError(f"over[{name!r}]: expected (low, high), low below high, got {ends!r}")
+            raise ValueError(
+                f"over[{name!r}]: expected (low, high), low below high, got {brief(ends)}"
+            )
         bounds[name] = (float(given[0]), float(given[1]))
     return bounds
 

@@ -1,7 +1,8 @@
 """Tables of releases: which columns say what, in which units, and reading them in chunks.
 
 The unit is in the column's name: ``speed_mph``, ``elevation_deg``, ``height_ft``; SI and radians
-where none is. Reading is by pyarrow, and holds a few blocks in memory, whatever the file's size.
+where none is. Reading is by pyarrow, and holds a few blocks in memory, whatever the file's size; of
+Arrow, record batches as they were written. What was read is validated before it is looked at.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ import pyarrow.ipc
 import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
+from hoopgen.brief import brief, cut, listed
 from hoopgen.parameters import NAMES
 from hoopgen.units import UNITS, Kind
 
@@ -47,6 +49,9 @@ Stamp: TypeAlias = tuple[int, int]
 
 _BLOCK = 1 << 22
 """Bytes of a file that are read at a time; the longest row of CSV."""
+
+_SAID = 300
+"""Characters of what Arrow says of a file, which may be in the words of that file."""
 
 _ARROW_FILE = b"ARROW1"
 
@@ -97,7 +102,7 @@ _KNOWN = {
 
 
 def columns_of(
-    names: Iterable[str], own: Sequence[str] = (), given: Iterable[str] = ()
+    names: Iterable[str], own: Iterable[str] = (), given: Iterable[str] = ()
 ) -> dict[str, Column]:
     """Return where a table has the variables of its shots, or their states.
 
@@ -126,10 +131,10 @@ def columns_of(
         something is missing.
     """
     found: dict[str, Column] = {}
-    names, given = list(names), list(given)
+    names, own, given = list(names), list(own), list(given)
     absent = [name for name in own if name not in names]
     if absent:
-        raise ValueError(f"own: no column {', '.join(absent)}; there are {', '.join(names)}")
+        raise ValueError(f"own: no column {listed(absent)}; there are {listed(names)}")
     for column in names:
         variable, unit = ("", 0.0) if column in own else variable_of(column)
         if variable in found:
@@ -163,7 +168,7 @@ def variable_of(column: str) -> tuple[str, float]:
 def _check(found: Mapping[str, Column], given: Sequence[str], names: Sequence[str]) -> None:
     """Refuse columns that do not say how a shot is released."""
     if not found:
-        raise ValueError(f"no column says how a shot is released: {', '.join(names) or 'none'}")
+        raise ValueError(f"no column says how a shot is released: {listed(names) or 'none'}")
     said = {name: column.name for name, column in found.items()} | {name: name for name in given}
     states = [said[name] for name in STATE[2:] if name in said]
     others = [said[name] for name in said if name not in (*STATE, *NAMES)]
@@ -175,7 +180,7 @@ def _check(found: Mapping[str, Column], given: Sequence[str], names: Sequence[st
     try:
         from_columns({name: np.empty(0) for name in said})
     except ValueError as error:
-        raise ValueError(f"{error}. The columns are {', '.join(names)}") from None
+        raise ValueError(f"{error}. The columns are {listed(names)}") from None
 
 
 def values(table: pa.Table, columns: Mapping[str, Column]) -> dict[str, NDArray[np.float64]]:
@@ -256,7 +261,7 @@ class Source:
                 f"{self.path}: the suffix is none of {', '.join(suffixes)}; say format"
             )
         if found not in FORMATS:
-            raise ValueError(f"format: expected one of {', '.join(FORMATS)}, got {found!r}")
+            raise ValueError(f"format: expected one of {', '.join(FORMATS)}, got {brief(found)}")
         object.__setattr__(self, "format", found)
 
     def schema(self) -> pa.Schema:
@@ -270,6 +275,19 @@ class Source:
         with self._opened() as (schema, _):
             return schema
 
+    def columns(self, own: Iterable[str] = (), given: Iterable[str] = ()) -> dict[str, Column]:
+        """Return where the table has the variables of its shots; as `columns_of`."""
+        names = self.schema().names
+        with self._naming():
+            return columns_of(names, own, given)
+
+    def values(
+        self, table: pa.Table, columns: Mapping[str, Column]
+    ) -> dict[str, NDArray[np.float64]]:
+        """Return the numbers of the columns of a part of the table; as `values`."""
+        with self._naming():
+            return values(table, columns)
+
     def tables(self, rows: int) -> Iterator[pa.Table]:
         """Read the rows in order, lazily, so many in each table; the last has what is left.
 
@@ -281,7 +299,7 @@ class Source:
             If the file is not of its format.
         """
         with self._opened() as (schema, batches):
-            yield from _regrouped(schema, batches, rows)
+            yield from _regrouped(schema, map(_validated, batches), rows)
 
     def digest(self) -> tuple[str, int | None]:
         """Read the whole file, and return a digest of it and the rows that it seems to have."""
@@ -320,7 +338,7 @@ class Source:
         with self._naming(), openers[self.format](self.path) as (schema, batches):
             twice = sorted({name for name in schema.names if schema.names.count(name) > 1})
             if twice:
-                raise ValueError(f"two columns are named {', '.join(twice)}")
+                raise ValueError(f"two columns are named {listed(twice)}")
             yield schema, batches
 
     @contextmanager
@@ -330,8 +348,13 @@ class Source:
             yield
         except OSError as error:
             if error.errno is None:  # Arrow's word for damage
-                raise ValueError(f"{self.path}: {error}") from error
+                raise ValueError(f"{self.path}: {cut(str(error), _SAID)}") from error
             raise OSError(error.errno, os.strerror(error.errno), str(self.path)) from error
+        except MemoryError as error:  # of a length that no file has, or of one that is too long
+            said = f"damaged, or larger than the memory: {error or 'there is no more'}"
+            raise ValueError(f"{self.path}: {said}") from error
+        except (pa.ArrowException, SystemError) as error:
+            raise ValueError(f"{self.path}: {cut(str(error), _SAID)}") from error
         except ValueError as error:
             raise ValueError(f"{self.path}: {error}") from error
 
@@ -358,14 +381,24 @@ def _parquet(path: Path) -> _Opened:
 
 @contextmanager
 def _arrow(path: Path) -> _Opened:
-    with pa.memory_map(str(path)) as mapped:
-        if mapped.read(len(_ARROW_FILE)) != _ARROW_FILE:
-            mapped.seek(0)
-            stream = pa.ipc.open_stream(mapped)
+    # No memory map: a file that becomes shorter while it is read would end the process.
+    with pa.OSFile(str(path)) as file:
+        if file.read(len(_ARROW_FILE)) != _ARROW_FILE:
+            file.seek(0)
+            stream = pa.ipc.open_stream(file)
             yield stream.schema, stream
         else:
-            file = pa.ipc.open_file(mapped)
-            yield file.schema, map(file.get_batch, range(file.num_record_batches))
+            blocks = pa.ipc.open_file(file)
+            yield blocks.schema, map(blocks.get_batch, range(blocks.num_record_batches))
+
+
+def _validated(batch: pa.RecordBatch) -> pa.RecordBatch:
+    """Return the rows that were read, all of whose offsets and indices lie within them.
+
+    Arrow takes those of a file as they are, and follows them wherever they lead.
+    """
+    batch.validate(full=True)
+    return batch
 
 
 def _regrouped(

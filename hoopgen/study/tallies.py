@@ -11,7 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.special import ndtri
 
+from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
+from hoopgen.inputs import is_whole
 from hoopgen.parameters import NAMES, resolve
 from hoopgen.results import Outcome, Shots
 
@@ -154,7 +156,7 @@ def check_scene(parameters: Mapping[str, Any]) -> dict[str, float]:
             "parameters: no shot can be simulated with these: a size or gravity is not above zero, "
             "or the ball is too big for the ring"
         )
-    return {name: float(parameters[name]) for name in NAMES}
+    return {name: float(value) for name, value in values.items()}
 
 
 def check_count(name: str, value: Any) -> int:
@@ -165,10 +167,9 @@ def check_count(name: str, value: Any) -> int:
     ValueError
         If it is none; the message begins with `name`.
     """
-    whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
-    if not whole or not 1 <= value < 2**63:
+    if not is_whole(value) or isinstance(value, bool) or not 1 <= value < 2**63:
         raise ValueError(
-            f"{name}: expected a whole number from 1, got {value!r}; at most {2**63 - 1}"
+            f"{name}: expected a whole number from 1, got {brief(value)}; at most {2**63 - 1}"
         )
     return int(value)
 
@@ -181,6 +182,7 @@ def check_share(name: str, value: Any) -> float:
     ValueError
         If it is none; the message begins with `name`.
     """
-    if not isinstance(value, float | int | np.number) or not 0.0 < value < 1.0:
-        raise ValueError(f"{name}: expected a number within 0 and 1, got {value!r}")
+    number = isinstance(value, float | np.floating) or is_whole(value)
+    if not number or not 0.0 < value < 1.0:
+        raise ValueError(f"{name}: expected a number within 0 and 1, got {brief(value)}")
     return float(value)

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.brief import listed
 from hoopgen.generated.numpy import hoop
 from hoopgen.inputs import doubles
 from hoopgen.parameters import NAMES, PAPER
@@ -130,18 +131,19 @@ class Releases:
         return len(self.states)
 
 
-def check_names(name: str, given: Iterable[str], allowed: Iterable[str]) -> None:
-    """Refuse names that are not among those allowed.
+def check_names(name: str, given: Iterable[str], allowed: Iterable[str]) -> tuple[str, ...]:
+    """Return the names given, once they are known to be among those allowed.
 
     Raises
     ------
     ValueError
         The message begins with `name` and lists what is allowed.
     """
-    known = tuple(allowed)
-    unknown = [str(key) for key in given if key not in known]
+    names, known = tuple(given), tuple(allowed)
+    unknown = [key for key in names if key not in known]
     if unknown:
-        raise ValueError(f"{name}: unknown {', '.join(unknown)}. One of {', '.join(known)}")
+        raise ValueError(f"{name}: unknown {listed(unknown)}. One of {', '.join(known)}")
+    return names
 
 
 def check_angles(name: str, values: Mapping[str, ArrayLike]) -> None:
@@ -155,7 +157,7 @@ def check_angles(name: str, values: Mapping[str, ArrayLike]) -> None:
     for variable, value in values.items():
         if variable not in VARIABLES or VARIABLES[variable].kind != "angle":
             continue
-        sizes = np.abs(np.asarray(value, dtype=np.float64))
+        sizes = np.abs(doubles(f"{name}[{variable!r}]", value))
         sizes = sizes[np.isfinite(sizes)]
         if sizes.size and np.median(sizes) > 2 * np.pi:
             raise ValueError(
@@ -251,7 +253,7 @@ def release_arguments(
     if "elevation" not in given or (not aimed and "speed" not in given):
         raise ValueError(
             "variables: expected speed and elevation, or aim in place of speed, "
-            f"or entry in place of both; got {', '.join(values)}"
+            f"or entry in place of both; got {listed(values)}"
         )
     if aimed:
         given["speed"] = _aimed_speed(given["elevation"], reach, rise, gravity)

@@ -4,5 +4,6 @@ Drawn with three.js (MIT), which lies beside in ``three/`` and goes into every p
 """
 
 from hoopgen.viewer.page import page, view
+from hoopgen.viewer.shown import Page
 
-__all__ = ["page", "view"]
+__all__ = ["Page", "page", "view"]

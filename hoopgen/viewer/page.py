@@ -7,23 +7,26 @@ import hashlib
 import html
 import inspect
 import json
+import os
 import re
 from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib.resources import files
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 import hoopgen
+from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
 from hoopgen.outputs import PAGES, check_output, write
 from hoopgen.parameters import NAMES, Value, resolve
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.study.measures import Kind, kinds
+
+from .shown import Page
 
 __all__ = ["MOST", "page", "view"]
 
@@ -36,26 +39,27 @@ _SLOT = re.compile(r"\{\{(\w+)\}\}")
 
 def view(
     shots: Shots,
-    parameters: Mapping[str, Any],
-    path: str | Path,
+    parameters: Mapping[str, Any] | None = None,
+    path: str | os.PathLike[str] | None = None,
     *,
     title: str = "",
     about: str = "",
     labels: Sequence[str] | None = None,
-) -> Path:
-    """Write a page on which shots are seen in motion.
+) -> Page:
+    """Write a page on which shots are seen in motion; in a notebook, show it.
 
-    It is one file of about 0.7 MB, needs no network, and opens in any browser with WebGL.
-    Invalid shots are left out; `about` may say so.
+    It is one file of about 0.7 MB, needs no network, and opens in any browser with WebGL. A
+    notebook that shows it becomes larger by as much. Invalid shots are left out; `about` may say
+    so.
 
     Parameters
     ----------
     shots
         Of `hoopgen.simulate` with ``record=True``, all fields; `MOST` at most.
     parameters
-        Of the scene, as they were simulated with: one number each or (n,).
+        Of the scene, one number each or (n,); by default those they were simulated with.
     path
-        Where to; ends in .html.
+        Where to; ends in .html. Without, no file is written.
     title
         At the top; by default the outcome, or the number of shots.
     about
@@ -65,8 +69,9 @@ def view(
 
     Returns
     -------
-    Path
-        The file written; the same shots give the same bytes.
+    Page
+        It stands for the file written, its ``path``, wherever a path does; the same shots give the
+        same bytes.
 
     Raises
     ------
@@ -78,8 +83,12 @@ def view(
     OSError
         If the file cannot be written; what was there before stays.
     """
-    target = check_output(path, PAGES)
-    return write(target, page(shots, parameters, title=title, about=about, labels=labels))
+    target = None if path is None else check_output(path, PAGES)
+    scene = shots.parameters if parameters is None else parameters
+    text = page(shots, scene, title=title, about=about, labels=labels)
+    if target is not None:
+        write(target, text)
+    return Page(target, text)
 
 
 def page(
@@ -123,9 +132,10 @@ def _title(shots: Shots, valid: NDArray[np.intp]) -> str:
 def _labels(labels: Sequence[str] | None, shots: int) -> list[str]:
     if labels is None:
         return [f"Shot {number}" for number in range(1, shots + 1)]
-    if isinstance(labels, str) or len(labels) != shots:
-        raise ValueError(f"labels: expected {shots}, one a shot, got {labels!r}")
-    return [str(label) for label in labels]
+    names = list(labels)
+    if isinstance(labels, str) or len(names) != shots:
+        raise ValueError(f"labels: expected {shots}, one a shot, got {brief(labels)}")
+    return [str(label) for label in names]
 
 
 def _shot(

@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.brief import brief
 from hoopgen.parameters import PAPER
 from hoopgen.study.draws import ROW_OF_SAMPLE, uniforms
 from hoopgen.study.models import from_columns
-from hoopgen.study.tables import Source, columns_of, values
+from hoopgen.study.tables import Source
 from hoopgen.study.variables import Releases
 
 __all__ = ["Sample", "sample"]
@@ -80,10 +81,10 @@ def sample(
         If it cannot be read.
     """
     if count < 1:
-        raise ValueError(f"count: expected a whole number from 1, got {count!r}")
+        raise ValueError(f"count: expected a whole number from 1, got {brief(count)}")
     table = Source(Path(source), format or "")
     shared = dict(release or {})
-    columns = columns_of(table.schema().names, own, shared)
+    columns = table.columns(own, shared)
     # Every row draws a number, and the lowest win: that does not hang on how the rows are read.
     kept = {"draw": np.empty(0), "row": np.empty(0), **{name: np.empty(0) for name in columns}}
     total = 0
@@ -93,7 +94,7 @@ def sample(
         found = {
             "draw": drawn[best],
             "row": best + float(total),
-            **values(part.take(best), columns),
+            **table.values(part.take(best), columns),
         }
         joined = {name: np.concatenate([kept[name], found[name]]) for name in kept}
         lowest = np.argsort(joined["draw"], kind="stable")[:count]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import sympy as sp
-from hoopgen.derive.scene import Scene, parameter
+from hoopgen.derive.ground.symbols import POSITION
+from hoopgen.derive.scenes.scene import Scene, parameter
 from hoopgen.derive.surfaces import Plane, Sphere
-from hoopgen.derive.symbols import POSITION
 
 _PARAMETERS = (
     parameter("half_length", "m", "half the table's length, along x", 0.8),

@@ -41,7 +41,7 @@ from hoopgen.study.measures import measure
 from hoopgen.study.models import Scatter
 from hoopgen.study.optimum import optimum, scattering
 from hoopgen.study.search import bounds_of
-from hoopgen.study.tables import Source, columns_of
+from hoopgen.study.tables import Source
 from hoopgen.study.variables import Releases, resolve_variables
 from hoopgen.study.words import between, percent, say
 
@@ -554,7 +554,7 @@ def _ends_of(columns: Mapping[str, NDArray[np.float64]], name: str, row: int) ->
 
 def _check_batch(asked: Asked, question: Batch) -> None:
     source = Source(asked.folder / question.file, question.format or "")
-    columns_of(source.schema().names, question.own, question.release)
+    source.columns(question.own, question.release)
     check_contacts(question.max_contacts)
 
 

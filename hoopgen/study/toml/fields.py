@@ -25,6 +25,7 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, core_schema
 
+from hoopgen.brief import cut
 from hoopgen.sizes import evenly
 from hoopgen.units import Kind, parse_quantity
 
@@ -64,8 +65,7 @@ _NO_BARE = ("angle", "spin")
 
 def show(given: Any) -> str:
     """Show what was given about as it is in the file."""
-    text = json.dumps(given, ensure_ascii=False, default=str)
-    return text if len(text) <= 60 else f"{text[:57]}..."
+    return cut(json.dumps(given, ensure_ascii=False, default=str))
 
 
 def meant(given: Any, allowed: Iterable[str]) -> str:

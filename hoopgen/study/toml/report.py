@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import html
 import json
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from types import MappingProxyType
@@ -25,6 +27,11 @@ _CAPTIONS: Mapping[str, str] = MappingProxyType(
         "aim_points": "Where bank shots touch the board, and from where",
     }
 )
+
+_MARKS = re.compile(r"[\\`*_\[\]|~$#]")
+
+_HTML = re.compile(r"<(?!(?:https?://|mailto:)[^\s<>]*>)(?=[A-Za-z/!?])")
+"""Where HTML would begin in Markdown; addresses alone may stand in such brackets."""
 
 _OF_ITSELF = ("kind", "name", "title")
 
@@ -60,9 +67,9 @@ def _sections(
     folder: Path,
 ) -> Iterator[str]:
     study = questions[0].study
-    yield f"# {study.name}"
+    yield f"# {_text(study.name)}"
     if study.description.strip():
-        yield study.description.strip()
+        yield _HTML.sub("&lt;", study.description.strip())
     yield (
         f"By hoopgen {hoopgen.__version__} from [study.toml](study.toml), seed {study.seed}; "
         f"intervals of {100 * study.confidence:.4g} % confidence. "
@@ -71,8 +78,8 @@ def _sections(
     rows = ["| question | answer |", "|---|---|"]
     for asked in questions:
         name = asked.question.name
-        said = answers[name].line if name in answers else f"not answered: {_flat(errors[name])}"
-        rows.append(f"| [{_cell(_title(asked))}](#{name}) | {_cell(said)} |")
+        said = answers[name].line if name in answers else f"not answered: {_text(errors[name])}"
+        rows.append(f"| [{_title(asked)}](#{name}) | {said} |")
     yield "\n".join(rows)
     shared = {key: value for key, value in document.items() if key not in ("study", "question")}
     if shared:
@@ -85,7 +92,7 @@ def _sections(
         if name in answers:
             yield from _answer(asked, answers[name], folder)
         else:
-            yield f"Not answered: {_flat(errors[name])}"
+            yield f"Not answered: {_text(errors[name])}"
 
 
 def _answer(asked: Asked, answer: Answer, folder: Path) -> Iterator[str]:
@@ -106,7 +113,7 @@ def _answer(asked: Asked, answer: Answer, folder: Path) -> Iterator[str]:
 
 
 def _title(asked: Asked) -> str:
-    return asked.question.title or asked.question.name
+    return _text(asked.question.title or asked.question.name)
 
 
 def _kind(asked: Asked) -> str:
@@ -128,9 +135,7 @@ def _keys(values: Mapping[str, Any], prefix: str = "") -> Iterator[str]:
             yield f"{prefix}{key} = {json.dumps(value, ensure_ascii=False, default=str)}"
 
 
-def _cell(text: str) -> str:
-    return text.replace("|", r"\|")
-
-
-def _flat(error: Exception) -> str:
-    return " ".join(str(error).split())
+def _text(said: object) -> str:
+    """Return what is no Markdown as a line of it that shows the same: no mark or tag counts."""
+    line = "".join(each for each in " ".join(str(said).split()) if each.isprintable())
+    return _MARKS.sub(r"\\\g<0>", html.escape(line, quote=False))

@@ -16,6 +16,7 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
+import hoopgen
 from hoopgen.outputs import sync
 from hoopgen.study.chunks import differences, flat, opened, read_record, versions, written
 from hoopgen.study.words import for_json
@@ -37,7 +38,7 @@ _UNFINISHED = ".unfinished"
 _JUST_BEGUN = {"lock", "identity.json", "identity.json.tmp", f"{_VERSIONS}.tmp"}
 """All that a study may leave that is killed before its first file is there."""
 
-_MADE_WITH = ("hoopgen", "numpy", "scipy", "pyarrow", "xarray", "matplotlib", "pydantic")
+_MADE_WITH = ("numpy", "scipy", "pyarrow", "xarray", "matplotlib", "pydantic")
 
 
 def check_study(path: str | os.PathLike[str]) -> list[Asked]:
@@ -270,6 +271,7 @@ def _json(values: Mapping[str, Any]) -> bytes:
 
 def _versions() -> dict[str, str]:
     """Return what computes."""
-    made_with = {name: metadata.version(name) for name in _MADE_WITH}
+    made_with = {"hoopgen": hoopgen.__version__}
+    made_with |= {name: metadata.version(name) for name in _MADE_WITH}
     system = {"python": platform.python_version(), "platform": platform.platform()}
     return made_with | system

@@ -112,7 +112,7 @@ class Study(Table):
 
     name: Annotated[str, Text()] = Field(description="Title of the report.")
     description: Annotated[str, Text(r"(?s:.*)", "text")] = Field(
-        "", description="At the head of the report; Markdown."
+        "", description="At the head of the report; Markdown, in which HTML is shown as text."
     )
     seed: Annotated[int, Whole(0)] = Field(
         0, description="Of all random numbers: the same study gives the same results."

@@ -12,7 +12,7 @@ from typing import Any
 import pyarrow as pa
 
 from hoopgen.study.models import ReleaseModel, Resample, Scatter
-from hoopgen.study.tables import Source, columns_of, values, variable_of
+from hoopgen.study.tables import Source, variable_of
 from hoopgen.study.variables import STATE, change_variables
 
 from .schema import PRESETS, Given, Releases
@@ -127,8 +127,9 @@ class Setting:
         passed = [name for name, one in said.items() if one in self.own or one not in kept]
         is_state = not set(STATE[2:]).isdisjoint(said.values())
         given = {**({} if is_state else given_without(self.above, kept)), **self.own}
-        columns = columns_of(names, [*releases.own, *passed], given)
-        return {**values(pa.concat_tables(source.tables(_ROWS)), columns), **given}
+        columns = source.columns([*releases.own, *passed], given)
+        table = pa.concat_tables(source.tables(_ROWS))
+        return {**source.values(table, columns), **given}
 
     def identity(self) -> dict[str, Any]:
         """Return what tells this setting from others, in types that JSON knows."""

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import sympy as sp
 
-from .choice import IfAtMost
-from .symbols import NORMAL
+from ..ground.choice import IfAtMost
+from ..ground.symbols import NORMAL
 
 
 def frame_from_axis(normal: sp.Matrix, axis: int) -> sp.Matrix:

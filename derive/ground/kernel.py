@@ -7,6 +7,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from .choice import Condition, Truth
+
 
 @dataclass(frozen=True)
 class Kernel:
@@ -39,6 +41,11 @@ class Kernel:
             raise ValueError(f"kernel {self.name}: not among its arguments: {', '.join(unbound)}")
 
     @property
+    def truths(self) -> tuple[bool, ...]:
+        """Whether each output holds or does not, instead of having a value."""
+        return tuple(isinstance(e, Condition | Truth) for e in self.expressions)
+
+    @property
     def expressions(self) -> tuple[sp.Expr, ...]:
         """The output expressions, in order."""
         return tuple(expression for _, expression in self.outputs)
@@ -61,3 +68,11 @@ def kernel(
     free = set().union(*(e.free_symbols for e in sympified.values()))
     arguments = tuple(symbol for symbol in order if symbol in free)
     return Kernel(name, arguments, tuple(sympified.items()), summary, equation)
+
+
+def decision(name: str, outputs: Mapping[str, sp.Basic], summary: str) -> Kernel:
+    """Return a kernel of the event loop, whose arguments come in the order of their names."""
+    sympified = {key: sp.sympify(value) for key, value in outputs.items()}
+    free = set().union(*(e.free_symbols for e in sympified.values()))
+    arguments = tuple(sorted(free, key=lambda symbol: symbol.name))
+    return Kernel(name, arguments, tuple(sympified.items()), summary, "Table 1")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from .symbols import POSITION, VELOCITY, t
+from ..ground.symbols import POSITION, VELOCITY, t
 
 
 def flight(gravity: sp.Expr, time: sp.Expr = t) -> tuple[sp.Matrix, sp.Matrix]:

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from .choice import IfLess, hold
+from ..ground.choice import IfLess, hold
 
 slope = sp.Symbol("slope", real=True)
 """s, tangent of the angle of release above the horizontal."""

@@ -6,7 +6,8 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
-from .surfaces import Plane, Surface
+from ..contact.law import Law
+from ..surfaces import Body, Plane, Surface
 
 
 @dataclass(frozen=True)
@@ -47,32 +48,46 @@ class Scene:
         Names the generated files.
     parameters
         In calling order.
-    surfaces
+    bodies
         What the ball can touch, in the order of the results' columns.
     finish
         The plane whose crossing ends a shot.
     target
         Not positive where a crossing of the finish counts as made.
-    ball_radius, restitution, gravity
-        The parameters that flight and collision use.
+    ball_radius, gravity
+        The parameters that flight and contact use.
     requirements
         Expressions of the parameters that must be positive.
     """
 
     name: str
     parameters: tuple[Parameter, ...]
-    surfaces: tuple[Surface, ...]
+    bodies: tuple[Body, ...]
     finish: Plane
     target: sp.Expr
     ball_radius: sp.Symbol
-    restitution: sp.Symbol
     gravity: sp.Symbol
     requirements: tuple[sp.Expr, ...] = field(default=())
 
     def __post_init__(self) -> None:
         names = [surface.name for surface in (*self.surfaces, self.finish)]
         if len(set(names)) != len(names):
-            raise ValueError(f"scene {self.name}: two surfaces have the same name: {names}")
+            raise ValueError(f"scene {self.name}: two surfaces have one name: {names}")
+
+    @property
+    def surfaces(self) -> tuple[Surface, ...]:
+        """The faces of all bodies, in order."""
+        return tuple(face for body in self.bodies for face in body.faces)
+
+    @property
+    def faces(self) -> tuple[int, ...]:
+        """The body that each surface belongs to."""
+        return tuple(k for k, body in enumerate(self.bodies) for _ in body.faces)
+
+    @property
+    def laws(self) -> tuple[Law, ...]:
+        """The bodies' laws, each once."""
+        return tuple(dict.fromkeys(body.law for body in self.bodies))
 
     @property
     def symbols(self) -> tuple[sp.Symbol, ...]:

@@ -1,13 +1,86 @@
-"""Expressions that stay as written: a choice between two values, and a held quantity.
+"""Expressions that stay as written: conditions, a choice between two values, a held quantity.
 
 SymPy's Piecewise, Max and Min try to decide and simplify their conditions, which takes minutes on
-the expressions here and changes their form. These two stay as written until their condition is a
+the expressions here and changes their form. These stay as written until their condition is a
 number; both values are then real, or one of them infinite.
 """
 
 from __future__ import annotations
 
+from functools import reduce
+
 import sympy as sp
+
+
+class Truth(sp.Symbol):  # type: ignore[misc]
+    """A symbol that holds or does not."""
+
+    def __new__(cls, name: str) -> Truth:
+        """Return the truth of that name."""
+        return super().__new__(cls, name, real=True)
+
+
+class Condition(sp.Function):  # type: ignore[misc]
+    """What holds or does not; a comparison with what is not a number does not hold."""
+
+
+class Less(Condition):
+    """Where left < right."""
+
+    nargs = 2
+
+
+class AtMost(Condition):
+    """Where left <= right."""
+
+    nargs = 2
+
+
+class Equal(Condition):
+    """Where left == right."""
+
+    nargs = 2
+
+
+class Both(Condition):
+    """Where both hold."""
+
+    nargs = 2
+
+
+class Either(Condition):
+    """Where one holds, or both."""
+
+    nargs = 2
+
+
+class Not(Condition):
+    """Where it does not hold."""
+
+    nargs = 1
+
+
+class Nowhere(Condition):
+    """What never holds."""
+
+    nargs = 0
+
+
+class Choose(sp.Function):  # type: ignore[misc]
+    """`then` where a condition holds, else `other`."""
+
+    nargs = 3
+    is_extended_real = True
+
+
+def every(first: sp.Basic, *others: sp.Basic) -> sp.Basic:
+    """Return where all of the conditions hold."""
+    return reduce(Both, others, first)
+
+
+def some(first: sp.Basic, *others: sp.Basic) -> sp.Basic:
+    """Return where any of the conditions holds."""
+    return reduce(Either, others, first)
 
 
 class _Choice(sp.Function):  # type: ignore[misc]

@@ -1,4 +1,4 @@
-"""The ring of Table 2: a horizontal torus, with the bounds that make its search quick.
+"""The search for the ring of Table 2: bounds in closed form that make it quick.
 
 The search uses Table 2's condition with its root kept and the distance squared,
 
@@ -18,21 +18,21 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .choice import IfAtMost, IfLess, hold, hold_all, largest, size, smallest
-from .events import Approach, Window, horizon, time_rounding
-from .flight import flight
-from .rounding import (
+from ..flight.parabola import flight
+from ..ground.choice import IfAtMost, IfLess, hold, hold_all, largest, size, smallest
+from ..ground.rounding import (
     SAFETY,
     Rounded,
-    extent,
     flight_rounding,
     flight_size,
     position_error,
-    speed,
     velocity_error,
 )
-from .surfaces import Surface
-from .symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
+from ..ground.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
+from ..surfaces import Ring
+from .approach import Approach
+from .clear import clear
+from .events import Window, horizon, time_rounding
 
 WIDER = 1 + sp.Rational(1, 2**14)
 """Windows are drawn for a ring this much thicker: contact cannot begin on their edges."""
@@ -47,78 +47,12 @@ CONSTANTS = (steady, swing, rho_start)
 
 
 @dataclass(frozen=True)
-class Ring(Surface):
-    """A horizontal ring about the origin.
-
-    Attributes
-    ----------
-    ring_radius
-        R_H, radius of the wire's centre circle.
-    reach
-        R, radii of ball and wire together; less than R_H.
-    """
-
-    ring_radius: sp.Expr
-    reach: sp.Expr
-
-    @property
-    def rho(self) -> sp.Expr:
-        """Distance of the centre from the axis."""
-        x, y, _ = POSITION
-        return sp.sqrt(x**2 + y**2)
-
-    @property
-    def distance(self) -> sp.Expr:
-        """sqrt((rho - R_H)² + z²) - R: finite on the axis, where Table 2 is 0/0."""
-        _, _, z = POSITION
-        return sp.sqrt((self.rho - self.ring_radius) ** 2 + z**2) - self.reach
-
-    @property
-    def condition(self) -> sp.Expr:
-        """(rho² + z² + R_H² - R²)² - 4 R_H² rho²: Table 2's f1, squared free of its root."""
-        x, y, z = POSITION
-        rho_squared = x**2 + y**2
-        return (
-            rho_squared + z**2 + (self.ring_radius**2 - self.reach**2)
-        ) ** 2 - 4 * self.ring_radius**2 * rho_squared
-
-    @property
-    def normal(self) -> sp.Matrix:
-        """From the nearest point of the wire's centre circle, (x_C, y_C, 0), over R."""
-        x, y, z = POSITION
-        per_reach, rho = hold(1 / self.reach), hold(self.rho)
-        outward = hold(hold(rho - self.ring_radius) * per_reach * hold(1 / rho))
-        return sp.Matrix([x * outward, y * outward, z * per_reach])
-
-    @property
-    def curvature(self) -> sp.Expr:
-        """1/R around the wire; along it, |rho - R_H|/(rho R) is less than 1/(R_H - R)."""
-        return 1 / hold(smallest(self.reach, hold(self.ring_radius - self.reach)))
-
-    @property
-    def inside(self) -> tuple[sp.Expr, ...]:
-        """Nearer to the wire than touching, by the squares of both: one root less."""
-        _, _, z = POSITION
-        depth = hold(self.rho - self.ring_radius)
-        return (hold(depth**2 + z**2) - hold(self.reach) ** 2,)
-
-    @property
-    def steepness(self) -> sp.Expr:
-        """The gradient of the squared distance is 2 R at a contact; as much again for rounding."""
-        return 4 * self.reach
-
-    def approach(self, gravity: sp.Expr) -> RingApproach:
-        """Return the ring's own search."""
-        return RingApproach(gravity, self)
-
-
-@dataclass(frozen=True)
 class RingApproach(Approach):
     """The search for the ring: windows, curvature and margins in closed form."""
 
     ring: Ring
 
-    def _polar(self) -> tuple[sp.Expr, ...]:
+    def polar(self) -> tuple[sp.Expr, ...]:
         """Return rho², x vx + y vy, V² and L of the state."""
         x, y, _ = POSITION
         vx, vy, _ = VELOCITY
@@ -128,7 +62,7 @@ class RingApproach(Approach):
     @property
     def constants(self) -> dict[str, sp.Expr]:
         """The two constants of F'', and rho at the start."""
-        _, _, speed_squared, moment = self._polar()
+        _, _, speed_squared, moment = self.polar()
         _, _, z = POSITION
         _, _, vz = VELOCITY
         return {
@@ -136,6 +70,11 @@ class RingApproach(Approach):
             "swing": 2 * self.ring.ring_radius * moment**2,
             "rho_start": self.ring.rho,
         }
+
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """Those of the head of this file."""
+        return CONSTANTS
 
     @property
     def windows(self) -> list[Window]:
@@ -154,15 +93,15 @@ class RingApproach(Approach):
         return [_meet(z1, a1), (middle[0], middle[1]), _meet(z2, a2)]
 
     @property
-    def _reach(self) -> sp.Expr:
+    def reach(self) -> sp.Expr:
         """R, wider."""
         return hold(self.ring.reach) * WIDER
 
-    def _radii(self) -> tuple[sp.Expr, sp.Expr]:
+    def radii(self) -> tuple[sp.Expr, sp.Expr]:
         """Return the radii of the annulus in which the centre can be at a contact."""
         radius = self.ring.ring_radius
         least = sp.Rational(1, 2**13) * radius  # narrower than that, the ring is `lost`
-        return largest(hold(radius - self._reach), least), hold(radius + self._reach)
+        return largest(hold(radius - self.reach), least), hold(radius + self.reach)
 
     @property
     def lost(self) -> sp.Expr:
@@ -180,7 +119,7 @@ class RingApproach(Approach):
         g = self.gravity
         _, _, z = POSITION
         _, _, vz = VELOCITY
-        reach = self._reach
+        reach = self.reach
         error = 8 * UNIT_ROUNDOFF * hold(vz**2 + 2 * g * (sp.Abs(z) + reach))
         to_bottom = hold(vz**2 + 2 * g * hold(z + reach) + error)
         to_top = hold(vz**2 + 2 * g * hold(z - reach) - error)
@@ -201,8 +140,8 @@ class RingApproach(Approach):
         error of L² is bounded by 6 u rho² V², since (|x vy| + |y vx|)² <= 2 rho² V². A ball that
         hardly moves sideways is always in the interval: the search then decides.
         """
-        rho_squared, q, speed_squared, moment = self._polar()
-        innermost, outermost = self._radii()
+        rho_squared, q, speed_squared, moment = self.polar()
+        innermost, outermost = self.radii()
         error = 16 * UNIT_ROUNDOFF * speed_squared * hold(rho_squared + outermost**2)
         enters = hold(speed_squared * outermost**2 - moment**2 + error)
         passes = hold(speed_squared * innermost**2 - moment**2 - error)
@@ -250,7 +189,7 @@ class RingApproach(Approach):
         t = 0, which is zero at a contact, with the factor t in the open.
         """
         there, _, rho = self._here()
-        _, q, speed_squared, _ = self._polar()
+        _, q, speed_squared, _ = self.polar()
         _, _, z0 = POSITION
         _, _, vz = VELOCITY
         radius = self.ring.ring_radius
@@ -279,8 +218,8 @@ class RingApproach(Approach):
         rho is convex in time, and so never below its tangent.
         """
         there, moving, rho = self._here()
-        highest = smallest(hold(there[2] + largest(moving[2], 0) * width), self._reach)
-        innermost, outermost = self._radii()
+        highest = smallest(hold(there[2] + largest(moving[2], 0) * width), self.reach)
+        innermost, outermost = self.radii()
         tangent = hold(rho + smallest(self._outward_speed(), 0) * width)
         least = largest(hold(tangent - sp.Rational(1, 2**40) * outermost), innermost)
         fall = 6 * self.gravity * highest
@@ -290,65 +229,15 @@ class RingApproach(Approach):
 
     @property
     def clear(self) -> sp.Expr:
-        """Positive if the ball certainly misses the ring before the horizon, by one evaluation.
-
-        For a ball that rises above the ring and comes down again, it misses if
-
-        - it is beyond the annulus and nearing while it rises through the ring's level;
-        - when it sinks back into that level, at t1, the parabola below F has no root; there
-          F'' >= m as long as rho >= I, the annulus's inner radius;
-        - and it is then inside the hole at the horizon, which it has not left since entering it,
-          rho² being convex in time; or it never enters the hole.
-
-        Everything is multiplied through by the positive rho² I³. The slack of 2^-30 (R_H + R)²
-        exceeds every rounding and carried error as long as the flight is not 2^16 times as large.
-        """
-        g, radius = self.gravity, self.ring.ring_radius
-        innermost, outermost = self._radii()
-        x, y, z = POSITION
-        vx, vy, vz = VELOCITY
-        rho_squared, q, speed_squared, moment = self._polar()
-        to_top = hold(vz**2 + 2 * g * hold(z - self._reach))
-        per_g = hold(1 / g)
-        inner = sp.sqrt(to_top)
-        rises, sinks = hold(hold(vz - inner) * per_g), hold(hold(vz + inner) * per_g)
-        away = hold(q + speed_squared * rises)
-        then = hold(rho_squared + rises * hold(q + away))
-
-        there, moving = (hold_all(vector) for vector in flight(g, sinks))
-        now_squared = hold(there[0] ** 2 + there[1] ** 2)
-        rho = sp.sqrt(now_squared)
-        slack = sp.Rational(1, 2**30) * outermost**2
-        depth = hold(rho - radius)
-        gap = hold(depth**2 + there[2] ** 2 - self.ring.reach**2 - slack)
-        sideways = hold(there[0] * vx + there[1] * vy)
-        slope_rho = 2 * hold(depth * sideways + rho * there[2] * moving[2])
-        least = hold(self.constants["steady"] - 6 * g * self._reach)
-        bend = hold(least * innermost**3 - self.constants["swing"])
-        discriminant = hold(slope_rho**2 * innermost**3 - 2 * bend * gap * now_squared)
-        last_x, last_y = hold(x + vx * horizon), hold(y + vy * horizon)
-        in_hole = hold(last_x**2 + last_y**2 - innermost**2 + slack)
-        off_hole = hold(speed_squared * hold(innermost**2 + slack) - moment**2)
-        furthest = hold(extent + horizon * hold(speed + g * horizon))
-        carried = hold(position_error + velocity_error * horizon)
-
-        verdict = IfLess(in_hole, 0, 1, IfLess(off_hole, 0, 1, 0))
-        verdict = IfLess(discriminant, 0, verdict, 0)
-        verdict = IfLess(0, gap, IfLess(0, bend, verdict, 0), 0)
-        verdict = IfLess(horizon, hold(sinks - sp.Rational(1, 2**30) * horizon), 1, verdict)
-        nearing = IfLess(away, 0, IfLess(outermost**2, then, verdict, 0), 0)
-        verdict = IfLess(rises, 0, verdict, nearing)
-        verdict = IfLess(0, to_top, verdict, 0)
-        verdict = IfLess(furthest, 2**16 * outermost, verdict, 0)
-        verdict = IfLess(carried, sp.Rational(1, 2**34) * outermost, verdict, 0)
-        return IfLess(0, self.lost, 0, verdict)
+        """Positive if the ball certainly misses the ring before the horizon (`clear.py`)."""
+        return clear(self)
 
     @property
     def ceiling(self) -> sp.Expr:
         """Each term of F'' at its largest: |z| <= R and rho >= I in every window."""
-        innermost, _ = self._radii()
+        innermost, _ = self.radii()
         turn = self.constants["swing"] * hold(1 / innermost) ** 3
-        return size(self.constants["steady"]) + 6 * self.gravity * self._reach + turn
+        return size(self.constants["steady"]) + 6 * self.gravity * self.reach + turn
 
     @property
     def margins(self) -> dict[str, sp.Expr]:
@@ -368,8 +257,8 @@ class RingApproach(Approach):
         16 u max(1, R/I) |p| |v|, P being (rho + rho0) (rho - rho0)/t.
         """
         u, root = UNIT_ROUNDOFF, sp.Rational(5, 2)
-        reach = self._reach
-        innermost, outermost = self._radii()
+        reach = self.reach
+        innermost, outermost = self.radii()
         stretch = largest(1, reach / innermost)
         furthest, fastest = flight_size(self.gravity, horizon)
         there, moving = flight_rounding(self.gravity, horizon)

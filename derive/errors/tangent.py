@@ -16,11 +16,11 @@ from functools import cache
 
 import sympy as sp
 
-from .choice import Held, IfAtMost, IfLess, hold, largest, size, smallest
-from .flight import flight
-from .impact import impact
-from .surfaces import Surface
-from .symbols import POSITION, UNIT_ROUNDOFF, normal, position, spin, t, velocity
+from ..contact.law import Law
+from ..flight.parabola import flight
+from ..ground.choice import Held, IfAtMost, IfLess, hold, largest, size, smallest
+from ..ground.symbols import POSITION, UNIT_ROUNDOFF, normal, position, spin, t, velocity
+from ..surfaces import Surface
 
 GUARD = 16
 """Decisions allow for this many times the carried errors."""
@@ -47,6 +47,9 @@ contacts = sp.Symbol("contacts", nonnegative=True)
 """How many contacts there were, this one too."""
 clock, clock_error = sp.symbols("clock clock_error", nonnegative=True)
 """Time since the release, and the sum of what the contacts' times were off by, s."""
+
+ARGUMENTS = (clock, clock_error, contacts, late, *ERRORS, *dn, curving, shift, turn)
+"""What the kernels of this room are given, in calling order."""
 
 
 def directional(expression: sp.Expr, tangents: dict[sp.Symbol, sp.Expr]) -> sp.Expr:
@@ -139,11 +142,11 @@ def carried_normal(surface: Surface) -> dict[str, sp.Expr]:
     return outputs | {"turn": shift * hold(surface.curvature)}
 
 
-def carried_through_impact(ball_radius: sp.Expr, restitution: sp.Expr) -> dict[str, sp.Expr]:
+def carried_through_impact(law: Law, ball_radius: sp.Expr) -> dict[str, sp.Expr]:
     """Return the errors of velocity and spin after a contact, from those before it."""
     inputs = (*velocity, *spin, *normal)
     tangents = dict(zip(inputs, (*dv, *dw, *dn), strict=True))
-    after = impact(normal, velocity, spin, ball_radius, restitution)
+    after = law.after(normal, velocity, spin, ball_radius)
     speed = hold(sum(map(size, velocity)) + ball_radius * hold(sum(map(size, spin))))
     worst = hold(_greatest(dv) + ball_radius * _greatest(dw) + speed * turn)
     outputs = {}

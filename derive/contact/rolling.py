@@ -6,11 +6,13 @@ impulse-momentum, rolling and restitution equations, not typed in.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import cache
 
 import sympy as sp
 
-from .choice import hold, hold_all
+from ..ground.choice import hold, hold_all
+from .law import Law
 
 INERTIA_FACTOR = sp.Rational(2, 3)
 """I / (m R_B²) of a thin shell."""
@@ -92,3 +94,16 @@ def impact(
     turning = hold_all(normal.cross(rolling))
     spin_after = turning * hold(1 / ball_radius) + hold(spin.dot(normal)) * normal
     return after, spin_after
+
+
+@dataclass(frozen=True)
+class Rolling(Law):
+    """The article's law: the ball leaves rolling, with a restitution along the normal."""
+
+    restitution: sp.Expr
+
+    def after(
+        self, normal: sp.Matrix, velocity: sp.Matrix, spin: sp.Matrix, ball_radius: sp.Expr
+    ) -> tuple[sp.Matrix, sp.Matrix]:
+        """Return Eq. 17 with the frame eliminated."""
+        return impact(normal, velocity, spin, ball_radius, self.restitution)

@@ -13,12 +13,13 @@ from __future__ import annotations
 
 import sympy as sp
 
-from .choice import IfLess, hold, hold_all, largest, size, smallest
-from .events import leaving, plane_arrival
-from .flight import flight
-from .ring import Ring
-from .surfaces import Plane
-from .symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
+from ..flight.parabola import flight
+from ..ground.choice import IfLess, hold, hold_all, largest, size, smallest
+from ..ground.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
+from ..search.events import leaving
+from ..search.plane import plane_arrival
+from ..search.ring import Ring
+from ..surfaces import Plane
 
 level = sp.Symbol("level", real=True)
 """Height of a horizontal plane above the ring's, m."""

@@ -1,0 +1,1 @@
+"""What a contact makes of the ball's motion: the contact frame, and the laws."""

@@ -1,0 +1,33 @@
+"""What a contact law is: from the motion before a contact to the motion after it."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+import sympy as sp
+
+
+@dataclass(frozen=True)
+class Law(ABC):
+    """A contact law.
+
+    Attributes
+    ----------
+    name
+        Names its kernels; bodies that share a law share them.
+    """
+
+    name: str
+
+    @abstractmethod
+    def after(
+        self, normal: sp.Matrix, velocity: sp.Matrix, spin: sp.Matrix, ball_radius: sp.Expr
+    ) -> tuple[sp.Matrix, sp.Matrix]:
+        """Return velocity and spin after a contact, frame-free."""
+
+    def doubt(
+        self, normal: sp.Matrix, velocity: sp.Matrix, spin: sp.Matrix, ball_radius: sp.Expr
+    ) -> sp.Basic | None:
+        """Return where a decision within the contact lies within its error; None if it has none."""
+        return None

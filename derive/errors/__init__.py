@@ -1,0 +1,1 @@
+"""How far a computed state can be from the true one."""

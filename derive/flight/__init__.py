@@ -1,0 +1,1 @@
+"""How a ball moves between contacts."""

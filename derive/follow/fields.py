@@ -1,0 +1,159 @@
+"""What a shot has: the fields that it takes from event to event, and the results made of them.
+
+Every target's variables, structs, arrays and documentation of results come from these tables.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from enum import IntEnum
+
+from ..errors.tangent import ERRORS
+from ..ground.symbols import STATE
+
+
+class Outcome(IntEnum):
+    """How a shot ended."""
+
+    MADE = 0
+    MISSED = 1
+    CAPPED = 2
+    SHORT = 3
+    INVALID = 4
+
+
+MEANINGS = {
+    Outcome.MADE: "Crossed the end plane downwards inside the target.",
+    Outcome.MISSED: "Crossed it outside.",
+    Outcome.CAPPED: "Had max_contacts contacts before it.",
+    Outcome.SHORT: "Can never cross it downwards.",
+    Outcome.INVALID: "Not finite, a parameter not allowed, or a ball that starts inside a surface.",
+}
+"""What each outcome says, in one line."""
+
+IN_FLIGHT = -1
+"""The outcome of a shot that has not ended."""
+
+NONE = -1
+"""The index of no surface."""
+
+
+@dataclass(frozen=True)
+class Field:
+    """A number that a shot takes from event to event.
+
+    Attributes
+    ----------
+    name
+        Its variable.
+    start
+        Its value at the release; None where the caller gives it.
+    bounds
+        Whether it only bounds errors: then the path does not depend on it, and a loop from which
+        no bounds are wanted goes without it, as if it stayed at its start.
+    """
+
+    name: str
+    start: float | None
+    summary: str
+    bounds: bool = False
+
+
+@dataclass(frozen=True)
+class Result:
+    """A result of a batch, one row for each shot.
+
+    Attributes
+    ----------
+    dtype
+        Its type, as NumPy writes it.
+    columns
+        The fields that it is made of; more than one make it an array of rows.
+    blank
+        Whether it is not a number where the shot is invalid.
+    bounds
+        Whether it needs the fields that bound errors.
+    asked
+        Whether it is had by name only.
+    """
+
+    name: str
+    dtype: str
+    columns: tuple[str, ...]
+    summary: str
+    blank: bool = False
+    bounds: bool = False
+    asked: bool = False
+    row: bool = False
+
+
+CLAIMS = ("position_claim", "velocity_claim", "spin_claim", "time_claim")
+"""Bounds on the errors of a shot that has ended."""
+
+
+def fields(bodies: Sequence[str]) -> tuple[Field, ...]:
+    """Return the fields of a shot among bodies."""
+    state = (Field(s.name, None, "of the state") for s in STATE)
+    errors = (Field(s.name, 0.0, f"carried error of {s.name[1:]}", True) for s in ERRORS)
+    counts = (Field(f"count_{k}", 0.0, f"contacts with {name}") for k, name in enumerate(bodies))
+    claims = (Field(name, 0.0, "bound on the error at the end", True) for name in CLAIMS)
+    return (
+        *state,
+        *errors,
+        Field("clock", 0.0, "time of the last event, s since the release"),
+        Field("clock_error", 0.0, "what the contacts' times were off by, summed", True),
+        Field("last", None, "surface that was touched last, -1: none"),
+        Field("first", NONE, "body that was touched first, -1: none"),
+        Field("contacts", 0.0, "how many contacts there were"),
+        *counts,
+        Field("uncertain", 0.0, "1: a decision lies within its rounding-error bound", True),
+        *claims,
+        Field("outcome", IN_FLIGHT, "how it ended, -1: in flight"),
+    )
+
+
+def results(bodies: Sequence[str]) -> tuple[Result, ...]:
+    """Return the results of shots among bodies, in the order of the targets' structs."""
+    counts = tuple(f"count_{k}" for k in range(len(bodies)))
+    state = tuple(symbol.name for symbol in STATE)
+    return (
+        Result("outcome", "uint8", ("outcome",), "how it ended"),
+        Result("contacts", "int32", ("contacts",), "contacts before the end"),
+        Result("counts", "int32", counts, "contacts with each body", row=True),
+        Result("first", "int8", ("first",), "first body touched, -1: none"),
+        Result(
+            "time",
+            "float64",
+            ("clock",),
+            "s, at the end plane; capped or short: at the last contact",
+            blank=True,
+        ),
+        Result("state", "float64", state, "then", blank=True, row=True),
+        Result(
+            "time_error",
+            "float64",
+            CLAIMS[3:],
+            "bound on the error of time",
+            blank=True,
+            bounds=True,
+            asked=True,
+        ),
+        Result(
+            "state_error",
+            "float64",
+            CLAIMS[:3],
+            "bounds on the errors of each component of position, velocity and spin",
+            blank=True,
+            bounds=True,
+            asked=True,
+            row=True,
+        ),
+        Result(
+            "uncertain",
+            "bool",
+            ("uncertain",),
+            "a decision lies within its rounding-error bound",
+            bounds=True,
+        ),
+    )

@@ -1,0 +1,185 @@
+"""Table 1, the event loop: what happens to a shot from its release to its end.
+
+Four stages. `permit` looks at the parameters and `admit` at a release, once each; then `reach` finds
+the next event and takes the ball there, and `meet` gives it its motion after that, again and again
+until the shot has an outcome. Between the stages a target does what is its own: it fills its lanes,
+writes the log, and stores results.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from ..ground.tree import Do, Guard, Node, check, needed, reads, walk, without
+from ..search.search import Parts, Search
+from .fields import CLAIMS, Field
+
+TEMPORARY_BOUNDS = {"late": 0.0, "delay": 0.0, "doubt": float("inf")}
+"""What bounds errors within a stage, as it stands where no bounds are wanted."""
+
+
+@dataclass(frozen=True)
+class Contact:
+    """What the loop needs to know of a surface.
+
+    Attributes
+    ----------
+    index, body
+        Its own index, and that of the body it belongs to.
+    parts, search, law
+        Its kernels by part, how arrivals on it are found, and the kernels of its contact law.
+    """
+
+    index: int
+    body: int
+    parts: Parts
+    search: Search
+    law: Parts
+
+
+@dataclass(frozen=True)
+class Loop:
+    """The event loop of a scene.
+
+    Attributes
+    ----------
+    fields
+        What a shot has.
+    job
+        What is the same for all shots of a batch: numbers that the caller gives.
+    stages
+        The tree of each stage, by name, in order.
+    """
+
+    fields: tuple[Field, ...]
+    job: tuple[str, ...]
+    parameters: tuple[str, ...]
+    stages: Mapping[str, tuple[Node, ...]]
+
+    def __post_init__(self) -> None:
+        known = {*self.job, *self.parameters, *(field.name for field in self.fields)}
+        for nodes in self.stages.values():
+            known = check(nodes, known)
+
+    @property
+    def called(self) -> frozenset[str]:
+        """The names of the kernels that it evaluates."""
+        nodes = (node for stage in self.stages.values() for node in walk(stage))
+        return frozenset(node.kernel.name for node in nodes if isinstance(node, Do))
+
+    def plain(self) -> Loop:
+        """Return the loop without all that only bounds errors: the same path."""
+        fixed = {f.name: f.start for f in self.fields if f.bounds and f.start is not None}
+        fixed |= TEMPORARY_BOUNDS | {"position_error": 0.0, "velocity_error": 0.0, "claims": 0.0}
+        kept = tuple(field for field in self.fields if not field.bounds)
+        wanted = {field.name for field in kept}
+        stages: dict[str, tuple[Node, ...]] = {}
+        for name, nodes in reversed(self.stages.items()):
+            stages[name] = needed(without(nodes, fixed), wanted)
+            wanted |= reads(stages[name])
+        stages = dict(reversed(stages.items()))
+        return Loop(kept, tuple(j for j in self.job if j not in fixed), self.parameters, stages)
+
+
+def event_loop(
+    common: Parts,
+    contacts: Sequence[Contact],
+    finish: Contact,
+    fields: Sequence[Field],
+    parameters: Sequence[str],
+) -> Loop:
+    """Return the loop of a scene.
+
+    Parameters
+    ----------
+    common
+        The kernels of the scene and the decisions.
+    contacts, finish
+        What can be touched, in the order of the indices, and the plane that ends a shot.
+    """
+    return Loop(
+        tuple(fields),
+        ("most_contacts", "claims"),
+        tuple(parameters),
+        {
+            "permit": (Do(common["allowed"]), Do(common["finite_parameters"])),
+            "admit": (Do(common["finite_state"]), Do(common["valid"]), Do(common["admitted"])),
+            "reach": tuple(_reach(common, contacts, finish)),
+            "meet": tuple(_meet(common, contacts, finish)),
+        },
+    )
+
+
+def _reach(common: Parts, contacts: Sequence[Contact], finish: Contact) -> Iterator[Node]:
+    """Find the earliest arrival (Eq. 4) and take the ball there (Eq. 3)."""
+    yield Do(common["error_bounds"])
+    yield Do(common["scale"])
+    yield Do(common["opening"])
+    # The end plane first: what certainly comes after it needs no further look.
+    for surface in sorted((finish, *contacts), key=lambda s: not s.search.closed):
+        yield from surface.search.nodes(common, surface.parts, surface.index)
+    yield Do(common["departed"], {"index": finish.index})
+    yield Do(common["body_of"])
+    yield Guard("moves", (Do(common["flight"], {"t": "when"}), Do(common["ticked"])))
+    yield Do(common["displacement"], {"horizon": "when", "delay": "late"}, {"margin": "slack"})
+    yield Do(common["target"], {}, {"target": "miss"})
+    yield Do(common["doubted"])
+    yield Do(common["accounted"])
+
+
+def _meet(common: Parts, contacts: Sequence[Contact], finish: Contact) -> Iterator[Node]:
+    """Give the ball its motion after the contact (Eqs. 7-17), and its errors theirs."""
+    yield Do(common["meeting"])
+    yield Guard("meeting", tuple(_contact(common, contacts, finish)))
+    yield Do(common["closing"])
+    names = ("position_error", "velocity_error", "spin_error", "time_error")
+    claims = dict(zip(names, CLAIMS, strict=True))
+    yield Guard("closed", (Do(common["claimed_errors"], {}, claims),))
+
+
+def _contact(common: Parts, contacts: Sequence[Contact], finish: Contact) -> Iterator[Node]:
+    yield Do(finish.parts["normal"])
+    for surface in contacts:
+        count = {"count": f"count_{surface.body}"}
+        counted = Do(common["counted"], count, count)
+        yield from _on(common, surface, Do(surface.parts["normal"]), counted)
+    yield Do(common["elsewhere"])
+    for surface in contacts:
+        yield Do(common["again"], {"index": surface.index})
+        yield Guard("again", (Do(surface.parts["curvature"], {}, {"curvature": "curving"}),))
+    yield Do(common["carry_flight"], {"t": "when"})
+    yield Do(common["delayed"])
+    yield Guard("ends", (Do(common["floored"]),))
+    yield Do(common["unturned"])
+    for surface in contacts:
+        if "carry_normal" in surface.parts:
+            yield from _on(common, surface, Do(surface.parts["carry_normal"]))
+    yield from _laws(common, contacts)
+    for surface in contacts:
+        if "place" in surface.parts:
+            yield from _on(common, surface, Do(surface.parts["place"]))
+    yield Guard("touches", (Do(common["touched"]),))
+
+
+def _on(common: Parts, surface: Contact, *body: Node) -> Iterator[Node]:
+    """Do something where the event is on a surface."""
+    yield Do(common["here"], {"index": surface.index})
+    yield Guard("here", body)
+
+
+def _laws(common: Parts, contacts: Sequence[Contact]) -> Iterator[Node]:
+    """Give ball and errors their motion after the contact, by the law of the body."""
+    by_law: dict[str, list[Contact]] = {}
+    for surface in contacts:
+        by_law.setdefault(surface.law["impact"].name, []).append(surface)
+    if len(by_law) == 1:
+        yield Guard("touches", _law(contacts[0]))
+        return
+    for surfaces in by_law.values():
+        for surface in surfaces:
+            yield from _on(common, surface, *_law(surface))
+
+
+def _law(surface: Contact) -> tuple[Node, ...]:
+    return Do(surface.law["carry"]), Do(surface.law["impact"])

@@ -1,0 +1,1 @@
+"""What everything stands on: symbols, kernels, choices, polynomials in time, rounding errors."""

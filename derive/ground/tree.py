@@ -1,0 +1,179 @@
+"""The event loop as a tree of three kinds of node, which every target prints in its own way.
+
+A tree says what happens to *one* shot. A `Do` evaluates a kernel and assigns its outputs to
+variables; a `Guard` does its body where a truth holds; a `Repeat` does it as long as one holds. A
+target that works on many shots at once leaves the others as they are: by selecting, by taking the
+rows, or by a branch.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+
+from .kernel import Kernel
+
+Value = str | float
+"""What a kernel is given: a variable, or a number."""
+
+
+@dataclass(frozen=True)
+class Do:
+    """The evaluation of a kernel.
+
+    Attributes
+    ----------
+    kernel
+        What is evaluated.
+    inputs
+        Its arguments that are not the variables of their own names.
+    outputs
+        The variables that its outputs go to, where those have other names.
+    wanted
+        The outputs that are assigned; the others are not used.
+    """
+
+    kernel: Kernel
+    inputs: Mapping[str, Value] = field(default_factory=dict)
+    outputs: Mapping[str, str] = field(default_factory=dict)
+    wanted: frozenset[str] | None = None
+
+    def __post_init__(self) -> None:
+        names = {argument.name for argument in self.kernel.arguments}
+        for unknown in set(self.inputs) - names:
+            raise ValueError(f"kernel {self.kernel.name} has no argument {unknown}")
+        for unknown in set(self.outputs) - set(self.kernel.output_names):
+            raise ValueError(f"kernel {self.kernel.name} has no output {unknown}")
+
+    @property
+    def arguments(self) -> tuple[Value, ...]:
+        """What the kernel is given, in calling order."""
+        return tuple(self.inputs.get(a.name, a.name) for a in self.kernel.arguments)
+
+    @property
+    def assigned(self) -> dict[str, str]:
+        """The variable of each output that is used."""
+        return {
+            name: self.outputs.get(name, name)
+            for name in self.kernel.output_names
+            if self.wanted is None or name in self.wanted
+        }
+
+
+@dataclass(frozen=True)
+class Guard:
+    """A body for the shots for which the variable `truth` holds."""
+
+    truth: str
+    body: tuple[Node, ...]
+
+
+@dataclass(frozen=True)
+class Repeat:
+    """A body that is repeated as long as the variable `truth` holds, at most `limit` times."""
+
+    truth: str
+    limit: int
+    body: tuple[Node, ...]
+
+
+Node = Do | Guard | Repeat
+
+
+def walk(nodes: Iterable[Node]) -> Iterator[Node]:
+    """Return every node, in order, a body after what guards it."""
+    for node in nodes:
+        yield node
+        if not isinstance(node, Do):
+            yield from walk(node.body)
+
+
+def reads(nodes: Iterable[Node]) -> set[str]:
+    """Return the variables that the nodes read."""
+    found: set[str] = set()
+    for node in walk(nodes):
+        if isinstance(node, Do):
+            found |= {value for value in node.arguments if isinstance(value, str)}
+        else:
+            found.add(node.truth)
+    return found
+
+
+def writes(nodes: Iterable[Node]) -> dict[str, bool]:
+    """Return the variables that the nodes assign, in order, and whether each is a truth."""
+    found: dict[str, bool] = {}
+    for node in walk(nodes):
+        if isinstance(node, Do):
+            kinds = dict(zip(node.kernel.output_names, node.kernel.truths, strict=True))
+            for output, variable in node.assigned.items():
+                found.setdefault(variable, kinds[output])
+                if found[variable] != kinds[output]:
+                    raise ValueError(f"{variable} is both a truth and a number")
+    return found
+
+
+def check(nodes: Iterable[Node], known: Iterable[str]) -> set[str]:
+    """Return the variables that are known after the nodes, given those before.
+
+    Raises
+    ------
+    ValueError
+        If one is read that is not known. What is first assigned in a guarded body is known in that
+        body alone.
+    """
+    known = set(known)
+    for node in nodes:
+        if isinstance(node, Do):
+            missing = {v for v in node.arguments if isinstance(v, str)} - known
+            known |= set(node.assigned.values())
+        else:
+            missing = {node.truth} - known
+            check(node.body, known)
+        if missing:
+            raise ValueError(f"unknown: {', '.join(sorted(missing))}, in {node}")
+    return known
+
+
+def without(nodes: Iterable[Node], fixed: Mapping[str, float]) -> tuple[Node, ...]:
+    """Return the tree with some variables fixed: read as those numbers, never assigned."""
+    changed: list[Node] = []
+    for node in nodes:
+        if isinstance(node, Do):
+            inputs = {
+                argument.name: fixed[value] if isinstance(value, str) and value in fixed else value
+                for argument, value in zip(node.kernel.arguments, node.arguments, strict=True)
+            }
+            kept = {o for o, variable in node.assigned.items() if variable not in fixed}
+            changed.append(replace(node, inputs=inputs, wanted=frozenset(kept)))
+        else:
+            changed.append(replace(node, body=without(node.body, fixed)))
+    return tuple(changed)
+
+
+def needed(nodes: Iterable[Node], wanted: Iterable[str]) -> tuple[Node, ...]:
+    """Return the tree without what does not serve the variables that are wanted after it."""
+    return _needed(tuple(nodes), set(wanted))[0]
+
+
+def _needed(nodes: tuple[Node, ...], live: set[str]) -> tuple[tuple[Node, ...], set[str]]:
+    """Return what is left of the nodes, and what is live before them, given what is after."""
+    kept: list[Node] = []
+    live = set(live)
+    for node in reversed(nodes):
+        if isinstance(node, Do):
+            used = {o for o, variable in node.assigned.items() if variable in live}
+            if used:
+                kept.append(replace(node, wanted=frozenset(used)))
+                live -= {node.assigned[output] for output in used}
+                live |= {value for value in node.arguments if isinstance(value, str)}
+            continue
+        body, before = _needed(node.body, live)
+        while isinstance(node, Repeat):
+            again, more = _needed(node.body, live | before | {node.truth})
+            if more <= before and again == body:
+                break
+            body, before = again, before | more
+        if body:
+            kept.append(replace(node, body=body))
+            live |= before | {node.truth}
+    return tuple(reversed(kept)), live

@@ -1,0 +1,61 @@
+"""Whether a shot can be simulated: its parameters, and where the ball starts."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ..ground.choice import IfAtMost, IfLess, Less, every, hold, largest, size
+from ..ground.symbols import POSITION, UNIT_ROUNDOFF
+from .scene import Scene
+
+last = sp.Symbol("last", real=True)
+"""Index of the surface that the ball touched last, -1 for none."""
+
+permission = sp.Symbol("allowed", real=True)
+"""Positive where the parameters are allowed."""
+
+
+def plain(expression: sp.Basic) -> sp.Basic:
+    """Return the expression in symbols that assume nothing of their sign."""
+    return expression.xreplace({s: sp.Symbol(s.name, real=True) for s in expression.free_symbols})
+
+
+def valid(scene: Scene) -> dict[str, sp.Expr]:
+    """Return whether a ball can start at a finite position, and whether that is in doubt.
+
+    A ball is inside a surface if the largest of the surface's `inside` is negative; in doubt if
+    it is within the rounding of its evaluation. The surface that the ball leaves is not asked.
+    """
+    lengths = [sp.Abs(plain(p.symbol)) for p in scene.parameters if p.unit == "m"]
+    slack = hold(16 * UNIT_ROUNDOFF * hold(sum(map(sp.Abs, POSITION)) + sum(lengths)))
+    verdict: sp.Expr = sp.Integer(1)
+    doubt: sp.Expr = sp.Integer(0)
+    for index, surface in enumerate(scene.surfaces):
+        overlap = hold(largest(*map(plain, surface.inside)))
+        left = hold(sp.Abs(last - index))
+        verdict = IfLess(left, sp.Rational(1, 2), verdict, IfAtMost(0, overlap, verdict, 0))
+        near = IfAtMost(size(overlap), hold(plain(surface.steepness)) * slack, 1, doubt)
+        doubt = IfLess(left, sp.Rational(1, 2), doubt, near)
+    return {"valid": verdict, "doubt": doubt}
+
+
+def allowed(scene: Scene) -> dict[str, sp.Expr]:
+    """Return 1 where the parameters are allowed; each condition falls through to the rest or 0."""
+    verdict: sp.Expr = sp.Integer(1)
+    for requirement in scene.requirements:
+        verdict = IfLess(0, plain(requirement), verdict, 0)
+    for parameter in scene.parameters:
+        value = plain(parameter.symbol)
+        if parameter.sign == "positive":
+            verdict = IfLess(0, value, verdict, 0)
+        if parameter.sign == "nonnegative":
+            verdict = IfAtMost(0, value, verdict, 0)
+        if parameter.upper is not None:
+            verdict = IfAtMost(value, parameter.upper, verdict, 0)
+    return {"allowed": verdict}
+
+
+def finite(scene: Scene) -> dict[str, sp.Expr]:
+    """Return where every parameter is finite, and all are allowed."""
+    finite = (Less(size(plain(p.symbol)), sp.oo) for p in scene.parameters)
+    return {"permitted": every(Less(0, permission), *finite)}

@@ -1,0 +1,157 @@
+"""The search for the first root of a curved surface's condition.
+
+It is approached from the left: on a window where -F'' <= M,
+
+    F(t + s) >= F(t) + F'(t) s - M s²/2,
+
+so stepping to the first root of that parabola cannot pass a root of F, a parabola without a root
+proves that there is none, and near a simple root the steps converge quadratically. With F less its
+margin m in the parabola the same holds for the true F, of which only rounded values are known; the
+search ends where F <= 2 m, a distance that every step still makes headway in.
+
+It may end earlier. Where the slope r = -F' - m' fulfils r² > 8 C (2^5 (F - m) + m) with |F''| <= C,
+one root follows and is simple, also of the true F (Kantorovich, with h = C F / r²). Three steps of
+Newton's method reach it: F > 2 m means h < 2^-7, and the steps end within 2^-48 of the first of
+them; F <= 2 m means that the first is within the root's own error.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..ground.choice import IfAtMost, IfLess, hold, largest, smallest
+from ..ground.symbols import t
+from .events import Window, ceiling, end, horizon, leaving, margin, rate_margin
+
+
+@dataclass(frozen=True)
+class Approach(ABC):
+    """What the search needs to know of a surface along a flight; times since the last contact."""
+
+    gravity: sp.Expr
+
+    @property
+    @abstractmethod
+    def constants(self) -> dict[str, sp.Expr]:
+        """What does not change during the flight, by the name under which the rest uses it."""
+
+    @property
+    def symbols(self) -> tuple[sp.Symbol, ...]:
+        """The symbols of `constants`, in calling order."""
+        return ()
+
+    @property
+    @abstractmethod
+    def windows(self) -> list[Window]:
+        """Intervals of time, in order, outside which there is no contact; empty if lo > hi."""
+
+    @property
+    @abstractmethod
+    def gap(self) -> sp.Expr:
+        """F at time t."""
+
+    @property
+    @abstractmethod
+    def leaving_gap(self) -> sp.Expr:
+        """F at time t when the flight starts on the surface, from its deflated form."""
+
+    @property
+    @abstractmethod
+    def rate(self) -> sp.Expr:
+        """F' at time t."""
+
+    @property
+    @abstractmethod
+    def bend(self) -> sp.Expr:
+        """F'' at time t."""
+
+    @property
+    def lost(self) -> sp.Expr:
+        """Positive where the bounds of this class do not hold, and no result is certain."""
+        return sp.Integer(0)
+
+    @property
+    def clear(self) -> sp.Expr:
+        """Positive if there certainly is no contact before the horizon; by default unknown."""
+        return sp.Integer(0)
+
+    @abstractmethod
+    def curvature(self, width: sp.Expr) -> sp.Expr:
+        """Return M with -F'' <= M on [t, t + width]."""
+
+    @property
+    @abstractmethod
+    def ceiling(self) -> sp.Expr:
+        """Bound on |F''| up to the horizon."""
+
+    @property
+    @abstractmethod
+    def margins(self) -> dict[str, sp.Expr]:
+        """Error bounds up to the horizon: `margin` of F, `leaving_margin` of F/t, `rate_margin`."""
+
+    def prepare(self) -> dict[str, sp.Expr]:
+        """Return the outputs of the kernel that opens the search of a flight."""
+        outputs = dict(self.constants)
+        for k, (low, high) in enumerate(self.windows):
+            outputs |= {f"low{k}": largest(0, low), f"high{k}": smallest(horizon, high)}
+        latest = hold(smallest(horizon, largest(0, *(high for _, high in self.windows))))
+        outputs |= {"ceiling": self.ceiling.subs(horizon, latest), "latest": latest}
+        return outputs | {"lost": self.lost}
+
+    def refine(self) -> dict[str, sp.Expr]:
+        """Return Newton's next value of a root near t, and the rate there."""
+        gap = IfLess(0, leaving, hold(self.leaving_gap), hold(self.gap))
+        rate_here = hold(self.rate)
+        return {"time": t - gap / rate_here, "rate": rate_here}
+
+    def advance(self) -> dict[str, sp.Expr]:
+        """Return gap, rate, bend, a step without a root, where it ends, Newton's root, clearance.
+
+        The curvature is bounded on a window twice as long as the local line (falling) or, on
+        leaving the surface, the local parabola says, so that M is nearly exact; where even that
+        window ends first, so does the step. A falling gap with a positive clearance has one simple
+        root nearby.
+        """
+        gap = IfLess(0, leaving, hold(self.leaving_gap), hold(self.gap))
+        low_gap = hold(largest(hold(gap - margin), 0))
+        slope = hold(hold(self.rate) - rate_margin)
+        numerator = IfLess(slope, 0, 2 * low_gap, 4 * slope)
+        denominator = IfLess(slope, 0, -slope, _positive(hold(-self.bend)))
+        rising = IfAtMost(0, slope, low_gap, 0)
+        guess = IfLess(0, rising, sp.oo, numerator / hold(denominator))
+        width = hold(smallest(hold(end - t), guess))
+        step = _first_root(low_gap, slope, hold(self.curvature(width)))
+        stride = smallest(width, step)
+        least_fall = hold(-self.rate - rate_margin)
+        enough = least_fall**2 - 8 * ceiling * hold(2**5 * low_gap + margin)
+        return {
+            "gap": gap,
+            "rate": self.rate,
+            "bend": self.bend,
+            "step": stride,
+            "next": t + hold(stride),
+            "root": t - gap / self.rate,
+            "clearance": IfLess(0, least_fall, enough, least_fall),
+        }
+
+
+def _positive(quantity: sp.Expr) -> sp.Expr:
+    """Return the quantity where it is positive, else a zero that is: -0 is a divisor, too."""
+    return IfLess(0, quantity, quantity, 0)
+
+
+def _first_root(gap: sp.Expr, slope: sp.Expr, curvature: sp.Expr) -> sp.Expr:
+    """Return the first root s >= 0 of gap + slope s - curvature s²/2, infinite if none.
+
+    Of the two forms of the root, the one whose sums do not cancel.
+    """
+    discriminant = hold(slope**2 + 2 * curvature * gap)
+    root = sp.sqrt(discriminant)
+    numerator = IfLess(slope, 0, 2 * gap, slope + root)
+    denominator = IfLess(slope, 0, root - slope, _positive(curvature))
+    # Rising and bent upwards, the denominator is zero and the quotient infinite, as it should be.
+    # 0/0 is a parabola that is zero throughout: it limits no step, and `smallest` passes over it.
+    return IfAtMost(0, discriminant, numerator / denominator, sp.oo)

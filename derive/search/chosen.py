@@ -1,0 +1,53 @@
+"""Which search a surface has: its own where one is registered for its kind, else the general one."""
+
+from __future__ import annotations
+
+from functools import singledispatch
+
+import sympy as sp
+
+from ..surfaces import Plane, Ring, Surface
+from .approach import Approach
+from .bernstein import PolynomialApproach
+from .curved import CurvedSearch
+from .plane import PlaneSearch
+from .ring import RingApproach
+from .search import Search
+
+
+@singledispatch
+def search(surface: Surface, gravity: sp.Expr) -> Search:
+    """Return the search of a surface; a kind with one of its own registers it here.
+
+    Raises
+    ------
+    ValueError
+        If the surface has bounds and is not a plane.
+    """
+    if surface.bounds:
+        raise ValueError(f"surface {surface.name}: only a plane can have bounds")
+    return CurvedSearch(surface, gravity, PolynomialApproach(gravity, surface))
+
+
+@search.register
+def _(surface: Plane, gravity: sp.Expr) -> Search:
+    return PlaneSearch(surface, gravity)
+
+
+@search.register
+def _(surface: Ring, gravity: sp.Expr) -> Search:
+    return CurvedSearch(surface, gravity, RingApproach(gravity, surface))
+
+
+def approach(surface: Surface, gravity: sp.Expr) -> Approach:
+    """Return what the search of a curved surface knows of it along a flight.
+
+    Raises
+    ------
+    TypeError
+        If the surface is not searched so.
+    """
+    found = search(surface, gravity)
+    if not isinstance(found, CurvedSearch):
+        raise TypeError(f"surface {surface.name}: its arrival is a closed form")
+    return found.approach

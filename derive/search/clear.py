@@ -1,0 +1,71 @@
+"""Whether a ball certainly misses the ring, by one evaluation."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from ..flight.parabola import flight
+from ..ground.choice import IfLess, hold, hold_all
+from ..ground.rounding import extent, position_error, speed, velocity_error
+from ..ground.symbols import POSITION, VELOCITY
+from .events import horizon
+
+if TYPE_CHECKING:
+    from .ring import RingApproach
+
+
+def clear(search: RingApproach) -> sp.Expr:
+    """Positive if the ball certainly misses the ring before the horizon, by one evaluation.
+
+    For a ball that rises above the ring and comes down again, it misses if
+
+    - it is beyond the annulus and nearing while it rises through the ring's level;
+    - when it sinks back into that level, at t1, the parabola below F has no root; there
+      F'' >= m as long as rho >= I, the annulus's inner radius;
+    - and it is then inside the hole at the horizon, which it has not left since entering it,
+      rho² being convex in time; or it never enters the hole.
+
+    Everything is multiplied through by the positive rho² I³. The slack of 2^-30 (R_H + R)²
+    exceeds every rounding and carried error as long as the flight is not 2^16 times as large.
+    """
+    g, radius = search.gravity, search.ring.ring_radius
+    innermost, outermost = search.radii()
+    x, y, z = POSITION
+    vx, vy, vz = VELOCITY
+    rho_squared, q, speed_squared, moment = search.polar()
+    to_top = hold(vz**2 + 2 * g * hold(z - search.reach))
+    per_g = hold(1 / g)
+    inner = sp.sqrt(to_top)
+    rises, sinks = hold(hold(vz - inner) * per_g), hold(hold(vz + inner) * per_g)
+    away = hold(q + speed_squared * rises)
+    then = hold(rho_squared + rises * hold(q + away))
+
+    there, moving = (hold_all(vector) for vector in flight(g, sinks))
+    now_squared = hold(there[0] ** 2 + there[1] ** 2)
+    rho = sp.sqrt(now_squared)
+    slack = sp.Rational(1, 2**30) * outermost**2
+    depth = hold(rho - radius)
+    gap = hold(depth**2 + there[2] ** 2 - search.ring.reach**2 - slack)
+    sideways = hold(there[0] * vx + there[1] * vy)
+    slope_rho = 2 * hold(depth * sideways + rho * there[2] * moving[2])
+    least = hold(search.constants["steady"] - 6 * g * search.reach)
+    bend = hold(least * innermost**3 - search.constants["swing"])
+    discriminant = hold(slope_rho**2 * innermost**3 - 2 * bend * gap * now_squared)
+    last_x, last_y = hold(x + vx * horizon), hold(y + vy * horizon)
+    in_hole = hold(last_x**2 + last_y**2 - innermost**2 + slack)
+    off_hole = hold(speed_squared * hold(innermost**2 + slack) - moment**2)
+    furthest = hold(extent + horizon * hold(speed + g * horizon))
+    carried = hold(position_error + velocity_error * horizon)
+
+    verdict = IfLess(in_hole, 0, 1, IfLess(off_hole, 0, 1, 0))
+    verdict = IfLess(discriminant, 0, verdict, 0)
+    verdict = IfLess(0, gap, IfLess(0, bend, verdict, 0), 0)
+    verdict = IfLess(horizon, hold(sinks - sp.Rational(1, 2**30) * horizon), 1, verdict)
+    nearing = IfLess(away, 0, IfLess(outermost**2, then, verdict, 0), 0)
+    verdict = IfLess(rises, 0, verdict, nearing)
+    verdict = IfLess(0, to_top, verdict, 0)
+    verdict = IfLess(furthest, 2**16 * outermost, verdict, 0)
+    verdict = IfLess(carried, sp.Rational(1, 2**34) * outermost, verdict, 0)
+    return IfLess(0, search.lost, 0, verdict)

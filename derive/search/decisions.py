@@ -1,0 +1,192 @@
+"""The decisions of a search: each is a kernel, so that it stands once for every target.
+
+Numbers that name something (surfaces) are doubles like all others.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ..errors.tangent import late
+from ..ground.choice import (
+    AtMost,
+    Choose,
+    Either,
+    Equal,
+    Less,
+    Not,
+    Nowhere,
+    Truth,
+    every,
+    size,
+    some,
+)
+from ..ground.kernel import decision
+from .events import SHARES
+
+when, which, last, index, time, doubt, delay = sp.symbols(
+    "when which last index time doubt delay", real=True
+)
+"""The earliest arrival so far: its time and surface; the surface touched last; the one that is asked
+about; an arrival there; the earliest time of a decision that lies within its rounding error; and a
+bound on the arrival's delay."""
+excess, pad, lost, share, clear, leaving = sp.symbols(
+    "excess pad lost share clear leaving", real=True
+)
+rate, bend, apex, height, margin, rate_margin = sp.symbols(
+    "rate bend apex height margin rate_margin", real=True
+)
+gap, step, following, root, clearance = sp.symbols("gap step next root clearance", real=True)
+flat, tilt, arrival, t, end, refined = sp.symbols("flat tilt arrival t end refined", real=True)
+unsure, arrives, certain, hit, sure, vague = map(
+    Truth, ("unsure", "arrives", "certain", "hit", "sure", "vague")
+)
+
+
+def earlier(condition: sp.Basic, at: sp.Expr) -> sp.Expr:
+    """Return the earliest doubt, with one at a time where a condition holds."""
+    return Choose(every(condition, Less(at, doubt)), at, doubt)
+
+
+_sooner = every(arrives, Less(time, when))
+_tie = AtMost(size(time - when), delay + late)
+_meets = some(Less(rate, 0), every(AtMost(rate, 0), Less(bend, 0), Equal(time, 0)))
+_falling = some(Less(rate, 0), every(AtMost(rate, rate_margin), Less(bend, 0)))
+_clears = every(_falling, Less(0, clearance))
+_strikes = every(_falling, some(AtMost(gap - margin, margin), Less(0, clearance)))
+_unclear = every(_strikes, Not(_clears), Less(0, share))
+_near = every(Equal(last, index), Less(tilt * t, flat))
+_exhausted = every(Not(hit), Not(vague), AtMost(end - t, step))
+
+KERNELS = {
+    kernel.name: kernel
+    for kernel in (
+        decision(
+            "left",
+            {"leaving": Choose(Equal(last, index), 1, 0)},
+            "1 where the ball leaves a surface.",
+        ),
+        decision(
+            "meeting_plane",
+            {
+                "arrives": every(_meets, AtMost(0, time), Less(time, sp.oo)),
+                "ceiling": size(bend),
+            },
+            "Whether a plane's only arrival is one, and the size of the bend there.",
+        ),
+        decision(
+            "timely",
+            {"possible": every(arrives, Not(Less(late + delay, time - when)))},
+            "Whether an arrival may be the earliest, as far as their delays are bounded.",
+        ),
+        decision(
+            "grazed",
+            {"doubt": earlier(every(AtMost(0, apex), AtMost(size(height), margin)), apex)},
+            "A doubt where the gap's apex is zero within its error.",
+        ),
+        decision(
+            "questioned",
+            {"doubt": earlier(unsure, time)},
+            "A doubt about a decision at a time.",
+        ),
+        decision(
+            "crossed",
+            {"doubt": earlier(every(arrives, Not(Less(0, clearance))), time)},
+            "A doubt about an arrival whose crossing is not certain.",
+        ),
+        decision(
+            "tied",
+            {
+                "doubt": earlier(every(arrives, _tie), Choose(Less(time, when), time, when)),
+                "late": Choose(_sooner, delay, late),
+            },
+            "A doubt about two arrivals within their delays; the delay of the earlier one.",
+        ),
+        decision(
+            "sooner",
+            {"when": Choose(_sooner, time, when), "which": Choose(_sooner, index, which)},
+            "The earlier of the earliest arrival so far and this one.",
+        ),
+        decision(
+            "opens",
+            {"open": Not(Less(0, clear))},
+            "Where a surface is not certainly missed.",
+        ),
+        decision(
+            "beginning",
+            {"share": SHARES[0], "arrival": sp.oo, "certain": Nowhere()},
+            "How a search begins: with the errors that it allows for, and nothing found.",
+        ),
+        decision(
+            "beyond",
+            {"doubt": Choose(some(Less(0, excess), Less(0, lost), Less(pad, late)), 0, doubt)},
+            "Nothing is certain where the errors exceed what the search allows for.",
+        ),
+        decision(
+            "nearby",
+            {
+                "leaving": Choose(_near, 1, 0),
+                "margin": Choose(_near, tilt * t, flat),
+            },
+            "1 near the surface that the ball left, where F/t is known better than F; the margin.",
+        ),
+        decision(
+            "struck",
+            {
+                "hit": every(_strikes, Not(_unclear)),
+                "sure": _clears,
+                "vague": _unclear,
+            },
+            "Whether the gap closes, surely, or is to be looked at with smaller errors allowed.",
+        ),
+        decision(
+            "finer",
+            {"share": Choose(Less(SHARES[-1], share), share * (SHARES[1] / SHARES[0]), 0)},
+            "The next smaller errors that a search allows for.",
+        ),
+        decision(
+            "exceeded",
+            {"doubt": earlier(Less(0, excess), t)},
+            "A doubt where the errors exceed what is allowed for.",
+        ),
+        decision(
+            "advanced",
+            {
+                "arrival": Choose(hit, Choose(sure, root, t), arrival),
+                "certain": Either(certain, every(hit, sure)),
+                "exhausted": _exhausted,
+                "searching": every(Not(hit), Not(_exhausted)),
+                "t": Choose(Either(hit, vague), t, following),
+            },
+            "The search after a step: what it found, whether its window is exhausted, where it is.",
+        ),
+        decision(
+            "found",
+            {"arrives": Less(arrival, sp.oo)},
+            "Whether a search found an arrival.",
+        ),
+        decision(
+            "polished",
+            {"arrival": Choose(certain, refined, arrival)},
+            "A root that is certain, refined.",
+        ),
+        decision(
+            "own_margin",
+            {"margin": Choose(Less(0, leaving), tilt * arrival, flat)},
+            "The margin of the form that an arrival was found with.",
+        ),
+        decision(
+            "landed",
+            {"time": Choose(Less(arrival, 0), 0, arrival)},
+            "The time of an arrival, not before the flight.",
+        ),
+        decision(
+            "landed_surely",
+            {
+                "delay": Choose(every(certain, Less(0, clearance)), delay, 0),
+                "doubt": earlier(every(arrives, Not(every(certain, Less(0, clearance)))), time),
+            },
+            "The delay of an arrival that is certain, a doubt about another one.",
+        ),
+    )
+}

@@ -1,0 +1,88 @@
+"""What studies ask of flights: releases through a point, and what a flight measures."""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ..ground.kernel import Kernel, kernel
+from ..scenes.scene import Scene
+from ..surfaces import Ring
+from . import aiming, measures
+
+__all__ = ["ARGUMENTS", "aiming", "measures", "study_kernels"]
+
+ARGUMENTS = (*aiming.ARGUMENTS, *measures.ARGUMENTS)
+
+
+def study_kernels(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
+    """Return what studies ask: releases that go through a point, and what a flight measures."""
+    gravity, source = scene.gravity, "Eq. 3 without its time"
+    rings = [surface for surface in scene.surfaces if isinstance(surface, Ring)]
+    return [
+        kernel(
+            "aimed_speed",
+            aiming.aimed_speed(gravity),
+            order,
+            "Speed of the flight that goes through a point with a slope of release.",
+            f"{source}, solved for the speed",
+        ),
+        kernel(
+            "entry_slope",
+            aiming.entry_slope(),
+            order,
+            "Slope at a point, positive downwards, of the flight with a slope of release.",
+            f"derivative of {source}",
+        ),
+        kernel(
+            "slope_of_entry",
+            aiming.slope_of_entry(),
+            order,
+            "Slope of release of the flight that has a slope at a point, positive downwards.",
+            f"derivative of {source}, solved for the release",
+        ),
+        kernel(
+            "least_speed",
+            aiming.least_speed(gravity),
+            order,
+            "Slope and speed of the slowest release through a point.",
+            f"{source}, least speed: at 45° + atan(rise/reach)/2, v² = g (rise + distance)",
+        ),
+        kernel(
+            "slopes_of_speed",
+            aiming.slopes_of_speed(gravity),
+            order,
+            "The low and the high slope of release through a point at a speed.",
+            f"{source}, solved for the slope",
+        ),
+        kernel(
+            "descent",
+            measures.descent(gravity),
+            order,
+            "When the centre comes down to a height, and its upward velocity then.",
+            "Eq. 3, solved",
+        ),
+        kernel(
+            "apex",
+            measures.apex(gravity),
+            order,
+            "When the centre is highest, and its height then.",
+            "Eq. 3, its derivative zero",
+        ),
+        kernel(
+            "sighted",
+            measures.sighted(),
+            order,
+            "How far a point is past the ring's centre and to the left, seen from a place.",
+            "components along and across the line of sight",
+        ),
+        *(
+            kernel(
+                f"{ring.name}_nearness",
+                measures.nearness(ring, gravity),
+                order,
+                "Distance of ball and wire at time t, and what bounds it within half a width of t.",
+                "Eq. 3 in Table 2, Taylor's theorem",
+            )
+            for ring in rings
+        ),
+    ]

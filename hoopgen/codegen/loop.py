@@ -1,0 +1,369 @@
+"""Printing the event loop: the tree of derive/follow/ in the way of each target.
+
+C works on lanes: a body is skipped where no lane needs it, and what it assigns is selected. NumPy
+works on rows: a body takes the rows that need it, and puts back what it assigned.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from hoopgen.derive.follow.fields import Field
+from hoopgen.derive.follow.loop import Loop
+from hoopgen.derive.ground.tree import Do, Guard, Node, Repeat, needed, reads, writes
+
+from .printers import NUMPY, C, Spelling, constant
+
+CHEAP = 40
+"""A body that costs no more is done for every lane or row: to skip it would cost as much."""
+
+COSTS = {"div": 8, "sqrt": 8}
+"""Operations that cost more than one."""
+
+
+@dataclass(frozen=True)
+class Scope:
+    """How a guarded body stands to what is around it.
+
+    Attributes
+    ----------
+    takes
+        The variables around it whose values it needs, in order of their names.
+    gives
+        Those that it assigns and that are needed after it.
+    keeps
+        Those that a repeated body needs again in its next turn.
+    """
+
+    takes: tuple[str, ...]
+    gives: tuple[str, ...]
+    keeps: tuple[str, ...]
+
+
+def live_before(nodes: Sequence[Node], after: Iterable[str]) -> set[str]:
+    """Return the variables whose values are needed before the nodes, given those needed after."""
+    live = set(after)
+    for node in reversed(nodes):
+        if isinstance(node, Do):
+            live -= set(node.assigned.values())
+            live |= reads([node])
+        else:
+            live |= live_in_body(node, live) | {node.truth}
+    return live
+
+
+def live_in_body(node: Guard | Repeat, after: Iterable[str]) -> set[str]:
+    """Return the variables whose values are needed where a guarded body begins."""
+    live = live_before(node.body, after)
+    while isinstance(node, Repeat):
+        more = live_before(node.body, live | set(after) | {node.truth})
+        if more <= live:
+            break
+        live |= more
+    return live
+
+
+def scope(node: Guard | Repeat, after: Iterable[str]) -> Scope:
+    """Return how a guarded body stands to what is around it, given what is needed after it."""
+    assigned = set(writes(node.body))
+    gives = assigned & set(after)
+    takes = live_in_body(node, gives)
+    keeps: set[str] = set()
+    if isinstance(node, Repeat):
+        takes |= {node.truth}
+        keeps = assigned & takes
+    return Scope(*(tuple(sorted(names)) for names in (takes, gives, keeps)))
+
+
+@dataclass
+class _Printer:
+    """What printing to any target has in common."""
+
+    prefix: str
+    costs: Mapping[str, int]
+    spelling: Spelling
+    lines: list[str] = field(default_factory=list)
+    counter: int = 0
+
+    def fresh(self, letter: str) -> str:
+        """Return a name that is not in use."""
+        self.counter += 1
+        return f"{letter}{self.counter}"
+
+    def cheap(self, node: Guard) -> bool:
+        """Whether a body is better done for all than skipped for some."""
+        if not all(isinstance(n, Do) for n in node.body):
+            return False
+        return sum(self.costs[n.kernel.name] for n in node.body if isinstance(n, Do)) <= CHEAP
+
+
+@dataclass
+class CLoop(_Printer):
+    """Lanes: `lanes_any` skips a body, `lanes_select` keeps the other lanes as they are."""
+
+    def stage(
+        self,
+        nodes: Sequence[Node],
+        known: Mapping[str, bool],
+        mask: str,
+        after: Iterable[str],
+        outer: set[str],
+    ) -> dict[str, bool]:
+        """Print a stage for the lanes of `mask`; return the variables known after it."""
+        known = dict(known)
+        self._body(nodes, known, outer, mask, "", set(after))
+        return known
+
+    def _body(
+        self,
+        nodes: Sequence[Node],
+        known: dict[str, bool],
+        outer: set[str],
+        mask: str,
+        indent: str,
+        after: set[str],
+    ) -> None:
+        """Print nodes; what they assign of `outer` is selected by `mask`."""
+        for index, node in enumerate(nodes):
+            later = live_before(nodes[index + 1 :], after)
+            if isinstance(node, Do):
+                self._do(node, known, outer, mask, indent)
+                continue
+            own = scope(node, later)
+            truth = self.fresh("m")
+            inner = indent + "    "
+            inside = dict(known)
+            shared = set(own.gives) | set(own.keeps)
+            for name in set(writes(node.body)) - shared:
+                inside.pop(name, None)
+            if isinstance(node, Repeat):
+                self.lines.append(f"{indent}for (int turn = 0; turn < {node.limit}; turn++) {{")
+                self.lines.append(f"{inner}const M {truth} = {mask} & {node.truth};")
+                self.lines.append(f"{inner}if (!lanes_any({truth}))")
+                self.lines.append(f"{inner}    break;")
+                self._body(
+                    node.body, inside, shared, truth, inner, later | set(own.takes) | {node.truth}
+                )
+                self.lines.append(f"{indent}}}")
+                continue
+            self.lines.append(f"{indent}const M {truth} = {mask} & {node.truth};")
+            skip = "" if self.cheap(node) else f"if (lanes_any({truth})) "
+            self.lines.append(f"{indent}{skip}{{")
+            self._body(node.body, inside, shared, truth, inner, later)
+            self.lines.append(f"{indent}}}")
+
+    def _do(
+        self, node: Do, known: dict[str, bool], outer: set[str], mask: str, indent: str
+    ) -> None:
+        name = f"LANES({self.prefix}_{node.kernel.name})"
+        given = ", ".join(self._value(value) for value in node.arguments)
+        result = self.fresh("o")
+        self.lines.append(f"{indent}const LANES({self.prefix}_{node.kernel.name}_out) {result} =")
+        self.lines.append(f"{indent}    {name}({given});")
+        kinds = dict(zip(node.kernel.output_names, node.kernel.truths, strict=True))
+        for output, variable in node.assigned.items():
+            value = f"{result}.{output}"
+            if variable not in known:
+                kind = "M" if kinds[output] else "V"
+                self.lines.append(f"{indent}{kind} {variable} = {value};")
+                known[variable] = kinds[output]
+            elif variable not in outer:
+                self.lines.append(f"{indent}{variable} = {value};")
+            elif kinds[output]:
+                self.lines.append(
+                    f"{indent}{variable} = lanes_choose({mask}, {value}, {variable});"
+                )
+            else:
+                self.lines.append(
+                    f"{indent}{variable} = lanes_select({mask}, {value}, {variable});"
+                )
+
+    def _value(self, value: str | float) -> str:
+        return value if isinstance(value, str) else constant(float(value), C)
+
+
+@dataclass
+class NumPyLoop(_Printer):
+    """Rows: a body takes its own, and puts back what it assigned."""
+
+    def stage(
+        self, nodes: Sequence[Node], names: Mapping[str, str], after: Iterable[str]
+    ) -> dict[str, str]:
+        """Print a stage, given the names of what it knows; return those known after it."""
+        names = dict(names)
+        self._body(nodes, names, "shots", "", set(after), 0)
+        return names
+
+    def _body(
+        self,
+        nodes: Sequence[Node],
+        names: dict[str, str],
+        count: str,
+        indent: str,
+        after: set[str],
+        depth: int,
+    ) -> None:
+        for index, node in enumerate(nodes):
+            later = live_before(nodes[index + 1 :], after)
+            if isinstance(node, Do):
+                self._do(node, names, indent, depth)
+            elif isinstance(node, Guard) and self.cheap(node):
+                self._chosen(node, names, indent, later, depth)
+            else:
+                self._rows(node, names, count, indent, later, depth)
+
+    def _do(self, node: Do, names: dict[str, str], indent: str, depth: int) -> None:
+        given = ", ".join(
+            names[v] if isinstance(v, str) else constant(float(v), NUMPY) for v in node.arguments
+        )
+        for variable in node.assigned.values():
+            names[variable] = f"{variable}_{depth}"
+        targets = [
+            names[node.assigned[o]] if o in node.assigned else "_" for o in node.kernel.output_names
+        ]
+        while targets[-1] == "_" and len(targets) > 1 and targets[-2] == "_":
+            targets.pop()
+        if targets[-1] == "_":
+            targets[-1] = "*_"
+        self.lines.append(
+            f"{indent}{', '.join(targets)}{',' * (len(targets) == 1)} = {node.kernel.name}({given})"
+        )
+
+    def _chosen(
+        self, node: Guard, names: dict[str, str], indent: str, later: set[str], depth: int
+    ) -> None:
+        """Print a cheap body for all rows, and choose."""
+        own = scope(node, later)
+        inside = dict(names)
+        inner = depth + 1
+        for body in node.body:
+            assert isinstance(body, Do)
+            self._do(body, inside, indent, inner)
+        for name in own.gives:
+            new = f"{name}_{depth}"
+            self.lines.append(
+                f"{indent}{new} = where({names[node.truth]}, {inside[name]}, {names[name]})"
+            )
+            names[name] = new
+
+    def _rows(
+        self,
+        node: Guard | Repeat,
+        names: dict[str, str],
+        count: str,
+        indent: str,
+        later: set[str],
+        depth: int,
+    ) -> None:
+        own = scope(node, later)
+        rows, own_count = self.fresh("rows"), self.fresh("count")
+        line, deeper = self.lines.append, indent + "    "
+        inside = {name: f"{name}_{depth + 1}" for name in own.takes}
+        line(f"{indent}{rows}, {own_count} = _rows({names[node.truth]}, {count})")
+        line(f"{indent}if {own_count}:")
+        for name in inside:
+            line(f"{deeper}{inside[name]} = _take({names[name]}, {rows})")
+        if isinstance(node, Guard):
+            self._body(node.body, inside, own_count, deeper, later, depth + 1)
+            for name in own.gives:
+                line(
+                    f"{deeper}{name}_{depth} = _put({names[name]}, {rows}, {inside[name]}, {count})"
+                )
+        else:
+            turning = deeper + "    "
+            for name in own.gives:
+                line(f"{deeper}{name}_{depth} = _copy({names[name]}, {count})")
+            line(f"{deeper}for _ in range({node.limit}):")
+            start = dict(inside)
+            wanted = later | set(own.takes) | {node.truth}
+            self._body(node.body, inside, own_count, turning, wanted, depth + 1)
+            assert all(inside[name] == value for name, value in start.items()), "a name changed"
+            going = self.fresh("going")
+            line(f"{turning}{going} = flatnonzero({inside[node.truth]})")
+            line(f"{turning}if len({going}) == {own_count}:")
+            line(f"{turning}    continue")
+            line(f"{turning}done = flatnonzero(logical_not({inside[node.truth]}))")
+            for name in own.gives:
+                line(f"{turning}_store({name}_{depth}, _of({rows}, done), {inside[name]}, done)")
+            line(f"{turning}{rows}, {own_count} = _of({rows}, {going}), len({going})")
+            line(f"{turning}if not {own_count}:")
+            line(f"{turning}    break")
+            for name in sorted({*own.takes, *own.gives}):
+                line(f"{turning}{inside[name]} = _take({inside[name]}, {going})")
+            if own.gives:
+                line(f"{deeper}else:")
+            for name in own.gives:
+                line(f"{turning}_store({name}_{depth}, {rows}, {inside[name]}, None)")
+        missing = [name for name in own.gives if names[name] != f"{name}_{depth}"]
+        if missing:
+            line(f"{indent}else:")
+            for name in missing:
+                line(f"{deeper}{name}_{depth} = {names[name]}")
+        for name in own.gives:
+            names[name] = f"{name}_{depth}"
+
+
+def weighted(cost: Mapping[str, int]) -> int:
+    """Return about how long a kernel takes, in additions."""
+    return sum(count * COSTS.get(name, 1) for name, count in cost.items())
+
+
+@dataclass(frozen=True)
+class LoopView:
+    """What a template sees of the event loop.
+
+    Attributes
+    ----------
+    name
+        "bounded" where errors are bounded, else "plain".
+    fields
+        What a shot has.
+    c, numpy
+        The lines of each stage.
+    columns
+        By stage, the variables that NumPy reads, and those that it writes with their names.
+    """
+
+    name: str
+    bounds: bool
+    fields: tuple[Field, ...]
+    c: dict[str, list[str]]
+    numpy: dict[str, list[str]]
+    columns: dict[str, tuple[list[str], dict[str, str]]]
+
+
+def loop_view(prefix: str, costs: Mapping[str, int], loop: Loop, bounds: bool) -> LoopView:
+    """Return the loop, printed."""
+    names = [field.name for field in loop.fields]
+    given = (*names, *loop.parameters, *loop.job)
+    known = dict.fromkeys(given, False)
+    view = LoopView("bounded" if bounds else "plain", bounds, loop.fields, {}, {}, {})
+    masks, counter = {"admit": "fresh"}, 0
+    available = set(given)
+    for stage, (nodes, after) in _after(loop, names).items():
+        c = CLoop(prefix, costs, C, counter=counter)
+        outer = set(names) if stage == "admit" else set()
+        found = c.stage(nodes, known, masks.get(stage, "flying"), after, outer)
+        known = found if stage == "reach" else dict.fromkeys((*given, "permitted"), False)
+        counter = c.counter
+        numpy = NumPyLoop(prefix, costs, NUMPY)
+        touched = reads(nodes) | set(writes(nodes))
+        read = sorted(live_before(nodes, after) & available & touched)
+        names_after = numpy.stage(nodes, {name: name for name in read}, after)
+        written = {n: names_after[n] for n in sorted(after & set(writes(nodes)) & set(names_after))}
+        view.c[stage], view.numpy[stage] = c.lines, numpy.lines
+        view.columns[stage] = (read, written)
+        available |= set(written)
+    return view
+
+
+def _after(loop: Loop, names: Sequence[str]) -> dict[str, tuple[tuple[Node, ...], set[str]]]:
+    """Return each stage's nodes, and the variables that are needed after it."""
+    wanted = {*names, "body"}
+    found: dict[str, tuple[tuple[Node, ...], set[str]]] = {}
+    for stage, nodes in reversed(loop.stages.items()):
+        kept = needed(nodes, wanted)
+        found[stage] = (kept, set(wanted))
+        wanted |= reads(kept)
+    return dict(reversed(found.items()))

@@ -1,0 +1,147 @@
+"""Shots and trajectories as tables: of pandas, of xarray, and of a notebook."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .installed import need
+from .notebook import ROWS, some_rows, table
+from .results import SURFACES, Outcome
+
+if TYPE_CHECKING:
+    from .results import Shots, Trajectory
+
+__all__ = ["contacts_frame", "contacts_html", "shots_dataset", "shots_frame", "shots_html"]
+
+STATE = ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz")
+_STATE_UNITS = dict(zip(STATE, np.repeat(["m", "m/s", "rad/s"], 3).tolist(), strict=True))
+_ERRORS = {"position_error": "m", "velocity_error": "m/s", "spin_error": "rad/s"}
+
+UNITS: Mapping[str, str] = {"time": "s", "time_error": "s", **_STATE_UNITS, **_ERRORS}
+"""Of the columns that have one."""
+
+_OUTCOMES = [outcome.name.lower() for outcome in Outcome]
+_END = (*SURFACES, "end")
+
+
+def _columns(shots: Shots, rows: Any = slice(None)) -> dict[str, NDArray[Any]]:
+    """Return the results that there are, a column each; outcome and first surface as codes."""
+    columns: dict[str, NDArray[Any]] = {}
+    for name, split in _PARTS.items():
+        if hasattr(shots, name):
+            part = getattr(shots, name)[rows]
+            columns |= dict(zip(split, part.T if part.ndim > 1 else [part], strict=True))
+    return columns
+
+
+_PARTS: Mapping[str, tuple[str, ...]] = {
+    "outcome": ("outcome",),
+    "contacts": ("contacts",),
+    "counts": tuple(f"{name}_contacts" for name in SURFACES),
+    "first": ("first",),
+    "time": ("time",),
+    "state": STATE,
+    "uncertain": ("uncertain",),
+    "time_error": ("time_error",),
+    "state_error": tuple(_ERRORS),
+}
+"""By field of `Shots`: its columns, in their order."""
+
+
+def shots_frame(shots: Shots) -> Any:
+    """Return what `Shots.to_pandas` does."""
+    pd = need("pandas", "to_pandas")
+    columns: dict[str, Any] = dict(_columns(shots))
+    for name, words in (("outcome", _OUTCOMES), ("first", list(SURFACES))):
+        if name in columns:
+            columns[name] = pd.Categorical.from_codes(columns[name], words)
+    frame = pd.DataFrame(columns, pd.RangeIndex(len(shots), name="shot"))
+    frame.attrs["units"] = {name: UNITS[name] for name in columns if name in UNITS}
+    return frame
+
+
+def shots_dataset(shots: Shots) -> Any:
+    """Return what `Shots.to_xarray` does."""
+    xr = need("xarray", "to_xarray")
+    data, coordinates = {}, {"shot": np.arange(len(shots))}
+    second = {
+        "counts": ("surface", list(SURFACES)),
+        "state": ("component", list(STATE)),
+        "state_error": ("part", [name.removesuffix("_error") for name in _ERRORS]),
+    }
+    flags = {"outcome": (0, _OUTCOMES), "first": (-1, ["none", *SURFACES])}
+    for name in filter(partial(hasattr, shots), _PARTS):
+        dimensions = ["shot"]
+        if name in second:
+            dimensions.append(second[name][0])
+            coordinates[second[name][0]] = np.array(second[name][1])
+        told: dict[str, Any] = {"units": UNITS[name]} if name in UNITS else {}
+        if name in flags:
+            low, words = flags[name]
+            codes = np.arange(low, low + len(words), dtype=getattr(shots, name).dtype)
+            told = {"flag_values": codes, "flag_meanings": " ".join(words)}
+        data[name] = (dimensions, getattr(shots, name), told)
+    dataset = xr.Dataset(data, coordinates)
+    if "state" in data:
+        dataset = dataset.assign_coords(unit=("component", list(_STATE_UNITS.values())))
+    alike = {name: value for name, value in shots.parameters.items() if np.ndim(value) == 0}
+    dataset.attrs["parameters"] = json.dumps(alike)
+    apart = {name: ("shot", v) for name, v in shots.parameters.items() if np.ndim(v)}
+    return dataset.assign_coords(apart)
+
+
+def shots_html(shots: Shots) -> str:
+    """Return a table of the first and the last shots."""
+    rows = some_rows(len(shots))
+    columns: dict[str, list[Any]] = {
+        name: column.tolist() for name, column in _columns(shots, np.array(rows, np.intp)).items()
+    }
+    for name, words in (("outcome", _OUTCOMES), ("first", SURFACES)):
+        if name in columns:
+            columns[name] = [words[code] if code >= 0 else "" for code in columns[name]]
+    head = ["shot", *(_headed(name) for name in columns)]
+    about = repr(shots).removeprefix("Shots(").removesuffix(")")
+    gap = ROWS // 2 if len(rows) < len(shots) else None
+    return table(about, head, zip(rows, *columns.values(), strict=True), gap=gap)
+
+
+def contacts_frame(trajectory: Trajectory) -> Any:
+    """Return what `Trajectory.to_pandas` does."""
+    pd = need("pandas", "to_pandas")
+    events = trajectory.events
+    words = pd.Categorical.from_codes(events["surface"], list(_END))
+    columns = {"time": events["time"], "surface": words}
+    columns |= dict(zip(STATE[:3], events["before"].T, strict=False))
+    for name in ("before", "after"):
+        columns |= {f"{name}_{one}": events[name][:, k] for k, one in enumerate(STATE) if k > 2}
+    frame = pd.DataFrame(columns, pd.RangeIndex(1, len(events) + 1, name="event"))
+    frame.attrs["units"] = {
+        name: UNITS[name.rpartition("_")[2]] for name in columns if name != "surface"
+    }
+    return frame
+
+
+def contacts_html(trajectory: Trajectory) -> str:
+    """Return a table of the events."""
+    rows = [("", "release", 0.0, *trajectory.release[:3].tolist(), "", _speed(trajectory.release))]
+    for number, event in enumerate(trajectory.events, 1):
+        where = event["before"][:3].tolist()
+        speeds = _speed(event["before"]), _speed(event["after"])
+        rows.append((number, _END[event["surface"]], float(event["time"]), *where, *speeds))
+    head = ["", "event", "time (s)", "x (m)", "y (m)", "z (m)"]
+    head += ["speed before (m/s)", "speed after (m/s)"]
+    return table(repr(trajectory).partition("(")[2].removesuffix(")"), head, rows)
+
+
+def _speed(state: NDArray[np.float64]) -> float:
+    return float(np.linalg.norm(state[3:6]))
+
+
+def _headed(name: str) -> str:
+    return f"{name} ({UNITS[name]})" if name in UNITS else name.replace("_contacts", "")

@@ -1,0 +1,92 @@
+"""A picture of its own, which notebooks show, and pictures on axes that there are already."""
+
+from __future__ import annotations
+
+import io
+import textwrap
+from collections.abc import Sequence
+from typing import Any
+
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from hoopgen.plots.panels import Limits, Panel
+from hoopgen.plots.style import style
+from hoopgen.plots.views import View
+
+__all__ = ["Picture", "add_key", "add_title", "check_axes", "fit_view"]
+
+_DPI = 200
+"""Pixels of a picture in a notebook, an inch; twice as many as are shown, for screens that can."""
+
+_SMALL = 7.5  # points
+_LETTER = 0.56 * _SMALL / 72.0  # inches: the mean width of a letter in DejaVu Sans
+
+
+class Picture(Figure):
+    """A figure that a notebook shows as it is, without pyplot.
+
+    IPython knows figures only once pyplot is imported; from then on pyplot's settings hold.
+    """
+
+    def _repr_png_(self) -> tuple[bytes, dict[str, int]]:
+        width, height = (round(_DPI / 2 * side) for side in self.get_size_inches().tolist())
+        with style(), io.BytesIO() as out:
+            self.savefig(out, format="png", dpi=_DPI)
+            return out.getvalue(), {"width": width, "height": height}
+
+
+def check_axes(ax: Any) -> Axes:
+    """Return the axes to draw on.
+
+    Raises
+    ------
+    TypeError
+        If they are something else, such as all axes of `plt.subplots`.
+    """
+    if not isinstance(ax, Axes):
+        raise TypeError(f"ax: expected one matplotlib Axes, got {type(ax).__name__}")
+    return ax
+
+
+def fit_view(axes: Axes, view: View, limits: Limits) -> Panel:
+    """Make axes show a view, to scale and labelled; return it as the panel that they now are."""
+    left, right, bottom, top = limits
+    axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
+    if view.labels is not None:
+        axes.set_xlabel(view.labels[0])
+        axes.set_ylabel(view.labels[1])
+    axes.set_axisbelow(True)
+    axes.apply_aspect()
+    scale = _width(axes) / (right - left)
+    return Panel(view, limits, scale, 0.0, 0.0)
+
+
+def add_title(axes: Axes, title: str, *said: str) -> None:
+    """Write a title, in which nothing is mathematics, and what is said below it, broken to fit."""
+    wide = max(20, int(_width(axes) / _LETTER))
+    lines = [title.replace("$", r"\$")] if title else []
+    for text in said:
+        lines += [line for part in text.splitlines() for line in textwrap.wrap(part, wide)]
+    axes.set_title("\n".join(lines), loc="left", fontsize=_SMALL)
+
+
+def add_key(axes: Axes, handles: Sequence[Artist]) -> None:
+    """Write the key to the right of axes, over nothing that is drawn on them."""
+    if handles:
+        axes.legend(
+            handles=list(handles),
+            loc="upper left",
+            bbox_to_anchor=(1.02, 1.0),
+            borderaxespad=0.0,
+            frameon=False,
+            fontsize=_SMALL,
+        )
+
+
+def _width(axes: Axes) -> float:
+    """Return the width of axes, inches."""
+    figure = axes.figure
+    assert figure is not None
+    return float(axes.get_window_extent().width / figure.dpi)

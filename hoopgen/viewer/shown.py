@@ -1,0 +1,56 @@
+"""A page as `view` gives it back: the file that was written, which notebooks show as it is."""
+
+from __future__ import annotations
+
+import html
+import os
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+__all__ = ["Page"]
+
+_HEIGHT = 640
+"""Of the page in a notebook, pixels."""
+
+
+@dataclass(frozen=True)
+class Page(os.PathLike[str]):
+    """A page of shots. It stands for its file wherever a path does, and has a path's attributes.
+
+    Attributes
+    ----------
+    path
+        The file written; None if there is none.
+    text
+        The page, HTML.
+    """
+
+    path: Path | None
+    text: str = field(repr=False)
+
+    def __fspath__(self) -> str:
+        return os.fspath(self._file())
+
+    def __str__(self) -> str:
+        return "a page without a file" if self.path is None else str(self.path)
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(f"Page has no attribute {name!r}")
+        return getattr(self._file(), name)
+
+    def __dir__(self) -> list[str]:
+        return sorted({*super().__dir__(), *(dir(self.path) if self.path is not None else ())})
+
+    def _file(self) -> Path:
+        if self.path is None:
+            raise ValueError("the page has no file: give view a path")
+        return self.path
+
+    def _repr_html_(self) -> str:
+        # All of it is text of one attribute, and its scripts see nothing of the notebook.
+        return (
+            f'<iframe srcdoc="{html.escape(self.text)}" width="100%" height="{_HEIGHT}" '
+            'sandbox="allow-scripts" style="border: 0" title="Shots in motion"></iframe>'
+        )

@@ -1,0 +1,417 @@
+"""The C engine is used once it has shown that it can be: flags, stale builds, odd threads."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import platform
+import shutil
+import stat
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import flags
+import numpy as np
+import pytest
+from compiled import ROOT, needs_compiler, shared_library
+from hoopgen.generated.numpy import hoop
+
+import hoopgen
+from hoopgen import inputs, simulation
+from hoopgen.engine import arithmetic, native, sources, trust
+
+FREE_THROW = [4.191, 0, -0.6096, -4.5, 0, 5.577, 0, 18.85, 0]
+MACHINE = platform.machine()
+FUSES = "-mfma " if MACHINE in ("x86_64", "AMD64") else ""
+"""A processor's a*b + c in one operation; elsewhere compilers may take it without being told."""
+
+linux_on_x86 = pytest.mark.skipif(
+    sys.platform != "linux" or MACHINE != "x86_64", reason="sets x86's control register by glibc"
+)
+
+# ------------------------------------------------------------------------------------------ flags
+
+EVERY = (
+    "-Ofast -ffast-math -funsafe-math-optimizations -fassociative-math -fno-signed-zeros "
+    "-fno-trapping-math -freciprocal-math -ffinite-math-only -ffp-contract=fast"
+)
+OWN = {"gcc": "", "clang": "-ffp-model=fast -ffp-contract=fast -fno-honor-infinities"}
+ADMITTED = {
+    "gcc": (
+        "-Ofast",
+        "-ffast-math",
+        "-funsafe-math-optimizations",
+        "-fassociative-math -fno-signed-zeros -fno-trapping-math",
+        "-freciprocal-math",
+        "-ffinite-math-only",
+        "-fno-signed-zeros",
+        "-fsingle-precision-constant",
+    ),
+    "clang": ("-Ofast", "-ffast-math", "-ffinite-math-only", "-ffp-model=fast"),
+}
+
+
+def needs(compiler: str) -> None:
+    if compiler not in flags.COMPILERS:
+        pytest.skip(f"{compiler} is not installed")
+
+
+@pytest.mark.parametrize("compiler", OWN)
+def test_setup_takes_back_every_flag_of_the_environment(compiler: str) -> None:
+    needs(compiler)
+    given = f"{FUSES}{EVERY} {OWN[compiler]}"
+    verdict = flags.try_flags(compiler, given, link=given, widest=2)
+    assert verdict == flags.Verdict("same", "")
+
+
+@pytest.mark.parametrize(
+    ("compiler", "flag"), [(c, flag) for c in ADMITTED for flag in ADMITTED[c]]
+)
+def test_what_a_compiler_admits_to_does_not_compile(compiler: str, flag: str) -> None:
+    needs(compiler)
+    verdict = flags.try_flags(compiler, f"-fsyntax-only {flag}", ours=False, widest=1)
+    assert verdict.kind == "refused"
+    assert "compile without" in verdict.said
+
+
+@pytest.mark.parametrize("flag", [f"{FUSES}-ffp-contract=fast", "-freciprocal-math"])
+def test_what_clang_does_not_admit_to_does_not_run(flag: str) -> None:
+    needs("clang")
+    verdict = flags.try_flags("clang", f"-O1 {flag}", ours=False, widest=1)
+    assert verdict.kind == "found"
+    assert "width 1: arithmetic" in verdict.said
+
+
+def test_a_library_that_runs_and_gives_other_bits_is_found() -> None:
+    """Of an infinity that there is not, the C file itself learns nothing."""
+    needs("clang")
+    verdict = flags.try_flags("clang", "-O1 -fno-honor-infinities", ours=False, widest=1)
+    assert verdict.kind == "found"
+    assert "width 1: outcome, " in verdict.said
+
+
+@pytest.mark.parametrize("compiler", OWN)
+def test_compiled_by_hand_nothing_is_contracted(compiler: str) -> None:
+    """With no flag about it, on a processor that could: the C file says so itself."""
+    needs(compiler)
+    given = f"-O1 -std=gnu11 -fno-math-errno {FUSES}"
+    verdict = flags.try_flags(compiler, given, ours=False, widest=1)
+    assert verdict == flags.Verdict("same", "")
+
+
+@needs_compiler
+@linux_on_x86
+def test_a_library_that_changes_the_process_is_not_used(tmp_path: Path) -> None:
+    """As linking with -ffast-math makes one, before GCC 13."""
+    source = tmp_path / "flushing.c"
+    source.write_text(
+        "#include <xmmintrin.h>\n"
+        "__attribute__((constructor)) static void set(void)\n"
+        "{ _mm_setcsr(_mm_getcsr() | 0x8040); }\n"
+        "int hoop_simulate(void);\nint hoop_simulate(void) { return 0; }\n",
+        encoding="utf-8",
+    )
+    library = shared_library(source)
+    found = in_a_thread(lambda: native.checked(library))
+    assert isinstance(found, native.Refused)
+    assert "makes subnormals zero in this process" in found.reason
+
+
+# ---------------------------------------------------------------------------------------- threads
+
+
+def in_a_thread(work: Callable[[], Any]) -> Any:
+    """Return what work returns, or the error that it raises; what it sets is its thread's."""
+    results = []
+
+    def run() -> None:
+        try:
+            results.append(work())
+        except Exception as error:
+            results.append(error)
+
+    thread = threading.Thread(target=run)
+    thread.start()
+    thread.join()
+    return results[0]
+
+
+def set_control(bits: int) -> None:
+    """Set bits of this thread's SSE control register."""
+    environment = (ctypes.c_uint32 * 8)()
+    c = ctypes.CDLL(None)
+    c.fegetenv(environment)
+    environment[7] |= bits
+    c.fesetenv(environment)
+
+
+@linux_on_x86
+@pytest.mark.parametrize("bits", [0x8000, 0x0040, 0x2000, 0x4000, 0x6000])
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_a_thread_that_computes_otherwise_is_told(backend: Any, bits: int) -> None:
+    """Subnormals to zero, of results and of operands; rounded down, up and towards zero."""
+    if backend == "c" and native.installed() is None:
+        pytest.skip("the C engine was not built")
+
+    def work() -> object:
+        set_control(bits)
+        return hoopgen.simulate(FREE_THROW, backend=backend)
+
+    error = in_a_thread(work)
+    assert isinstance(error, RuntimeError)
+    assert "rounds otherwise than to the nearest double, or takes subnormals for zero" in str(error)
+    assert hoopgen.simulate(FREE_THROW, backend=backend).outcome[0] == hoopgen.Outcome.MISSED
+
+
+@linux_on_x86
+def test_nothing_is_compared_in_a_thread_that_computes_otherwise() -> None:
+    def work() -> object:
+        set_control(0x8040)
+        return native.load.__wrapped__()
+
+    assert isinstance(in_a_thread(work), RuntimeError)
+
+
+def test_this_thread_computes_as_it_should() -> None:
+    assert arithmetic.exact()
+
+
+@pytest.mark.parametrize(("asked", "taken"), [(1, 1), (3, 3), (20, 20), (21, 20), (2000, 20)])
+def test_threads_that_would_only_crowd_are_not_started(
+    asked: int, taken: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(os, "sched_getaffinity", lambda _: set(range(5)), raising=False)
+    assert inputs.check_threads(asked) == taken
+    assert inputs.check_threads(None) == 5
+
+
+def test_in_numpy_no_thread_takes_few_shots(monkeypatch: pytest.MonkeyPatch) -> None:
+    sizes = []
+    run = simulation.numpy_backend.run
+
+    def counted(kernels: Any, states: Any, *rest: Any) -> None:
+        sizes.append(len(states))
+        run(kernels, states, *rest)
+
+    monkeypatch.setattr(simulation.numpy_backend, "run", counted)
+    hoopgen.simulate(np.tile(FREE_THROW, (10_000, 1)), backend="numpy", threads=8)
+    assert sorted(sizes) == [10_000 - 2 * simulation.LEAST, simulation.LEAST, simulation.LEAST]
+
+
+# ----------------------------------------------------------------------------------------- stamps
+
+
+class Counted:
+    """The installed engine; counts its runs, and can be made to err."""
+
+    def __init__(self, wrong: str = "", width: int = 0) -> None:
+        self.runs, self.wrong, self.width = 0, wrong, width
+
+    def run(self, *arguments: Any) -> None:
+        library = native.installed()
+        assert library is not None
+        library.run(*arguments)
+        states, _, _, _, out, _, width = arguments
+        self.runs += len(states) > 0
+        if (
+            self.wrong
+            and width == self.width
+            and getattr(out, self.wrong) is not None
+            and len(states)
+        ):
+            array = getattr(out, self.wrong)
+            row = array[7:8]
+            row.view(np.uint8)[...] ^= 1
+
+
+@pytest.fixture
+def library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """A file in the place of the library, and a home of one's own."""
+    if native.installed() is None:
+        pytest.skip("the C engine was not built")
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    path = tmp_path / "engine" / "_hoop.so"
+    path.parent.mkdir()
+    path.write_bytes(b"a library")
+    return path
+
+
+def compared(library: Path) -> bool:
+    """Return whether loading compares anything."""
+    engine = Counted()
+    assert trust.trusted(library, engine, hoop) == ""
+    return engine.runs > 0
+
+
+def stamp_of(library: Path) -> Path:
+    (stamp,) = (library.parent / "__pycache__").iterdir()
+    return stamp
+
+
+def test_what_has_been_compared_is_not_compared_again(library: Path) -> None:
+    assert [compared(library) for _ in range(3)] == [True, False, False]
+
+
+@pytest.mark.parametrize("text", [b"", b"yes\n", b"\xff\xfe", b"0" * 64])
+def test_a_stamp_that_says_something_else_is_none(library: Path, text: bytes) -> None:
+    assert compared(library)
+    stamp_of(library).write_bytes(text)
+    assert [compared(library) for _ in range(2)] == [True, False]
+
+
+def test_a_stamp_that_cannot_be_read_is_none(library: Path) -> None:
+    assert compared(library)
+    stamp = stamp_of(library)
+    stamp.unlink()
+    stamp.mkdir()
+    assert compared(library)
+
+
+def test_another_library_numpy_or_source_is_compared_again(
+    library: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    assert compared(library)
+    monkeypatch.setattr(np, "__version__", "9.9")
+    assert [compared(library) for _ in range(2)] == [True, False]
+    library.write_bytes(b"another library")
+    assert [compared(library) for _ in range(2)] == [True, False]
+    kernels = tmp_path / "hoop.py"
+    kernels.write_bytes(Path(hoop.__file__).read_bytes() + b"\n# edited\n")
+    monkeypatch.setattr(hoop, "__file__", str(kernels))
+    assert [compared(library) for _ in range(2)] == [True, False]
+
+
+def test_without_a_place_beside_the_library_the_users_cache_has_the_stamp(
+    library: Path, tmp_path: Path
+) -> None:
+    (library.parent / "__pycache__").write_bytes(b"in the way")
+    assert [compared(library) for _ in range(2)] == [True, False]
+    cache = tmp_path / "cache" / "hoopgen"
+    assert [file.suffix for file in cache.iterdir()] == [".checked"]
+    if os.name == "posix":
+        assert stat.S_IMODE(cache.stat().st_mode) == 0o700
+
+
+@pytest.mark.skipif(os.name != "posix", reason="permissions are POSIX's")
+def test_a_cache_that_others_write_to_is_not_used(library: Path, tmp_path: Path) -> None:
+    (library.parent / "__pycache__").write_bytes(b"in the way")
+    cache = tmp_path / "cache" / "hoopgen"
+    cache.mkdir(parents=True)
+    cache.chmod(0o777)
+    assert [compared(library) for _ in range(2)] == [True, True]
+    assert list(cache.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    "field",
+    ["outcome", "contacts", "counts", "first", "time", "state", "uncertain"]
+    + ["time_error", "state_error", "event_counts", "events"],
+)
+def test_one_wrong_bit_of_one_field_is_found_and_not_stamped(library: Path, field: str) -> None:
+    found = trust.trusted(library, Counted(field, width=2), hoop)
+    assert found.startswith("width 2: ")
+    assert field in found
+    assert not (library.parent / "__pycache__").exists()
+
+
+def test_the_shots_compared_show_every_outcome_surface_and_doubt() -> None:
+    engine, seen = Counted(), []
+    if native.installed() is None:
+        pytest.skip("the C engine was not built")
+    run = engine.run
+
+    def kept(*arguments: Any) -> None:
+        run(*arguments)
+        seen.append(arguments[4])
+
+    engine.run = kept  # type: ignore[method-assign]
+    assert trust.differences(engine, hoop) == ""
+    whole = [out for out in seen if out.uncertain is not None]
+    outcomes = np.concatenate([out.outcome for out in whole])
+    assert np.all(np.bincount(outcomes, minlength=5)[:5] > 0)
+    assert np.all(np.sum([out.counts.clip(0).sum(axis=0) for out in whole], axis=0) > 100)
+    assert 0 < np.concatenate([out.uncertain for out in whole]).sum() < len(outcomes)
+    assert len(whole[0].outcome) > 300
+
+
+# -------------------------------------------------------------------------------- the whole of it
+
+TELL = """
+import sys, hoopgen
+states = [4.191, 0, -0.6096, -4.5, 0, 5.577, 0, 18.85, 0]
+for _ in range(2):
+    assert hoopgen.simulate(states).outcome[0] == hoopgen.Outcome.MISSED
+try:
+    hoopgen.simulate(states, backend="c")
+except RuntimeError as error:
+    print(error)
+else:
+    print("used")
+"""
+
+
+@pytest.fixture
+def package(tmp_path: Path) -> Path:
+    """hoopgen as it is installed, in a folder of its own."""
+    if native.installed() is None:
+        pytest.skip("the C engine was not built")
+    ignored = shutil.ignore_patterns("__pycache__")
+    shutil.copytree(ROOT / "hoopgen", tmp_path / "hoopgen", ignore=ignored)
+    for room in ("generated", "derive", "templates"):
+        shutil.copytree(ROOT / room, tmp_path / "hoopgen" / room, ignore=ignored)
+    return tmp_path
+
+
+def told(package: Path) -> tuple[str, str]:
+    """Return what a new process says of the C engine: to who asks for it, and to who does not."""
+    result = subprocess.run(
+        [sys.executable, "-c", TELL],
+        cwd=package,
+        env=os.environ | {"PYTHONPATH": str(package), "XDG_CACHE_HOME": str(package / "cache")},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=120,
+    )
+    assert result.returncode == 0, result.stderr
+    return result.stdout.strip(), result.stderr.strip()
+
+
+def test_a_library_of_other_sources_is_not_used_and_one_line_says_so(package: Path) -> None:
+    assert told(package) == ("used", "")
+    engine = package / "hoopgen" / "generated" / "c" / "hoop_engine.h"
+    engine.write_text(engine.read_text(encoding="utf-8") + "\n", encoding="utf-8")
+    error, line = told(package)
+    what = "was built from other sources than these; `pip install -e .` again"
+    assert error == f"backend: 'c' {what}, or use 'numpy'"
+    assert line == f"hoopgen: the C engine {what}. NumPy serves, slower."
+
+
+def test_a_library_that_differs_from_numpy_is_not_used_and_one_line_says_so(package: Path) -> None:
+    assert told(package) == ("used", "")  # and there is a stamp, of the kernels as they were
+    kernels = package / "hoopgen" / "generated" / "numpy" / "hoop.py"
+    head, impact, body = kernels.read_text(encoding="utf-8").partition("def impact(")
+    edited = body.replace("0.6 * ", "0.6000000000000001 * ", 1)
+    assert edited != body
+    kernels.write_text(head + impact + edited, encoding="utf-8")
+    error, line = told(package)
+    assert error.startswith("backend: 'c' does not give NumPy's results (width 1: time, state, ")
+    assert error.endswith("; install again without CFLAGS and LDFLAGS of your own, or use 'numpy'")
+    assert len(line.splitlines()) == 1
+    assert line.startswith("hoopgen: the C engine does not give NumPy's results (width 1: time, ")
+
+
+def test_the_word_for_sources_is_of_their_names_and_bytes(tmp_path: Path) -> None:
+    assert sources.word(tmp_path) == ""
+    (tmp_path / "a.c").write_bytes(b"int a;")
+    (tmp_path / "notes.txt").write_bytes(b"not a source")
+    first = sources.word(tmp_path)
+    assert first.isidentifier()
+    (tmp_path / "a.c").write_bytes(b"int b;")
+    second = sources.word(tmp_path)
+    (tmp_path / "a.c").rename(tmp_path / "b.c")
+    assert len({first, second, sources.word(tmp_path)}) == 3
