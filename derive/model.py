@@ -31,7 +31,7 @@ from .ground.symbols import (
 from .scenes import validity
 from .scenes.scene import Scene
 from .search import events, search
-from .search.search import Search
+from .search.search import Formula, Search
 from .studies import ARGUMENTS, study_kernels
 from .surfaces import Surface
 
@@ -103,7 +103,7 @@ def _largest_input(scene: Scene) -> sp.Expr:
 
 
 def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
-    restitution = sp.Symbol("restitution", nonnegative=True)
+    restitution = scene.laws[0].restitution
     through = impact_through_frame(FRAME, velocity, spin, scene.ball_radius, restitution)
     plain_order = (validity.last, *STATE, *(sp.Symbol(s.name, real=True) for s in scene.symbols))
     return [
@@ -225,7 +225,17 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
 
 def _law_kernels(law: Law, scene: Scene, order: tuple[sp.Symbol, ...]) -> dict[str, Kernel]:
     ball_radius = scene.ball_radius
-    return {
+    kernels = {}
+    doubt = law.doubt(normal, velocity, spin, ball_radius)
+    if doubt is not None:
+        kernels["doubt"] = kernel(
+            f"{law.name}_doubt",
+            {"unsure": doubt},
+            order,
+            "Where a decision within a contact lies within its error.",
+            "the law's own slack",
+        )
+    return kernels | {
         "impact": kernel(
             law.name,
             _components(MOTION, *law.after(normal, velocity, spin, ball_radius)),
@@ -247,7 +257,7 @@ def _surface_kernels(
     surface: Surface, scene: Scene, order: tuple[sp.Symbol, ...]
 ) -> SurfaceKernels:
     found = search(surface, scene.gravity)
-    formulas = {
+    formulas: dict[str, Formula] = {
         "coefficients": (
             _named("c", events.event_coefficients(surface, scene.gravity)),
             "Coefficients in time of the event polynomial, constant first.",
@@ -286,7 +296,8 @@ def _surface_kernels(
 def build(scene: Scene) -> Model:
     """Return all kernels of a scene, and its event loop."""
     order = _order(scene)
-    common = {k.name: k for k in _common(scene, order)} | decisions.kernels(scene.faces)
+    common = {k.name: k for k in _common(scene, order)}
+    choices = decisions.kernels(scene.faces)
     laws = {law: _law_kernels(law, scene, order) for law in scene.laws}
     surfaces = tuple(_surface_kernels(surface, scene, order) for surface in scene.surfaces)
     finish = _surface_kernels(scene.finish, scene, order)
@@ -297,7 +308,8 @@ def build(scene: Scene) -> Model:
     end = Contact(len(contacts), len(scene.bodies), finish.kernels, finish.search, {})
     names = [body.name for body in scene.bodies]
     loop = event_loop(
-        common, contacts, end, fields(names), [symbol.name for symbol in scene.symbols]
+        common | choices, contacts, end, fields(names), [symbol.name for symbol in scene.symbols]
     )
     study = tuple(study_kernels(scene, order))
+    common |= {name: made for name, made in choices.items() if name in loop.called}
     return Model(scene, common, laws, surfaces, finish, study, loop, results(names))

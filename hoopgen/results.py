@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.generated.numpy import hoop
+from hoopgen.generated.numpy.hoop import Outcome as Outcome
 
 from .brief import brief
 
@@ -18,7 +19,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Outcome = hoop.Outcome
 
 SURFACES = hoop.BODIES
 """Surfaces, in the order of ``Shots.counts``; the event log numbers the end plane after them."""

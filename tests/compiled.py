@@ -22,6 +22,13 @@ from numpy.typing import NDArray
 ROOT = Path(__file__).resolve().parents[1]
 COMPILER = (os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc").split()
 WARNINGS = ("-Wall", "-Wextra", "-Wconversion", "-Werror")
+# Of -fsanitize=undefined GCC leaves out the conversion of a double that no integer holds.
+SANITIZERS = (
+    "-O1",
+    "-g",
+    "-fsanitize=address,undefined,float-cast-overflow",
+    "-fno-sanitize-recover=all",
+)
 WIDTHS = (1, 2, 4, 8)
 """Of the kernels; GCC and Clang make vectors of any width out of what the processor has."""
 

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from compiled import ROOT, WIDTHS, CKernels, Floats, needs_compiler, same_bits
+from compiled import WIDTHS, CKernels, Floats, needs_compiler, same_bits
 from hoopgen.derive.ground.choice import (
     AtMost,
     Both,

@@ -20,7 +20,7 @@ from scenes.table import TABLE
 
 from hoopgen.codegen import render
 from hoopgen.engine import native, numpy_backend
-from hoopgen.engine.raw import BOUNDS, FIELDS, Raw, allocate, allocate_events
+from hoopgen.engine.raw import BOUNDS, FIELDS, STATE, Raw, allocate, allocate_events
 
 # One worker: the scene is compiled once.
 pytestmark = [pytest.mark.xdist_group("second_scene"), needs_compiler]
@@ -113,7 +113,7 @@ def engines(tmp_path_factory: pytest.TempPathFactory) -> Engines:
 
 def state(**given: float) -> list[float]:
     """Return a state; what is not given is zero."""
-    return [given.get(name, 0.0) for name in raw.STATE]
+    return [given.get(name, 0.0) for name in STATE]
 
 
 def shots(count: int, seed: int) -> NDArray[np.float64]:

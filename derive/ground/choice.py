@@ -17,7 +17,8 @@ class Truth(sp.Symbol):  # type: ignore[misc]
 
     def __new__(cls, name: str) -> Truth:
         """Return the truth of that name."""
-        return super().__new__(cls, name, real=True)
+        made: Truth = super().__new__(cls, name, real=True)
+        return made
 
 
 class Condition(sp.Function):  # type: ignore[misc]

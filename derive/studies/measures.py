@@ -18,7 +18,7 @@ from ..ground.choice import IfLess, hold, hold_all, largest, size, smallest
 from ..ground.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
 from ..search.events import leaving
 from ..search.plane import plane_arrival
-from ..search.ring import Ring
+from ..surfaces import Ring
 from ..surfaces import Plane
 
 level = sp.Symbol("level", real=True)

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 6070df632d9c93b8,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 4e3fee7f36fc1578,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -1304,13 +1304,13 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_crossing_out) o86 =
                 LANES(hoop_crossing)(margin, rate_margin, rate, ceiling);
             V clearance = o86.clearance;
-            delay = lanes_select(m58, o86.delay, delay);
+            V delay = o86.delay;
             const LANES(hoop_landed_out) o87 =
                 LANES(hoop_landed)(arrival);
             V time = o87.time;
             const LANES(hoop_landed_surely_out) o88 =
                 LANES(hoop_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = lanes_select(m58, o88.delay, delay);
+            delay = o88.delay;
             doubt = lanes_select(m58, o88.doubt, doubt);
             const LANES(hoop_tied_out) o89 =
                 LANES(hoop_tied)(arrives, delay, doubt, late, time, when);

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 6070df632d9c93b8,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 4e3fee7f36fc1578,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -596,6 +596,18 @@ LANES(hoop_landed_surely)(M arrives, M certain, V clearance, V delay, V doubt, V
 {
     const M s0 = certain & (K(0.0) < clearance);
     return (LANES(hoop_landed_surely_out)){ lanes_select(s0, delay, K(0.0)), lanes_select(((arrives & NOT(s0)) & (time < doubt)), time, doubt) };
+}
+
+/* A search that begins outside the surface.
+   Table 1. No operations. */
+typedef struct {
+    V side;
+} LANES(hoop_outside_out);
+
+LANES_INLINE LANES(hoop_outside_out)
+LANES(hoop_outside)(void)
+{
+    return (LANES(hoop_outside_out)){ K(1.0) };
 }
 
 /* Whether a shot can start, and whether that is in doubt.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 6070df632d9c93b8,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 4e3fee7f36fc1578,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -173,6 +173,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "own_margin": ("margin",),
     "landed": ("time",),
     "landed_surely": ("delay", "doubt",),
+    "outside": ("side",),
     "admitted": ("outcome", "uncertain",),
     "finite_state": ("finite",),
     "opening": ("when", "which", "late", "doubt",),
@@ -744,6 +745,15 @@ def landed_surely(arrives: Any, certain: Any, clearance: Any, delay: Any, doubt:
     """
     s0 = logical_and(certain, (0.0 < clearance))
     return where(s0, delay, 0.0), where(logical_and(logical_and(arrives, logical_not(s0)), (time < doubt)), time, doubt)
+
+
+def outside() -> tuple[Any, ...]:
+    """A search that begins outside the surface.
+
+    Table 1. No operations.
+    Returns side.
+    """
+    return 1.0,
 
 
 def admitted(doubt: Any, finite: Any, permitted: Any, valid: Any) -> tuple[Any, ...]:
@@ -2228,7 +2238,6 @@ def admit_bounded(columns: dict[str, Any], shots: int) -> None:
     finite_0, = finite_state(vx, vy, vz, wx, wy, wz, x, y, z)
     valid_0, doubt_0 = valid(last, x, y, z, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, end_depth)
     outcome_0, uncertain_0 = admitted(doubt_0, finite_0, permitted, valid_0)
-    columns["doubt"] = doubt_0
     columns["outcome"] = outcome_0
     columns["uncertain"] = uncertain_0
 
@@ -2563,7 +2572,6 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
         delay_1, doubt_1 = landed_surely(arrives_1, certain_1, clearance_1, delay_1, doubt_1, time_1)
         doubt_1, late_1 = tied(arrives_1, delay_1, doubt_1, late_1, time_1, when_1)
         when_1, which_1 = sooner(arrives_1, 0.0, time_1, when_1, which_1)
-        delay_0 = _put(delay_0, rows5, delay_1, shots)
         doubt_0 = _put(doubt_0, rows5, doubt_1, shots)
         late_0 = _put(late_0, rows5, late_1, shots)
         when_0 = _put(when_0, rows5, when_1, shots)
@@ -2586,7 +2594,6 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
     columns["body"] = body_0
     columns["clock"] = clock_0
     columns["contacts"] = contacts_0
-    columns["delay"] = delay_0
     columns["ends"] = ends_0
     columns["late"] = late_0
     columns["outcome"] = outcome_0

@@ -198,7 +198,7 @@ class _Printer(LatexPrinter):  # type: ignore[misc]
 
     def _print_condition(self, choice: sp.Expr) -> str:
         if isinstance(choice, Condition | Truth):
-            return self._print(choice)
+            return str(self._print(choice))
         return self._compared(choice, "<" if isinstance(choice, IfLess) else r"\le")
 
     def _compared(self, condition: sp.Expr, sign: str) -> str:
@@ -230,7 +230,7 @@ class _Printer(LatexPrinter):  # type: ignore[misc]
 
     def _print_Not(self, condition: sp.Expr) -> str:
         (inner,) = condition.args
-        text = self._print(inner)
+        text: str = self._print(inner)
         return rf"\neg {text}" if isinstance(inner, Truth) else rf"\neg \left({text}\right)"
 
     def _print_Nowhere(self, _: sp.Expr) -> str:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import sympy as sp
+from hoopgen.derive.contact.rolling import Rolling
 from hoopgen.derive.ground.symbols import POSITION
 from hoopgen.derive.scenes.scene import Scene, parameter
-from hoopgen.derive.surfaces import Plane, Sphere
+from hoopgen.derive.surfaces import Plane, Sphere, body
 
 _PARAMETERS = (
     parameter("half_length", "m", "half the table's length, along x", 0.8),
@@ -31,26 +32,28 @@ def _table() -> Scene:
     return Scene(
         name="table",
         parameters=_PARAMETERS,
-        surfaces=(
-            Plane(
-                "top",
-                direction=(0, 0, 1),
-                offset=ball,
-                reach=ball,
-                limits=(-x - length, x - length, -y - width, y - width),
-            ),
-            Sphere(
-                "dome",
-                centre=(by_name["dome_x"], sp.Integer(0), by_name["dome_z"]),
-                radius=by_name["dome_radius"] + ball,
-            ),
+        bodies=tuple(
+            body(face, Rolling("impact", by_name["bounce"]))
+            for face in (
+                Plane(
+                    "top",
+                    direction=(0, 0, 1),
+                    offset=ball,
+                    reach=ball,
+                    limits=(-x - length, x - length, -y - width, y - width),
+                ),
+                Sphere(
+                    "dome",
+                    centre=(by_name["dome_x"], sp.Integer(0), by_name["dome_z"]),
+                    radius=by_name["dome_radius"] + ball,
+                ),
+            )
         ),
         finish=Plane(
             "ground", direction=(0, 0, 1), offset=-by_name["table_height"], reach=sp.Integer(0)
         ),
         target=sp.sqrt((x - by_name["cup_x"]) ** 2 + y**2) - by_name["cup_radius"],
         ball_radius=ball,
-        restitution=by_name["bounce"],
         gravity=by_name["acceleration"],
     )
 
