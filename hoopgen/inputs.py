@@ -121,7 +121,10 @@ def check_contacts(max_contacts: Any) -> int:
         If it is no whole number from 1, or more than the engines count.
     """
     if not is_whole(max_contacts) or not 1 <= max_contacts < 2**31:
-        raise ValueError(f"max_contacts: expected a whole number from 1, got {brief(max_contacts)}")
+        raise ValueError(
+            f"max_contacts: expected a whole number from 1, got {brief(max_contacts)}; "
+            f"at most {2**31 - 1}"
+        )
     return int(max_contacts)
 
 

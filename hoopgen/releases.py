@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -76,6 +78,14 @@ def release(
     except ValueError:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items() if array.ndim)
         raise ValueError(f"release: the shapes do not broadcast: {shapes}") from None
+    with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is an invalid shot
+        return _states(arrays, shape)
+
+
+def _states(
+    arrays: Mapping[str, NDArray[np.float64]], shape: tuple[int, ...]
+) -> NDArray[np.float64]:
+    """Return the states of releases whose arguments broadcast to a shape."""
     # Nothing is broadcast before it is stored: what all shots share is computed once.
     # Towards the centre is angle + pi; the shooter's left, seen from above, is counter-clockwise.
     heading = arrays["azimuth"] + arrays["angle"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
+import os
 import re
 import subprocess
 import sys
@@ -327,6 +328,74 @@ def test_what_is_not_installed_is_named_with_its_extra(
     assert done.returncode == 2, done.stderr
     said = rf"hoopgen: error: \S+ needs {missing}: pip install (-e )?'.+\[{extra}\]'\n"
     assert re.fullmatch(said, done.stderr), done.stderr
+
+
+# What nobody foresaw
+
+
+@pytest.mark.parametrize(
+    "error",
+    [
+        TypeError("unhashable type: 'list'"),
+        KeyError("gravity"),
+        ZeroDivisionError("division by zero"),
+        MemoryError("Unable to allocate 7.28 TiB\nfor an array"),
+        RecursionError("maximum recursion depth exceeded"),
+        OverflowError(34, "Numerical result out of range"),
+    ],
+)
+def test_what_nobody_foresaw_is_one_line_too(
+    error: Exception, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def broken(**_: object) -> None:
+        raise error
+
+    monkeypatch.setattr(hoopgen, "release", broken)
+    monkeypatch.delenv("HOOPGEN_TRACEBACK", raising=False)
+    result = run(*SHOT)
+    assert result.exit_code == 70
+    assert result.stdout == ""
+    line = f"hoopgen: error: hoopgen shot: {type(error).__name__}: {' '.join(str(error).split())}"
+    assert result.stderr.startswith(f"{line} (this was not foreseen; HOOPGEN_TRACEBACK=1 ")
+    assert result.stderr.count("\n") == 1
+    monkeypatch.setenv("HOOPGEN_TRACEBACK", "1")
+    told = run(*SHOT)
+    assert told.exit_code == 70
+    assert told.stderr.startswith("Traceback (most recent call last)")
+    assert "in broken" in told.stderr
+    assert told.stderr.endswith(result.stderr)
+
+
+def test_a_program_that_calls_the_command_gets_the_error_itself(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def broken(**_: object) -> None:
+        raise KeyError("gravity")
+
+    monkeypatch.setattr(hoopgen, "release", broken)
+    with pytest.raises(KeyError):
+        main(SHOT, standalone_mode=False)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="pipes as of POSIX")
+def test_a_reader_who_has_enough_is_no_error() -> None:
+    command = [sys.executable, "-m", "hoopgen", "paper", "--events"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        assert process.stdout is not None
+        process.stdout.close()
+        assert process.stderr is not None
+        assert process.stderr.read() == b""
+    assert process.returncode == 1
+
+
+def test_ctrl_c_is_one_word(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(**_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(hoopgen, "release", interrupted)
+    result = run(*SHOT)
+    assert result.exit_code == 130
+    assert result.stderr == "\nhoopgen: error: interrupted\n"
 
 
 # generate, check, bench

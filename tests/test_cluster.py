@@ -140,3 +140,14 @@ def test_where_no_scheduler_answers_it_is_said(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(chunks, "_CONNECT", 0.5)
     with pytest.raises(ConnectionError, match=r"no Dask scheduler answers at 'tcp://127.0.0.1:1'"):
         next(chunks.run(Free(), scheduler="tcp://127.0.0.1:1"))
+
+
+@pytest.mark.parametrize("certificate", ["", "none.pem"])
+def test_an_address_with_certificates_says_which_are_missing(certificate: str) -> None:
+    names = ("ca-file", "client.cert", "client.key")
+    keys = {f"distributed.comm.tls.{name}": certificate or None for name in names}
+    import dask
+
+    said = "Dask's certificates: " if certificate else "needs certificates: distributed.comm.tls"
+    with dask.config.set(keys), pytest.raises(ValueError, match=f"^scheduler: 'tls://.*{said}"):
+        next(chunks.run(Free(), scheduler="tls://127.0.0.1:1"))

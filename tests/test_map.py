@@ -374,7 +374,7 @@ def test_a_picture_is_drawn(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ([*GRID, *FREE_THROW, "--out", "map.txt"], "map.txt ends in none of .nc, .csv"),
+        ([*GRID, *FREE_THROW, "--out", "map.txt"], "'map.txt' ends in none of .nc, .csv"),
         ([*GRID, *FREE_THROW, "--over", "speed=7:8:3"], "--over: speed is given twice"),
         ([*GRID, *FREE_THROW, "--speed", "7"], "release: speed is mapped over; leave out"),
         (["map", *FREE_THROW], "Missing option '--over'"),

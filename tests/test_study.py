@@ -898,13 +898,39 @@ def test_a_folder_with_something_else_is_left_alone(tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["measured.csv", "study.toml"]
 
 
-def test_a_damaged_question_is_named(tmp_path: Path) -> None:
+@pytest.mark.parametrize("content", ["{", "[1]", "null", '"text"', "[" * 100_000])
+def test_a_damaged_question_is_named(content: str, tmp_path: Path) -> None:
     file = written(tmp_path, HEAD + ESTIMATE)
     run_study(file)
     damaged = tmp_path / "study-results" / "probability" / "question.json"
-    damaged.write_text("{")
+    whole = damaged.read_bytes()
+    damaged.write_text(content)
     with pytest.raises(ValueError, match=r"question\.json cannot be read; delete .*probability"):
         run_study(file)
+    damaged.write_bytes(whole)
+    damaged.with_name("answer.json").write_text(content)
+    with pytest.raises(ExceptionGroup) as raised:
+        run_study(file)
+    (error,) = raised.value.exceptions
+    assert re.search(r"answer\.json cannot be read; delete .*probability$", str(error))
+
+
+def test_an_error_that_was_not_foreseen_is_told_with_its_type(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def broken(*_: Any) -> None:
+        raise KeyError("wrong")
+
+    file = written(tmp_path, HEAD + ESTIMATE)
+    monkeypatch.setattr("hoopgen.study.toml.run.answer", broken)
+    result = run(file)
+    assert result.exit_code == 70
+    first, second = result.stderr.splitlines()
+    assert first == "hoopgen: error: question probability: KeyError: 'wrong'"
+    assert second.startswith(
+        "hoopgen: error: hoopgen study: 1 of 1 questions could not be answered"
+    )
+    assert "HOOPGEN_TRACEBACK=1" in second
 
 
 def test_a_question_that_fails_leaves_the_others_alone(tmp_path: Path) -> None:

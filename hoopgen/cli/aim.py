@@ -61,7 +61,8 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
         step = (high - low) / (count - 1) if count > 1 else 0.0
     else:
         step = parse_quantity(by, "length")
-        count = 1 + math.floor((high - low) / step + _ENOUGH) if step > 0.0 else 0
+        steps = (high - low) / step if step > 0.0 else -1.0  # more than any number is infinite
+        count = 1 + math.floor(min(steps, _MOST) + _ENOUGH)
     if not (low < high and step > 0.0 and 2 <= count <= _MOST):
         raise ValueError(
             f"{first}:{last}:{by}: expected from below to, and a step (with its unit) or a count "

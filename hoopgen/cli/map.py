@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from hoopgen.cli.options import UNITS_IN_WORDS, examples, picture_option
 from hoopgen.cli.releasing import Releasing, release_options, work_options
-from hoopgen.cli.types import AXIS, COUNT, OUT
+from hoopgen.cli.types import AXIS, COUNT, MAP
+from hoopgen.outputs import write, written_text
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -22,7 +23,6 @@ if TYPE_CHECKING:
 __all__ = ["map_"]
 
 _FREE_THROW = "--backspin 3Hz --height 7ft --distance 13.75ft"
-_FORMATS = (".nc", ".csv")
 
 
 @click.command(
@@ -45,7 +45,7 @@ _FORMATS = (".nc", ".csv")
 )
 @release_options
 @click.option("--shots", type=COUNT, help="Of each cell, with --scatter.  [default: 10,000]")
-@click.option("--out", type=OUT, help="Write the map: .nc (netCDF, for xarray) or .csv; SI units.")
+@click.option("--out", type=MAP, help="Write the map: .nc (netCDF, for xarray) or .csv; SI units.")
 @picture_option("map")
 @work_options
 def map_(
@@ -64,8 +64,6 @@ def map_(
     from hoopgen.cli.progress import shown
     from hoopgen.study.told import footer, told_by
 
-    if out is not None and out.suffix.lower() not in _FORMATS:
-        raise click.UsageError(f"--out: {out} ends in none of {', '.join(_FORMATS)}")
     twice = [name for place, (name, _) in enumerate(over) if name in dict(over[:place])]
     if twice:
         raise click.UsageError(f"--over: {twice[0]} is given twice")
@@ -91,10 +89,10 @@ def map_(
 
 def _write(dataset: xr.Dataset, file: Path) -> None:
     if file.suffix.lower() == ".nc":
-        dataset.to_netcdf(file, engine="scipy")
+        write(file, bytes(dataset.to_netcdf(engine="scipy")))
         return
     columns = dict(_columns(dataset))
-    with file.open("w", newline="", encoding="utf-8") as out:
+    with written_text(file) as out:
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(columns)
         writer.writerows(

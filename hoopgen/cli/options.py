@@ -10,7 +10,7 @@ from typing import Any
 import click
 
 from hoopgen.cli.flown import flown
-from hoopgen.cli.types import ASSIGNMENT, FILE, FOLDER, OUT, SETTING, variable_type
+from hoopgen.cli.types import ASSIGNMENT, FILE, FOLDER, PICTURE, SETTING, variable_type
 from hoopgen.parameters import PRESETS
 
 __all__ = [
@@ -263,4 +263,4 @@ json_option = click.option(
 
 def picture_option(what: str) -> Decorator:
     """Return ``--picture``, which draws the shot or the map."""
-    return click.option("--picture", type=OUT, help=f"Draw the {what}: .png, .svg or .pdf.")
+    return click.option("--picture", type=PICTURE, help=f"Draw the {what}: .png, .svg or .pdf.")

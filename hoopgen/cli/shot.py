@@ -21,7 +21,7 @@ from hoopgen.cli.options import (
     preset_options,
     scene,
 )
-from hoopgen.cli.types import OUT
+from hoopgen.cli.types import PAGE
 from hoopgen.study.told import say_scene
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ __all__ = ["shot"]
 @click.option(
     "--view",
     "page",
-    type=OUT,
+    type=PAGE,
     help="Show the shot in motion in space, on a page: .html, one file that needs no network.",
 )
 @json_option

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
@@ -11,7 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
+from hoopgen.outputs import MAPS, PAGES, PICTURES, check_folder, check_output
 from hoopgen.parameters import PAPER
+from hoopgen.sizes import evenly
 from hoopgen.study.variables import VARIABLES, Variable
 from hoopgen.units import UNITS, Kind, parse_quantity
 
@@ -23,8 +25,12 @@ __all__ = [
     "COUNT",
     "FILE",
     "FOLDER",
+    "MAP",
     "OUT",
+    "PAGE",
+    "PICTURE",
     "SETTING",
+    "Checked",
     "Parsed",
     "quantity",
     "variable_type",
@@ -70,6 +76,40 @@ class Parsed(_Type[Value]):
     def get_metavar(self, param: click.Parameter, ctx: click.Context | None = None) -> str:
         """Show it as it is; click would put it in capitals."""
         return self.name
+
+
+class Checked(_Type[Path]):
+    """A path that is looked at before any work for it.
+
+    Parameters
+    ----------
+    check
+        Says with a ValueError or OSError what is wrong with it.
+    path
+        The type of the path alone.
+    """
+
+    def __init__(self, check: Callable[[Path], Path], path: click.Path) -> None:
+        self.check, self.path = check, path
+        self.name = path.name
+
+    def convert(
+        self, value: str | Path, param: click.Parameter | None, ctx: click.Context | None
+    ) -> Path:
+        """Return the path, if it can be written."""
+        try:
+            return self.check(Path(str(self.path.convert(value, param, ctx))))
+        except OSError as error:
+            self.fail(f"{error.filename}: {error.strerror}", param, ctx)
+        except ValueError as error:
+            self.fail(str(error), param, ctx)
+
+
+def _ending(suffixes: Sequence[str]) -> Checked:
+    """Return the type of a file to be written whose name ends in one of these."""
+    return Checked(
+        lambda path: check_output(path, suffixes), click.Path(dir_okay=False, path_type=Path)
+    )
 
 
 def quantity(kind: Kind, bare: str | None = None) -> Parsed[float]:
@@ -131,7 +171,7 @@ def _axis(text: str) -> tuple[str, NDArray[np.float64]]:
             "nor values with commas between"
         )
     first, last = (_read(part, variable) for part in parts[:2])
-    return variable.name, np.linspace(first, last, int(parts[2]))
+    return variable.name, evenly(variable.name, first, last, int(parts[2]))
 
 
 def _bounds(text: str) -> tuple[str, tuple[float, float] | None]:
@@ -183,8 +223,17 @@ COUNT = Parsed(_count, "COUNT")
 FILE = click.Path(exists=True, dir_okay=False, path_type=Path)
 """A file to be read."""
 
-OUT = click.Path(dir_okay=False, path_type=Path)
+OUT = Checked(check_output, click.Path(dir_okay=False, path_type=Path))
 """A file to be written."""
 
-FOLDER = click.Path(file_okay=False, path_type=Path)
+PICTURE = _ending(PICTURES)
+"""A picture to be written."""
+
+PAGE = _ending(PAGES)
+"""A page to be written."""
+
+MAP = _ending(MAPS)
+"""A map to be written."""
+
+FOLDER = Checked(check_folder, click.Path(file_okay=False, path_type=Path))
 """A folder to be written."""

@@ -40,6 +40,7 @@ _WITHIN = (0.5, 0.9)
 _LABELLED = np.radians(-35.0)  # on the circle, from the middle of the court
 _SHOWN = 0.995  # of the balls; the few that go furthest do not set the limits
 _MARGIN = 0.3  # m
+_CELLS = 500  # along a side, at most
 
 _SHARE = "balls that land there (% per m²)"
 
@@ -245,10 +246,10 @@ def _draw_density(axes: Axes, points: Points, limits: Limits, finest: float) -> 
     # Scott's width in two dimensions, sd n^(-1/4), so that it shows neither noise nor too little;
     # cells smaller than a ball would only make a large file.
     spread = float(np.sqrt(points.var(axis=0).mean()))
-    wide = max(spread * len(points) ** -0.25, finest)
+    low, high = np.array(limits[::2]), np.array(limits[1::2])
+    wide = max(spread * len(points) ** -0.25, finest, float((high - low).max()) / _CELLS)
     step = np.array([wide, wide * np.sqrt(3.0)])
-    low = np.array(limits[::2])
-    count = np.ceil((np.array(limits[1::2]) - low) / step).astype(int)
+    count = np.ceil((high - low) / step).astype(int)
     high = low + count * step
     share = 100.0 / len(points) / (step.prod() / 2.0)
     inside = points[((points >= low) & (points <= high)).all(axis=1)]

@@ -16,7 +16,7 @@ from hoopgen.plots.scene import draw_ball, draw_hoop, draw_path, scene_points
 from hoopgen.plots.style import COLOURS
 from hoopgen.plots.views import View
 
-__all__ = ["Drawing", "Limits", "Panel", "Room", "draw_panel", "draw_view"]
+__all__ = ["Drawing", "Limits", "Panel", "Room", "draw_panel", "draw_view", "some"]
 
 Points = NDArray[np.float64]
 Limits = tuple[float, float, float, float]
@@ -26,6 +26,7 @@ _STEPS = (0.25, 0.5, 1.0, 2.0, 5.0, 10.0)  # m between ticks, the first with roo
 _TICK_ROOM = 0.36  # inches
 _POINTS_PER_INCH = 72.0
 _FEW = 3  # ticks on an axis, at least
+_LEFT_VISIBLE = 5_000  # points of a path that badges stay clear of
 _CORNER = 0.3  # of a step: of two ticks at a corner of the room, one is left out
 
 
@@ -139,9 +140,16 @@ def draw_view(axes: Axes, panel: Panel, drawing: Drawing) -> None:
         if mark.label:
             draw_ball(axes, view, mark.position, radius, ghost=mark.kind == "release")
     _draw_dots(axes, view, drawing)
-    lines = np.vstack([drawing.path, scene_points(drawing.parameters)])
+    lines = np.vstack([some(drawing.path, _LEFT_VISIBLE), scene_points(drawing.parameters)])
     obstacles = np.vstack([view.flatten(lines), *written])
     draw_badges(axes, view, drawing.marks, obstacles, panel.limits, radius, panel.scale)
+
+
+def some(rows: Points, most: int) -> Points:
+    """Return so many of the rows at most, evenly, the first and the last among them."""
+    if len(rows) <= most:
+        return rows
+    return rows[np.linspace(0, len(rows) - 1, most).astype(np.intp)]
 
 
 def _add_axes(figure: Figure, panel: Panel) -> Axes:
@@ -226,7 +234,7 @@ def _dropped(points: Points, floor: float) -> Points:
 def _step(span: float, scale: float) -> float:
     """Choose the distance of ticks on an axis of that many metres, so many inches each."""
     fine = _STEPS if span < _FEW * _STEPS[1] else _STEPS[1:]
-    coarse = [float(f"{digit}e{k}") for k in range(1, 300) for digit in (2, 5, 10)]
+    coarse = [float(f"{digit}e{k}") for k in range(1, 308) for digit in (2, 5, 10)]
     steps: list[float] = [*fine, *coarse]
     return next(step for step in steps if step * scale >= _TICK_ROOM)
 

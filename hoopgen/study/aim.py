@@ -9,7 +9,6 @@ import csv
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Literal
 
@@ -21,6 +20,7 @@ from hoopgen.generated.numpy import hoop
 from hoopgen.inputs import doubles
 from hoopgen.installed import need
 from hoopgen.notebook import ROWS, some_rows, table
+from hoopgen.outputs import written_text
 from hoopgen.parameters import PAPER
 from hoopgen.releases import RING_HEIGHT
 
@@ -373,11 +373,11 @@ def write_csv(
     Raises
     ------
     OSError
-        If the file cannot be written.
+        If the file cannot be written; what was there before stays.
     """
     shown = {name: _SHOWN[TABLE[name]] for name in table}
     columns = [table[name] / size for name, (_, size) in shown.items()]
-    with Path(path).open("w", encoding="utf-8", newline="") as file:
+    with written_text(path) as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow([*(f"{name}_{unit}" for name, (unit, _) in shown.items()), *parameters])
         for row in zip(*columns, strict=True):

@@ -21,6 +21,7 @@ from hoopgen.brief import listed
 from hoopgen.inputs import doubles
 from hoopgen.installed import need
 from hoopgen.notebook import table as rendered
+from hoopgen.outputs import check_output, followed
 from hoopgen.parameters import resolve
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
@@ -160,10 +161,14 @@ def batch(
     table, target = Source(Path(source), format or ""), Path(out)
     if target.suffix.lower() not in FORMATS["parquet"]:
         raise ValueError(f"out: expected a file {' or '.join(FORMATS['parquet'])}, got {target}")
+    target = followed(target)  # which the parts lie beside: on its file system
     if target.exists() and target.samefile(table.path):
         raise ValueError(f"out: {target} is the source")
     if not target.parent.is_dir():
         raise ValueError(f"out: there is no folder {target.parent}")
+    check_output(target)
+    if target.exists() and not target.is_file():
+        raise ValueError(f"out: expected a file, which can be moved into its place; got {target}")
     if parameters is not None:
         resolve(parameters, 1)  # all of them, and none else
         parameters = _numbers("parameters", parameters)

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.brief import brief
 from hoopgen.inputs import doubles
 from hoopgen.parameters import NAMES, PAPER
+from hoopgen.sizes import check_room
 
 from .draws import ROW_OF_RELEASES, normals, uniforms
 from .variables import (
@@ -29,6 +30,9 @@ from .variables import (
 )
 
 __all__ = ["Grid", "ReleaseModel", "Resample", "Scatter"]
+
+_SHOT = 200
+"""Bytes that a shot takes while it is drawn."""
 
 _SCATTERED = (*ARGUMENTS, *NAMES)
 """What may scatter; its index is the stream of its random numbers."""
@@ -89,13 +93,15 @@ class Scatter:
 
     def noise(self, start: int, stop: int, seed: int = 0) -> dict[str, NDArray[np.float64]]:
         """Return what is added to the mean in shots `start` to `stop` - 1, by name, (n,) each."""
+        _check_drawn(start, stop)
         names = self._scattered()
         draws = [normals(seed, _SCATTERED.index(name), start, stop) for name in names]
         mixed = {}
         for name, row in zip(names, self._mix(), strict=True):
             # A sum in a fixed order: a matrix product's could depend on the number of shots.
             parts = [weight * z for weight, z in zip(row, draws, strict=False) if weight]
-            mixed[name] = self.sd[name] * sum(parts[1:], parts[0])
+            with np.errstate(over="ignore"):  # it is an invalid shot
+                mixed[name] = self.sd[name] * sum(parts[1:], parts[0])
         return mixed
 
     def draw(
@@ -112,6 +118,7 @@ class Scatter:
         parameters
             Of the scene, for those that neither `mean` nor `sd` names.
         """
+        _check_drawn(start, stop)
         scene = dict(parameters) | {name: v for name, v in self.mean.items() if name in NAMES}
         mean = {name: doubles(name, v) for name, v in self.mean.items() if name not in NAMES}
         values: dict[str, Any] = {**scene, **release_arguments(mean, scene["gravity"])}
@@ -195,6 +202,7 @@ class Resample:
         self, start: int, stop: int, seed: int = 0, parameters: Mapping[str, Any] = PAPER
     ) -> Releases:
         """Return shots `start` to `stop` - 1, each a row chosen at random."""
+        _check_drawn(start, stop)
         chosen = uniforms(seed, ROW_OF_RELEASES, start, stop) * self.rows
         return self._take(chosen.astype(np.intp), parameters)
 
@@ -265,6 +273,7 @@ class Grid:
         """
         if not 0 <= start <= stop <= self.shots:
             raise IndexError(f"grid: shots {start} to {stop} of {self.shots}")
+        _check_drawn(start, stop)
         places = np.unravel_index(np.arange(start, stop), self.shape) if self.axes else ()
         columns = {
             name: doubles(name, values)[place]
@@ -281,6 +290,11 @@ class Grid:
             "axes": {name: doubles(name, values).tolist() for name, values in self.axes.items()},
             "fixed": {name: float(value) for name, value in self.fixed.items()},
         }
+
+
+def _check_drawn(start: int, stop: int) -> None:
+    """Refuse to draw more shots at once than there is memory for."""
+    check_room("stop", stop - start, "shots drawn at once", _SHOT)
 
 
 def from_columns(

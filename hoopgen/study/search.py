@@ -69,7 +69,8 @@ def _usual(name: str, fixed: Mapping[str, float], player: Player) -> Bounds:
     if name in ("elevation", "speed") and away and "height" in fixed:
         # About the slowest release through the centre: an error of its angle hardly matters.
         rise, gravity = RING_HEIGHT - fixed["height"], player.parameters["gravity"]
-        slope, speed = hoop.least_speed(away, rise, gravity)
+        with np.errstate(all="ignore"):  # bounds that are not finite are refused
+            slope, speed = hoop.least_speed(away, rise, gravity)
         if name == "speed":
             return 0.95 * float(speed), (1.2 if direct else 1.4) * float(speed)
         easiest = math.atan(slope)

@@ -18,14 +18,25 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hoopgen import plots
+from hoopgen.inputs import check_contacts
+from hoopgen.outputs import write
 from hoopgen.parameters import NAMES
 from hoopgen.results import Outcome, Shots
-from hoopgen.simulation import simulate
+from hoopgen.simulation import check_log, simulate
+from hoopgen.sizes import check_room
 from hoopgen.study.aim import aim, aim_table, write_csv
-from hoopgen.study.bank import bank_or_direct
+from hoopgen.study.bank import bank_or_direct, check_kept
 from hoopgen.study.batch import batch
 from hoopgen.study.chunks import run
-from hoopgen.study.estimate import compare, decimals, estimate, in_percent, in_points
+from hoopgen.study.estimate import (
+    compare,
+    decimals,
+    estimate,
+    in_percent,
+    in_points,
+    most_shots,
+)
+from hoopgen.study.maps import check_cells
 from hoopgen.study.maps import map as mapped
 from hoopgen.study.measures import measure
 from hoopgen.study.models import Scatter
@@ -170,6 +181,11 @@ def _check_estimate(asked: Asked, question: Estimate | Compare) -> None:
     settings += [asked.changed(question.versus)] if isinstance(question, Compare) else []
     for setting in settings:
         setting.model().draw(0, 1, 0, setting.parameters)
+    paired = isinstance(question, Compare)
+    most = most_shots(question.shots, question.precision, asked.study.confidence, paired=paired)
+    contacts = check_contacts(question.max_contacts)
+    if isinstance(question, Estimate) and "fan" in question.figures:
+        check_log(min(_FAN, most), contacts)
 
 
 def _estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
@@ -275,6 +291,8 @@ def _fixed(asked: Asked, over: Iterable[str]) -> dict[str, float]:
 def _check_map(asked: Asked, question: Map) -> None:
     one = {name: axis[0] for name, axis in question.over.items()}
     resolve_variables({**_fixed(asked, question.over), **one}, asked.setting.parameters)
+    check_cells(question.over, scatters=asked.setting.scatters)
+    check_contacts(question.max_contacts)
     Scatter({}, asked.setting.sd, asked.setting.correlation)
     if question.shots is not None and not asked.setting.scatters:
         raise ValueError("shots: without scatter a cell is one shot; leave out")
@@ -294,7 +312,7 @@ def _map(asked: Asked, question: Map, work: Work) -> Answer:
         max_contacts=question.max_contacts,
         **work.options,
     )
-    dataset.to_netcdf(work.folder / "map.nc", engine="scipy")
+    write(work.folder / "map.nc", bytes(dataset.to_netcdf(engine="scipy")))
     for name in question.figures:
         asked.draw(work, name, plots.plot_map(dataset, title=question.title))
     cells = " × ".join(f"{len(values)} {name}" for name, values in question.over.items())
@@ -368,6 +386,10 @@ def _optimum(asked: Asked, question: Optimum, work: Work) -> Answer:
 # -------------------------------------------------------------------------------------------- bank
 
 
+_PLACE = 400
+"""Bytes that a place takes as one of a list."""
+
+
 def _places(question: Bank) -> NDArray[np.float64]:
     """Return every combination, x and y, (n, 2)."""
     names = tuple(question.places)
@@ -375,6 +397,7 @@ def _places(question: Bank) -> NDArray[np.float64]:
         raise ValueError(f"places: expected distance and angle, or x and y; got {', '.join(names)}")
     axes = [question.places[name] for name in ("x", "y") if name in names]
     axes += [question.places[name] for name in ("distance", "angle") if name in names]
+    check_room("places", math.prod(map(len, axes)), "places", _PLACE)
     first, second = np.array(list(itertools.product(*axes))).T
     if "x" not in names:
         first, second = first * np.cos(second), first * np.sin(second)
@@ -387,6 +410,7 @@ def _bank_release(asked: Asked, question: Bank) -> dict[str, float]:
 
 def _check_bank(asked: Asked, question: Bank) -> None:
     setting, fixed = asked.setting, _bank_release(asked, question)
+    check_kept(question.shots)
     x, y = _places(question)[0].tolist()
     player = scattering(setting.sd, setting.correlation, setting.parameters, "any")
     here = fixed | {"distance": math.hypot(x, y), "angle": math.atan2(y, x)}
@@ -447,7 +471,7 @@ def _bank(asked: Asked, question: Bank, work: Work) -> Answer:
     dataset = xr.concat(
         datasets, "place", data_vars="all", coords="minimal", compat="override", join="exact"
     )
-    dataset.to_netcdf(work.folder / "bank.nc", engine="scipy")
+    write(work.folder / "bank.nc", bytes(dataset.to_netcdf(engine="scipy")))
     for name in question.figures:
         picture = plots.plot_aim_points(dataset, asked.setting.parameters, title=question.title)
         asked.draw(work, name, picture)
@@ -546,6 +570,7 @@ def _check_batch(asked: Asked, question: Batch) -> None:
     source = Source(asked.folder / question.file, question.format or "")
     origin = settle(source, None, question.release, None, question.own, override=True)
     source.columns(origin.own, origin.release)
+    check_contacts(question.max_contacts)
 
 
 def _most_contacts(question: Batch) -> int | None:

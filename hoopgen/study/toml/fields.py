@@ -14,7 +14,6 @@ from difflib import get_close_matches
 from types import MappingProxyType
 from typing import Annotated, Any
 
-import numpy as np
 from pydantic import (
     BaseModel,
     ConfigDict,
@@ -27,6 +26,7 @@ from pydantic import (
 from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, core_schema
 
 from hoopgen.brief import cut
+from hoopgen.sizes import evenly
 from hoopgen.units import Kind, parse_quantity
 
 from .lines import Path
@@ -328,7 +328,7 @@ class Values:
     def _listed(read: Any) -> list[float]:
         if isinstance(read, Table):
             ends: Any = read
-            values: list[float] = np.linspace(ends.start, ends.to, ends.count).tolist()
+            values: list[float] = evenly("count", ends.start, ends.to, ends.count).tolist()
             return values
         return read if isinstance(read, list) else [read]
 
