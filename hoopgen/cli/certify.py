@@ -31,8 +31,8 @@ __all__ = ["certify"]
 @click.command(
     epilog=UNITS_IN_WORDS
     + examples(
-        "hoopgen certify --speed 7.17 --elevation 51 --distance 13.75ft --height 7ft",
-        "hoopgen shot --speed 7.3 --elevation 51 --distance 4.2 --height 2.1 --json > shot.json",
+        "hoopgen certify --speed 7.17 --elevation 51deg --distance 13.75ft --height 7ft",
+        "hoopgen shot --speed 7.3 --elevation 51deg --distance 4.2 --height 2.1 --json > shot.json",
         "hoopgen certify shot.json",
     ),
 )
@@ -91,9 +91,11 @@ def _released(release: Mapping[str, float | None]) -> list[float]:
 
 
 def _read(file: Path) -> tuple[list[float], dict[str, float]]:
+    from hoopgen.study.named import parameters_named
+
     try:
         record = json.loads(file.read_text(encoding="utf-8"))
-        return list(record["release"]), dict(record["parameters"])
+        return list(record["release"]), parameters_named(dict(record["parameters"]))
     except (ValueError, KeyError, TypeError):
         raise click.ClickException(
             f"{file}: expected what `hoopgen shot --json` writes, with release and parameters"
@@ -125,6 +127,7 @@ def _summary(proof: Proof) -> str:
 
 def _record(proof: Proof) -> str:
     from hoopgen.cli.report import surface_name
+    from hoopgen.study.named import COMPONENTS, in_units
 
     events: list[dict[str, Any]] = [
         {
@@ -140,5 +143,6 @@ def _record(proof: Proof) -> str:
         "bits": proof.bits,
         "question": proof.question,
         "events": events,
+        "components": COMPONENTS,
     }
-    return json.dumps(record, indent=2)
+    return json.dumps(in_units(record), indent=2)

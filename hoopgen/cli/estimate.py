@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from hoopgen.cli.options import UNITS_IN_WORDS, examples, json_option
+from hoopgen.cli.options import UNITS_IN_WORDS, examples, json_option, units_option
 from hoopgen.cli.releasing import Releasing, release_options, work_options
 from hoopgen.cli.types import ASSIGNMENT, COUNT, FILE
 
@@ -18,15 +18,15 @@ if TYPE_CHECKING:
 
 __all__ = ["estimate"]
 
-_PLAYER = "--scatter speed=0.07 --scatter elevation=1.3 --scatter azimuth=1"
+_PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg"
 
 
 @click.command(
     epilog=UNITS_IN_WORDS
     + examples(
-        "hoopgen estimate --speed 7.17 --elevation 52 --backspin 3Hz --height 7ft \\",
+        "hoopgen estimate --speed 7.17 --elevation 52deg --backspin 3Hz --height 7ft \\",
         f"    --distance 13.75ft {_PLAYER}",
-        "hoopgen estimate --aim 5cm --elevation 52 --backspin 3Hz --height 7ft \\",
+        "hoopgen estimate --aim 5cm --elevation 52deg --backspin 3Hz --height 7ft \\",
         f"    --distance 13.75ft {_PLAYER} \\",
         "    --preset nba --precision 0.001 --versus backspin=0",
         "hoopgen estimate --from releases.csv --height 7ft --distance 13.75ft --json",
@@ -54,6 +54,7 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3 --scatter azimuth=1"
     help="Stop when half the interval is no wider: 0.001 is a tenth of a point.",
 )
 @work_options
+@units_option
 @json_option
 def estimate(
     releasing: Releasing,
@@ -70,6 +71,7 @@ def estimate(
     """
     import hoopgen
     from hoopgen.cli.progress import shown
+    from hoopgen.study.named import in_units
     from hoopgen.study.words import say
 
     measured = {} if file is None else _measured(file, releasing)
@@ -82,7 +84,7 @@ def estimate(
         else:
             result = hoopgen.estimate(*setting, **options)
     if as_json:
-        click.echo(json.dumps(result.as_dict(), indent=2, allow_nan=False))
+        click.echo(json.dumps(in_units(result.as_dict()), indent=2, allow_nan=False))
     else:
         if versus:
             click.echo(f"versus      {', '.join(f'{name} {say(name, to)}' for name, to in versus)}")
@@ -100,7 +102,7 @@ def _measured(file: Path, releasing: Releasing) -> Mapping[str, Any]:
     if releasing.sd:
         raise click.UsageError("--scatter is about a release, and --from has many; leave one out")
     source = Source(file)
-    columns = columns_of(source.schema().names, given=releasing.values)
+    columns = columns_of(source.schema(), given=releasing.values)
     return values(pa.concat_tables(source.tables(_ROWS)), columns)
 
 

@@ -20,6 +20,7 @@ from hoopgen.cli.options import (
     picture_option,
     preset_options,
     scene,
+    units_option,
 )
 from hoopgen.cli.types import OUT
 
@@ -35,11 +36,11 @@ __all__ = ["shot"]
 @click.command(
     epilog=UNITS_IN_WORDS
     + examples(
-        "hoopgen shot --speed 7.17 --elevation 51 --distance 13.75ft --height 7ft",
+        "hoopgen shot --speed 7.17 --elevation 51deg --distance 13.75ft --height 7ft",
         "hoopgen shot --speed 16mph --elevation 0.9rad --distance 4.2 --height 2.1 --backspin 3Hz",
-        "hoopgen shot --speed 9.2 --elevation 48 --distance 22ft --height 7ft --angle 90deg",
-        "hoopgen shot --speed 7.2 --elevation 52 --distance 13.75ft --height 7ft --preset nba \\",
-        "    --set restitution=0.75 --picture shot.svg --view shot.html",
+        "hoopgen shot --speed 9.2 --elevation 48deg --distance 22ft --height 7ft --angle 90deg",
+        "hoopgen shot --speed 7.2 --elevation 52deg --distance 13.75ft --height 7ft \\",
+        "    --preset nba --set restitution=0.75 --picture shot.svg --view shot.html",
     )
 )
 @argument_options(required=True)
@@ -53,6 +54,7 @@ __all__ = ["shot"]
     type=OUT,
     help="Show the shot in motion in space, on a page: .html, one file that needs no network.",
 )
+@units_option
 @json_option
 def shot(
     preset: str,
@@ -117,6 +119,7 @@ def _summary(shots: hoopgen.Shots, state: NDArray[np.float64]) -> str:
 def _outcome_text(shots: hoopgen.Shots) -> str:
     """Say the outcome, and when and where the ball met the end plane."""
     import hoopgen
+    from hoopgen.units import shown
 
     outcome = hoopgen.Outcome(int(shots.outcome[0]))
     said = outcome.name.lower()
@@ -125,14 +128,18 @@ def _outcome_text(shots: hoopgen.Shots) -> str:
     if outcome == hoopgen.Outcome.SHORT:
         return f"{said}: the ball never comes down through the end plane"
     off_centre = math.hypot(shots.state[0, 0], shots.state[0, 1])
-    return f"{said}, {off_centre:.3f} m from the centre of the ring after {shots.time[0]:.3f} s"
+    unit = shown("length")
+    far = f"{off_centre / unit.size:.{unit.decimals}f} {unit.symbol}"
+    return f"{said}, {far} from the centre of the ring after {shots.time[0]:.3f} s"
 
 
 def _title(shots: hoopgen.Shots, preset: str, settings: tuple[tuple[str, float], ...]) -> str:
     import hoopgen
+    from hoopgen.study.variables import VARIABLES
+    from hoopgen.study.words import say
 
     outcome = hoopgen.Outcome(int(shots.outcome[0])).name.capitalize()
-    changed = "".join(f", {name.replace('_', ' ')} {value:.6g}" for name, value in settings)
+    changed = "".join(f", {VARIABLES[name].label} {say(name, value)}" for name, value in settings)
     return f"{outcome} ({preset.upper()} preset{changed})"
 
 
@@ -151,9 +158,10 @@ def _record(
     """Collect everything about the shot in types that JSON knows."""
     import hoopgen
     from hoopgen.cli.report import surface_name
+    from hoopgen.study.named import COMPONENTS, in_units
 
     first = int(shots.first[0])
-    return {
+    record = {
         "outcome": hoopgen.Outcome(int(shots.outcome[0])).name.lower(),
         "uncertain": bool(shots.uncertain[0]),
         "contacts": int(shots.contacts[0]),
@@ -172,4 +180,6 @@ def _record(
             }
             for event in shots.trajectory(0).events
         ],
+        "components": COMPONENTS,
     }
+    return dict(in_units(record))

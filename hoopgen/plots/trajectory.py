@@ -20,6 +20,7 @@ from hoopgen.plots.picture import Picture, add_key, add_title, check_axes, fit_v
 from hoopgen.plots.scene import scene_corners
 from hoopgen.plots.style import COLOURS, PAGE, style
 from hoopgen.plots.views import SIDE, TOP, View, oblique
+from hoopgen.units import shown, shown_system
 
 __all__ = ["plot_trajectory"]
 
@@ -246,9 +247,15 @@ def _release_text(trajectory: Path) -> str:
     _, _, _, vx, vy, vz, *spin = (float(value) for value in trajectory.at(np.zeros(1))[0])
     speed = np.hypot(np.hypot(vx, vy), vz)
     angle = np.degrees(np.arctan2(vz, np.hypot(vx, vy)))
-    said = f"Released at {speed:.2f} m/s, {angle:.1f}\N{DEGREE SIGN} up"
+    unit, spins = shown("speed"), shown("spin")
+    # The article's figures say angular velocities, coaches turns a second.
+    us = shown_system() == "us"
+    sign, symbol, size = ("/2\\pi", spins.symbol, spins.size) if us else ("", "rad/s", 1.0)
+    said = f"Released at {speed / unit.size:.2f} {unit.symbol}, {angle:.1f}\N{DEGREE SIGN} up"
     turning = [
-        f"$\\omega_{axis} = {w:.4g}$ rad/s" for axis, w in zip("xyz", spin, strict=True) if w
+        f"$\\omega_{axis}{sign} = {w / size:.4g}$ {symbol}"
+        for axis, w in zip("xyz", spin, strict=True)
+        if w
     ]
     return f"{said}, {', '.join(turning) or 'no spin'}. Dots on the path every {BEAT} s."
 

@@ -28,9 +28,10 @@ from hoopgen.simulation import simulate
 from .chunks import opened, run, written
 from .measures import MEASURES, Kind, kinds, measure
 from .models import from_columns
-from .tables import FORMATS, Column, Source, Stamp, columns_of, values
+from .named import UNIT_OF, named
+from .tables import FORMATS, NAMED, Column, Source, Stamp, columns_of, values
 from .tallies import check_count
-from .variables import STATE, VARIABLES, check_names
+from .variables import STATE, VARIABLES, check_angles, check_names
 
 __all__ = ["ROWS", "Batch", "batch"]
 
@@ -71,12 +72,6 @@ class Batch(dict[str, int]):
 ROWS = 1 << 16
 """Rows in a chunk: a small part of a second, and few megabytes."""
 
-_UNITS = {
-    "end_time": "s",
-    **{f"end_{name}": ("m", "m/s", "rad/s")[place // 3] for place, name in enumerate(STATE)},
-}
-"""Of the columns that every table of results has."""
-
 
 def batch(
     source: str | os.PathLike[str],
@@ -112,8 +107,8 @@ def batch(
         Parquet: the columns of `source` as they are, those of CSV as text; and after them outcome,
         kind (see `hoopgen.study.measures.Kind`), contacts, contacts by surface, first surface
         touched, time and state at the end plane (NaN for a shot that does not come to it),
-        uncertain, and what is measured. Units are in the fields' metadata, settings in the
-        schema's, under "hoopgen".
+        uncertain, and what is measured. Units are in the columns' names, ``end_time_s``, and in the
+        fields' metadata, settings in the schema's, under "hoopgen".
     parameters
         Of the scene; one number each.
     release
@@ -155,6 +150,7 @@ def batch(
         raise ValueError(f"out: there is no folder {target.parent}")
     resolve(parameters, 1)  # all of them, and none else
     check_names("release", release or {}, VARIABLES)
+    check_angles("release", release or {})
     shots = _Shots(
         _numbers("parameters", parameters),
         _numbers("release", release or {}),
@@ -203,7 +199,7 @@ def _numbers(name: str, values: Mapping[str, Any]) -> dict[str, float]:
 
 def _columns(table: Source, own: Sequence[str], given: Iterable[str]) -> dict[str, Column]:
     try:
-        return columns_of(table.schema().names, own, given)
+        return columns_of(table.schema(), own, given)
     except ValueError as error:
         raise ValueError(f"{table.path}: {error}") from None
 
@@ -225,6 +221,7 @@ def _schema(table: Source, shots: _Shots, columns: Mapping[str, Column], prefix:
         "parameters": shots.parameters,
         "release": shots.release,
         "max_contacts": shots.max_contacts,
+        NAMED: True,
     }
     return pa.schema([*given, *results], {**(given.metadata or {}), "hoopgen": json.dumps(about)})
 
@@ -300,13 +297,16 @@ class _Shots:
         columns = _ends(shots)
         more = [name for name in self.measures if name not in columns]
         columns |= measure(states, shots, scene, more)
-        units = _UNITS | {name: MEASURES[name].unit for name in self.measures}
         cells = {name: pa.array(column) for name, column in columns.items()}
         schema = [
-            pa.field(name, array.type, metadata={"unit": units[name]} if name in units else None)
+            pa.field(
+                named(name),
+                array.type,
+                metadata={"unit": UNIT_OF[name]} if name in UNIT_OF else None,
+            )
             for name, array in cells.items()
         ]
-        return pa.table(cells, pa.schema(schema))
+        return pa.Table.from_arrays(list(cells.values()), schema=pa.schema(schema))
 
 
 def _ends(shots: Shots) -> dict[str, Any]:

@@ -65,8 +65,8 @@ class Scatter:
     Raises
     ------
     ValueError
-        If a name is unknown, a deviation is negative or not finite, or the correlations are not
-        within -1 and 1, given twice, or no distribution has all of them.
+        If a name is unknown, a deviation is negative or not finite, an angle is in degrees, or the
+        correlations are not within -1 and 1, given twice, or no distribution has all of them.
     """
 
     mean: Mapping[str, float]
@@ -83,6 +83,7 @@ class Scatter:
         for name, value in self.sd.items():
             if doubles(f"sd[{name!r}]", value).ndim or not 0.0 <= value < np.inf:
                 raise ValueError(f"sd[{name!r}]: expected a number from 0, got {value!r}")
+        check_angles("sd", self.sd)
         self._mix()
 
     def noise(self, start: int, stop: int, seed: int = 0) -> dict[str, NDArray[np.float64]]:
@@ -170,7 +171,8 @@ class Resample:
     Raises
     ------
     ValueError
-        If a name is unknown, there is no row, or the columns differ in length.
+        If a name is unknown, there is no row, the columns differ in length, or angles are degrees:
+        by their median, more than a turn.
     """
 
     columns: Mapping[str, ArrayLike]
@@ -183,6 +185,7 @@ class Resample:
                 "columns: expected columns of one length and at least one row, got shapes "
                 + ", ".join(f"{name} {column.shape}" for name, column in given.items())
             )
+        check_angles("columns", given)
         object.__setattr__(self, "columns", given)
         self._take(np.zeros(1, np.intp), PAPER)
 
@@ -228,7 +231,8 @@ class Grid:
     Raises
     ------
     ValueError
-        If a name is unknown or twice there, or an axis is not (m,).
+        If a name is unknown or twice there, an axis is not (m,), or angles are degrees: by their
+        median, more than a turn.
     """
 
     axes: Mapping[str, Sequence[float] | NDArray[np.float64]]
@@ -241,6 +245,8 @@ class Grid:
         for name, values in self.axes.items():
             if doubles(f"axes[{name!r}]", values).ndim != 1 or not np.size(values):
                 raise ValueError(f"axes[{name!r}]: expected a list of numbers, got {values!r}")
+        check_angles("axes", self.axes)
+        check_angles("fixed", self.fixed)
         self.draw(0, 1)
 
     @property

@@ -22,7 +22,7 @@ from hoopgen.inputs import doubles
 from hoopgen.releases import RING_HEIGHT
 
 from .player import By, Player
-from .variables import VARIABLES, check_names
+from .variables import VARIABLES, check_angles, check_names
 
 __all__ = ["Bounds", "bounds_of", "flat_about", "search"]
 
@@ -57,6 +57,7 @@ def bounds_of(
         if given.shape != (2,) or not np.all(np.isfinite(given)) or not given[0] < given[1]:
             raise ValueError(f"over[{name!r}]: expected (low, high), low below high, got {ends!r}")
         bounds[name] = (float(given[0]), float(given[1]))
+    check_angles("over", bounds)
     return bounds
 
 

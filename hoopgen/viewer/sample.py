@@ -14,7 +14,7 @@ from hoopgen.parameters import PAPER
 from hoopgen.study.draws import ROW_OF_SAMPLE, uniforms
 from hoopgen.study.models import from_columns
 from hoopgen.study.tables import Source, columns_of, values
-from hoopgen.study.variables import Releases
+from hoopgen.study.variables import Releases, check_angles
 
 __all__ = ["Sample", "sample"]
 
@@ -83,7 +83,8 @@ def sample(
         raise ValueError(f"count: expected a whole number from 1, got {count!r}")
     table = Source(Path(source), format or "")
     shared = dict(release or {})
-    columns = columns_of(table.schema().names, own, shared)
+    check_angles("release", shared)
+    columns = columns_of(table.schema(), own, shared)
     # Every row draws a number, and the lowest win: that does not hang on how the rows are read.
     kept = {"draw": np.empty(0), "row": np.empty(0), **{name: np.empty(0) for name in columns}}
     total = 0

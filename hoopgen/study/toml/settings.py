@@ -120,14 +120,15 @@ class Setting:
     def _measured(self, releases: Releases) -> dict[str, Any]:
         """Return the columns of measured releases, and what is the same for all."""
         source = Source(self.folder / releases.file, releases.format or "")
-        names = source.schema().names
+        schema = source.schema()
+        names = schema.names
         said = {name: variable_of(name)[0] for name in names if name not in releases.own}
         said = {name: variable for name, variable in said.items() if variable}
         kept = _change(dict.fromkeys(said.values(), math.nan), self.own)
         passed = [name for name, one in said.items() if one in self.own or one not in kept]
         is_state = not set(STATE[2:]).isdisjoint(said.values())
         given = {**({} if is_state else given_without(self.above, kept)), **self.own}
-        columns = columns_of(names, [*releases.own, *passed], given)
+        columns = columns_of(schema, [*releases.own, *passed], given)
         return {**values(pa.concat_tables(source.tables(_ROWS)), columns), **given}
 
     def identity(self) -> dict[str, Any]:
