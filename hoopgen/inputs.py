@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from .engine.raw import STATE_SIZE
 from .results import SURFACES
 
 __all__ = [
+    "check_angles",
     "check_contacts",
     "check_leaving",
     "check_states",
@@ -69,6 +71,27 @@ def _double(value: Any) -> float:
 def is_whole(value: Any) -> bool:
     """Return whether `value` is a whole number; to NumPy a span of time is one too."""
     return isinstance(value, int | np.integer) and not isinstance(value, np.timedelta64)
+
+
+def check_angles(name: str, angles: Mapping[str, ArrayLike]) -> None:
+    """Refuse angles that are degrees, by their median: all are radians, and within a turn.
+
+    Raises
+    ------
+    ValueError
+        The message begins with `name`.
+    """
+    for angle, value in angles.items():
+        sizes = np.abs(np.asarray(value, dtype=np.float64))
+        if not np.any(sizes > 2 * np.pi):
+            continue
+        sizes = sizes[np.isfinite(sizes)]
+        if sizes.size and np.median(sizes) > 2 * np.pi:
+            raise ValueError(
+                f"{name}: {angle} is in radians, and these are more than a turn: "
+                f"{np.median(sizes):.6g}. Degrees would be np.radians(...), or in a table a column "
+                f"{angle}_deg"
+            )
 
 
 def check_states(states: ArrayLike) -> NDArray[np.float64]:

@@ -7,10 +7,12 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .inputs import doubles
+from .inputs import check_angles, doubles
 
 RING_HEIGHT = 3.048
 """m, of the ring above the floor: 10 ft."""
+
+_ANGLES = ("elevation", "azimuth", "angle")
 
 
 def release(
@@ -60,7 +62,7 @@ def release(
     TypeError
         If an argument cannot become float64.
     ValueError
-        If the shapes do not broadcast.
+        If the shapes do not broadcast, or angles are degrees: by their median, more than a turn.
     """
     arguments = {
         "speed": speed,
@@ -73,6 +75,28 @@ def release(
         "angle": angle,
     }
     arrays = {name: doubles(name, value) for name, value in arguments.items()}
+    check_angles("release", {name: arrays[name] for name in _ANGLES})
+    return released(arrays)
+
+
+def released(arrays: Mapping[str, NDArray[np.float64]]) -> NDArray[np.float64]:
+    """Return what `release` does, whatever the angles: studies check theirs once.
+
+    Parameters
+    ----------
+    arrays
+        All arguments of `release`.
+
+    Returns
+    -------
+    ndarray
+        As of `release`.
+
+    Raises
+    ------
+    ValueError
+        If the shapes do not broadcast.
+    """
     try:
         shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
     except ValueError:

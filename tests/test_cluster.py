@@ -93,7 +93,10 @@ def test_a_cluster_goes_on_where_one_machine_stopped(cluster: Any, tmp_path: Pat
 
 def test_a_table_is_simulated_to_the_same_bytes(cluster: Any, tmp_path: Path) -> None:
     random = np.random.default_rng(3)
-    numbers = {"speed": random.normal(7.1, 0.2, 300), "elevation": random.normal(0.9, 0.05, 300)}
+    numbers = {
+        "speed": random.normal(7.1, 0.2, 300),
+        "elevation_rad": random.normal(0.9, 0.05, 300),
+    }
     text = pa.array([f"throw {k}" for k in range(300)]).dictionary_encode()
     pa.parquet.write_table(pa.table({**numbers, "name": text}), tmp_path / "throws.parquet")
     options = {"release": {"height": 2.1, "distance": 4.2}, "measures": ["depth"], "rows": 40}

@@ -661,7 +661,7 @@ def test_a_sample_is_random_among_shots_that_the_same_seed_drew(tmp_path: Path) 
     drawn = hoopgen.Resample(measured).draw(0, 20_000, seed=0).columns["speed"]
     file = tmp_path / "drawn.csv"
     rows = "\n".join(f"{speed},0.9,2,4" for speed in drawn)
-    file.write_text(f"speed,elevation,height,distance\n{rows}\n", encoding="utf-8")
+    file.write_text(f"speed,elevation_rad,height,distance\n{rows}\n", encoding="utf-8")
     chosen = drawn[sample(file, 200, seed=0).rows]
     # Uniform over 2 m/s: a mean of 200 has a standard deviation of 0.041 m/s; within five of these.
     assert abs(chosen.mean() - 7.0) < 5 * 2 / np.sqrt(12 * 200)
@@ -701,7 +701,16 @@ def test_results_of_a_batch_are_shown_as_its_releases_are(table: Path, tmp_path:
 
 def test_the_shot_command_writes_a_page(tmp_path: Path) -> None:
     out = tmp_path / "shot.html"
-    release = ["--speed", "7.17", "--elevation", "51", "--distance", "13.75ft", "--height", "7ft"]
+    release = [
+        "--speed",
+        "7.17",
+        "--elevation",
+        "51deg",
+        "--distance",
+        "13.75ft",
+        "--height",
+        "7ft",
+    ]
     result = CliRunner().invoke(main, ["shot", *release, "--view", str(out)])
     assert result.exit_code == 0, result.output
     data = data_of(out.read_text("utf-8"))

@@ -89,9 +89,9 @@ def _complain(text: str) -> None:
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
     epilog=examples(
         "hoopgen paper --out figures",
-        "hoopgen shot --speed 7.17 --elevation 51 --distance 13.75ft --height 7ft",
-        "hoopgen estimate --aim 5cm --elevation 52 --distance 13.75ft --height 7ft \\",
-        "    --scatter speed=0.07 --scatter elevation=1.3 --scatter azimuth=1",
+        "hoopgen shot --speed 7.17 --elevation 51deg --distance 13.75ft --height 7ft",
+        "hoopgen estimate --aim 5cm --elevation 52deg --distance 13.75ft --height 7ft \\",
+        "    --scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg",
         "hoopgen estimate --help",
     ),
 )

@@ -15,7 +15,7 @@ from hoopgen.outputs import MAPS, PAGES, PICTURES, check_folder, check_output
 from hoopgen.parameters import PAPER
 from hoopgen.sizes import evenly
 from hoopgen.study.variables import VARIABLES, Variable
-from hoopgen.units import UNITS, Kind, parse_quantity
+from hoopgen.units import NO_BARE, UNITS, Kind, parse_quantity
 
 __all__ = [
     "ASSIGNMENT",
@@ -112,32 +112,26 @@ def _ending(suffixes: Sequence[str]) -> Checked:
     )
 
 
-def quantity(kind: Kind, bare: str | None = None) -> Parsed[float]:
+def quantity(kind: Kind) -> Parsed[float]:
     """Return the type of a number with a unit, given to the command in SI.
 
     Parameters
     ----------
     kind
         What is measured; see `hoopgen.units.UNITS`.
-    bare
-        The unit of a bare number; the SI unit by default.
     """
-    unit = bare or next(iter(UNITS[kind]))
-    return Parsed(lambda text: parse_quantity(text, kind, bare=bare), f"{kind.upper()} [{unit}]")
+    units = "|".join(NO_BARE.get(kind, tuple(UNITS[kind])[:1])[:2])
+    return Parsed(lambda text: parse_quantity(text, kind), f"{kind.upper()} [{units}]")
 
 
 def variable_type(name: str) -> Parsed[float]:
-    """Return the type of a variable's value; bare angles are in degrees."""
-    return quantity(VARIABLES[name].kind, _bare(VARIABLES[name]))
-
-
-def _bare(variable: Variable) -> str | None:
-    return "deg" if variable.kind == "angle" else None
+    """Return the type of a variable's value."""
+    return quantity(VARIABLES[name].kind)
 
 
 def _read(text: str, variable: Variable) -> float:
     try:
-        return parse_quantity(text, variable.kind, bare=_bare(variable))
+        return parse_quantity(text, variable.kind)
     except ValueError as error:
         raise ValueError(f"{variable.name}: {error}") from None
 
@@ -209,10 +203,10 @@ SETTING = Parsed(lambda text: _assignment(text, PAPER), "NAME=VALUE")
 """A parameter of the scene and its value, ``restitution=0.75``."""
 
 AXIS = Parsed(_axis, "NAME=FROM:TO:COUNT")
-"""A variable and its values, ``elevation=45:60:61`` or ``restitution=0.6,0.7,0.8``."""
+"""A variable and its values, ``elevation=45deg:60deg:61`` or ``restitution=0.6,0.7,0.8``."""
 
 BOUNDS = Parsed(_bounds, "NAME=LOW:HIGH")
-"""A variable and where to search, ``elevation=45:60``; or its name alone."""
+"""A variable and where to search, ``elevation=45deg:60deg``; or its name alone."""
 
 CORRELATION = Parsed(_correlation, "NAME,NAME=VALUE")
 """Two variables and their correlation, ``speed,elevation=-0.3``."""

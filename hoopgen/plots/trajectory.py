@@ -23,6 +23,7 @@ from hoopgen.plots.style import COLOURS, PAGE, style
 from hoopgen.plots.views import SIDE, TOP, View, oblique
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.study.told import say_scene
+from hoopgen.units import shown, shown_system
 
 __all__ = ["plot_trajectory"]
 
@@ -282,9 +283,16 @@ def _told(trajectory: Path, parameters: Mapping[str, float]) -> tuple[str, str]:
     x, y, z, vx, vy, vz, *spin = (float(value) for value in trajectory.at(np.zeros(1))[0])
     speed = np.hypot(np.hypot(vx, vy), vz)
     angle = np.degrees(np.arctan2(vz, np.hypot(vx, vy)))
-    said = f"Released at {speed:.2f} m/s, {angle:.1f}\N{DEGREE SIGN} up{_aside(x, y, vx, vy)}"
+    unit, spins = shown("speed"), shown("spin")
+    # The article's figures say angular velocities, coaches turns a second.
+    us = shown_system() == "us"
+    sign, symbol, size = ("/2\\pi", spins.symbol, spins.size) if us else ("", "rad/s", 1.0)
+    up = f"{angle:.1f}\N{DEGREE SIGN} up{_aside(x, y, vx, vy)}"
+    said = f"Released at {speed / unit.size:.2f} {unit.symbol}, {up}"
     turning = [  # no blanks in formulas: lines are broken there
-        f"$\\omega_{axis}={w:.4g}$ rad/s" for axis, w in zip("xyz", spin, strict=True) if w
+        f"$\\omega_{axis}{sign}={w / size:.4g}$ {symbol}"
+        for axis, w in zip("xyz", spin, strict=True)
+        if w
     ]
     place = f"{np.hypot(x, y):.3f} m from the ring's centre, {RING_HEIGHT + z:.3f} m high"
     beat = _beat(trajectory.duration)

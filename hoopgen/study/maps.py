@@ -19,7 +19,7 @@ import hoopgen
 from hoopgen.brief import brief
 from hoopgen.inputs import check_contacts, doubles
 from hoopgen.parameters import NAMES, PAPER
-from hoopgen.releases import release as release_states
+from hoopgen.releases import released
 from hoopgen.results import Outcome, Shots
 from hoopgen.simulation import simulate
 from hoopgen.sizes import check_room
@@ -40,7 +40,7 @@ from .tallies import (
     wilson,
 )
 from .told import say_scene
-from .variables import STATE, VARIABLES, check_names, release_arguments
+from .variables import STATE, VARIABLES, check_angles, check_names, release_arguments
 
 __all__ = ["check_cells", "map"]
 
@@ -151,6 +151,7 @@ def _axes(over: Mapping[str, ArrayLike]) -> dict[str, Floats]:
     for name, values in axes.items():
         if values.ndim != 1 or not values.size:
             raise ValueError(f"over[{name!r}]: expected a list of numbers, got {brief(over[name])}")
+    check_angles("over", axes)
     return axes
 
 
@@ -249,7 +250,7 @@ class _Work:
             values[name] = values[name] + added
         scene = {name: values.pop(name) for name in NAMES}
         shape = (stop - start, shots)
-        states = np.broadcast_to(release_states(**values), (*shape, len(STATE)))
+        states = np.broadcast_to(released(values), (*shape, len(STATE)))
         return simulate(
             states.reshape(-1, len(STATE)),
             {n: np.broadcast_to(v, shape).ravel() if np.ndim(v) else v for n, v in scene.items()},

@@ -70,8 +70,8 @@ class Scatter:
     Raises
     ------
     ValueError
-        If a name is unknown, a deviation is negative or not finite, or the correlations are not
-        within -1 and 1, given twice, or no distribution has all of them.
+        If a name is unknown, a deviation is negative or not finite, an angle is in degrees, or the
+        correlations are not within -1 and 1, given twice, or no distribution has all of them.
     """
 
     mean: Mapping[str, float]
@@ -89,6 +89,7 @@ class Scatter:
             deviation = doubles(f"sd[{name!r}]", value)
             if deviation.ndim or not 0.0 <= deviation < np.inf:
                 raise ValueError(f"sd[{name!r}]: expected a number from 0, got {brief(value)}")
+        check_angles("sd", self.sd)
         self._mix()
 
     def noise(self, start: int, stop: int, seed: int = 0) -> dict[str, NDArray[np.float64]]:
@@ -177,7 +178,8 @@ class Resample:
     Raises
     ------
     ValueError
-        If a name is unknown, there is no row, or the columns differ in length.
+        If a name is unknown, there is no row, the columns differ in length, or angles are degrees:
+        by their median, more than a turn.
     """
 
     columns: Mapping[str, ArrayLike]
@@ -190,6 +192,7 @@ class Resample:
                 "columns: expected columns of one length and at least one row, got shapes "
                 + ", ".join(f"{name} {column.shape}" for name, column in given.items())
             )
+        check_angles("columns", given)
         object.__setattr__(self, "columns", given)
         self._take(np.zeros(1, np.intp), PAPER)
 
@@ -236,7 +239,8 @@ class Grid:
     Raises
     ------
     ValueError
-        If a name is unknown or twice there, or an axis is not (m,).
+        If a name is unknown or twice there, an axis is not (m,), or angles are degrees: by their
+        median, more than a turn.
     """
 
     axes: Mapping[str, Sequence[float] | NDArray[np.float64]]
@@ -249,6 +253,8 @@ class Grid:
         for name, values in self.axes.items():
             if doubles(f"axes[{name!r}]", values).ndim != 1 or not np.size(values):
                 raise ValueError(f"axes[{name!r}]: expected a list of numbers, got {brief(values)}")
+        check_angles("axes", self.axes)
+        check_angles("fixed", self.fixed)
         self.draw(0, 1)
 
     @property

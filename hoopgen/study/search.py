@@ -23,7 +23,7 @@ from hoopgen.inputs import doubles
 from hoopgen.releases import RING_HEIGHT
 
 from .player import By, Player
-from .variables import VARIABLES, check_names
+from .variables import VARIABLES, check_angles, check_names
 
 __all__ = ["Bounds", "bounds_of", "flat_about", "search"]
 
@@ -59,6 +59,7 @@ def bounds_of(
                 f"over[{name!r}]: expected (low, high), low below high, got {brief(ends)}"
             )
         bounds[name] = (float(given[0]), float(given[1]))
+    check_angles("over", bounds)
     return bounds
 
 

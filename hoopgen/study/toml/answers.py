@@ -40,6 +40,7 @@ from hoopgen.study.maps import check_cells
 from hoopgen.study.maps import map as mapped
 from hoopgen.study.measures import measure
 from hoopgen.study.models import Scatter
+from hoopgen.study.named import in_units
 from hoopgen.study.optimum import optimum, scattering
 from hoopgen.study.origin import settle
 from hoopgen.study.search import bounds_of
@@ -207,7 +208,9 @@ def _estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
     digits = decimals(found.half_width)
     ends = f"{in_percent(found.low, digits)} to {in_percent(found.high, digits)}"
     line = f"{in_percent(found.probability, digits)} made ({ends})"
-    return Answer(line + _short_of(question, found.half_width), _fenced(found), found.as_dict())
+    return Answer(
+        line + _short_of(question, found.half_width), _fenced(found), in_units(found.as_dict())
+    )
 
 
 def _short_of(question: Estimate | Compare, half_width: float) -> str:
@@ -275,7 +278,9 @@ def _compare(asked: Asked, question: Compare, work: Work) -> Answer:
         f"{in_points(found.difference, digits)} points by the change "
         f"({in_points(found.low, digits)} to {in_points(found.high, digits)})"
     )
-    return Answer(line + _short_of(question, found.half_width), _fenced(found), found.as_dict())
+    return Answer(
+        line + _short_of(question, found.half_width), _fenced(found), in_units(found.as_dict())
+    )
 
 
 # --------------------------------------------------------------------------------------------- map
@@ -340,7 +345,7 @@ def _best_cell(dataset: xr.Dataset, cells: str) -> Answer:
     line = f"at best {percent(made)} made ({percent(low)} to {percent(high)}), at {where}"
     note = "The best of many cells is a little too good."
     numbers = {"best": {**at, "probability": made, "low": low, "high": high}}
-    return Answer(line, f"{cells}. {note}", numbers)
+    return Answer(line, f"{cells}. {note}", in_units(numbers))
 
 
 # ----------------------------------------------------------------------------------------- optimum
@@ -380,7 +385,7 @@ def _optimum(asked: Asked, question: Optimum, work: Work) -> Answer:
         f"{percent(best.probability)} ({percent(best.low)} to {percent(best.high)}) from "
         f"{say('speed', given['speed'])} at {say('elevation', given['elevation'])}"
     )
-    return Answer(line, _fenced(best), best.as_dict())
+    return Answer(line, _fenced(best), in_units(best.as_dict()))
 
 
 # -------------------------------------------------------------------------------------------- bank
@@ -546,7 +551,8 @@ def _aim(asked: Asked, question: Aim, work: Work) -> Answer:
     good = int(np.isfinite(columns["low_speed"]).sum())
     line = f"{len(rows)} distances, {good} of them with a release that goes in"
     table = _table([*_AIMED, *(f"goes in with {name}" for name in _OFF)], rows)
-    return Answer(line, table, {name: column.tolist() for name, column in columns.items()})
+    numbers = {name: column.tolist() for name, column in columns.items()}
+    return Answer(line, table, in_units(numbers))
 
 
 _AIMED = ("distance", "speed", "elevation")
