@@ -18,6 +18,7 @@ from scipy.optimize import minimize_scalar
 
 import hoopgen
 from hoopgen import FIBA, NBA, PAPER, Outcome, Scatter
+from hoopgen.outputs import write
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.study.bank import Crossing, bank_or_direct, crossing
 from hoopgen.study.estimate import Estimate
@@ -394,14 +395,14 @@ def main() -> None:
     parser.add_argument("--quick", action="store_true", help="few shots and places, for a look")
     parser.add_argument("--out", type=Path, default=Path("docs"), help="folder, default docs")
     arguments = parser.parse_args()
+    arguments.out.mkdir(parents=True, exist_ok=True)  # before the work, should it fail
     if arguments.quick:
         results = everything(2_000, 1_000, DISTANCES[-2:])
     else:
         results = everything(50_000, 20_000, DISTANCES)
-    arguments.out.mkdir(parents=True, exist_ok=True)
     save(throw_picture(results), arguments.out / "validation-throws.svg")
     save(plot_aim_points(results.banks.places, PAPER), arguments.out / "validation-bank.svg")
-    (arguments.out / "validation.md").write_text(page(results), encoding="utf-8")
+    write(arguments.out / "validation.md", page(results))
 
 
 if __name__ == "__main__":

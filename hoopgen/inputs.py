@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from .engine.raw import STATE_SIZE
 from .results import SURFACES
 
 __all__ = [
+    "check_angles",
     "check_contacts",
     "check_leaving",
     "check_states",
@@ -71,6 +73,27 @@ def is_whole(value: Any) -> bool:
     return isinstance(value, int | np.integer) and not isinstance(value, np.timedelta64)
 
 
+def check_angles(name: str, angles: Mapping[str, ArrayLike]) -> None:
+    """Refuse angles that are degrees, by their median: all are radians, and within a turn.
+
+    Raises
+    ------
+    ValueError
+        The message begins with `name`.
+    """
+    for angle, value in angles.items():
+        sizes = np.abs(np.asarray(value, dtype=np.float64))
+        if not np.any(sizes > 2 * np.pi):
+            continue
+        sizes = sizes[np.isfinite(sizes)]
+        if sizes.size and np.median(sizes) > 2 * np.pi:
+            raise ValueError(
+                f"{name}: {angle} is in radians, and these are more than a turn: "
+                f"{np.median(sizes):.6g}. Degrees would be np.radians(...), or in a table a column "
+                f"{angle}_deg"
+            )
+
+
 def check_states(states: ArrayLike) -> NDArray[np.float64]:
     """Return releases as float64 (n, 9), each row together in memory.
 
@@ -121,7 +144,10 @@ def check_contacts(max_contacts: Any) -> int:
         If it is no whole number from 1, or more than the engines count.
     """
     if not is_whole(max_contacts) or not 1 <= max_contacts < 2**31:
-        raise ValueError(f"max_contacts: expected a whole number from 1, got {brief(max_contacts)}")
+        raise ValueError(
+            f"max_contacts: expected a whole number from 1, got {brief(max_contacts)}; "
+            f"at most {2**31 - 1}"
+        )
     return int(max_contacts)
 
 

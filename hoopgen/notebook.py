@@ -24,12 +24,16 @@ class Said:
     def to_pandas(self) -> Any:
         """Return a pandas.DataFrame of one row: what `as_dict` gives, nested names joined by _.
 
+        Units are in the columns' names.
+
         Raises
         ------
         ImportError
             If pandas is missing: what brings it.
         """
-        return need("pandas", "to_pandas").json_normalize([self.as_dict()], sep="_")
+        from .study.named import in_units
+
+        return need("pandas", "to_pandas").json_normalize([in_units(self.as_dict())], sep="_")
 
     def _repr_html_(self) -> str:
         return f"<pre>{html.escape(str(self))}</pre>"

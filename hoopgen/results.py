@@ -109,7 +109,7 @@ class Trajectory:
         return drawn
 
     def to_pandas(self) -> Any:
-        """Return the events as a pandas.DataFrame, a row each; their units are in its ``attrs``.
+        """Return the events as a pandas.DataFrame, a row each, units in the columns' names.
 
         Time, surface, position, and velocity and spin before and after.
 
@@ -221,7 +221,7 @@ class Shots:
         return drawn
 
     def to_pandas(self) -> Any:
-        """Return the results as a pandas.DataFrame, a row a shot; units are in its ``attrs``.
+        """Return the results as a pandas.DataFrame, a row a shot, units in the columns' names.
 
         Fields with several numbers a shot are as many columns: ``ring_contacts``, ..., ``x``, ...
 

@@ -412,7 +412,7 @@ def test_the_command_says_one_aim_and_what_it_forgives() -> None:
 
 
 def test_the_command_says_where_past_the_centre() -> None:
-    result = _run("--distance", "13.75ft", "--depth", "2in", "--elevation", "52")
+    result = _run("--distance", "13.75ft", "--depth", "2in", "--elevation", "52deg")
     assert "5.1 cm past its centre" in result.stdout
     assert "2.0 cm short of its centre" in _run("--distance", "4m", "--depth", "-2cm").stdout
 
@@ -443,7 +443,7 @@ def test_the_command_writes_a_table(written: str, distances: Any, tmp_path: Path
 
 
 def test_the_command_says_what_a_steep_shot_forgives() -> None:
-    result = _run("--distance", "0.5m", "--elevation", "89.4")
+    result = _run("--distance", "0.5m", "--elevation", "89.4deg")
     assert result.exit_code == 0, result.output
     assert "nan" not in result.stdout
     assert "89.2°" in result.stdout
@@ -457,7 +457,7 @@ def test_the_command_shows_what_is_out_of_reach() -> None:
 
 
 def test_a_shot_that_does_not_go_in_is_told() -> None:
-    result = _run("--distance", "1m", "--entry", "45", "--backspin", "3Hz")
+    result = _run("--distance", "1m", "--entry", "45deg", "--backspin", "3Hz")
     assert result.exit_code == 0
     assert "does not go in" in result.stdout
 
@@ -466,7 +466,7 @@ def test_a_shot_that_does_not_go_in_is_told() -> None:
     ("arguments", "said"),
     [
         (["--distance", "4m", "--speed", "3"], "speed: the point needs at least"),
-        (["--distance", "4m", "--speed", "9", "--entry", "45"], "got entry and speed"),
+        (["--distance", "4m", "--speed", "9", "--entry", "45deg"], "got entry and speed"),
         (["--distance", "4m:3m:0.1m"], "expected from below to"),
         (["--distance", "3m:4m:0"], "expected from below to"),
         (["--distance", "3m:4m:1"], "expected from below to"),

@@ -695,7 +695,7 @@ def test_a_missing_dependency_is_named_in_one_line(missing: str) -> None:
 
 
 def test_the_command_prints_the_proof(tmp_path: Path) -> None:
-    options = ["--speed", "7.3", "--elevation", "51", "--distance", "13.75ft", "--height", "7ft"]
+    options = ["--speed", "7.3", "--elevation", "51deg", "--distance", "13.75ft", "--height", "7ft"]
     by_options = CliRunner().invoke(command, options)
     assert by_options.exit_code == 0, by_options.output
     assert "outcome    missed" in by_options.output
@@ -707,7 +707,7 @@ def test_the_command_prints_the_proof(tmp_path: Path) -> None:
     assert by_file.exit_code == 0, by_file.output
     proved = json.loads(by_file.output)
     assert [event["surface"] for event in proved["events"]] == ["ring", "end"]
-    assert proved["events"][0]["time"][:20] in by_options.output
+    assert proved["events"][0]["time_s"][:20] in by_options.output
 
 
 def test_the_command_admits_a_tie(tmp_path: Path) -> None:

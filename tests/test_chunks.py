@@ -205,9 +205,14 @@ def test_chunks_of_other_versions_are_not_taken(
         next(chunks.run(Numbers(), tmp_path))
 
 
-def test_an_identity_that_cannot_be_read_is_an_error(tmp_path: Path) -> None:
+NO_RECORDS = ["{", "[1]", "null", '"text"', "1e400", "[" * 100_000, "\0"]
+"""What a file of names and values may hold in their place."""
+
+
+@pytest.mark.parametrize("content", [*NO_RECORDS, '{"hoopgen": 5}', '{"a": ["b"]}'])
+def test_an_identity_that_cannot_be_read_is_an_error(content: str, tmp_path: Path) -> None:
     list(chunks.run(Numbers(), tmp_path))
-    (tmp_path / "identity.json").write_text("{", encoding="utf-8")
+    (tmp_path / "identity.json").write_text(content, encoding="utf-8")
     with pytest.raises(ValueError, match=r"identity\.json cannot be read; delete the folder"):
         next(chunks.run(Numbers(), tmp_path))
 

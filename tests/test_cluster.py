@@ -93,7 +93,10 @@ def test_a_cluster_goes_on_where_one_machine_stopped(cluster: Any, tmp_path: Pat
 
 def test_a_table_is_simulated_to_the_same_bytes(cluster: Any, tmp_path: Path) -> None:
     random = np.random.default_rng(3)
-    numbers = {"speed": random.normal(7.1, 0.2, 300), "elevation": random.normal(0.9, 0.05, 300)}
+    numbers = {
+        "speed": random.normal(7.1, 0.2, 300),
+        "elevation_rad": random.normal(0.9, 0.05, 300),
+    }
     text = pa.array([f"throw {k}" for k in range(300)]).dictionary_encode()
     pa.parquet.write_table(pa.table({**numbers, "name": text}), tmp_path / "throws.parquet")
     options = {"release": {"height": 2.1, "distance": 4.2}, "measures": ["depth"], "rows": 40}
@@ -140,3 +143,14 @@ def test_where_no_scheduler_answers_it_is_said(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(chunks, "_CONNECT", 0.5)
     with pytest.raises(ConnectionError, match=r"no Dask scheduler answers at 'tcp://127.0.0.1:1'"):
         next(chunks.run(Free(), scheduler="tcp://127.0.0.1:1"))
+
+
+@pytest.mark.parametrize("certificate", ["", "none.pem"])
+def test_an_address_with_certificates_says_which_are_missing(certificate: str) -> None:
+    names = ("ca-file", "client.cert", "client.key")
+    keys = {f"distributed.comm.tls.{name}": certificate or None for name in names}
+    import dask
+
+    said = "Dask's certificates: " if certificate else "needs certificates: distributed.comm.tls"
+    with dask.config.set(keys), pytest.raises(ValueError, match=f"^scheduler: 'tls://.*{said}"):
+        next(chunks.run(Free(), scheduler="tls://127.0.0.1:1"))

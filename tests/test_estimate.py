@@ -22,6 +22,7 @@ from hoopgen.cli import main
 from hoopgen.study import estimate as module
 from hoopgen.study.estimate import Comparison, Estimate, newcombe
 from hoopgen.study.measures import Kind, kinds
+from hoopgen.study.named import in_units
 from hoopgen.study.tallies import Tally, wilson
 from hoopgen.study.variables import Releases, change_variables
 
@@ -482,9 +483,9 @@ def test_a_tally_of_many_settings_is_that_of_each() -> None:
 # On the command line
 
 OPTIONS = [
-    *["estimate", "--speed", "7.17", "--elevation", "52", "--height", "7ft"],
+    *["estimate", "--speed", "7.17", "--elevation", "52deg", "--height", "7ft"],
     *["--distance", "13.75ft", "--backspin", "3Hz", "--preset", "nba", "--set", "restitution=0.75"],
-    *["--scatter", "speed=0.07", "--scatter", "elevation=1.3", "--scatter", "azimuth=1deg"],
+    *["--scatter", "speed=0.07", "--scatter", "elevation=1.3deg", "--scatter", "azimuth=1deg"],
 ]
 
 
@@ -511,14 +512,18 @@ def test_the_command_says_and_writes_what_the_library_gives() -> None:
     wanted = estimate(correlated, SCENE, shots=2000, seed=7, confidence=0.9, max_contacts=30)
     arguments = [*OPTIONS, *given, "--correlation", "speed,elevation=-0.3"]
     assert output(*arguments) == f"{wanted}\n"
-    assert json.loads(output(*arguments, "--json")) == wanted.as_dict()
+    assert json.loads(output(*arguments, "--json")) == in_units(wanted.as_dict())
 
 
 @pytest.mark.parametrize(
     ("versus", "change", "drop"),
     [
         (["backspin=0"], {"backspin": 0.0}, ()),
-        (["elevation=50", "backspin=1Hz"], {"elevation": 50 * DEGREE, "backspin": 2 * math.pi}, ()),
+        (
+            ["elevation=50deg", "backspin=1Hz"],
+            {"elevation": 50 * DEGREE, "backspin": 2 * math.pi},
+            (),
+        ),
         (["aim=5cm"], {"aim": 0.05}, ("speed",)),
         (["entry=45deg", "aim=0"], {"entry": 45 * DEGREE, "aim": 0.0}, ("speed", "elevation")),
     ],
@@ -530,7 +535,7 @@ def test_versus_compares_with_variables_changed(
     wanted = compare((PLAYER, SCENE), (Scatter(kept | change, SD), SCENE), shots=1500)
     options = [word for one in versus for word in ("--versus", one)]
     found = json.loads(output(*OPTIONS, "--shots", "1500", *options, "--json"))
-    assert found == wanted.as_dict()
+    assert found == in_units(wanted.as_dict())
 
 
 def test_versus_changes_the_scene_and_says_what_it_changed() -> None:
@@ -597,7 +602,7 @@ def test_the_folder_is_passed_on(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--elevation", "52"], "variables: missing height, distance"),
+        (["--elevation", "52deg"], "variables: missing height, distance"),
         (["--scatter", "pace=1"], "'pace' is none of speed, elevation"),
         (["--scatter", "speed"], "'speed' is not name=value"),
         (["--scatter", "speed=1deg"], "speed: '1deg': 'deg' is not a unit of speed"),

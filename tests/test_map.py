@@ -21,6 +21,7 @@ from hoopgen.cli import main
 from hoopgen.cli.types import AXIS
 from hoopgen.study import maps as module
 from hoopgen.study.measures import Kind, kinds
+from hoopgen.study.named import named
 from hoopgen.study.tables import columns_of
 from hoopgen.study.variables import VARIABLES, resolve_variables
 
@@ -289,8 +290,8 @@ def test_what_is_wrong_is_said(
 # On the command line
 
 FREE_THROW = ["--height", "7ft", "--distance", "13.75ft", "--backspin", "3Hz"]
-GRID = ["map", "--over", "elevation=48:56:3", "--over", "speed=7.0,7.1,7.2,7.3"]
-SCATTER = ["--scatter", "speed=0.07", "--scatter", "elevation=1.3", "--scatter", "azimuth=1"]
+GRID = ["map", "--over", "elevation=48deg:56deg:3", "--over", "speed=7.0,7.1,7.2,7.3"]
+SCATTER = ["--scatter", "speed=0.07", "--scatter", "elevation=1.3deg", "--scatter", "azimuth=1deg"]
 
 
 def run(*arguments: str) -> Result:
@@ -328,13 +329,15 @@ def test_csv_has_a_row_for_each_cell_in_columns_that_batch_reads(tmp_path: Path)
         rows = list(csv.DictReader(file))
     assert len(rows) == 12
     for row, (at, cell) in zip(rows, cells(wanted, OVER), strict=True):
-        assert {name: float(row[name]) for name in at} == pytest.approx(at, rel=1e-15)
+        read = {name: float(row[named(name)]) for name in at}
+        assert read == pytest.approx(at, rel=1e-15)
         assert Outcome[row["outcome"].upper()] == cell["outcome"].item()
         assert Kind[row["kind"].upper()] == cell["kind"].item()
         assert row["uncertain"] == str(cell["uncertain"].item())
     # The scene too, and nothing else that would be read.
     assert set(columns_of(rows[0])) == {*OVER, *REST, *hoopgen.PAPER}
     assert {n: float(rows[0][n]) for n in hoopgen.PAPER} == dict(hoopgen.PAPER)
+    assert {"elevation_rad", "speed_m_s", "height_m", "backspin_rad_s"} <= {*rows[0]}
     made = np.mean(wanted["outcome"].values == Outcome.MADE)
     assert text.startswith("map    3 elevation × 4 speed, one shot each\nshots  ")
     assert f"{100 * made:.1f} % made" in text
@@ -360,7 +363,7 @@ def test_aim_and_places_may_be_mapped_over() -> None:
 
 
 def test_where_nothing_can_be_simulated_it_says_so() -> None:
-    arguments = ["--over", "restitution=1.1,1.2", *FREE_THROW, "--entry", "45", *SCATTER]
+    arguments = ["--over", "restitution=1.1,1.2", *FREE_THROW, "--entry", "45deg", *SCATTER]
     text = output("map", *arguments, "--shots", "5")
     assert "\nbest   none: no cell can be simulated\n\nscene    PAPER" in text
 
@@ -374,7 +377,7 @@ def test_a_picture_is_drawn(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ([*GRID, *FREE_THROW, "--out", "map.txt"], "map.txt ends in none of .nc, .csv"),
+        ([*GRID, *FREE_THROW, "--out", "map.txt"], "'map.txt' ends in none of .nc, .csv"),
         ([*GRID, *FREE_THROW, "--over", "speed=7:8:3"], "--over: speed is given twice"),
         ([*GRID, *FREE_THROW, "--speed", "7"], "release: speed is mapped over; leave out"),
         (["map", *FREE_THROW], "Missing option '--over'"),

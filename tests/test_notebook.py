@@ -192,7 +192,7 @@ def test_an_estimate_is_a_row(shots: hoopgen.Shots) -> None:
     assert len(frame) == 1
     assert frame.probability[0] == found.probability
     assert frame.kinds_made_swish[0] == found.kinds_made["swish"]
-    assert frame.setting_sd_speed[0] == SD["speed"]
+    assert frame.setting_sd_speed_m_s[0] == SD["speed"]
     assert found._repr_html_() == f"<pre>{html.escape(str(found))}</pre>"
 
 
@@ -208,7 +208,7 @@ def test_a_comparison_is_a_row() -> None:
 def test_an_optimum_is_a_row_and_shows_its_shots(best: Any) -> None:
     pytest.importorskip("pandas")
     frame = best.to_pandas()
-    assert frame.release_speed[0] == best.release["speed"]
+    assert frame.release_speed_m_s[0] == best.release["speed"]
     assert frame.margins_speed_low[0] == best.margins["speed"].low
     assert best._repr_html_() == f"<pre>{html.escape(str(best))}</pre>"
     assert best.margins["speed"].to_pandas().high[0] == best.margins["speed"].high
@@ -223,8 +223,8 @@ def test_aims_are_a_table() -> None:
     pytest.importorskip("pandas")
     found = hoopgen.aim(height=2.1, distance=np.linspace(2.0, 9.0, 20), entry=45 * DEGREE)
     frame = found.to_pandas()
-    np.testing.assert_array_equal(frame.speed, found.speed)
-    assert frame.attrs["units"]["elevation"] == "rad"
+    np.testing.assert_array_equal(frame.speed_m_s, found.speed)
+    np.testing.assert_array_equal(frame.elevation_rad, found.elevation)
     text = found._repr_html_()
     assert text.count("<tr>") == 12
     assert "<th>entry_angle (°)</th>" in text
@@ -235,7 +235,7 @@ def test_aims_are_a_table() -> None:
 def test_a_batch_is_its_counts_and_its_file(tmp_path: Path) -> None:
     pytest.importorskip("pandas")
     source, out = tmp_path / "in.csv", tmp_path / "<b>out.parquet"
-    source.write_text("speed,elevation,height,distance\n7.2,0.9,2.1,4.2\n8,0.9,2.1,4.2\n")
+    source.write_text("speed,elevation_rad,height,distance\n7.2,0.9,2.1,4.2\n8,0.9,2.1,4.2\n")
     found = hoopgen.batch(source, out)
     assert sum(found.values()) == 2
     assert found == dict(found)

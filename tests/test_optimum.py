@@ -21,6 +21,7 @@ from hoopgen.cli import main
 from hoopgen.study.bank import bank_or_direct, crossing, on_board
 from hoopgen.study.margins import _SMOOTH, Margin, margins
 from hoopgen.study.models import Scatter
+from hoopgen.study.named import in_units
 from hoopgen.study.optimum import Optimum, optimum
 from hoopgen.study.player import Player
 from hoopgen.study.search import bounds_of
@@ -476,9 +477,9 @@ def test_a_place_without_a_way_in_is_said_to_have_none() -> None:
 # On the command line
 
 ASKED = [
-    *["optimum", "--over", "elevation=48:58", "--over", "aim=-5cm:12cm", "--height", "7ft"],
+    *["optimum", "--over", "elevation=48deg:58deg", "--over", "aim=-5cm:12cm", "--height", "7ft"],
     *["--distance", "13.75ft", "--backspin", "3Hz", "--scatter", "speed=0.07"],
-    *["--scatter", "elevation=1.3", "--scatter", "azimuth=1", "--shots", "2000"],
+    *["--scatter", "elevation=1.3deg", "--scatter", "azimuth=1deg", "--shots", "2000"],
 ]
 
 
@@ -489,7 +490,10 @@ def test_the_command_says_what_the_library_found() -> None:
     release = {"height": 7 * 0.3048, "distance": 13.75 * 0.3048, "backspin": 3 * (2 * np.pi)}
     found = optimum(bounds, release, SD, shots=2000)
     read = json.loads(result.stdout)
-    assert read["release"] == found.release
+    assert read["release"] == in_units(found.release)
+    assert read["flat"]["elevation_rad"] == list(found.flat["elevation"])
+    assert read["margins"]["speed"]["unit"] == "m/s"
+    assert read["entry_angle_rad"] == found.entry_angle
     assert read["probability"] == found.probability
 
 
@@ -506,8 +510,8 @@ def test_the_command_speaks_to_a_coach() -> None:
     [
         (["--over", "elevaton"], "'elevaton' is none of"),
         (["--over", "elevation=45"], "elevation: '45' is not low:high"),
-        (["--over", "elevation=45:60:3"], "is not low:high"),
-        (["--over", "elevation=45:60m"], "not a unit of angle"),
+        (["--over", "elevation=45deg:60deg:3"], "is not low:high"),
+        (["--over", "elevation=45deg:60m"], "not a unit of angle"),
         (["--by", "luck"], "luck"),
     ],
 )

@@ -240,11 +240,11 @@ def test_shots_are_a_table_of_pandas() -> None:
     assert frame.index.name == "shot"
     assert list(frame.outcome) == [Outcome(code).name.lower() for code in shots.outcome]
     assert list(frame["first"].cat.codes) == shots.first.tolist()
-    np.testing.assert_array_equal(frame[["x", "y", "z"]], shots.state[:, :3])
+    np.testing.assert_array_equal(frame[["x_m", "y_m", "z_m"]], shots.state[:, :3])
     np.testing.assert_array_equal(frame["backboard_contacts"], shots.counts[:, 1])
-    np.testing.assert_array_equal(frame["spin_error"], shots.state_error[:, 2])
-    assert frame.attrs["units"]["vx"] == "m/s"
-    assert list(some_shots(fields=["time"]).to_pandas()) == ["time"]
+    np.testing.assert_array_equal(frame["spin_error_rad_s"], shots.state_error[:, 2])
+    assert {"time_s", "vx_m_s", "wz_rad_s"} <= {*frame}
+    assert list(some_shots(fields=["time"]).to_pandas()) == ["time_s"]
 
 
 def test_shots_are_a_dataset_of_xarray() -> None:
@@ -268,9 +268,9 @@ def test_contacts_are_a_table_of_pandas() -> None:
     path = hoopgen.simulate(FIGURE_7, record=True).trajectory(0)
     frame = path.to_pandas()
     assert list(frame.surface) == ["ring", "backboard", "end"]
-    np.testing.assert_array_equal(frame.time, path.events["time"])
-    np.testing.assert_array_equal(frame[["x", "y", "z"]], path.events["before"][:, :3])
-    np.testing.assert_array_equal(frame.after_wz, path.events["after"][:, 8])
+    np.testing.assert_array_equal(frame.time_s, path.events["time"])
+    np.testing.assert_array_equal(frame[["x_m", "y_m", "z_m"]], path.events["before"][:, :3])
+    np.testing.assert_array_equal(frame.after_wz_rad_s, path.events["after"][:, 8])
 
 
 @pytest.mark.parametrize("missing", ["pandas", "xarray"])

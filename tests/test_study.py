@@ -27,6 +27,7 @@ import hoopgen  # noqa: E402
 from hoopgen.cli import main  # noqa: E402
 from hoopgen.study.bank import bank_or_direct  # noqa: E402
 from hoopgen.study.chunks import versions  # noqa: E402
+from hoopgen.study.named import in_units, named  # noqa: E402
 from hoopgen.study.toml import answers, check_study, run_study  # noqa: E402
 from hoopgen.study.toml import lines as toml_lines  # noqa: E402
 from hoopgen.study.toml.reading import StudyError, parse  # noqa: E402
@@ -276,20 +277,22 @@ WRONG = {
         5,
         "release.height: expected a length such as \"7 ft\"; '7 kg': 'kg' is not a unit of length",
     ),
-    "no unit": (
-        BEGIN + "[release]\nheight = '7'\n" + ASKED,
+    "angle without unit": (
+        BEGIN + "[release]\nentry = '52'\n" + ASKED,
         4,
-        "release.height: expected a length such as \"7 ft\"; '7': there is no unit of length",
+        "release.entry: expected an angle such as \"45 deg\"; '52' has no unit: write 52deg or 52",
     ),
     "bare angle": (
         BEGIN + "[release]\nelevation = 52\n" + ASKED,
         4,
-        'release.elevation: expected an angle such as "45 deg"; got 52 without a unit',
+        'release.elevation: expected an angle such as "45 deg"; got 52, which has no unit: '
+        'write "52 deg" or "52 rad"',
     ),
     "bare spin": (
         BEGIN + "[release]\nbackspin = 3.0\n" + ASKED,
         4,
-        'release.backspin: expected a spin such as "1 Hz"; got 3.0 without a unit',
+        'release.backspin: expected a spin such as "1 Hz"; got 3.0, which has no unit: '
+        'write "3.0 Hz", "3.0 rpm", "3.0 rad/s" or "3.0 deg/s"',
     ),
     "wrong type": (
         BEGIN + "seed = 'five'\n" + ASKED,
@@ -591,10 +594,10 @@ def without(*names: str) -> dict[str, float]:
 def test_estimates_and_comparisons_are_those_of_the_library(whole: Path) -> None:
     model = hoopgen.Scatter(RELEASE, SCATTER)
     found = hoopgen.estimate(model, shots=300_000, seed=5).as_dict()
-    assert loaded(whole, "probability") == found
+    assert loaded(whole, "probability") == in_units(found)
     first = hoopgen.Scatter(RELEASE | {"backspin": 0.0}, SCATTER)
     found = hoopgen.compare(first, model, shots=2000, seed=5).as_dict()
-    assert loaded(whole, "backspin") == found
+    assert loaded(whole, "backspin") == in_units(found)
 
 
 def test_measured_releases_are_drawn_from(whole: Path) -> None:
@@ -673,12 +676,13 @@ def test_aims_and_optima_are_those_of_the_library(whole: Path) -> None:
         entry=45 * DEGREE,
         backspin=RELEASE["backspin"],
     )
-    assert loaded(whole, "table") == {name: column.tolist() for name, column in table.items()}
+    columns = {named(name): column.tolist() for name, column in table.items()}
+    assert loaded(whole, "table") == columns
     assert (whole / "table" / "table.csv").read_text().startswith("distance_m,angle_deg,")
     over = {"elevation": None, "aim": (0.0, 4 * 0.0254)}
     fixed = without("elevation", "aim")
     best = hoopgen.optimum(over, fixed, SCATTER, shots=500, seed=5, margins=["speed"])
-    assert loaded(whole, "best") == json.loads(json.dumps(best.as_dict()))
+    assert loaded(whole, "best") == json.loads(json.dumps(in_units(best.as_dict())))
 
 
 def test_a_table_is_simulated_as_by_batch(whole: Path, tmp_path: Path) -> None:
@@ -760,7 +764,7 @@ def test_the_folder_has_the_file_as_it_was_and_the_versions(whole: Path) -> None
 def test_what_is_not_a_number_is_null(tmp_path: Path) -> None:
     text = HEAD + "[[question]]\nkind = 'aim'\nname = 'a'\ndistance = 1\nspeed = 1\n"
     run_study(written(tmp_path, text))
-    assert loaded(tmp_path / "study-results", "a")["elevation"] == [None]
+    assert loaded(tmp_path / "study-results", "a")["elevation_rad"] == [None]
 
 
 # The same bytes
@@ -898,13 +902,39 @@ def test_a_folder_with_something_else_is_left_alone(tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["measured.csv", "study.toml"]
 
 
-def test_a_damaged_question_is_named(tmp_path: Path) -> None:
+@pytest.mark.parametrize("content", ["{", "[1]", "null", '"text"', "[" * 100_000])
+def test_a_damaged_question_is_named(content: str, tmp_path: Path) -> None:
     file = written(tmp_path, HEAD + ESTIMATE)
     run_study(file)
     damaged = tmp_path / "study-results" / "probability" / "question.json"
-    damaged.write_text("{")
+    whole = damaged.read_bytes()
+    damaged.write_text(content)
     with pytest.raises(ValueError, match=r"question\.json cannot be read; delete .*probability"):
         run_study(file)
+    damaged.write_bytes(whole)
+    damaged.with_name("answer.json").write_text(content)
+    with pytest.raises(ExceptionGroup) as raised:
+        run_study(file)
+    (error,) = raised.value.exceptions
+    assert re.search(r"answer\.json cannot be read; delete .*probability$", str(error))
+
+
+def test_an_error_that_was_not_foreseen_is_told_with_its_type(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def broken(*_: Any) -> None:
+        raise KeyError("wrong")
+
+    file = written(tmp_path, HEAD + ESTIMATE)
+    monkeypatch.setattr("hoopgen.study.toml.run.answer", broken)
+    result = run(file)
+    assert result.exit_code == 70
+    first, second = result.stderr.splitlines()
+    assert first == "hoopgen: error: question probability: KeyError: 'wrong'"
+    assert second.startswith(
+        "hoopgen: error: hoopgen study: 1 of 1 questions could not be answered"
+    )
+    assert "HOOPGEN_TRACEBACK=1" in second
 
 
 def test_a_question_that_fails_leaves_the_others_alone(tmp_path: Path) -> None:

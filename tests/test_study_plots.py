@@ -511,6 +511,18 @@ def test_a_fan_of_nothing_is_refused() -> None:
 # ------------------------------------------------------------------------------------ landings
 
 
+@pytest.mark.parametrize("place", [(1e9, 0.0), (4.2, -1e12)])
+def test_landings_far_away_and_a_tiny_ball_make_no_endless_picture(
+    place: tuple[float, float],
+) -> None:
+    scene = SCENE | {"ball_radius": 1e-12}
+    axes = axes_of(
+        plot_landings([0.5, 0.5, 0.5], [1.0, 1.0, 1.0], scene, place=place), "floor plan"
+    )
+    (cells,) = axes.collections
+    assert len(cells.get_array()) <= 2 * 501**2
+
+
 def test_densities_add_up_to_all_that_is_shown() -> None:
     x, y = landings()
     axes = axes_of(plot_landings(x, y, SCENE), "floor plan")

@@ -15,12 +15,13 @@ from hoopgen.cli.options import (
     by_option,
     examples,
     scene_options,
+    units_option,
     variable_option,
 )
 from hoopgen.cli.table import table
 from hoopgen.cli.types import OUT, Parsed, quantity
 from hoopgen.study.told import say_scene
-from hoopgen.units import parse_quantity
+from hoopgen.units import parse_quantity, shown
 
 if TYPE_CHECKING:
     import numpy as np
@@ -61,7 +62,8 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
         step = (high - low) / (count - 1) if count > 1 else 0.0
     else:
         step = parse_quantity(by, "length")
-        count = 1 + math.floor((high - low) / step + _ENOUGH) if step > 0.0 else 0
+        steps = (high - low) / step if step > 0.0 else -1.0  # more than any number is infinite
+        count = 1 + math.floor(min(steps, _MOST) + _ENOUGH)
     if not (low < high and step > 0.0 and 2 <= count <= _MOST):
         raise ValueError(
             f"{first}:{last}:{by}: expected from below to, and a step (with its unit) or a count "
@@ -76,7 +78,7 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
         "hoopgen aim --distance 13.75ft --height 7ft",
         "hoopgen aim --distance 13.75ft --height 7ft --entry 45deg --backspin 3Hz --depth 2in",
         "hoopgen aim --distance 1m:7m:0.5m --height 0.6m --speed 9.5 --csv table.csv",
-        "hoopgen aim --distance 12ft --height 7ft --elevation 55 --set ball_radius=11.9cm",
+        "hoopgen aim --distance 12ft --height 7ft --elevation 55deg --set ball_radius=11.9cm",
     )
 )
 @variable_option(
@@ -108,6 +110,7 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
 @by_option
 @scene_options
 @click.option("--csv", "file", type=OUT, help="Write the table: m, m/s, degrees, Hz, s.")
+@units_option
 def aim(
     distance: tuple[float, ...],
     arc: Arc,
@@ -174,6 +177,7 @@ def _signed(name: str, value: float) -> str:
 
 def _many(columns: Columns) -> str:
     """Lay out a table of releases."""
+    from hoopgen.study.variables import VARIABLES
     from hoopgen.study.words import say
 
     def cell(name: str, value: float) -> str:
@@ -190,6 +194,9 @@ def _many(columns: Columns) -> str:
         [cell(kind, columns[name][row]) for name, kind in kinds.items()]
         for row in range(len(columns["distance"]))
     ]
-    head = ["dist. m", "speed m/s", "elev. °", "entry °", *["from", "to"] * len(_OFF)]
+    symbols = {kind: shown(kind).symbol for kind in ("length", "speed", "angle")}
+    head = [f"dist. ({symbols['length']})", f"speed ({symbols['speed']})"]
+    head += [f"elev. ({symbols['angle']})", f"entry ({symbols['angle']})"]
+    head += [word for name in _OFF for word in (f"from ({symbols[VARIABLES[name].kind]})", "to")]
     groups = [(4 + 2 * k, 5 + 2 * k, name) for k, name in enumerate(_OFF)]
     return table(head, rows, right=range(len(head)), groups=groups)

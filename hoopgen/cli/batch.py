@@ -13,9 +13,10 @@ from hoopgen.cli.types import OUT
 __all__ = ["batch"]
 
 _COLUMNS = """\b
-Columns are named like variables, with the unit after them; SI and radians without:
+Columns are named like variables, with the unit after them. A length or a speed without is SI, m or
+m/s; an angle or a spin needs its unit:
   releases    speed_mph elevation_deg azimuth_deg backspin_hz height_ft distance ...
-  or states   x y z vx vy vz wx wy wz, x_ft, vx_ft_s, wy_rpm ...
+  or states   x y z vx vy vz wx_rad_s wy_rad_s wz_rad_s, x_ft, vx_ft_s, wy_rpm ...
   and         ring_radius_in restitution ..., which change the scene of that row
 All others are kept as they are. A row with no number where one is needed is invalid.
 

@@ -32,8 +32,8 @@ __all__ = ["certify"]
 @click.command(
     epilog=UNITS_IN_WORDS
     + examples(
-        "hoopgen certify --speed 7.17 --elevation 51 --distance 13.75ft --height 7ft",
-        "hoopgen shot --speed 7.3 --elevation 51 --distance 4.2 --height 2.1 --json > shot.json",
+        "hoopgen certify --speed 7.17 --elevation 51deg --distance 13.75ft --height 7ft",
+        "hoopgen shot --speed 7.3 --elevation 51deg --distance 4.2 --height 2.1 --json > shot.json",
         "hoopgen certify shot.json",
     ),
 )
@@ -68,6 +68,7 @@ def certify(
     if one cannot be: two contacts at once, an exact touch, an exact edge.
     """
     from hoopgen.judge import certify as prove
+    from hoopgen.study.named import in_units
 
     if file is None:
         state, parameters = _released(release), scene(preset, settings)
@@ -77,7 +78,7 @@ def certify(
     proof = prove(state, parameters, max_contacts=max_contacts, max_bits=max_bits, record=True)[0]
     scene_told = say_scene(parameters)
     if as_json:
-        click.echo(json.dumps({**_record(proof), "scene": scene_told}, indent=2))
+        click.echo(json.dumps({**in_units(_record(proof)), "scene": scene_told}, indent=2))
     else:
         click.echo(f"{_summary(proof)}\nscene      {scene_told}")
     if not proof.decided:
@@ -96,9 +97,11 @@ def _released(release: Mapping[str, float | None]) -> list[float]:
 
 
 def _read(file: Path) -> tuple[list[float], dict[str, float]]:
+    from hoopgen.study.named import parameters_named
+
     try:
         record = json.loads(file.read_text(encoding="utf-8"))
-        return list(record["release"]), dict(record["parameters"])
+        return list(record["release"]), parameters_named(dict(record["parameters"]))
     except (ValueError, KeyError, TypeError):
         raise click.ClickException(
             f"{file}: expected what `hoopgen shot --json` writes, with release and parameters"
@@ -130,6 +133,7 @@ def _summary(proof: Proof) -> str:
 
 def _record(proof: Proof) -> dict[str, Any]:
     from hoopgen.cli.report import surface_name
+    from hoopgen.study.named import COMPONENTS
 
     events: list[dict[str, Any]] = [
         {
@@ -145,4 +149,5 @@ def _record(proof: Proof) -> dict[str, Any]:
         "bits": proof.bits,
         "question": proof.question,
         "events": events,
+        "components": COMPONENTS,
     }

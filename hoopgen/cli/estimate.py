@@ -11,7 +11,13 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from hoopgen.cli.flown import flown
-from hoopgen.cli.options import UNITS_IN_WORDS, examples, json_option, override_option
+from hoopgen.cli.options import (
+    UNITS_IN_WORDS,
+    examples,
+    json_option,
+    override_option,
+    units_option,
+)
 from hoopgen.cli.releasing import Releasing, release_options, work_options
 from hoopgen.cli.types import ASSIGNMENT, COUNT, FILE
 
@@ -20,15 +26,15 @@ if TYPE_CHECKING:
 
 __all__ = ["estimate"]
 
-_PLAYER = "--scatter speed=0.07 --scatter elevation=1.3 --scatter azimuth=1"
+_PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg"
 
 
 @click.command(
     epilog=UNITS_IN_WORDS
     + examples(
-        "hoopgen estimate --speed 7.17 --elevation 52 --backspin 3Hz --height 7ft \\",
+        "hoopgen estimate --speed 7.17 --elevation 52deg --backspin 3Hz --height 7ft \\",
         f"    --distance 13.75ft {_PLAYER}",
-        "hoopgen estimate --aim 5cm --elevation 52 --backspin 3Hz --height 7ft \\",
+        "hoopgen estimate --aim 5cm --elevation 52deg --backspin 3Hz --height 7ft \\",
         f"    --distance 13.75ft {_PLAYER} \\",
         "    --preset nba --precision 0.001 --versus backspin=0",
         "hoopgen estimate --from releases.csv --height 7ft --distance 13.75ft --json",
@@ -57,6 +63,7 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3 --scatter azimuth=1"
     help="Stop when half the interval is no wider: 0.001 is a tenth of a point.",
 )
 @work_options
+@units_option
 @json_option
 def estimate(
     releasing: Releasing,
@@ -74,6 +81,7 @@ def estimate(
     """
     import hoopgen
     from hoopgen.cli.progress import shown
+    from hoopgen.study.named import in_units
     from hoopgen.study.words import say
 
     measured: Mapping[str, Any] = {}
@@ -92,7 +100,7 @@ def estimate(
         else:
             result = hoopgen.estimate(*setting, **options)
     if as_json:
-        click.echo(json.dumps(result.as_dict(), indent=2, allow_nan=False))
+        click.echo(json.dumps(in_units(result.as_dict()), indent=2, allow_nan=False))
     else:
         if versus:
             click.echo(f"versus      {', '.join(f'{name} {say(name, to)}' for name, to in versus)}")

@@ -12,9 +12,10 @@ import click
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.cli.options import UNITS_IN_WORDS, examples, picture_option
+from hoopgen.cli.options import UNITS_IN_WORDS, examples, picture_option, units_option
 from hoopgen.cli.releasing import Releasing, release_options, work_options
-from hoopgen.cli.types import AXIS, COUNT, OUT
+from hoopgen.cli.types import AXIS, COUNT, MAP
+from hoopgen.outputs import write, written_text
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -22,18 +23,17 @@ if TYPE_CHECKING:
 __all__ = ["map_"]
 
 _FREE_THROW = "--backspin 3Hz --height 7ft --distance 13.75ft"
-_FORMATS = (".nc", ".csv")
 
 
 @click.command(
     "map",
     epilog=UNITS_IN_WORDS
     + examples(
-        "hoopgen map --over elevation=45:60:61 --over speed=6.8:7.6:81 --picture map.svg \\",
+        "hoopgen map --over elevation=45deg:60deg:61 --over speed=6.8:7.6:81 --picture map.svg \\",
         f"    {_FREE_THROW}",
-        "hoopgen map --over elevation=45:60:31 --over aim=-10cm:20cm:31 --out map.nc \\",
+        "hoopgen map --over elevation=45deg:60deg:31 --over aim=-10cm:20cm:31 --out map.nc \\",
         f"    {_FREE_THROW} \\",
-        "    --scatter speed=0.07 --scatter elevation=1.3 --scatter azimuth=1 --shots 1e5",
+        "    --scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg --shots 1e5",
     ),
 )
 @click.option(
@@ -45,9 +45,12 @@ _FORMATS = (".nc", ".csv")
 )
 @release_options
 @click.option("--shots", type=COUNT, help="Of each cell, with --scatter.  [default: 10,000]")
-@click.option("--out", type=OUT, help="Write the map: .nc (netCDF, for xarray) or .csv; SI units.")
+@click.option(
+    "--out", type=MAP, help="Write the map: .nc (netCDF, for xarray) or .csv; SI, with the units."
+)
 @picture_option("map")
 @work_options
+@units_option
 def map_(
     over: tuple[tuple[str, NDArray[np.float64]], ...],
     releasing: Releasing,
@@ -64,8 +67,6 @@ def map_(
     from hoopgen.cli.progress import shown
     from hoopgen.study.told import footer, told_by
 
-    if out is not None and out.suffix.lower() not in _FORMATS:
-        raise click.UsageError(f"--out: {out} ends in none of {', '.join(_FORMATS)}")
     twice = [name for place, (name, _) in enumerate(over) if name in dict(over[:place])]
     if twice:
         raise click.UsageError(f"--over: {twice[0]} is given twice")
@@ -91,10 +92,10 @@ def map_(
 
 def _write(dataset: xr.Dataset, file: Path) -> None:
     if file.suffix.lower() == ".nc":
-        dataset.to_netcdf(file, engine="scipy")
+        write(file, bytes(dataset.to_netcdf(engine="scipy")))
         return
     columns = dict(_columns(dataset))
-    with file.open("w", newline="", encoding="utf-8") as out:
+    with written_text(file) as out:
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(columns)
         writer.writerows(
@@ -105,17 +106,19 @@ def _write(dataset: xr.Dataset, file: Path) -> None:
 def _columns(dataset: xr.Dataset) -> Iterator[tuple[str, NDArray[Any]]]:
     """Yield names and cells of the columns: what was mapped over, what was given, what came out.
 
-    The names of the variables are those that `hoopgen batch` reads.
+    The names of the variables are those that `hoopgen batch` reads, with their units.
     """
+    from hoopgen.study.named import named
+
     axes = [str(name) for name in dataset.dims if name != "kind"]
     shape = tuple(dataset.sizes[name] for name in axes)
     for name, values in zip(
         axes, np.meshgrid(*(dataset[n] for n in axes), indexing="ij"), strict=True
     ):
-        yield name, values
+        yield named(name), values
     for label, coordinate in dataset.coords.items():
         if not coordinate.dims:
-            yield str(label), np.broadcast_to(coordinate.values, shape)
+            yield named(str(label)), np.broadcast_to(coordinate.values, shape)
     for name, value in _shared(dataset).items():
         yield name, np.broadcast_to(value, shape)
     for label, variable in dataset.items():

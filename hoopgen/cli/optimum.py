@@ -16,6 +16,7 @@ from hoopgen.cli.options import (
     examples,
     json_option,
     seed_option,
+    units_option,
 )
 from hoopgen.cli.releasing import Releasing, release_options
 from hoopgen.cli.table import table
@@ -47,12 +48,12 @@ _INCH = 0.0254
     epilog=UNITS_IN_WORDS
     + examples(
         "hoopgen optimum --over elevation --over aim --height 7ft --distance 13.75ft \\",
-        "    --backspin 3Hz --scatter speed=0.07 --scatter elevation=1.3 --scatter azimuth=1",
-        "hoopgen optimum --over elevation=45:60 --over aim=-5cm:12cm --height 7ft \\",
-        "    --distance 13.75ft --scatter speed=0.1 --scatter elevation=1.5",
+        "    --backspin 3Hz --scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg",
+        "hoopgen optimum --over elevation=45deg:60deg --over aim=-5cm:12cm --height 7ft \\",
+        "    --distance 13.75ft --scatter speed=0.1 --scatter elevation=1.5deg",
         "hoopgen optimum --over elevation --over aim --over azimuth --by bank --versus direct \\",
-        "    --height 7ft --distance 10ft --angle 60 --backspin 3Hz \\",
-        "    --scatter speed=0.07 --scatter elevation=1.3 --scatter azimuth=1",
+        "    --height 7ft --distance 10ft --angle 60deg --backspin 3Hz \\",
+        "    --scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg",
     )
 )
 @click.option(
@@ -78,6 +79,7 @@ _INCH = 0.0254
 )
 @seed_option
 @confidence_option
+@units_option
 @json_option
 def optimum(
     over: Sequence[tuple[str, tuple[float, float] | None]],
@@ -129,11 +131,13 @@ def optimum(
 
 
 def _record(best: Optimum, rival: Optimum | None) -> dict[str, Any]:
+    from hoopgen.study.named import in_units
+
     record = best.as_dict()
     if rival is not None:
         difference, low, high = best.lead(rival)
         record["versus"] = rival.as_dict() | {"lead": difference, "low": low, "high": high}
-    return record
+    return dict(in_units(record))
 
 
 def _advice(best: Optimum) -> str:

@@ -10,8 +10,9 @@ from typing import Any
 import click
 
 from hoopgen.cli.flown import flown
-from hoopgen.cli.types import ASSIGNMENT, FILE, FOLDER, OUT, SETTING, variable_type
+from hoopgen.cli.types import ASSIGNMENT, FILE, FOLDER, PICTURE, SETTING, variable_type
 from hoopgen.parameters import PRESETS
+from hoopgen.units import System, showing
 
 __all__ = [
     "NEEDED",
@@ -36,16 +37,17 @@ __all__ = [
     "table_options",
     "threads_option",
     "together",
+    "units_option",
     "variable_option",
 ]
 
 Decorator = Callable[[Any], Any]
 
 UNITS_IN_WORDS = """\b
-Units are written in words, with or without a blank between:
-  length  m cm mm ft in, 6ft8in too     speed  m/s ft/s km/h mph
-  angle   deg rad                       spin   rad/s deg/s Hz rev/s rpm
-A bare number is in the unit in brackets: SI, but degrees for an angle.
+Units are written in words, with or without a blank between, feet as well as ft:
+  length  m cm mm ft in, 6ft8in too     speed  m/s cm/s ft/s km/h mph
+  angle   deg rad                       spin   Hz rev/s rpm rad/s deg/s
+A bare length or speed is SI, m or m/s; an angle or a spin other than 0 needs its unit.
 
 """
 """For the end of a command's help."""
@@ -261,6 +263,22 @@ json_option = click.option(
 )
 
 
+def _show(ctx: click.Context, _: click.Parameter, system: System) -> None:
+    ctx.with_resource(showing(system))
+
+
+units_option = click.option(
+    "--units",
+    type=click.Choice(["si", "us"], case_sensitive=False),
+    default="si",
+    show_default=True,
+    expose_value=False,
+    callback=_show,
+    help="Of text and pictures: metres and m/s, or feet, inches and mph. Files keep theirs.",
+)
+"""``--units``; it holds for as long as the command runs."""
+
+
 def picture_option(what: str) -> Decorator:
     """Return ``--picture``, which draws the shot or the map."""
-    return click.option("--picture", type=OUT, help=f"Draw the {what}: .png, .svg or .pdf.")
+    return click.option("--picture", type=PICTURE, help=f"Draw the {what}: .png, .svg or .pdf.")

@@ -53,6 +53,8 @@ def paper(
     from hoopgen.study.told import say_scene
 
     suffixes = [] if out is None else _suffixes(formats)
+    if out is not None:
+        out.mkdir(parents=True, exist_ok=True)
     results = run(backend=backend)
     click.echo(_overview(results))
     click.echo(f"\nScene: {say_scene(results[0].parameters)}; releases: Table 3")
@@ -125,7 +127,6 @@ def _draw(results: tuple[Result, ...], folder: Path, suffixes: list[str]) -> int
     """Write the pictures and count them."""
     from hoopgen import plots
 
-    folder.mkdir(parents=True, exist_ok=True)
     count = 0
     for result in results:
         figure = plots.plot_trajectory(

@@ -20,8 +20,9 @@ from hoopgen.cli.options import (
     picture_option,
     preset_options,
     scene,
+    units_option,
 )
-from hoopgen.cli.types import OUT
+from hoopgen.cli.types import PAGE
 from hoopgen.study.told import say_scene
 
 if TYPE_CHECKING:
@@ -36,11 +37,11 @@ __all__ = ["shot"]
 @click.command(
     epilog=UNITS_IN_WORDS
     + examples(
-        "hoopgen shot --speed 7.17 --elevation 51 --distance 13.75ft --height 7ft",
+        "hoopgen shot --speed 7.17 --elevation 51deg --distance 13.75ft --height 7ft",
         "hoopgen shot --speed 16mph --elevation 0.9rad --distance 4.2 --height 2.1 --backspin 3Hz",
-        "hoopgen shot --speed 9.2 --elevation 48 --distance 22ft --height 7ft --angle 90deg",
-        "hoopgen shot --speed 7.2 --elevation 52 --distance 13.75ft --height 7ft --preset nba \\",
-        "    --set restitution=0.75 --picture shot.svg --view shot.html",
+        "hoopgen shot --speed 9.2 --elevation 48deg --distance 22ft --height 7ft --angle 90deg",
+        "hoopgen shot --speed 7.2 --elevation 52deg --distance 13.75ft --height 7ft \\",
+        "    --preset nba --set restitution=0.75 --picture shot.svg --view shot.html",
     )
 )
 @argument_options(required=True)
@@ -51,9 +52,10 @@ __all__ = ["shot"]
 @click.option(
     "--view",
     "page",
-    type=OUT,
+    type=PAGE,
     help="Show the shot in motion in space, on a page: .html, one file that needs no network.",
 )
+@units_option
 @json_option
 def shot(
     preset: str,
@@ -119,6 +121,7 @@ def _summary(shots: hoopgen.Shots, state: NDArray[np.float64]) -> str:
 def _outcome_text(shots: hoopgen.Shots) -> str:
     """Say the outcome, and when and where the ball met the end plane."""
     import hoopgen
+    from hoopgen.units import shown
 
     outcome = hoopgen.Outcome(int(shots.outcome[0]))
     said = outcome.name.lower()
@@ -127,7 +130,9 @@ def _outcome_text(shots: hoopgen.Shots) -> str:
     if outcome == hoopgen.Outcome.SHORT:
         return f"{said}: the ball never comes down through the end plane"
     off_centre = math.hypot(shots.state[0, 0], shots.state[0, 1])
-    return f"{said}, {off_centre:.3f} m from the centre of the ring after {shots.time[0]:.3f} s"
+    unit = shown("length")
+    far = f"{off_centre / unit.size:.{unit.decimals}f} {unit.symbol}"
+    return f"{said}, {far} from the centre of the ring after {shots.time[0]:.3f} s"
 
 
 def _draw(shots: hoopgen.Shots, parameters: Mapping[str, float], picture: Path) -> None:
@@ -146,9 +151,10 @@ def _record(
     """Collect everything about the shot in types that JSON knows."""
     import hoopgen
     from hoopgen.cli.report import surface_name
+    from hoopgen.study.named import COMPONENTS, in_units
 
     first = int(shots.first[0])
-    return {
+    record = {
         "outcome": hoopgen.Outcome(int(shots.outcome[0])).name.lower(),
         "uncertain": bool(shots.uncertain[0]),
         "contacts": int(shots.contacts[0]),
@@ -168,4 +174,6 @@ def _record(
             }
             for event in shots.trajectory(0).events
         ],
+        "components": COMPONENTS,
     }
+    return dict(in_units(record))

@@ -10,7 +10,9 @@ from typing import Any
 
 import click
 
+from hoopgen.cli.errors import OwnError, foreseen, in_words
 from hoopgen.cli.options import examples
+from hoopgen.cli.types import FILE, FOLDER
 
 __all__ = ["study"]
 
@@ -32,10 +34,10 @@ def _print_reference(ctx: click.Context, _: click.Parameter, wanted: bool) -> No
         "hoopgen study --reference",
     )
 )
-@click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.argument("file", type=FILE)
 @click.option(
     "--out",
-    type=click.Path(file_okay=False, path_type=Path),
+    type=FOLDER,
     help="Folder of the results; by default beside FILE, <its name>-results.",
 )
 @click.option("--threads", type=click.IntRange(min=1), help="As many as there are, by default.")
@@ -76,8 +78,9 @@ def study(
     except StudyError as error:
         raise _failed(error.complaints) from None
     except ExceptionGroup as group:
-        said = [f"{': '.join(error.__notes__)}: {error}" for error in group.exceptions]
-        raise _failed([*said, group.message]) from None
+        said = [f"{': '.join(error.__notes__)}: {in_words(error)}" for error in group.exceptions]
+        kind = click.ClickException if all(map(foreseen, group.exceptions)) else OwnError
+        raise _failed([*said, group.message], kind) from group
     width = max(map(len, answers))
     for name, answer in answers.items():
         click.echo(f"{name:{width}}  {answer.line}")
@@ -85,12 +88,14 @@ def study(
     click.echo(f"{'report':{width}}  {folder / 'report.md'}")
 
 
-def _failed(complaints: Any) -> click.ClickException:
+def _failed(
+    complaints: Any, kind: type[click.ClickException] = click.ClickException
+) -> click.ClickException:
     """Say all complaints but the last, a line each; that one is the error."""
     *others, last = (" ".join(complaint.split()) for complaint in complaints)
     for complaint in others:
         click.echo(f"hoopgen: error: {complaint}", err=True)
-    return click.ClickException(last)
+    return kind(last)
 
 
 @contextmanager

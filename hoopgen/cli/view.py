@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from hoopgen.cli.options import backend_option, examples, seed_option, table_options
-from hoopgen.cli.types import OUT
+from hoopgen.cli.types import PAGE
 
 if TYPE_CHECKING:
     from typing import Literal
@@ -25,7 +25,7 @@ __all__ = ["view"]
     )
 )
 @click.option(
-    "--out", type=OUT, required=True, help="The page, .html: one file that needs no network."
+    "--out", type=PAGE, required=True, help="The page, .html: one file that needs no network."
 )
 @click.option(
     "--sample",

@@ -20,6 +20,7 @@ from hoopgen.derive.ground.symbols import STATE
 from hoopgen.derive.model import Model, build
 from hoopgen.derive.scenes import SCENES
 from hoopgen.derive.scenes.scene import Scene
+from hoopgen.outputs import write
 
 from .derivation import derivation_context
 from .loop import loop_view, weighted
@@ -228,7 +229,7 @@ def generate(root: Path) -> list[Path]:
         path = folder / name
         if not path.exists() or path.read_text(encoding="utf-8") != text:
             path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, encoding="utf-8", newline="\n")
+            write(path, text)
             changed.append(path)
     for name in _extra(folder, files):
         (folder / name).unlink()

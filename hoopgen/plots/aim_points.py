@@ -34,7 +34,7 @@ Column = NDArray[np.float64]
 
 INCH = UNITS["length"]["in"]
 
-FRONT = View("front view", (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), ("y (m)", "above the ring (m)"))
+FRONT = View("front view", (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), ("y", "above the ring"))
 
 _NEEDED = ("x", "y", "touch_y", "touch_z", "sight_y", "difference_low", "difference_high")
 

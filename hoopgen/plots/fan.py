@@ -190,7 +190,7 @@ def _from_the_side(releases: list[NDArray[np.float64]]) -> View:
     x, y = np.mean([release[:2] for release in releases], axis=0)
     angle = np.arctan2(y, x)
     right = (float(np.cos(angle)), float(np.sin(angle)), 0.0)
-    labels = ("from the ring's centre (m)", "above the ring (m)")
+    labels = ("from the ring's centre", "above the ring")
     return View("side view", right, (0.0, 0.0, 1.0), labels)
 
 

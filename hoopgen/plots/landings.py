@@ -23,6 +23,7 @@ from hoopgen.plots.picture import add_title, check_axes, fit_view
 from hoopgen.plots.style import COLOURS, PAGE, SHADES, style
 from hoopgen.study.told import say_scene
 from hoopgen.study.words import percent_in_picture
+from hoopgen.units import shown
 
 __all__ = ["plot_landings"]
 
@@ -40,8 +41,11 @@ _WITHIN = (0.5, 0.9)
 _LABELLED = np.radians(-35.0)  # on the circle, from the middle of the court
 _SHOWN = 0.995  # of the balls; the few that go furthest do not set the limits
 _MARGIN = 0.3  # m
+_CELLS = 500  # along a side, at most
 
-_SHARE = "balls that land there (% per m²)"
+
+def _share() -> str:
+    return f"balls that land there (% per {shown('length').symbol}²)"
 
 
 @overload
@@ -186,7 +190,7 @@ def _draw(places: _Places, title: str, width: float) -> Figure:
     cells = places.draw(axes, limits)
     left_of_bar = panel.left + panel.width + _BAR_GAP
     bar = add_axes(figure, left_of_bar, panel.bottom, _BAR, panel.height, "bar")
-    figure.colorbar(cells, cax=bar, label=_SHARE)
+    figure.colorbar(cells, cax=bar, label=_share())
     bar.yaxis.set_major_locator(MaxNLocator(steps=[1, 2, 5, 10]))
     return figure
 
@@ -200,7 +204,7 @@ def _draw_on(axes: Axes, places: _Places, title: str) -> Axes:
     figure = axes.figure
     assert figure is not None
     ticks = MaxNLocator(steps=[1, 2, 5, 10])
-    figure.colorbar(cells, ax=axes, label=_SHARE, ticks=ticks)
+    figure.colorbar(cells, ax=axes, label=_share(), ticks=ticks)
     return axes
 
 
@@ -241,16 +245,16 @@ def _limits(
 
 
 def _draw_density(axes: Axes, points: Points, limits: Limits, finest: float) -> PolyCollection:
-    """Colour hexagons by the share of the balls in them, in percent of all per m²."""
+    """Colour hexagons by the share of the balls in them, in percent of all per m² or ft²."""
     # Scott's width in two dimensions, sd n^(-1/4), so that it shows neither noise nor too little;
     # cells smaller than a ball would only make a large file.
     spread = float(np.sqrt(points.var(axis=0).mean()))
-    wide = max(spread * len(points) ** -0.25, finest)
+    low, high = np.array(limits[::2]), np.array(limits[1::2])
+    wide = max(spread * len(points) ** -0.25, finest, float((high - low).max()) / _CELLS)
     step = np.array([wide, wide * np.sqrt(3.0)])
-    low = np.array(limits[::2])
-    count = np.ceil((np.array(limits[1::2]) - low) / step).astype(int)
+    count = np.ceil((high - low) / step).astype(int)
     high = low + count * step
-    share = 100.0 / len(points) / (step.prod() / 2.0)
+    share = 100.0 / len(points) / (step.prod() / 2.0) * shown("length").size ** 2
     inside = points[((points >= low) & (points <= high)).all(axis=1)]
     return axes.hexbin(
         inside[:, 0],
@@ -272,9 +276,10 @@ def _draw_circle(axes: Axes, radius: float, share: float) -> None:
     """Draw the circle about the point below the ring's centre that holds a share of the balls."""
     axes.add_patch(Circle((0.0, 0.0), radius, fill=False, ec="#222222", lw=0.8, ls=(0, (4, 2))))
     at = radius * np.sin(_LABELLED), -radius * np.cos(_LABELLED)
+    unit = shown("length")
     axes.text(
         *at,
-        f"{percent_in_picture(share, 0)} within {radius:.2f} m",
+        f"{percent_in_picture(share, 0)} within {radius / unit.size:.2f} {unit.symbol}",
         ha="center",
         va="center",
         fontsize=7.0,

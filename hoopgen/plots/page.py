@@ -10,6 +10,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import Picture
+from hoopgen.plots.ticks import label_lengths
 
 __all__ = ["add_axes", "add_view", "new_page"]
 
@@ -80,7 +81,6 @@ def add_view(figure: Figure, panel: Panel) -> Axes:
     axes = add_axes(figure, panel.left, panel.bottom, panel.width, panel.height, view.name)
     axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
     if view.labels is not None:
-        axes.set_xlabel(view.labels[0])
-        axes.set_ylabel(view.labels[1])
+        label_lengths(axes, view.labels)
     axes.set_axisbelow(True)
     return axes

@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 
 from hoopgen.plots.panels import Limits, Panel
 from hoopgen.plots.style import style
+from hoopgen.plots.ticks import label_lengths
 from hoopgen.plots.views import View
 
 __all__ = ["Picture", "add_key", "add_title", "check_axes", "fit_view"]
@@ -55,8 +56,7 @@ def fit_view(axes: Axes, view: View, limits: Limits) -> Panel:
     left, right, bottom, top = limits
     axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
     if view.labels is not None:
-        axes.set_xlabel(view.labels[0])
-        axes.set_ylabel(view.labels[1])
+        label_lengths(axes, view.labels)
     axes.set_axisbelow(True)
     axes.apply_aspect()
     scale = _width(axes) / (right - left)

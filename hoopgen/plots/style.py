@@ -11,7 +11,7 @@ from typing import Any
 import matplotlib
 from matplotlib.figure import Figure
 
-from hoopgen.brief import brief
+from hoopgen.outputs import PICTURES, check_output, written
 
 __all__ = [
     "COLOURS",
@@ -89,7 +89,7 @@ NEITHER: Mapping[str, str] = MappingProxyType(
 SHADES = "YlGnBu"
 """Matplotlib's colours of a share: lightness falls evenly, in grey and with any colour vision."""
 
-FORMATS = ("png", "svg", "pdf")
+FORMATS = tuple(suffix.removeprefix(".") for suffix in PICTURES)
 
 _SETTINGS: Mapping[Any, Any] = {
     "font.family": "sans-serif",
@@ -150,11 +150,11 @@ def save(figure: Figure, path: str | Path, *, dpi: int = 300) -> Path:
     ------
     ValueError
         The suffix is none of `FORMATS`.
+    OSError
+        The file cannot be written; what was there before stays.
     """
-    target = Path(path)
+    target = check_output(path, PICTURES)
     suffix = target.suffix.lower().lstrip(".")
-    if suffix not in FORMATS:
-        raise ValueError(f"{brief(target.name)}: a picture's name ends in .{', .'.join(FORMATS)}")
-    with style():
-        figure.savefig(target, format=suffix, dpi=dpi, metadata=_METADATA[suffix])
+    with style(), written(target) as file:
+        figure.savefig(file, format=suffix, dpi=dpi, metadata=_METADATA[suffix])
     return target

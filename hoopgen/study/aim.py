@@ -9,7 +9,6 @@ import csv
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Literal
 
@@ -18,11 +17,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
-from hoopgen.inputs import doubles
+from hoopgen.inputs import check_angles, doubles
 from hoopgen.installed import need
 from hoopgen.notebook import ROWS, some_rows, table
+from hoopgen.outputs import written_text
 from hoopgen.parameters import PAPER
 from hoopgen.releases import RING_HEIGHT
+from hoopgen.units import column_name
 
 from .margins import margins
 from .player import By
@@ -66,16 +67,15 @@ class Aim:
         return {name: getattr(self, name) for name in names}
 
     def to_pandas(self) -> Any:
-        """Return the releases as a pandas.DataFrame, a row each; their units are in its ``attrs``.
+        """Return the releases as a pandas.DataFrame, a row each, units in the columns' names.
 
         Raises
         ------
         ImportError
             If pandas is missing: what brings it.
         """
-        frame = need("pandas", "to_pandas").DataFrame(self._columns())
-        frame.attrs["units"] = {name: TABLE[name] for name in frame.columns}
-        return frame
+        columns = {column_name(name, TABLE[name]): one for name, one in self._columns().items()}
+        return need("pandas", "to_pandas").DataFrame(columns)
 
     def _columns(self) -> dict[str, NDArray[np.float64]]:
         """Return the releases, (n,) each."""
@@ -139,8 +139,8 @@ def aim(
     TypeError
         If an argument is not numbers.
     ValueError
-        If more than one of the three is given, shapes do not broadcast, or, where all arguments
-        are numbers, no release does it.
+        If more than one of the three is given, shapes do not broadcast, angles are degrees, or,
+        where all arguments are numbers, no release does it.
     """
     if arc not in ("high", "low"):
         raise ValueError(f"arc: expected 'high' or 'low', got {brief(arc)}")
@@ -155,6 +155,8 @@ def aim(
     given = {"height": height, "distance": distance, "angle": angle, "depth": depth}
     given |= {name: value for name, value in wanted.items() if value is not None}
     arrays = {name: doubles(name, value) for name, value in given.items()}
+    angles = ("angle", "entry", "elevation")
+    check_angles("aim", {name: arrays[name] for name in angles if name in arrays})
     arrays["parameters['gravity']"] = doubles("parameters['gravity']", parameters["gravity"])
     try:
         shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
@@ -349,15 +351,9 @@ def aim_table(
 _SPINS = ("backspin", "sidespin")
 
 _SHOWN: Mapping[str, tuple[str, float]] = MappingProxyType(
-    {
-        "m": ("m", 1.0),
-        "m/s": ("m_s", 1.0),
-        "rad": ("deg", np.pi / 180.0),
-        "rad/s": ("hz", 2.0 * np.pi),
-        "s": ("s", 1.0),
-    }
+    {"rad": ("deg", np.pi / 180.0), "rad/s": ("Hz", 2.0 * np.pi)}
 )
-"""In files: how a column's name says its unit, and that unit's size in SI."""
+"""In files, whose numbers are set on a machine: units in place of others, and their size."""
 
 
 def write_csv(
@@ -373,13 +369,14 @@ def write_csv(
     Raises
     ------
     OSError
-        If the file cannot be written.
+        If the file cannot be written; what was there before stays.
     """
-    shown = {name: _SHOWN[TABLE[name]] for name in table}
+    shown = {name: _SHOWN.get(TABLE[name], (TABLE[name], 1.0)) for name in table}
     columns = [table[name] / size for name, (_, size) in shown.items()]
-    with Path(path).open("w", encoding="utf-8", newline="") as file:
+    with written_text(path) as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow([*(f"{name}_{unit}" for name, (unit, _) in shown.items()), *parameters])
+        names = (column_name(name, unit) for name, (unit, _) in shown.items())
+        writer.writerow([*names, *parameters])
         for row in zip(*columns, strict=True):
             # Ten digits: more than a machine holds, and no traces of the conversion.
             cells = ["" if np.isnan(cell) else f"{cell:.10g}" for cell in row]

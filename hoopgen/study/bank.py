@@ -18,6 +18,7 @@ from hoopgen.parameters import NAMES, PAPER
 from hoopgen.releases import release as release_states
 from hoopgen.results import SURFACES
 from hoopgen.simulation import simulate
+from hoopgen.sizes import check_room
 
 from .draws import check_seed
 from .optimum import paired, scattering
@@ -35,6 +36,9 @@ WAYS: tuple[By, By] = ("direct", "bank")
 _OVER = ("elevation", "aim", "azimuth")
 
 _BACKBOARD = SURFACES.index("backboard")
+
+_SHOT = 48
+"""Bytes that what became of a shot takes, both ways, until it is counted."""
 
 Floats = NDArray[np.float64]
 
@@ -85,6 +89,7 @@ def bank_or_direct(
     if spots.ndim != 2 or spots.shape[1] != 2:
         raise ValueError(f"places: expected x and y, shape (n, 2), got shape {spots.shape}")
     check_seed(check_seed(seed) + 1)
+    check_kept(shots)
     question = _Question(
         [scattering(sd, correlation, parameters, way, threads) for way in WAYS],
         one_each("release", release),
@@ -96,6 +101,17 @@ def bank_or_direct(
     answers = [question.answer(x, y) for x, y in spots.tolist()]
     columns = {name: np.stack([answer[name] for answer in answers], axis=-1) for name in answers[0]}
     return _dataset(spots, columns, question)
+
+
+def check_kept(shots: int) -> None:
+    """Refuse more shots than there is memory for: what became of each is kept, to pair them.
+
+    Raises
+    ------
+    ValueError
+        If there are too many, or `shots` is no whole number from 1.
+    """
+    check_room("shots", check_count("shots", shots), "shots", _SHOT)
 
 
 @dataclass(frozen=True)

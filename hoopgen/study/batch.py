@@ -21,6 +21,7 @@ from hoopgen.brief import listed
 from hoopgen.inputs import doubles
 from hoopgen.installed import need
 from hoopgen.notebook import table as rendered
+from hoopgen.outputs import check_output, followed
 from hoopgen.parameters import resolve
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
@@ -28,11 +29,12 @@ from hoopgen.simulation import simulate
 from .chunks import opened, run, written
 from .measures import MEASURES, Kind, kinds, measure
 from .models import from_columns
+from .named import UNIT_OF, named
 from .origin import settle
 from .tables import FORMATS, Column, Source, Stamp
 from .tallies import check_count
 from .told import say_scene
-from .variables import STATE, VARIABLES, check_names
+from .variables import STATE, VARIABLES, check_angles, check_names
 
 __all__ = ["ROWS", "Batch", "batch"]
 
@@ -76,12 +78,6 @@ class Batch(dict[str, int]):
 ROWS = 1 << 16
 """Rows in a chunk: a small part of a second, and few megabytes."""
 
-_UNITS = {
-    "end_time": "s",
-    **{f"end_{name}": ("m", "m/s", "rad/s")[place // 3] for place, name in enumerate(STATE)},
-}
-"""Of the columns that every table of results has."""
-
 
 def batch(
     source: str | os.PathLike[str],
@@ -119,8 +115,9 @@ def batch(
         spreadsheet would take for a formula, such as ``=1+1``); and after them outcome,
         kind (see `hoopgen.study.measures.Kind`), contacts, contacts by surface, first surface
         touched, time and state at the end plane (NaN for a shot that does not come to it),
-        uncertain, and what is measured. Units are in the fields' metadata; in the schema's, under
-        "hoopgen", is what all shots share: scene, release, max_contacts, and hoopgen's version.
+        uncertain, and what is measured. Units are in the columns' names, ``end_time_s``, and in the
+        fields' metadata; in the schema's, under "hoopgen", is what all shots share: scene, release,
+        max_contacts, and hoopgen's version.
     parameters
         Of the scene; one number each. By default those that `source` says, if it is such a file of
         results, else `PAPER`.
@@ -160,15 +157,20 @@ def batch(
     table, target = Source(Path(source), format or ""), Path(out)
     if target.suffix.lower() not in FORMATS["parquet"]:
         raise ValueError(f"out: expected a file {' or '.join(FORMATS['parquet'])}, got {target}")
+    target = followed(target)  # which the parts lie beside: on its file system
     if target.exists() and target.samefile(table.path):
         raise ValueError(f"out: {target} is the source")
     if not target.parent.is_dir():
         raise ValueError(f"out: there is no folder {target.parent}")
+    check_output(target)
+    if target.exists() and not target.is_file():
+        raise ValueError(f"out: expected a file, which can be moved into its place; got {target}")
     if parameters is not None:
         resolve(parameters, 1)  # all of them, and none else
         parameters = _numbers("parameters", parameters)
     check_names("release", release or {}, VARIABLES)
     release = _numbers("release", release or {})
+    check_angles("release", release)
     origin = settle(table, parameters, release, max_contacts, own, override=override)
     shots = _Shots(
         dict(origin.parameters), dict(origin.release), tuple(measures), origin.max_contacts
@@ -312,13 +314,16 @@ class _Shots:
         columns = _ends(shots)
         more = [name for name in self.measures if name not in columns]
         columns |= measure(states, shots, scene, more)
-        units = _UNITS | {name: MEASURES[name].unit for name in self.measures}
         cells = {name: pa.array(column) for name, column in columns.items()}
         schema = [
-            pa.field(name, array.type, metadata={"unit": units[name]} if name in units else None)
+            pa.field(
+                named(name),
+                array.type,
+                metadata={"unit": UNIT_OF[name]} if name in UNIT_OF else None,
+            )
             for name, array in cells.items()
         ]
-        return pa.table(cells, pa.schema(schema))
+        return pa.Table.from_arrays(list(cells.values()), schema=pa.schema(schema))
 
 
 def _ends(shots: Shots) -> dict[str, Any]:

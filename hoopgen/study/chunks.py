@@ -13,7 +13,7 @@ import json
 import os
 import sys
 from collections import deque
-from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
+from collections.abc import Callable, Generator, Iterator, Mapping
 from concurrent.futures import CancelledError, Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
@@ -24,6 +24,7 @@ from typing import IO, Any, Protocol, runtime_checkable
 import pyarrow as pa
 
 import hoopgen
+from hoopgen import outputs
 from hoopgen.inputs import check_threads
 from hoopgen.installed import need
 
@@ -54,8 +55,8 @@ __all__ = [
     "differences",
     "flat",
     "opened",
+    "read_record",
     "run",
-    "sync",
     "versions",
     "written",
 ]
@@ -262,6 +263,7 @@ def _workers(
 def _cluster(address: str) -> Iterator[_Workers]:
     """Connect to a Dask scheduler; each waiting thread has one chunk on the cluster."""
     distributed = need("distributed", "scheduler")
+    _check_tls(address)
     try:
         client: Any = distributed.Client(address, set_as_default=False, timeout=_CONNECT)
     except (OSError, ValueError) as error:
@@ -302,6 +304,23 @@ def _cluster(address: str) -> Iterator[_Workers]:
         _await_workers(client, address)
         _check_versions(client, here)
         yield _Workers(sum(client.nthreads().values()), compute, stop, remote=True)
+
+
+def _check_tls(address: str) -> None:
+    """Refuse an address that needs certificates where Dask knows of none, and would not say so."""
+    if not address.startswith("tls://"):
+        return
+    from distributed.security import Security
+
+    try:
+        known: dict[str, Any] = Security().get_connection_args("client")  # type: ignore[no-untyped-call]
+    except OSError as error:  # those of certificates are such too
+        raise ValueError(f"scheduler: {address!r}: Dask's certificates: {error}") from None
+    if known.get("ssl_context") is None:
+        raise ValueError(
+            f"scheduler: {address!r} needs certificates: distributed.comm.tls in Dask's "
+            "configuration, ca-file, client.cert and client.key"
+        )
 
 
 def _await_workers(client: Any, address: str) -> None:
@@ -480,7 +499,9 @@ def _identify(folder: Path, here: dict[str, str]) -> None:
             out.write(json.dumps(here, indent=1).encode())
         return
     try:
-        there = json.loads(file.read_text(encoding="utf-8"))
+        there = read_record(file)
+        if not all(isinstance(value, str) for value in there.values()):
+            raise ValueError(f"{file}: expected text by name, as `flat` gives it")
     except (FileNotFoundError, ValueError):
         raise ValueError(f"{file} cannot be read; delete the folder to begin anew") from None
     if found := differences(there, here):
@@ -488,6 +509,25 @@ def _identify(folder: Path, here: dict[str, str]) -> None:
             f"{folder} holds another job: {'; '.join(found)}. Give the same job, "
             "or another folder; or delete this one to begin anew"
         )
+
+
+def read_record(file: Path) -> dict[str, Any]:
+    """Return what a file of JSON says, names and values.
+
+    Raises
+    ------
+    OSError
+        If it cannot be read.
+    ValueError
+        If it is not JSON, or says something else.
+    """
+    try:
+        record = json.loads(file.read_text(encoding="utf-8"))
+    except RecursionError:
+        raise ValueError(f"{file}: nested too deep") from None
+    if not isinstance(record, dict):
+        raise ValueError(f"{file}: expected names and values")
+    return record
 
 
 def differences(there: Mapping[str, str], here: Mapping[str, str]) -> list[str]:
@@ -518,53 +558,16 @@ def _short(text: str | None) -> str:
 
 @contextlib.contextmanager
 def written(path: Path, temporary: Path | None = None) -> Iterator[IO[bytes]]:
-    """Write a file that is there wholly or not at all, also after a loss of power.
+    """Write a file of long work as `outputs.written` does; an error says what is not lost.
 
-    Parameters
-    ----------
-    path
-        The file.
-    temporary
-        Its name until it is whole, on the same file system; by default beside it.
-
-    Raises
-    ------
-    OSError
-        If it cannot be written. Nothing is left then, and what was there before stays.
+    Until it is whole it lies beside under a name that the next start removes, if this one is
+    killed, or under that of `temporary`.
     """
-    part = temporary or path.with_name(path.name + _TEMPORARY)
     try:
-        with _explained(path):
-            with part.open("wb") as file:
-                yield file
-                file.flush()
-                os.fsync(file.fileno())
-            part.replace(path)
-            sync({path.parent, part.parent})
-    finally:
-        part.unlink(missing_ok=True)
-
-
-@contextlib.contextmanager
-def _explained(path: Path) -> Iterator[None]:
-    """Name the file in an error of writing it, and say that the work before it is not lost."""
-    try:
-        yield
+        with outputs.written(path, temporary or path.with_name(path.name + _TEMPORARY)) as file:
+            yield file
     except OSError as error:
-        if error.filename is not None or isinstance(error, ConnectionError):
+        if error.filename != str(path):
             raise  # of something else
-        said = os.strerror(error.errno) if error.errno else str(error)
         kept = "finished chunks are kept, and the same call goes on from there"
-        raise OSError(error.errno, f"{said}; {kept}", str(path)) from error
-
-
-def sync(folders: Iterable[Path]) -> None:
-    """Make new names last; a folder can be opened on POSIX systems alone."""
-    if sys.platform == "win32":
-        return
-    for folder in folders:
-        descriptor = os.open(folder, os.O_RDONLY)
-        try:
-            os.fsync(descriptor)
-        finally:
-            os.close(descriptor)
+        raise OSError(error.errno, f"{error.strerror}; {kept}", str(path)) from error

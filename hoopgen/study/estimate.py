@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import closing
 from dataclasses import asdict, dataclass
+from fractions import Fraction
 from math import ceil, floor, inf, log10, nan, sqrt
 from os import PathLike
 from typing import Any, Literal, TypeAlias
@@ -16,6 +17,7 @@ from typing import Any, Literal, TypeAlias
 import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
+from scipy.special import ndtri
 
 from hoopgen.brief import brief
 from hoopgen.inputs import check_contacts
@@ -23,6 +25,7 @@ from hoopgen.notebook import Said
 from hoopgen.parameters import PAPER
 from hoopgen.results import Outcome, Shots
 from hoopgen.simulation import simulate
+from hoopgen.sizes import in_short
 
 from .chunks import run
 from .draws import check_seed
@@ -42,6 +45,8 @@ __all__ = [
     "estimate",
     "in_percent",
     "in_points",
+    "least_shots",
+    "most_shots",
     "newcombe",
 ]
 
@@ -278,7 +283,8 @@ def estimate(
     settings = (_setting(model, parameters),)
     level = check_share("confidence", confidence)
     contacts = check_contacts(max_contacts)
-    work = _Work(settings, _most(shots, precision), check_seed(seed), contacts, backend)
+    most = most_shots(shots, precision, level)
+    work = _Work(settings, most, check_seed(seed), contacts, backend)
     until = _Until(precision, lambda total: _estimate(work, total, 0, level).half_width, progress)
     total = until.total(work, folder, scheduler, threads)
     return _estimate(work, total, 0, level)
@@ -326,7 +332,8 @@ def compare(
     )
     level = check_share("confidence", confidence)
     contacts = check_contacts(max_contacts)
-    work = _Work(settings, _most(shots, precision), check_seed(seed), contacts, backend)
+    most = most_shots(shots, precision, level, paired=True)
+    work = _Work(settings, most, check_seed(seed), contacts, backend)
     until = _Until(precision, lambda total: _comparison(work, total, level).half_width, progress)
     total = until.total(work, folder, scheduler, threads)
     return _comparison(work, total, level)
@@ -359,7 +366,7 @@ class _Work:
     @property
     def chunks(self) -> int:
         """How many."""
-        return ceil(self.shots / CHUNK)
+        return -(-self.shots // CHUNK)
 
     def identity(self) -> dict[str, Any]:
         """Return what the chunks depend on."""
@@ -440,8 +447,13 @@ class _Until:
                 "they are not finite, start inside a surface, or have parameters out of range"
             )
         # The width falls with the square root of the shots.
-        ratio = self.half_width(total) / self.precision
-        return min(most, done if ratio <= 1.0 else max(done + 1, ceil(done * ratio**2)))
+        half_width = self.half_width(total)
+        if half_width <= self.precision:
+            return min(most, done)
+        # More than all: the quotient of doubles may be larger than any.
+        if half_width >= self.precision * sqrt(most / done):
+            return most
+        return min(most, max(done + 1, ceil(done * (half_width / self.precision) ** 2)))
 
 
 def _setting(model: ReleaseModel, parameters: Mapping[str, Any]) -> _Set:
@@ -453,12 +465,42 @@ def _setting(model: ReleaseModel, parameters: Mapping[str, Any]) -> _Set:
     return _Set(model, check_scene(parameters))
 
 
-def _most(shots: int | None, precision: float | None) -> int:
-    """Return the number of shots, or the most of them."""
+def most_shots(
+    shots: int | None, precision: float | None, level: float, *, paired: bool = False
+) -> int:
+    """Return the number of shots, or the most of them.
+
+    Raises
+    ------
+    ValueError
+        If one is not as described for `estimate`, or that precision cannot be reached.
+    """
     if precision is not None:
         check_share("precision", precision)
-    default = SHOTS if precision is None else MOST
-    return default if shots is None else check_count("shots", shots)
+    if shots is not None:
+        return check_count("shots", shots)
+    if precision is None:
+        return SHOTS
+    if (least := least_shots(precision, level, paired=paired)) > MOST:
+        raise ValueError(
+            f"precision: {precision} takes {in_short(least)} shots at least, whatever becomes of "
+            f"them, and no more than {in_short(MOST)} are thrown unless shots says so"
+        )
+    return MOST
+
+
+def least_shots(precision: float, confidence: float, *, paired: bool = False) -> int:
+    """Return a number of shots with fewer of which no interval is so narrow.
+
+    With z of the confidence, half of Wilson's interval is narrowest where all n shots end alike:
+    z² / (n + z²) / 2. In Newcombe's the correlation is at most 1 - 2 / n, so that half of it is no
+    less than that times √(2 / n).
+    """
+    square = float(ndtri(0.5 * (1.0 - confidence))) ** 2
+    if paired:
+        return int((square / sqrt(2.0)) ** (2 / 3) * precision ** (-2 / 3) - square)
+    # Exactly: the quotient may be larger than any double.
+    return int(Fraction(square) / Fraction(2.0 * precision) - Fraction(square))
 
 
 # ------------------------------------------------------------------------------------ what it says

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sized
 from dataclasses import dataclass
 from enum import IntEnum
-from math import ceil, prod
+from math import prod
 from os import PathLike
 from typing import Any, Literal, TypeAlias
 
@@ -19,9 +19,10 @@ import hoopgen
 from hoopgen.brief import brief
 from hoopgen.inputs import check_contacts, doubles
 from hoopgen.parameters import NAMES, PAPER
-from hoopgen.releases import release as release_states
+from hoopgen.releases import released
 from hoopgen.results import Outcome, Shots
 from hoopgen.simulation import simulate
+from hoopgen.sizes import check_room
 
 from .chunks import run
 from .draws import check_seed
@@ -39,15 +40,18 @@ from .tallies import (
     wilson,
 )
 from .told import say_scene
-from .variables import STATE, VARIABLES, check_names, release_arguments
+from .variables import STATE, VARIABLES, check_angles, check_names, release_arguments
 
-__all__ = ["map"]
+__all__ = ["check_cells", "map"]
 
 SHOTS = 10_000
 """Of a cell, unless asked for otherwise."""
 
 _CHUNK = 1 << 17
 """Shots in a chunk, at most."""
+
+_CELL, _TALLIED = 48, 720
+"""Bytes that a cell takes at the most, single or with scatter, until it is in a file."""
 
 Floats: TypeAlias = NDArray[np.float64]
 
@@ -120,10 +124,23 @@ def map(
         backend=backend,
     )
     level = check_share("confidence", confidence)
+    check_cells(work.axes, scatters=bool(sd))
     work.simulate(0, 1, 1, {})  # what is wrong shows before a folder is made
     tables = run(work, folder, scheduler=scheduler, threads=threads, progress=progress)
     data = _shares(work, tables, level) if sd else _outcomes(work, tables)
     return xr.Dataset(data, _coordinates(work), _attributes(work, level))
+
+
+def check_cells(over: Mapping[str, Sized], *, scatters: bool) -> None:
+    """Refuse a map of more cells than there is memory for.
+
+    Raises
+    ------
+    ValueError
+        If there are too many; with what they would take.
+    """
+    cells = prod(len(values) for values in over.values())
+    check_room("over", cells, "cells", _TALLIED if scatters else _CELL)
 
 
 def _axes(over: Mapping[str, ArrayLike]) -> dict[str, Floats]:
@@ -134,6 +151,7 @@ def _axes(over: Mapping[str, ArrayLike]) -> dict[str, Floats]:
     for name, values in axes.items():
         if values.ndim != 1 or not values.size:
             raise ValueError(f"over[{name!r}]: expected a list of numbers, got {brief(over[name])}")
+    check_angles("over", axes)
     return axes
 
 
@@ -177,7 +195,7 @@ class _Work:
     @property
     def _blocks(self) -> tuple[int, int]:
         cells, shots = self.together
-        return ceil(prod(self.shape) / cells), ceil(self.shots / shots)
+        return -(-prod(self.shape) // cells), -(-self.shots // shots)
 
     @property
     def chunks(self) -> int:
@@ -232,7 +250,7 @@ class _Work:
             values[name] = values[name] + added
         scene = {name: values.pop(name) for name in NAMES}
         shape = (stop - start, shots)
-        states = np.broadcast_to(release_states(**values), (*shape, len(STATE)))
+        states = np.broadcast_to(released(values), (*shape, len(STATE)))
         return simulate(
             states.reshape(-1, len(STATE)),
             {n: np.broadcast_to(v, shape).ravel() if np.ndim(v) else v for n, v in scene.items()},

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.brief import brief
 from hoopgen.inputs import doubles
 from hoopgen.parameters import NAMES, PAPER
+from hoopgen.sizes import check_room
 
 from .draws import ROW_OF_RELEASES, normals, uniforms
 from .variables import (
@@ -29,6 +30,9 @@ from .variables import (
 )
 
 __all__ = ["Grid", "ReleaseModel", "Resample", "Scatter"]
+
+_SHOT = 200
+"""Bytes that a shot takes while it is drawn."""
 
 _SCATTERED = (*ARGUMENTS, *NAMES)
 """What may scatter; its index is the stream of its random numbers."""
@@ -66,8 +70,8 @@ class Scatter:
     Raises
     ------
     ValueError
-        If a name is unknown, a deviation is negative or not finite, or the correlations are not
-        within -1 and 1, given twice, or no distribution has all of them.
+        If a name is unknown, a deviation is negative or not finite, an angle is in degrees, or the
+        correlations are not within -1 and 1, given twice, or no distribution has all of them.
     """
 
     mean: Mapping[str, float]
@@ -85,17 +89,20 @@ class Scatter:
             deviation = doubles(f"sd[{name!r}]", value)
             if deviation.ndim or not 0.0 <= deviation < np.inf:
                 raise ValueError(f"sd[{name!r}]: expected a number from 0, got {brief(value)}")
+        check_angles("sd", self.sd)
         self._mix()
 
     def noise(self, start: int, stop: int, seed: int = 0) -> dict[str, NDArray[np.float64]]:
         """Return what is added to the mean in shots `start` to `stop` - 1, by name, (n,) each."""
+        _check_drawn(start, stop)
         names = self._scattered()
         draws = [normals(seed, _SCATTERED.index(name), start, stop) for name in names]
         mixed = {}
         for name, row in zip(names, self._mix(), strict=True):
             # A sum in a fixed order: a matrix product's could depend on the number of shots.
             parts = [weight * z for weight, z in zip(row, draws, strict=False) if weight]
-            mixed[name] = self.sd[name] * sum(parts[1:], parts[0])
+            with np.errstate(over="ignore"):  # it is an invalid shot
+                mixed[name] = self.sd[name] * sum(parts[1:], parts[0])
         return mixed
 
     def draw(
@@ -112,6 +119,7 @@ class Scatter:
         parameters
             Of the scene, for those that neither `mean` nor `sd` names.
         """
+        _check_drawn(start, stop)
         scene = dict(parameters) | {name: v for name, v in self.mean.items() if name in NAMES}
         mean = {name: doubles(name, v) for name, v in self.mean.items() if name not in NAMES}
         values: dict[str, Any] = {**scene, **release_arguments(mean, scene["gravity"])}
@@ -170,7 +178,8 @@ class Resample:
     Raises
     ------
     ValueError
-        If a name is unknown, there is no row, or the columns differ in length.
+        If a name is unknown, there is no row, the columns differ in length, or angles are degrees:
+        by their median, more than a turn.
     """
 
     columns: Mapping[str, ArrayLike]
@@ -183,6 +192,7 @@ class Resample:
                 "columns: expected columns of one length and at least one row, got shapes "
                 + ", ".join(f"{name} {column.shape}" for name, column in given.items())
             )
+        check_angles("columns", given)
         object.__setattr__(self, "columns", given)
         self._take(np.zeros(1, np.intp), PAPER)
 
@@ -195,6 +205,7 @@ class Resample:
         self, start: int, stop: int, seed: int = 0, parameters: Mapping[str, Any] = PAPER
     ) -> Releases:
         """Return shots `start` to `stop` - 1, each a row chosen at random."""
+        _check_drawn(start, stop)
         chosen = uniforms(seed, ROW_OF_RELEASES, start, stop) * self.rows
         return self._take(chosen.astype(np.intp), parameters)
 
@@ -228,7 +239,8 @@ class Grid:
     Raises
     ------
     ValueError
-        If a name is unknown or twice there, or an axis is not (m,).
+        If a name is unknown or twice there, an axis is not (m,), or angles are degrees: by their
+        median, more than a turn.
     """
 
     axes: Mapping[str, Sequence[float] | NDArray[np.float64]]
@@ -241,6 +253,8 @@ class Grid:
         for name, values in self.axes.items():
             if doubles(f"axes[{name!r}]", values).ndim != 1 or not np.size(values):
                 raise ValueError(f"axes[{name!r}]: expected a list of numbers, got {brief(values)}")
+        check_angles("axes", self.axes)
+        check_angles("fixed", self.fixed)
         self.draw(0, 1)
 
     @property
@@ -265,6 +279,7 @@ class Grid:
         """
         if not 0 <= start <= stop <= self.shots:
             raise IndexError(f"grid: shots {start} to {stop} of {self.shots}")
+        _check_drawn(start, stop)
         places = np.unravel_index(np.arange(start, stop), self.shape) if self.axes else ()
         columns = {
             name: doubles(name, values)[place]
@@ -281,6 +296,11 @@ class Grid:
             "axes": {name: doubles(name, values).tolist() for name, values in self.axes.items()},
             "fixed": {name: float(value) for name, value in self.fixed.items()},
         }
+
+
+def _check_drawn(start: int, stop: int) -> None:
+    """Refuse to draw more shots at once than there is memory for."""
+    check_room("stop", stop - start, "shots drawn at once", _SHOT)
 
 
 def from_columns(

@@ -15,7 +15,7 @@ import hoopgen
 from hoopgen.inputs import check_contacts
 from hoopgen.parameters import NAMES, PAPER, nearest_preset
 
-from .tables import Source, variable_of
+from .tables import NAMED, Source, variable_of
 from .tallies import check_scene
 from .told import say_scene
 from .variables import VARIABLES, change_variables, check_names
@@ -57,7 +57,7 @@ class Origin:
     def metadata(self, scene: str) -> dict[bytes, bytes]:
         """Return what a schema says of it, with the scene in words."""
         preset, _ = nearest_preset(self.parameters)
-        said = {"version": hoopgen.__version__, "preset": preset, "scene": scene}
+        said = {"version": hoopgen.__version__, "preset": preset, "scene": scene, NAMED: True}
         return {_KEY: json.dumps({**said, **asdict(self)}).encode()}
 
 

@@ -13,13 +13,13 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.brief import brief
 from hoopgen.inputs import doubles
 from hoopgen.parameters import NAMES, PAPER
-from hoopgen.releases import release
+from hoopgen.releases import released
 from hoopgen.results import SURFACES, Outcome
 from hoopgen.simulation import simulate
 
 from .models import Scatter
 from .tallies import check_scene
-from .variables import ARGUMENTS, VARIABLES, check_names, release_arguments
+from .variables import ARGUMENTS, VARIABLES, check_angles, check_names, release_arguments
 
 __all__ = ["BY", "By", "Player", "Thrown", "arguments_of", "one_each"]
 
@@ -158,7 +158,7 @@ class Player:
         """Return which succeed, and which are valid, (2, candidates, shots)."""
         columns = {name: mean[:, None] + noise.get(name, 0.0) for name, mean in means.items()}
         scene = {name: columns.pop(name) for name in NAMES if name in columns}
-        states = release(**columns)
+        states = released(columns)
         shape = np.broadcast_shapes(states.shape[:-1], *(value.shape for value in scene.values()))
         varying = {name: np.broadcast_to(value, shape).ravel() for name, value in scene.items()}
         shots = simulate(
@@ -179,7 +179,7 @@ def one_each(argument: str, values: Mapping[str, Any]) -> dict[str, float]:
     Raises
     ------
     TypeError, ValueError
-        If a name is unknown, or a value is not one number.
+        If a name is unknown, a value is not one number, or an angle is in degrees.
     """
     check_names(argument, values, VARIABLES)
     plain = {}
@@ -188,6 +188,7 @@ def one_each(argument: str, values: Mapping[str, Any]) -> dict[str, float]:
         if number.ndim:
             raise ValueError(f"{argument}[{name!r}]: expected one number, got {brief(value)}")
         plain[name] = float(number)
+    check_angles(argument, plain)
     return plain
 
 

@@ -23,7 +23,7 @@ from hoopgen.inputs import doubles
 from hoopgen.releases import RING_HEIGHT
 
 from .player import By, Player
-from .variables import VARIABLES, check_names
+from .variables import VARIABLES, check_angles, check_names
 
 __all__ = ["Bounds", "bounds_of", "flat_about", "search"]
 
@@ -59,6 +59,7 @@ def bounds_of(
                 f"over[{name!r}]: expected (low, high), low below high, got {brief(ends)}"
             )
         bounds[name] = (float(given[0]), float(given[1]))
+    check_angles("over", bounds)
     return bounds
 
 
@@ -69,7 +70,8 @@ def _usual(name: str, fixed: Mapping[str, float], player: Player) -> Bounds:
     if name in ("elevation", "speed") and away and "height" in fixed:
         # About the slowest release through the centre: an error of its angle hardly matters.
         rise, gravity = RING_HEIGHT - fixed["height"], player.parameters["gravity"]
-        slope, speed = hoop.least_speed(away, rise, gravity)
+        with np.errstate(all="ignore"):  # bounds that are not finite are refused
+            slope, speed = hoop.least_speed(away, rise, gravity)
         if name == "speed":
             return 0.95 * float(speed), (1.2 if direct else 1.4) * float(speed)
         easiest = math.atan(slope)

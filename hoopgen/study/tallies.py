@@ -168,7 +168,9 @@ def check_count(name: str, value: Any) -> int:
         If it is none; the message begins with `name`.
     """
     if not is_whole(value) or isinstance(value, bool) or not 1 <= value < 2**63:
-        raise ValueError(f"{name}: expected a whole number from 1, got {brief(value)}")
+        raise ValueError(
+            f"{name}: expected a whole number from 1, got {brief(value)}; at most {2**63 - 1}"
+        )
     return int(value)
 
 

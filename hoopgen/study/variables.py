@@ -12,9 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.brief import listed
 from hoopgen.generated.numpy import hoop
+from hoopgen.inputs import check_angles as check_radians
 from hoopgen.inputs import doubles
 from hoopgen.parameters import NAMES, PAPER
-from hoopgen.releases import RING_HEIGHT, release
+from hoopgen.releases import RING_HEIGHT, released
 from hoopgen.units import UNITS, Kind
 
 __all__ = [
@@ -147,24 +148,15 @@ def check_names(name: str, given: Iterable[str], allowed: Iterable[str]) -> tupl
 
 
 def check_angles(name: str, values: Mapping[str, ArrayLike]) -> None:
-    """Refuse angles that are degrees, by their median: all are radians, and within a turn.
+    """Refuse those of some variables that are angles in degrees; see `hoopgen.inputs`.
 
     Raises
     ------
     ValueError
         The message begins with `name`.
     """
-    for variable, value in values.items():
-        if variable not in VARIABLES or VARIABLES[variable].kind != "angle":
-            continue
-        sizes = np.abs(doubles(f"{name}[{variable!r}]", value))
-        sizes = sizes[np.isfinite(sizes)]
-        if sizes.size and np.median(sizes) > 2 * np.pi:
-            raise ValueError(
-                f"{name}: {variable} is in radians, and these are more than a turn: "
-                f"{np.median(sizes):.6g}. Degrees would be np.radians(...), or in a table a column "
-                f"{variable}_deg"
-            )
+    angles = (one for one in values if one in VARIABLES and VARIABLES[one].kind == "angle")
+    check_radians(name, {one: values[one] for one in angles})
 
 
 def resolve_variables(
@@ -213,7 +205,7 @@ def make_releases(
 ) -> Releases:
     """Return so many shots of all arguments of `hoopgen.release`, each one number or (shots,)."""
     return Releases(
-        np.broadcast_to(release(**arguments), (shots, len(STATE))),
+        np.broadcast_to(released(arguments), (shots, len(STATE))),
         parameters,
         {name: np.broadcast_to(array, (shots,)) for name, array in arguments.items()},
     )

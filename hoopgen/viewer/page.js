@@ -133,7 +133,7 @@
       ...page.surfaces.map((name) => [name, "", name]),
       ...(touched.has("end") ? [["end", "hoop", "end plane"]] : []),
     ];
-    entries.push([shots.length > 1 ? "" : "path", "dots", "every 0.1 s"]);
+    entries.push([shots.length > 1 ? "" : "path", "dots", `every ${Scene.beatOf(shots)} s`]);
     const items = entries.map(([name, form, words]) =>
       make("li", {}, make("span", { className: `swatch ${form} ${name}` }), words),
     );

@@ -12,7 +12,6 @@ import re
 from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib.resources import files
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -21,6 +20,7 @@ from numpy.typing import NDArray
 import hoopgen
 from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
+from hoopgen.outputs import PAGES, check_output, write
 from hoopgen.parameters import NAMES, Value, resolve
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import SURFACES, Outcome, Shots
@@ -83,10 +83,10 @@ def view(
         parameters are not as described.
     AttributeError
         If the shots were simulated without ``record=True``.
+    OSError
+        If the file cannot be written; what was there before stays.
     """
-    target = None if path is None else Path(path)
-    if target is not None and target.suffix.lower() not in (".html", ".htm"):
-        raise ValueError(f"path: a page's name ends in .html, got {brief(target.name)}")
+    target = None if path is None else check_output(path, PAGES)
     if not isinstance(shots, Shots):
         from .table import view_table
 
@@ -96,7 +96,7 @@ def view(
     scene = shots.parameters if parameters is None else parameters
     text = page(shots, scene, title=title, about=about, labels=labels)
     if target is not None:
-        target.write_text(text, encoding="utf-8", newline="\n")
+        write(target, text)
     return Page(target, text, _about(about, scene))
 
 

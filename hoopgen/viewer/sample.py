@@ -15,7 +15,7 @@ from hoopgen.study.draws import ROW_OF_SAMPLE, uniforms
 from hoopgen.study.models import from_columns
 from hoopgen.study.origin import settle
 from hoopgen.study.tables import Source
-from hoopgen.study.variables import Releases
+from hoopgen.study.variables import Releases, check_angles
 
 __all__ = ["Sample", "sample"]
 
@@ -94,6 +94,7 @@ def sample(
     if count < 1:
         raise ValueError(f"count: expected a whole number from 1, got {brief(count)}")
     table = Source(Path(source), format or "")
+    check_angles("release", release or {})
     origin = settle(table, parameters, release, max_contacts, own, override=override)
     shared = origin.release
     columns = table.columns(origin.own, shared)

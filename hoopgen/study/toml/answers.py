@@ -18,17 +18,29 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hoopgen import plots
+from hoopgen.inputs import check_contacts
+from hoopgen.outputs import write
 from hoopgen.parameters import NAMES
 from hoopgen.results import Outcome, Shots
-from hoopgen.simulation import simulate
+from hoopgen.simulation import check_log, simulate
+from hoopgen.sizes import check_room
 from hoopgen.study.aim import aim, aim_table, write_csv
-from hoopgen.study.bank import bank_or_direct
+from hoopgen.study.bank import bank_or_direct, check_kept
 from hoopgen.study.batch import batch
 from hoopgen.study.chunks import run
-from hoopgen.study.estimate import compare, decimals, estimate, in_percent, in_points
+from hoopgen.study.estimate import (
+    compare,
+    decimals,
+    estimate,
+    in_percent,
+    in_points,
+    most_shots,
+)
+from hoopgen.study.maps import check_cells
 from hoopgen.study.maps import map as mapped
 from hoopgen.study.measures import measure
 from hoopgen.study.models import Scatter
+from hoopgen.study.named import in_units
 from hoopgen.study.optimum import optimum, scattering
 from hoopgen.study.origin import settle
 from hoopgen.study.search import bounds_of
@@ -170,6 +182,11 @@ def _check_estimate(asked: Asked, question: Estimate | Compare) -> None:
     settings += [asked.changed(question.versus)] if isinstance(question, Compare) else []
     for setting in settings:
         setting.model().draw(0, 1, 0, setting.parameters)
+    paired = isinstance(question, Compare)
+    most = most_shots(question.shots, question.precision, asked.study.confidence, paired=paired)
+    contacts = check_contacts(question.max_contacts)
+    if isinstance(question, Estimate) and "fan" in question.figures:
+        check_log(min(_FAN, most), contacts)
 
 
 def _estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
@@ -191,7 +208,9 @@ def _estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
     digits = decimals(found.half_width)
     ends = f"{in_percent(found.low, digits)} to {in_percent(found.high, digits)}"
     line = f"{in_percent(found.probability, digits)} made ({ends})"
-    return Answer(line + _short_of(question, found.half_width), _fenced(found), found.as_dict())
+    return Answer(
+        line + _short_of(question, found.half_width), _fenced(found), in_units(found.as_dict())
+    )
 
 
 def _short_of(question: Estimate | Compare, half_width: float) -> str:
@@ -259,7 +278,9 @@ def _compare(asked: Asked, question: Compare, work: Work) -> Answer:
         f"{in_points(found.difference, digits)} points by the change "
         f"({in_points(found.low, digits)} to {in_points(found.high, digits)})"
     )
-    return Answer(line + _short_of(question, found.half_width), _fenced(found), found.as_dict())
+    return Answer(
+        line + _short_of(question, found.half_width), _fenced(found), in_units(found.as_dict())
+    )
 
 
 # --------------------------------------------------------------------------------------------- map
@@ -275,6 +296,8 @@ def _fixed(asked: Asked, over: Iterable[str]) -> dict[str, float]:
 def _check_map(asked: Asked, question: Map) -> None:
     one = {name: axis[0] for name, axis in question.over.items()}
     resolve_variables({**_fixed(asked, question.over), **one}, asked.setting.parameters)
+    check_cells(question.over, scatters=asked.setting.scatters)
+    check_contacts(question.max_contacts)
     Scatter({}, asked.setting.sd, asked.setting.correlation)
     if question.shots is not None and not asked.setting.scatters:
         raise ValueError("shots: without scatter a cell is one shot; leave out")
@@ -294,7 +317,7 @@ def _map(asked: Asked, question: Map, work: Work) -> Answer:
         max_contacts=question.max_contacts,
         **work.options,
     )
-    dataset.to_netcdf(work.folder / "map.nc", engine="scipy")
+    write(work.folder / "map.nc", bytes(dataset.to_netcdf(engine="scipy")))
     for name in question.figures:
         asked.draw(work, name, plots.plot_map(dataset, title=question.title))
     cells = " × ".join(f"{len(values)} {name}" for name, values in question.over.items())
@@ -322,7 +345,7 @@ def _best_cell(dataset: xr.Dataset, cells: str) -> Answer:
     line = f"at best {percent(made)} made ({percent(low)} to {percent(high)}), at {where}"
     note = "The best of many cells is a little too good."
     numbers = {"best": {**at, "probability": made, "low": low, "high": high}}
-    return Answer(line, f"{cells}. {note}", numbers)
+    return Answer(line, f"{cells}. {note}", in_units(numbers))
 
 
 # ----------------------------------------------------------------------------------------- optimum
@@ -362,10 +385,14 @@ def _optimum(asked: Asked, question: Optimum, work: Work) -> Answer:
         f"{percent(best.probability)} ({percent(best.low)} to {percent(best.high)}) from "
         f"{say('speed', given['speed'])} at {say('elevation', given['elevation'])}"
     )
-    return Answer(line, _fenced(best), best.as_dict())
+    return Answer(line, _fenced(best), in_units(best.as_dict()))
 
 
 # -------------------------------------------------------------------------------------------- bank
+
+
+_PLACE = 400
+"""Bytes that a place takes as one of a list."""
 
 
 def _places(question: Bank) -> NDArray[np.float64]:
@@ -375,6 +402,7 @@ def _places(question: Bank) -> NDArray[np.float64]:
         raise ValueError(f"places: expected distance and angle, or x and y; got {', '.join(names)}")
     axes = [question.places[name] for name in ("x", "y") if name in names]
     axes += [question.places[name] for name in ("distance", "angle") if name in names]
+    check_room("places", math.prod(map(len, axes)), "places", _PLACE)
     first, second = np.array(list(itertools.product(*axes))).T
     if "x" not in names:
         first, second = first * np.cos(second), first * np.sin(second)
@@ -387,6 +415,7 @@ def _bank_release(asked: Asked, question: Bank) -> dict[str, float]:
 
 def _check_bank(asked: Asked, question: Bank) -> None:
     setting, fixed = asked.setting, _bank_release(asked, question)
+    check_kept(question.shots)
     x, y = _places(question)[0].tolist()
     player = scattering(setting.sd, setting.correlation, setting.parameters, "any")
     here = fixed | {"distance": math.hypot(x, y), "angle": math.atan2(y, x)}
@@ -447,7 +476,7 @@ def _bank(asked: Asked, question: Bank, work: Work) -> Answer:
     dataset = xr.concat(
         datasets, "place", data_vars="all", coords="minimal", compat="override", join="exact"
     )
-    dataset.to_netcdf(work.folder / "bank.nc", engine="scipy")
+    write(work.folder / "bank.nc", bytes(dataset.to_netcdf(engine="scipy")))
     for name in question.figures:
         picture = plots.plot_aim_points(dataset, asked.setting.parameters, title=question.title)
         asked.draw(work, name, picture)
@@ -522,7 +551,8 @@ def _aim(asked: Asked, question: Aim, work: Work) -> Answer:
     good = int(np.isfinite(columns["low_speed"]).sum())
     line = f"{len(rows)} distances, {good} of them with a release that goes in"
     table = _table([*_AIMED, *(f"goes in with {name}" for name in _OFF)], rows)
-    return Answer(line, table, {name: column.tolist() for name, column in columns.items()})
+    numbers = {name: column.tolist() for name, column in columns.items()}
+    return Answer(line, table, in_units(numbers))
 
 
 _AIMED = ("distance", "speed", "elevation")
@@ -546,6 +576,7 @@ def _check_batch(asked: Asked, question: Batch) -> None:
     source = Source(asked.folder / question.file, question.format or "")
     origin = settle(source, None, question.release, None, question.own, override=True)
     source.columns(origin.own, origin.release)
+    check_contacts(question.max_contacts)
 
 
 def _most_contacts(question: Batch) -> int | None:

@@ -14,7 +14,6 @@ from difflib import get_close_matches
 from types import MappingProxyType
 from typing import Annotated, Any
 
-import numpy as np
 from pydantic import (
     BaseModel,
     ConfigDict,
@@ -27,7 +26,8 @@ from pydantic import (
 from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, core_schema
 
 from hoopgen.brief import cut
-from hoopgen.units import Kind, parse_quantity
+from hoopgen.sizes import evenly
+from hoopgen.units import NO_BARE, Kind, parse_quantity, readings
 
 from .lines import Path
 
@@ -58,9 +58,6 @@ _EXAMPLES: Mapping[Kind, tuple[str, str]] = MappingProxyType(
     }
 )
 """How quantities of each kind are written."""
-
-_NO_BARE = ("angle", "spin")
-"""Kinds whose SI unit is not the one that people think in."""
 
 
 def show(given: Any) -> str:
@@ -140,8 +137,9 @@ class Quantity(_Value):
             value = self._parsed(given)
         elif isinstance(given, bool) or not isinstance(given, int | float):
             raise self.refuse(given)
-        elif self.kind in _NO_BARE and given != 0:
-            raise self.refuse(given, " without a unit")
+        elif self.kind in NO_BARE and given != 0:
+            said = readings(show(given), self.kind, '"{} {}"')
+            raise self.refuse(given, f", which has no unit: write {said}")
         else:
             value = float(given) if abs(given) < 10**300 else math.inf
         if not math.isfinite(value) or not self.low <= value <= self.high:
@@ -149,12 +147,10 @@ class Quantity(_Value):
         return value
 
     def _parsed(self, given: str) -> float:
-        """Read text; a quantity has its unit there, else it would be a bare number."""
         try:
-            return parse_quantity(given, self.kind, bare=None if self.kind == "number" else "")
+            return parse_quantity(given, self.kind)
         except ValueError as error:
-            said = str(error).replace("'' is not a unit", "there is no unit")
-            raise ValueError(f"expected {self.words}; {said}") from None
+            raise ValueError(f"expected {self.words}; {error}") from None
 
 
 @dataclass(frozen=True)
@@ -328,7 +324,7 @@ class Values:
     def _listed(read: Any) -> list[float]:
         if isinstance(read, Table):
             ends: Any = read
-            values: list[float] = np.linspace(ends.start, ends.to, ends.count).tolist()
+            values: list[float] = evenly("count", ends.start, ends.to, ends.count).tolist()
             return values
         return read if isinstance(read, list) else [read]
 

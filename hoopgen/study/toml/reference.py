@@ -62,7 +62,9 @@ By default `spin-results`, beside the file; `--out` names another.
 | `<name>/question.json` | all that it depends on |
 | `<name>/…` | its tables (`.nc`, `.csv`, `.parquet`) and figures |
 
-Numbers in files are SI and radians, where no unit is beside them.
+Numbers in files are SI; their units are in the names of columns and keys, `speed_m_s`,
+`elevation_rad`, and in a `.nc` file beside its variables. The `.csv` of an `aim` has degrees and
+Hz.
 
 Interrupted or killed, the same command goes on where it was: finished questions stay, and of the
 one at work the finished chunks, in `<name>.unfinished`. A question that fails leaves the others
@@ -85,7 +87,9 @@ they change for this question alone what they name.
 
 _QUANTITIES = """
 A quantity is text with its unit, or a bare number in SI. An angle or a spin needs its unit, but for
-0. Nothing in the file is evaluated.
+0: the rule of the command line and of columns' names. Units may be spelled in full, `feet`,
+`degrees`, `revolutions per minute`, in capital letters or small ones. Nothing in the file is
+evaluated.
 
 | quantity | units |
 |---|---|

@@ -17,7 +17,8 @@ from pathlib import Path
 from typing import Any
 
 import hoopgen
-from hoopgen.study.chunks import differences, flat, opened, sync, versions, written
+from hoopgen.outputs import sync
+from hoopgen.study.chunks import differences, flat, opened, read_record, versions, written
 from hoopgen.study.words import for_json
 
 from . import lines
@@ -201,7 +202,7 @@ def _refuse_changed(folder: Path, identities: Mapping[str, Mapping[str, Any]]) -
     for file in sorted(folder.glob(f"*/{_ASKED}")):
         name = file.parent.name.removesuffix(_UNFINISHED)
         try:
-            there = flat(json.loads(file.read_bytes()))
+            there = flat(read_record(file))
         except ValueError:
             raise ValueError(f"{file} cannot be read; delete {file.parent}") from None
         here = flat(identities[name]) if name in identities else None
@@ -234,7 +235,19 @@ def _answered(asked: Asked, identity: Mapping[str, Any], finished: Path, work: W
         work.folder.rename(finished)
         sync({finished.parent})
     shutil.rmtree(finished / "chunks", ignore_errors=True)
-    return Answer(**json.loads((finished / _ANSWER).read_bytes()))
+    return _answer(finished / _ANSWER)
+
+
+def _answer(file: Path) -> Answer:
+    """Return the answer of a question that is finished."""
+    try:
+        record = read_record(file)
+        line, text, numbers = (record[name] for name in ("line", "text", "numbers"))
+        if not (isinstance(line, str) and isinstance(text, str) and isinstance(numbers, dict)):
+            raise ValueError("expected two texts, and numbers by name")
+    except (KeyError, ValueError):
+        raise ValueError(f"{file} cannot be read; delete {file.parent}") from None
+    return Answer(line, text, numbers)
 
 
 def _settle(folder: Path) -> None:

@@ -328,7 +328,7 @@ class _OfKind:
     def _read(self, given: Any, handler: Callable[[Any], Any]) -> Any:
         if not isinstance(given, dict):
             raise ValueError(f"expected a table, [[question]]; got {show(given)}")
-        if given.get("kind") not in KINDS:
+        if given.get("kind") not in _KIND.allowed:  # a list could be no key
             # Of what kind its keys are is not known.
             said = f"missing; expected {_KIND.words}"
             if "kind" in given:
