@@ -205,11 +205,11 @@ def test_an_engine_without_a_fault_holds(garbage: Attempt, tmp_path: Path) -> No
 @pytest.mark.parametrize("kind", ["refused", "same", "found", "silent"])
 def test_flags_that_change_results_and_nobody_says_so_are_found(kind: Any, tmp_path: Path) -> None:
     def verdict(compiler: str, flags: str, **given: object) -> Verdict:
-        return Verdict(kind, "width 2: time")
+        return Verdict(kind, "width 4: time")
 
     attempt = compilers.Compilers(verdict).attempt
     tally = tallied(compilers.ATTACK, attempt, 2, tmp_path)
-    silent = "silent: width 2: time"
+    silent = "silent: width 4: time"
     assert [found.wrong for found in tally.findings] == [silent] * 2 * (kind == "silent")
 
 

@@ -18,7 +18,7 @@ from flags import COMPILERS, MATRIX, Verdict, try_flags
 SHOTS = 50
 """Of each family, besides those that hoopgen compares itself."""
 
-WIDEST = (1, 1, 2, 2, 2, 4, 8)
+WIDEST = (1, 1, 4, 4, 4, 8, 16)
 """Wider vectors take longer to compile."""
 
 

@@ -91,8 +91,13 @@ class Program:
 
     @property
     def cost(self) -> Counter[str]:
-        """How many of each operation one evaluation takes; inputs and constants are free."""
-        return Counter(o.name for o in self.operations if not o.is_free)
+        """How many of each operation one evaluation takes; inputs and constants are free.
+
+        A maximum or minimum, which some targets have as one, is a comparison and a selection.
+        """
+        names = (o.name for o in self.operations if not o.is_free)
+        parts = ((("less", "select") if n in ("max", "min") else (n,)) for n in names)
+        return Counter(part for several in parts for part in several)
 
     def _add(self, name: str, *operands: int, symbol: str = "", value: float = 0.0) -> int:
         operation = Operation(name, operands, symbol, value)

@@ -51,8 +51,6 @@ COST_WORDS = {
     "sqrt": "square roots",
     "neg": "negations",
     "abs": "absolute values",
-    "max": "maxima",
-    "min": "minima",
     "less": "comparisons",
     "at_most": "comparisons",
     "equal": "comparisons",
