@@ -56,7 +56,7 @@ class Kernel:
 
 
 def symbols_in(expressions: Iterable[sp.Basic]) -> set[sp.Symbol]:
-    """Return the symbols in expressions; SymPy's `free_symbols` looks at a shared part each time."""
+    """Return the symbols in expressions; unlike SymPy's `free_symbols`, each part is met once."""
     seen: set[sp.Basic] = set()
     rest = list(expressions)
     while rest:
