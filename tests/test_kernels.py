@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
-from compiled import ROOT, WIDTHS, CKernels, Floats, needs_compiler, same_bits
+from compiled import WIDTHS, CKernels, Floats, needs_compiler, same_bits
 from hoopgen.derive.ground.choice import (
     AtMost,
     Both,
@@ -258,8 +258,9 @@ def evaluate_numpy(name: str, columns: Mapping[str, Floats], rows: int) -> list[
 
 
 def arguments(function: Callable[..., Any]) -> list[str]:
-    """Return the names of a kernel's arguments."""
-    return list(inspect.signature(function).parameters)
+    """Return the names of a kernel's arguments, of parameters the public ones."""
+    public = {own: name for name, own in hoop.VARIABLES.items()}
+    return [public.get(name, name) for name in inspect.signature(function).parameters]
 
 
 def all_arguments() -> list[str]:

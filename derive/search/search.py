@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..ground.kernel import Kernel
+from ..ground.symbols import variable
 from ..ground.tree import Do, Node
 from ..surfaces import Surface
 from .decisions import KERNELS
@@ -59,5 +60,5 @@ def proposed(index: int) -> Iterator[Node]:
 
 def given(kernel: Kernel, **inputs: str | float) -> Do:
     """Return the evaluation of a kernel, given those of the inputs that it takes."""
-    names = {argument.name for argument in kernel.arguments}
+    names = set(map(variable, kernel.arguments))
     return Do(kernel, {name: value for name, value in inputs.items() if name in names})

@@ -9,6 +9,7 @@ from typing import Any
 
 import click
 
+from hoopgen.cli.examples import examples
 from hoopgen.cli.types import ASSIGNMENT, FILE, FOLDER, OUT, SETTING, variable_type
 
 __all__ = [
@@ -46,11 +47,6 @@ A bare number is in the unit in brackets: SI, but degrees for an angle.
 
 """
 """For the end of a command's help."""
-
-
-def examples(*lines: str) -> str:
-    """Lay out example lines for the end of a command's help."""
-    return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in lines)
 
 
 def together(*options: Decorator) -> Decorator:

@@ -229,7 +229,7 @@ def formulas(scene: Scene = HOOP) -> Formulas:
         compiled([e for vector in after for e in vector], state, parameters, NORMAL),
         compiled([scene.target], state, parameters),
         compiled(scene.requirements, parameters),
-        tuple(p.symbol.name for p in scene.parameters),
+        tuple(p.name for p in scene.parameters),
         tuple(p.sign for p in scene.parameters),
         tuple(p.upper for p in scene.parameters),
         parameters.index(law.restitution),

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import sympy as sp
+from hoopgen.derive.contact.rolling import Rolling
 from hoopgen.derive.ground.symbols import POSITION
 from hoopgen.derive.scenes.scene import Scene, parameter
-from hoopgen.derive.surfaces import Plane, Sphere
+from hoopgen.derive.surfaces import Plane, Sphere, body
 
 _PARAMETERS = (
     parameter("half_length", "m", "half the table's length, along x", 0.8),
@@ -24,25 +25,32 @@ _PARAMETERS = (
 
 def _table() -> Scene:
     """Return the scene; the origin is in the middle of the table's top."""
-    by_name = {p.symbol.name: p.symbol for p in _PARAMETERS}
+    by_name = {p.name: p.symbol for p in _PARAMETERS}
     x, y, _ = POSITION
     ball = by_name["marble"]
+    law = Rolling("impact", by_name["bounce"])
     length, width = by_name["half_length"], by_name["half_width"]
     return Scene(
         name="table",
         parameters=_PARAMETERS,
-        surfaces=(
-            Plane(
-                "top",
-                direction=(0, 0, 1),
-                offset=ball,
-                reach=ball,
-                limits=(-x - length, x - length, -y - width, y - width),
+        bodies=(
+            body(
+                Plane(
+                    "top",
+                    direction=(0, 0, 1),
+                    offset=ball,
+                    reach=ball,
+                    limits=(-x - length, x - length, -y - width, y - width),
+                ),
+                law,
             ),
-            Sphere(
-                "dome",
-                centre=(by_name["dome_x"], sp.Integer(0), by_name["dome_z"]),
-                radius=by_name["dome_radius"] + ball,
+            body(
+                Sphere(
+                    "dome",
+                    centre=(by_name["dome_x"], sp.Integer(0), by_name["dome_z"]),
+                    radius=by_name["dome_radius"] + ball,
+                ),
+                law,
             ),
         ),
         finish=Plane(
@@ -50,7 +58,6 @@ def _table() -> Scene:
         ),
         target=sp.sqrt((x - by_name["cup_x"]) ** 2 + y**2) - by_name["cup_radius"],
         ball_radius=ball,
-        restitution=by_name["bounce"],
         gravity=by_name["acceleration"],
     )
 
