@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 4e3fee7f36fc1578,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 6acced28865d9760,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -21,9 +21,9 @@ typedef struct {
 } LANES(hoop_flight_out);
 
 LANES_INLINE LANES(hoop_flight_out)
-LANES(hoop_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V gravity)
+LANES(hoop_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V p_gravity)
 {
-    return (LANES(hoop_flight_out)){ x + (t * vx), y + (t * vy), z + (t * (vz - ((K(0.5) * gravity) * t))), vx, vy, vz - (gravity * t) };
+    return (LANES(hoop_flight_out)){ x + (t * vx), y + (t * vy), z + (t * (vz - ((K(0.5) * p_gravity) * t))), vx, vy, vz - (p_gravity * t) };
 }
 
 /* Positive clearance if a crossing is certain, and the bound on its delay.
@@ -36,9 +36,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_crossing_out)
 LANES(hoop_crossing)(V margin, V rate_margin, V rate, V ceiling)
 {
-    const V s0 = -(rate + rate_margin);
-    const M s1 = K(0.0) < s0;
-    return (LANES(hoop_crossing_out)){ lanes_select(s1, ((s0 * s0) - ((K(6.0) * ceiling) * margin)), s0), lanes_select(s1, ((K(6.0) * margin) / s0), K(INFINITY)) };
+    const V _s0 = -(rate + rate_margin);
+    const M _s1 = K(0.0) < _s0;
+    return (LANES(hoop_crossing_out)){ lanes_select(_s1, ((_s0 * _s0) - ((K(6.0) * ceiling) * margin)), _s0), lanes_select(_s1, ((K(6.0) * margin) / _s0), K(INFINITY)) };
 }
 
 /* Errors of a state that a search allows for, and by how much the errors exceed them.
@@ -50,14 +50,14 @@ typedef struct {
 } LANES(hoop_allowance_out);
 
 LANES_INLINE LANES(hoop_allowance_out)
-LANES(hoop_allowance)(V share, V horizon, V extent, V speed, V position_error, V velocity_error, V gravity)
+LANES(hoop_allowance)(V share, V horizon, V extent, V speed, V position_error, V velocity_error, V p_gravity)
 {
-    const V s0 = speed + (gravity * horizon);
-    const V s1 = share * (extent + (horizon * s0));
-    const V s2 = share * s0;
-    const V s3 = position_error - s1;
-    const V s4 = velocity_error - s2;
-    return (LANES(hoop_allowance_out)){ s1, s2, lanes_select((s3 < s4), s4, s3) };
+    const V _s0 = speed + (p_gravity * horizon);
+    const V _s1 = share * (extent + (horizon * _s0));
+    const V _s2 = share * _s0;
+    const V _s3 = position_error - _s1;
+    const V _s4 = velocity_error - _s2;
+    return (LANES(hoop_allowance_out)){ _s1, _s2, lanes_select((_s3 < _s4), _s4, _s3) };
 }
 
 /* A time after which no event is wanted, and how long that is after t.
@@ -68,10 +68,10 @@ typedef struct {
 } LANES(hoop_horizon_out);
 
 LANES_INLINE LANES(hoop_horizon_out)
-LANES(hoop_horizon)(V t, V speed, V gravity)
+LANES(hoop_horizon)(V t, V speed, V p_gravity)
 {
-    const V s0 = K(9.5367431640625e-07) * (t + (speed * (K(1.0) / gravity)));
-    return (LANES(hoop_horizon_out)){ t + s0, s0 };
+    const V _s0 = K(9.5367431640625e-07) * (t + (speed * (K(1.0) / p_gravity)));
+    return (LANES(hoop_horizon_out)){ t + _s0, _s0 };
 }
 
 /* Sums of the sizes of the coordinates and of the velocities; excess over the largest.
@@ -83,21 +83,21 @@ typedef struct {
 } LANES(hoop_scale_out);
 
 LANES_INLINE LANES(hoop_scale_out)
-LANES(hoop_scale)(V x, V y, V z, V vx, V vy, V vz, V gravity)
+LANES(hoop_scale)(V x, V y, V z, V vx, V vy, V vz, V p_gravity)
 {
-    const V s0 = lanes_abs(x);
-    const V s1 = lanes_abs(y);
-    const V s2 = lanes_abs(z);
-    const V s3 = lanes_abs(vx);
-    const V s4 = lanes_abs(vy);
-    const V s5 = lanes_abs(vz);
-    const V s6 = K(1.0) / gravity;
-    const V s7 = lanes_select((s6 < s0), s0, s6);
-    const V s8 = lanes_select((s7 < s1), s1, s7);
-    const V s9 = lanes_select((s8 < s2), s2, s8);
-    const V s10 = lanes_select((s9 < s3), s3, s9);
-    const V s11 = lanes_select((s10 < s4), s4, s10);
-    return (LANES(hoop_scale_out)){ (s0 + s1) + s2, (s3 + s4) + s5, lanes_select((s11 < s5), s5, s11) - K(2.9073548971824276e+135) };
+    const V _s0 = lanes_abs(x);
+    const V _s1 = lanes_abs(y);
+    const V _s2 = lanes_abs(z);
+    const V _s3 = lanes_abs(vx);
+    const V _s4 = lanes_abs(vy);
+    const V _s5 = lanes_abs(vz);
+    const V _s6 = K(1.0) / p_gravity;
+    const V _s7 = lanes_select((_s6 < _s0), _s0, _s6);
+    const V _s8 = lanes_select((_s7 < _s1), _s1, _s7);
+    const V _s9 = lanes_select((_s8 < _s2), _s2, _s8);
+    const V _s10 = lanes_select((_s9 < _s3), _s3, _s9);
+    const V _s11 = lanes_select((_s10 < _s4), _s4, _s10);
+    return (LANES(hoop_scale_out)){ (_s0 + _s1) + _s2, (_s3 + _s4) + _s5, lanes_select((_s11 < _s5), _s5, _s11) - K(2.9073548971824276e+135) };
 }
 
 /* Bound on the error of a length at a computed arrival.
@@ -107,13 +107,13 @@ typedef struct {
 } LANES(hoop_displacement_out);
 
 LANES_INLINE LANES(hoop_displacement_out)
-LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V gravity, V end_depth)
+LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_gravity, V p_end_depth)
 {
-    const V s0 = speed + (gravity * horizon);
-    const V s1 = extent + (horizon * s0);
-    const V s2 = (((((ball_radius + board_distance) + board_half_width) + bridge_half_width) + end_depth) + ring_radius) + wire_radius;
-    const V s3 = ((K(1.0009765625) * delay) * s0) + (K(4.445228907190568e-16) * (s1 + ((s2 + lanes_abs(board_bottom)) + lanes_abs(board_top))));
-    return (LANES(hoop_displacement_out)){ s3 + (K(3.0029296875) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s1))) };
+    const V _s0 = speed + (p_gravity * horizon);
+    const V _s1 = extent + (horizon * _s0);
+    const V _s2 = (((((p_ball_radius + p_board_distance) + p_board_half_width) + p_bridge_half_width) + p_end_depth) + p_ring_radius) + p_wire_radius;
+    const V _s3 = ((K(1.0009765625) * delay) * _s0) + (K(4.445228907190568e-16) * (_s1 + ((_s2 + lanes_abs(p_board_bottom)) + lanes_abs(p_board_top))));
+    return (LANES(hoop_displacement_out)){ _s3 + (K(3.0029296875) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * _s1))) };
 }
 
 /* Errors of a state at the end of a flight to a surface, from those at its start.
@@ -130,46 +130,46 @@ typedef struct {
 } LANES(hoop_carry_flight_out);
 
 LANES_INLINE LANES(hoop_carry_flight_out)
-LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V late, V dx, V dy, V dz, V dvx, V dvy, V dvz, V curving, V gravity)
+LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V late, V dx, V dy, V dz, V dvx, V dvy, V dvz, V curving, V p_gravity)
 {
-    const V s0 = dx + (dvx * t);
-    const V s1 = lanes_abs(vx);
-    const V s2 = K(2.0) * t;
-    const V s3 = K(1.1102230246251565e-16) * ((s2 * s1) + lanes_abs(x));
-    const V s4 = s0 + lanes_select((s0 < K(0.0)), (-s3), s3);
-    const V s5 = dy + (dvy * t);
-    const V s6 = lanes_abs(vy);
-    const V s7 = K(1.1102230246251565e-16) * ((s2 * s6) + lanes_abs(y));
-    const V s8 = s5 + lanes_select((s5 < K(0.0)), (-s7), s7);
-    const V s9 = dz + (dvz * t);
-    const V s10 = lanes_abs(vz);
-    const V s11 = K(1.1102230246251565e-16) * (((gravity * (t * t)) + (s2 * s10)) + lanes_abs(z));
-    const V s12 = s9 + lanes_select((s9 < K(0.0)), (-s11), s11);
-    const V s13 = ((nx * vx) + (ny * vy)) + (nz * vz);
-    const V s14 = (-(((nx * s4) + (ny * s8)) + (nz * s12))) / s13;
-    const V s15 = (vx * s14) + s4;
-    const V s16 = lanes_select((s1 < s6), s6, s1);
-    const V s17 = lanes_select((s16 < s10), s10, s16);
-    const V s18 = lanes_abs(dx);
-    const V s19 = lanes_abs(dy);
-    const V s20 = lanes_select((s18 < s19), s19, s18);
-    const V s21 = lanes_abs(dz);
-    const V s22 = lanes_select((s20 < s21), s21, s20);
-    const V s23 = curving * (t * s17);
-    const V s24 = lanes_abs(dvx);
-    const V s25 = lanes_abs(dvy);
-    const V s26 = lanes_select((s24 < s25), s25, s24);
-    const V s27 = lanes_abs(dvz);
-    const V s28 = lanes_select((s3 < s7), s7, s3);
-    const V s29 = (t * lanes_select((s26 < s27), s27, s26)) + lanes_select((s28 < s11), s11, s28);
-    const V s30 = ((s17 / lanes_abs(s13)) * ((s22 * lanes_select((s23 < K(1.0)), s23, K(1.0))) + s29)) + (s29 + s22);
-    const V s31 = s30 / (K(8.0) + (K(8.0) * contacts));
-    const V s32 = -s31;
-    const V s33 = (vy * s14) + s8;
-    const V s34 = (vz * s14) + s12;
-    const V s35 = lanes_abs(s14);
-    const V s36 = K(0.0625) * late;
-    return (LANES(hoop_carry_flight_out)){ lanes_select((lanes_abs(s15) < s31), lanes_select((s15 < K(0.0)), s32, s31), s15), lanes_select((lanes_abs(s33) < s31), lanes_select((s33 < K(0.0)), s32, s31), s33), lanes_select((lanes_abs(s34) < s31), lanes_select((s34 < K(0.0)), s32, s31), s34), dvx, dvy, dvz - (gravity * s14), (K(4.440892098500626e-16) * (clock + t)) + lanes_select((s35 < s36), s36, s35), s30 };
+    const V _s0 = dx + (dvx * t);
+    const V _s1 = lanes_abs(vx);
+    const V _s2 = K(2.0) * t;
+    const V _s3 = K(1.1102230246251565e-16) * ((_s2 * _s1) + lanes_abs(x));
+    const V _s4 = _s0 + lanes_select((_s0 < K(0.0)), (-_s3), _s3);
+    const V _s5 = dy + (dvy * t);
+    const V _s6 = lanes_abs(vy);
+    const V _s7 = K(1.1102230246251565e-16) * ((_s2 * _s6) + lanes_abs(y));
+    const V _s8 = _s5 + lanes_select((_s5 < K(0.0)), (-_s7), _s7);
+    const V _s9 = dz + (dvz * t);
+    const V _s10 = lanes_abs(vz);
+    const V _s11 = K(1.1102230246251565e-16) * (((p_gravity * (t * t)) + (_s2 * _s10)) + lanes_abs(z));
+    const V _s12 = _s9 + lanes_select((_s9 < K(0.0)), (-_s11), _s11);
+    const V _s13 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const V _s14 = (-(((nx * _s4) + (ny * _s8)) + (nz * _s12))) / _s13;
+    const V _s15 = (vx * _s14) + _s4;
+    const V _s16 = lanes_select((_s1 < _s6), _s6, _s1);
+    const V _s17 = lanes_select((_s16 < _s10), _s10, _s16);
+    const V _s18 = lanes_abs(dx);
+    const V _s19 = lanes_abs(dy);
+    const V _s20 = lanes_select((_s18 < _s19), _s19, _s18);
+    const V _s21 = lanes_abs(dz);
+    const V _s22 = lanes_select((_s20 < _s21), _s21, _s20);
+    const V _s23 = curving * (t * _s17);
+    const V _s24 = lanes_abs(dvx);
+    const V _s25 = lanes_abs(dvy);
+    const V _s26 = lanes_select((_s24 < _s25), _s25, _s24);
+    const V _s27 = lanes_abs(dvz);
+    const V _s28 = lanes_select((_s3 < _s7), _s7, _s3);
+    const V _s29 = (t * lanes_select((_s26 < _s27), _s27, _s26)) + lanes_select((_s28 < _s11), _s11, _s28);
+    const V _s30 = ((_s17 / lanes_abs(_s13)) * ((_s22 * lanes_select((_s23 < K(1.0)), _s23, K(1.0))) + _s29)) + (_s29 + _s22);
+    const V _s31 = _s30 / (K(8.0) + (K(8.0) * contacts));
+    const V _s32 = -_s31;
+    const V _s33 = (vy * _s14) + _s8;
+    const V _s34 = (vz * _s14) + _s12;
+    const V _s35 = lanes_abs(_s14);
+    const V _s36 = K(0.0625) * late;
+    return (LANES(hoop_carry_flight_out)){ lanes_select((lanes_abs(_s15) < _s31), lanes_select((_s15 < K(0.0)), _s32, _s31), _s15), lanes_select((lanes_abs(_s33) < _s31), lanes_select((_s33 < K(0.0)), _s32, _s31), _s33), lanes_select((lanes_abs(_s34) < _s31), lanes_select((_s34 < K(0.0)), _s32, _s31), _s34), dvx, dvy, dvz - (p_gravity * _s14), (K(4.440892098500626e-16) * (clock + t)) + lanes_select((_s35 < _s36), _s36, _s35), _s30 };
 }
 
 /* Bounds on the errors of a state and its time that decisions allow for.
@@ -184,19 +184,19 @@ typedef struct {
 LANES_INLINE LANES(hoop_error_bounds_out)
 LANES(hoop_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
 {
-    const V s0 = lanes_abs(dx);
-    const V s1 = lanes_abs(dy);
-    const V s2 = lanes_select((s0 < s1), s1, s0);
-    const V s3 = lanes_abs(dz);
-    const V s4 = lanes_abs(dvx);
-    const V s5 = lanes_abs(dvy);
-    const V s6 = lanes_select((s4 < s5), s5, s4);
-    const V s7 = lanes_abs(dvz);
-    const V s8 = lanes_abs(dwx);
-    const V s9 = lanes_abs(dwy);
-    const V s10 = lanes_select((s8 < s9), s9, s8);
-    const V s11 = lanes_abs(dwz);
-    return (LANES(hoop_error_bounds_out)){ K(16.0) * lanes_select((s2 < s3), s3, s2), K(16.0) * lanes_select((s6 < s7), s7, s6), K(16.0) * lanes_select((s10 < s11), s11, s10), K(16.0) * clock_error };
+    const V _s0 = lanes_abs(dx);
+    const V _s1 = lanes_abs(dy);
+    const V _s2 = lanes_select((_s0 < _s1), _s1, _s0);
+    const V _s3 = lanes_abs(dz);
+    const V _s4 = lanes_abs(dvx);
+    const V _s5 = lanes_abs(dvy);
+    const V _s6 = lanes_select((_s4 < _s5), _s5, _s4);
+    const V _s7 = lanes_abs(dvz);
+    const V _s8 = lanes_abs(dwx);
+    const V _s9 = lanes_abs(dwy);
+    const V _s10 = lanes_select((_s8 < _s9), _s9, _s8);
+    const V _s11 = lanes_abs(dwz);
+    return (LANES(hoop_error_bounds_out)){ K(16.0) * lanes_select((_s2 < _s3), _s3, _s2), K(16.0) * lanes_select((_s6 < _s7), _s7, _s6), K(16.0) * lanes_select((_s10 < _s11), _s11, _s10), K(16.0) * clock_error };
 }
 
 /* Bounds on the errors of a state and its time that a shot claims.
@@ -211,19 +211,19 @@ typedef struct {
 LANES_INLINE LANES(hoop_claimed_errors_out)
 LANES(hoop_claimed_errors)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
 {
-    const V s0 = lanes_abs(dx);
-    const V s1 = lanes_abs(dy);
-    const V s2 = lanes_select((s0 < s1), s1, s0);
-    const V s3 = lanes_abs(dz);
-    const V s4 = lanes_abs(dvx);
-    const V s5 = lanes_abs(dvy);
-    const V s6 = lanes_select((s4 < s5), s5, s4);
-    const V s7 = lanes_abs(dvz);
-    const V s8 = lanes_abs(dwx);
-    const V s9 = lanes_abs(dwy);
-    const V s10 = lanes_select((s8 < s9), s9, s8);
-    const V s11 = lanes_abs(dwz);
-    return (LANES(hoop_claimed_errors_out)){ K(64.0) * lanes_select((s2 < s3), s3, s2), K(64.0) * lanes_select((s6 < s7), s7, s6), K(64.0) * lanes_select((s10 < s11), s11, s10), K(64.0) * clock_error };
+    const V _s0 = lanes_abs(dx);
+    const V _s1 = lanes_abs(dy);
+    const V _s2 = lanes_select((_s0 < _s1), _s1, _s0);
+    const V _s3 = lanes_abs(dz);
+    const V _s4 = lanes_abs(dvx);
+    const V _s5 = lanes_abs(dvy);
+    const V _s6 = lanes_select((_s4 < _s5), _s5, _s4);
+    const V _s7 = lanes_abs(dvz);
+    const V _s8 = lanes_abs(dwx);
+    const V _s9 = lanes_abs(dwy);
+    const V _s10 = lanes_select((_s8 < _s9), _s9, _s8);
+    const V _s11 = lanes_abs(dwz);
+    return (LANES(hoop_claimed_errors_out)){ K(64.0) * lanes_select((_s2 < _s3), _s3, _s2), K(64.0) * lanes_select((_s6 < _s7), _s7, _s6), K(64.0) * lanes_select((_s10 < _s11), _s11, _s10), K(64.0) * clock_error };
 }
 
 /* 1 where finite parameters are allowed.
@@ -233,11 +233,11 @@ typedef struct {
 } LANES(hoop_allowed_out);
 
 LANES_INLINE LANES(hoop_allowed_out)
-LANES(hoop_allowed)(V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V bridge_half_width, V restitution, V gravity, V end_depth)
+LANES(hoop_allowed)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_bridge_half_width, V p_restitution, V p_gravity, V p_end_depth)
 {
-    const V s0 = lanes_select((K(0.0) < ring_radius), lanes_select((K(0.0) < ball_radius), lanes_select((K(0.0) < ((ring_radius - ball_radius) - wire_radius)), K(1.0), K(0.0)), K(0.0)), K(0.0));
-    const V s1 = lanes_select((K(0.0) <= restitution), lanes_select((K(0.0) < bridge_half_width), lanes_select((K(0.0) < board_half_width), lanes_select((K(0.0) < board_distance), lanes_select((K(0.0) < wire_radius), s0, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
-    return (LANES(hoop_allowed_out)){ lanes_select((K(0.0) < end_depth), lanes_select((K(0.0) < gravity), lanes_select((restitution <= K(1.0)), s1, K(0.0)), K(0.0)), K(0.0)) };
+    const V _s0 = lanes_select((K(0.0) < p_ring_radius), lanes_select((K(0.0) < p_ball_radius), lanes_select((K(0.0) < ((p_ring_radius - p_ball_radius) - p_wire_radius)), K(1.0), K(0.0)), K(0.0)), K(0.0));
+    const V _s1 = lanes_select((K(0.0) <= p_restitution), lanes_select((K(0.0) < p_bridge_half_width), lanes_select((K(0.0) < p_board_half_width), lanes_select((K(0.0) < p_board_distance), lanes_select((K(0.0) < p_wire_radius), _s0, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
+    return (LANES(hoop_allowed_out)){ lanes_select((K(0.0) < p_end_depth), lanes_select((K(0.0) < p_gravity), lanes_select((p_restitution <= K(1.0)), _s1, K(0.0)), K(0.0)), K(0.0)) };
 }
 
 /* Where the parameters are finite and allowed.
@@ -247,11 +247,11 @@ typedef struct {
 } LANES(hoop_finite_parameters_out);
 
 LANES_INLINE LANES(hoop_finite_parameters_out)
-LANES(hoop_finite_parameters)(V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V restitution, V gravity, V end_depth, V allowed)
+LANES(hoop_finite_parameters)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_restitution, V p_gravity, V p_end_depth, V allowed)
 {
-    const M s0 = ((((K(0.0) < allowed) & (lanes_abs(ball_radius) < K(INFINITY))) & (lanes_abs(ring_radius) < K(INFINITY))) & (lanes_abs(wire_radius) < K(INFINITY))) & (lanes_abs(board_distance) < K(INFINITY));
-    const M s1 = (((s0 & (lanes_abs(board_half_width) < K(INFINITY))) & (lanes_abs(board_bottom) < K(INFINITY))) & (lanes_abs(board_top) < K(INFINITY))) & (lanes_abs(bridge_half_width) < K(INFINITY));
-    return (LANES(hoop_finite_parameters_out)){ ((s1 & (lanes_abs(restitution) < K(INFINITY))) & (lanes_abs(gravity) < K(INFINITY))) & (lanes_abs(end_depth) < K(INFINITY)) };
+    const M _s0 = ((((K(0.0) < allowed) & (lanes_abs(p_ball_radius) < K(INFINITY))) & (lanes_abs(p_ring_radius) < K(INFINITY))) & (lanes_abs(p_wire_radius) < K(INFINITY))) & (lanes_abs(p_board_distance) < K(INFINITY));
+    const M _s1 = (((_s0 & (lanes_abs(p_board_half_width) < K(INFINITY))) & (lanes_abs(p_board_bottom) < K(INFINITY))) & (lanes_abs(p_board_top) < K(INFINITY))) & (lanes_abs(p_bridge_half_width) < K(INFINITY));
+    return (LANES(hoop_finite_parameters_out)){ ((_s1 & (lanes_abs(p_restitution) < K(INFINITY))) & (lanes_abs(p_gravity) < K(INFINITY))) & (lanes_abs(p_end_depth) < K(INFINITY)) };
 }
 
 /* 1 where no surface is overlapped; 1 where that is in doubt.
@@ -262,48 +262,48 @@ typedef struct {
 } LANES(hoop_valid_out);
 
 LANES_INLINE LANES(hoop_valid_out)
-LANES(hoop_valid)(V last, V x, V y, V z, V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V end_depth)
+LANES(hoop_valid)(V last, V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_end_depth)
 {
-    const V s0 = lanes_sqrt(((x * x) + (y * y)));
-    const V s1 = s0 - ring_radius;
-    const V s2 = ball_radius + wire_radius;
-    const V s3 = ((z * z) + (s1 * s1)) - (s2 * s2);
-    const M s4 = lanes_abs(last) < K(0.5);
-    const V s5 = lanes_select(s4, K(1.0), lanes_select((K(0.0) <= s3), K(1.0), K(0.0)));
-    const V s6 = ball_radius - board_distance;
-    const V s7 = x - s6;
-    const V s8 = K(2.0) * ball_radius;
-    const V s9 = (s6 - s8) - x;
-    const V s10 = lanes_select((s7 < s9), s9, s7);
-    const V s11 = -(board_half_width + y);
-    const V s12 = lanes_select((s10 < s11), s11, s10);
-    const V s13 = y - board_half_width;
-    const V s14 = lanes_select((s12 < s13), s13, s12);
-    const V s15 = board_bottom - z;
-    const V s16 = lanes_select((s14 < s15), s15, s14);
-    const V s17 = z - board_top;
-    const V s18 = lanes_select((s16 < s17), s17, s16);
-    const M s19 = lanes_abs((last - K(1.0))) < K(0.5);
-    const V s20 = lanes_select(s19, s5, lanes_select((K(0.0) <= s18), s5, K(0.0)));
-    const V s21 = z - s2;
-    const V s22 = ((s2 - s8) - (K(2.0) * wire_radius)) - z;
-    const V s23 = lanes_select((s21 < s22), s22, s21);
-    const V s24 = -(bridge_half_width + y);
-    const V s25 = lanes_select((s23 < s24), s24, s23);
-    const V s26 = y - bridge_half_width;
-    const V s27 = lanes_select((s25 < s26), s26, s25);
-    const V s28 = ring_radius - s0;
-    const V s29 = lanes_select((s27 < s28), s28, s27);
-    const V s30 = lanes_select((s29 < x), x, s29);
-    const V s31 = -(board_distance + x);
-    const V s32 = lanes_select((s30 < s31), s31, s30);
-    const M s33 = lanes_abs((last - K(2.0))) < K(0.5);
-    const V s34 = ((((lanes_abs(ball_radius) + lanes_abs(board_bottom)) + lanes_abs(board_distance)) + lanes_abs(board_half_width)) + lanes_abs(board_top)) + lanes_abs(bridge_half_width);
-    const V s35 = ((((s34 + lanes_abs(end_depth)) + lanes_abs(ring_radius)) + lanes_abs(wire_radius)) + lanes_abs(x)) + lanes_abs(y);
-    const V s36 = K(1.7763568394002505e-15) * (s35 + lanes_abs(z));
-    const V s37 = lanes_select(s4, K(0.0), lanes_select((lanes_abs(s3) <= (((K(4.0) * ball_radius) + (K(4.0) * wire_radius)) * s36)), K(1.0), K(0.0)));
-    const V s38 = lanes_select(s19, s37, lanes_select((lanes_abs(s18) <= s36), K(1.0), s37));
-    return (LANES(hoop_valid_out)){ lanes_select(s33, s20, lanes_select((K(0.0) <= s32), s20, K(0.0))), lanes_select(s33, s38, lanes_select((lanes_abs(s32) <= s36), K(1.0), s38)) };
+    const V _s0 = lanes_sqrt(((x * x) + (y * y)));
+    const V _s1 = _s0 - p_ring_radius;
+    const V _s2 = p_ball_radius + p_wire_radius;
+    const V _s3 = ((z * z) + (_s1 * _s1)) - (_s2 * _s2);
+    const M _s4 = lanes_abs(last) < K(0.5);
+    const V _s5 = lanes_select(_s4, K(1.0), lanes_select((K(0.0) <= _s3), K(1.0), K(0.0)));
+    const V _s6 = p_ball_radius - p_board_distance;
+    const V _s7 = x - _s6;
+    const V _s8 = K(2.0) * p_ball_radius;
+    const V _s9 = (_s6 - _s8) - x;
+    const V _s10 = lanes_select((_s7 < _s9), _s9, _s7);
+    const V _s11 = -(p_board_half_width + y);
+    const V _s12 = lanes_select((_s10 < _s11), _s11, _s10);
+    const V _s13 = y - p_board_half_width;
+    const V _s14 = lanes_select((_s12 < _s13), _s13, _s12);
+    const V _s15 = p_board_bottom - z;
+    const V _s16 = lanes_select((_s14 < _s15), _s15, _s14);
+    const V _s17 = z - p_board_top;
+    const V _s18 = lanes_select((_s16 < _s17), _s17, _s16);
+    const M _s19 = lanes_abs((last - K(1.0))) < K(0.5);
+    const V _s20 = lanes_select(_s19, _s5, lanes_select((K(0.0) <= _s18), _s5, K(0.0)));
+    const V _s21 = z - _s2;
+    const V _s22 = ((_s2 - _s8) - (K(2.0) * p_wire_radius)) - z;
+    const V _s23 = lanes_select((_s21 < _s22), _s22, _s21);
+    const V _s24 = -(p_bridge_half_width + y);
+    const V _s25 = lanes_select((_s23 < _s24), _s24, _s23);
+    const V _s26 = y - p_bridge_half_width;
+    const V _s27 = lanes_select((_s25 < _s26), _s26, _s25);
+    const V _s28 = p_ring_radius - _s0;
+    const V _s29 = lanes_select((_s27 < _s28), _s28, _s27);
+    const V _s30 = lanes_select((_s29 < x), x, _s29);
+    const V _s31 = -(p_board_distance + x);
+    const V _s32 = lanes_select((_s30 < _s31), _s31, _s30);
+    const M _s33 = lanes_abs((last - K(2.0))) < K(0.5);
+    const V _s34 = ((((lanes_abs(p_ball_radius) + lanes_abs(p_board_bottom)) + lanes_abs(p_board_distance)) + lanes_abs(p_board_half_width)) + lanes_abs(p_board_top)) + lanes_abs(p_bridge_half_width);
+    const V _s35 = ((((_s34 + lanes_abs(p_end_depth)) + lanes_abs(p_ring_radius)) + lanes_abs(p_wire_radius)) + lanes_abs(x)) + lanes_abs(y);
+    const V _s36 = K(1.7763568394002505e-15) * (_s35 + lanes_abs(z));
+    const V _s37 = lanes_select(_s4, K(0.0), lanes_select((lanes_abs(_s3) <= (((K(4.0) * p_ball_radius) + (K(4.0) * p_wire_radius)) * _s36)), K(1.0), K(0.0)));
+    const V _s38 = lanes_select(_s19, _s37, lanes_select((lanes_abs(_s18) <= _s36), K(1.0), _s37));
+    return (LANES(hoop_valid_out)){ lanes_select(_s33, _s20, lanes_select((K(0.0) <= _s32), _s20, K(0.0))), lanes_select(_s33, _s38, lanes_select((lanes_abs(_s32) <= _s36), K(1.0), _s38)) };
 }
 
 /* Not positive where a crossing of the end plane is made.
@@ -313,9 +313,9 @@ typedef struct {
 } LANES(hoop_target_out);
 
 LANES_INLINE LANES(hoop_target_out)
-LANES(hoop_target)(V x, V y, V ring_radius)
+LANES(hoop_target)(V x, V y, V p_ring_radius)
 {
-    return (LANES(hoop_target_out)){ lanes_sqrt(((x * x) + (y * y))) - ring_radius };
+    return (LANES(hoop_target_out)){ lanes_sqrt(((x * x) + (y * y))) - p_ring_radius };
 }
 
 /* 1 where the ball leaves a surface.
@@ -340,8 +340,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_meeting_plane_out)
 LANES(hoop_meeting_plane)(V bend, V rate, V time)
 {
-    const M s0 = (((rate < K(0.0)) | (((rate <= K(0.0)) & (bend < K(0.0))) & (time == K(0.0)))) & (K(0.0) <= time)) & (time < K(INFINITY));
-    return (LANES(hoop_meeting_plane_out)){ s0, lanes_abs(bend) };
+    const M _s0 = (((rate < K(0.0)) | (((rate <= K(0.0)) & (bend < K(0.0))) & (time == K(0.0)))) & (K(0.0) <= time)) & (time < K(INFINITY));
+    return (LANES(hoop_meeting_plane_out)){ _s0, lanes_abs(bend) };
 }
 
 /* Whether an arrival may be the earliest, as far as their delays are bounded.
@@ -402,10 +402,10 @@ typedef struct {
 LANES_INLINE LANES(hoop_tied_out)
 LANES(hoop_tied)(M arrives, V delay, V doubt, V late, V time, V when)
 {
-    const M s0 = time < when;
-    const V s1 = lanes_select(s0, time, when);
-    const V s2 = lanes_select(((arrives & (lanes_abs((time - when)) <= (delay + late))) & (s1 < doubt)), s1, doubt);
-    return (LANES(hoop_tied_out)){ s2, lanes_select((arrives & s0), delay, late) };
+    const M _s0 = time < when;
+    const V _s1 = lanes_select(_s0, time, when);
+    const V _s2 = lanes_select(((arrives & (lanes_abs((time - when)) <= (delay + late))) & (_s1 < doubt)), _s1, doubt);
+    return (LANES(hoop_tied_out)){ _s2, lanes_select((arrives & _s0), delay, late) };
 }
 
 /* The earlier of the earliest arrival so far and this one.
@@ -418,8 +418,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_sooner_out)
 LANES(hoop_sooner)(M arrives, V index, V time, V when, V which)
 {
-    const M s0 = arrives & (time < when);
-    return (LANES(hoop_sooner_out)){ lanes_select(s0, time, when), lanes_select(s0, index, which) };
+    const M _s0 = arrives & (time < when);
+    return (LANES(hoop_sooner_out)){ lanes_select(_s0, time, when), lanes_select(_s0, index, which) };
 }
 
 /* Where a surface is not certainly missed.
@@ -470,9 +470,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_nearby_out)
 LANES(hoop_nearby)(V flat, V index, V last, V t, V tilt)
 {
-    const V s0 = t * tilt;
-    const M s1 = (last == index) & (s0 < flat);
-    return (LANES(hoop_nearby_out)){ lanes_select(s1, K(1.0), K(0.0)), lanes_select(s1, s0, flat) };
+    const V _s0 = t * tilt;
+    const M _s1 = (last == index) & (_s0 < flat);
+    return (LANES(hoop_nearby_out)){ lanes_select(_s1, K(1.0), K(0.0)), lanes_select(_s1, _s0, flat) };
 }
 
 /* Whether the gap closes, surely, or is to be looked at with smaller errors allowed.
@@ -486,12 +486,12 @@ typedef struct {
 LANES_INLINE LANES(hoop_struck_out)
 LANES(hoop_struck)(V bend, V clearance, V gap, V margin, V rate, V rate_margin, V share)
 {
-    const M s0 = (rate < K(0.0)) | ((rate <= rate_margin) & (bend < K(0.0)));
-    const M s1 = K(0.0) < clearance;
-    const M s2 = s0 & (((gap - margin) <= margin) | s1);
-    const M s3 = s0 & s1;
-    const M s4 = (s2 & NOT(s3)) & (K(0.0) < share);
-    return (LANES(hoop_struck_out)){ s2 & NOT(s4), s3, s4 };
+    const M _s0 = (rate < K(0.0)) | ((rate <= rate_margin) & (bend < K(0.0)));
+    const M _s1 = K(0.0) < clearance;
+    const M _s2 = _s0 & (((gap - margin) <= margin) | _s1);
+    const M _s3 = _s0 & _s1;
+    const M _s4 = (_s2 & NOT(_s3)) & (K(0.0) < share);
+    return (LANES(hoop_struck_out)){ _s2 & NOT(_s4), _s3, _s4 };
 }
 
 /* The next smaller errors that a search allows for.
@@ -531,9 +531,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_advanced_out)
 LANES(hoop_advanced)(V arrival, M certain, V end, M hit, V next, V root, V step, M sure, V t, M vague)
 {
-    const M s0 = NOT(hit);
-    const M s1 = (s0 & NOT(vague)) & ((end - t) <= step);
-    return (LANES(hoop_advanced_out)){ lanes_select(hit, lanes_select(sure, root, t), arrival), certain | (hit & sure), s1, s0 & NOT(s1), lanes_select((hit | vague), t, next) };
+    const M _s0 = NOT(hit);
+    const M _s1 = (_s0 & NOT(vague)) & ((end - t) <= step);
+    return (LANES(hoop_advanced_out)){ lanes_select(hit, lanes_select(sure, root, t), arrival), certain | (hit & sure), _s1, _s0 & NOT(_s1), lanes_select((hit | vague), t, next) };
 }
 
 /* Whether a search found an arrival.
@@ -594,8 +594,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_landed_surely_out)
 LANES(hoop_landed_surely)(M arrives, M certain, V clearance, V delay, V doubt, V time)
 {
-    const M s0 = certain & (K(0.0) < clearance);
-    return (LANES(hoop_landed_surely_out)){ lanes_select(s0, delay, K(0.0)), lanes_select(((arrives & NOT(s0)) & (time < doubt)), time, doubt) };
+    const M _s0 = certain & (K(0.0) < clearance);
+    return (LANES(hoop_landed_surely_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(((arrives & NOT(_s0)) & (time < doubt)), time, doubt) };
 }
 
 /* A search that begins outside the surface.
@@ -620,8 +620,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_admitted_out)
 LANES(hoop_admitted)(V doubt, M finite, M permitted, V valid)
 {
-    const M s0 = permitted & finite;
-    return (LANES(hoop_admitted_out)){ lanes_select((s0 & (K(0.0) < valid)), K(-1.0), K(4.0)), lanes_select((s0 & (K(0.0) < doubt)), K(1.0), K(0.0)) };
+    const M _s0 = permitted & finite;
+    return (LANES(hoop_admitted_out)){ lanes_select((_s0 & (K(0.0) < valid)), K(-1.0), K(4.0)), lanes_select((_s0 & (K(0.0) < doubt)), K(1.0), K(0.0)) };
 }
 
 /* Where every number of a state is finite.
@@ -633,9 +633,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_finite_state_out)
 LANES(hoop_finite_state)(V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
 {
-    const M s0 = ((((lanes_abs(x) < K(INFINITY)) & (lanes_abs(y) < K(INFINITY))) & (lanes_abs(z) < K(INFINITY))) & (lanes_abs(vx) < K(INFINITY))) & (lanes_abs(vy) < K(INFINITY));
-    const M s1 = (((s0 & (lanes_abs(vz) < K(INFINITY))) & (lanes_abs(wx) < K(INFINITY))) & (lanes_abs(wy) < K(INFINITY))) & (lanes_abs(wz) < K(INFINITY));
-    return (LANES(hoop_finite_state_out)){ s1 };
+    const M _s0 = ((((lanes_abs(x) < K(INFINITY)) & (lanes_abs(y) < K(INFINITY))) & (lanes_abs(z) < K(INFINITY))) & (lanes_abs(vx) < K(INFINITY))) & (lanes_abs(vy) < K(INFINITY));
+    const M _s1 = (((_s0 & (lanes_abs(vz) < K(INFINITY))) & (lanes_abs(wx) < K(INFINITY))) & (lanes_abs(wy) < K(INFINITY))) & (lanes_abs(wz) < K(INFINITY));
+    return (LANES(hoop_finite_state_out)){ _s1 };
 }
 
 /* No arrival yet; nothing is certain where the errors are not bounded.
@@ -665,10 +665,10 @@ typedef struct {
 LANES_INLINE LANES(hoop_departed_out)
 LANES(hoop_departed)(V index, V which)
 {
-    const M s0 = which < K(0.0);
-    const M s1 = NOT(s0);
-    const M s2 = which == index;
-    return (LANES(hoop_departed_out)){ s0, s1, s2, s1 & NOT(s2) };
+    const M _s0 = which < K(0.0);
+    const M _s1 = NOT(_s0);
+    const M _s2 = which == index;
+    return (LANES(hoop_departed_out)){ _s0, _s1, _s2, _s1 & NOT(_s2) };
 }
 
 /* The time of the event.
@@ -692,8 +692,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_doubted_out)
 LANES(hoop_doubted)(V doubt, M ends, V late, V miss, V slack, V uncertain, V when)
 {
-    const V s0 = lanes_select(((NOT(((late + when) < doubt)) & (doubt < K(INFINITY))) | (ends & (lanes_abs(miss) <= slack))), K(1.0), uncertain);
-    return (LANES(hoop_doubted_out)){ s0 };
+    const V _s0 = lanes_select(((NOT(((late + when) < doubt)) & (doubt < K(INFINITY))) | (ends & (lanes_abs(miss) <= slack))), K(1.0), uncertain);
+    return (LANES(hoop_doubted_out)){ _s0 };
 }
 
 /* How many contacts there were, and whether the shot ends and how.
@@ -706,8 +706,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_accounted_out)
 LANES(hoop_accounted)(V contacts, M ends, V miss, V most_contacts, M touches)
 {
-    const V s0 = K(1.0) + contacts;
-    return (LANES(hoop_accounted_out)){ lanes_select(touches, s0, contacts), lanes_select(touches, lanes_select((most_contacts <= s0), K(2.0), K(-1.0)), lanes_select(ends, lanes_select((miss <= K(0.0)), K(0.0), K(1.0)), K(3.0))) };
+    const V _s0 = K(1.0) + contacts;
+    return (LANES(hoop_accounted_out)){ lanes_select(touches, _s0, contacts), lanes_select(touches, lanes_select((most_contacts <= _s0), K(2.0), K(-1.0)), lanes_select(ends, lanes_select((miss <= K(0.0)), K(0.0), K(1.0)), K(3.0))) };
 }
 
 /* Where an event changes the ball, or its errors are asked for.
@@ -860,16 +860,16 @@ typedef struct {
 } LANES(hoop_impact_out);
 
 LANES_INLINE LANES(hoop_impact_out)
-LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V ball_radius, V restitution)
+LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ball_radius, V p_restitution)
 {
-    const V s0 = K(0.4) * ball_radius;
-    const V s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
-    const V s2 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
-    const V s3 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
-    const V s4 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
-    const V s5 = ((nx * wx) + (ny * wy)) + (nz * wz);
-    const V s6 = K(1.0) / ball_radius;
-    return (LANES(hoop_impact_out)){ s2 - ((nx * restitution) * s1), s3 - ((ny * restitution) * s1), s4 - ((nz * restitution) * s1), (nx * s5) + (s6 * ((ny * s4) - (nz * s3))), (ny * s5) + (s6 * ((nz * s2) - (nx * s4))), (nz * s5) + (s6 * ((nx * s3) - (ny * s2))) };
+    const V _s0 = K(0.4) * p_ball_radius;
+    const V _s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const V _s2 = (_s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * _s1)));
+    const V _s3 = (_s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * _s1)));
+    const V _s4 = (_s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * _s1)));
+    const V _s5 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    const V _s6 = K(1.0) / p_ball_radius;
+    return (LANES(hoop_impact_out)){ _s2 - ((nx * p_restitution) * _s1), _s3 - ((ny * p_restitution) * _s1), _s4 - ((nz * p_restitution) * _s1), (nx * _s5) + (_s6 * ((ny * _s4) - (nz * _s3))), (ny * _s5) + (_s6 * ((nz * _s2) - (nx * _s4))), (nz * _s5) + (_s6 * ((nx * _s3) - (ny * _s2))) };
 }
 
 /* Errors of velocity and spin after a contact, from those before it.
@@ -884,53 +884,53 @@ typedef struct {
 } LANES(hoop_carry_impact_out);
 
 LANES_INLINE LANES(hoop_carry_impact_out)
-LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V ball_radius, V restitution)
+LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V p_ball_radius, V p_restitution)
 {
-    const V s0 = K(0.4) * ball_radius;
-    const V s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
-    const V s2 = (((((dnx * vx) + (dny * vy)) + (dnz * vz)) + (dvx * nx)) + (dvy * ny)) + (dvz * nz);
-    const V s3 = (s0 * ((((dnz * wy) + (dwy * nz)) - (dny * wz)) - (dwz * ny))) + (K(0.6) * ((dvx - (dnx * s1)) - (nx * s2)));
-    const V s4 = (s3 - ((dnx * restitution) * s1)) - ((nx * restitution) * s2);
-    const V s5 = ((ball_radius * ((lanes_abs(wx) + lanes_abs(wy)) + lanes_abs(wz))) + lanes_abs(vx)) + lanes_abs(vy);
-    const V s6 = s5 + lanes_abs(vz);
-    const V s7 = K(2.220446049250313e-16) * s6;
-    const V s8 = -s7;
-    const V s9 = s4 + lanes_select((s4 < K(0.0)), s8, s7);
-    const V s10 = K(8.0) + (K(8.0) * contacts);
-    const V s11 = lanes_abs(dwx);
-    const V s12 = lanes_abs(dwy);
-    const V s13 = lanes_select((s11 < s12), s12, s11);
-    const V s14 = lanes_abs(dwz);
-    const V s15 = lanes_abs(dvx);
-    const V s16 = lanes_abs(dvy);
-    const V s17 = lanes_select((s15 < s16), s16, s15);
-    const V s18 = lanes_abs(dvz);
-    const V s19 = ((ball_radius * lanes_select((s13 < s14), s14, s13)) + (turn * s6)) + lanes_select((s17 < s18), s18, s17);
-    const V s20 = s19 / s10;
-    const V s21 = -s20;
-    const V s22 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (K(0.6) * ((dvy - (dny * s1)) - (ny * s2)));
-    const V s23 = (s22 - ((dny * restitution) * s1)) - ((ny * restitution) * s2);
-    const V s24 = s23 + lanes_select((s23 < K(0.0)), s8, s7);
-    const V s25 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (K(0.6) * ((dvz - (dnz * s1)) - (nz * s2)));
-    const V s26 = (s25 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2);
-    const V s27 = s26 + lanes_select((s26 < K(0.0)), s8, s7);
-    const V s28 = ((nx * wx) + (ny * wy)) + (nz * wz);
-    const V s29 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz);
-    const V s30 = K(1.0) / ball_radius;
-    const V s31 = (s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * s1)));
-    const V s32 = (s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * s1)));
-    const V s33 = ((dnx * s28) + (nx * s29)) + (s30 * ((((dny * s31) + (ny * s25)) - (dnz * s32)) - (nz * s22)));
-    const V s34 = s7 / ball_radius;
-    const V s35 = -s34;
-    const V s36 = s33 + lanes_select((s33 < K(0.0)), s35, s34);
-    const V s37 = s19 / (ball_radius * s10);
-    const V s38 = -s37;
-    const V s39 = (s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * s1)));
-    const V s40 = ((dny * s28) + (ny * s29)) + (s30 * ((((dnz * s39) + (nz * s3)) - (dnx * s31)) - (nx * s25)));
-    const V s41 = s40 + lanes_select((s40 < K(0.0)), s35, s34);
-    const V s42 = ((dnz * s28) + (nz * s29)) + (s30 * ((((dnx * s32) + (nx * s22)) - (dny * s39)) - (ny * s3)));
-    const V s43 = s42 + lanes_select((s42 < K(0.0)), s35, s34);
-    return (LANES(hoop_carry_impact_out)){ lanes_select((lanes_abs(s9) < s20), lanes_select((s9 < K(0.0)), s21, s20), s9), lanes_select((lanes_abs(s24) < s20), lanes_select((s24 < K(0.0)), s21, s20), s24), lanes_select((lanes_abs(s27) < s20), lanes_select((s27 < K(0.0)), s21, s20), s27), lanes_select((lanes_abs(s36) < s37), lanes_select((s36 < K(0.0)), s38, s37), s36), lanes_select((lanes_abs(s41) < s37), lanes_select((s41 < K(0.0)), s38, s37), s41), lanes_select((lanes_abs(s43) < s37), lanes_select((s43 < K(0.0)), s38, s37), s43) };
+    const V _s0 = K(0.4) * p_ball_radius;
+    const V _s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
+    const V _s2 = (((((dnx * vx) + (dny * vy)) + (dnz * vz)) + (dvx * nx)) + (dvy * ny)) + (dvz * nz);
+    const V _s3 = (_s0 * ((((dnz * wy) + (dwy * nz)) - (dny * wz)) - (dwz * ny))) + (K(0.6) * ((dvx - (dnx * _s1)) - (nx * _s2)));
+    const V _s4 = (_s3 - ((dnx * p_restitution) * _s1)) - ((nx * p_restitution) * _s2);
+    const V _s5 = ((p_ball_radius * ((lanes_abs(wx) + lanes_abs(wy)) + lanes_abs(wz))) + lanes_abs(vx)) + lanes_abs(vy);
+    const V _s6 = _s5 + lanes_abs(vz);
+    const V _s7 = K(2.220446049250313e-16) * _s6;
+    const V _s8 = -_s7;
+    const V _s9 = _s4 + lanes_select((_s4 < K(0.0)), _s8, _s7);
+    const V _s10 = K(8.0) + (K(8.0) * contacts);
+    const V _s11 = lanes_abs(dwx);
+    const V _s12 = lanes_abs(dwy);
+    const V _s13 = lanes_select((_s11 < _s12), _s12, _s11);
+    const V _s14 = lanes_abs(dwz);
+    const V _s15 = lanes_abs(dvx);
+    const V _s16 = lanes_abs(dvy);
+    const V _s17 = lanes_select((_s15 < _s16), _s16, _s15);
+    const V _s18 = lanes_abs(dvz);
+    const V _s19 = ((p_ball_radius * lanes_select((_s13 < _s14), _s14, _s13)) + (turn * _s6)) + lanes_select((_s17 < _s18), _s18, _s17);
+    const V _s20 = _s19 / _s10;
+    const V _s21 = -_s20;
+    const V _s22 = (_s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (K(0.6) * ((dvy - (dny * _s1)) - (ny * _s2)));
+    const V _s23 = (_s22 - ((dny * p_restitution) * _s1)) - ((ny * p_restitution) * _s2);
+    const V _s24 = _s23 + lanes_select((_s23 < K(0.0)), _s8, _s7);
+    const V _s25 = (_s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (K(0.6) * ((dvz - (dnz * _s1)) - (nz * _s2)));
+    const V _s26 = (_s25 - ((dnz * p_restitution) * _s1)) - ((nz * p_restitution) * _s2);
+    const V _s27 = _s26 + lanes_select((_s26 < K(0.0)), _s8, _s7);
+    const V _s28 = ((nx * wx) + (ny * wy)) + (nz * wz);
+    const V _s29 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz);
+    const V _s30 = K(1.0) / p_ball_radius;
+    const V _s31 = (_s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * _s1)));
+    const V _s32 = (_s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * _s1)));
+    const V _s33 = ((dnx * _s28) + (nx * _s29)) + (_s30 * ((((dny * _s31) + (ny * _s25)) - (dnz * _s32)) - (nz * _s22)));
+    const V _s34 = _s7 / p_ball_radius;
+    const V _s35 = -_s34;
+    const V _s36 = _s33 + lanes_select((_s33 < K(0.0)), _s35, _s34);
+    const V _s37 = _s19 / (p_ball_radius * _s10);
+    const V _s38 = -_s37;
+    const V _s39 = (_s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * _s1)));
+    const V _s40 = ((dny * _s28) + (ny * _s29)) + (_s30 * ((((dnz * _s39) + (nz * _s3)) - (dnx * _s31)) - (nx * _s25)));
+    const V _s41 = _s40 + lanes_select((_s40 < K(0.0)), _s35, _s34);
+    const V _s42 = ((dnz * _s28) + (nz * _s29)) + (_s30 * ((((dnx * _s32) + (nx * _s22)) - (dny * _s39)) - (ny * _s3)));
+    const V _s43 = _s42 + lanes_select((_s42 < K(0.0)), _s35, _s34);
+    return (LANES(hoop_carry_impact_out)){ lanes_select((lanes_abs(_s9) < _s20), lanes_select((_s9 < K(0.0)), _s21, _s20), _s9), lanes_select((lanes_abs(_s24) < _s20), lanes_select((_s24 < K(0.0)), _s21, _s20), _s24), lanes_select((lanes_abs(_s27) < _s20), lanes_select((_s27 < K(0.0)), _s21, _s20), _s27), lanes_select((lanes_abs(_s36) < _s37), lanes_select((_s36 < K(0.0)), _s38, _s37), _s36), lanes_select((lanes_abs(_s41) < _s37), lanes_select((_s41 < K(0.0)), _s38, _s37), _s41), lanes_select((lanes_abs(_s43) < _s37), lanes_select((_s43 < K(0.0)), _s38, _s37), _s43) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -942,12 +942,12 @@ typedef struct {
 } LANES(hoop_ring_normal_out);
 
 LANES_INLINE LANES(hoop_ring_normal_out)
-LANES(hoop_ring_normal)(V x, V y, V z, V ball_radius, V ring_radius, V wire_radius)
+LANES(hoop_ring_normal)(V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius)
 {
-    const V s0 = K(1.0) / (ball_radius + wire_radius);
-    const V s1 = lanes_sqrt(((x * x) + (y * y)));
-    const V s2 = (s0 * (s1 - ring_radius)) * (K(1.0) / s1);
-    return (LANES(hoop_ring_normal_out)){ x * s2, y * s2, z * s0 };
+    const V _s0 = K(1.0) / (p_ball_radius + p_wire_radius);
+    const V _s1 = lanes_sqrt(((x * x) + (y * y)));
+    const V _s2 = (_s0 * (_s1 - p_ring_radius)) * (K(1.0) / _s1);
+    return (LANES(hoop_ring_normal_out)){ x * _s2, y * _s2, z * _s0 };
 }
 
 /* Bound on the rate at which the normal turns along the contact surface.
@@ -957,11 +957,11 @@ typedef struct {
 } LANES(hoop_ring_curvature_out);
 
 LANES_INLINE LANES(hoop_ring_curvature_out)
-LANES(hoop_ring_curvature)(V ball_radius, V ring_radius, V wire_radius)
+LANES(hoop_ring_curvature)(V p_ball_radius, V p_ring_radius, V p_wire_radius)
 {
-    const V s0 = (ring_radius - ball_radius) - wire_radius;
-    const V s1 = ball_radius + wire_radius;
-    return (LANES(hoop_ring_curvature_out)){ K(1.0) / lanes_select((s0 < s1), s0, s1) };
+    const V _s0 = (p_ring_radius - p_ball_radius) - p_wire_radius;
+    const V _s1 = p_ball_radius + p_wire_radius;
+    return (LANES(hoop_ring_curvature_out)){ K(1.0) / lanes_select((_s0 < _s1), _s0, _s1) };
 }
 
 /* Error of the normal, from that of the position.
@@ -974,18 +974,18 @@ typedef struct {
 } LANES(hoop_ring_carry_normal_out);
 
 LANES_INLINE LANES(hoop_ring_carry_normal_out)
-LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V ball_radius, V ring_radius, V wire_radius)
+LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V p_ball_radius, V p_ring_radius, V p_wire_radius)
 {
-    const V s0 = ball_radius + wire_radius;
-    const V s1 = K(1.0) / s0;
-    const V s2 = lanes_sqrt(((x * x) + (y * y)));
-    const V s3 = s2 - ring_radius;
-    const V s4 = K(1.0) / s2;
-    const V s5 = (s1 * s3) * s4;
-    const V s6 = (K(0.5) * (((K(2.0) * dx) * x) + ((K(2.0) * dy) * y))) / s2;
-    const V s7 = ((s6 * s1) * s4) + (((-(s6 * (s4 * s4))) * s1) * s3);
-    const V s8 = (ring_radius - ball_radius) - wire_radius;
-    return (LANES(hoop_ring_carry_normal_out)){ (dx * s5) + (x * s7), (dy * s5) + (y * s7), dz * s1, shift * (K(1.0) / lanes_select((s8 < s0), s8, s0)) };
+    const V _s0 = p_ball_radius + p_wire_radius;
+    const V _s1 = K(1.0) / _s0;
+    const V _s2 = lanes_sqrt(((x * x) + (y * y)));
+    const V _s3 = _s2 - p_ring_radius;
+    const V _s4 = K(1.0) / _s2;
+    const V _s5 = (_s1 * _s3) * _s4;
+    const V _s6 = (K(0.5) * (((K(2.0) * dx) * x) + ((K(2.0) * dy) * y))) / _s2;
+    const V _s7 = ((_s6 * _s1) * _s4) + (((-(_s6 * (_s4 * _s4))) * _s1) * _s3);
+    const V _s8 = (p_ring_radius - p_ball_radius) - p_wire_radius;
+    return (LANES(hoop_ring_carry_normal_out)){ (dx * _s5) + (x * _s7), (dy * _s5) + (y * _s7), dz * _s1, shift * (K(1.0) / lanes_select((_s8 < _s0), _s8, _s0)) };
 }
 
 /* Positive if there certainly is no contact before the horizon.
@@ -995,50 +995,50 @@ typedef struct {
 } LANES(hoop_ring_clear_out);
 
 LANES_INLINE LANES(hoop_ring_clear_out)
-LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
-    const V s0 = ball_radius + wire_radius;
-    const V s1 = (K(0.000244140625) * ring_radius) - (ring_radius - s0);
-    const V s2 = position_error + (horizon * velocity_error);
-    const V s3 = (s2 - (K(1.52587890625e-05) * ball_radius)) - (K(1.52587890625e-05) * wire_radius);
-    const V s4 = K(1.00006103515625) * s0;
-    const V s5 = ring_radius + s4;
-    const V s6 = vz * vz;
-    const V s7 = s6 + ((K(2.0) * gravity) * (z - s4));
-    const V s8 = K(1.0) / gravity;
-    const V s9 = lanes_sqrt(s7);
-    const V s10 = s8 * (vz - s9);
-    const V s11 = s8 * (vz + s9);
-    const V s12 = x + (vx * s11);
-    const V s13 = y + (vy * s11);
-    const V s14 = (s12 * s12) + (s13 * s13);
-    const V s15 = lanes_sqrt(s14);
-    const V s16 = s15 - ring_radius;
-    const V s17 = z + ((vz - ((K(0.5) * gravity) * s11)) * s11);
-    const V s18 = s5 * s5;
-    const V s19 = K(9.313225746154785e-10) * s18;
-    const V s20 = (((s16 * s16) + (s17 * s17)) - (s0 * s0)) - s19;
-    const V s21 = (vx * vx) + (vy * vy);
-    const V s22 = ring_radius - s4;
-    const V s23 = K(0.0001220703125) * ring_radius;
-    const V s24 = lanes_select((s22 < s23), s23, s22);
-    const V s25 = s24 * s24;
-    const V s26 = s24 * s25;
-    const V s27 = ((((K(2.0) * s6) + ((K(4.0) * gravity) * z)) + (K(2.0) * s21)) - ((K(6.0003662109375) * gravity) * s0)) * s26;
-    const V s28 = (vy * x) - (vx * y);
-    const V s29 = s28 * s28;
-    const V s30 = s27 - ((K(2.0) * ring_radius) * s29);
-    const V s31 = (s16 * ((vx * s12) + (vy * s13))) + ((s17 * (vz - (gravity * s11))) * s15);
-    const V s32 = x + (horizon * vx);
-    const V s33 = y + (horizon * vy);
-    const V s34 = lanes_select(((((s19 + (s32 * s32)) + (s33 * s33)) - s25) < K(0.0)), K(1.0), lanes_select((((s21 * (s19 + s25)) - s29) < K(0.0)), K(1.0), K(0.0)));
-    const V s35 = lanes_select(((((K(4.0) * (s31 * s31)) * s26) - (((K(2.0) * s30) * s14) * s20)) < K(0.0)), s34, K(0.0));
-    const V s36 = lanes_select((horizon < (s11 - (K(9.313225746154785e-10) * horizon))), K(1.0), lanes_select((K(0.0) < s20), lanes_select((K(0.0) < s30), s35, K(0.0)), K(0.0)));
-    const V s37 = (vx * x) + (vy * y);
-    const V s38 = (s10 * s21) + s37;
-    const V s39 = lanes_select((s38 < K(0.0)), lanes_select((s18 < ((s10 * (s37 + s38)) + ((x * x) + (y * y)))), s36, K(0.0)), K(0.0));
-    const V s40 = lanes_select(((extent + (horizon * (speed + (gravity * horizon)))) < (K(65536.0) * s5)), lanes_select((K(0.0) < s7), lanes_select((s10 < K(0.0)), s36, s39), K(0.0)), K(0.0));
-    return (LANES(hoop_ring_clear_out)){ lanes_select((K(0.0) < lanes_select((s1 < s3), s3, s1)), K(0.0), lanes_select((s2 < (K(5.820766091346741e-11) * s5)), s40, K(0.0))) };
+    const V _s0 = p_ball_radius + p_wire_radius;
+    const V _s1 = (K(0.000244140625) * p_ring_radius) - (p_ring_radius - _s0);
+    const V _s2 = position_error + (horizon * velocity_error);
+    const V _s3 = (_s2 - (K(1.52587890625e-05) * p_ball_radius)) - (K(1.52587890625e-05) * p_wire_radius);
+    const V _s4 = K(1.00006103515625) * _s0;
+    const V _s5 = p_ring_radius + _s4;
+    const V _s6 = vz * vz;
+    const V _s7 = _s6 + ((K(2.0) * p_gravity) * (z - _s4));
+    const V _s8 = K(1.0) / p_gravity;
+    const V _s9 = lanes_sqrt(_s7);
+    const V _s10 = _s8 * (vz - _s9);
+    const V _s11 = _s8 * (vz + _s9);
+    const V _s12 = x + (vx * _s11);
+    const V _s13 = y + (vy * _s11);
+    const V _s14 = (_s12 * _s12) + (_s13 * _s13);
+    const V _s15 = lanes_sqrt(_s14);
+    const V _s16 = _s15 - p_ring_radius;
+    const V _s17 = z + ((vz - ((K(0.5) * p_gravity) * _s11)) * _s11);
+    const V _s18 = _s5 * _s5;
+    const V _s19 = K(9.313225746154785e-10) * _s18;
+    const V _s20 = (((_s16 * _s16) + (_s17 * _s17)) - (_s0 * _s0)) - _s19;
+    const V _s21 = (vx * vx) + (vy * vy);
+    const V _s22 = p_ring_radius - _s4;
+    const V _s23 = K(0.0001220703125) * p_ring_radius;
+    const V _s24 = lanes_select((_s22 < _s23), _s23, _s22);
+    const V _s25 = _s24 * _s24;
+    const V _s26 = _s24 * _s25;
+    const V _s27 = ((((K(2.0) * _s6) + ((K(4.0) * p_gravity) * z)) + (K(2.0) * _s21)) - ((K(6.0003662109375) * p_gravity) * _s0)) * _s26;
+    const V _s28 = (vy * x) - (vx * y);
+    const V _s29 = _s28 * _s28;
+    const V _s30 = _s27 - ((K(2.0) * p_ring_radius) * _s29);
+    const V _s31 = (_s16 * ((vx * _s12) + (vy * _s13))) + ((_s17 * (vz - (p_gravity * _s11))) * _s15);
+    const V _s32 = x + (horizon * vx);
+    const V _s33 = y + (horizon * vy);
+    const V _s34 = lanes_select(((((_s19 + (_s32 * _s32)) + (_s33 * _s33)) - _s25) < K(0.0)), K(1.0), lanes_select((((_s21 * (_s19 + _s25)) - _s29) < K(0.0)), K(1.0), K(0.0)));
+    const V _s35 = lanes_select(((((K(4.0) * (_s31 * _s31)) * _s26) - (((K(2.0) * _s30) * _s14) * _s20)) < K(0.0)), _s34, K(0.0));
+    const V _s36 = lanes_select((horizon < (_s11 - (K(9.313225746154785e-10) * horizon))), K(1.0), lanes_select((K(0.0) < _s20), lanes_select((K(0.0) < _s30), _s35, K(0.0)), K(0.0)));
+    const V _s37 = (vx * x) + (vy * y);
+    const V _s38 = (_s10 * _s21) + _s37;
+    const V _s39 = lanes_select((_s38 < K(0.0)), lanes_select((_s18 < ((_s10 * (_s37 + _s38)) + ((x * x) + (y * y)))), _s36, K(0.0)), K(0.0));
+    const V _s40 = lanes_select(((extent + (horizon * (speed + (p_gravity * horizon)))) < (K(65536.0) * _s5)), lanes_select((K(0.0) < _s7), lanes_select((_s10 < K(0.0)), _s36, _s39), K(0.0)), K(0.0));
+    return (LANES(hoop_ring_clear_out)){ lanes_select((K(0.0) < lanes_select((_s1 < _s3), _s3, _s1)), K(0.0), lanes_select((_s2 < (K(5.820766091346741e-11) * _s5)), _s40, K(0.0))) };
 }
 
 /* Constants and windows of the search along a flight, and the errors it allows for.
@@ -1059,69 +1059,69 @@ typedef struct {
 } LANES(hoop_ring_prepare_out);
 
 LANES_INLINE LANES(hoop_ring_prepare_out)
-LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
-    const V s0 = vz * vz;
-    const V s1 = (vx * vx) + (vy * vy);
-    const V s2 = ((K(2.0) * s0) + ((K(4.0) * gravity) * z)) + (K(2.0) * s1);
-    const V s3 = (vy * x) - (vx * y);
-    const V s4 = s3 * s3;
-    const V s5 = (K(2.0) * ring_radius) * s4;
-    const V s6 = (x * x) + (y * y);
-    const V s7 = ball_radius + wire_radius;
-    const V s8 = K(1.00006103515625) * s7;
-    const V s9 = K(2.0) * gravity;
-    const V s10 = K(8.881784197001252e-16) * (s0 + (s9 * (lanes_abs(z) + s8)));
-    const V s11 = (s0 + (s9 * (z + s8))) + s10;
-    const V s12 = K(1.0) / gravity;
-    const V s13 = lanes_sqrt(s11);
-    const V s14 = K(1.7763568394002505e-15) * (lanes_abs(vz) + s13);
-    const M s15 = K(0.0) <= s11;
-    const V s16 = lanes_select(s15, (s12 * ((vz - s13) - s14)), K(INFINITY));
-    const V s17 = ring_radius + s8;
-    const V s18 = s17 * s17;
-    const V s19 = (K(1.7763568394002505e-15) * s1) * (s18 + s6);
-    const V s20 = ((s18 * s1) + s19) - s4;
-    const V s21 = (vx * x) + (vy * y);
-    const V s22 = lanes_sqrt(s20);
-    const V s23 = K(1.7763568394002505e-15) * ((lanes_abs(s21) + lanes_abs(s3)) + s22);
-    const V s24 = K(1.0) / s1;
-    const M s25 = K(0.0) <= s20;
-    const M s26 = K(2.409919865102884e-181) < s1;
-    const V s27 = lanes_select(s26, lanes_select(s25, ((-((s21 + s22) + s23)) * s24), K(INFINITY)), (-K(INFINITY)));
-    const V s28 = lanes_select((s16 < s27), s27, s16);
-    const V s29 = ring_radius - s8;
-    const V s30 = K(0.0001220703125) * ring_radius;
-    const V s31 = lanes_select((s29 < s30), s30, s29);
-    const V s32 = ((s1 * (s31 * s31)) - s19) - s4;
-    const V s33 = lanes_sqrt(lanes_select((s32 < K(0.0)), K(0.0), s32));
-    const V s34 = lanes_select(s26, lanes_select(s25, (((s22 + s23) - s21) * s24), (-K(INFINITY))), K(INFINITY));
-    const M s35 = K(0.0) < lanes_select(s26, s32, K(0.0));
-    const V s36 = lanes_select(s35, (((s23 - s21) - s33) * s24), s34);
-    const V s37 = (s0 + (s9 * (z - s8))) - s10;
-    const V s38 = lanes_sqrt(lanes_select((s37 < K(0.0)), K(0.0), s37));
-    const V s39 = lanes_select(s15, (s12 * ((vz + s13) + s14)), (-K(INFINITY)));
-    const M s40 = K(0.0) < s37;
-    const V s41 = lanes_select(s40, (s12 * ((vz + s14) - s38)), s39);
-    const V s42 = lanes_select((s36 < s41), s36, s41);
-    const V s43 = lanes_select(s35, (((s33 - s21) - s23) * s24), K(INFINITY));
-    const V s44 = lanes_select((s43 < s36), s36, s43);
-    const V s45 = lanes_select((s16 < s44), s44, s16);
-    const V s46 = lanes_select((s34 < s41), s34, s41);
-    const V s47 = lanes_select(s40, (s12 * ((vz + s38) - s14)), K(INFINITY));
-    const V s48 = lanes_select((s47 < s41), s41, s47);
-    const M s49 = s45 <= s46;
-    const V s50 = lanes_select(s49, s45, lanes_select((s48 < s27), s27, s48));
-    const V s51 = lanes_select(s49, s46, lanes_select((s36 < s39), s36, s39));
-    const V s52 = lanes_select((s48 < s44), s44, s48);
-    const V s53 = lanes_select((s34 < s39), s34, s39);
-    const V s54 = K(1.0) / s31;
-    const V s55 = lanes_select((K(0.0) < s42), s42, K(0.0));
-    const V s56 = lanes_select((s55 < s51), s51, s55);
-    const V s57 = lanes_select((s56 < s53), s53, s56);
-    const V s58 = (K(0.000244140625) * ring_radius) - (ring_radius - s7);
-    const V s59 = ((position_error + (horizon * velocity_error)) - (K(1.52587890625e-05) * ball_radius)) - (K(1.52587890625e-05) * wire_radius);
-    return (LANES(hoop_ring_prepare_out)){ s2, s5, lanes_sqrt(s6), lanes_select((K(0.0) < s28), s28, K(0.0)), lanes_select((s42 < horizon), s42, horizon), lanes_select((K(0.0) < s50), s50, K(0.0)), lanes_select((s51 < horizon), s51, horizon), lanes_select((K(0.0) < s52), s52, K(0.0)), lanes_select((s53 < horizon), s53, horizon), (((K(6.0003662109375) * gravity) * s7) + (s5 * (s54 * (s54 * s54)))) + lanes_abs(s2), lanes_select((s57 < horizon), s57, horizon), lanes_select((s58 < s59), s59, s58) };
+    const V _s0 = vz * vz;
+    const V _s1 = (vx * vx) + (vy * vy);
+    const V _s2 = ((K(2.0) * _s0) + ((K(4.0) * p_gravity) * z)) + (K(2.0) * _s1);
+    const V _s3 = (vy * x) - (vx * y);
+    const V _s4 = _s3 * _s3;
+    const V _s5 = (K(2.0) * p_ring_radius) * _s4;
+    const V _s6 = (x * x) + (y * y);
+    const V _s7 = p_ball_radius + p_wire_radius;
+    const V _s8 = K(1.00006103515625) * _s7;
+    const V _s9 = K(2.0) * p_gravity;
+    const V _s10 = K(8.881784197001252e-16) * (_s0 + (_s9 * (lanes_abs(z) + _s8)));
+    const V _s11 = (_s0 + (_s9 * (z + _s8))) + _s10;
+    const V _s12 = K(1.0) / p_gravity;
+    const V _s13 = lanes_sqrt(_s11);
+    const V _s14 = K(1.7763568394002505e-15) * (lanes_abs(vz) + _s13);
+    const M _s15 = K(0.0) <= _s11;
+    const V _s16 = lanes_select(_s15, (_s12 * ((vz - _s13) - _s14)), K(INFINITY));
+    const V _s17 = p_ring_radius + _s8;
+    const V _s18 = _s17 * _s17;
+    const V _s19 = (K(1.7763568394002505e-15) * _s1) * (_s18 + _s6);
+    const V _s20 = ((_s18 * _s1) + _s19) - _s4;
+    const V _s21 = (vx * x) + (vy * y);
+    const V _s22 = lanes_sqrt(_s20);
+    const V _s23 = K(1.7763568394002505e-15) * ((lanes_abs(_s21) + lanes_abs(_s3)) + _s22);
+    const V _s24 = K(1.0) / _s1;
+    const M _s25 = K(0.0) <= _s20;
+    const M _s26 = K(2.409919865102884e-181) < _s1;
+    const V _s27 = lanes_select(_s26, lanes_select(_s25, ((-((_s21 + _s22) + _s23)) * _s24), K(INFINITY)), (-K(INFINITY)));
+    const V _s28 = lanes_select((_s16 < _s27), _s27, _s16);
+    const V _s29 = p_ring_radius - _s8;
+    const V _s30 = K(0.0001220703125) * p_ring_radius;
+    const V _s31 = lanes_select((_s29 < _s30), _s30, _s29);
+    const V _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4;
+    const V _s33 = lanes_sqrt(lanes_select((_s32 < K(0.0)), K(0.0), _s32));
+    const V _s34 = lanes_select(_s26, lanes_select(_s25, (((_s22 + _s23) - _s21) * _s24), (-K(INFINITY))), K(INFINITY));
+    const M _s35 = K(0.0) < lanes_select(_s26, _s32, K(0.0));
+    const V _s36 = lanes_select(_s35, (((_s23 - _s21) - _s33) * _s24), _s34);
+    const V _s37 = (_s0 + (_s9 * (z - _s8))) - _s10;
+    const V _s38 = lanes_sqrt(lanes_select((_s37 < K(0.0)), K(0.0), _s37));
+    const V _s39 = lanes_select(_s15, (_s12 * ((vz + _s13) + _s14)), (-K(INFINITY)));
+    const M _s40 = K(0.0) < _s37;
+    const V _s41 = lanes_select(_s40, (_s12 * ((vz + _s14) - _s38)), _s39);
+    const V _s42 = lanes_select((_s36 < _s41), _s36, _s41);
+    const V _s43 = lanes_select(_s35, (((_s33 - _s21) - _s23) * _s24), K(INFINITY));
+    const V _s44 = lanes_select((_s43 < _s36), _s36, _s43);
+    const V _s45 = lanes_select((_s16 < _s44), _s44, _s16);
+    const V _s46 = lanes_select((_s34 < _s41), _s34, _s41);
+    const V _s47 = lanes_select(_s40, (_s12 * ((vz + _s38) - _s14)), K(INFINITY));
+    const V _s48 = lanes_select((_s47 < _s41), _s41, _s47);
+    const M _s49 = _s45 <= _s46;
+    const V _s50 = lanes_select(_s49, _s45, lanes_select((_s48 < _s27), _s27, _s48));
+    const V _s51 = lanes_select(_s49, _s46, lanes_select((_s36 < _s39), _s36, _s39));
+    const V _s52 = lanes_select((_s48 < _s44), _s44, _s48);
+    const V _s53 = lanes_select((_s34 < _s39), _s34, _s39);
+    const V _s54 = K(1.0) / _s31;
+    const V _s55 = lanes_select((K(0.0) < _s42), _s42, K(0.0));
+    const V _s56 = lanes_select((_s55 < _s51), _s51, _s55);
+    const V _s57 = lanes_select((_s56 < _s53), _s53, _s56);
+    const V _s58 = (K(0.000244140625) * p_ring_radius) - (p_ring_radius - _s7);
+    const V _s59 = ((position_error + (horizon * velocity_error)) - (K(1.52587890625e-05) * p_ball_radius)) - (K(1.52587890625e-05) * p_wire_radius);
+    return (LANES(hoop_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_select((K(0.0) < _s28), _s28, K(0.0)), lanes_select((_s42 < horizon), _s42, horizon), lanes_select((K(0.0) < _s50), _s50, K(0.0)), lanes_select((_s51 < horizon), _s51, horizon), lanes_select((K(0.0) < _s52), _s52, K(0.0)), lanes_select((_s53 < horizon), _s53, horizon), (((K(6.0003662109375) * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + lanes_abs(_s2), lanes_select((_s57 < horizon), _s57, horizon), lanes_select((_s58 < _s59), _s59, _s58) };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
@@ -1133,22 +1133,22 @@ typedef struct {
 } LANES(hoop_ring_margins_out);
 
 LANES_INLINE LANES(hoop_ring_margins_out)
-LANES(hoop_ring_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES(hoop_ring_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
-    const V s0 = ball_radius + wire_radius;
-    const V s1 = speed + (gravity * horizon);
-    const V s2 = K(1.00006103515625) * s0;
-    const V s3 = s2 * s1;
-    const V s4 = ring_radius + s2;
-    const V s5 = extent + (horizon * s1);
-    const V s6 = (position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s5);
-    const V s7 = ring_radius - s2;
-    const V s8 = K(0.0001220703125) * ring_radius;
-    const V s9 = s2 / lanes_select((s7 < s8), s8, s7);
-    const V s10 = lanes_select((K(1.0) < s9), s9, K(1.0));
-    const V s11 = K(5.0) * (((s1 * s10) * s6) + (s2 * (velocity_error + (K(2.220446049250313e-16) * s1))));
-    const V s12 = K(1.0009765625) * ((((K(3.552713678800501e-15) * s1) * ((s5 * s10) + s4)) + (K(4.440892098500626e-16) * s3)) + s11);
-    return (LANES(hoop_ring_margins_out)){ K(1.0009765625) * ((((K(4.440892098500626e-16) * horizon) * s3) + ((K(1.3323489447131243e-15) * s0) * s4)) + ((K(5.00030517578125) * s0) * s6)), s12, K(1.0009765625) * ((K(3.552713678800501e-15) * (s4 * s1)) + s11) };
+    const V _s0 = p_ball_radius + p_wire_radius;
+    const V _s1 = speed + (p_gravity * horizon);
+    const V _s2 = K(1.00006103515625) * _s0;
+    const V _s3 = _s2 * _s1;
+    const V _s4 = p_ring_radius + _s2;
+    const V _s5 = extent + (horizon * _s1);
+    const V _s6 = (position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * _s5);
+    const V _s7 = p_ring_radius - _s2;
+    const V _s8 = K(0.0001220703125) * p_ring_radius;
+    const V _s9 = _s2 / lanes_select((_s7 < _s8), _s8, _s7);
+    const V _s10 = lanes_select((K(1.0) < _s9), _s9, K(1.0));
+    const V _s11 = K(5.0) * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (K(2.220446049250313e-16) * _s1))));
+    const V _s12 = K(1.0009765625) * ((((K(3.552713678800501e-15) * _s1) * ((_s5 * _s10) + _s4)) + (K(4.440892098500626e-16) * _s3)) + _s11);
+    return (LANES(hoop_ring_margins_out)){ K(1.0009765625) * ((((K(4.440892098500626e-16) * horizon) * _s3) + ((K(1.3323489447131243e-15) * _s0) * _s4)) + ((K(5.00030517578125) * _s0) * _s6)), _s12, K(1.0009765625) * ((K(3.552713678800501e-15) * (_s4 * _s1)) + _s11) };
 }
 
 /* Newton's next value of a root near t, and the rate there.
@@ -1159,21 +1159,21 @@ typedef struct {
 } LANES(hoop_ring_refine_out);
 
 LANES_INLINE LANES(hoop_ring_refine_out)
-LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_start, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_start, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
-    const V s0 = x + (t * vx);
-    const V s1 = y + (t * vy);
-    const V s2 = lanes_sqrt(((s0 * s0) + (s1 * s1)));
-    const V s3 = rho_start + s2;
-    const V s4 = K(1.0) / (s3 * s2);
-    const V s5 = s2 - ring_radius;
-    const V s6 = vz - ((K(0.5) * gravity) * t);
-    const V s7 = z + (t * s6);
-    const V s8 = K(2.0) * ((((s3 * s4) * ((vx * s0) + (vy * s1))) * s5) + ((vz - (gravity * t)) * s7));
-    const V s9 = (((t * ((vx * vx) + (vy * vy))) + (K(2.0) * ((vx * x) + (vy * y)))) * ((rho_start - ring_radius) + s5)) * (s2 * s4);
-    const V s10 = ball_radius + wire_radius;
-    const V s11 = lanes_select((K(0.0) < leaving), (t * (s9 + ((z + s7) * s6))), (((s5 * s5) + (s7 * s7)) - (s10 * s10))) / s8;
-    return (LANES(hoop_ring_refine_out)){ t - s11, s8 };
+    const V _s0 = x + (t * vx);
+    const V _s1 = y + (t * vy);
+    const V _s2 = lanes_sqrt(((_s0 * _s0) + (_s1 * _s1)));
+    const V _s3 = rho_start + _s2;
+    const V _s4 = K(1.0) / (_s3 * _s2);
+    const V _s5 = _s2 - p_ring_radius;
+    const V _s6 = vz - ((K(0.5) * p_gravity) * t);
+    const V _s7 = z + (t * _s6);
+    const V _s8 = K(2.0) * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + ((vz - (p_gravity * t)) * _s7));
+    const V _s9 = (((t * ((vx * vx) + (vy * vy))) + (K(2.0) * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4);
+    const V _s10 = p_ball_radius + p_wire_radius;
+    const V _s11 = lanes_select((K(0.0) < leaving), (t * (_s9 + ((z + _s7) * _s6))), (((_s5 * _s5) + (_s7 * _s7)) - (_s10 * _s10))) / _s8;
+    return (LANES(hoop_ring_refine_out)){ t - _s11, _s8 };
 }
 
 /* Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
@@ -1189,52 +1189,52 @@ typedef struct {
 } LANES(hoop_ring_advance_out);
 
 LANES_INLINE LANES(hoop_ring_advance_out)
-LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
-    const V s0 = x + (t * vx);
-    const V s1 = y + (t * vy);
-    const V s2 = lanes_sqrt(((s0 * s0) + (s1 * s1)));
-    const V s3 = s2 - ring_radius;
-    const V s4 = rho_start + s2;
-    const V s5 = K(1.0) / (s4 * s2);
-    const V s6 = (((t * ((vx * vx) + (vy * vy))) + (K(2.0) * ((vx * x) + (vy * y)))) * ((rho_start - ring_radius) + s3)) * (s2 * s5);
-    const V s7 = vz - ((K(0.5) * gravity) * t);
-    const V s8 = z + (t * s7);
-    const V s9 = ball_radius + wire_radius;
-    const V s10 = lanes_select((K(0.0) < leaving), (t * (s6 + ((z + s8) * s7))), (((s3 * s3) + (s8 * s8)) - (s9 * s9)));
-    const V s11 = s4 * s5;
-    const V s12 = s11 * ((vx * s0) + (vy * s1));
-    const V s13 = vz - (gravity * t);
-    const V s14 = (s12 * s3) + (s13 * s8);
-    const V s15 = K(2.0) * s14;
-    const V s16 = K(6.0) * gravity;
-    const V s17 = s16 * s8;
-    const V s18 = swing * (s11 * (s11 * s11));
-    const V s19 = K(1.00006103515625) * s9;
-    const V s20 = s15 - rate_margin;
-    const V s21 = s10 - margin;
-    const V s22 = lanes_select((s21 < K(0.0)), K(0.0), s21);
-    const V s23 = (s17 + s18) - steady;
-    const M s24 = s20 < K(0.0);
-    const V s25 = K(2.0) * s22;
-    const V s26 = lanes_select((K(0.0) < lanes_select((K(0.0) <= s20), s22, K(0.0))), K(INFINITY), (lanes_select(s24, s25, (K(4.0) * s20)) / lanes_select(s24, (-s20), lanes_select((K(0.0) < s23), s23, K(0.0)))));
-    const V s27 = end - t;
-    const V s28 = lanes_select((s26 < s27), s26, s27);
-    const V s29 = (s28 * lanes_select((s13 < K(0.0)), K(0.0), s13)) + s8;
-    const V s30 = s16 * lanes_select((s19 < s29), s19, s29);
-    const V s31 = ((s28 * lanes_select((K(0.0) < s12), K(0.0), s12)) + s2) - (K(9.094947017729282e-13) * (ring_radius + s19));
-    const V s32 = ring_radius - s19;
-    const V s33 = K(0.0001220703125) * ring_radius;
-    const V s34 = lanes_select((s32 < s33), s33, s32);
-    const V s35 = K(1.0) / lanes_select((s31 < s34), s34, s31);
-    const V s36 = swing * (s35 * (s35 * s35));
-    const V s37 = ((s30 + s36) + (K(9.094947017729282e-13) * ((s36 + lanes_abs(steady)) + lanes_abs(s30)))) - steady;
-    const V s38 = ((K(2.0) * s37) * s22) + (s20 * s20);
-    const V s39 = lanes_sqrt(s38);
-    const V s40 = lanes_select((K(0.0) <= s38), (lanes_select(s24, s25, (s20 + s39)) / lanes_select(s24, (s39 - s20), lanes_select((K(0.0) < s37), s37, K(0.0)))), K(INFINITY));
-    const V s41 = lanes_select((s40 < s28), s40, s28);
-    const V s42 = -(rate_margin + s15);
-    return (LANES(hoop_ring_advance_out)){ s10, s15, (steady - s17) - s18, s41, t + s41, t - ((K(0.5) * s10) / s14), lanes_select((K(0.0) < s42), ((s42 * s42) - ((K(8.0) * ceiling) * (margin + (K(32.0) * s22)))), s42) };
+    const V _s0 = x + (t * vx);
+    const V _s1 = y + (t * vy);
+    const V _s2 = lanes_sqrt(((_s0 * _s0) + (_s1 * _s1)));
+    const V _s3 = _s2 - p_ring_radius;
+    const V _s4 = rho_start + _s2;
+    const V _s5 = K(1.0) / (_s4 * _s2);
+    const V _s6 = (((t * ((vx * vx) + (vy * vy))) + (K(2.0) * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5);
+    const V _s7 = vz - ((K(0.5) * p_gravity) * t);
+    const V _s8 = z + (t * _s7);
+    const V _s9 = p_ball_radius + p_wire_radius;
+    const V _s10 = lanes_select((K(0.0) < leaving), (t * (_s6 + ((z + _s8) * _s7))), (((_s3 * _s3) + (_s8 * _s8)) - (_s9 * _s9)));
+    const V _s11 = _s4 * _s5;
+    const V _s12 = _s11 * ((vx * _s0) + (vy * _s1));
+    const V _s13 = vz - (p_gravity * t);
+    const V _s14 = (_s12 * _s3) + (_s13 * _s8);
+    const V _s15 = K(2.0) * _s14;
+    const V _s16 = K(6.0) * p_gravity;
+    const V _s17 = _s16 * _s8;
+    const V _s18 = swing * (_s11 * (_s11 * _s11));
+    const V _s19 = K(1.00006103515625) * _s9;
+    const V _s20 = _s15 - rate_margin;
+    const V _s21 = _s10 - margin;
+    const V _s22 = lanes_select((_s21 < K(0.0)), K(0.0), _s21);
+    const V _s23 = (_s17 + _s18) - steady;
+    const M _s24 = _s20 < K(0.0);
+    const V _s25 = K(2.0) * _s22;
+    const V _s26 = lanes_select((K(0.0) < lanes_select((K(0.0) <= _s20), _s22, K(0.0))), K(INFINITY), (lanes_select(_s24, _s25, (K(4.0) * _s20)) / lanes_select(_s24, (-_s20), lanes_select((K(0.0) < _s23), _s23, K(0.0)))));
+    const V _s27 = end - t;
+    const V _s28 = lanes_select((_s26 < _s27), _s26, _s27);
+    const V _s29 = (_s28 * lanes_select((_s13 < K(0.0)), K(0.0), _s13)) + _s8;
+    const V _s30 = _s16 * lanes_select((_s19 < _s29), _s19, _s29);
+    const V _s31 = ((_s28 * lanes_select((K(0.0) < _s12), K(0.0), _s12)) + _s2) - (K(9.094947017729282e-13) * (p_ring_radius + _s19));
+    const V _s32 = p_ring_radius - _s19;
+    const V _s33 = K(0.0001220703125) * p_ring_radius;
+    const V _s34 = lanes_select((_s32 < _s33), _s33, _s32);
+    const V _s35 = K(1.0) / lanes_select((_s31 < _s34), _s34, _s31);
+    const V _s36 = swing * (_s35 * (_s35 * _s35));
+    const V _s37 = ((_s30 + _s36) + (K(9.094947017729282e-13) * ((_s36 + lanes_abs(steady)) + lanes_abs(_s30)))) - steady;
+    const V _s38 = ((K(2.0) * _s37) * _s22) + (_s20 * _s20);
+    const V _s39 = lanes_sqrt(_s38);
+    const V _s40 = lanes_select((K(0.0) <= _s38), (lanes_select(_s24, _s25, (_s20 + _s39)) / lanes_select(_s24, (_s39 - _s20), lanes_select((K(0.0) < _s37), _s37, K(0.0)))), K(INFINITY));
+    const V _s41 = lanes_select((_s40 < _s28), _s40, _s28);
+    const V _s42 = -(rate_margin + _s15);
+    return (LANES(hoop_ring_advance_out)){ _s10, _s15, (steady - _s17) - _s18, _s41, t + _s41, t - ((K(0.5) * _s10) / _s14), lanes_select((K(0.0) < _s42), ((_s42 * _s42) - ((K(8.0) * ceiling) * (margin + (K(32.0) * _s22)))), _s42) };
 }
 
 /* The first window that begins no earlier than a time, if there is one.
@@ -1248,10 +1248,10 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_enter_out)
 LANES(hoop_ring_enter)(V after, V end, V high0, V high1, V high2, V low0, V low1, V low2, V t)
 {
-    const M s0 = (low0 < high0) & (after <= low0);
-    const M s1 = (low1 < high1) & (after <= low1);
-    const M s2 = (low2 < high2) & (after <= low2);
-    return (LANES(hoop_ring_enter_out)){ lanes_select(s0, low0, lanes_select(s1, low1, lanes_select(s2, low2, t))), lanes_select(s0, high0, lanes_select(s1, high1, lanes_select(s2, high2, end))), ((NOWHERE | s2) | s1) | s0 };
+    const M _s0 = (low0 < high0) & (after <= low0);
+    const M _s1 = (low1 < high1) & (after <= low1);
+    const M _s2 = (low2 < high2) & (after <= low2);
+    return (LANES(hoop_ring_enter_out)){ lanes_select(_s0, low0, lanes_select(_s1, low1, lanes_select(_s2, low2, t))), lanes_select(_s0, high0, lanes_select(_s1, high1, lanes_select(_s2, high2, end))), ((NOWHERE | _s2) | _s1) | _s0 };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1290,9 +1290,9 @@ typedef struct {
 } LANES(hoop_backboard_bounds_out);
 
 LANES_INLINE LANES(hoop_backboard_bounds_out)
-LANES(hoop_backboard_bounds)(V y, V z, V board_half_width, V board_bottom, V board_top)
+LANES(hoop_backboard_bounds)(V y, V z, V p_board_half_width, V p_board_bottom, V p_board_top)
 {
-    return (LANES(hoop_backboard_bounds_out)){ -(board_half_width + y), y - board_half_width, board_bottom - z, z - board_top };
+    return (LANES(hoop_backboard_bounds_out)){ -(p_board_half_width + y), y - p_board_half_width, p_board_bottom - z, z - p_board_top };
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
@@ -1306,10 +1306,10 @@ typedef struct {
 } LANES(hoop_backboard_arrival_out);
 
 LANES_INLINE LANES(hoop_backboard_arrival_out)
-LANES(hoop_backboard_arrival)(V leaving, V x, V vx, V ball_radius, V board_distance)
+LANES(hoop_backboard_arrival)(V leaving, V x, V vx, V p_ball_radius, V p_board_distance)
 {
-    const V s0 = lanes_select((K(0.0) < leaving), K(0.0), (x - (ball_radius - board_distance)));
-    return (LANES(hoop_backboard_arrival_out)){ -(s0 / vx), vx, K(0.0), lanes_select((lanes_abs(vx) <= K(0.0)), K(0.0), K(-1.0)), s0 };
+    const V _s0 = lanes_select((K(0.0) < leaving), K(0.0), (x - (p_ball_radius - p_board_distance)));
+    return (LANES(hoop_backboard_arrival_out)){ -(_s0 / vx), vx, K(0.0), lanes_select((lanes_abs(vx) <= K(0.0)), K(0.0), K(-1.0)), _s0 };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -1319,10 +1319,10 @@ typedef struct {
 } LANES(hoop_backboard_margin_out);
 
 LANES_INLINE LANES(hoop_backboard_margin_out)
-LANES(hoop_backboard_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V ball_radius, V board_distance, V gravity)
+LANES(hoop_backboard_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_board_distance, V p_gravity)
 {
-    const V s0 = extent + (horizon * (speed + (gravity * horizon)));
-    return (LANES(hoop_backboard_margin_out)){ (((K(6.667843360785852e-16) * ball_radius) + (K(8.890457814381136e-16) * board_distance)) + (K(2.222614453595284e-16) * s0)) + (K(2.001953125) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s0))) };
+    const V _s0 = extent + (horizon * (speed + (p_gravity * horizon)));
+    return (LANES(hoop_backboard_margin_out)){ (((K(6.667843360785852e-16) * p_ball_radius) + (K(8.890457814381136e-16) * p_board_distance)) + (K(2.222614453595284e-16) * _s0)) + (K(2.001953125) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * _s0))) };
 }
 
 /* The point of the contact plane nearest to a position.
@@ -1334,9 +1334,9 @@ typedef struct {
 } LANES(hoop_backboard_place_out);
 
 LANES_INLINE LANES(hoop_backboard_place_out)
-LANES(hoop_backboard_place)(V y, V z, V ball_radius, V board_distance)
+LANES(hoop_backboard_place)(V y, V z, V p_ball_radius, V p_board_distance)
 {
-    return (LANES(hoop_backboard_place_out)){ ball_radius - board_distance, y, z };
+    return (LANES(hoop_backboard_place_out)){ p_ball_radius - p_board_distance, y, z };
 }
 
 /* Where a contact counts (Eq. 2).
@@ -1360,9 +1360,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_backboard_edges_out)
 LANES(hoop_backboard_edges)(V clearance, V g0, V g1, V g2, V g3, V slack)
 {
-    const V s0 = -slack;
-    const M s1 = NOT((((((g0 < s0) & (g1 < s0)) & (g2 < s0)) & (g3 < s0)) & (K(0.0) < clearance)));
-    return (LANES(hoop_backboard_edges_out)){ ((((g0 <= slack) & (g1 <= slack)) & (g2 <= slack)) & (g3 <= slack)) & s1 };
+    const V _s0 = -slack;
+    const M _s1 = NOT((((((g0 < _s0) & (g1 < _s0)) & (g2 < _s0)) & (g3 < _s0)) & (K(0.0) < clearance)));
+    return (LANES(hoop_backboard_edges_out)){ ((((g0 <= slack) & (g1 <= slack)) & (g2 <= slack)) & (g3 <= slack)) & _s1 };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1402,9 +1402,9 @@ typedef struct {
 } LANES(hoop_bridge_bounds_out);
 
 LANES_INLINE LANES(hoop_bridge_bounds_out)
-LANES(hoop_bridge_bounds)(V x, V y, V ring_radius, V board_distance, V bridge_half_width)
+LANES(hoop_bridge_bounds)(V x, V y, V p_ring_radius, V p_board_distance, V p_bridge_half_width)
 {
-    return (LANES(hoop_bridge_bounds_out)){ -(bridge_half_width + y), y - bridge_half_width, ring_radius - lanes_sqrt(((x * x) + (y * y))), x, -(board_distance + x) };
+    return (LANES(hoop_bridge_bounds_out)){ -(p_bridge_half_width + y), y - p_bridge_half_width, p_ring_radius - lanes_sqrt(((x * x) + (y * y))), x, -(p_board_distance + x) };
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
@@ -1418,14 +1418,14 @@ typedef struct {
 } LANES(hoop_bridge_arrival_out);
 
 LANES_INLINE LANES(hoop_bridge_arrival_out)
-LANES(hoop_bridge_arrival)(V leaving, V z, V vz, V ball_radius, V wire_radius, V gravity)
+LANES(hoop_bridge_arrival)(V leaving, V z, V vz, V p_ball_radius, V p_wire_radius, V p_gravity)
 {
-    const V s0 = lanes_select((K(0.0) < leaving), K(0.0), (z - (ball_radius + wire_radius)));
-    const V s1 = (vz * vz) + ((K(2.0) * gravity) * s0);
-    const V s2 = lanes_sqrt(s1);
-    const M s3 = vz < K(0.0);
-    const V s4 = -(K(1.0) / gravity);
-    return (LANES(hoop_bridge_arrival_out)){ lanes_select(s3, (K(2.0) * s0), (vz + s2)) / lanes_select(s3, (s2 - vz), gravity), -s2, -gravity, -(vz * s4), -((K(0.5) * s4) * s1) };
+    const V _s0 = lanes_select((K(0.0) < leaving), K(0.0), (z - (p_ball_radius + p_wire_radius)));
+    const V _s1 = (vz * vz) + ((K(2.0) * p_gravity) * _s0);
+    const V _s2 = lanes_sqrt(_s1);
+    const M _s3 = vz < K(0.0);
+    const V _s4 = -(K(1.0) / p_gravity);
+    return (LANES(hoop_bridge_arrival_out)){ lanes_select(_s3, (K(2.0) * _s0), (vz + _s2)) / lanes_select(_s3, (_s2 - vz), p_gravity), -_s2, -p_gravity, -(vz * _s4), -((K(0.5) * _s4) * _s1) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -1435,10 +1435,10 @@ typedef struct {
 } LANES(hoop_bridge_margin_out);
 
 LANES_INLINE LANES(hoop_bridge_margin_out)
-LANES(hoop_bridge_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V ball_radius, V wire_radius, V gravity)
+LANES(hoop_bridge_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_wire_radius, V p_gravity)
 {
-    const V s0 = extent + (horizon * (speed + (gravity * horizon)));
-    return (LANES(hoop_bridge_margin_out)){ (((K(6.667843360785852e-16) * ball_radius) + (K(6.667843360785852e-16) * wire_radius)) + (K(2.222614453595284e-16) * s0)) + (K(2.001953125) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s0))) };
+    const V _s0 = extent + (horizon * (speed + (p_gravity * horizon)));
+    return (LANES(hoop_bridge_margin_out)){ (((K(6.667843360785852e-16) * p_ball_radius) + (K(6.667843360785852e-16) * p_wire_radius)) + (K(2.222614453595284e-16) * _s0)) + (K(2.001953125) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * _s0))) };
 }
 
 /* The point of the contact plane nearest to a position.
@@ -1450,9 +1450,9 @@ typedef struct {
 } LANES(hoop_bridge_place_out);
 
 LANES_INLINE LANES(hoop_bridge_place_out)
-LANES(hoop_bridge_place)(V x, V y, V ball_radius, V wire_radius)
+LANES(hoop_bridge_place)(V x, V y, V p_ball_radius, V p_wire_radius)
 {
-    return (LANES(hoop_bridge_place_out)){ x, y, ball_radius + wire_radius };
+    return (LANES(hoop_bridge_place_out)){ x, y, p_ball_radius + p_wire_radius };
 }
 
 /* Where a contact counts (Eq. 2).
@@ -1476,10 +1476,10 @@ typedef struct {
 LANES_INLINE LANES(hoop_bridge_edges_out)
 LANES(hoop_bridge_edges)(V clearance, V g0, V g1, V g2, V g3, V g4, V slack)
 {
-    const V s0 = -slack;
-    const M s1 = (((((g0 < s0) & (g1 < s0)) & (g2 < s0)) & (g3 < s0)) & (g4 < s0)) & (K(0.0) < clearance);
-    const M s2 = (((((g0 <= slack) & (g1 <= slack)) & (g2 <= slack)) & (g3 <= slack)) & (g4 <= slack)) & NOT(s1);
-    return (LANES(hoop_bridge_edges_out)){ s2 };
+    const V _s0 = -slack;
+    const M _s1 = (((((g0 < _s0) & (g1 < _s0)) & (g2 < _s0)) & (g3 < _s0)) & (g4 < _s0)) & (K(0.0) < clearance);
+    const M _s2 = (((((g0 <= slack) & (g1 <= slack)) & (g2 <= slack)) & (g3 <= slack)) & (g4 <= slack)) & NOT(_s1);
+    return (LANES(hoop_bridge_edges_out)){ _s2 };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1507,14 +1507,14 @@ typedef struct {
 } LANES(hoop_end_arrival_out);
 
 LANES_INLINE LANES(hoop_end_arrival_out)
-LANES(hoop_end_arrival)(V leaving, V z, V vz, V gravity, V end_depth)
+LANES(hoop_end_arrival)(V leaving, V z, V vz, V p_gravity, V p_end_depth)
 {
-    const V s0 = lanes_select((K(0.0) < leaving), K(0.0), (z - (-end_depth)));
-    const V s1 = (vz * vz) + ((K(2.0) * gravity) * s0);
-    const V s2 = lanes_sqrt(s1);
-    const M s3 = vz < K(0.0);
-    const V s4 = -(K(1.0) / gravity);
-    return (LANES(hoop_end_arrival_out)){ lanes_select(s3, (K(2.0) * s0), (vz + s2)) / lanes_select(s3, (s2 - vz), gravity), -s2, -gravity, -(vz * s4), -((K(0.5) * s4) * s1) };
+    const V _s0 = lanes_select((K(0.0) < leaving), K(0.0), (z - (-p_end_depth)));
+    const V _s1 = (vz * vz) + ((K(2.0) * p_gravity) * _s0);
+    const V _s2 = lanes_sqrt(_s1);
+    const M _s3 = vz < K(0.0);
+    const V _s4 = -(K(1.0) / p_gravity);
+    return (LANES(hoop_end_arrival_out)){ lanes_select(_s3, (K(2.0) * _s0), (vz + _s2)) / lanes_select(_s3, (_s2 - vz), p_gravity), -_s2, -p_gravity, -(vz * _s4), -((K(0.5) * _s4) * _s1) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -1524,9 +1524,9 @@ typedef struct {
 } LANES(hoop_end_margin_out);
 
 LANES_INLINE LANES(hoop_end_margin_out)
-LANES(hoop_end_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V gravity, V end_depth)
+LANES(hoop_end_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_gravity, V p_end_depth)
 {
-    const V s0 = extent + (horizon * (speed + (gravity * horizon)));
-    return (LANES(hoop_end_margin_out)){ ((K(6.667843360785852e-16) * end_depth) + (K(2.222614453595284e-16) * s0)) + (K(2.001953125) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * s0))) };
+    const V _s0 = extent + (horizon * (speed + (p_gravity * horizon)));
+    return (LANES(hoop_end_margin_out)){ ((K(6.667843360785852e-16) * p_end_depth) + (K(2.222614453595284e-16) * _s0)) + (K(2.001953125) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * _s0))) };
 }
 
