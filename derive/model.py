@@ -26,9 +26,11 @@ from .ground.symbols import (
     normal,
     spin,
     t,
+    variable,
     velocity,
 )
 from .scenes import validity
+from .scenes.names import check_kernels
 from .scenes.scene import Scene
 from .search import events, search
 from .search.search import Formula, Search
@@ -42,6 +44,9 @@ FRAME = sp.Matrix(3, 3, lambda i, j: sp.Symbol(f"n{i + 1}{j + 1}", real=True))
 """The contact frame's components, R of Eq. 10."""
 
 MOTION = (*VELOCITY, *SPIN)
+
+RESTITUTION = sp.Symbol("restitution", nonnegative=True)
+"""That of the impact through the frame, which no scene has a law for."""
 
 
 @dataclass(frozen=True)
@@ -85,6 +90,7 @@ def _order(scene: Scene) -> tuple[sp.Symbol, ...]:
         *dict.fromkeys(own),
         *ARGUMENTS,
         *scene.symbols,
+        RESTITUTION,
     )
 
 
@@ -103,9 +109,8 @@ def _largest_input(scene: Scene) -> sp.Expr:
 
 
 def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
-    restitution = scene.laws[0].restitution
-    through = impact_through_frame(FRAME, velocity, spin, scene.ball_radius, restitution)
-    plain_order = (validity.last, *STATE, *(sp.Symbol(s.name, real=True) for s in scene.symbols))
+    through = impact_through_frame(FRAME, velocity, spin, scene.ball_radius, RESTITUTION)
+    plain_order = (validity.last, *STATE, *map(validity.plain, scene.symbols))
     return [
         kernel(
             "flight",
@@ -308,8 +313,14 @@ def build(scene: Scene) -> Model:
     end = Contact(len(contacts), len(scene.bodies), finish.kernels, finish.search, {})
     names = [body.name for body in scene.bodies]
     loop = event_loop(
-        common | choices, contacts, end, fields(names), [symbol.name for symbol in scene.symbols]
+        common | choices,
+        contacts,
+        end,
+        fields(names),
+        [variable(symbol) for symbol in scene.symbols],
     )
     study = tuple(study_kernels(scene, order))
     common |= {name: made for name, made in choices.items() if name in loop.called}
-    return Model(scene, common, laws, surfaces, finish, study, loop, results(names))
+    model = Model(scene, common, laws, surfaces, finish, study, loop, results(names))
+    check_kernels(scene.name, (kernel.name for kernel in model.kernels))
+    return model

@@ -10,16 +10,17 @@ from __future__ import annotations
 
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 if find_spec(f"{__name__}.generated") is None:
     # In a checkout whose hoopgen/ shadows an installed one: its rooms lie beside this folder.
     __path__.append(str(Path(__file__).resolve().parent.parent))
 
-from .parameters import FIBA, NBA, PAPER
-from .releases import release
-from .results import SURFACES, Outcome, Shots, Trajectory
-from .simulation import simulate
+if TYPE_CHECKING:
+    from .parameters import FIBA, NBA, PAPER
+    from .releases import release
+    from .results import SURFACES, Outcome, Shots, Trajectory
+    from .simulation import simulate
 
 __all__ = [
     "simulate",
@@ -36,6 +37,15 @@ __all__ = [
 
 
 _LATER = {
+    "simulate": "simulation",
+    "release": "releases",
+    "PAPER": "parameters",
+    "NBA": "parameters",
+    "FIBA": "parameters",
+    "Outcome": "results",
+    "SURFACES": "results",
+    "Shots": "results",
+    "Trajectory": "results",
     "certify": "judge",
     "Scatter": "study.models",
     "Resample": "study.models",
@@ -52,7 +62,8 @@ _LATER = {
     "run_study": "study.toml",
     "view": "viewer",
 }
-"""Imported when first asked for, since they stand on the extras; and from where."""
+"""Imported when first asked for, and from where: some stand on the extras, and all but `release` on
+generated/, which `hoopgen generate` writes."""
 
 _ROOMS = ("plots",)
 """Modules that are part of the interface, imported when first asked for too."""

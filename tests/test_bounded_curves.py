@@ -168,7 +168,7 @@ class Brittle(Rolling):
 @pytest.fixture(scope="module")
 def brittle(tmp_path_factory: pytest.TempPathFactory) -> Callable[[NDArray[np.float64]], Any]:
     symbols = {p.symbol.name: p.symbol for p in CAPS.parameters}
-    law = Brittle("brittle", symbols["dull"], 8 * symbols["apart"])  # 4 m/s
+    law = Brittle("brittle_impact", symbols["dull"], 8 * symbols["apart"])  # 4 m/s
     bodies = tuple(b if b.name != "step" else replace(b, law=law) for b in CAPS.bodies)
     folder = written(replace(CAPS, bodies=bodies), tmp_path_factory.mktemp("brittle"))
     made = load_module(folder / "numpy" / "caps.py")

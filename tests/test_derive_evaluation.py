@@ -33,7 +33,7 @@ from hoopgen.codegen.program import Program, lower
 Values = Mapping[str, Any]
 
 NAN, INFINITY = mpf("nan"), mpf("inf")
-PARAMETERS = {p.symbol.name: p.default for p in HOOP.parameters}
+PARAMETERS = {p.name: p.default for p in HOOP.parameters}
 OPERATIONS = {
     "add": np.add,
     "sub": np.subtract,

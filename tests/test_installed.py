@@ -57,7 +57,7 @@ sys.path.append({SITE!r})
 
 def test_hoopgen_is_imported_in_a_checkout_that_shadows_an_installation(checkout: Path) -> None:
     code = f"""{_IN_CHECKOUT}
-import hoopgen, hoopgen.derive, hoopgen.templates
+import hoopgen, hoopgen.derive, hoopgen.generated, hoopgen.templates
 print(hoopgen.__file__, hoopgen.generated.__file__)
 print(hoopgen.simulate(hoopgen.release(7.17, 0.89, height=2.13, distance=4.19)).outcome[0])
 """

@@ -258,8 +258,9 @@ def evaluate_numpy(name: str, columns: Mapping[str, Floats], rows: int) -> list[
 
 
 def arguments(function: Callable[..., Any]) -> list[str]:
-    """Return the names of a kernel's arguments."""
-    return list(inspect.signature(function).parameters)
+    """Return the names of a kernel's arguments, of parameters the public ones."""
+    public = {own: name for name, own in hoop.VARIABLES.items()}
+    return [public.get(name, name) for name in inspect.signature(function).parameters]
 
 
 def all_arguments() -> list[str]:

@@ -26,7 +26,6 @@ from hoopgen.derive.scenes.hoop import HOOP
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.search import decisions as searching
 from hoopgen.derive.search import events, plane, ring
-from hoopgen.derive.search.plane import PlaneSearch
 from hoopgen.derive.search.ring import RingApproach
 from hoopgen.generated.numpy import hoop
 from mutants import (
@@ -398,7 +397,7 @@ FAULTS = (
     ),
     Fault(
         "an edge is sure if the ball is inside",
-        in_text(PlaneSearch, "decisions", "Less(g, -slack)", "Less(g, 0)"),
+        in_text(plane, "edges", "Less(g, -slack)", "Less(g, 0)"),
     ),
 )
 

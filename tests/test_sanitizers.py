@@ -171,7 +171,7 @@ static uint64_t call(size_t n, int width, int logged, const double *shots, size_
         for (int32_t k = 0; k < out.event_counts[i]; k++) {
             const hoop_event *event = out.events + i * ((size_t)most + 1) + (size_t)k;
             CHECK(event->shot == (int64_t)i);
-            CHECK(event->surface >= 0 && event->surface <= HOOP_END);
+            CHECK(event->surface >= 0 && event->surface <= HOOP_BODY_END);
         }
     }
     for (int k = 0; k < HOOP_PARAMETERS; k++)

@@ -19,14 +19,14 @@ from numpy.typing import NDArray
 from scenes.table import TABLE
 
 from hoopgen.codegen import render
-from hoopgen.engine import native, numpy_backend
-from hoopgen.engine.raw import BOUNDS, FIELDS, STATE, Raw, allocate, allocate_events
+from hoopgen.engine import native, numpy_backend, raw
+from hoopgen.engine.raw import BOUNDS, FIELDS, Raw, allocate, allocate_events
 
 # One worker: the scene is compiled once.
 pytestmark = [pytest.mark.xdist_group("second_scene"), needs_compiler]
 
 EPS = float(np.finfo(float).eps)
-PARAMETERS = {p.symbol.name: p.default for p in TABLE.parameters}
+PARAMETERS = {p.name: p.default for p in TABLE.parameters}
 TOP, DOME, GROUND = range(3)
 MADE, MISSED, CAPPED, SHORT, INVALID = range(5)
 MAX_CONTACTS = 12
@@ -113,7 +113,7 @@ def engines(tmp_path_factory: pytest.TempPathFactory) -> Engines:
 
 def state(**given: float) -> list[float]:
     """Return a state; what is not given is zero."""
-    return [given.get(name, 0.0) for name in STATE]
+    return [given.get(name, 0.0) for name in raw.STATE]
 
 
 def shots(count: int, seed: int) -> NDArray[np.float64]:

@@ -6,7 +6,31 @@ negative x; metres, seconds, radians.
 
 from __future__ import annotations
 
+from typing import Any
+
 import sympy as sp
+
+
+class ParameterSymbol(sp.Symbol):  # type: ignore[misc]
+    """The symbol of a scene's parameter: never one of ours, even where it has the name of one."""
+
+    def _hashable_content(self) -> tuple[Any, ...]:
+        name, *assumptions = super()._hashable_content()
+        return (f"{name}'", *assumptions)
+
+    @classmethod
+    def class_key(cls) -> Any:
+        """Sort as any symbol does, by name."""
+        return sp.Symbol.class_key()
+
+
+def variable(symbol: sp.Symbol) -> str:
+    """Return the name that a symbol has as a variable of the event loop and in generated code.
+
+    Those of parameters begin with ``p_``, which none of ours does.
+    """
+    return f"p_{symbol.name}" if isinstance(symbol, ParameterSymbol) else str(symbol.name)
+
 
 x, y, z = POSITION = sp.symbols("x y z", real=True)
 vx, vy, vz = VELOCITY = sp.symbols("vx vy vz", real=True)

@@ -12,6 +12,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from .kernel import Kernel
+from .symbols import variable
 
 Value = str | float
 """What a kernel is given: a variable, or a number."""
@@ -39,7 +40,7 @@ class Do:
     wanted: frozenset[str] | None = None
 
     def __post_init__(self) -> None:
-        names = {argument.name for argument in self.kernel.arguments}
+        names = set(map(variable, self.kernel.arguments))
         for unknown in set(self.inputs) - names:
             raise ValueError(f"kernel {self.kernel.name} has no argument {unknown}")
         for unknown in set(self.outputs) - set(self.kernel.output_names):
@@ -48,7 +49,7 @@ class Do:
     @property
     def arguments(self) -> tuple[Value, ...]:
         """What the kernel is given, in calling order."""
-        return tuple(self.inputs.get(a.name, a.name) for a in self.kernel.arguments)
+        return tuple(self.inputs.get(a, a) for a in map(variable, self.kernel.arguments))
 
     @property
     def assigned(self) -> dict[str, str]:
@@ -162,9 +163,10 @@ def without(nodes: Iterable[Node], fixed: Mapping[str, float]) -> tuple[Node, ..
     changed: list[Node] = []
     for node in nodes:
         if isinstance(node, Do):
+            names = map(variable, node.kernel.arguments)
             inputs = {
-                argument.name: fixed[value] if isinstance(value, str) and value in fixed else value
-                for argument, value in zip(node.kernel.arguments, node.arguments, strict=True)
+                name: fixed[value] if isinstance(value, str) and value in fixed else value
+                for name, value in zip(names, node.arguments, strict=True)
             }
             kept = {o for o, variable in node.assigned.items() if variable not in fixed}
             changed.append(replace(node, inputs=inputs, wanted=frozenset(kept)))

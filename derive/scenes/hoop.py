@@ -29,7 +29,7 @@ def _hoop() -> Scene:
 
     The bridge ends at the backboard (x >= -a_0). The wire's radius and the ball's make R.
     """
-    by_name = {p.symbol.name: p.symbol for p in _PARAMETERS}
+    by_name = {p.name: p.symbol for p in _PARAMETERS}
     x, y, z = POSITION
     ball_radius, ring_radius = by_name["ball_radius"], by_name["ring_radius"]
     reach = ball_radius + by_name["wire_radius"]

@@ -7,7 +7,9 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from ..contact.law import Law
+from ..ground.symbols import ParameterSymbol
 from ..surfaces import Body, Plane, Surface
+from . import names
 
 
 @dataclass(frozen=True)
@@ -17,7 +19,7 @@ class Parameter:
     Attributes
     ----------
     symbol
-        Its symbol; its name is its public name.
+        Its symbol.
     unit
         Its unit, as text.
     summary
@@ -36,6 +38,11 @@ class Parameter:
     default: float
     sign: str = "positive"
     upper: float | None = None
+
+    @property
+    def name(self) -> str:
+        """Its public name."""
+        return str(self.symbol.name)
 
 
 @dataclass(frozen=True)
@@ -70,9 +77,7 @@ class Scene:
     requirements: tuple[sp.Expr, ...] = field(default=())
 
     def __post_init__(self) -> None:
-        names = [surface.name for surface in (*self.surfaces, self.finish)]
-        if len(set(names)) != len(names):
-            raise ValueError(f"scene {self.name}: two surfaces have one name: {names}")
+        names.check(self)
 
     @property
     def surfaces(self) -> tuple[Surface, ...]:
@@ -105,5 +110,5 @@ def parameter(
 ) -> Parameter:
     """Return a parameter with a symbol of its name, assumed to be of the sign allowed."""
     assumption = {"positive": "positive", "nonnegative": "nonnegative", "any": "real"}[sign]
-    symbol = sp.Symbol(name, **{assumption: True})
+    symbol = ParameterSymbol(name, **{assumption: True})
     return Parameter(symbol, unit, summary, default, sign, upper)

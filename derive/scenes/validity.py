@@ -17,7 +17,7 @@ permission = sp.Symbol("allowed", real=True)
 
 def plain(expression: sp.Basic) -> sp.Basic:
     """Return the expression in symbols that assume nothing of their sign."""
-    return expression.xreplace({s: sp.Symbol(s.name, real=True) for s in expression.free_symbols})
+    return expression.xreplace({s: s.func(s.name, real=True) for s in expression.free_symbols})
 
 
 def valid(scene: Scene) -> dict[str, sp.Expr]:

@@ -10,6 +10,7 @@ import sympy as sp
 
 from ..ground.choice import AtMost, Less, Not, every
 from ..ground.kernel import Kernel, decision
+from ..ground.symbols import variable
 from ..ground.tree import Do, Node
 from ..surfaces import Surface
 from .decisions import KERNELS, clearance
@@ -96,5 +97,5 @@ def bounded(common: Parts, own: Parts, time: str, **inputs: float) -> Iterator[N
 
 def given(kernel: Kernel, **inputs: str | float) -> Do:
     """Return the evaluation of a kernel, given those of the inputs that it takes."""
-    names = {argument.name for argument in kernel.arguments}
+    names = set(map(variable, kernel.arguments))
     return Do(kernel, {name: value for name, value in inputs.items() if name in names})

@@ -1,6 +1,6 @@
 /* hoop: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene hoop, derivation 001f64a6a6e5c543,
+   Generated from templates/c/scene.h.j2, scene hoop, derivation 895d8ecb1ee1571f,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Plain C11, no dependencies but sqrt. Compile hoop.c, next to which this and the other files
@@ -29,12 +29,12 @@ extern "C" {
 /* A state: x y z (m), vx vy vz (m/s), wx wy wz (rad/s). */
 #define HOOP_STATE 9
 
-/* The surfaces, as they are numbered in results; the end plane comes after them. */
+/* The bodies, as they are numbered in results; the end plane comes after them. */
 enum {
-    HOOP_RING = 0,
-    HOOP_BACKBOARD = 1,
-    HOOP_BRIDGE = 2,
-    HOOP_END = 3,
+    HOOP_BODY_RING = 0,
+    HOOP_BODY_BACKBOARD = 1,
+    HOOP_BODY_BRIDGE = 2,
+    HOOP_BODY_END = 3,
     HOOP_SURFACES = 3
 };
 

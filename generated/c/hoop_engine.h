@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 001f64a6a6e5c543,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 895d8ecb1ee1571f,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -43,7 +43,7 @@ typedef struct {
     double spin_claim[LANES_WIDTH]; /* bound on the error at the end */
     double time_claim[LANES_WIDTH]; /* bound on the error at the end */
     double outcome[LANES_WIDTH]; /* how it ended, -1: in flight */
-    double ball_radius[LANES_WIDTH], ring_radius[LANES_WIDTH], wire_radius[LANES_WIDTH], board_distance[LANES_WIDTH], board_half_width[LANES_WIDTH], board_bottom[LANES_WIDTH], board_top[LANES_WIDTH], bridge_half_width[LANES_WIDTH], restitution[LANES_WIDTH], gravity[LANES_WIDTH], end_depth[LANES_WIDTH];
+    double p_ball_radius[LANES_WIDTH], p_ring_radius[LANES_WIDTH], p_wire_radius[LANES_WIDTH], p_board_distance[LANES_WIDTH], p_board_half_width[LANES_WIDTH], p_board_bottom[LANES_WIDTH], p_board_top[LANES_WIDTH], p_bridge_half_width[LANES_WIDTH], p_restitution[LANES_WIDTH], p_gravity[LANES_WIDTH], p_end_depth[LANES_WIDTH];
     double from[LANES_WIDTH];     /* surface that the shot starts on, -1: none */
     double occupied[LANES_WIDTH]; /* 1: holds a shot */
     double fresh[LANES_WIDTH];    /* 1: and has not been looked at */
@@ -51,14 +51,14 @@ typedef struct {
 } LANES(hoop_pool);
 
 /* Where the parameters are finite and allowed. */
-LANES_INLINE M LANES(hoop_permit)(V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V restitution, V gravity, V end_depth)
+LANES_INLINE M LANES(hoop_permit)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_restitution, V p_gravity, V p_end_depth)
 {
-    const LANES(hoop_allowed_out) o1 =
-        LANES(hoop_allowed)(ball_radius, ring_radius, wire_radius, board_distance, board_half_width, bridge_half_width, restitution, gravity, end_depth);
-    V allowed = o1.allowed;
-    const LANES(hoop_finite_parameters_out) o2 =
-        LANES(hoop_finite_parameters)(ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, restitution, gravity, end_depth, allowed);
-    M permitted = o2.permitted;
+    const LANES(hoop_allowed_out) _o1 =
+        LANES(hoop_allowed)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_bridge_half_width, p_restitution, p_gravity, p_end_depth);
+    V allowed = _o1.allowed;
+    const LANES(hoop_finite_parameters_out) _o2 =
+        LANES(hoop_finite_parameters)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth, allowed);
+    M permitted = _o2.permitted;
     return permitted;
 }
 
@@ -76,17 +76,17 @@ LANES_INLINE void LANES(hoop_begin)(LANES(hoop_pool) *pool, int lane, const hoop
     pool->wy[lane] = state[7];
     pool->wz[lane] = state[8];
     if (job->varying) {
-        pool->ball_radius[lane] = job->parameters[0][job->strides[0] * (int64_t)shot];
-        pool->ring_radius[lane] = job->parameters[1][job->strides[1] * (int64_t)shot];
-        pool->wire_radius[lane] = job->parameters[2][job->strides[2] * (int64_t)shot];
-        pool->board_distance[lane] = job->parameters[3][job->strides[3] * (int64_t)shot];
-        pool->board_half_width[lane] = job->parameters[4][job->strides[4] * (int64_t)shot];
-        pool->board_bottom[lane] = job->parameters[5][job->strides[5] * (int64_t)shot];
-        pool->board_top[lane] = job->parameters[6][job->strides[6] * (int64_t)shot];
-        pool->bridge_half_width[lane] = job->parameters[7][job->strides[7] * (int64_t)shot];
-        pool->restitution[lane] = job->parameters[8][job->strides[8] * (int64_t)shot];
-        pool->gravity[lane] = job->parameters[9][job->strides[9] * (int64_t)shot];
-        pool->end_depth[lane] = job->parameters[10][job->strides[10] * (int64_t)shot];
+        pool->p_ball_radius[lane] = job->parameters[0][job->strides[0] * (int64_t)shot];
+        pool->p_ring_radius[lane] = job->parameters[1][job->strides[1] * (int64_t)shot];
+        pool->p_wire_radius[lane] = job->parameters[2][job->strides[2] * (int64_t)shot];
+        pool->p_board_distance[lane] = job->parameters[3][job->strides[3] * (int64_t)shot];
+        pool->p_board_half_width[lane] = job->parameters[4][job->strides[4] * (int64_t)shot];
+        pool->p_board_bottom[lane] = job->parameters[5][job->strides[5] * (int64_t)shot];
+        pool->p_board_top[lane] = job->parameters[6][job->strides[6] * (int64_t)shot];
+        pool->p_bridge_half_width[lane] = job->parameters[7][job->strides[7] * (int64_t)shot];
+        pool->p_restitution[lane] = job->parameters[8][job->strides[8] * (int64_t)shot];
+        pool->p_gravity[lane] = job->parameters[9][job->strides[9] * (int64_t)shot];
+        pool->p_end_depth[lane] = job->parameters[10][job->strides[10] * (int64_t)shot];
     }
     pool->from[lane] = job->leaving ? (double)job->leaving[shot] : -1.0;
     pool->occupied[lane] = 1.0;
@@ -113,17 +113,17 @@ LANES_INLINE void LANES(hoop_begin_all)(LANES(hoop_pool) *pool, const hoop_job *
     lanes_store(pool->wy, lanes_gather(state + 7, HOOP_STATE));
     lanes_store(pool->wz, lanes_gather(state + 8, HOOP_STATE));
     if (job->varying) {
-        lanes_store(pool->ball_radius, lanes_gather(job->parameters[0] + job->strides[0] * (int64_t)first, job->strides[0]));
-        lanes_store(pool->ring_radius, lanes_gather(job->parameters[1] + job->strides[1] * (int64_t)first, job->strides[1]));
-        lanes_store(pool->wire_radius, lanes_gather(job->parameters[2] + job->strides[2] * (int64_t)first, job->strides[2]));
-        lanes_store(pool->board_distance, lanes_gather(job->parameters[3] + job->strides[3] * (int64_t)first, job->strides[3]));
-        lanes_store(pool->board_half_width, lanes_gather(job->parameters[4] + job->strides[4] * (int64_t)first, job->strides[4]));
-        lanes_store(pool->board_bottom, lanes_gather(job->parameters[5] + job->strides[5] * (int64_t)first, job->strides[5]));
-        lanes_store(pool->board_top, lanes_gather(job->parameters[6] + job->strides[6] * (int64_t)first, job->strides[6]));
-        lanes_store(pool->bridge_half_width, lanes_gather(job->parameters[7] + job->strides[7] * (int64_t)first, job->strides[7]));
-        lanes_store(pool->restitution, lanes_gather(job->parameters[8] + job->strides[8] * (int64_t)first, job->strides[8]));
-        lanes_store(pool->gravity, lanes_gather(job->parameters[9] + job->strides[9] * (int64_t)first, job->strides[9]));
-        lanes_store(pool->end_depth, lanes_gather(job->parameters[10] + job->strides[10] * (int64_t)first, job->strides[10]));
+        lanes_store(pool->p_ball_radius, lanes_gather(job->parameters[0] + job->strides[0] * (int64_t)first, job->strides[0]));
+        lanes_store(pool->p_ring_radius, lanes_gather(job->parameters[1] + job->strides[1] * (int64_t)first, job->strides[1]));
+        lanes_store(pool->p_wire_radius, lanes_gather(job->parameters[2] + job->strides[2] * (int64_t)first, job->strides[2]));
+        lanes_store(pool->p_board_distance, lanes_gather(job->parameters[3] + job->strides[3] * (int64_t)first, job->strides[3]));
+        lanes_store(pool->p_board_half_width, lanes_gather(job->parameters[4] + job->strides[4] * (int64_t)first, job->strides[4]));
+        lanes_store(pool->p_board_bottom, lanes_gather(job->parameters[5] + job->strides[5] * (int64_t)first, job->strides[5]));
+        lanes_store(pool->p_board_top, lanes_gather(job->parameters[6] + job->strides[6] * (int64_t)first, job->strides[6]));
+        lanes_store(pool->p_bridge_half_width, lanes_gather(job->parameters[7] + job->strides[7] * (int64_t)first, job->strides[7]));
+        lanes_store(pool->p_restitution, lanes_gather(job->parameters[8] + job->strides[8] * (int64_t)first, job->strides[8]));
+        lanes_store(pool->p_gravity, lanes_gather(job->parameters[9] + job->strides[9] * (int64_t)first, job->strides[9]));
+        lanes_store(pool->p_end_depth, lanes_gather(job->parameters[10] + job->strides[10] * (int64_t)first, job->strides[10]));
     }
     for (int lane = 0; lane < LANES_WIDTH; lane++) {
         pool->from[lane] = job->leaving ? (double)job->leaving[first + (size_t)lane] : -1.0;
@@ -189,55 +189,55 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
     memset(&pool, 0, sizeof pool);
     const V zero = K(0.0);
     const V most_contacts = K((double)job->max_contacts);
-    size_t next = 0;
+    size_t begun = 0;
 
     if (job->results->event_counts)
         memset(job->results->event_counts, 0, job->shots * sizeof(int32_t));
     if (!job->varying)
         for (int lane = 0; lane < LANES_WIDTH; lane++) {
-            pool.ball_radius[lane] = *job->parameters[0];
-            pool.ring_radius[lane] = *job->parameters[1];
-            pool.wire_radius[lane] = *job->parameters[2];
-            pool.board_distance[lane] = *job->parameters[3];
-            pool.board_half_width[lane] = *job->parameters[4];
-            pool.board_bottom[lane] = *job->parameters[5];
-            pool.board_top[lane] = *job->parameters[6];
-            pool.bridge_half_width[lane] = *job->parameters[7];
-            pool.restitution[lane] = *job->parameters[8];
-            pool.gravity[lane] = *job->parameters[9];
-            pool.end_depth[lane] = *job->parameters[10];
+            pool.p_ball_radius[lane] = *job->parameters[0];
+            pool.p_ring_radius[lane] = *job->parameters[1];
+            pool.p_wire_radius[lane] = *job->parameters[2];
+            pool.p_board_distance[lane] = *job->parameters[3];
+            pool.p_board_half_width[lane] = *job->parameters[4];
+            pool.p_board_bottom[lane] = *job->parameters[5];
+            pool.p_board_top[lane] = *job->parameters[6];
+            pool.p_bridge_half_width[lane] = *job->parameters[7];
+            pool.p_restitution[lane] = *job->parameters[8];
+            pool.p_gravity[lane] = *job->parameters[9];
+            pool.p_end_depth[lane] = *job->parameters[10];
         }
-    M permitted = LANES(hoop_permit)(lanes_load(pool.ball_radius), lanes_load(pool.ring_radius), lanes_load(pool.wire_radius), lanes_load(pool.board_distance), lanes_load(pool.board_half_width), lanes_load(pool.board_bottom), lanes_load(pool.board_top), lanes_load(pool.bridge_half_width), lanes_load(pool.restitution), lanes_load(pool.gravity), lanes_load(pool.end_depth));
+    M permitted = LANES(hoop_permit)(lanes_load(pool.p_ball_radius), lanes_load(pool.p_ring_radius), lanes_load(pool.p_wire_radius), lanes_load(pool.p_board_distance), lanes_load(pool.p_board_half_width), lanes_load(pool.p_board_bottom), lanes_load(pool.p_board_top), lanes_load(pool.p_bridge_half_width), lanes_load(pool.p_restitution), lanes_load(pool.p_gravity), lanes_load(pool.p_end_depth));
     for (int flights = 0;;) {
         int refilled = 0;
         if (job->stop && *job->stop)
             return;
-        if (flights == 0 && job->shots - next >= LANES_WIDTH) {
-            LANES(hoop_begin_all)(&pool, job, next);
-            next += LANES_WIDTH;
+        if (flights == 0 && job->shots - begun >= LANES_WIDTH) {
+            LANES(hoop_begin_all)(&pool, job, begun);
+            begun += LANES_WIDTH;
             flights = LANES_WIDTH;
             refilled = 1;
         }
-        for (int lane = 0; flights < LANES_WIDTH && next < job->shots; lane++)
+        for (int lane = 0; flights < LANES_WIDTH && begun < job->shots; lane++)
             if (pool.occupied[lane] == 0.0) {
-                LANES(hoop_begin)(&pool, lane, job, next++);
+                LANES(hoop_begin)(&pool, lane, job, begun++);
                 flights++;
                 refilled = 1;
             }
         if (flights == 0)
             return;
 
-        const V ball_radius = lanes_load(pool.ball_radius);
-        const V ring_radius = lanes_load(pool.ring_radius);
-        const V wire_radius = lanes_load(pool.wire_radius);
-        const V board_distance = lanes_load(pool.board_distance);
-        const V board_half_width = lanes_load(pool.board_half_width);
-        const V board_bottom = lanes_load(pool.board_bottom);
-        const V board_top = lanes_load(pool.board_top);
-        const V bridge_half_width = lanes_load(pool.bridge_half_width);
-        const V restitution = lanes_load(pool.restitution);
-        const V gravity = lanes_load(pool.gravity);
-        const V end_depth = lanes_load(pool.end_depth);
+        const V p_ball_radius = lanes_load(pool.p_ball_radius);
+        const V p_ring_radius = lanes_load(pool.p_ring_radius);
+        const V p_wire_radius = lanes_load(pool.p_wire_radius);
+        const V p_board_distance = lanes_load(pool.p_board_distance);
+        const V p_board_half_width = lanes_load(pool.p_board_half_width);
+        const V p_board_bottom = lanes_load(pool.p_board_bottom);
+        const V p_board_top = lanes_load(pool.p_board_top);
+        const V p_bridge_half_width = lanes_load(pool.p_bridge_half_width);
+        const V p_restitution = lanes_load(pool.p_restitution);
+        const V p_gravity = lanes_load(pool.p_gravity);
+        const V p_end_depth = lanes_load(pool.p_end_depth);
         V x = lanes_load(pool.x);
         V y = lanes_load(pool.y);
         V z = lanes_load(pool.z);
@@ -270,16 +270,16 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
             outcome = lanes_select(fresh, K(-1.0), outcome);
 
             if (job->varying)
-                permitted = LANES(hoop_permit)(ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, restitution, gravity, end_depth);
-            const LANES(hoop_finite_state_out) o3 =
+                permitted = LANES(hoop_permit)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth);
+            const LANES(hoop_finite_state_out) _o3 =
                 LANES(hoop_finite_state)(vx, vy, vz, wx, wy, wz, x, y, z);
-            M finite = o3.finite;
-            const LANES(hoop_valid_out) o4 =
-                LANES(hoop_valid)(last, x, y, z, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, end_depth);
-            V valid = o4.valid;
-            const LANES(hoop_admitted_out) o5 =
+            M finite = _o3.finite;
+            const LANES(hoop_valid_out) _o4 =
+                LANES(hoop_valid)(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
+            V valid = _o4.valid;
+            const LANES(hoop_admitted_out) _o5 =
                 LANES(hoop_admitted)(K(INFINITY), finite, permitted, valid);
-            outcome = lanes_select(fresh, o5.outcome, outcome);
+            outcome = lanes_select(fresh, _o5.outcome, outcome);
             lanes_store(pool.fresh, zero);
             if (lanes_any(lanes_both(fresh, lanes_at_most(zero, outcome)))) {
                 lanes_store(pool.x, x);
@@ -309,256 +309,256 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         }
 
         /* To the next event. */
-        const LANES(hoop_scale_out) o6 =
-            LANES(hoop_scale)(x, y, z, vx, vy, vz, gravity);
-        V extent = o6.extent;
-        V speed = o6.speed;
-        V excess = o6.excess;
-        const LANES(hoop_opening_out) o7 =
+        const LANES(hoop_scale_out) _o6 =
+            LANES(hoop_scale)(x, y, z, vx, vy, vz, p_gravity);
+        V extent = _o6.extent;
+        V speed = _o6.speed;
+        V excess = _o6.excess;
+        const LANES(hoop_opening_out) _o7 =
             LANES(hoop_opening)(excess, K(0.0), K(0.0));
-        V when = o7.when;
-        V which = o7.which;
-        const LANES(hoop_left_out) o8 =
+        V when = _o7.when;
+        V which = _o7.which;
+        const LANES(hoop_left_out) _o8 =
             LANES(hoop_left)(K(3.0), last);
-        V leaving = o8.leaving;
-        const LANES(hoop_end_arrival_out) o9 =
-            LANES(hoop_end_arrival)(leaving, z, vz, gravity, end_depth);
-        V time = o9.time;
-        V rate = o9.rate;
-        V bend = o9.bend;
-        const LANES(hoop_meeting_plane_out) o10 =
+        V leaving = _o8.leaving;
+        const LANES(hoop_end_arrival_out) _o9 =
+            LANES(hoop_end_arrival)(leaving, z, vz, p_gravity, p_end_depth);
+        V time = _o9.time;
+        V rate = _o9.rate;
+        V bend = _o9.bend;
+        const LANES(hoop_meeting_plane_out) _o10 =
             LANES(hoop_meeting_plane)(bend, rate, time);
-        M arrives = o10.arrives;
-        const LANES(hoop_timely_out) o11 =
+        M arrives = _o10.arrives;
+        const LANES(hoop_timely_out) _o11 =
             LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-        M possible = o11.possible;
-        const M m12 = lanes_both(flying, possible);
+        M possible = _o11.possible;
+        const M _m12 = lanes_both(flying, possible);
         {
-            const LANES(hoop_sooner_out) o13 =
+            const LANES(hoop_sooner_out) _o13 =
                 LANES(hoop_sooner)(arrives, K(3.0), time, when, which);
-            when = lanes_select(m12, o13.when, when);
-            which = lanes_select(m12, o13.which, which);
+            when = lanes_select(_m12, _o13.when, when);
+            which = lanes_select(_m12, _o13.which, which);
         }
-        const LANES(hoop_left_out) o14 =
+        const LANES(hoop_left_out) _o14 =
             LANES(hoop_left)(K(1.0), last);
-        leaving = o14.leaving;
-        const LANES(hoop_backboard_arrival_out) o15 =
-            LANES(hoop_backboard_arrival)(leaving, x, vx, ball_radius, board_distance);
-        time = o15.time;
-        rate = o15.rate;
-        bend = o15.bend;
-        const LANES(hoop_meeting_plane_out) o16 =
+        leaving = _o14.leaving;
+        const LANES(hoop_backboard_arrival_out) _o15 =
+            LANES(hoop_backboard_arrival)(leaving, x, vx, p_ball_radius, p_board_distance);
+        time = _o15.time;
+        rate = _o15.rate;
+        bend = _o15.bend;
+        const LANES(hoop_meeting_plane_out) _o16 =
             LANES(hoop_meeting_plane)(bend, rate, time);
-        arrives = o16.arrives;
-        const LANES(hoop_timely_out) o17 =
+        arrives = _o16.arrives;
+        const LANES(hoop_timely_out) _o17 =
             LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-        possible = o17.possible;
-        const M m18 = lanes_both(flying, possible);
+        possible = _o17.possible;
+        const M _m18 = lanes_both(flying, possible);
         {
-            const LANES(hoop_flight_out) o19 =
-                LANES(hoop_flight)(time, x, y, z, vx, vy, vz, gravity);
-            V there_y = o19.y;
-            V there_z = o19.z;
-            const LANES(hoop_backboard_bounds_out) o20 =
-                LANES(hoop_backboard_bounds)(there_y, there_z, board_half_width, board_bottom, board_top);
-            V g0 = o20.g0;
-            V g1 = o20.g1;
-            V g2 = o20.g2;
-            V g3 = o20.g3;
-            const LANES(hoop_backboard_within_out) o21 =
+            const LANES(hoop_flight_out) _o19 =
+                LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
+            V there_y = _o19.y;
+            V there_z = _o19.z;
+            const LANES(hoop_backboard_bounds_out) _o20 =
+                LANES(hoop_backboard_bounds)(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
+            V g0 = _o20.g0;
+            V g1 = _o20.g1;
+            V g2 = _o20.g2;
+            V g3 = _o20.g3;
+            const LANES(hoop_backboard_within_out) _o21 =
                 LANES(hoop_backboard_within)(g0, g1, g2, g3);
-            M arrives = o21.arrives;
-            const LANES(hoop_sooner_out) o22 =
+            M arrives = _o21.arrives;
+            const LANES(hoop_sooner_out) _o22 =
                 LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
-            when = lanes_select(m18, o22.when, when);
-            which = lanes_select(m18, o22.which, which);
+            when = lanes_select(_m18, _o22.when, when);
+            which = lanes_select(_m18, _o22.which, which);
         }
-        const LANES(hoop_left_out) o23 =
+        const LANES(hoop_left_out) _o23 =
             LANES(hoop_left)(K(2.0), last);
-        leaving = o23.leaving;
-        const LANES(hoop_bridge_arrival_out) o24 =
-            LANES(hoop_bridge_arrival)(leaving, z, vz, ball_radius, wire_radius, gravity);
-        time = o24.time;
-        rate = o24.rate;
-        bend = o24.bend;
-        const LANES(hoop_meeting_plane_out) o25 =
+        leaving = _o23.leaving;
+        const LANES(hoop_bridge_arrival_out) _o24 =
+            LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
+        time = _o24.time;
+        rate = _o24.rate;
+        bend = _o24.bend;
+        const LANES(hoop_meeting_plane_out) _o25 =
             LANES(hoop_meeting_plane)(bend, rate, time);
-        arrives = o25.arrives;
-        const LANES(hoop_timely_out) o26 =
+        arrives = _o25.arrives;
+        const LANES(hoop_timely_out) _o26 =
             LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-        possible = o26.possible;
-        const M m27 = lanes_both(flying, possible);
-        if (lanes_any(m27)) {
-            const LANES(hoop_flight_out) o28 =
-                LANES(hoop_flight)(time, x, y, z, vx, vy, vz, gravity);
-            V there_x = o28.x;
-            V there_y = o28.y;
-            const LANES(hoop_bridge_bounds_out) o29 =
-                LANES(hoop_bridge_bounds)(there_x, there_y, ring_radius, board_distance, bridge_half_width);
-            V g0 = o29.g0;
-            V g1 = o29.g1;
-            V g2 = o29.g2;
-            V g3 = o29.g3;
-            V g4 = o29.g4;
-            const LANES(hoop_bridge_within_out) o30 =
+        possible = _o26.possible;
+        const M _m27 = lanes_both(flying, possible);
+        if (lanes_any(_m27)) {
+            const LANES(hoop_flight_out) _o28 =
+                LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
+            V there_x = _o28.x;
+            V there_y = _o28.y;
+            const LANES(hoop_bridge_bounds_out) _o29 =
+                LANES(hoop_bridge_bounds)(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
+            V g0 = _o29.g0;
+            V g1 = _o29.g1;
+            V g2 = _o29.g2;
+            V g3 = _o29.g3;
+            V g4 = _o29.g4;
+            const LANES(hoop_bridge_within_out) _o30 =
                 LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
-            M arrives = o30.arrives;
-            const LANES(hoop_sooner_out) o31 =
+            M arrives = _o30.arrives;
+            const LANES(hoop_sooner_out) _o31 =
                 LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
-            when = lanes_select(m27, o31.when, when);
-            which = lanes_select(m27, o31.which, which);
+            when = lanes_select(_m27, _o31.when, when);
+            which = lanes_select(_m27, _o31.which, which);
         }
-        const LANES(hoop_horizon_out) o32 =
-            LANES(hoop_horizon)(when, speed, gravity);
-        V until = o32.horizon;
-        const LANES(hoop_ring_clear_out) o33 =
-            LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), ball_radius, ring_radius, wire_radius, gravity);
-        V clear = o33.clear;
-        const LANES(hoop_opens_out) o34 =
+        const LANES(hoop_horizon_out) _o32 =
+            LANES(hoop_horizon)(when, speed, p_gravity);
+        V until = _o32.horizon;
+        const LANES(hoop_ring_clear_out) _o33 =
+            LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+        V clear = _o33.clear;
+        const LANES(hoop_opens_out) _o34 =
             LANES(hoop_opens)(clear);
-        M open = o34.open;
-        const M m35 = lanes_both(flying, open);
-        if (lanes_any(m35)) {
-            const LANES(hoop_ring_prepare_out) o36 =
-                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), ball_radius, ring_radius, wire_radius, gravity);
-            V steady = o36.steady;
-            V swing = o36.swing;
-            V rho_start = o36.rho_start;
-            V low0 = o36.low0;
-            V high0 = o36.high0;
-            V low1 = o36.low1;
-            V high1 = o36.high1;
-            V low2 = o36.low2;
-            V high2 = o36.high2;
-            V ceiling = o36.ceiling;
-            V latest = o36.latest;
-            const LANES(hoop_beginning_out) o37 =
+        M open = _o34.open;
+        const M _m35 = lanes_both(flying, open);
+        if (lanes_any(_m35)) {
+            const LANES(hoop_ring_prepare_out) _o36 =
+                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V steady = _o36.steady;
+            V swing = _o36.swing;
+            V rho_start = _o36.rho_start;
+            V low0 = _o36.low0;
+            V high0 = _o36.high0;
+            V low1 = _o36.low1;
+            V high1 = _o36.high1;
+            V low2 = _o36.low2;
+            V high2 = _o36.high2;
+            V ceiling = _o36.ceiling;
+            V latest = _o36.latest;
+            const LANES(hoop_beginning_out) _o37 =
                 LANES(hoop_beginning)();
-            V share = o37.share;
-            V arrival = o37.arrival;
-            M certain = o37.certain;
-            const LANES(hoop_allowance_out) o38 =
-                LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), gravity);
-            V level = o38.level;
-            V velocity_level = o38.velocity_level;
-            const LANES(hoop_ring_margins_out) o39 =
-                LANES(hoop_ring_margins)(latest, extent, speed, level, velocity_level, ball_radius, ring_radius, wire_radius, gravity);
-            V flat = o39.margin;
-            V tilt = o39.leaving_margin;
-            V rate_slack = o39.rate_margin;
-            const LANES(hoop_ring_enter_out) o40 =
+            V share = _o37.share;
+            V arrival = _o37.arrival;
+            M certain = _o37.certain;
+            const LANES(hoop_allowance_out) _o38 =
+                LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
+            V level = _o38.level;
+            V velocity_level = _o38.velocity_level;
+            const LANES(hoop_ring_margins_out) _o39 =
+                LANES(hoop_ring_margins)(latest, extent, speed, level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V flat = _o39.margin;
+            V tilt = _o39.leaving_margin;
+            V rate_slack = _o39.rate_margin;
+            const LANES(hoop_ring_enter_out) _o40 =
                 LANES(hoop_ring_enter)(K(0.0), K(0.0), high0, high1, high2, low0, low1, low2, K(0.0));
-            V t = o40.t;
-            V end = o40.end;
-            M searching = o40.searching;
-            for (int turn = 0; turn < 201; turn++) {
-                const M m41 = lanes_both(m35, searching);
-                if (!lanes_any(m41))
+            V t = _o40.t;
+            V end = _o40.end;
+            M searching = _o40.searching;
+            for (int _turn = 0; _turn < 201; _turn++) {
+                const M _m41 = lanes_both(_m35, searching);
+                if (!lanes_any(_m41))
                     break;
-                const LANES(hoop_nearby_out) o42 =
+                const LANES(hoop_nearby_out) _o42 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = o42.leaving;
-                V margin = o42.margin;
-                const LANES(hoop_ring_advance_out) o43 =
-                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, ball_radius, ring_radius, wire_radius, gravity);
-                V gap = o43.gap;
-                V rate = o43.rate;
-                V bend = o43.bend;
-                V step = o43.step;
-                V next = o43.next;
-                V root = o43.root;
-                V clearance = o43.clearance;
-                const LANES(hoop_struck_out) o44 =
+                V leaving = _o42.leaving;
+                V margin = _o42.margin;
+                const LANES(hoop_ring_advance_out) _o43 =
+                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                V gap = _o43.gap;
+                V rate = _o43.rate;
+                V bend = _o43.bend;
+                V step = _o43.step;
+                V next = _o43.next;
+                V root = _o43.root;
+                V clearance = _o43.clearance;
+                const LANES(hoop_struck_out) _o44 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = o44.hit;
-                M sure = o44.sure;
-                M vague = o44.vague;
-                const M m45 = lanes_both(m41, vague);
-                if (lanes_any(m45)) {
-                    const LANES(hoop_finer_out) o46 =
+                M hit = _o44.hit;
+                M sure = _o44.sure;
+                M vague = _o44.vague;
+                const M _m45 = lanes_both(_m41, vague);
+                if (lanes_any(_m45)) {
+                    const LANES(hoop_finer_out) _o46 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(m45, o46.share, share);
-                    const LANES(hoop_allowance_out) o47 =
-                        LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), gravity);
-                    V level = o47.level;
-                    V velocity_level = o47.velocity_level;
-                    const LANES(hoop_ring_margins_out) o48 =
-                        LANES(hoop_ring_margins)(latest, extent, speed, level, velocity_level, ball_radius, ring_radius, wire_radius, gravity);
-                    flat = lanes_select(m45, o48.margin, flat);
-                    tilt = lanes_select(m45, o48.leaving_margin, tilt);
-                    rate_slack = lanes_select(m45, o48.rate_margin, rate_slack);
+                    share = lanes_select(_m45, _o46.share, share);
+                    const LANES(hoop_allowance_out) _o47 =
+                        LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
+                    V level = _o47.level;
+                    V velocity_level = _o47.velocity_level;
+                    const LANES(hoop_ring_margins_out) _o48 =
+                        LANES(hoop_ring_margins)(latest, extent, speed, level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                    flat = lanes_select(_m45, _o48.margin, flat);
+                    tilt = lanes_select(_m45, _o48.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m45, _o48.rate_margin, rate_slack);
                 }
-                const LANES(hoop_advanced_out) o49 =
+                const LANES(hoop_advanced_out) _o49 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, root, step, sure, t, vague);
-                arrival = lanes_select(m41, o49.arrival, arrival);
-                certain = lanes_choose(m41, o49.certain, certain);
-                M exhausted = o49.exhausted;
-                searching = lanes_choose(m41, o49.searching, searching);
-                t = lanes_select(m41, o49.t, t);
-                const M m50 = lanes_both(m41, exhausted);
+                arrival = lanes_select(_m41, _o49.arrival, arrival);
+                certain = lanes_choose(_m41, _o49.certain, certain);
+                M exhausted = _o49.exhausted;
+                searching = lanes_choose(_m41, _o49.searching, searching);
+                t = lanes_select(_m41, _o49.t, t);
+                const M _m50 = lanes_both(_m41, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) o51 =
+                    const LANES(hoop_ring_enter_out) _o51 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(m50, o51.t, t);
-                    end = lanes_select(m50, o51.end, end);
-                    searching = lanes_choose(m50, o51.searching, searching);
+                    t = lanes_select(_m50, _o51.t, t);
+                    end = lanes_select(_m50, _o51.end, end);
+                    searching = lanes_choose(_m50, _o51.searching, searching);
                 }
             }
-            const LANES(hoop_found_out) o52 =
+            const LANES(hoop_found_out) _o52 =
                 LANES(hoop_found)(arrival);
-            M arrives = o52.arrives;
-            const LANES(hoop_nearby_out) o53 =
+            M arrives = _o52.arrives;
+            const LANES(hoop_nearby_out) _o53 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = o53.leaving;
-            const LANES(hoop_ring_refine_out) o54 =
-                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, ball_radius, ring_radius, wire_radius, gravity);
-            V refined = o54.time;
-            const LANES(hoop_polished_out) o55 =
+            V leaving = _o53.leaving;
+            const LANES(hoop_ring_refine_out) _o54 =
+                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V refined = _o54.time;
+            const LANES(hoop_polished_out) _o55 =
                 LANES(hoop_polished)(arrival, certain, refined);
-            arrival = o55.arrival;
-            const LANES(hoop_ring_refine_out) o56 =
-                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, ball_radius, ring_radius, wire_radius, gravity);
-            refined = o56.time;
-            const LANES(hoop_polished_out) o57 =
+            arrival = _o55.arrival;
+            const LANES(hoop_ring_refine_out) _o56 =
+                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            refined = _o56.time;
+            const LANES(hoop_polished_out) _o57 =
                 LANES(hoop_polished)(arrival, certain, refined);
-            arrival = o57.arrival;
-            const LANES(hoop_landed_out) o58 =
+            arrival = _o57.arrival;
+            const LANES(hoop_landed_out) _o58 =
                 LANES(hoop_landed)(arrival);
-            V time = o58.time;
-            const LANES(hoop_sooner_out) o59 =
+            V time = _o58.time;
+            const LANES(hoop_sooner_out) _o59 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = lanes_select(m35, o59.when, when);
-            which = lanes_select(m35, o59.which, which);
+            when = lanes_select(_m35, _o59.when, when);
+            which = lanes_select(_m35, _o59.which, which);
         }
-        const LANES(hoop_departed_out) o60 =
+        const LANES(hoop_departed_out) _o60 =
             LANES(hoop_departed)(K(3.0), which);
-        M moves = o60.moves;
-        M ends = o60.ends;
-        M touches = o60.touches;
-        const LANES(hoop_body_of_out) o61 =
+        M moves = _o60.moves;
+        M ends = _o60.ends;
+        M touches = _o60.touches;
+        const LANES(hoop_body_of_out) _o61 =
             LANES(hoop_body_of)(which);
-        V body = o61.body;
-        const M m62 = lanes_both(flying, moves);
+        V body = _o61.body;
+        const M _m62 = lanes_both(flying, moves);
         {
-            const LANES(hoop_flight_out) o63 =
-                LANES(hoop_flight)(when, x, y, z, vx, vy, vz, gravity);
-            x = lanes_select(m62, o63.x, x);
-            y = lanes_select(m62, o63.y, y);
-            z = lanes_select(m62, o63.z, z);
-            vx = lanes_select(m62, o63.vx, vx);
-            vy = lanes_select(m62, o63.vy, vy);
-            vz = lanes_select(m62, o63.vz, vz);
-            const LANES(hoop_ticked_out) o64 =
+            const LANES(hoop_flight_out) _o63 =
+                LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
+            x = lanes_select(_m62, _o63.x, x);
+            y = lanes_select(_m62, _o63.y, y);
+            z = lanes_select(_m62, _o63.z, z);
+            vx = lanes_select(_m62, _o63.vx, vx);
+            vy = lanes_select(_m62, _o63.vy, vy);
+            vz = lanes_select(_m62, _o63.vz, vz);
+            const LANES(hoop_ticked_out) _o64 =
                 LANES(hoop_ticked)(clock, when);
-            clock = lanes_select(m62, o64.clock, clock);
+            clock = lanes_select(_m62, _o64.clock, clock);
         }
-        const LANES(hoop_target_out) o65 =
-            LANES(hoop_target)(x, y, ring_radius);
-        V miss = o65.target;
-        const LANES(hoop_accounted_out) o66 =
+        const LANES(hoop_target_out) _o65 =
+            LANES(hoop_target)(x, y, p_ring_radius);
+        V miss = _o65.target;
+        const LANES(hoop_accounted_out) _o66 =
             LANES(hoop_accounted)(contacts, ends, miss, most_contacts, touches);
-        contacts = o66.contacts;
-        outcome = o66.outcome;
+        contacts = _o66.contacts;
+        outcome = _o66.outcome;
         const V x_before = x;
         const V y_before = y;
         const V z_before = z;
@@ -570,97 +570,97 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         const V wz_before = wz;
 
         /* What the event does to the ball. */
-        const LANES(hoop_meeting_out) o67 =
+        const LANES(hoop_meeting_out) _o67 =
             LANES(hoop_meeting)(K(0.0), ends, touches);
-        M meeting = o67.meeting;
-        const M m68 = lanes_both(flying, meeting);
-        if (lanes_any(m68)) {
-            const LANES(hoop_end_normal_out) o69 =
+        M meeting = _o67.meeting;
+        const M _m68 = lanes_both(flying, meeting);
+        if (lanes_any(_m68)) {
+            const LANES(hoop_end_normal_out) _o69 =
                 LANES(hoop_end_normal)();
-            V nx = o69.nx;
-            V ny = o69.ny;
-            V nz = o69.nz;
-            const LANES(hoop_here_out) o70 =
+            V nx = _o69.nx;
+            V ny = _o69.ny;
+            V nz = _o69.nz;
+            const LANES(hoop_here_out) _o70 =
                 LANES(hoop_here)(K(0.0), which);
-            M here = o70.here;
-            const M m71 = lanes_both(m68, here);
+            M here = _o70.here;
+            const M _m71 = lanes_both(_m68, here);
             {
-                const LANES(hoop_ring_normal_out) o72 =
-                    LANES(hoop_ring_normal)(x, y, z, ball_radius, ring_radius, wire_radius);
-                nx = lanes_select(m71, o72.nx, nx);
-                ny = lanes_select(m71, o72.ny, ny);
-                nz = lanes_select(m71, o72.nz, nz);
-                const LANES(hoop_counted_out) o73 =
+                const LANES(hoop_ring_normal_out) _o72 =
+                    LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                nx = lanes_select(_m71, _o72.nx, nx);
+                ny = lanes_select(_m71, _o72.ny, ny);
+                nz = lanes_select(_m71, _o72.nz, nz);
+                const LANES(hoop_counted_out) _o73 =
                     LANES(hoop_counted)(count_0);
-                count_0 = lanes_select(m71, o73.count, count_0);
+                count_0 = lanes_select(_m71, _o73.count, count_0);
             }
-            const LANES(hoop_here_out) o74 =
+            const LANES(hoop_here_out) _o74 =
                 LANES(hoop_here)(K(1.0), which);
-            here = o74.here;
-            const M m75 = lanes_both(m68, here);
+            here = _o74.here;
+            const M _m75 = lanes_both(_m68, here);
             {
-                const LANES(hoop_backboard_normal_out) o76 =
+                const LANES(hoop_backboard_normal_out) _o76 =
                     LANES(hoop_backboard_normal)();
-                nx = lanes_select(m75, o76.nx, nx);
-                ny = lanes_select(m75, o76.ny, ny);
-                nz = lanes_select(m75, o76.nz, nz);
-                const LANES(hoop_counted_out) o77 =
+                nx = lanes_select(_m75, _o76.nx, nx);
+                ny = lanes_select(_m75, _o76.ny, ny);
+                nz = lanes_select(_m75, _o76.nz, nz);
+                const LANES(hoop_counted_out) _o77 =
                     LANES(hoop_counted)(count_1);
-                count_1 = lanes_select(m75, o77.count, count_1);
+                count_1 = lanes_select(_m75, _o77.count, count_1);
             }
-            const LANES(hoop_here_out) o78 =
+            const LANES(hoop_here_out) _o78 =
                 LANES(hoop_here)(K(2.0), which);
-            here = o78.here;
-            const M m79 = lanes_both(m68, here);
+            here = _o78.here;
+            const M _m79 = lanes_both(_m68, here);
             {
-                const LANES(hoop_bridge_normal_out) o80 =
+                const LANES(hoop_bridge_normal_out) _o80 =
                     LANES(hoop_bridge_normal)();
-                nx = lanes_select(m79, o80.nx, nx);
-                ny = lanes_select(m79, o80.ny, ny);
-                nz = lanes_select(m79, o80.nz, nz);
-                const LANES(hoop_counted_out) o81 =
+                nx = lanes_select(_m79, _o80.nx, nx);
+                ny = lanes_select(_m79, _o80.ny, ny);
+                nz = lanes_select(_m79, _o80.nz, nz);
+                const LANES(hoop_counted_out) _o81 =
                     LANES(hoop_counted)(count_2);
-                count_2 = lanes_select(m79, o81.count, count_2);
+                count_2 = lanes_select(_m79, _o81.count, count_2);
             }
-            const M m82 = lanes_both(m68, touches);
-            if (lanes_any(m82)) {
-                const LANES(hoop_impact_out) o83 =
-                    LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, ball_radius, restitution);
-                vx = lanes_select(m82, o83.vx, vx);
-                vy = lanes_select(m82, o83.vy, vy);
-                vz = lanes_select(m82, o83.vz, vz);
-                wx = lanes_select(m82, o83.wx, wx);
-                wy = lanes_select(m82, o83.wy, wy);
-                wz = lanes_select(m82, o83.wz, wz);
+            const M _m82 = lanes_both(_m68, touches);
+            if (lanes_any(_m82)) {
+                const LANES(hoop_impact_out) _o83 =
+                    LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
+                vx = lanes_select(_m82, _o83.vx, vx);
+                vy = lanes_select(_m82, _o83.vy, vy);
+                vz = lanes_select(_m82, _o83.vz, vz);
+                wx = lanes_select(_m82, _o83.wx, wx);
+                wy = lanes_select(_m82, _o83.wy, wy);
+                wz = lanes_select(_m82, _o83.wz, wz);
             }
-            const LANES(hoop_here_out) o84 =
+            const LANES(hoop_here_out) _o84 =
                 LANES(hoop_here)(K(1.0), which);
-            here = o84.here;
-            const M m85 = lanes_both(m68, here);
+            here = _o84.here;
+            const M _m85 = lanes_both(_m68, here);
             {
-                const LANES(hoop_backboard_place_out) o86 =
-                    LANES(hoop_backboard_place)(y, z, ball_radius, board_distance);
-                x = lanes_select(m85, o86.x, x);
-                y = lanes_select(m85, o86.y, y);
-                z = lanes_select(m85, o86.z, z);
+                const LANES(hoop_backboard_place_out) _o86 =
+                    LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
+                x = lanes_select(_m85, _o86.x, x);
+                y = lanes_select(_m85, _o86.y, y);
+                z = lanes_select(_m85, _o86.z, z);
             }
-            const LANES(hoop_here_out) o87 =
+            const LANES(hoop_here_out) _o87 =
                 LANES(hoop_here)(K(2.0), which);
-            here = o87.here;
-            const M m88 = lanes_both(m68, here);
+            here = _o87.here;
+            const M _m88 = lanes_both(_m68, here);
             {
-                const LANES(hoop_bridge_place_out) o89 =
-                    LANES(hoop_bridge_place)(x, y, ball_radius, wire_radius);
-                x = lanes_select(m88, o89.x, x);
-                y = lanes_select(m88, o89.y, y);
-                z = lanes_select(m88, o89.z, z);
+                const LANES(hoop_bridge_place_out) _o89 =
+                    LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
+                x = lanes_select(_m88, _o89.x, x);
+                y = lanes_select(_m88, _o89.y, y);
+                z = lanes_select(_m88, _o89.z, z);
             }
-            const M m90 = lanes_both(m68, touches);
+            const M _m90 = lanes_both(_m68, touches);
             {
-                const LANES(hoop_touched_out) o91 =
+                const LANES(hoop_touched_out) _o91 =
                     LANES(hoop_touched)(body, first, which);
-                first = lanes_select(m90, o91.first, first);
-                last = lanes_select(m90, o91.last, last);
+                first = lanes_select(_m90, _o91.first, first);
+                last = lanes_select(_m90, _o91.last, last);
             }
         }
         lanes_store(pool.x, x);
@@ -739,55 +739,55 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
     const V zero = K(0.0);
     const V most_contacts = K((double)job->max_contacts);
     const V claims = K(job->results->time_error || job->results->state_error ? 1.0 : 0.0);
-    size_t next = 0;
+    size_t begun = 0;
 
     if (job->results->event_counts)
         memset(job->results->event_counts, 0, job->shots * sizeof(int32_t));
     if (!job->varying)
         for (int lane = 0; lane < LANES_WIDTH; lane++) {
-            pool.ball_radius[lane] = *job->parameters[0];
-            pool.ring_radius[lane] = *job->parameters[1];
-            pool.wire_radius[lane] = *job->parameters[2];
-            pool.board_distance[lane] = *job->parameters[3];
-            pool.board_half_width[lane] = *job->parameters[4];
-            pool.board_bottom[lane] = *job->parameters[5];
-            pool.board_top[lane] = *job->parameters[6];
-            pool.bridge_half_width[lane] = *job->parameters[7];
-            pool.restitution[lane] = *job->parameters[8];
-            pool.gravity[lane] = *job->parameters[9];
-            pool.end_depth[lane] = *job->parameters[10];
+            pool.p_ball_radius[lane] = *job->parameters[0];
+            pool.p_ring_radius[lane] = *job->parameters[1];
+            pool.p_wire_radius[lane] = *job->parameters[2];
+            pool.p_board_distance[lane] = *job->parameters[3];
+            pool.p_board_half_width[lane] = *job->parameters[4];
+            pool.p_board_bottom[lane] = *job->parameters[5];
+            pool.p_board_top[lane] = *job->parameters[6];
+            pool.p_bridge_half_width[lane] = *job->parameters[7];
+            pool.p_restitution[lane] = *job->parameters[8];
+            pool.p_gravity[lane] = *job->parameters[9];
+            pool.p_end_depth[lane] = *job->parameters[10];
         }
-    M permitted = LANES(hoop_permit)(lanes_load(pool.ball_radius), lanes_load(pool.ring_radius), lanes_load(pool.wire_radius), lanes_load(pool.board_distance), lanes_load(pool.board_half_width), lanes_load(pool.board_bottom), lanes_load(pool.board_top), lanes_load(pool.bridge_half_width), lanes_load(pool.restitution), lanes_load(pool.gravity), lanes_load(pool.end_depth));
+    M permitted = LANES(hoop_permit)(lanes_load(pool.p_ball_radius), lanes_load(pool.p_ring_radius), lanes_load(pool.p_wire_radius), lanes_load(pool.p_board_distance), lanes_load(pool.p_board_half_width), lanes_load(pool.p_board_bottom), lanes_load(pool.p_board_top), lanes_load(pool.p_bridge_half_width), lanes_load(pool.p_restitution), lanes_load(pool.p_gravity), lanes_load(pool.p_end_depth));
     for (int flights = 0;;) {
         int refilled = 0;
         if (job->stop && *job->stop)
             return;
-        if (flights == 0 && job->shots - next >= LANES_WIDTH) {
-            LANES(hoop_begin_all)(&pool, job, next);
-            next += LANES_WIDTH;
+        if (flights == 0 && job->shots - begun >= LANES_WIDTH) {
+            LANES(hoop_begin_all)(&pool, job, begun);
+            begun += LANES_WIDTH;
             flights = LANES_WIDTH;
             refilled = 1;
         }
-        for (int lane = 0; flights < LANES_WIDTH && next < job->shots; lane++)
+        for (int lane = 0; flights < LANES_WIDTH && begun < job->shots; lane++)
             if (pool.occupied[lane] == 0.0) {
-                LANES(hoop_begin)(&pool, lane, job, next++);
+                LANES(hoop_begin)(&pool, lane, job, begun++);
                 flights++;
                 refilled = 1;
             }
         if (flights == 0)
             return;
 
-        const V ball_radius = lanes_load(pool.ball_radius);
-        const V ring_radius = lanes_load(pool.ring_radius);
-        const V wire_radius = lanes_load(pool.wire_radius);
-        const V board_distance = lanes_load(pool.board_distance);
-        const V board_half_width = lanes_load(pool.board_half_width);
-        const V board_bottom = lanes_load(pool.board_bottom);
-        const V board_top = lanes_load(pool.board_top);
-        const V bridge_half_width = lanes_load(pool.bridge_half_width);
-        const V restitution = lanes_load(pool.restitution);
-        const V gravity = lanes_load(pool.gravity);
-        const V end_depth = lanes_load(pool.end_depth);
+        const V p_ball_radius = lanes_load(pool.p_ball_radius);
+        const V p_ring_radius = lanes_load(pool.p_ring_radius);
+        const V p_wire_radius = lanes_load(pool.p_wire_radius);
+        const V p_board_distance = lanes_load(pool.p_board_distance);
+        const V p_board_half_width = lanes_load(pool.p_board_half_width);
+        const V p_board_bottom = lanes_load(pool.p_board_bottom);
+        const V p_board_top = lanes_load(pool.p_board_top);
+        const V p_bridge_half_width = lanes_load(pool.p_bridge_half_width);
+        const V p_restitution = lanes_load(pool.p_restitution);
+        const V p_gravity = lanes_load(pool.p_gravity);
+        const V p_end_depth = lanes_load(pool.p_end_depth);
         V x = lanes_load(pool.x);
         V y = lanes_load(pool.y);
         V z = lanes_load(pool.z);
@@ -850,18 +850,18 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             outcome = lanes_select(fresh, K(-1.0), outcome);
 
             if (job->varying)
-                permitted = LANES(hoop_permit)(ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, restitution, gravity, end_depth);
-            const LANES(hoop_finite_state_out) o3 =
+                permitted = LANES(hoop_permit)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth);
+            const LANES(hoop_finite_state_out) _o3 =
                 LANES(hoop_finite_state)(vx, vy, vz, wx, wy, wz, x, y, z);
-            M finite = o3.finite;
-            const LANES(hoop_valid_out) o4 =
-                LANES(hoop_valid)(last, x, y, z, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, end_depth);
-            V valid = o4.valid;
-            V doubt = o4.doubt;
-            const LANES(hoop_admitted_out) o5 =
+            M finite = _o3.finite;
+            const LANES(hoop_valid_out) _o4 =
+                LANES(hoop_valid)(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
+            V valid = _o4.valid;
+            V doubt = _o4.doubt;
+            const LANES(hoop_admitted_out) _o5 =
                 LANES(hoop_admitted)(doubt, finite, permitted, valid);
-            outcome = lanes_select(fresh, o5.outcome, outcome);
-            uncertain = lanes_select(fresh, o5.uncertain, uncertain);
+            outcome = lanes_select(fresh, _o5.outcome, outcome);
+            uncertain = lanes_select(fresh, _o5.uncertain, uncertain);
             lanes_store(pool.fresh, zero);
             if (lanes_any(lanes_both(fresh, lanes_at_most(zero, outcome)))) {
                 lanes_store(pool.x, x);
@@ -906,383 +906,383 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         }
 
         /* To the next event. */
-        const LANES(hoop_error_bounds_out) o6 =
+        const LANES(hoop_error_bounds_out) _o6 =
             LANES(hoop_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-        V position_error = o6.position_error;
-        V velocity_error = o6.velocity_error;
-        const LANES(hoop_scale_out) o7 =
-            LANES(hoop_scale)(x, y, z, vx, vy, vz, gravity);
-        V extent = o7.extent;
-        V speed = o7.speed;
-        V excess = o7.excess;
-        const LANES(hoop_opening_out) o8 =
+        V position_error = _o6.position_error;
+        V velocity_error = _o6.velocity_error;
+        const LANES(hoop_scale_out) _o7 =
+            LANES(hoop_scale)(x, y, z, vx, vy, vz, p_gravity);
+        V extent = _o7.extent;
+        V speed = _o7.speed;
+        V excess = _o7.excess;
+        const LANES(hoop_opening_out) _o8 =
             LANES(hoop_opening)(excess, position_error, velocity_error);
-        V when = o8.when;
-        V which = o8.which;
-        V late = o8.late;
-        V doubt = o8.doubt;
-        const LANES(hoop_left_out) o9 =
+        V when = _o8.when;
+        V which = _o8.which;
+        V late = _o8.late;
+        V doubt = _o8.doubt;
+        const LANES(hoop_left_out) _o9 =
             LANES(hoop_left)(K(3.0), last);
-        V leaving = o9.leaving;
-        const LANES(hoop_end_arrival_out) o10 =
-            LANES(hoop_end_arrival)(leaving, z, vz, gravity, end_depth);
-        V time = o10.time;
-        V rate = o10.rate;
-        V bend = o10.bend;
-        V apex = o10.apex;
-        V height = o10.height;
-        const LANES(hoop_meeting_plane_out) o11 =
+        V leaving = _o9.leaving;
+        const LANES(hoop_end_arrival_out) _o10 =
+            LANES(hoop_end_arrival)(leaving, z, vz, p_gravity, p_end_depth);
+        V time = _o10.time;
+        V rate = _o10.rate;
+        V bend = _o10.bend;
+        V apex = _o10.apex;
+        V height = _o10.height;
+        const LANES(hoop_meeting_plane_out) _o11 =
             LANES(hoop_meeting_plane)(bend, rate, time);
-        M arrives = o11.arrives;
-        V ceiling = o11.ceiling;
-        const LANES(hoop_end_margin_out) o12 =
-            LANES(hoop_end_margin)(time, extent, speed, position_error, velocity_error, gravity, end_depth);
-        V margin = o12.margin;
-        const LANES(hoop_crossing_out) o13 =
+        M arrives = _o11.arrives;
+        V ceiling = _o11.ceiling;
+        const LANES(hoop_end_margin_out) _o12 =
+            LANES(hoop_end_margin)(time, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
+        V margin = _o12.margin;
+        const LANES(hoop_crossing_out) _o13 =
             LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-        V clearance = o13.clearance;
-        V delay = o13.delay;
-        const LANES(hoop_timely_out) o14 =
+        V clearance = _o13.clearance;
+        V delay = _o13.delay;
+        const LANES(hoop_timely_out) _o14 =
             LANES(hoop_timely)(arrives, delay, late, time, when);
-        M possible = o14.possible;
-        const LANES(hoop_end_margin_out) o15 =
-            LANES(hoop_end_margin)(apex, extent, speed, position_error, velocity_error, gravity, end_depth);
-        margin = o15.margin;
-        const LANES(hoop_grazed_out) o16 =
+        M possible = _o14.possible;
+        const LANES(hoop_end_margin_out) _o15 =
+            LANES(hoop_end_margin)(apex, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
+        margin = _o15.margin;
+        const LANES(hoop_grazed_out) _o16 =
             LANES(hoop_grazed)(apex, doubt, height, margin);
-        doubt = o16.doubt;
-        const M m17 = lanes_both(flying, possible);
+        doubt = _o16.doubt;
+        const M _m17 = lanes_both(flying, possible);
         {
-            const LANES(hoop_crossed_out) o18 =
+            const LANES(hoop_crossed_out) _o18 =
                 LANES(hoop_crossed)(arrives, clearance, doubt, time);
-            doubt = lanes_select(m17, o18.doubt, doubt);
-            const LANES(hoop_tied_out) o19 =
+            doubt = lanes_select(_m17, _o18.doubt, doubt);
+            const LANES(hoop_tied_out) _o19 =
                 LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = lanes_select(m17, o19.doubt, doubt);
-            late = lanes_select(m17, o19.late, late);
-            const LANES(hoop_sooner_out) o20 =
+            doubt = lanes_select(_m17, _o19.doubt, doubt);
+            late = lanes_select(_m17, _o19.late, late);
+            const LANES(hoop_sooner_out) _o20 =
                 LANES(hoop_sooner)(arrives, K(3.0), time, when, which);
-            when = lanes_select(m17, o20.when, when);
-            which = lanes_select(m17, o20.which, which);
+            when = lanes_select(_m17, _o20.when, when);
+            which = lanes_select(_m17, _o20.which, which);
         }
-        const LANES(hoop_left_out) o21 =
+        const LANES(hoop_left_out) _o21 =
             LANES(hoop_left)(K(1.0), last);
-        leaving = o21.leaving;
-        const LANES(hoop_backboard_arrival_out) o22 =
-            LANES(hoop_backboard_arrival)(leaving, x, vx, ball_radius, board_distance);
-        time = o22.time;
-        rate = o22.rate;
-        bend = o22.bend;
-        apex = o22.apex;
-        height = o22.height;
-        const LANES(hoop_meeting_plane_out) o23 =
+        leaving = _o21.leaving;
+        const LANES(hoop_backboard_arrival_out) _o22 =
+            LANES(hoop_backboard_arrival)(leaving, x, vx, p_ball_radius, p_board_distance);
+        time = _o22.time;
+        rate = _o22.rate;
+        bend = _o22.bend;
+        apex = _o22.apex;
+        height = _o22.height;
+        const LANES(hoop_meeting_plane_out) _o23 =
             LANES(hoop_meeting_plane)(bend, rate, time);
-        arrives = o23.arrives;
-        ceiling = o23.ceiling;
-        const LANES(hoop_backboard_margin_out) o24 =
-            LANES(hoop_backboard_margin)(time, extent, speed, position_error, velocity_error, ball_radius, board_distance, gravity);
-        margin = o24.margin;
-        const LANES(hoop_crossing_out) o25 =
+        arrives = _o23.arrives;
+        ceiling = _o23.ceiling;
+        const LANES(hoop_backboard_margin_out) _o24 =
+            LANES(hoop_backboard_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
+        margin = _o24.margin;
+        const LANES(hoop_crossing_out) _o25 =
             LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-        clearance = o25.clearance;
-        delay = o25.delay;
-        const LANES(hoop_timely_out) o26 =
+        clearance = _o25.clearance;
+        delay = _o25.delay;
+        const LANES(hoop_timely_out) _o26 =
             LANES(hoop_timely)(arrives, delay, late, time, when);
-        possible = o26.possible;
-        const LANES(hoop_backboard_margin_out) o27 =
-            LANES(hoop_backboard_margin)(apex, extent, speed, position_error, velocity_error, ball_radius, board_distance, gravity);
-        margin = o27.margin;
-        const LANES(hoop_grazed_out) o28 =
+        possible = _o26.possible;
+        const LANES(hoop_backboard_margin_out) _o27 =
+            LANES(hoop_backboard_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
+        margin = _o27.margin;
+        const LANES(hoop_grazed_out) _o28 =
             LANES(hoop_grazed)(apex, doubt, height, margin);
-        doubt = o28.doubt;
-        const M m29 = lanes_both(flying, possible);
-        if (lanes_any(m29)) {
-            const LANES(hoop_flight_out) o30 =
-                LANES(hoop_flight)(time, x, y, z, vx, vy, vz, gravity);
-            V there_y = o30.y;
-            V there_z = o30.z;
-            const LANES(hoop_backboard_bounds_out) o31 =
-                LANES(hoop_backboard_bounds)(there_y, there_z, board_half_width, board_bottom, board_top);
-            V g0 = o31.g0;
-            V g1 = o31.g1;
-            V g2 = o31.g2;
-            V g3 = o31.g3;
-            const LANES(hoop_displacement_out) o32 =
-                LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth);
-            V slack = o32.margin;
-            const LANES(hoop_backboard_edges_out) o33 =
+        doubt = _o28.doubt;
+        const M _m29 = lanes_both(flying, possible);
+        if (lanes_any(_m29)) {
+            const LANES(hoop_flight_out) _o30 =
+                LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
+            V there_y = _o30.y;
+            V there_z = _o30.z;
+            const LANES(hoop_backboard_bounds_out) _o31 =
+                LANES(hoop_backboard_bounds)(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
+            V g0 = _o31.g0;
+            V g1 = _o31.g1;
+            V g2 = _o31.g2;
+            V g3 = _o31.g3;
+            const LANES(hoop_displacement_out) _o32 =
+                LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+            V slack = _o32.margin;
+            const LANES(hoop_backboard_edges_out) _o33 =
                 LANES(hoop_backboard_edges)(clearance, g0, g1, g2, g3, slack);
-            M unsure = o33.unsure;
-            const LANES(hoop_questioned_out) o34 =
+            M unsure = _o33.unsure;
+            const LANES(hoop_questioned_out) _o34 =
                 LANES(hoop_questioned)(doubt, time, unsure);
-            doubt = lanes_select(m29, o34.doubt, doubt);
-            const LANES(hoop_backboard_within_out) o35 =
+            doubt = lanes_select(_m29, _o34.doubt, doubt);
+            const LANES(hoop_backboard_within_out) _o35 =
                 LANES(hoop_backboard_within)(g0, g1, g2, g3);
-            M arrives = o35.arrives;
-            const LANES(hoop_tied_out) o36 =
+            M arrives = _o35.arrives;
+            const LANES(hoop_tied_out) _o36 =
                 LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = lanes_select(m29, o36.doubt, doubt);
-            late = lanes_select(m29, o36.late, late);
-            const LANES(hoop_sooner_out) o37 =
+            doubt = lanes_select(_m29, _o36.doubt, doubt);
+            late = lanes_select(_m29, _o36.late, late);
+            const LANES(hoop_sooner_out) _o37 =
                 LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
-            when = lanes_select(m29, o37.when, when);
-            which = lanes_select(m29, o37.which, which);
+            when = lanes_select(_m29, _o37.when, when);
+            which = lanes_select(_m29, _o37.which, which);
         }
-        const LANES(hoop_left_out) o38 =
+        const LANES(hoop_left_out) _o38 =
             LANES(hoop_left)(K(2.0), last);
-        leaving = o38.leaving;
-        const LANES(hoop_bridge_arrival_out) o39 =
-            LANES(hoop_bridge_arrival)(leaving, z, vz, ball_radius, wire_radius, gravity);
-        time = o39.time;
-        rate = o39.rate;
-        bend = o39.bend;
-        apex = o39.apex;
-        height = o39.height;
-        const LANES(hoop_meeting_plane_out) o40 =
+        leaving = _o38.leaving;
+        const LANES(hoop_bridge_arrival_out) _o39 =
+            LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
+        time = _o39.time;
+        rate = _o39.rate;
+        bend = _o39.bend;
+        apex = _o39.apex;
+        height = _o39.height;
+        const LANES(hoop_meeting_plane_out) _o40 =
             LANES(hoop_meeting_plane)(bend, rate, time);
-        arrives = o40.arrives;
-        ceiling = o40.ceiling;
-        const LANES(hoop_bridge_margin_out) o41 =
-            LANES(hoop_bridge_margin)(time, extent, speed, position_error, velocity_error, ball_radius, wire_radius, gravity);
-        margin = o41.margin;
-        const LANES(hoop_crossing_out) o42 =
+        arrives = _o40.arrives;
+        ceiling = _o40.ceiling;
+        const LANES(hoop_bridge_margin_out) _o41 =
+            LANES(hoop_bridge_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
+        margin = _o41.margin;
+        const LANES(hoop_crossing_out) _o42 =
             LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-        clearance = o42.clearance;
-        delay = o42.delay;
-        const LANES(hoop_timely_out) o43 =
+        clearance = _o42.clearance;
+        delay = _o42.delay;
+        const LANES(hoop_timely_out) _o43 =
             LANES(hoop_timely)(arrives, delay, late, time, when);
-        possible = o43.possible;
-        const LANES(hoop_bridge_margin_out) o44 =
-            LANES(hoop_bridge_margin)(apex, extent, speed, position_error, velocity_error, ball_radius, wire_radius, gravity);
-        margin = o44.margin;
-        const LANES(hoop_grazed_out) o45 =
+        possible = _o43.possible;
+        const LANES(hoop_bridge_margin_out) _o44 =
+            LANES(hoop_bridge_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
+        margin = _o44.margin;
+        const LANES(hoop_grazed_out) _o45 =
             LANES(hoop_grazed)(apex, doubt, height, margin);
-        doubt = o45.doubt;
-        const M m46 = lanes_both(flying, possible);
-        if (lanes_any(m46)) {
-            const LANES(hoop_flight_out) o47 =
-                LANES(hoop_flight)(time, x, y, z, vx, vy, vz, gravity);
-            V there_x = o47.x;
-            V there_y = o47.y;
-            const LANES(hoop_bridge_bounds_out) o48 =
-                LANES(hoop_bridge_bounds)(there_x, there_y, ring_radius, board_distance, bridge_half_width);
-            V g0 = o48.g0;
-            V g1 = o48.g1;
-            V g2 = o48.g2;
-            V g3 = o48.g3;
-            V g4 = o48.g4;
-            const LANES(hoop_displacement_out) o49 =
-                LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth);
-            V slack = o49.margin;
-            const LANES(hoop_bridge_edges_out) o50 =
+        doubt = _o45.doubt;
+        const M _m46 = lanes_both(flying, possible);
+        if (lanes_any(_m46)) {
+            const LANES(hoop_flight_out) _o47 =
+                LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
+            V there_x = _o47.x;
+            V there_y = _o47.y;
+            const LANES(hoop_bridge_bounds_out) _o48 =
+                LANES(hoop_bridge_bounds)(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
+            V g0 = _o48.g0;
+            V g1 = _o48.g1;
+            V g2 = _o48.g2;
+            V g3 = _o48.g3;
+            V g4 = _o48.g4;
+            const LANES(hoop_displacement_out) _o49 =
+                LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+            V slack = _o49.margin;
+            const LANES(hoop_bridge_edges_out) _o50 =
                 LANES(hoop_bridge_edges)(clearance, g0, g1, g2, g3, g4, slack);
-            M unsure = o50.unsure;
-            const LANES(hoop_questioned_out) o51 =
+            M unsure = _o50.unsure;
+            const LANES(hoop_questioned_out) _o51 =
                 LANES(hoop_questioned)(doubt, time, unsure);
-            doubt = lanes_select(m46, o51.doubt, doubt);
-            const LANES(hoop_bridge_within_out) o52 =
+            doubt = lanes_select(_m46, _o51.doubt, doubt);
+            const LANES(hoop_bridge_within_out) _o52 =
                 LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
-            M arrives = o52.arrives;
-            const LANES(hoop_tied_out) o53 =
+            M arrives = _o52.arrives;
+            const LANES(hoop_tied_out) _o53 =
                 LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = lanes_select(m46, o53.doubt, doubt);
-            late = lanes_select(m46, o53.late, late);
-            const LANES(hoop_sooner_out) o54 =
+            doubt = lanes_select(_m46, _o53.doubt, doubt);
+            late = lanes_select(_m46, _o53.late, late);
+            const LANES(hoop_sooner_out) _o54 =
                 LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
-            when = lanes_select(m46, o54.when, when);
-            which = lanes_select(m46, o54.which, which);
+            when = lanes_select(_m46, _o54.when, when);
+            which = lanes_select(_m46, _o54.which, which);
         }
-        const LANES(hoop_horizon_out) o55 =
-            LANES(hoop_horizon)(when, speed, gravity);
-        V until = o55.horizon;
-        V pad = o55.pad;
-        const LANES(hoop_ring_clear_out) o56 =
-            LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, gravity);
-        V clear = o56.clear;
-        const LANES(hoop_opens_out) o57 =
+        const LANES(hoop_horizon_out) _o55 =
+            LANES(hoop_horizon)(when, speed, p_gravity);
+        V until = _o55.horizon;
+        V pad = _o55.pad;
+        const LANES(hoop_ring_clear_out) _o56 =
+            LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+        V clear = _o56.clear;
+        const LANES(hoop_opens_out) _o57 =
             LANES(hoop_opens)(clear);
-        M open = o57.open;
-        const M m58 = lanes_both(flying, open);
-        if (lanes_any(m58)) {
-            const LANES(hoop_ring_prepare_out) o59 =
-                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, ball_radius, ring_radius, wire_radius, gravity);
-            V steady = o59.steady;
-            V swing = o59.swing;
-            V rho_start = o59.rho_start;
-            V low0 = o59.low0;
-            V high0 = o59.high0;
-            V low1 = o59.low1;
-            V high1 = o59.high1;
-            V low2 = o59.low2;
-            V high2 = o59.high2;
-            V ceiling = o59.ceiling;
-            V latest = o59.latest;
-            V lost = o59.lost;
-            const LANES(hoop_beginning_out) o60 =
+        M open = _o57.open;
+        const M _m58 = lanes_both(flying, open);
+        if (lanes_any(_m58)) {
+            const LANES(hoop_ring_prepare_out) _o59 =
+                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V steady = _o59.steady;
+            V swing = _o59.swing;
+            V rho_start = _o59.rho_start;
+            V low0 = _o59.low0;
+            V high0 = _o59.high0;
+            V low1 = _o59.low1;
+            V high1 = _o59.high1;
+            V low2 = _o59.low2;
+            V high2 = _o59.high2;
+            V ceiling = _o59.ceiling;
+            V latest = _o59.latest;
+            V lost = _o59.lost;
+            const LANES(hoop_beginning_out) _o60 =
                 LANES(hoop_beginning)();
-            V share = o60.share;
-            V arrival = o60.arrival;
-            M certain = o60.certain;
-            const LANES(hoop_allowance_out) o61 =
-                LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, gravity);
-            V level = o61.level;
-            V velocity_level = o61.velocity_level;
-            V excess = o61.excess;
-            const LANES(hoop_ring_margins_out) o62 =
-                LANES(hoop_ring_margins)(latest, extent, speed, level, velocity_level, ball_radius, ring_radius, wire_radius, gravity);
-            V flat = o62.margin;
-            V tilt = o62.leaving_margin;
-            V rate_slack = o62.rate_margin;
-            const LANES(hoop_beyond_out) o63 =
+            V share = _o60.share;
+            V arrival = _o60.arrival;
+            M certain = _o60.certain;
+            const LANES(hoop_allowance_out) _o61 =
+                LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+            V level = _o61.level;
+            V velocity_level = _o61.velocity_level;
+            V excess = _o61.excess;
+            const LANES(hoop_ring_margins_out) _o62 =
+                LANES(hoop_ring_margins)(latest, extent, speed, level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V flat = _o62.margin;
+            V tilt = _o62.leaving_margin;
+            V rate_slack = _o62.rate_margin;
+            const LANES(hoop_beyond_out) _o63 =
                 LANES(hoop_beyond)(doubt, excess, late, lost, pad);
-            doubt = lanes_select(m58, o63.doubt, doubt);
-            const LANES(hoop_ring_enter_out) o64 =
+            doubt = lanes_select(_m58, _o63.doubt, doubt);
+            const LANES(hoop_ring_enter_out) _o64 =
                 LANES(hoop_ring_enter)(K(0.0), K(0.0), high0, high1, high2, low0, low1, low2, K(0.0));
-            V t = o64.t;
-            V end = o64.end;
-            M searching = o64.searching;
-            for (int turn = 0; turn < 201; turn++) {
-                const M m65 = lanes_both(m58, searching);
-                if (!lanes_any(m65))
+            V t = _o64.t;
+            V end = _o64.end;
+            M searching = _o64.searching;
+            for (int _turn = 0; _turn < 201; _turn++) {
+                const M _m65 = lanes_both(_m58, searching);
+                if (!lanes_any(_m65))
                     break;
-                const LANES(hoop_nearby_out) o66 =
+                const LANES(hoop_nearby_out) _o66 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = o66.leaving;
-                V margin = o66.margin;
-                const LANES(hoop_ring_advance_out) o67 =
-                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, ball_radius, ring_radius, wire_radius, gravity);
-                V gap = o67.gap;
-                V rate = o67.rate;
-                V bend = o67.bend;
-                V step = o67.step;
-                V next = o67.next;
-                V root = o67.root;
-                V clearance = o67.clearance;
-                const LANES(hoop_struck_out) o68 =
+                V leaving = _o66.leaving;
+                V margin = _o66.margin;
+                const LANES(hoop_ring_advance_out) _o67 =
+                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                V gap = _o67.gap;
+                V rate = _o67.rate;
+                V bend = _o67.bend;
+                V step = _o67.step;
+                V next = _o67.next;
+                V root = _o67.root;
+                V clearance = _o67.clearance;
+                const LANES(hoop_struck_out) _o68 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = o68.hit;
-                M sure = o68.sure;
-                M vague = o68.vague;
-                const M m69 = lanes_both(m65, vague);
-                if (lanes_any(m69)) {
-                    const LANES(hoop_finer_out) o70 =
+                M hit = _o68.hit;
+                M sure = _o68.sure;
+                M vague = _o68.vague;
+                const M _m69 = lanes_both(_m65, vague);
+                if (lanes_any(_m69)) {
+                    const LANES(hoop_finer_out) _o70 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(m69, o70.share, share);
-                    const LANES(hoop_allowance_out) o71 =
-                        LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, gravity);
-                    V level = o71.level;
-                    V velocity_level = o71.velocity_level;
-                    V excess = o71.excess;
-                    const LANES(hoop_ring_margins_out) o72 =
-                        LANES(hoop_ring_margins)(latest, extent, speed, level, velocity_level, ball_radius, ring_radius, wire_radius, gravity);
-                    flat = lanes_select(m69, o72.margin, flat);
-                    tilt = lanes_select(m69, o72.leaving_margin, tilt);
-                    rate_slack = lanes_select(m69, o72.rate_margin, rate_slack);
-                    const LANES(hoop_exceeded_out) o73 =
+                    share = lanes_select(_m69, _o70.share, share);
+                    const LANES(hoop_allowance_out) _o71 =
+                        LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    V level = _o71.level;
+                    V velocity_level = _o71.velocity_level;
+                    V excess = _o71.excess;
+                    const LANES(hoop_ring_margins_out) _o72 =
+                        LANES(hoop_ring_margins)(latest, extent, speed, level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                    flat = lanes_select(_m69, _o72.margin, flat);
+                    tilt = lanes_select(_m69, _o72.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m69, _o72.rate_margin, rate_slack);
+                    const LANES(hoop_exceeded_out) _o73 =
                         LANES(hoop_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(m69, o73.doubt, doubt);
+                    doubt = lanes_select(_m69, _o73.doubt, doubt);
                 }
-                const LANES(hoop_advanced_out) o74 =
+                const LANES(hoop_advanced_out) _o74 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, root, step, sure, t, vague);
-                arrival = lanes_select(m65, o74.arrival, arrival);
-                certain = lanes_choose(m65, o74.certain, certain);
-                M exhausted = o74.exhausted;
-                searching = lanes_choose(m65, o74.searching, searching);
-                t = lanes_select(m65, o74.t, t);
-                const M m75 = lanes_both(m65, exhausted);
+                arrival = lanes_select(_m65, _o74.arrival, arrival);
+                certain = lanes_choose(_m65, _o74.certain, certain);
+                M exhausted = _o74.exhausted;
+                searching = lanes_choose(_m65, _o74.searching, searching);
+                t = lanes_select(_m65, _o74.t, t);
+                const M _m75 = lanes_both(_m65, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) o76 =
+                    const LANES(hoop_ring_enter_out) _o76 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(m75, o76.t, t);
-                    end = lanes_select(m75, o76.end, end);
-                    searching = lanes_choose(m75, o76.searching, searching);
+                    t = lanes_select(_m75, _o76.t, t);
+                    end = lanes_select(_m75, _o76.end, end);
+                    searching = lanes_choose(_m75, _o76.searching, searching);
                 }
             }
-            const LANES(hoop_questioned_out) o77 =
+            const LANES(hoop_questioned_out) _o77 =
                 LANES(hoop_questioned)(doubt, t, searching);
-            doubt = lanes_select(m58, o77.doubt, doubt);
-            const LANES(hoop_found_out) o78 =
+            doubt = lanes_select(_m58, _o77.doubt, doubt);
+            const LANES(hoop_found_out) _o78 =
                 LANES(hoop_found)(arrival);
-            M arrives = o78.arrives;
-            const LANES(hoop_nearby_out) o79 =
+            M arrives = _o78.arrives;
+            const LANES(hoop_nearby_out) _o79 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = o79.leaving;
-            const LANES(hoop_ring_refine_out) o80 =
-                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, ball_radius, ring_radius, wire_radius, gravity);
-            V refined = o80.time;
-            const LANES(hoop_polished_out) o81 =
+            V leaving = _o79.leaving;
+            const LANES(hoop_ring_refine_out) _o80 =
+                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V refined = _o80.time;
+            const LANES(hoop_polished_out) _o81 =
                 LANES(hoop_polished)(arrival, certain, refined);
-            arrival = o81.arrival;
-            const LANES(hoop_ring_refine_out) o82 =
-                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, ball_radius, ring_radius, wire_radius, gravity);
-            refined = o82.time;
-            V rate = o82.rate;
-            const LANES(hoop_polished_out) o83 =
+            arrival = _o81.arrival;
+            const LANES(hoop_ring_refine_out) _o82 =
+                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            refined = _o82.time;
+            V rate = _o82.rate;
+            const LANES(hoop_polished_out) _o83 =
                 LANES(hoop_polished)(arrival, certain, refined);
-            arrival = o83.arrival;
-            const LANES(hoop_ring_margins_out) o84 =
-                LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, gravity);
-            flat = o84.margin;
-            tilt = o84.leaving_margin;
-            V rate_margin = o84.rate_margin;
-            const LANES(hoop_own_margin_out) o85 =
+            arrival = _o83.arrival;
+            const LANES(hoop_ring_margins_out) _o84 =
+                LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            flat = _o84.margin;
+            tilt = _o84.leaving_margin;
+            V rate_margin = _o84.rate_margin;
+            const LANES(hoop_own_margin_out) _o85 =
                 LANES(hoop_own_margin)(arrival, flat, leaving, tilt);
-            V margin = o85.margin;
-            const LANES(hoop_crossing_out) o86 =
+            V margin = _o85.margin;
+            const LANES(hoop_crossing_out) _o86 =
                 LANES(hoop_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = o86.clearance;
-            V delay = o86.delay;
-            const LANES(hoop_landed_out) o87 =
+            V clearance = _o86.clearance;
+            V delay = _o86.delay;
+            const LANES(hoop_landed_out) _o87 =
                 LANES(hoop_landed)(arrival);
-            V time = o87.time;
-            const LANES(hoop_landed_surely_out) o88 =
+            V time = _o87.time;
+            const LANES(hoop_landed_surely_out) _o88 =
                 LANES(hoop_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = o88.delay;
-            doubt = lanes_select(m58, o88.doubt, doubt);
-            const LANES(hoop_tied_out) o89 =
+            delay = _o88.delay;
+            doubt = lanes_select(_m58, _o88.doubt, doubt);
+            const LANES(hoop_tied_out) _o89 =
                 LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = lanes_select(m58, o89.doubt, doubt);
-            late = lanes_select(m58, o89.late, late);
-            const LANES(hoop_sooner_out) o90 =
+            doubt = lanes_select(_m58, _o89.doubt, doubt);
+            late = lanes_select(_m58, _o89.late, late);
+            const LANES(hoop_sooner_out) _o90 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = lanes_select(m58, o90.when, when);
-            which = lanes_select(m58, o90.which, which);
+            when = lanes_select(_m58, _o90.when, when);
+            which = lanes_select(_m58, _o90.which, which);
         }
-        const LANES(hoop_departed_out) o91 =
+        const LANES(hoop_departed_out) _o91 =
             LANES(hoop_departed)(K(3.0), which);
-        M moves = o91.moves;
-        M ends = o91.ends;
-        M touches = o91.touches;
-        const LANES(hoop_body_of_out) o92 =
+        M moves = _o91.moves;
+        M ends = _o91.ends;
+        M touches = _o91.touches;
+        const LANES(hoop_body_of_out) _o92 =
             LANES(hoop_body_of)(which);
-        V body = o92.body;
-        const M m93 = lanes_both(flying, moves);
+        V body = _o92.body;
+        const M _m93 = lanes_both(flying, moves);
         {
-            const LANES(hoop_flight_out) o94 =
-                LANES(hoop_flight)(when, x, y, z, vx, vy, vz, gravity);
-            x = lanes_select(m93, o94.x, x);
-            y = lanes_select(m93, o94.y, y);
-            z = lanes_select(m93, o94.z, z);
-            vx = lanes_select(m93, o94.vx, vx);
-            vy = lanes_select(m93, o94.vy, vy);
-            vz = lanes_select(m93, o94.vz, vz);
-            const LANES(hoop_ticked_out) o95 =
+            const LANES(hoop_flight_out) _o94 =
+                LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
+            x = lanes_select(_m93, _o94.x, x);
+            y = lanes_select(_m93, _o94.y, y);
+            z = lanes_select(_m93, _o94.z, z);
+            vx = lanes_select(_m93, _o94.vx, vx);
+            vy = lanes_select(_m93, _o94.vy, vy);
+            vz = lanes_select(_m93, _o94.vz, vz);
+            const LANES(hoop_ticked_out) _o95 =
                 LANES(hoop_ticked)(clock, when);
-            clock = lanes_select(m93, o95.clock, clock);
+            clock = lanes_select(_m93, _o95.clock, clock);
         }
-        const LANES(hoop_displacement_out) o96 =
-            LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth);
-        V slack = o96.margin;
-        const LANES(hoop_target_out) o97 =
-            LANES(hoop_target)(x, y, ring_radius);
-        V miss = o97.target;
-        const LANES(hoop_doubted_out) o98 =
+        const LANES(hoop_displacement_out) _o96 =
+            LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+        V slack = _o96.margin;
+        const LANES(hoop_target_out) _o97 =
+            LANES(hoop_target)(x, y, p_ring_radius);
+        V miss = _o97.target;
+        const LANES(hoop_doubted_out) _o98 =
             LANES(hoop_doubted)(doubt, ends, late, miss, slack, uncertain, when);
-        uncertain = o98.uncertain;
-        const LANES(hoop_accounted_out) o99 =
+        uncertain = _o98.uncertain;
+        const LANES(hoop_accounted_out) _o99 =
             LANES(hoop_accounted)(contacts, ends, miss, most_contacts, touches);
-        contacts = o99.contacts;
-        outcome = o99.outcome;
+        contacts = _o99.contacts;
+        outcome = _o99.outcome;
         const V x_before = x;
         const V y_before = y;
         const V z_before = z;
@@ -1294,187 +1294,187 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         const V wz_before = wz;
 
         /* What the event does to the ball. */
-        const LANES(hoop_meeting_out) o100 =
+        const LANES(hoop_meeting_out) _o100 =
             LANES(hoop_meeting)(claims, ends, touches);
-        M meeting = o100.meeting;
-        const M m101 = lanes_both(flying, meeting);
-        if (lanes_any(m101)) {
-            const LANES(hoop_end_normal_out) o102 =
+        M meeting = _o100.meeting;
+        const M _m101 = lanes_both(flying, meeting);
+        if (lanes_any(_m101)) {
+            const LANES(hoop_end_normal_out) _o102 =
                 LANES(hoop_end_normal)();
-            V nx = o102.nx;
-            V ny = o102.ny;
-            V nz = o102.nz;
-            const LANES(hoop_here_out) o103 =
+            V nx = _o102.nx;
+            V ny = _o102.ny;
+            V nz = _o102.nz;
+            const LANES(hoop_here_out) _o103 =
                 LANES(hoop_here)(K(0.0), which);
-            M here = o103.here;
-            const M m104 = lanes_both(m101, here);
+            M here = _o103.here;
+            const M _m104 = lanes_both(_m101, here);
             {
-                const LANES(hoop_ring_normal_out) o105 =
-                    LANES(hoop_ring_normal)(x, y, z, ball_radius, ring_radius, wire_radius);
-                nx = lanes_select(m104, o105.nx, nx);
-                ny = lanes_select(m104, o105.ny, ny);
-                nz = lanes_select(m104, o105.nz, nz);
-                const LANES(hoop_counted_out) o106 =
+                const LANES(hoop_ring_normal_out) _o105 =
+                    LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                nx = lanes_select(_m104, _o105.nx, nx);
+                ny = lanes_select(_m104, _o105.ny, ny);
+                nz = lanes_select(_m104, _o105.nz, nz);
+                const LANES(hoop_counted_out) _o106 =
                     LANES(hoop_counted)(count_0);
-                count_0 = lanes_select(m104, o106.count, count_0);
+                count_0 = lanes_select(_m104, _o106.count, count_0);
             }
-            const LANES(hoop_here_out) o107 =
+            const LANES(hoop_here_out) _o107 =
                 LANES(hoop_here)(K(1.0), which);
-            here = o107.here;
-            const M m108 = lanes_both(m101, here);
+            here = _o107.here;
+            const M _m108 = lanes_both(_m101, here);
             {
-                const LANES(hoop_backboard_normal_out) o109 =
+                const LANES(hoop_backboard_normal_out) _o109 =
                     LANES(hoop_backboard_normal)();
-                nx = lanes_select(m108, o109.nx, nx);
-                ny = lanes_select(m108, o109.ny, ny);
-                nz = lanes_select(m108, o109.nz, nz);
-                const LANES(hoop_counted_out) o110 =
+                nx = lanes_select(_m108, _o109.nx, nx);
+                ny = lanes_select(_m108, _o109.ny, ny);
+                nz = lanes_select(_m108, _o109.nz, nz);
+                const LANES(hoop_counted_out) _o110 =
                     LANES(hoop_counted)(count_1);
-                count_1 = lanes_select(m108, o110.count, count_1);
+                count_1 = lanes_select(_m108, _o110.count, count_1);
             }
-            const LANES(hoop_here_out) o111 =
+            const LANES(hoop_here_out) _o111 =
                 LANES(hoop_here)(K(2.0), which);
-            here = o111.here;
-            const M m112 = lanes_both(m101, here);
+            here = _o111.here;
+            const M _m112 = lanes_both(_m101, here);
             {
-                const LANES(hoop_bridge_normal_out) o113 =
+                const LANES(hoop_bridge_normal_out) _o113 =
                     LANES(hoop_bridge_normal)();
-                nx = lanes_select(m112, o113.nx, nx);
-                ny = lanes_select(m112, o113.ny, ny);
-                nz = lanes_select(m112, o113.nz, nz);
-                const LANES(hoop_counted_out) o114 =
+                nx = lanes_select(_m112, _o113.nx, nx);
+                ny = lanes_select(_m112, _o113.ny, ny);
+                nz = lanes_select(_m112, _o113.nz, nz);
+                const LANES(hoop_counted_out) _o114 =
                     LANES(hoop_counted)(count_2);
-                count_2 = lanes_select(m112, o114.count, count_2);
+                count_2 = lanes_select(_m112, _o114.count, count_2);
             }
-            const LANES(hoop_elsewhere_out) o115 =
+            const LANES(hoop_elsewhere_out) _o115 =
                 LANES(hoop_elsewhere)();
-            V curving = o115.curving;
-            const LANES(hoop_again_out) o116 =
+            V curving = _o115.curving;
+            const LANES(hoop_again_out) _o116 =
                 LANES(hoop_again)(K(0.0), last, which);
-            M again = o116.again;
-            const M m117 = lanes_both(m101, again);
+            M again = _o116.again;
+            const M _m117 = lanes_both(_m101, again);
             {
-                const LANES(hoop_ring_curvature_out) o118 =
-                    LANES(hoop_ring_curvature)(ball_radius, ring_radius, wire_radius);
-                curving = lanes_select(m117, o118.curvature, curving);
+                const LANES(hoop_ring_curvature_out) _o118 =
+                    LANES(hoop_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
+                curving = lanes_select(_m117, _o118.curvature, curving);
             }
-            const LANES(hoop_again_out) o119 =
+            const LANES(hoop_again_out) _o119 =
                 LANES(hoop_again)(K(1.0), last, which);
-            again = o119.again;
-            const M m120 = lanes_both(m101, again);
+            again = _o119.again;
+            const M _m120 = lanes_both(_m101, again);
             {
-                const LANES(hoop_backboard_curvature_out) o121 =
+                const LANES(hoop_backboard_curvature_out) _o121 =
                     LANES(hoop_backboard_curvature)();
-                curving = lanes_select(m120, o121.curvature, curving);
+                curving = lanes_select(_m120, _o121.curvature, curving);
             }
-            const LANES(hoop_again_out) o122 =
+            const LANES(hoop_again_out) _o122 =
                 LANES(hoop_again)(K(2.0), last, which);
-            again = o122.again;
-            const M m123 = lanes_both(m101, again);
+            again = _o122.again;
+            const M _m123 = lanes_both(_m101, again);
             {
-                const LANES(hoop_bridge_curvature_out) o124 =
+                const LANES(hoop_bridge_curvature_out) _o124 =
                     LANES(hoop_bridge_curvature)();
-                curving = lanes_select(m123, o124.curvature, curving);
+                curving = lanes_select(_m123, _o124.curvature, curving);
             }
-            const LANES(hoop_carry_flight_out) o125 =
-                LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, gravity);
-            dx = lanes_select(m101, o125.dx, dx);
-            dy = lanes_select(m101, o125.dy, dy);
-            dz = lanes_select(m101, o125.dz, dz);
-            dvx = lanes_select(m101, o125.dvx, dvx);
-            dvy = lanes_select(m101, o125.dvy, dvy);
-            dvz = lanes_select(m101, o125.dvz, dvz);
-            V delay = o125.delay;
-            V shift = o125.shift;
-            const LANES(hoop_delayed_out) o126 =
+            const LANES(hoop_carry_flight_out) _o125 =
+                LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
+            dx = lanes_select(_m101, _o125.dx, dx);
+            dy = lanes_select(_m101, _o125.dy, dy);
+            dz = lanes_select(_m101, _o125.dz, dz);
+            dvx = lanes_select(_m101, _o125.dvx, dvx);
+            dvy = lanes_select(_m101, _o125.dvy, dvy);
+            dvz = lanes_select(_m101, _o125.dvz, dvz);
+            V delay = _o125.delay;
+            V shift = _o125.shift;
+            const LANES(hoop_delayed_out) _o126 =
                 LANES(hoop_delayed)(clock_error, delay);
-            clock_error = lanes_select(m101, o126.clock_error, clock_error);
-            const M m127 = lanes_both(m101, ends);
+            clock_error = lanes_select(_m101, _o126.clock_error, clock_error);
+            const M _m127 = lanes_both(_m101, ends);
             {
-                const LANES(hoop_floored_out) o128 =
+                const LANES(hoop_floored_out) _o128 =
                     LANES(hoop_floored)(dx, dy, dz, shift);
-                dx = lanes_select(m127, o128.dx, dx);
-                dy = lanes_select(m127, o128.dy, dy);
-                dz = lanes_select(m127, o128.dz, dz);
+                dx = lanes_select(_m127, _o128.dx, dx);
+                dy = lanes_select(_m127, _o128.dy, dy);
+                dz = lanes_select(_m127, _o128.dz, dz);
             }
-            const LANES(hoop_unturned_out) o129 =
+            const LANES(hoop_unturned_out) _o129 =
                 LANES(hoop_unturned)();
-            V dnx = o129.dnx;
-            V dny = o129.dny;
-            V dnz = o129.dnz;
-            V turn = o129.turn;
-            const LANES(hoop_here_out) o130 =
+            V dnx = _o129.dnx;
+            V dny = _o129.dny;
+            V dnz = _o129.dnz;
+            V turn = _o129.turn;
+            const LANES(hoop_here_out) _o130 =
                 LANES(hoop_here)(K(0.0), which);
-            here = o130.here;
-            const M m131 = lanes_both(m101, here);
-            if (lanes_any(m131)) {
-                const LANES(hoop_ring_carry_normal_out) o132 =
-                    LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, ball_radius, ring_radius, wire_radius);
-                dnx = lanes_select(m131, o132.dnx, dnx);
-                dny = lanes_select(m131, o132.dny, dny);
-                dnz = lanes_select(m131, o132.dnz, dnz);
-                turn = lanes_select(m131, o132.turn, turn);
+            here = _o130.here;
+            const M _m131 = lanes_both(_m101, here);
+            if (lanes_any(_m131)) {
+                const LANES(hoop_ring_carry_normal_out) _o132 =
+                    LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
+                dnx = lanes_select(_m131, _o132.dnx, dnx);
+                dny = lanes_select(_m131, _o132.dny, dny);
+                dnz = lanes_select(_m131, _o132.dnz, dnz);
+                turn = lanes_select(_m131, _o132.turn, turn);
             }
-            const M m133 = lanes_both(m101, touches);
-            if (lanes_any(m133)) {
-                const LANES(hoop_carry_impact_out) o134 =
-                    LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, ball_radius, restitution);
-                dvx = lanes_select(m133, o134.dvx, dvx);
-                dvy = lanes_select(m133, o134.dvy, dvy);
-                dvz = lanes_select(m133, o134.dvz, dvz);
-                dwx = lanes_select(m133, o134.dwx, dwx);
-                dwy = lanes_select(m133, o134.dwy, dwy);
-                dwz = lanes_select(m133, o134.dwz, dwz);
-                const LANES(hoop_impact_out) o135 =
-                    LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, ball_radius, restitution);
-                vx = lanes_select(m133, o135.vx, vx);
-                vy = lanes_select(m133, o135.vy, vy);
-                vz = lanes_select(m133, o135.vz, vz);
-                wx = lanes_select(m133, o135.wx, wx);
-                wy = lanes_select(m133, o135.wy, wy);
-                wz = lanes_select(m133, o135.wz, wz);
+            const M _m133 = lanes_both(_m101, touches);
+            if (lanes_any(_m133)) {
+                const LANES(hoop_carry_impact_out) _o134 =
+                    LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
+                dvx = lanes_select(_m133, _o134.dvx, dvx);
+                dvy = lanes_select(_m133, _o134.dvy, dvy);
+                dvz = lanes_select(_m133, _o134.dvz, dvz);
+                dwx = lanes_select(_m133, _o134.dwx, dwx);
+                dwy = lanes_select(_m133, _o134.dwy, dwy);
+                dwz = lanes_select(_m133, _o134.dwz, dwz);
+                const LANES(hoop_impact_out) _o135 =
+                    LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
+                vx = lanes_select(_m133, _o135.vx, vx);
+                vy = lanes_select(_m133, _o135.vy, vy);
+                vz = lanes_select(_m133, _o135.vz, vz);
+                wx = lanes_select(_m133, _o135.wx, wx);
+                wy = lanes_select(_m133, _o135.wy, wy);
+                wz = lanes_select(_m133, _o135.wz, wz);
             }
-            const LANES(hoop_here_out) o136 =
+            const LANES(hoop_here_out) _o136 =
                 LANES(hoop_here)(K(1.0), which);
-            here = o136.here;
-            const M m137 = lanes_both(m101, here);
+            here = _o136.here;
+            const M _m137 = lanes_both(_m101, here);
             {
-                const LANES(hoop_backboard_place_out) o138 =
-                    LANES(hoop_backboard_place)(y, z, ball_radius, board_distance);
-                x = lanes_select(m137, o138.x, x);
-                y = lanes_select(m137, o138.y, y);
-                z = lanes_select(m137, o138.z, z);
+                const LANES(hoop_backboard_place_out) _o138 =
+                    LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
+                x = lanes_select(_m137, _o138.x, x);
+                y = lanes_select(_m137, _o138.y, y);
+                z = lanes_select(_m137, _o138.z, z);
             }
-            const LANES(hoop_here_out) o139 =
+            const LANES(hoop_here_out) _o139 =
                 LANES(hoop_here)(K(2.0), which);
-            here = o139.here;
-            const M m140 = lanes_both(m101, here);
+            here = _o139.here;
+            const M _m140 = lanes_both(_m101, here);
             {
-                const LANES(hoop_bridge_place_out) o141 =
-                    LANES(hoop_bridge_place)(x, y, ball_radius, wire_radius);
-                x = lanes_select(m140, o141.x, x);
-                y = lanes_select(m140, o141.y, y);
-                z = lanes_select(m140, o141.z, z);
+                const LANES(hoop_bridge_place_out) _o141 =
+                    LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
+                x = lanes_select(_m140, _o141.x, x);
+                y = lanes_select(_m140, _o141.y, y);
+                z = lanes_select(_m140, _o141.z, z);
             }
-            const M m142 = lanes_both(m101, touches);
+            const M _m142 = lanes_both(_m101, touches);
             {
-                const LANES(hoop_touched_out) o143 =
+                const LANES(hoop_touched_out) _o143 =
                     LANES(hoop_touched)(body, first, which);
-                first = lanes_select(m142, o143.first, first);
-                last = lanes_select(m142, o143.last, last);
+                first = lanes_select(_m142, _o143.first, first);
+                last = lanes_select(_m142, _o143.last, last);
             }
         }
-        const LANES(hoop_closing_out) o144 =
+        const LANES(hoop_closing_out) _o144 =
             LANES(hoop_closing)(claims, outcome);
-        M closed = o144.closed;
-        const M m145 = lanes_both(flying, closed);
+        M closed = _o144.closed;
+        const M _m145 = lanes_both(flying, closed);
         {
-            const LANES(hoop_claimed_errors_out) o146 =
+            const LANES(hoop_claimed_errors_out) _o146 =
                 LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            position_claim = lanes_select(m145, o146.position_error, position_claim);
-            velocity_claim = lanes_select(m145, o146.velocity_error, velocity_claim);
-            spin_claim = lanes_select(m145, o146.spin_error, spin_claim);
-            time_claim = lanes_select(m145, o146.time_error, time_claim);
+            position_claim = lanes_select(_m145, _o146.position_error, position_claim);
+            velocity_claim = lanes_select(_m145, _o146.velocity_error, velocity_claim);
+            spin_claim = lanes_select(_m145, _o146.spin_error, spin_claim);
+            time_claim = lanes_select(_m145, _o146.time_error, time_claim);
         }
         lanes_store(pool.x, x);
         lanes_store(pool.y, y);

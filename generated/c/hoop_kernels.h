@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 001f64a6a6e5c543,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 895d8ecb1ee1571f,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -21,9 +21,9 @@ typedef struct {
 } LANES(hoop_flight_out);
 
 LANES_INLINE LANES(hoop_flight_out)
-LANES(hoop_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V gravity)
+LANES(hoop_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V p_gravity)
 {
-    return (LANES(hoop_flight_out)){ lanes_add(x, lanes_mul(t, vx)), lanes_add(y, lanes_mul(t, vy)), lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), gravity), t)))), vx, vy, lanes_sub(vz, lanes_mul(gravity, t)) };
+    return (LANES(hoop_flight_out)){ lanes_add(x, lanes_mul(t, vx)), lanes_add(y, lanes_mul(t, vy)), lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t)))), vx, vy, lanes_sub(vz, lanes_mul(p_gravity, t)) };
 }
 
 /* Positive clearance if a crossing is certain, and the bound on its delay.
@@ -36,13 +36,13 @@ typedef struct {
 LANES_INLINE LANES(hoop_crossing_out)
 LANES(hoop_crossing)(V margin, V rate_margin, V rate, V ceiling)
 {
-    const V s0 = lanes_neg(lanes_add(rate, rate_margin));
-    const M s1 = lanes_less(K(0.0), s0);
-    return (LANES(hoop_crossing_out)){ lanes_select(s1, lanes_sub(lanes_mul(s0, s0), lanes_mul(lanes_mul(K(6.0), ceiling), margin)), s0), lanes_select(s1, lanes_div(lanes_mul(K(6.0), margin), s0), K(INFINITY)) };
+    const V _s0 = lanes_neg(lanes_add(rate, rate_margin));
+    const M _s1 = lanes_less(K(0.0), _s0);
+    return (LANES(hoop_crossing_out)){ lanes_select(_s1, lanes_sub(lanes_mul(_s0, _s0), lanes_mul(lanes_mul(K(6.0), ceiling), margin)), _s0), lanes_select(_s1, lanes_div(lanes_mul(K(6.0), margin), _s0), K(INFINITY)) };
 }
 
 /* Errors of a state that a search allows for, and by how much the errors exceed them.
-   a share of the size of the flight. 9 operations: 2 additions, 2 subtractions, 4 multiplications, 1 maxima. */
+   a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection. */
 typedef struct {
     V level;
     V velocity_level;
@@ -50,12 +50,12 @@ typedef struct {
 } LANES(hoop_allowance_out);
 
 LANES_INLINE LANES(hoop_allowance_out)
-LANES(hoop_allowance)(V share, V horizon, V extent, V speed, V position_error, V velocity_error, V gravity)
+LANES(hoop_allowance)(V share, V horizon, V extent, V speed, V position_error, V velocity_error, V p_gravity)
 {
-    const V s0 = lanes_add(speed, lanes_mul(gravity, horizon));
-    const V s1 = lanes_mul(share, lanes_add(extent, lanes_mul(horizon, s0)));
-    const V s2 = lanes_mul(share, s0);
-    return (LANES(hoop_allowance_out)){ s1, s2, lanes_max(lanes_sub(position_error, s1), lanes_sub(velocity_error, s2)) };
+    const V _s0 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s1 = lanes_mul(share, lanes_add(extent, lanes_mul(horizon, _s0)));
+    const V _s2 = lanes_mul(share, _s0);
+    return (LANES(hoop_allowance_out)){ _s1, _s2, lanes_max(lanes_sub(position_error, _s1), lanes_sub(velocity_error, _s2)) };
 }
 
 /* A time after which no event is wanted, and how long that is after t.
@@ -66,14 +66,14 @@ typedef struct {
 } LANES(hoop_horizon_out);
 
 LANES_INLINE LANES(hoop_horizon_out)
-LANES(hoop_horizon)(V t, V speed, V gravity)
+LANES(hoop_horizon)(V t, V speed, V p_gravity)
 {
-    const V s0 = lanes_mul(K(9.5367431640625e-07), lanes_add(t, lanes_mul(speed, lanes_div(K(1.0), gravity))));
-    return (LANES(hoop_horizon_out)){ lanes_add(t, s0), s0 };
+    const V _s0 = lanes_mul(K(9.5367431640625e-07), lanes_add(t, lanes_mul(speed, lanes_div(K(1.0), p_gravity))));
+    return (LANES(hoop_horizon_out)){ lanes_add(t, _s0), _s0 };
 }
 
 /* Sums of the sizes of the coordinates and of the velocities; excess over the largest.
-   what rounding errors are measured by. 18 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 maxima. */
+   what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
     V extent;
     V speed;
@@ -81,16 +81,16 @@ typedef struct {
 } LANES(hoop_scale_out);
 
 LANES_INLINE LANES(hoop_scale_out)
-LANES(hoop_scale)(V x, V y, V z, V vx, V vy, V vz, V gravity)
+LANES(hoop_scale)(V x, V y, V z, V vx, V vy, V vz, V p_gravity)
 {
-    const V s0 = lanes_abs(x);
-    const V s1 = lanes_abs(y);
-    const V s2 = lanes_abs(z);
-    const V s3 = lanes_abs(vx);
-    const V s4 = lanes_abs(vy);
-    const V s5 = lanes_abs(vz);
-    const V s6 = lanes_max(lanes_max(lanes_max(lanes_max(lanes_max(lanes_div(K(1.0), gravity), s0), s1), s2), s3), s4);
-    return (LANES(hoop_scale_out)){ lanes_add(lanes_add(s0, s1), s2), lanes_add(lanes_add(s3, s4), s5), lanes_sub(lanes_max(s6, s5), K(2.9073548971824276e+135)) };
+    const V _s0 = lanes_abs(x);
+    const V _s1 = lanes_abs(y);
+    const V _s2 = lanes_abs(z);
+    const V _s3 = lanes_abs(vx);
+    const V _s4 = lanes_abs(vy);
+    const V _s5 = lanes_abs(vz);
+    const V _s6 = lanes_max(lanes_max(lanes_max(lanes_max(lanes_max(lanes_div(K(1.0), p_gravity), _s0), _s1), _s2), _s3), _s4);
+    return (LANES(hoop_scale_out)){ lanes_add(lanes_add(_s0, _s1), _s2), lanes_add(lanes_add(_s3, _s4), _s5), lanes_sub(lanes_max(_s6, _s5), K(2.9073548971824276e+135)) };
 }
 
 /* Bound on the error of a length at a computed arrival.
@@ -100,17 +100,17 @@ typedef struct {
 } LANES(hoop_displacement_out);
 
 LANES_INLINE LANES(hoop_displacement_out)
-LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V gravity, V end_depth)
+LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_gravity, V p_end_depth)
 {
-    const V s0 = lanes_add(speed, lanes_mul(gravity, horizon));
-    const V s1 = lanes_add(extent, lanes_mul(horizon, s0));
-    const V s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(ball_radius, board_distance), board_half_width), bridge_half_width), end_depth), ring_radius), wire_radius);
-    const V s3 = lanes_add(lanes_mul(lanes_mul(K(1.0009765625), delay), s0), lanes_mul(K(4.445228907190568e-16), lanes_add(s1, lanes_add(lanes_add(s2, lanes_abs(board_bottom)), lanes_abs(board_top)))));
-    return (LANES(hoop_displacement_out)){ lanes_add(s3, lanes_mul(K(3.0029296875), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), s1)))) };
+    const V _s0 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s1 = lanes_add(extent, lanes_mul(horizon, _s0));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_half_width), p_bridge_half_width), p_end_depth), p_ring_radius), p_wire_radius);
+    const V _s3 = lanes_add(lanes_mul(lanes_mul(K(1.0009765625), delay), _s0), lanes_mul(K(4.445228907190568e-16), lanes_add(_s1, lanes_add(lanes_add(_s2, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)))));
+    return (LANES(hoop_displacement_out)){ lanes_add(_s3, lanes_mul(K(3.0029296875), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s1)))) };
 }
 
 /* Errors of a state at the end of a flight to a surface, from those at its start.
-   derivative of Eq. 3 and of the contact time, with roundings. 108 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 9 maxima, 1 minima, 9 comparisons, 9 selections. */
+   derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections. */
 typedef struct {
     V dx;
     V dy;
@@ -123,38 +123,38 @@ typedef struct {
 } LANES(hoop_carry_flight_out);
 
 LANES_INLINE LANES(hoop_carry_flight_out)
-LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V late, V dx, V dy, V dz, V dvx, V dvy, V dvz, V curving, V gravity)
+LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V late, V dx, V dy, V dz, V dvx, V dvy, V dvz, V curving, V p_gravity)
 {
-    const V s0 = lanes_add(dx, lanes_mul(dvx, t));
-    const V s1 = lanes_abs(vx);
-    const V s2 = lanes_mul(K(2.0), t);
-    const V s3 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(s2, s1), lanes_abs(x)));
-    const V s4 = lanes_add(s0, lanes_select(lanes_less(s0, K(0.0)), lanes_neg(s3), s3));
-    const V s5 = lanes_add(dy, lanes_mul(dvy, t));
-    const V s6 = lanes_abs(vy);
-    const V s7 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(s2, s6), lanes_abs(y)));
-    const V s8 = lanes_add(s5, lanes_select(lanes_less(s5, K(0.0)), lanes_neg(s7), s7));
-    const V s9 = lanes_add(dz, lanes_mul(dvz, t));
-    const V s10 = lanes_abs(vz);
-    const V s11 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(gravity, lanes_mul(t, t)), lanes_mul(s2, s10)), lanes_abs(z)));
-    const V s12 = lanes_add(s9, lanes_select(lanes_less(s9, K(0.0)), lanes_neg(s11), s11));
-    const V s13 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V s14 = lanes_div(lanes_neg(lanes_add(lanes_add(lanes_mul(nx, s4), lanes_mul(ny, s8)), lanes_mul(nz, s12))), s13);
-    const V s15 = lanes_add(lanes_mul(vx, s14), s4);
-    const V s16 = lanes_max(lanes_max(s1, s6), s10);
-    const V s17 = lanes_max(lanes_max(lanes_abs(dx), lanes_abs(dy)), lanes_abs(dz));
-    const V s18 = lanes_add(lanes_mul(t, lanes_max(lanes_max(lanes_abs(dvx), lanes_abs(dvy)), lanes_abs(dvz))), lanes_max(lanes_max(s3, s7), s11));
-    const V s19 = lanes_mul(lanes_div(s16, lanes_abs(s13)), lanes_add(lanes_mul(s17, lanes_min(lanes_mul(curving, lanes_mul(t, s16)), K(1.0))), s18));
-    const V s20 = lanes_add(s19, lanes_add(s18, s17));
-    const V s21 = lanes_div(s20, lanes_add(K(8.0), lanes_mul(K(8.0), contacts)));
-    const V s22 = lanes_neg(s21);
-    const V s23 = lanes_add(lanes_mul(vy, s14), s8);
-    const V s24 = lanes_add(lanes_mul(vz, s14), s12);
-    return (LANES(hoop_carry_flight_out)){ lanes_select(lanes_less(lanes_abs(s15), s21), lanes_select(lanes_less(s15, K(0.0)), s22, s21), s15), lanes_select(lanes_less(lanes_abs(s23), s21), lanes_select(lanes_less(s23, K(0.0)), s22, s21), s23), lanes_select(lanes_less(lanes_abs(s24), s21), lanes_select(lanes_less(s24, K(0.0)), s22, s21), s24), dvx, dvy, lanes_sub(dvz, lanes_mul(gravity, s14)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(lanes_abs(s14), lanes_mul(K(0.0625), late))), s20 };
+    const V _s0 = lanes_add(dx, lanes_mul(dvx, t));
+    const V _s1 = lanes_abs(vx);
+    const V _s2 = lanes_mul(K(2.0), t);
+    const V _s3 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s2, _s1), lanes_abs(x)));
+    const V _s4 = lanes_add(_s0, lanes_select(lanes_less(_s0, K(0.0)), lanes_neg(_s3), _s3));
+    const V _s5 = lanes_add(dy, lanes_mul(dvy, t));
+    const V _s6 = lanes_abs(vy);
+    const V _s7 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s2, _s6), lanes_abs(y)));
+    const V _s8 = lanes_add(_s5, lanes_select(lanes_less(_s5, K(0.0)), lanes_neg(_s7), _s7));
+    const V _s9 = lanes_add(dz, lanes_mul(dvz, t));
+    const V _s10 = lanes_abs(vz);
+    const V _s11 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(p_gravity, lanes_mul(t, t)), lanes_mul(_s2, _s10)), lanes_abs(z)));
+    const V _s12 = lanes_add(_s9, lanes_select(lanes_less(_s9, K(0.0)), lanes_neg(_s11), _s11));
+    const V _s13 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s14 = lanes_div(lanes_neg(lanes_add(lanes_add(lanes_mul(nx, _s4), lanes_mul(ny, _s8)), lanes_mul(nz, _s12))), _s13);
+    const V _s15 = lanes_add(lanes_mul(vx, _s14), _s4);
+    const V _s16 = lanes_max(lanes_max(_s1, _s6), _s10);
+    const V _s17 = lanes_max(lanes_max(lanes_abs(dx), lanes_abs(dy)), lanes_abs(dz));
+    const V _s18 = lanes_add(lanes_mul(t, lanes_max(lanes_max(lanes_abs(dvx), lanes_abs(dvy)), lanes_abs(dvz))), lanes_max(lanes_max(_s3, _s7), _s11));
+    const V _s19 = lanes_mul(lanes_div(_s16, lanes_abs(_s13)), lanes_add(lanes_mul(_s17, lanes_min(lanes_mul(curving, lanes_mul(t, _s16)), K(1.0))), _s18));
+    const V _s20 = lanes_add(_s19, lanes_add(_s18, _s17));
+    const V _s21 = lanes_div(_s20, lanes_add(K(8.0), lanes_mul(K(8.0), contacts)));
+    const V _s22 = lanes_neg(_s21);
+    const V _s23 = lanes_add(lanes_mul(vy, _s14), _s8);
+    const V _s24 = lanes_add(lanes_mul(vz, _s14), _s12);
+    return (LANES(hoop_carry_flight_out)){ lanes_select(lanes_less(lanes_abs(_s15), _s21), lanes_select(lanes_less(_s15, K(0.0)), _s22, _s21), _s15), lanes_select(lanes_less(lanes_abs(_s23), _s21), lanes_select(lanes_less(_s23, K(0.0)), _s22, _s21), _s23), lanes_select(lanes_less(lanes_abs(_s24), _s21), lanes_select(lanes_less(_s24, K(0.0)), _s22, _s21), _s24), dvx, dvy, lanes_sub(dvz, lanes_mul(p_gravity, _s14)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(lanes_abs(_s14), lanes_mul(K(0.0625), late))), _s20 };
 }
 
 /* Bounds on the errors of a state and its time that decisions allow for.
-   the carried errors times a guard. 19 operations: 4 multiplications, 9 absolute values, 6 maxima. */
+   the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
     V position_error;
     V velocity_error;
@@ -169,7 +169,7 @@ LANES(hoop_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V
 }
 
 /* Bounds on the errors of a state and its time that a shot claims.
-   the carried errors times a larger guard. 19 operations: 4 multiplications, 9 absolute values, 6 maxima. */
+   the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
     V position_error;
     V velocity_error;
@@ -190,11 +190,11 @@ typedef struct {
 } LANES(hoop_allowed_out);
 
 LANES_INLINE LANES(hoop_allowed_out)
-LANES(hoop_allowed)(V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V bridge_half_width, V restitution, V gravity, V end_depth)
+LANES(hoop_allowed)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_bridge_half_width, V p_restitution, V p_gravity, V p_end_depth)
 {
-    const V s0 = lanes_select(lanes_less(K(0.0), ring_radius), lanes_select(lanes_less(K(0.0), ball_radius), lanes_select(lanes_less(K(0.0), lanes_sub(lanes_sub(ring_radius, ball_radius), wire_radius)), K(1.0), K(0.0)), K(0.0)), K(0.0));
-    const V s1 = lanes_select(lanes_at_most(K(0.0), restitution), lanes_select(lanes_less(K(0.0), bridge_half_width), lanes_select(lanes_less(K(0.0), board_half_width), lanes_select(lanes_less(K(0.0), board_distance), lanes_select(lanes_less(K(0.0), wire_radius), s0, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
-    return (LANES(hoop_allowed_out)){ lanes_select(lanes_less(K(0.0), end_depth), lanes_select(lanes_less(K(0.0), gravity), lanes_select(lanes_at_most(restitution, K(1.0)), s1, K(0.0)), K(0.0)), K(0.0)) };
+    const V _s0 = lanes_select(lanes_less(K(0.0), p_ring_radius), lanes_select(lanes_less(K(0.0), p_ball_radius), lanes_select(lanes_less(K(0.0), lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius)), K(1.0), K(0.0)), K(0.0)), K(0.0));
+    const V _s1 = lanes_select(lanes_at_most(K(0.0), p_restitution), lanes_select(lanes_less(K(0.0), p_bridge_half_width), lanes_select(lanes_less(K(0.0), p_board_half_width), lanes_select(lanes_less(K(0.0), p_board_distance), lanes_select(lanes_less(K(0.0), p_wire_radius), _s0, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
+    return (LANES(hoop_allowed_out)){ lanes_select(lanes_less(K(0.0), p_end_depth), lanes_select(lanes_less(K(0.0), p_gravity), lanes_select(lanes_at_most(p_restitution, K(1.0)), _s1, K(0.0)), K(0.0)), K(0.0)) };
 }
 
 /* Where the parameters are finite and allowed.
@@ -204,44 +204,44 @@ typedef struct {
 } LANES(hoop_finite_parameters_out);
 
 LANES_INLINE LANES(hoop_finite_parameters_out)
-LANES(hoop_finite_parameters)(V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V restitution, V gravity, V end_depth, V allowed)
+LANES(hoop_finite_parameters)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_restitution, V p_gravity, V p_end_depth, V allowed)
 {
-    const M s0 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), allowed), lanes_less(lanes_abs(ball_radius), K(INFINITY))), lanes_less(lanes_abs(ring_radius), K(INFINITY))), lanes_less(lanes_abs(wire_radius), K(INFINITY))), lanes_less(lanes_abs(board_distance), K(INFINITY)));
-    const M s1 = lanes_both(lanes_both(lanes_both(lanes_both(s0, lanes_less(lanes_abs(board_half_width), K(INFINITY))), lanes_less(lanes_abs(board_bottom), K(INFINITY))), lanes_less(lanes_abs(board_top), K(INFINITY))), lanes_less(lanes_abs(bridge_half_width), K(INFINITY)));
-    return (LANES(hoop_finite_parameters_out)){ lanes_both(lanes_both(lanes_both(s1, lanes_less(lanes_abs(restitution), K(INFINITY))), lanes_less(lanes_abs(gravity), K(INFINITY))), lanes_less(lanes_abs(end_depth), K(INFINITY))) };
+    const M _s0 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), allowed), lanes_less(lanes_abs(p_ball_radius), K(INFINITY))), lanes_less(lanes_abs(p_ring_radius), K(INFINITY))), lanes_less(lanes_abs(p_wire_radius), K(INFINITY))), lanes_less(lanes_abs(p_board_distance), K(INFINITY)));
+    const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(_s0, lanes_less(lanes_abs(p_board_half_width), K(INFINITY))), lanes_less(lanes_abs(p_board_bottom), K(INFINITY))), lanes_less(lanes_abs(p_board_top), K(INFINITY))), lanes_less(lanes_abs(p_bridge_half_width), K(INFINITY)));
+    return (LANES(hoop_finite_parameters_out)){ lanes_both(lanes_both(lanes_both(_s1, lanes_less(lanes_abs(p_restitution), K(INFINITY))), lanes_less(lanes_abs(p_gravity), K(INFINITY))), lanes_less(lanes_abs(p_end_depth), K(INFINITY))) };
 }
 
 /* 1 where no surface is overlapped; 1 where that is in doubt.
-   Table 2. 100 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 11 maxima, 9 comparisons, 12 selections. */
+   Table 2. 111 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 23 selections. */
 typedef struct {
     V valid;
     V doubt;
 } LANES(hoop_valid_out);
 
 LANES_INLINE LANES(hoop_valid_out)
-LANES(hoop_valid)(V last, V x, V y, V z, V ball_radius, V ring_radius, V wire_radius, V board_distance, V board_half_width, V board_bottom, V board_top, V bridge_half_width, V end_depth)
+LANES(hoop_valid)(V last, V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_end_depth)
 {
-    const V s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V s1 = lanes_sub(s0, ring_radius);
-    const V s2 = lanes_add(ball_radius, wire_radius);
-    const V s3 = lanes_sub(lanes_add(lanes_mul(z, z), lanes_mul(s1, s1)), lanes_mul(s2, s2));
-    const M s4 = lanes_less(lanes_abs(last), K(0.5));
-    const V s5 = lanes_select(s4, K(1.0), lanes_select(lanes_at_most(K(0.0), s3), K(1.0), K(0.0)));
-    const V s6 = lanes_sub(ball_radius, board_distance);
-    const V s7 = lanes_mul(K(2.0), ball_radius);
-    const V s8 = lanes_max(lanes_max(lanes_max(lanes_max(lanes_sub(x, s6), lanes_sub(lanes_sub(s6, s7), x)), lanes_neg(lanes_add(board_half_width, y))), lanes_sub(y, board_half_width)), lanes_sub(board_bottom, z));
-    const V s9 = lanes_max(s8, lanes_sub(z, board_top));
-    const M s10 = lanes_less(lanes_abs(lanes_sub(last, K(1.0))), K(0.5));
-    const V s11 = lanes_select(s10, s5, lanes_select(lanes_at_most(K(0.0), s9), s5, K(0.0)));
-    const V s12 = lanes_max(lanes_max(lanes_max(lanes_sub(z, s2), lanes_sub(lanes_sub(lanes_sub(s2, s7), lanes_mul(K(2.0), wire_radius)), z)), lanes_neg(lanes_add(bridge_half_width, y))), lanes_sub(y, bridge_half_width));
-    const V s13 = lanes_max(lanes_max(lanes_max(s12, lanes_sub(ring_radius, s0)), x), lanes_neg(lanes_add(board_distance, x)));
-    const M s14 = lanes_less(lanes_abs(lanes_sub(last, K(2.0))), K(0.5));
-    const V s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(ball_radius), lanes_abs(board_bottom)), lanes_abs(board_distance)), lanes_abs(board_half_width)), lanes_abs(board_top)), lanes_abs(bridge_half_width));
-    const V s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(s15, lanes_abs(end_depth)), lanes_abs(ring_radius)), lanes_abs(wire_radius)), lanes_abs(x)), lanes_abs(y));
-    const V s17 = lanes_mul(K(1.7763568394002505e-15), lanes_add(s16, lanes_abs(z)));
-    const V s18 = lanes_select(s4, K(0.0), lanes_select(lanes_at_most(lanes_abs(s3), lanes_mul(lanes_add(lanes_mul(K(4.0), ball_radius), lanes_mul(K(4.0), wire_radius)), s17)), K(1.0), K(0.0)));
-    const V s19 = lanes_select(s10, s18, lanes_select(lanes_at_most(lanes_abs(s9), s17), K(1.0), s18));
-    return (LANES(hoop_valid_out)){ lanes_select(s14, s11, lanes_select(lanes_at_most(K(0.0), s13), s11, K(0.0))), lanes_select(s14, s19, lanes_select(lanes_at_most(lanes_abs(s13), s17), K(1.0), s19)) };
+    const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s1 = lanes_sub(_s0, p_ring_radius);
+    const V _s2 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s3 = lanes_sub(lanes_add(lanes_mul(z, z), lanes_mul(_s1, _s1)), lanes_mul(_s2, _s2));
+    const M _s4 = lanes_less(lanes_abs(last), K(0.5));
+    const V _s5 = lanes_select(_s4, K(1.0), lanes_select(lanes_at_most(K(0.0), _s3), K(1.0), K(0.0)));
+    const V _s6 = lanes_sub(p_ball_radius, p_board_distance);
+    const V _s7 = lanes_mul(K(2.0), p_ball_radius);
+    const V _s8 = lanes_max(lanes_max(lanes_max(lanes_max(lanes_sub(x, _s6), lanes_sub(lanes_sub(_s6, _s7), x)), lanes_neg(lanes_add(p_board_half_width, y))), lanes_sub(y, p_board_half_width)), lanes_sub(p_board_bottom, z));
+    const V _s9 = lanes_max(_s8, lanes_sub(z, p_board_top));
+    const M _s10 = lanes_less(lanes_abs(lanes_sub(last, K(1.0))), K(0.5));
+    const V _s11 = lanes_select(_s10, _s5, lanes_select(lanes_at_most(K(0.0), _s9), _s5, K(0.0)));
+    const V _s12 = lanes_max(lanes_max(lanes_max(lanes_sub(z, _s2), lanes_sub(lanes_sub(lanes_sub(_s2, _s7), lanes_mul(K(2.0), p_wire_radius)), z)), lanes_neg(lanes_add(p_bridge_half_width, y))), lanes_sub(y, p_bridge_half_width));
+    const V _s13 = lanes_max(lanes_max(lanes_max(_s12, lanes_sub(p_ring_radius, _s0)), x), lanes_neg(lanes_add(p_board_distance, x)));
+    const M _s14 = lanes_less(lanes_abs(lanes_sub(last, K(2.0))), K(0.5));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_top)), lanes_abs(p_bridge_half_width));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s15, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)), lanes_abs(x)), lanes_abs(y));
+    const V _s17 = lanes_mul(K(1.7763568394002505e-15), lanes_add(_s16, lanes_abs(z)));
+    const V _s18 = lanes_select(_s4, K(0.0), lanes_select(lanes_at_most(lanes_abs(_s3), lanes_mul(lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)), _s17)), K(1.0), K(0.0)));
+    const V _s19 = lanes_select(_s10, _s18, lanes_select(lanes_at_most(lanes_abs(_s9), _s17), K(1.0), _s18));
+    return (LANES(hoop_valid_out)){ lanes_select(_s14, _s11, lanes_select(lanes_at_most(K(0.0), _s13), _s11, K(0.0))), lanes_select(_s14, _s19, lanes_select(lanes_at_most(lanes_abs(_s13), _s17), K(1.0), _s19)) };
 }
 
 /* Not positive where a crossing of the end plane is made.
@@ -251,9 +251,9 @@ typedef struct {
 } LANES(hoop_target_out);
 
 LANES_INLINE LANES(hoop_target_out)
-LANES(hoop_target)(V x, V y, V ring_radius)
+LANES(hoop_target)(V x, V y, V p_ring_radius)
 {
-    return (LANES(hoop_target_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), ring_radius) };
+    return (LANES(hoop_target_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), p_ring_radius) };
 }
 
 /* 1 where the ball leaves a surface.
@@ -278,8 +278,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_meeting_plane_out)
 LANES(hoop_meeting_plane)(V bend, V rate, V time)
 {
-    const M s0 = lanes_both(lanes_both(lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_both(lanes_at_most(rate, K(0.0)), lanes_less(bend, K(0.0))), lanes_equal(time, K(0.0)))), lanes_at_most(K(0.0), time)), lanes_less(time, K(INFINITY)));
-    return (LANES(hoop_meeting_plane_out)){ s0, lanes_abs(bend) };
+    const M _s0 = lanes_both(lanes_both(lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_both(lanes_at_most(rate, K(0.0)), lanes_less(bend, K(0.0))), lanes_equal(time, K(0.0)))), lanes_at_most(K(0.0), time)), lanes_less(time, K(INFINITY)));
+    return (LANES(hoop_meeting_plane_out)){ _s0, lanes_abs(bend) };
 }
 
 /* Whether an arrival may be the earliest, as far as their delays are bounded.
@@ -340,10 +340,10 @@ typedef struct {
 LANES_INLINE LANES(hoop_tied_out)
 LANES(hoop_tied)(M arrives, V delay, V doubt, V late, V time, V when)
 {
-    const M s0 = lanes_less(time, when);
-    const V s1 = lanes_select(s0, time, when);
-    const V s2 = lanes_select(lanes_both(lanes_both(arrives, lanes_at_most(lanes_abs(lanes_sub(time, when)), lanes_add(delay, late))), lanes_less(s1, doubt)), s1, doubt);
-    return (LANES(hoop_tied_out)){ s2, lanes_select(lanes_both(arrives, s0), delay, late) };
+    const M _s0 = lanes_less(time, when);
+    const V _s1 = lanes_select(_s0, time, when);
+    const V _s2 = lanes_select(lanes_both(lanes_both(arrives, lanes_at_most(lanes_abs(lanes_sub(time, when)), lanes_add(delay, late))), lanes_less(_s1, doubt)), _s1, doubt);
+    return (LANES(hoop_tied_out)){ _s2, lanes_select(lanes_both(arrives, _s0), delay, late) };
 }
 
 /* The earlier of the earliest arrival so far and this one.
@@ -356,8 +356,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_sooner_out)
 LANES(hoop_sooner)(M arrives, V index, V time, V when, V which)
 {
-    const M s0 = lanes_both(arrives, lanes_less(time, when));
-    return (LANES(hoop_sooner_out)){ lanes_select(s0, time, when), lanes_select(s0, index, which) };
+    const M _s0 = lanes_both(arrives, lanes_less(time, when));
+    return (LANES(hoop_sooner_out)){ lanes_select(_s0, time, when), lanes_select(_s0, index, which) };
 }
 
 /* Where a surface is not certainly missed.
@@ -408,9 +408,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_nearby_out)
 LANES(hoop_nearby)(V flat, V index, V last, V t, V tilt)
 {
-    const V s0 = lanes_mul(t, tilt);
-    const M s1 = lanes_both(lanes_equal(last, index), lanes_less(s0, flat));
-    return (LANES(hoop_nearby_out)){ lanes_select(s1, K(1.0), K(0.0)), lanes_select(s1, s0, flat) };
+    const V _s0 = lanes_mul(t, tilt);
+    const M _s1 = lanes_both(lanes_equal(last, index), lanes_less(_s0, flat));
+    return (LANES(hoop_nearby_out)){ lanes_select(_s1, K(1.0), K(0.0)), lanes_select(_s1, _s0, flat) };
 }
 
 /* Whether the gap closes, surely, or is to be looked at with smaller errors allowed.
@@ -424,12 +424,12 @@ typedef struct {
 LANES_INLINE LANES(hoop_struck_out)
 LANES(hoop_struck)(V bend, V clearance, V gap, V margin, V rate, V rate_margin, V share)
 {
-    const M s0 = lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_at_most(rate, rate_margin), lanes_less(bend, K(0.0))));
-    const M s1 = lanes_less(K(0.0), clearance);
-    const M s2 = lanes_both(s0, lanes_either(lanes_at_most(lanes_sub(gap, margin), margin), s1));
-    const M s3 = lanes_both(s0, s1);
-    const M s4 = lanes_both(lanes_both(s2, lanes_not(s3)), lanes_less(K(0.0), share));
-    return (LANES(hoop_struck_out)){ lanes_both(s2, lanes_not(s4)), s3, s4 };
+    const M _s0 = lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_at_most(rate, rate_margin), lanes_less(bend, K(0.0))));
+    const M _s1 = lanes_less(K(0.0), clearance);
+    const M _s2 = lanes_both(_s0, lanes_either(lanes_at_most(lanes_sub(gap, margin), margin), _s1));
+    const M _s3 = lanes_both(_s0, _s1);
+    const M _s4 = lanes_both(lanes_both(_s2, lanes_not(_s3)), lanes_less(K(0.0), share));
+    return (LANES(hoop_struck_out)){ lanes_both(_s2, lanes_not(_s4)), _s3, _s4 };
 }
 
 /* The next smaller errors that a search allows for.
@@ -469,9 +469,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_advanced_out)
 LANES(hoop_advanced)(V arrival, M certain, V end, M hit, V next, V root, V step, M sure, V t, M vague)
 {
-    const M s0 = lanes_not(hit);
-    const M s1 = lanes_both(lanes_both(s0, lanes_not(vague)), lanes_at_most(lanes_sub(end, t), step));
-    return (LANES(hoop_advanced_out)){ lanes_select(hit, lanes_select(sure, root, t), arrival), lanes_either(certain, lanes_both(hit, sure)), s1, lanes_both(s0, lanes_not(s1)), lanes_select(lanes_either(hit, vague), t, next) };
+    const M _s0 = lanes_not(hit);
+    const M _s1 = lanes_both(lanes_both(_s0, lanes_not(vague)), lanes_at_most(lanes_sub(end, t), step));
+    return (LANES(hoop_advanced_out)){ lanes_select(hit, lanes_select(sure, root, t), arrival), lanes_either(certain, lanes_both(hit, sure)), _s1, lanes_both(_s0, lanes_not(_s1)), lanes_select(lanes_either(hit, vague), t, next) };
 }
 
 /* Whether a search found an arrival.
@@ -532,8 +532,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_landed_surely_out)
 LANES(hoop_landed_surely)(M arrives, M certain, V clearance, V delay, V doubt, V time)
 {
-    const M s0 = lanes_both(certain, lanes_less(K(0.0), clearance));
-    return (LANES(hoop_landed_surely_out)){ lanes_select(s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(s0)), lanes_less(time, doubt)), time, doubt) };
+    const M _s0 = lanes_both(certain, lanes_less(K(0.0), clearance));
+    return (LANES(hoop_landed_surely_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(time, doubt)), time, doubt) };
 }
 
 /* A search that begins outside the surface.
@@ -558,8 +558,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_admitted_out)
 LANES(hoop_admitted)(V doubt, M finite, M permitted, V valid)
 {
-    const M s0 = lanes_both(permitted, finite);
-    return (LANES(hoop_admitted_out)){ lanes_select(lanes_both(s0, lanes_less(K(0.0), valid)), K(-1.0), K(4.0)), lanes_select(lanes_both(s0, lanes_less(K(0.0), doubt)), K(1.0), K(0.0)) };
+    const M _s0 = lanes_both(permitted, finite);
+    return (LANES(hoop_admitted_out)){ lanes_select(lanes_both(_s0, lanes_less(K(0.0), valid)), K(-1.0), K(4.0)), lanes_select(lanes_both(_s0, lanes_less(K(0.0), doubt)), K(1.0), K(0.0)) };
 }
 
 /* Where every number of a state is finite.
@@ -571,9 +571,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_finite_state_out)
 LANES(hoop_finite_state)(V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
 {
-    const M s0 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(lanes_abs(x), K(INFINITY)), lanes_less(lanes_abs(y), K(INFINITY))), lanes_less(lanes_abs(z), K(INFINITY))), lanes_less(lanes_abs(vx), K(INFINITY))), lanes_less(lanes_abs(vy), K(INFINITY)));
-    const M s1 = lanes_both(lanes_both(lanes_both(lanes_both(s0, lanes_less(lanes_abs(vz), K(INFINITY))), lanes_less(lanes_abs(wx), K(INFINITY))), lanes_less(lanes_abs(wy), K(INFINITY))), lanes_less(lanes_abs(wz), K(INFINITY)));
-    return (LANES(hoop_finite_state_out)){ s1 };
+    const M _s0 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(lanes_abs(x), K(INFINITY)), lanes_less(lanes_abs(y), K(INFINITY))), lanes_less(lanes_abs(z), K(INFINITY))), lanes_less(lanes_abs(vx), K(INFINITY))), lanes_less(lanes_abs(vy), K(INFINITY)));
+    const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(_s0, lanes_less(lanes_abs(vz), K(INFINITY))), lanes_less(lanes_abs(wx), K(INFINITY))), lanes_less(lanes_abs(wy), K(INFINITY))), lanes_less(lanes_abs(wz), K(INFINITY)));
+    return (LANES(hoop_finite_state_out)){ _s1 };
 }
 
 /* No arrival yet; nothing is certain where the errors are not bounded.
@@ -603,10 +603,10 @@ typedef struct {
 LANES_INLINE LANES(hoop_departed_out)
 LANES(hoop_departed)(V index, V which)
 {
-    const M s0 = lanes_less(which, K(0.0));
-    const M s1 = lanes_not(s0);
-    const M s2 = lanes_equal(which, index);
-    return (LANES(hoop_departed_out)){ s0, s1, s2, lanes_both(s1, lanes_not(s2)) };
+    const M _s0 = lanes_less(which, K(0.0));
+    const M _s1 = lanes_not(_s0);
+    const M _s2 = lanes_equal(which, index);
+    return (LANES(hoop_departed_out)){ _s0, _s1, _s2, lanes_both(_s1, lanes_not(_s2)) };
 }
 
 /* The time of the event.
@@ -630,8 +630,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_doubted_out)
 LANES(hoop_doubted)(V doubt, M ends, V late, V miss, V slack, V uncertain, V when)
 {
-    const V s0 = lanes_select(lanes_either(lanes_both(lanes_not(lanes_less(lanes_add(late, when), doubt)), lanes_less(doubt, K(INFINITY))), lanes_both(ends, lanes_at_most(lanes_abs(miss), slack))), K(1.0), uncertain);
-    return (LANES(hoop_doubted_out)){ s0 };
+    const V _s0 = lanes_select(lanes_either(lanes_both(lanes_not(lanes_less(lanes_add(late, when), doubt)), lanes_less(doubt, K(INFINITY))), lanes_both(ends, lanes_at_most(lanes_abs(miss), slack))), K(1.0), uncertain);
+    return (LANES(hoop_doubted_out)){ _s0 };
 }
 
 /* How many contacts there were, and whether the shot ends and how.
@@ -644,8 +644,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_accounted_out)
 LANES(hoop_accounted)(V contacts, M ends, V miss, V most_contacts, M touches)
 {
-    const V s0 = lanes_add(K(1.0), contacts);
-    return (LANES(hoop_accounted_out)){ lanes_select(touches, s0, contacts), lanes_select(touches, lanes_select(lanes_at_most(most_contacts, s0), K(2.0), K(-1.0)), lanes_select(ends, lanes_select(lanes_at_most(miss, K(0.0)), K(0.0), K(1.0)), K(3.0))) };
+    const V _s0 = lanes_add(K(1.0), contacts);
+    return (LANES(hoop_accounted_out)){ lanes_select(touches, _s0, contacts), lanes_select(touches, lanes_select(lanes_at_most(most_contacts, _s0), K(2.0), K(-1.0)), lanes_select(ends, lanes_select(lanes_at_most(miss, K(0.0)), K(0.0), K(1.0)), K(3.0))) };
 }
 
 /* Where an event changes the ball, or its errors are asked for.
@@ -798,20 +798,20 @@ typedef struct {
 } LANES(hoop_impact_out);
 
 LANES_INLINE LANES(hoop_impact_out)
-LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V ball_radius, V restitution)
+LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ball_radius, V p_restitution)
 {
-    const V s0 = lanes_mul(K(0.4), ball_radius);
-    const V s1 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V s2 = lanes_add(lanes_mul(s0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))), lanes_mul(K(0.6), lanes_sub(vx, lanes_mul(nx, s1))));
-    const V s3 = lanes_add(lanes_mul(s0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, s1))));
-    const V s4 = lanes_add(lanes_mul(s0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, s1))));
-    const V s5 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
-    const V s6 = lanes_div(K(1.0), ball_radius);
-    return (LANES(hoop_impact_out)){ lanes_sub(s2, lanes_mul(lanes_mul(nx, restitution), s1)), lanes_sub(s3, lanes_mul(lanes_mul(ny, restitution), s1)), lanes_sub(s4, lanes_mul(lanes_mul(nz, restitution), s1)), lanes_add(lanes_mul(nx, s5), lanes_mul(s6, lanes_sub(lanes_mul(ny, s4), lanes_mul(nz, s3)))), lanes_add(lanes_mul(ny, s5), lanes_mul(s6, lanes_sub(lanes_mul(nz, s2), lanes_mul(nx, s4)))), lanes_add(lanes_mul(nz, s5), lanes_mul(s6, lanes_sub(lanes_mul(nx, s3), lanes_mul(ny, s2)))) };
+    const V _s0 = lanes_mul(K(0.4), p_ball_radius);
+    const V _s1 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s2 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))), lanes_mul(K(0.6), lanes_sub(vx, lanes_mul(nx, _s1))));
+    const V _s3 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, _s1))));
+    const V _s4 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, _s1))));
+    const V _s5 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
+    const V _s6 = lanes_div(K(1.0), p_ball_radius);
+    return (LANES(hoop_impact_out)){ lanes_sub(_s2, lanes_mul(lanes_mul(nx, p_restitution), _s1)), lanes_sub(_s3, lanes_mul(lanes_mul(ny, p_restitution), _s1)), lanes_sub(_s4, lanes_mul(lanes_mul(nz, p_restitution), _s1)), lanes_add(lanes_mul(nx, _s5), lanes_mul(_s6, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s3)))), lanes_add(lanes_mul(ny, _s5), lanes_mul(_s6, lanes_sub(lanes_mul(nz, _s2), lanes_mul(nx, _s4)))), lanes_add(lanes_mul(nz, _s5), lanes_mul(_s6, lanes_sub(lanes_mul(nx, _s3), lanes_mul(ny, _s2)))) };
 }
 
 /* Errors of velocity and spin after a contact, from those before it.
-   derivative of the frame-free Eq. 17, with roundings. 239 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 4 maxima, 18 comparisons, 18 selections. */
+   derivative of the frame-free Eq. 17, with roundings. 243 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections. */
 typedef struct {
     V dvx;
     V dvy;
@@ -822,45 +822,45 @@ typedef struct {
 } LANES(hoop_carry_impact_out);
 
 LANES_INLINE LANES(hoop_carry_impact_out)
-LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V ball_radius, V restitution)
+LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V p_ball_radius, V p_restitution)
 {
-    const V s0 = lanes_mul(K(0.4), ball_radius);
-    const V s1 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
-    const V s3 = lanes_add(lanes_mul(s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvx, lanes_mul(dnx, s1)), lanes_mul(nx, s2))));
-    const V s4 = lanes_sub(lanes_sub(s3, lanes_mul(lanes_mul(dnx, restitution), s1)), lanes_mul(lanes_mul(nx, restitution), s2));
-    const V s5 = lanes_add(lanes_add(lanes_mul(ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
-    const V s6 = lanes_add(s5, lanes_abs(vz));
-    const V s7 = lanes_mul(K(2.220446049250313e-16), s6);
-    const V s8 = lanes_neg(s7);
-    const V s9 = lanes_add(s4, lanes_select(lanes_less(s4, K(0.0)), s8, s7));
-    const V s10 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
-    const V s11 = lanes_add(lanes_add(lanes_mul(ball_radius, lanes_max(lanes_max(lanes_abs(dwx), lanes_abs(dwy)), lanes_abs(dwz))), lanes_mul(turn, s6)), lanes_max(lanes_max(lanes_abs(dvx), lanes_abs(dvy)), lanes_abs(dvz)));
-    const V s12 = lanes_div(s11, s10);
-    const V s13 = lanes_neg(s12);
-    const V s14 = lanes_add(lanes_mul(s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvy, lanes_mul(dny, s1)), lanes_mul(ny, s2))));
-    const V s15 = lanes_sub(lanes_sub(s14, lanes_mul(lanes_mul(dny, restitution), s1)), lanes_mul(lanes_mul(ny, restitution), s2));
-    const V s16 = lanes_add(s15, lanes_select(lanes_less(s15, K(0.0)), s8, s7));
-    const V s17 = lanes_add(lanes_mul(s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvz, lanes_mul(dnz, s1)), lanes_mul(nz, s2))));
-    const V s18 = lanes_sub(lanes_sub(s17, lanes_mul(lanes_mul(dnz, restitution), s1)), lanes_mul(lanes_mul(nz, restitution), s2));
-    const V s19 = lanes_add(s18, lanes_select(lanes_less(s18, K(0.0)), s8, s7));
-    const V s20 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
-    const V s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, wx), lanes_mul(dny, wy)), lanes_mul(dnz, wz)), lanes_mul(dwx, nx)), lanes_mul(dwy, ny)), lanes_mul(dwz, nz));
-    const V s22 = lanes_div(K(1.0), ball_radius);
-    const V s23 = lanes_add(lanes_mul(s0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, s1))));
-    const V s24 = lanes_add(lanes_mul(s0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, s1))));
-    const V s25 = lanes_add(lanes_add(lanes_mul(dnx, s20), lanes_mul(nx, s21)), lanes_mul(s22, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, s23), lanes_mul(ny, s17)), lanes_mul(dnz, s24)), lanes_mul(nz, s14))));
-    const V s26 = lanes_div(s7, ball_radius);
-    const V s27 = lanes_neg(s26);
-    const V s28 = lanes_add(s25, lanes_select(lanes_less(s25, K(0.0)), s27, s26));
-    const V s29 = lanes_div(s11, lanes_mul(ball_radius, s10));
-    const V s30 = lanes_neg(s29);
-    const V s31 = lanes_add(lanes_mul(s0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))), lanes_mul(K(0.6), lanes_sub(vx, lanes_mul(nx, s1))));
-    const V s32 = lanes_add(lanes_add(lanes_mul(dny, s20), lanes_mul(ny, s21)), lanes_mul(s22, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, s31), lanes_mul(nz, s3)), lanes_mul(dnx, s23)), lanes_mul(nx, s17))));
-    const V s33 = lanes_add(s32, lanes_select(lanes_less(s32, K(0.0)), s27, s26));
-    const V s34 = lanes_add(lanes_add(lanes_mul(dnz, s20), lanes_mul(nz, s21)), lanes_mul(s22, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, s24), lanes_mul(nx, s14)), lanes_mul(dny, s31)), lanes_mul(ny, s3))));
-    const V s35 = lanes_add(s34, lanes_select(lanes_less(s34, K(0.0)), s27, s26));
-    return (LANES(hoop_carry_impact_out)){ lanes_select(lanes_less(lanes_abs(s9), s12), lanes_select(lanes_less(s9, K(0.0)), s13, s12), s9), lanes_select(lanes_less(lanes_abs(s16), s12), lanes_select(lanes_less(s16, K(0.0)), s13, s12), s16), lanes_select(lanes_less(lanes_abs(s19), s12), lanes_select(lanes_less(s19, K(0.0)), s13, s12), s19), lanes_select(lanes_less(lanes_abs(s28), s29), lanes_select(lanes_less(s28, K(0.0)), s30, s29), s28), lanes_select(lanes_less(lanes_abs(s33), s29), lanes_select(lanes_less(s33, K(0.0)), s30, s29), s33), lanes_select(lanes_less(lanes_abs(s35), s29), lanes_select(lanes_less(s35, K(0.0)), s30, s29), s35) };
+    const V _s0 = lanes_mul(K(0.4), p_ball_radius);
+    const V _s1 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
+    const V _s3 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvx, lanes_mul(dnx, _s1)), lanes_mul(nx, _s2))));
+    const V _s4 = lanes_sub(lanes_sub(_s3, lanes_mul(lanes_mul(dnx, p_restitution), _s1)), lanes_mul(lanes_mul(nx, p_restitution), _s2));
+    const V _s5 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s6 = lanes_add(_s5, lanes_abs(vz));
+    const V _s7 = lanes_mul(K(2.220446049250313e-16), _s6);
+    const V _s8 = lanes_neg(_s7);
+    const V _s9 = lanes_add(_s4, lanes_select(lanes_less(_s4, K(0.0)), _s8, _s7));
+    const V _s10 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
+    const V _s11 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(lanes_max(lanes_abs(dwx), lanes_abs(dwy)), lanes_abs(dwz))), lanes_mul(turn, _s6)), lanes_max(lanes_max(lanes_abs(dvx), lanes_abs(dvy)), lanes_abs(dvz)));
+    const V _s12 = lanes_div(_s11, _s10);
+    const V _s13 = lanes_neg(_s12);
+    const V _s14 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s1)), lanes_mul(ny, _s2))));
+    const V _s15 = lanes_sub(lanes_sub(_s14, lanes_mul(lanes_mul(dny, p_restitution), _s1)), lanes_mul(lanes_mul(ny, p_restitution), _s2));
+    const V _s16 = lanes_add(_s15, lanes_select(lanes_less(_s15, K(0.0)), _s8, _s7));
+    const V _s17 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s1)), lanes_mul(nz, _s2))));
+    const V _s18 = lanes_sub(lanes_sub(_s17, lanes_mul(lanes_mul(dnz, p_restitution), _s1)), lanes_mul(lanes_mul(nz, p_restitution), _s2));
+    const V _s19 = lanes_add(_s18, lanes_select(lanes_less(_s18, K(0.0)), _s8, _s7));
+    const V _s20 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
+    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, wx), lanes_mul(dny, wy)), lanes_mul(dnz, wz)), lanes_mul(dwx, nx)), lanes_mul(dwy, ny)), lanes_mul(dwz, nz));
+    const V _s22 = lanes_div(K(1.0), p_ball_radius);
+    const V _s23 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, _s1))));
+    const V _s24 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, _s1))));
+    const V _s25 = lanes_add(lanes_add(lanes_mul(dnx, _s20), lanes_mul(nx, _s21)), lanes_mul(_s22, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s23), lanes_mul(ny, _s17)), lanes_mul(dnz, _s24)), lanes_mul(nz, _s14))));
+    const V _s26 = lanes_div(_s7, p_ball_radius);
+    const V _s27 = lanes_neg(_s26);
+    const V _s28 = lanes_add(_s25, lanes_select(lanes_less(_s25, K(0.0)), _s27, _s26));
+    const V _s29 = lanes_div(_s11, lanes_mul(p_ball_radius, _s10));
+    const V _s30 = lanes_neg(_s29);
+    const V _s31 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))), lanes_mul(K(0.6), lanes_sub(vx, lanes_mul(nx, _s1))));
+    const V _s32 = lanes_add(lanes_add(lanes_mul(dny, _s20), lanes_mul(ny, _s21)), lanes_mul(_s22, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s31), lanes_mul(nz, _s3)), lanes_mul(dnx, _s23)), lanes_mul(nx, _s17))));
+    const V _s33 = lanes_add(_s32, lanes_select(lanes_less(_s32, K(0.0)), _s27, _s26));
+    const V _s34 = lanes_add(lanes_add(lanes_mul(dnz, _s20), lanes_mul(nz, _s21)), lanes_mul(_s22, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s24), lanes_mul(nx, _s14)), lanes_mul(dny, _s31)), lanes_mul(ny, _s3))));
+    const V _s35 = lanes_add(_s34, lanes_select(lanes_less(_s34, K(0.0)), _s27, _s26));
+    return (LANES(hoop_carry_impact_out)){ lanes_select(lanes_less(lanes_abs(_s9), _s12), lanes_select(lanes_less(_s9, K(0.0)), _s13, _s12), _s9), lanes_select(lanes_less(lanes_abs(_s16), _s12), lanes_select(lanes_less(_s16, K(0.0)), _s13, _s12), _s16), lanes_select(lanes_less(lanes_abs(_s19), _s12), lanes_select(lanes_less(_s19, K(0.0)), _s13, _s12), _s19), lanes_select(lanes_less(lanes_abs(_s28), _s29), lanes_select(lanes_less(_s28, K(0.0)), _s30, _s29), _s28), lanes_select(lanes_less(lanes_abs(_s33), _s29), lanes_select(lanes_less(_s33, K(0.0)), _s30, _s29), _s33), lanes_select(lanes_less(lanes_abs(_s35), _s29), lanes_select(lanes_less(_s35, K(0.0)), _s30, _s29), _s35) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -872,28 +872,28 @@ typedef struct {
 } LANES(hoop_ring_normal_out);
 
 LANES_INLINE LANES(hoop_ring_normal_out)
-LANES(hoop_ring_normal)(V x, V y, V z, V ball_radius, V ring_radius, V wire_radius)
+LANES(hoop_ring_normal)(V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius)
 {
-    const V s0 = lanes_div(K(1.0), lanes_add(ball_radius, wire_radius));
-    const V s1 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V s2 = lanes_mul(lanes_mul(s0, lanes_sub(s1, ring_radius)), lanes_div(K(1.0), s1));
-    return (LANES(hoop_ring_normal_out)){ lanes_mul(x, s2), lanes_mul(y, s2), lanes_mul(z, s0) };
+    const V _s0 = lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius));
+    const V _s1 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s2 = lanes_mul(lanes_mul(_s0, lanes_sub(_s1, p_ring_radius)), lanes_div(K(1.0), _s1));
+    return (LANES(hoop_ring_normal_out)){ lanes_mul(x, _s2), lanes_mul(y, _s2), lanes_mul(z, _s0) };
 }
 
 /* Bound on the rate at which the normal turns along the contact surface.
-   Table 2. 5 operations: 1 addition, 2 subtractions, 1 division, 1 minima. */
+   Table 2. 6 operations: 1 addition, 2 subtractions, 1 division, 1 comparison, 1 selection. */
 typedef struct {
     V curvature;
 } LANES(hoop_ring_curvature_out);
 
 LANES_INLINE LANES(hoop_ring_curvature_out)
-LANES(hoop_ring_curvature)(V ball_radius, V ring_radius, V wire_radius)
+LANES(hoop_ring_curvature)(V p_ball_radius, V p_ring_radius, V p_wire_radius)
 {
-    return (LANES(hoop_ring_curvature_out)){ lanes_div(K(1.0), lanes_min(lanes_sub(lanes_sub(ring_radius, ball_radius), wire_radius), lanes_add(ball_radius, wire_radius))) };
+    return (LANES(hoop_ring_curvature_out)){ lanes_div(K(1.0), lanes_min(lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius), lanes_add(p_ball_radius, p_wire_radius))) };
 }
 
 /* Error of the normal, from that of the position.
-   derivative of Table 2's normal. 37 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 minima. */
+   derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection. */
 typedef struct {
     V dnx;
     V dny;
@@ -902,71 +902,71 @@ typedef struct {
 } LANES(hoop_ring_carry_normal_out);
 
 LANES_INLINE LANES(hoop_ring_carry_normal_out)
-LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V ball_radius, V ring_radius, V wire_radius)
+LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V p_ball_radius, V p_ring_radius, V p_wire_radius)
 {
-    const V s0 = lanes_add(ball_radius, wire_radius);
-    const V s1 = lanes_div(K(1.0), s0);
-    const V s2 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V s3 = lanes_sub(s2, ring_radius);
-    const V s4 = lanes_div(K(1.0), s2);
-    const V s5 = lanes_mul(lanes_mul(s1, s3), s4);
-    const V s6 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), dx), x), lanes_mul(lanes_mul(K(2.0), dy), y))), s2);
-    const V s7 = lanes_add(lanes_mul(lanes_mul(s6, s1), s4), lanes_mul(lanes_mul(lanes_neg(lanes_mul(s6, lanes_mul(s4, s4))), s1), s3));
-    return (LANES(hoop_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, s5), lanes_mul(x, s7)), lanes_add(lanes_mul(dy, s5), lanes_mul(y, s7)), lanes_mul(dz, s1), lanes_mul(shift, lanes_div(K(1.0), lanes_min(lanes_sub(lanes_sub(ring_radius, ball_radius), wire_radius), s0))) };
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_div(K(1.0), _s0);
+    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s3 = lanes_sub(_s2, p_ring_radius);
+    const V _s4 = lanes_div(K(1.0), _s2);
+    const V _s5 = lanes_mul(lanes_mul(_s1, _s3), _s4);
+    const V _s6 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), dx), x), lanes_mul(lanes_mul(K(2.0), dy), y))), _s2);
+    const V _s7 = lanes_add(lanes_mul(lanes_mul(_s6, _s1), _s4), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s6, lanes_mul(_s4, _s4))), _s1), _s3));
+    return (LANES(hoop_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, _s5), lanes_mul(x, _s7)), lanes_add(lanes_mul(dy, _s5), lanes_mul(y, _s7)), lanes_mul(dz, _s1), lanes_mul(shift, lanes_div(K(1.0), lanes_min(lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius), _s0))) };
 }
 
 /* Positive if there certainly is no contact before the horizon.
-   bounds of the event condition. 144 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 2 maxima, 13 comparisons, 13 selections. */
+   bounds of the event condition. 146 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 15 comparisons, 15 selections. */
 typedef struct {
     V clear;
 } LANES(hoop_ring_clear_out);
 
 LANES_INLINE LANES(hoop_ring_clear_out)
-LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
-    const V s0 = lanes_add(ball_radius, wire_radius);
-    const V s1 = lanes_add(position_error, lanes_mul(horizon, velocity_error));
-    const V s2 = lanes_mul(K(1.00006103515625), s0);
-    const V s3 = lanes_add(ring_radius, s2);
-    const V s4 = lanes_mul(vz, vz);
-    const V s5 = lanes_add(s4, lanes_mul(lanes_mul(K(2.0), gravity), lanes_sub(z, s2)));
-    const V s6 = lanes_div(K(1.0), gravity);
-    const V s7 = lanes_sqrt(s5);
-    const V s8 = lanes_mul(s6, lanes_sub(vz, s7));
-    const V s9 = lanes_mul(s6, lanes_add(vz, s7));
-    const V s10 = lanes_add(x, lanes_mul(vx, s9));
-    const V s11 = lanes_add(y, lanes_mul(vy, s9));
-    const V s12 = lanes_add(lanes_mul(s10, s10), lanes_mul(s11, s11));
-    const V s13 = lanes_sqrt(s12);
-    const V s14 = lanes_sub(s13, ring_radius);
-    const V s15 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), gravity), s9)), s9));
-    const V s16 = lanes_mul(s3, s3);
-    const V s17 = lanes_mul(K(9.313225746154785e-10), s16);
-    const V s18 = lanes_sub(lanes_sub(lanes_add(lanes_mul(s14, s14), lanes_mul(s15, s15)), lanes_mul(s0, s0)), s17);
-    const V s19 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
-    const V s20 = lanes_max(lanes_sub(ring_radius, s2), lanes_mul(K(0.0001220703125), ring_radius));
-    const V s21 = lanes_mul(s20, s20);
-    const V s22 = lanes_mul(s20, s21);
-    const V s23 = lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), s4), lanes_mul(lanes_mul(K(4.0), gravity), z)), lanes_mul(K(2.0), s19)), lanes_mul(lanes_mul(K(6.0003662109375), gravity), s0)), s22);
-    const V s24 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
-    const V s25 = lanes_mul(s24, s24);
-    const V s26 = lanes_sub(s23, lanes_mul(lanes_mul(K(2.0), ring_radius), s25));
-    const V s27 = lanes_add(lanes_mul(s14, lanes_add(lanes_mul(vx, s10), lanes_mul(vy, s11))), lanes_mul(lanes_mul(s15, lanes_sub(vz, lanes_mul(gravity, s9))), s13));
-    const V s28 = lanes_add(x, lanes_mul(horizon, vx));
-    const V s29 = lanes_add(y, lanes_mul(horizon, vy));
-    const V s30 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(s17, lanes_mul(s28, s28)), lanes_mul(s29, s29)), s21), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(s19, lanes_add(s17, s21)), s25), K(0.0)), K(1.0), K(0.0)));
-    const V s31 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(s27, s27)), s22), lanes_mul(lanes_mul(lanes_mul(K(2.0), s26), s12), s18)), K(0.0)), s30, K(0.0));
-    const V s32 = lanes_select(lanes_less(horizon, lanes_sub(s9, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), s18), lanes_select(lanes_less(K(0.0), s26), s31, K(0.0)), K(0.0)));
-    const V s33 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
-    const V s34 = lanes_add(lanes_mul(s8, s19), s33);
-    const V s35 = lanes_select(lanes_less(s34, K(0.0)), lanes_select(lanes_less(s16, lanes_add(lanes_mul(s8, lanes_add(s33, s34)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), s32, K(0.0)), K(0.0));
-    const V s36 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(gravity, horizon)))), lanes_mul(K(65536.0), s3)), lanes_select(lanes_less(K(0.0), s5), lanes_select(lanes_less(s8, K(0.0)), s32, s35), K(0.0)), K(0.0));
-    const V s37 = lanes_select(lanes_less(K(0.0), lanes_max(lanes_sub(lanes_mul(K(0.000244140625), ring_radius), lanes_sub(ring_radius, s0)), lanes_sub(lanes_sub(s1, lanes_mul(K(1.52587890625e-05), ball_radius)), lanes_mul(K(1.52587890625e-05), wire_radius)))), K(0.0), lanes_select(lanes_less(s1, lanes_mul(K(5.820766091346741e-11), s3)), s36, K(0.0)));
-    return (LANES(hoop_ring_clear_out)){ s37 };
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_add(position_error, lanes_mul(horizon, velocity_error));
+    const V _s2 = lanes_mul(K(1.00006103515625), _s0);
+    const V _s3 = lanes_add(p_ring_radius, _s2);
+    const V _s4 = lanes_mul(vz, vz);
+    const V _s5 = lanes_add(_s4, lanes_mul(lanes_mul(K(2.0), p_gravity), lanes_sub(z, _s2)));
+    const V _s6 = lanes_div(K(1.0), p_gravity);
+    const V _s7 = lanes_sqrt(_s5);
+    const V _s8 = lanes_mul(_s6, lanes_sub(vz, _s7));
+    const V _s9 = lanes_mul(_s6, lanes_add(vz, _s7));
+    const V _s10 = lanes_add(x, lanes_mul(vx, _s9));
+    const V _s11 = lanes_add(y, lanes_mul(vy, _s9));
+    const V _s12 = lanes_add(lanes_mul(_s10, _s10), lanes_mul(_s11, _s11));
+    const V _s13 = lanes_sqrt(_s12);
+    const V _s14 = lanes_sub(_s13, p_ring_radius);
+    const V _s15 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), _s9)), _s9));
+    const V _s16 = lanes_mul(_s3, _s3);
+    const V _s17 = lanes_mul(K(9.313225746154785e-10), _s16);
+    const V _s18 = lanes_sub(lanes_sub(lanes_add(lanes_mul(_s14, _s14), lanes_mul(_s15, _s15)), lanes_mul(_s0, _s0)), _s17);
+    const V _s19 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
+    const V _s20 = lanes_max(lanes_sub(p_ring_radius, _s2), lanes_mul(K(0.0001220703125), p_ring_radius));
+    const V _s21 = lanes_mul(_s20, _s20);
+    const V _s22 = lanes_mul(_s20, _s21);
+    const V _s23 = lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), _s4), lanes_mul(lanes_mul(K(4.0), p_gravity), z)), lanes_mul(K(2.0), _s19)), lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0)), _s22);
+    const V _s24 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V _s25 = lanes_mul(_s24, _s24);
+    const V _s26 = lanes_sub(_s23, lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s25));
+    const V _s27 = lanes_add(lanes_mul(_s14, lanes_add(lanes_mul(vx, _s10), lanes_mul(vy, _s11))), lanes_mul(lanes_mul(_s15, lanes_sub(vz, lanes_mul(p_gravity, _s9))), _s13));
+    const V _s28 = lanes_add(x, lanes_mul(horizon, vx));
+    const V _s29 = lanes_add(y, lanes_mul(horizon, vy));
+    const V _s30 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(_s17, lanes_mul(_s28, _s28)), lanes_mul(_s29, _s29)), _s21), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(_s19, lanes_add(_s17, _s21)), _s25), K(0.0)), K(1.0), K(0.0)));
+    const V _s31 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s27, _s27)), _s22), lanes_mul(lanes_mul(lanes_mul(K(2.0), _s26), _s12), _s18)), K(0.0)), _s30, K(0.0));
+    const V _s32 = lanes_select(lanes_less(horizon, lanes_sub(_s9, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), _s18), lanes_select(lanes_less(K(0.0), _s26), _s31, K(0.0)), K(0.0)));
+    const V _s33 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s34 = lanes_add(lanes_mul(_s8, _s19), _s33);
+    const V _s35 = lanes_select(lanes_less(_s34, K(0.0)), lanes_select(lanes_less(_s16, lanes_add(lanes_mul(_s8, lanes_add(_s33, _s34)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), _s32, K(0.0)), K(0.0));
+    const V _s36 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon)))), lanes_mul(K(65536.0), _s3)), lanes_select(lanes_less(K(0.0), _s5), lanes_select(lanes_less(_s8, K(0.0)), _s32, _s35), K(0.0)), K(0.0));
+    const V _s37 = lanes_select(lanes_less(K(0.0), lanes_max(lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)), lanes_sub(lanes_sub(_s1, lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius)))), K(0.0), lanes_select(lanes_less(_s1, lanes_mul(K(5.820766091346741e-11), _s3)), _s36, K(0.0)));
+    return (LANES(hoop_ring_clear_out)){ _s37 };
 }
 
 /* Constants and windows of the search along a flight, and the errors it allows for.
-   bounds of the event condition. 153 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 16 maxima, 8 minima, 6 comparisons, 13 selections. */
+   bounds of the event condition. 177 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections. */
 typedef struct {
     V steady;
     V swing;
@@ -983,61 +983,61 @@ typedef struct {
 } LANES(hoop_ring_prepare_out);
 
 LANES_INLINE LANES(hoop_ring_prepare_out)
-LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
-    const V s0 = lanes_mul(vz, vz);
-    const V s1 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
-    const V s2 = lanes_add(lanes_add(lanes_mul(K(2.0), s0), lanes_mul(lanes_mul(K(4.0), gravity), z)), lanes_mul(K(2.0), s1));
-    const V s3 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
-    const V s4 = lanes_mul(s3, s3);
-    const V s5 = lanes_mul(lanes_mul(K(2.0), ring_radius), s4);
-    const V s6 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
-    const V s7 = lanes_add(ball_radius, wire_radius);
-    const V s8 = lanes_mul(K(1.00006103515625), s7);
-    const V s9 = lanes_mul(K(2.0), gravity);
-    const V s10 = lanes_mul(K(8.881784197001252e-16), lanes_add(s0, lanes_mul(s9, lanes_add(lanes_abs(z), s8))));
-    const V s11 = lanes_add(lanes_add(s0, lanes_mul(s9, lanes_add(z, s8))), s10);
-    const V s12 = lanes_div(K(1.0), gravity);
-    const V s13 = lanes_sqrt(s11);
-    const V s14 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_abs(vz), s13));
-    const M s15 = lanes_at_most(K(0.0), s11);
-    const V s16 = lanes_select(s15, lanes_mul(s12, lanes_sub(lanes_sub(vz, s13), s14)), K(INFINITY));
-    const V s17 = lanes_add(ring_radius, s8);
-    const V s18 = lanes_mul(s17, s17);
-    const V s19 = lanes_mul(lanes_mul(K(1.7763568394002505e-15), s1), lanes_add(s18, s6));
-    const V s20 = lanes_sub(lanes_add(lanes_mul(s18, s1), s19), s4);
-    const V s21 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
-    const V s22 = lanes_sqrt(s20);
-    const V s23 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_abs(s21), lanes_abs(s3)), s22));
-    const V s24 = lanes_div(K(1.0), s1);
-    const M s25 = lanes_at_most(K(0.0), s20);
-    const M s26 = lanes_less(K(2.409919865102884e-181), s1);
-    const V s27 = lanes_select(s26, lanes_select(s25, lanes_mul(lanes_neg(lanes_add(lanes_add(s21, s22), s23)), s24), K(INFINITY)), K(-INFINITY));
-    const V s28 = lanes_max(lanes_sub(ring_radius, s8), lanes_mul(K(0.0001220703125), ring_radius));
-    const V s29 = lanes_sub(lanes_sub(lanes_mul(s1, lanes_mul(s28, s28)), s19), s4);
-    const V s30 = lanes_sqrt(lanes_max(s29, K(0.0)));
-    const V s31 = lanes_select(s26, lanes_select(s25, lanes_mul(lanes_sub(lanes_add(s22, s23), s21), s24), K(-INFINITY)), K(INFINITY));
-    const M s32 = lanes_less(K(0.0), lanes_select(s26, s29, K(0.0)));
-    const V s33 = lanes_select(s32, lanes_mul(lanes_sub(lanes_sub(s23, s21), s30), s24), s31);
-    const V s34 = lanes_sub(lanes_add(s0, lanes_mul(s9, lanes_sub(z, s8))), s10);
-    const V s35 = lanes_sqrt(lanes_max(s34, K(0.0)));
-    const V s36 = lanes_select(s15, lanes_mul(s12, lanes_add(lanes_add(vz, s13), s14)), K(-INFINITY));
-    const M s37 = lanes_less(K(0.0), s34);
-    const V s38 = lanes_select(s37, lanes_mul(s12, lanes_sub(lanes_add(vz, s14), s35)), s36);
-    const V s39 = lanes_min(s33, s38);
-    const V s40 = lanes_max(lanes_select(s32, lanes_mul(lanes_sub(lanes_sub(s30, s21), s23), s24), K(INFINITY)), s33);
-    const V s41 = lanes_max(s16, s40);
-    const V s42 = lanes_min(s31, s38);
-    const V s43 = lanes_max(lanes_select(s37, lanes_mul(s12, lanes_sub(lanes_add(vz, s35), s14)), K(INFINITY)), s38);
-    const M s44 = lanes_at_most(s41, s42);
-    const V s45 = lanes_select(s44, s42, lanes_min(s33, s36));
-    const V s46 = lanes_min(s31, s36);
-    const V s47 = lanes_div(K(1.0), s28);
-    return (LANES(hoop_ring_prepare_out)){ s2, s5, lanes_sqrt(s6), lanes_max(K(0.0), lanes_max(s16, s27)), lanes_min(s39, horizon), lanes_max(K(0.0), lanes_select(s44, s41, lanes_max(s43, s27))), lanes_min(s45, horizon), lanes_max(K(0.0), lanes_max(s43, s40)), lanes_min(s46, horizon), lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.0003662109375), gravity), s7), lanes_mul(s5, lanes_mul(s47, lanes_mul(s47, s47)))), lanes_abs(s2)), lanes_min(lanes_max(lanes_max(lanes_max(K(0.0), s39), s45), s46), horizon), lanes_max(lanes_sub(lanes_mul(K(0.000244140625), ring_radius), lanes_sub(ring_radius, s7)), lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(1.52587890625e-05), ball_radius)), lanes_mul(K(1.52587890625e-05), wire_radius))) };
+    const V _s0 = lanes_mul(vz, vz);
+    const V _s1 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
+    const V _s2 = lanes_add(lanes_add(lanes_mul(K(2.0), _s0), lanes_mul(lanes_mul(K(4.0), p_gravity), z)), lanes_mul(K(2.0), _s1));
+    const V _s3 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V _s4 = lanes_mul(_s3, _s3);
+    const V _s5 = lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s4);
+    const V _s6 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
+    const V _s7 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s8 = lanes_mul(K(1.00006103515625), _s7);
+    const V _s9 = lanes_mul(K(2.0), p_gravity);
+    const V _s10 = lanes_mul(K(8.881784197001252e-16), lanes_add(_s0, lanes_mul(_s9, lanes_add(lanes_abs(z), _s8))));
+    const V _s11 = lanes_add(lanes_add(_s0, lanes_mul(_s9, lanes_add(z, _s8))), _s10);
+    const V _s12 = lanes_div(K(1.0), p_gravity);
+    const V _s13 = lanes_sqrt(_s11);
+    const V _s14 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_abs(vz), _s13));
+    const M _s15 = lanes_at_most(K(0.0), _s11);
+    const V _s16 = lanes_select(_s15, lanes_mul(_s12, lanes_sub(lanes_sub(vz, _s13), _s14)), K(INFINITY));
+    const V _s17 = lanes_add(p_ring_radius, _s8);
+    const V _s18 = lanes_mul(_s17, _s17);
+    const V _s19 = lanes_mul(lanes_mul(K(1.7763568394002505e-15), _s1), lanes_add(_s18, _s6));
+    const V _s20 = lanes_sub(lanes_add(lanes_mul(_s18, _s1), _s19), _s4);
+    const V _s21 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s22 = lanes_sqrt(_s20);
+    const V _s23 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_abs(_s21), lanes_abs(_s3)), _s22));
+    const V _s24 = lanes_div(K(1.0), _s1);
+    const M _s25 = lanes_at_most(K(0.0), _s20);
+    const M _s26 = lanes_less(K(2.409919865102884e-181), _s1);
+    const V _s27 = lanes_select(_s26, lanes_select(_s25, lanes_mul(lanes_neg(lanes_add(lanes_add(_s21, _s22), _s23)), _s24), K(INFINITY)), K(-INFINITY));
+    const V _s28 = lanes_max(lanes_sub(p_ring_radius, _s8), lanes_mul(K(0.0001220703125), p_ring_radius));
+    const V _s29 = lanes_sub(lanes_sub(lanes_mul(_s1, lanes_mul(_s28, _s28)), _s19), _s4);
+    const V _s30 = lanes_sqrt(lanes_max(_s29, K(0.0)));
+    const V _s31 = lanes_select(_s26, lanes_select(_s25, lanes_mul(lanes_sub(lanes_add(_s22, _s23), _s21), _s24), K(-INFINITY)), K(INFINITY));
+    const M _s32 = lanes_less(K(0.0), lanes_select(_s26, _s29, K(0.0)));
+    const V _s33 = lanes_select(_s32, lanes_mul(lanes_sub(lanes_sub(_s23, _s21), _s30), _s24), _s31);
+    const V _s34 = lanes_sub(lanes_add(_s0, lanes_mul(_s9, lanes_sub(z, _s8))), _s10);
+    const V _s35 = lanes_sqrt(lanes_max(_s34, K(0.0)));
+    const V _s36 = lanes_select(_s15, lanes_mul(_s12, lanes_add(lanes_add(vz, _s13), _s14)), K(-INFINITY));
+    const M _s37 = lanes_less(K(0.0), _s34);
+    const V _s38 = lanes_select(_s37, lanes_mul(_s12, lanes_sub(lanes_add(vz, _s14), _s35)), _s36);
+    const V _s39 = lanes_min(_s33, _s38);
+    const V _s40 = lanes_max(lanes_select(_s32, lanes_mul(lanes_sub(lanes_sub(_s30, _s21), _s23), _s24), K(INFINITY)), _s33);
+    const V _s41 = lanes_max(_s16, _s40);
+    const V _s42 = lanes_min(_s31, _s38);
+    const V _s43 = lanes_max(lanes_select(_s37, lanes_mul(_s12, lanes_sub(lanes_add(vz, _s35), _s14)), K(INFINITY)), _s38);
+    const M _s44 = lanes_at_most(_s41, _s42);
+    const V _s45 = lanes_select(_s44, _s42, lanes_min(_s33, _s36));
+    const V _s46 = lanes_min(_s31, _s36);
+    const V _s47 = lanes_div(K(1.0), _s28);
+    return (LANES(hoop_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_max(K(0.0), lanes_max(_s16, _s27)), lanes_min(_s39, horizon), lanes_max(K(0.0), lanes_select(_s44, _s41, lanes_max(_s43, _s27))), lanes_min(_s45, horizon), lanes_max(K(0.0), lanes_max(_s43, _s40)), lanes_min(_s46, horizon), lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s7), lanes_mul(_s5, lanes_mul(_s47, lanes_mul(_s47, _s47)))), lanes_abs(_s2)), lanes_min(lanes_max(lanes_max(lanes_max(K(0.0), _s39), _s45), _s46), horizon), lanes_max(lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s7)), lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius))) };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
-   running error analysis. 45 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 maxima. */
+   running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections. */
 typedef struct {
     V margin;
     V leaving_margin;
@@ -1045,19 +1045,19 @@ typedef struct {
 } LANES(hoop_ring_margins_out);
 
 LANES_INLINE LANES(hoop_ring_margins_out)
-LANES(hoop_ring_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES(hoop_ring_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
-    const V s0 = lanes_add(ball_radius, wire_radius);
-    const V s1 = lanes_add(speed, lanes_mul(gravity, horizon));
-    const V s2 = lanes_mul(K(1.00006103515625), s0);
-    const V s3 = lanes_mul(s2, s1);
-    const V s4 = lanes_add(ring_radius, s2);
-    const V s5 = lanes_add(extent, lanes_mul(horizon, s1));
-    const V s6 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), s5));
-    const V s7 = lanes_max(K(1.0), lanes_div(s2, lanes_max(lanes_sub(ring_radius, s2), lanes_mul(K(0.0001220703125), ring_radius))));
-    const V s8 = lanes_mul(K(5.0), lanes_add(lanes_mul(lanes_mul(s1, s7), s6), lanes_mul(s2, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), s1)))));
-    const V s9 = lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(3.552713678800501e-15), s1), lanes_add(lanes_mul(s5, s7), s4)), lanes_mul(K(4.440892098500626e-16), s3)), s8));
-    return (LANES(hoop_ring_margins_out)){ lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(4.440892098500626e-16), horizon), s3), lanes_mul(lanes_mul(K(1.3323489447131243e-15), s0), s4)), lanes_mul(lanes_mul(K(5.00030517578125), s0), s6))), s9, lanes_mul(K(1.0009765625), lanes_add(lanes_mul(K(3.552713678800501e-15), lanes_mul(s4, s1)), s8)) };
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s2 = lanes_mul(K(1.00006103515625), _s0);
+    const V _s3 = lanes_mul(_s2, _s1);
+    const V _s4 = lanes_add(p_ring_radius, _s2);
+    const V _s5 = lanes_add(extent, lanes_mul(horizon, _s1));
+    const V _s6 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s5));
+    const V _s7 = lanes_max(K(1.0), lanes_div(_s2, lanes_max(lanes_sub(p_ring_radius, _s2), lanes_mul(K(0.0001220703125), p_ring_radius))));
+    const V _s8 = lanes_mul(K(5.0), lanes_add(lanes_mul(lanes_mul(_s1, _s7), _s6), lanes_mul(_s2, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s1)))));
+    const V _s9 = lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(3.552713678800501e-15), _s1), lanes_add(lanes_mul(_s5, _s7), _s4)), lanes_mul(K(4.440892098500626e-16), _s3)), _s8));
+    return (LANES(hoop_ring_margins_out)){ lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(4.440892098500626e-16), horizon), _s3), lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s4)), lanes_mul(lanes_mul(K(5.00030517578125), _s0), _s6))), _s9, lanes_mul(K(1.0009765625), lanes_add(lanes_mul(K(3.552713678800501e-15), lanes_mul(_s4, _s1)), _s8)) };
 }
 
 /* Newton's next value of a root near t, and the rate there.
@@ -1068,25 +1068,25 @@ typedef struct {
 } LANES(hoop_ring_refine_out);
 
 LANES_INLINE LANES(hoop_ring_refine_out)
-LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_start, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_start, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
-    const V s0 = lanes_add(x, lanes_mul(t, vx));
-    const V s1 = lanes_add(y, lanes_mul(t, vy));
-    const V s2 = lanes_sqrt(lanes_add(lanes_mul(s0, s0), lanes_mul(s1, s1)));
-    const V s3 = lanes_add(rho_start, s2);
-    const V s4 = lanes_div(K(1.0), lanes_mul(s3, s2));
-    const V s5 = lanes_sub(s2, ring_radius);
-    const V s6 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), gravity), t));
-    const V s7 = lanes_add(z, lanes_mul(t, s6));
-    const V s8 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(lanes_mul(s3, s4), lanes_add(lanes_mul(vx, s0), lanes_mul(vy, s1))), s5), lanes_mul(lanes_sub(vz, lanes_mul(gravity, t)), s7)));
-    const V s9 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, ring_radius), s5)), lanes_mul(s2, s4));
-    const V s10 = lanes_add(ball_radius, wire_radius);
-    const V s11 = lanes_div(lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(s9, lanes_mul(lanes_add(z, s7), s6))), lanes_sub(lanes_add(lanes_mul(s5, s5), lanes_mul(s7, s7)), lanes_mul(s10, s10))), s8);
-    return (LANES(hoop_ring_refine_out)){ lanes_sub(t, s11), s8 };
+    const V _s0 = lanes_add(x, lanes_mul(t, vx));
+    const V _s1 = lanes_add(y, lanes_mul(t, vy));
+    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(_s0, _s0), lanes_mul(_s1, _s1)));
+    const V _s3 = lanes_add(rho_start, _s2);
+    const V _s4 = lanes_div(K(1.0), lanes_mul(_s3, _s2));
+    const V _s5 = lanes_sub(_s2, p_ring_radius);
+    const V _s6 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s7 = lanes_add(z, lanes_mul(t, _s6));
+    const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(lanes_mul(_s3, _s4), lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1))), _s5), lanes_mul(lanes_sub(vz, lanes_mul(p_gravity, t)), _s7)));
+    const V _s9 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, p_ring_radius), _s5)), lanes_mul(_s2, _s4));
+    const V _s10 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s11 = lanes_div(lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s9, lanes_mul(lanes_add(z, _s7), _s6))), lanes_sub(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s7, _s7)), lanes_mul(_s10, _s10))), _s8);
+    return (LANES(hoop_ring_refine_out)){ lanes_sub(t, _s11), _s8 };
 }
 
 /* Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
-   Newton from the left under a curvature bound. 136 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 6 maxima, 4 minima, 6 comparisons, 9 selections. */
+   Newton from the left under a curvature bound. 146 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections. */
 typedef struct {
     V gap;
     V rate;
@@ -1098,43 +1098,43 @@ typedef struct {
 } LANES(hoop_ring_advance_out);
 
 LANES_INLINE LANES(hoop_ring_advance_out)
-LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V ball_radius, V ring_radius, V wire_radius, V gravity)
+LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
-    const V s0 = lanes_add(x, lanes_mul(t, vx));
-    const V s1 = lanes_add(y, lanes_mul(t, vy));
-    const V s2 = lanes_sqrt(lanes_add(lanes_mul(s0, s0), lanes_mul(s1, s1)));
-    const V s3 = lanes_sub(s2, ring_radius);
-    const V s4 = lanes_add(rho_start, s2);
-    const V s5 = lanes_div(K(1.0), lanes_mul(s4, s2));
-    const V s6 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, ring_radius), s3)), lanes_mul(s2, s5));
-    const V s7 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), gravity), t));
-    const V s8 = lanes_add(z, lanes_mul(t, s7));
-    const V s9 = lanes_add(ball_radius, wire_radius);
-    const V s10 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(s6, lanes_mul(lanes_add(z, s8), s7))), lanes_sub(lanes_add(lanes_mul(s3, s3), lanes_mul(s8, s8)), lanes_mul(s9, s9)));
-    const V s11 = lanes_mul(s4, s5);
-    const V s12 = lanes_mul(s11, lanes_add(lanes_mul(vx, s0), lanes_mul(vy, s1)));
-    const V s13 = lanes_sub(vz, lanes_mul(gravity, t));
-    const V s14 = lanes_add(lanes_mul(s12, s3), lanes_mul(s13, s8));
-    const V s15 = lanes_mul(K(2.0), s14);
-    const V s16 = lanes_mul(K(6.0), gravity);
-    const V s17 = lanes_mul(s16, s8);
-    const V s18 = lanes_mul(swing, lanes_mul(s11, lanes_mul(s11, s11)));
-    const V s19 = lanes_mul(K(1.00006103515625), s9);
-    const V s20 = lanes_sub(s15, rate_margin);
-    const V s21 = lanes_max(lanes_sub(s10, margin), K(0.0));
-    const M s22 = lanes_less(s20, K(0.0));
-    const V s23 = lanes_mul(K(2.0), s21);
-    const V s24 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), s20), s21, K(0.0))), K(INFINITY), lanes_div(lanes_select(s22, s23, lanes_mul(K(4.0), s20)), lanes_select(s22, lanes_neg(s20), lanes_max(K(0.0), lanes_sub(lanes_add(s17, s18), steady)))));
-    const V s25 = lanes_min(s24, lanes_sub(end, t));
-    const V s26 = lanes_mul(s16, lanes_min(s19, lanes_add(lanes_mul(s25, lanes_max(s13, K(0.0))), s8)));
-    const V s27 = lanes_div(K(1.0), lanes_max(lanes_sub(lanes_add(lanes_mul(s25, lanes_min(K(0.0), s12)), s2), lanes_mul(K(9.094947017729282e-13), lanes_add(ring_radius, s19))), lanes_max(lanes_sub(ring_radius, s19), lanes_mul(K(0.0001220703125), ring_radius))));
-    const V s28 = lanes_mul(swing, lanes_mul(s27, lanes_mul(s27, s27)));
-    const V s29 = lanes_sub(lanes_add(lanes_add(s26, s28), lanes_mul(K(9.094947017729282e-13), lanes_add(lanes_add(s28, lanes_abs(steady)), lanes_abs(s26)))), steady);
-    const V s30 = lanes_add(lanes_mul(lanes_mul(K(2.0), s29), s21), lanes_mul(s20, s20));
-    const V s31 = lanes_sqrt(s30);
-    const V s32 = lanes_min(lanes_select(lanes_at_most(K(0.0), s30), lanes_div(lanes_select(s22, s23, lanes_add(s20, s31)), lanes_select(s22, lanes_sub(s31, s20), lanes_max(K(0.0), s29))), K(INFINITY)), s25);
-    const V s33 = lanes_neg(lanes_add(rate_margin, s15));
-    return (LANES(hoop_ring_advance_out)){ s10, s15, lanes_sub(lanes_sub(steady, s17), s18), s32, lanes_add(t, s32), lanes_sub(t, lanes_div(lanes_mul(K(0.5), s10), s14)), lanes_select(lanes_less(K(0.0), s33), lanes_sub(lanes_mul(s33, s33), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, lanes_mul(K(32.0), s21)))), s33) };
+    const V _s0 = lanes_add(x, lanes_mul(t, vx));
+    const V _s1 = lanes_add(y, lanes_mul(t, vy));
+    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(_s0, _s0), lanes_mul(_s1, _s1)));
+    const V _s3 = lanes_sub(_s2, p_ring_radius);
+    const V _s4 = lanes_add(rho_start, _s2);
+    const V _s5 = lanes_div(K(1.0), lanes_mul(_s4, _s2));
+    const V _s6 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, p_ring_radius), _s3)), lanes_mul(_s2, _s5));
+    const V _s7 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s8 = lanes_add(z, lanes_mul(t, _s7));
+    const V _s9 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s10 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s6, lanes_mul(lanes_add(z, _s8), _s7))), lanes_sub(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s8, _s8)), lanes_mul(_s9, _s9)));
+    const V _s11 = lanes_mul(_s4, _s5);
+    const V _s12 = lanes_mul(_s11, lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1)));
+    const V _s13 = lanes_sub(vz, lanes_mul(p_gravity, t));
+    const V _s14 = lanes_add(lanes_mul(_s12, _s3), lanes_mul(_s13, _s8));
+    const V _s15 = lanes_mul(K(2.0), _s14);
+    const V _s16 = lanes_mul(K(6.0), p_gravity);
+    const V _s17 = lanes_mul(_s16, _s8);
+    const V _s18 = lanes_mul(swing, lanes_mul(_s11, lanes_mul(_s11, _s11)));
+    const V _s19 = lanes_mul(K(1.00006103515625), _s9);
+    const V _s20 = lanes_sub(_s15, rate_margin);
+    const V _s21 = lanes_max(lanes_sub(_s10, margin), K(0.0));
+    const M _s22 = lanes_less(_s20, K(0.0));
+    const V _s23 = lanes_mul(K(2.0), _s21);
+    const V _s24 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s20), _s21, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s22, _s23, lanes_mul(K(4.0), _s20)), lanes_select(_s22, lanes_neg(_s20), lanes_max(K(0.0), lanes_sub(lanes_add(_s17, _s18), steady)))));
+    const V _s25 = lanes_min(_s24, lanes_sub(end, t));
+    const V _s26 = lanes_mul(_s16, lanes_min(_s19, lanes_add(lanes_mul(_s25, lanes_max(_s13, K(0.0))), _s8)));
+    const V _s27 = lanes_div(K(1.0), lanes_max(lanes_sub(lanes_add(lanes_mul(_s25, lanes_min(K(0.0), _s12)), _s2), lanes_mul(K(9.094947017729282e-13), lanes_add(p_ring_radius, _s19))), lanes_max(lanes_sub(p_ring_radius, _s19), lanes_mul(K(0.0001220703125), p_ring_radius))));
+    const V _s28 = lanes_mul(swing, lanes_mul(_s27, lanes_mul(_s27, _s27)));
+    const V _s29 = lanes_sub(lanes_add(lanes_add(_s26, _s28), lanes_mul(K(9.094947017729282e-13), lanes_add(lanes_add(_s28, lanes_abs(steady)), lanes_abs(_s26)))), steady);
+    const V _s30 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s29), _s21), lanes_mul(_s20, _s20));
+    const V _s31 = lanes_sqrt(_s30);
+    const V _s32 = lanes_min(lanes_select(lanes_at_most(K(0.0), _s30), lanes_div(lanes_select(_s22, _s23, lanes_add(_s20, _s31)), lanes_select(_s22, lanes_sub(_s31, _s20), lanes_max(K(0.0), _s29))), K(INFINITY)), _s25);
+    const V _s33 = lanes_neg(lanes_add(rate_margin, _s15));
+    return (LANES(hoop_ring_advance_out)){ _s10, _s15, lanes_sub(lanes_sub(steady, _s17), _s18), _s32, lanes_add(t, _s32), lanes_sub(t, lanes_div(lanes_mul(K(0.5), _s10), _s14)), lanes_select(lanes_less(K(0.0), _s33), lanes_sub(lanes_mul(_s33, _s33), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, lanes_mul(K(32.0), _s21)))), _s33) };
 }
 
 /* The first window that begins no earlier than a time, if there is one.
@@ -1148,10 +1148,10 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_enter_out)
 LANES(hoop_ring_enter)(V after, V end, V high0, V high1, V high2, V low0, V low1, V low2, V t)
 {
-    const M s0 = lanes_both(lanes_less(low0, high0), lanes_at_most(after, low0));
-    const M s1 = lanes_both(lanes_less(low1, high1), lanes_at_most(after, low1));
-    const M s2 = lanes_both(lanes_less(low2, high2), lanes_at_most(after, low2));
-    return (LANES(hoop_ring_enter_out)){ lanes_select(s0, low0, lanes_select(s1, low1, lanes_select(s2, low2, t))), lanes_select(s0, high0, lanes_select(s1, high1, lanes_select(s2, high2, end))), lanes_either(lanes_either(lanes_either(lanes_nowhere(), s2), s1), s0) };
+    const M _s0 = lanes_both(lanes_less(low0, high0), lanes_at_most(after, low0));
+    const M _s1 = lanes_both(lanes_less(low1, high1), lanes_at_most(after, low1));
+    const M _s2 = lanes_both(lanes_less(low2, high2), lanes_at_most(after, low2));
+    return (LANES(hoop_ring_enter_out)){ lanes_select(_s0, low0, lanes_select(_s1, low1, lanes_select(_s2, low2, t))), lanes_select(_s0, high0, lanes_select(_s1, high1, lanes_select(_s2, high2, end))), lanes_either(lanes_either(lanes_either(lanes_nowhere(), _s2), _s1), _s0) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1190,9 +1190,9 @@ typedef struct {
 } LANES(hoop_backboard_bounds_out);
 
 LANES_INLINE LANES(hoop_backboard_bounds_out)
-LANES(hoop_backboard_bounds)(V y, V z, V board_half_width, V board_bottom, V board_top)
+LANES(hoop_backboard_bounds)(V y, V z, V p_board_half_width, V p_board_bottom, V p_board_top)
 {
-    return (LANES(hoop_backboard_bounds_out)){ lanes_neg(lanes_add(board_half_width, y)), lanes_sub(y, board_half_width), lanes_sub(board_bottom, z), lanes_sub(z, board_top) };
+    return (LANES(hoop_backboard_bounds_out)){ lanes_neg(lanes_add(p_board_half_width, y)), lanes_sub(y, p_board_half_width), lanes_sub(p_board_bottom, z), lanes_sub(z, p_board_top) };
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
@@ -1206,10 +1206,10 @@ typedef struct {
 } LANES(hoop_backboard_arrival_out);
 
 LANES_INLINE LANES(hoop_backboard_arrival_out)
-LANES(hoop_backboard_arrival)(V leaving, V x, V vx, V ball_radius, V board_distance)
+LANES(hoop_backboard_arrival)(V leaving, V x, V vx, V p_ball_radius, V p_board_distance)
 {
-    const V s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(x, lanes_sub(ball_radius, board_distance)));
-    return (LANES(hoop_backboard_arrival_out)){ lanes_neg(lanes_div(s0, vx)), vx, K(0.0), lanes_select(lanes_at_most(lanes_abs(vx), K(0.0)), K(0.0), K(-1.0)), s0 };
+    const V _s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(x, lanes_sub(p_ball_radius, p_board_distance)));
+    return (LANES(hoop_backboard_arrival_out)){ lanes_neg(lanes_div(_s0, vx)), vx, K(0.0), lanes_select(lanes_at_most(lanes_abs(vx), K(0.0)), K(0.0), K(-1.0)), _s0 };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -1219,10 +1219,10 @@ typedef struct {
 } LANES(hoop_backboard_margin_out);
 
 LANES_INLINE LANES(hoop_backboard_margin_out)
-LANES(hoop_backboard_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V ball_radius, V board_distance, V gravity)
+LANES(hoop_backboard_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_board_distance, V p_gravity)
 {
-    const V s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(gravity, horizon))));
-    return (LANES(hoop_backboard_margin_out)){ lanes_add(lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), ball_radius), lanes_mul(K(8.890457814381136e-16), board_distance)), lanes_mul(K(2.222614453595284e-16), s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), s0)))) };
+    const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))));
+    return (LANES(hoop_backboard_margin_out)){ lanes_add(lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), p_ball_radius), lanes_mul(K(8.890457814381136e-16), p_board_distance)), lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
 }
 
 /* The point of the contact plane nearest to a position.
@@ -1234,9 +1234,9 @@ typedef struct {
 } LANES(hoop_backboard_place_out);
 
 LANES_INLINE LANES(hoop_backboard_place_out)
-LANES(hoop_backboard_place)(V y, V z, V ball_radius, V board_distance)
+LANES(hoop_backboard_place)(V y, V z, V p_ball_radius, V p_board_distance)
 {
-    return (LANES(hoop_backboard_place_out)){ lanes_sub(ball_radius, board_distance), y, z };
+    return (LANES(hoop_backboard_place_out)){ lanes_sub(p_ball_radius, p_board_distance), y, z };
 }
 
 /* Where a contact counts (Eq. 2).
@@ -1260,9 +1260,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_backboard_edges_out)
 LANES(hoop_backboard_edges)(V clearance, V g0, V g1, V g2, V g3, V slack)
 {
-    const V s0 = lanes_neg(slack);
-    const M s1 = lanes_not(lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(g0, s0), lanes_less(g1, s0)), lanes_less(g2, s0)), lanes_less(g3, s0)), lanes_less(K(0.0), clearance)));
-    return (LANES(hoop_backboard_edges_out)){ lanes_both(lanes_both(lanes_both(lanes_both(lanes_at_most(g0, slack), lanes_at_most(g1, slack)), lanes_at_most(g2, slack)), lanes_at_most(g3, slack)), s1) };
+    const V _s0 = lanes_neg(slack);
+    const M _s1 = lanes_not(lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(g0, _s0), lanes_less(g1, _s0)), lanes_less(g2, _s0)), lanes_less(g3, _s0)), lanes_less(K(0.0), clearance)));
+    return (LANES(hoop_backboard_edges_out)){ lanes_both(lanes_both(lanes_both(lanes_both(lanes_at_most(g0, slack), lanes_at_most(g1, slack)), lanes_at_most(g2, slack)), lanes_at_most(g3, slack)), _s1) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1302,9 +1302,9 @@ typedef struct {
 } LANES(hoop_bridge_bounds_out);
 
 LANES_INLINE LANES(hoop_bridge_bounds_out)
-LANES(hoop_bridge_bounds)(V x, V y, V ring_radius, V board_distance, V bridge_half_width)
+LANES(hoop_bridge_bounds)(V x, V y, V p_ring_radius, V p_board_distance, V p_bridge_half_width)
 {
-    return (LANES(hoop_bridge_bounds_out)){ lanes_neg(lanes_add(bridge_half_width, y)), lanes_sub(y, bridge_half_width), lanes_sub(ring_radius, lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), x, lanes_neg(lanes_add(board_distance, x)) };
+    return (LANES(hoop_bridge_bounds_out)){ lanes_neg(lanes_add(p_bridge_half_width, y)), lanes_sub(y, p_bridge_half_width), lanes_sub(p_ring_radius, lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), x, lanes_neg(lanes_add(p_board_distance, x)) };
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
@@ -1318,14 +1318,14 @@ typedef struct {
 } LANES(hoop_bridge_arrival_out);
 
 LANES_INLINE LANES(hoop_bridge_arrival_out)
-LANES(hoop_bridge_arrival)(V leaving, V z, V vz, V ball_radius, V wire_radius, V gravity)
+LANES(hoop_bridge_arrival)(V leaving, V z, V vz, V p_ball_radius, V p_wire_radius, V p_gravity)
 {
-    const V s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(z, lanes_add(ball_radius, wire_radius)));
-    const V s1 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), gravity), s0));
-    const V s2 = lanes_sqrt(s1);
-    const M s3 = lanes_less(vz, K(0.0));
-    const V s4 = lanes_neg(lanes_div(K(1.0), gravity));
-    return (LANES(hoop_bridge_arrival_out)){ lanes_div(lanes_select(s3, lanes_mul(K(2.0), s0), lanes_add(vz, s2)), lanes_select(s3, lanes_sub(s2, vz), gravity)), lanes_neg(s2), lanes_neg(gravity), lanes_neg(lanes_mul(vz, s4)), lanes_neg(lanes_mul(lanes_mul(K(0.5), s4), s1)) };
+    const V _s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(z, lanes_add(p_ball_radius, p_wire_radius)));
+    const V _s1 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), p_gravity), _s0));
+    const V _s2 = lanes_sqrt(_s1);
+    const M _s3 = lanes_less(vz, K(0.0));
+    const V _s4 = lanes_neg(lanes_div(K(1.0), p_gravity));
+    return (LANES(hoop_bridge_arrival_out)){ lanes_div(lanes_select(_s3, lanes_mul(K(2.0), _s0), lanes_add(vz, _s2)), lanes_select(_s3, lanes_sub(_s2, vz), p_gravity)), lanes_neg(_s2), lanes_neg(p_gravity), lanes_neg(lanes_mul(vz, _s4)), lanes_neg(lanes_mul(lanes_mul(K(0.5), _s4), _s1)) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -1335,10 +1335,10 @@ typedef struct {
 } LANES(hoop_bridge_margin_out);
 
 LANES_INLINE LANES(hoop_bridge_margin_out)
-LANES(hoop_bridge_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V ball_radius, V wire_radius, V gravity)
+LANES(hoop_bridge_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_wire_radius, V p_gravity)
 {
-    const V s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(gravity, horizon))));
-    return (LANES(hoop_bridge_margin_out)){ lanes_add(lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), ball_radius), lanes_mul(K(6.667843360785852e-16), wire_radius)), lanes_mul(K(2.222614453595284e-16), s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), s0)))) };
+    const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))));
+    return (LANES(hoop_bridge_margin_out)){ lanes_add(lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), p_ball_radius), lanes_mul(K(6.667843360785852e-16), p_wire_radius)), lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
 }
 
 /* The point of the contact plane nearest to a position.
@@ -1350,9 +1350,9 @@ typedef struct {
 } LANES(hoop_bridge_place_out);
 
 LANES_INLINE LANES(hoop_bridge_place_out)
-LANES(hoop_bridge_place)(V x, V y, V ball_radius, V wire_radius)
+LANES(hoop_bridge_place)(V x, V y, V p_ball_radius, V p_wire_radius)
 {
-    return (LANES(hoop_bridge_place_out)){ x, y, lanes_add(ball_radius, wire_radius) };
+    return (LANES(hoop_bridge_place_out)){ x, y, lanes_add(p_ball_radius, p_wire_radius) };
 }
 
 /* Where a contact counts (Eq. 2).
@@ -1376,10 +1376,10 @@ typedef struct {
 LANES_INLINE LANES(hoop_bridge_edges_out)
 LANES(hoop_bridge_edges)(V clearance, V g0, V g1, V g2, V g3, V g4, V slack)
 {
-    const V s0 = lanes_neg(slack);
-    const M s1 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(g0, s0), lanes_less(g1, s0)), lanes_less(g2, s0)), lanes_less(g3, s0)), lanes_less(g4, s0)), lanes_less(K(0.0), clearance));
-    const M s2 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_both(lanes_at_most(g0, slack), lanes_at_most(g1, slack)), lanes_at_most(g2, slack)), lanes_at_most(g3, slack)), lanes_at_most(g4, slack)), lanes_not(s1));
-    return (LANES(hoop_bridge_edges_out)){ s2 };
+    const V _s0 = lanes_neg(slack);
+    const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(g0, _s0), lanes_less(g1, _s0)), lanes_less(g2, _s0)), lanes_less(g3, _s0)), lanes_less(g4, _s0)), lanes_less(K(0.0), clearance));
+    const M _s2 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_both(lanes_at_most(g0, slack), lanes_at_most(g1, slack)), lanes_at_most(g2, slack)), lanes_at_most(g3, slack)), lanes_at_most(g4, slack)), lanes_not(_s1));
+    return (LANES(hoop_bridge_edges_out)){ _s2 };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1407,14 +1407,14 @@ typedef struct {
 } LANES(hoop_end_arrival_out);
 
 LANES_INLINE LANES(hoop_end_arrival_out)
-LANES(hoop_end_arrival)(V leaving, V z, V vz, V gravity, V end_depth)
+LANES(hoop_end_arrival)(V leaving, V z, V vz, V p_gravity, V p_end_depth)
 {
-    const V s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(z, lanes_neg(end_depth)));
-    const V s1 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), gravity), s0));
-    const V s2 = lanes_sqrt(s1);
-    const M s3 = lanes_less(vz, K(0.0));
-    const V s4 = lanes_neg(lanes_div(K(1.0), gravity));
-    return (LANES(hoop_end_arrival_out)){ lanes_div(lanes_select(s3, lanes_mul(K(2.0), s0), lanes_add(vz, s2)), lanes_select(s3, lanes_sub(s2, vz), gravity)), lanes_neg(s2), lanes_neg(gravity), lanes_neg(lanes_mul(vz, s4)), lanes_neg(lanes_mul(lanes_mul(K(0.5), s4), s1)) };
+    const V _s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(z, lanes_neg(p_end_depth)));
+    const V _s1 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), p_gravity), _s0));
+    const V _s2 = lanes_sqrt(_s1);
+    const M _s3 = lanes_less(vz, K(0.0));
+    const V _s4 = lanes_neg(lanes_div(K(1.0), p_gravity));
+    return (LANES(hoop_end_arrival_out)){ lanes_div(lanes_select(_s3, lanes_mul(K(2.0), _s0), lanes_add(vz, _s2)), lanes_select(_s3, lanes_sub(_s2, vz), p_gravity)), lanes_neg(_s2), lanes_neg(p_gravity), lanes_neg(lanes_mul(vz, _s4)), lanes_neg(lanes_mul(lanes_mul(K(0.5), _s4), _s1)) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -1424,9 +1424,9 @@ typedef struct {
 } LANES(hoop_end_margin_out);
 
 LANES_INLINE LANES(hoop_end_margin_out)
-LANES(hoop_end_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V gravity, V end_depth)
+LANES(hoop_end_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_gravity, V p_end_depth)
 {
-    const V s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(gravity, horizon))));
-    return (LANES(hoop_end_margin_out)){ lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), end_depth), lanes_mul(K(2.222614453595284e-16), s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), s0)))) };
+    const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))));
+    return (LANES(hoop_end_margin_out)){ lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), p_end_depth), lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
 }
 

@@ -1,6 +1,6 @@
 /* Flight in the scene hoop.
 
-   Generated from templates/js/flight.js.j2, scene hoop, derivation 001f64a6a6e5c543,
+   Generated from templates/js/flight.js.j2, scene hoop, derivation 895d8ecb1ee1571f,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Numbers in, an array of numbers out; SI units. */
@@ -12,6 +12,6 @@
  * Eq. 3. 11 operations: 3 additions, 2 subtractions, 6 multiplications.
  * Returns x, y, z, vx, vy, vz.
  */
-function hoop_flight(t, x, y, z, vx, vy, vz, gravity) {
-  return [x + (t * vx), y + (t * vy), z + (t * (vz - ((0.5 * gravity) * t))), vx, vy, vz - (gravity * t)];
+function hoop_flight(t, x, y, z, vx, vy, vz, p_gravity) {
+  return [x + (t * vx), y + (t * vy), z + (t * (vz - ((0.5 * p_gravity) * t))), vx, vy, vz - (p_gravity * t)];
 }

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 001f64a6a6e5c543,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 895d8ecb1ee1571f,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -13,19 +13,16 @@ from __future__ import annotations
 from enum import IntEnum
 from typing import Any, NamedTuple
 
-from numpy import (
-    absolute,
-    arange,
-    broadcast_to,
-    flatnonzero,
-    inf,
-    logical_and,
-    logical_not,
-    logical_or,
-    ndim,
-    sqrt,
-    where,
-)
+from numpy import absolute as _absolute
+from numpy import broadcast_to as _broadcast_to
+from numpy import flatnonzero as _flatnonzero
+from numpy import inf as _inf
+from numpy import logical_and as _logical_and
+from numpy import logical_not as _logical_not
+from numpy import logical_or as _logical_or
+from numpy import ndim as _ndim
+from numpy import sqrt as _sqrt
+from numpy import where as _where
 
 PARAMETERS: dict[str, tuple[float, str, str]] = {
     "ball_radius": (0.12128, "m", "R_B, radius of the ball"),
@@ -41,6 +38,21 @@ PARAMETERS: dict[str, tuple[float, str, str]] = {
     "end_depth": (0.024256, "m", "H, of the end plane below the ring"),
 }
 """Parameters in calling order: default, unit, meaning."""
+
+VARIABLES: dict[str, str] = {
+    "ball_radius": "p_ball_radius",
+    "ring_radius": "p_ring_radius",
+    "wire_radius": "p_wire_radius",
+    "board_distance": "p_board_distance",
+    "board_half_width": "p_board_half_width",
+    "board_bottom": "p_board_bottom",
+    "board_top": "p_board_top",
+    "bridge_half_width": "p_bridge_half_width",
+    "restitution": "p_restitution",
+    "gravity": "p_gravity",
+    "end_depth": "p_end_depth",
+}
+"""What each parameter is called as an argument, and as a column of the event loop."""
 
 BODIES: tuple[str, ...] = ("ring", "backboard", "bridge",)
 """What can be touched, in the order of the results; the end comes after them."""
@@ -245,13 +257,13 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
 """Names of each kernel's outputs."""
 
 
-def flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, gravity: Any) -> tuple[Any, ...]:
+def flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Position and velocity at time t of a flight.
 
     Eq. 3. 11 operations: 3 additions, 2 subtractions, 6 multiplications.
     Returns x, y, z, vx, vy, vz.
     """
-    return x + (t * vx), y + (t * vy), z + (t * (vz - ((0.5 * gravity) * t))), vx, vy, vz - (gravity * t)
+    return x + (t * vx), y + (t * vy), z + (t * (vz - ((0.5 * p_gravity) * t))), vx, vy, vz - (p_gravity * t)
 
 
 def contact_frame(nx: Any, ny: Any, nz: Any) -> tuple[Any, ...]:
@@ -260,51 +272,51 @@ def contact_frame(nx: Any, ny: Any, nz: Any) -> tuple[Any, ...]:
     Eqs. 7-10, Eq. 7 with the smallest component. 72 operations: 6 additions, 3 subtractions, 18 multiplications, 12 divisions, 3 square roots, 9 negations, 3 comparisons, 18 selections.
     Returns n11, n12, n13, n21, n22, n23, n31, n32, n33.
     """
-    s0 = nx * nx
-    s1 = ny * ny
-    s2 = nz * nz
-    s3 = sqrt((1.0 - s0))
-    s4 = sqrt((1.0 - s1))
-    s5 = nx * ny
-    s6 = sqrt((1.0 - s2))
-    s7 = nx * nz
-    s8 = s1 <= s2
-    s9 = where(s8, (-(s5 / s4)), (-(s7 / s6)))
-    s10 = s0 <= s2
-    s11 = s0 <= s1
-    s12 = where(s8, (-((nz * s4) + ((s1 * nz) / s4))), ((ny * s6) + ((ny * s2) / s6)))
-    s13 = ny * nz
-    s14 = where(s8, s4, (-(s13 / s6)))
-    s15 = where(s8, 0.0, (-((nx * s6) + ((nx * s2) / s6))))
-    s16 = where(s8, (-(s13 / s4)), s6)
-    s17 = where(s8, ((nx * s4) + ((nx * s1) / s4)), 0.0)
-    s18 = where(s11, where(s10, (-((ny * s3) + ((s0 * ny) / s3))), s17), s17)
-    return where(s11, where(s10, s3, s9), s9), where(s11, where(s10, 0.0, s12), s12), nx, where(s11, where(s10, (-(s5 / s3)), s14), s14), where(s11, where(s10, ((nz * s3) + ((s0 * nz) / s3)), s15), s15), ny, where(s11, where(s10, (-(s7 / s3)), s16), s16), s18, nz
+    _s0 = nx * nx
+    _s1 = ny * ny
+    _s2 = nz * nz
+    _s3 = _sqrt((1.0 - _s0))
+    _s4 = _sqrt((1.0 - _s1))
+    _s5 = nx * ny
+    _s6 = _sqrt((1.0 - _s2))
+    _s7 = nx * nz
+    _s8 = _s1 <= _s2
+    _s9 = _where(_s8, (-(_s5 / _s4)), (-(_s7 / _s6)))
+    _s10 = _s0 <= _s2
+    _s11 = _s0 <= _s1
+    _s12 = _where(_s8, (-((nz * _s4) + ((_s1 * nz) / _s4))), ((ny * _s6) + ((ny * _s2) / _s6)))
+    _s13 = ny * nz
+    _s14 = _where(_s8, _s4, (-(_s13 / _s6)))
+    _s15 = _where(_s8, 0.0, (-((nx * _s6) + ((nx * _s2) / _s6))))
+    _s16 = _where(_s8, (-(_s13 / _s4)), _s6)
+    _s17 = _where(_s8, ((nx * _s4) + ((nx * _s1) / _s4)), 0.0)
+    _s18 = _where(_s11, _where(_s10, (-((ny * _s3) + ((_s0 * ny) / _s3))), _s17), _s17)
+    return _where(_s11, _where(_s10, _s3, _s9), _s9), _where(_s11, _where(_s10, 0.0, _s12), _s12), nx, _where(_s11, _where(_s10, (-(_s5 / _s3)), _s14), _s14), _where(_s11, _where(_s10, ((nz * _s3) + ((_s0 * nz) / _s3)), _s15), _s15), ny, _where(_s11, _where(_s10, (-(_s7 / _s3)), _s16), _s16), _s18, nz
 
 
-def impact_through_frame(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, n11: Any, n12: Any, n13: Any, n21: Any, n22: Any, n23: Any, n31: Any, n32: Any, n33: Any, ball_radius: Any, restitution: Any) -> tuple[Any, ...]:
+def impact_through_frame(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, n11: Any, n12: Any, n13: Any, n21: Any, n22: Any, n23: Any, n31: Any, n32: Any, n33: Any, p_ball_radius: Any, restitution: Any) -> tuple[Any, ...]:
     """Velocity and spin after a contact, through the contact frame.
 
     Eqs. 11-17 by the closed-form inverse. 96 operations: 21 additions, 11 subtractions, 57 multiplications, 6 divisions, 1 negation.
     Returns vx, vy, vz, wx, wy, wz.
     """
-    s0 = ((n12 * wx) + (n22 * wy)) + (n32 * wz)
-    s1 = 0.4 * ball_radius
-    s2 = 0.6 * n11
-    s3 = 0.6 * n21
-    s4 = 0.6 * n31
-    s5 = (((s1 * s0) + (s2 * vx)) + (s3 * vy)) + (s4 * vz)
-    s6 = 0.6 * n12
-    s7 = 0.6 * n22
-    s8 = 0.6 * n32
-    s9 = ((n11 * wx) + (n21 * wy)) + (n31 * wz)
-    s10 = (((s6 * vx) + (s7 * vy)) + (s8 * vz)) - (s1 * s9)
-    s11 = ((n13 * vx) + (n23 * vy)) + (n33 * vz)
-    s12 = ((n13 * wx) + (n23 * wy)) + (n33 * wz)
-    s13 = 0.6666666666666666 * ball_radius
-    s14 = (((n12 * vx) + (n22 * vy)) + (n32 * vz)) - (s13 * s9)
-    s15 = -((((s13 * s0) + (n11 * vx)) + (n21 * vy)) + (n31 * vz))
-    return ((n11 * s5) + (n12 * s10)) - ((n13 * restitution) * s11), ((n21 * s5) + (n22 * s10)) - ((n23 * restitution) * s11), ((n31 * s5) + (n32 * s10)) - ((n33 * restitution) * s11), ((n13 * s12) - ((s2 * s14) / ball_radius)) - ((s6 * s15) / ball_radius), ((n23 * s12) - ((s3 * s14) / ball_radius)) - ((s7 * s15) / ball_radius), ((n33 * s12) - ((s4 * s14) / ball_radius)) - ((s8 * s15) / ball_radius)
+    _s0 = ((n12 * wx) + (n22 * wy)) + (n32 * wz)
+    _s1 = 0.4 * p_ball_radius
+    _s2 = 0.6 * n11
+    _s3 = 0.6 * n21
+    _s4 = 0.6 * n31
+    _s5 = (((_s1 * _s0) + (_s2 * vx)) + (_s3 * vy)) + (_s4 * vz)
+    _s6 = 0.6 * n12
+    _s7 = 0.6 * n22
+    _s8 = 0.6 * n32
+    _s9 = ((n11 * wx) + (n21 * wy)) + (n31 * wz)
+    _s10 = (((_s6 * vx) + (_s7 * vy)) + (_s8 * vz)) - (_s1 * _s9)
+    _s11 = ((n13 * vx) + (n23 * vy)) + (n33 * vz)
+    _s12 = ((n13 * wx) + (n23 * wy)) + (n33 * wz)
+    _s13 = 0.6666666666666666 * p_ball_radius
+    _s14 = (((n12 * vx) + (n22 * vy)) + (n32 * vz)) - (_s13 * _s9)
+    _s15 = -((((_s13 * _s0) + (n11 * vx)) + (n21 * vy)) + (n31 * vz))
+    return ((n11 * _s5) + (n12 * _s10)) - ((n13 * restitution) * _s11), ((n21 * _s5) + (n22 * _s10)) - ((n23 * restitution) * _s11), ((n31 * _s5) + (n32 * _s10)) - ((n33 * restitution) * _s11), ((n13 * _s12) - ((_s2 * _s14) / p_ball_radius)) - ((_s6 * _s15) / p_ball_radius), ((n23 * _s12) - ((_s3 * _s14) / p_ball_radius)) - ((_s7 * _s15) / p_ball_radius), ((n33 * _s12) - ((_s4 * _s14) / p_ball_radius)) - ((_s8 * _s15) / p_ball_radius)
 
 
 def crossing(margin: Any, rate_margin: Any, rate: Any, ceiling: Any) -> tuple[Any, ...]:
@@ -313,172 +325,172 @@ def crossing(margin: Any, rate_margin: Any, rate: Any, ceiling: Any) -> tuple[An
     Taylor's theorem with the margins of the gap and its rate. 11 operations: 1 addition, 1 subtraction, 4 multiplications, 1 division, 1 negation, 1 comparison, 2 selections.
     Returns clearance, delay.
     """
-    s0 = -(rate + rate_margin)
-    s1 = 0.0 < s0
-    return where(s1, ((s0 * s0) - ((6.0 * ceiling) * margin)), s0), where(s1, ((6.0 * margin) / s0), inf)
+    _s0 = -(rate + rate_margin)
+    _s1 = 0.0 < _s0
+    return _where(_s1, ((_s0 * _s0) - ((6.0 * ceiling) * margin)), _s0), _where(_s1, ((6.0 * margin) / _s0), _inf)
 
 
-def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, gravity: Any) -> tuple[Any, ...]:
+def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Errors of a state that a search allows for, and by how much the errors exceed them.
 
-    a share of the size of the flight. 9 operations: 2 additions, 2 subtractions, 4 multiplications, 1 maxima.
+    a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection.
     Returns level, velocity_level, excess.
     """
-    s0 = speed + (gravity * horizon)
-    s1 = share * (extent + (horizon * s0))
-    s2 = share * s0
-    return s1, s2, where((position_error - s1) < (velocity_error - s2), (velocity_error - s2), (position_error - s1))
+    _s0 = speed + (p_gravity * horizon)
+    _s1 = share * (extent + (horizon * _s0))
+    _s2 = share * _s0
+    return _s1, _s2, _where((position_error - _s1) < (velocity_error - _s2), (velocity_error - _s2), (position_error - _s1))
 
 
-def horizon(t: Any, speed: Any, gravity: Any) -> tuple[Any, ...]:
+def horizon(t: Any, speed: Any, p_gravity: Any) -> tuple[Any, ...]:
     """A time after which no event is wanted, and how long that is after t.
 
     the earliest arrival, with room for its delay. 5 operations: 2 additions, 2 multiplications, 1 division.
     Returns horizon, pad.
     """
-    s0 = 9.5367431640625e-07 * (t + (speed * (1.0 / gravity)))
-    return t + s0, s0
+    _s0 = 9.5367431640625e-07 * (t + (speed * (1.0 / p_gravity)))
+    return t + _s0, _s0
 
 
-def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, gravity: Any) -> tuple[Any, ...]:
+def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Sums of the sizes of the coordinates and of the velocities; excess over the largest.
 
-    what rounding errors are measured by. 18 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 maxima.
+    what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections.
     Returns extent, speed, excess.
     """
-    s0 = absolute(x)
-    s1 = absolute(y)
-    s2 = absolute(z)
-    s3 = absolute(vx)
-    s4 = absolute(vy)
-    s5 = absolute(vz)
-    s6 = where(where(where(where(where((1.0 / gravity) < s0, s0, (1.0 / gravity)) < s1, s1, where((1.0 / gravity) < s0, s0, (1.0 / gravity))) < s2, s2, where(where((1.0 / gravity) < s0, s0, (1.0 / gravity)) < s1, s1, where((1.0 / gravity) < s0, s0, (1.0 / gravity)))) < s3, s3, where(where(where((1.0 / gravity) < s0, s0, (1.0 / gravity)) < s1, s1, where((1.0 / gravity) < s0, s0, (1.0 / gravity))) < s2, s2, where(where((1.0 / gravity) < s0, s0, (1.0 / gravity)) < s1, s1, where((1.0 / gravity) < s0, s0, (1.0 / gravity))))) < s4, s4, where(where(where(where((1.0 / gravity) < s0, s0, (1.0 / gravity)) < s1, s1, where((1.0 / gravity) < s0, s0, (1.0 / gravity))) < s2, s2, where(where((1.0 / gravity) < s0, s0, (1.0 / gravity)) < s1, s1, where((1.0 / gravity) < s0, s0, (1.0 / gravity)))) < s3, s3, where(where(where((1.0 / gravity) < s0, s0, (1.0 / gravity)) < s1, s1, where((1.0 / gravity) < s0, s0, (1.0 / gravity))) < s2, s2, where(where((1.0 / gravity) < s0, s0, (1.0 / gravity)) < s1, s1, where((1.0 / gravity) < s0, s0, (1.0 / gravity))))))
-    return (s0 + s1) + s2, (s3 + s4) + s5, where(s6 < s5, s5, s6) - 2.9073548971824276e+135
+    _s0 = _absolute(x)
+    _s1 = _absolute(y)
+    _s2 = _absolute(z)
+    _s3 = _absolute(vx)
+    _s4 = _absolute(vy)
+    _s5 = _absolute(vz)
+    _s6 = _where(_where(_where(_where(_where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)) < _s1, _s1, _where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity))) < _s2, _s2, _where(_where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)) < _s1, _s1, _where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)))) < _s3, _s3, _where(_where(_where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)) < _s1, _s1, _where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity))) < _s2, _s2, _where(_where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)) < _s1, _s1, _where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity))))) < _s4, _s4, _where(_where(_where(_where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)) < _s1, _s1, _where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity))) < _s2, _s2, _where(_where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)) < _s1, _s1, _where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)))) < _s3, _s3, _where(_where(_where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)) < _s1, _s1, _where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity))) < _s2, _s2, _where(_where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)) < _s1, _s1, _where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity))))))
+    return (_s0 + _s1) + _s2, (_s3 + _s4) + _s5, _where(_s6 < _s5, _s5, _s6) - 2.9073548971824276e+135
 
 
-def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
+def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
     """Bound on the error of a length at a computed arrival.
 
     running error analysis. 25 operations: 15 additions, 8 multiplications, 2 absolute values.
     Returns margin.
     """
-    s0 = speed + (gravity * horizon)
-    s1 = extent + (horizon * s0)
-    s2 = (((((ball_radius + board_distance) + board_half_width) + bridge_half_width) + end_depth) + ring_radius) + wire_radius
-    s3 = ((1.0009765625 * delay) * s0) + (4.445228907190568e-16 * (s1 + ((s2 + absolute(board_bottom)) + absolute(board_top))))
-    return s3 + (3.0029296875 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * s1))),
+    _s0 = speed + (p_gravity * horizon)
+    _s1 = extent + (horizon * _s0)
+    _s2 = (((((p_ball_radius + p_board_distance) + p_board_half_width) + p_bridge_half_width) + p_end_depth) + p_ring_radius) + p_wire_radius
+    _s3 = ((1.0009765625 * delay) * _s0) + (4.445228907190568e-16 * (_s1 + ((_s2 + _absolute(p_board_bottom)) + _absolute(p_board_top))))
+    return _s3 + (3.0029296875 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s1))),
 
 
-def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, late: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, curving: Any, gravity: Any) -> tuple[Any, ...]:
+def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, late: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, curving: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Errors of a state at the end of a flight to a surface, from those at its start.
 
-    derivative of Eq. 3 and of the contact time, with roundings. 108 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 9 maxima, 1 minima, 9 comparisons, 9 selections.
+    derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, delay, shift.
     """
-    s0 = dx + (dvx * t)
-    s1 = absolute(vx)
-    s2 = 2.0 * t
-    s3 = 1.1102230246251565e-16 * ((s2 * s1) + absolute(x))
-    s4 = s0 + where((s0 < 0.0), (-s3), s3)
-    s5 = dy + (dvy * t)
-    s6 = absolute(vy)
-    s7 = 1.1102230246251565e-16 * ((s2 * s6) + absolute(y))
-    s8 = s5 + where((s5 < 0.0), (-s7), s7)
-    s9 = dz + (dvz * t)
-    s10 = absolute(vz)
-    s11 = 1.1102230246251565e-16 * (((gravity * (t * t)) + (s2 * s10)) + absolute(z))
-    s12 = s9 + where((s9 < 0.0), (-s11), s11)
-    s13 = ((nx * vx) + (ny * vy)) + (nz * vz)
-    s14 = (-(((nx * s4) + (ny * s8)) + (nz * s12))) / s13
-    s15 = (vx * s14) + s4
-    s16 = where(where(s1 < s6, s6, s1) < s10, s10, where(s1 < s6, s6, s1))
-    s17 = where(where(absolute(dx) < absolute(dy), absolute(dy), absolute(dx)) < absolute(dz), absolute(dz), where(absolute(dx) < absolute(dy), absolute(dy), absolute(dx)))
-    s18 = (t * where(where(absolute(dvx) < absolute(dvy), absolute(dvy), absolute(dvx)) < absolute(dvz), absolute(dvz), where(absolute(dvx) < absolute(dvy), absolute(dvy), absolute(dvx)))) + where(where(s3 < s7, s7, s3) < s11, s11, where(s3 < s7, s7, s3))
-    s19 = (s16 / absolute(s13)) * ((s17 * where((curving * (t * s16)) < 1.0, (curving * (t * s16)), 1.0)) + s18)
-    s20 = s19 + (s18 + s17)
-    s21 = s20 / (8.0 + (8.0 * contacts))
-    s22 = -s21
-    s23 = (vy * s14) + s8
-    s24 = (vz * s14) + s12
-    return where((absolute(s15) < s21), where((s15 < 0.0), s22, s21), s15), where((absolute(s23) < s21), where((s23 < 0.0), s22, s21), s23), where((absolute(s24) < s21), where((s24 < 0.0), s22, s21), s24), dvx, dvy, dvz - (gravity * s14), (4.440892098500626e-16 * (clock + t)) + where(absolute(s14) < (0.0625 * late), (0.0625 * late), absolute(s14)), s20
+    _s0 = dx + (dvx * t)
+    _s1 = _absolute(vx)
+    _s2 = 2.0 * t
+    _s3 = 1.1102230246251565e-16 * ((_s2 * _s1) + _absolute(x))
+    _s4 = _s0 + _where((_s0 < 0.0), (-_s3), _s3)
+    _s5 = dy + (dvy * t)
+    _s6 = _absolute(vy)
+    _s7 = 1.1102230246251565e-16 * ((_s2 * _s6) + _absolute(y))
+    _s8 = _s5 + _where((_s5 < 0.0), (-_s7), _s7)
+    _s9 = dz + (dvz * t)
+    _s10 = _absolute(vz)
+    _s11 = 1.1102230246251565e-16 * (((p_gravity * (t * t)) + (_s2 * _s10)) + _absolute(z))
+    _s12 = _s9 + _where((_s9 < 0.0), (-_s11), _s11)
+    _s13 = ((nx * vx) + (ny * vy)) + (nz * vz)
+    _s14 = (-(((nx * _s4) + (ny * _s8)) + (nz * _s12))) / _s13
+    _s15 = (vx * _s14) + _s4
+    _s16 = _where(_where(_s1 < _s6, _s6, _s1) < _s10, _s10, _where(_s1 < _s6, _s6, _s1))
+    _s17 = _where(_where(_absolute(dx) < _absolute(dy), _absolute(dy), _absolute(dx)) < _absolute(dz), _absolute(dz), _where(_absolute(dx) < _absolute(dy), _absolute(dy), _absolute(dx)))
+    _s18 = (t * _where(_where(_absolute(dvx) < _absolute(dvy), _absolute(dvy), _absolute(dvx)) < _absolute(dvz), _absolute(dvz), _where(_absolute(dvx) < _absolute(dvy), _absolute(dvy), _absolute(dvx)))) + _where(_where(_s3 < _s7, _s7, _s3) < _s11, _s11, _where(_s3 < _s7, _s7, _s3))
+    _s19 = (_s16 / _absolute(_s13)) * ((_s17 * _where((curving * (t * _s16)) < 1.0, (curving * (t * _s16)), 1.0)) + _s18)
+    _s20 = _s19 + (_s18 + _s17)
+    _s21 = _s20 / (8.0 + (8.0 * contacts))
+    _s22 = -_s21
+    _s23 = (vy * _s14) + _s8
+    _s24 = (vz * _s14) + _s12
+    return _where((_absolute(_s15) < _s21), _where((_s15 < 0.0), _s22, _s21), _s15), _where((_absolute(_s23) < _s21), _where((_s23 < 0.0), _s22, _s21), _s23), _where((_absolute(_s24) < _s21), _where((_s24 < 0.0), _s22, _s21), _s24), dvx, dvy, dvz - (p_gravity * _s14), (4.440892098500626e-16 * (clock + t)) + _where(_absolute(_s14) < (0.0625 * late), (0.0625 * late), _absolute(_s14)), _s20
 
 
 def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
     """Bounds on the errors of a state and its time that decisions allow for.
 
-    the carried errors times a guard. 19 operations: 4 multiplications, 9 absolute values, 6 maxima.
+    the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     Returns position_error, velocity_error, spin_error, time_error.
     """
-    return 16.0 * where(where(absolute(dx) < absolute(dy), absolute(dy), absolute(dx)) < absolute(dz), absolute(dz), where(absolute(dx) < absolute(dy), absolute(dy), absolute(dx))), 16.0 * where(where(absolute(dvx) < absolute(dvy), absolute(dvy), absolute(dvx)) < absolute(dvz), absolute(dvz), where(absolute(dvx) < absolute(dvy), absolute(dvy), absolute(dvx))), 16.0 * where(where(absolute(dwx) < absolute(dwy), absolute(dwy), absolute(dwx)) < absolute(dwz), absolute(dwz), where(absolute(dwx) < absolute(dwy), absolute(dwy), absolute(dwx))), 16.0 * clock_error
+    return 16.0 * _where(_where(_absolute(dx) < _absolute(dy), _absolute(dy), _absolute(dx)) < _absolute(dz), _absolute(dz), _where(_absolute(dx) < _absolute(dy), _absolute(dy), _absolute(dx))), 16.0 * _where(_where(_absolute(dvx) < _absolute(dvy), _absolute(dvy), _absolute(dvx)) < _absolute(dvz), _absolute(dvz), _where(_absolute(dvx) < _absolute(dvy), _absolute(dvy), _absolute(dvx))), 16.0 * _where(_where(_absolute(dwx) < _absolute(dwy), _absolute(dwy), _absolute(dwx)) < _absolute(dwz), _absolute(dwz), _where(_absolute(dwx) < _absolute(dwy), _absolute(dwy), _absolute(dwx))), 16.0 * clock_error
 
 
 def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
     """Bounds on the errors of a state and its time that a shot claims.
 
-    the carried errors times a larger guard. 19 operations: 4 multiplications, 9 absolute values, 6 maxima.
+    the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     Returns position_error, velocity_error, spin_error, time_error.
     """
-    return 64.0 * where(where(absolute(dx) < absolute(dy), absolute(dy), absolute(dx)) < absolute(dz), absolute(dz), where(absolute(dx) < absolute(dy), absolute(dy), absolute(dx))), 64.0 * where(where(absolute(dvx) < absolute(dvy), absolute(dvy), absolute(dvx)) < absolute(dvz), absolute(dvz), where(absolute(dvx) < absolute(dvy), absolute(dvy), absolute(dvx))), 64.0 * where(where(absolute(dwx) < absolute(dwy), absolute(dwy), absolute(dwx)) < absolute(dwz), absolute(dwz), where(absolute(dwx) < absolute(dwy), absolute(dwy), absolute(dwx))), 64.0 * clock_error
+    return 64.0 * _where(_where(_absolute(dx) < _absolute(dy), _absolute(dy), _absolute(dx)) < _absolute(dz), _absolute(dz), _where(_absolute(dx) < _absolute(dy), _absolute(dy), _absolute(dx))), 64.0 * _where(_where(_absolute(dvx) < _absolute(dvy), _absolute(dvy), _absolute(dvx)) < _absolute(dvz), _absolute(dvz), _where(_absolute(dvx) < _absolute(dvy), _absolute(dvy), _absolute(dvx))), 64.0 * _where(_where(_absolute(dwx) < _absolute(dwy), _absolute(dwy), _absolute(dwx)) < _absolute(dwz), _absolute(dwz), _where(_absolute(dwx) < _absolute(dwy), _absolute(dwy), _absolute(dwx))), 64.0 * clock_error
 
 
-def allowed(ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, bridge_half_width: Any, restitution: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
+def allowed(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_bridge_half_width: Any, p_restitution: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
     """1 where finite parameters are allowed.
 
     the scene's requirements. 24 operations: 2 subtractions, 11 comparisons, 11 selections.
     Returns allowed.
     """
-    s0 = where((0.0 < ring_radius), where((0.0 < ball_radius), where((0.0 < ((ring_radius - ball_radius) - wire_radius)), 1.0, 0.0), 0.0), 0.0)
-    s1 = where((0.0 <= restitution), where((0.0 < bridge_half_width), where((0.0 < board_half_width), where((0.0 < board_distance), where((0.0 < wire_radius), s0, 0.0), 0.0), 0.0), 0.0), 0.0)
-    return where((0.0 < end_depth), where((0.0 < gravity), where((restitution <= 1.0), s1, 0.0), 0.0), 0.0),
+    _s0 = _where((0.0 < p_ring_radius), _where((0.0 < p_ball_radius), _where((0.0 < ((p_ring_radius - p_ball_radius) - p_wire_radius)), 1.0, 0.0), 0.0), 0.0)
+    _s1 = _where((0.0 <= p_restitution), _where((0.0 < p_bridge_half_width), _where((0.0 < p_board_half_width), _where((0.0 < p_board_distance), _where((0.0 < p_wire_radius), _s0, 0.0), 0.0), 0.0), 0.0), 0.0)
+    return _where((0.0 < p_end_depth), _where((0.0 < p_gravity), _where((p_restitution <= 1.0), _s1, 0.0), 0.0), 0.0),
 
 
-def finite_parameters(ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, restitution: Any, gravity: Any, end_depth: Any, allowed: Any) -> tuple[Any, ...]:
+def finite_parameters(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_restitution: Any, p_gravity: Any, p_end_depth: Any, allowed: Any) -> tuple[Any, ...]:
     """Where the parameters are finite and allowed.
 
     IEEE 754. 34 operations: 11 absolute values, 12 comparisons, 11 conjunctions.
     Returns permitted.
     """
-    s0 = logical_and(logical_and(logical_and(logical_and((0.0 < allowed), (absolute(ball_radius) < inf)), (absolute(ring_radius) < inf)), (absolute(wire_radius) < inf)), (absolute(board_distance) < inf))
-    s1 = logical_and(logical_and(logical_and(logical_and(s0, (absolute(board_half_width) < inf)), (absolute(board_bottom) < inf)), (absolute(board_top) < inf)), (absolute(bridge_half_width) < inf))
-    return logical_and(logical_and(logical_and(s1, (absolute(restitution) < inf)), (absolute(gravity) < inf)), (absolute(end_depth) < inf)),
+    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((0.0 < allowed), (_absolute(p_ball_radius) < _inf)), (_absolute(p_ring_radius) < _inf)), (_absolute(p_wire_radius) < _inf)), (_absolute(p_board_distance) < _inf))
+    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(p_board_half_width) < _inf)), (_absolute(p_board_bottom) < _inf)), (_absolute(p_board_top) < _inf)), (_absolute(p_bridge_half_width) < _inf))
+    return _logical_and(_logical_and(_logical_and(_s1, (_absolute(p_restitution) < _inf)), (_absolute(p_gravity) < _inf)), (_absolute(p_end_depth) < _inf)),
 
 
-def valid(last: Any, x: Any, y: Any, z: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, board_distance: Any, board_half_width: Any, board_bottom: Any, board_top: Any, bridge_half_width: Any, end_depth: Any) -> tuple[Any, ...]:
+def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_end_depth: Any) -> tuple[Any, ...]:
     """1 where no surface is overlapped; 1 where that is in doubt.
 
-    Table 2. 100 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 11 maxima, 9 comparisons, 12 selections.
+    Table 2. 111 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 23 selections.
     Returns valid, doubt.
     """
-    s0 = sqrt(((x * x) + (y * y)))
-    s1 = s0 - ring_radius
-    s2 = ball_radius + wire_radius
-    s3 = ((z * z) + (s1 * s1)) - (s2 * s2)
-    s4 = absolute(last) < 0.5
-    s5 = where(s4, 1.0, where((0.0 <= s3), 1.0, 0.0))
-    s6 = ball_radius - board_distance
-    s7 = 2.0 * ball_radius
-    s8 = where(where(where(where((x - s6) < ((s6 - s7) - x), ((s6 - s7) - x), (x - s6)) < (-(board_half_width + y)), (-(board_half_width + y)), where((x - s6) < ((s6 - s7) - x), ((s6 - s7) - x), (x - s6))) < (y - board_half_width), (y - board_half_width), where(where((x - s6) < ((s6 - s7) - x), ((s6 - s7) - x), (x - s6)) < (-(board_half_width + y)), (-(board_half_width + y)), where((x - s6) < ((s6 - s7) - x), ((s6 - s7) - x), (x - s6)))) < (board_bottom - z), (board_bottom - z), where(where(where((x - s6) < ((s6 - s7) - x), ((s6 - s7) - x), (x - s6)) < (-(board_half_width + y)), (-(board_half_width + y)), where((x - s6) < ((s6 - s7) - x), ((s6 - s7) - x), (x - s6))) < (y - board_half_width), (y - board_half_width), where(where((x - s6) < ((s6 - s7) - x), ((s6 - s7) - x), (x - s6)) < (-(board_half_width + y)), (-(board_half_width + y)), where((x - s6) < ((s6 - s7) - x), ((s6 - s7) - x), (x - s6)))))
-    s9 = where(s8 < (z - board_top), (z - board_top), s8)
-    s10 = absolute((last - 1.0)) < 0.5
-    s11 = where(s10, s5, where((0.0 <= s9), s5, 0.0))
-    s12 = where(where(where((z - s2) < (((s2 - s7) - (2.0 * wire_radius)) - z), (((s2 - s7) - (2.0 * wire_radius)) - z), (z - s2)) < (-(bridge_half_width + y)), (-(bridge_half_width + y)), where((z - s2) < (((s2 - s7) - (2.0 * wire_radius)) - z), (((s2 - s7) - (2.0 * wire_radius)) - z), (z - s2))) < (y - bridge_half_width), (y - bridge_half_width), where(where((z - s2) < (((s2 - s7) - (2.0 * wire_radius)) - z), (((s2 - s7) - (2.0 * wire_radius)) - z), (z - s2)) < (-(bridge_half_width + y)), (-(bridge_half_width + y)), where((z - s2) < (((s2 - s7) - (2.0 * wire_radius)) - z), (((s2 - s7) - (2.0 * wire_radius)) - z), (z - s2))))
-    s13 = where(where(where(s12 < (ring_radius - s0), (ring_radius - s0), s12) < x, x, where(s12 < (ring_radius - s0), (ring_radius - s0), s12)) < (-(board_distance + x)), (-(board_distance + x)), where(where(s12 < (ring_radius - s0), (ring_radius - s0), s12) < x, x, where(s12 < (ring_radius - s0), (ring_radius - s0), s12)))
-    s14 = absolute((last - 2.0)) < 0.5
-    s15 = ((((absolute(ball_radius) + absolute(board_bottom)) + absolute(board_distance)) + absolute(board_half_width)) + absolute(board_top)) + absolute(bridge_half_width)
-    s16 = ((((s15 + absolute(end_depth)) + absolute(ring_radius)) + absolute(wire_radius)) + absolute(x)) + absolute(y)
-    s17 = 1.7763568394002505e-15 * (s16 + absolute(z))
-    s18 = where(s4, 0.0, where((absolute(s3) <= (((4.0 * ball_radius) + (4.0 * wire_radius)) * s17)), 1.0, 0.0))
-    s19 = where(s10, s18, where((absolute(s9) <= s17), 1.0, s18))
-    return where(s14, s11, where((0.0 <= s13), s11, 0.0)), where(s14, s19, where((absolute(s13) <= s17), 1.0, s19))
+    _s0 = _sqrt(((x * x) + (y * y)))
+    _s1 = _s0 - p_ring_radius
+    _s2 = p_ball_radius + p_wire_radius
+    _s3 = ((z * z) + (_s1 * _s1)) - (_s2 * _s2)
+    _s4 = _absolute(last) < 0.5
+    _s5 = _where(_s4, 1.0, _where((0.0 <= _s3), 1.0, 0.0))
+    _s6 = p_ball_radius - p_board_distance
+    _s7 = 2.0 * p_ball_radius
+    _s8 = _where(_where(_where(_where((x - _s6) < ((_s6 - _s7) - x), ((_s6 - _s7) - x), (x - _s6)) < (-(p_board_half_width + y)), (-(p_board_half_width + y)), _where((x - _s6) < ((_s6 - _s7) - x), ((_s6 - _s7) - x), (x - _s6))) < (y - p_board_half_width), (y - p_board_half_width), _where(_where((x - _s6) < ((_s6 - _s7) - x), ((_s6 - _s7) - x), (x - _s6)) < (-(p_board_half_width + y)), (-(p_board_half_width + y)), _where((x - _s6) < ((_s6 - _s7) - x), ((_s6 - _s7) - x), (x - _s6)))) < (p_board_bottom - z), (p_board_bottom - z), _where(_where(_where((x - _s6) < ((_s6 - _s7) - x), ((_s6 - _s7) - x), (x - _s6)) < (-(p_board_half_width + y)), (-(p_board_half_width + y)), _where((x - _s6) < ((_s6 - _s7) - x), ((_s6 - _s7) - x), (x - _s6))) < (y - p_board_half_width), (y - p_board_half_width), _where(_where((x - _s6) < ((_s6 - _s7) - x), ((_s6 - _s7) - x), (x - _s6)) < (-(p_board_half_width + y)), (-(p_board_half_width + y)), _where((x - _s6) < ((_s6 - _s7) - x), ((_s6 - _s7) - x), (x - _s6)))))
+    _s9 = _where(_s8 < (z - p_board_top), (z - p_board_top), _s8)
+    _s10 = _absolute((last - 1.0)) < 0.5
+    _s11 = _where(_s10, _s5, _where((0.0 <= _s9), _s5, 0.0))
+    _s12 = _where(_where(_where((z - _s2) < (((_s2 - _s7) - (2.0 * p_wire_radius)) - z), (((_s2 - _s7) - (2.0 * p_wire_radius)) - z), (z - _s2)) < (-(p_bridge_half_width + y)), (-(p_bridge_half_width + y)), _where((z - _s2) < (((_s2 - _s7) - (2.0 * p_wire_radius)) - z), (((_s2 - _s7) - (2.0 * p_wire_radius)) - z), (z - _s2))) < (y - p_bridge_half_width), (y - p_bridge_half_width), _where(_where((z - _s2) < (((_s2 - _s7) - (2.0 * p_wire_radius)) - z), (((_s2 - _s7) - (2.0 * p_wire_radius)) - z), (z - _s2)) < (-(p_bridge_half_width + y)), (-(p_bridge_half_width + y)), _where((z - _s2) < (((_s2 - _s7) - (2.0 * p_wire_radius)) - z), (((_s2 - _s7) - (2.0 * p_wire_radius)) - z), (z - _s2))))
+    _s13 = _where(_where(_where(_s12 < (p_ring_radius - _s0), (p_ring_radius - _s0), _s12) < x, x, _where(_s12 < (p_ring_radius - _s0), (p_ring_radius - _s0), _s12)) < (-(p_board_distance + x)), (-(p_board_distance + x)), _where(_where(_s12 < (p_ring_radius - _s0), (p_ring_radius - _s0), _s12) < x, x, _where(_s12 < (p_ring_radius - _s0), (p_ring_radius - _s0), _s12)))
+    _s14 = _absolute((last - 2.0)) < 0.5
+    _s15 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_top)) + _absolute(p_bridge_half_width)
+    _s16 = ((((_s15 + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)) + _absolute(x)) + _absolute(y)
+    _s17 = 1.7763568394002505e-15 * (_s16 + _absolute(z))
+    _s18 = _where(_s4, 0.0, _where((_absolute(_s3) <= (((4.0 * p_ball_radius) + (4.0 * p_wire_radius)) * _s17)), 1.0, 0.0))
+    _s19 = _where(_s10, _s18, _where((_absolute(_s9) <= _s17), 1.0, _s18))
+    return _where(_s14, _s11, _where((0.0 <= _s13), _s11, 0.0)), _where(_s14, _s19, _where((_absolute(_s13) <= _s17), 1.0, _s19))
 
 
-def target(x: Any, y: Any, ring_radius: Any) -> tuple[Any, ...]:
+def target(x: Any, y: Any, p_ring_radius: Any) -> tuple[Any, ...]:
     """Not positive where a crossing of the end plane is made.
 
     Table 2, success. 5 operations: 1 addition, 1 subtraction, 2 multiplications, 1 square root.
     Returns target.
     """
-    return sqrt(((x * x) + (y * y))) - ring_radius,
+    return _sqrt(((x * x) + (y * y))) - p_ring_radius,
 
 
 def left(index: Any, last: Any) -> tuple[Any, ...]:
@@ -487,7 +499,7 @@ def left(index: Any, last: Any) -> tuple[Any, ...]:
     Table 1. 2 operations: 1 comparison, 1 selection.
     Returns leaving.
     """
-    return where((last == index), 1.0, 0.0),
+    return _where((last == index), 1.0, 0.0),
 
 
 def meeting_plane(bend: Any, rate: Any, time: Any) -> tuple[Any, ...]:
@@ -496,8 +508,8 @@ def meeting_plane(bend: Any, rate: Any, time: Any) -> tuple[Any, ...]:
     Table 1. 12 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction.
     Returns arrives, ceiling.
     """
-    s0 = logical_and(logical_and(logical_or((rate < 0.0), logical_and(logical_and((rate <= 0.0), (bend < 0.0)), (time == 0.0))), (0.0 <= time)), (time < inf))
-    return s0, absolute(bend)
+    _s0 = _logical_and(_logical_and(_logical_or((rate < 0.0), _logical_and(_logical_and((rate <= 0.0), (bend < 0.0)), (time == 0.0))), (0.0 <= time)), (time < _inf))
+    return _s0, _absolute(bend)
 
 
 def timely(arrives: Any, delay: Any, late: Any, time: Any, when: Any) -> tuple[Any, ...]:
@@ -506,7 +518,7 @@ def timely(arrives: Any, delay: Any, late: Any, time: Any, when: Any) -> tuple[A
     Table 1. 5 operations: 1 addition, 1 subtraction, 1 comparison, 1 conjunction, 1 complement.
     Returns possible.
     """
-    return logical_and(arrives, logical_not(((delay + late) < (time - when)))),
+    return _logical_and(arrives, _logical_not(((delay + late) < (time - when)))),
 
 
 def grazed(apex: Any, doubt: Any, height: Any, margin: Any) -> tuple[Any, ...]:
@@ -515,7 +527,7 @@ def grazed(apex: Any, doubt: Any, height: Any, margin: Any) -> tuple[Any, ...]:
     Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection.
     Returns doubt.
     """
-    return where(logical_and(logical_and((0.0 <= apex), (absolute(height) <= margin)), (apex < doubt)), apex, doubt),
+    return _where(_logical_and(_logical_and((0.0 <= apex), (_absolute(height) <= margin)), (apex < doubt)), apex, doubt),
 
 
 def questioned(doubt: Any, time: Any, unsure: Any) -> tuple[Any, ...]:
@@ -524,7 +536,7 @@ def questioned(doubt: Any, time: Any, unsure: Any) -> tuple[Any, ...]:
     Table 1. 3 operations: 1 comparison, 1 conjunction, 1 selection.
     Returns doubt.
     """
-    return where(logical_and(unsure, (time < doubt)), time, doubt),
+    return _where(_logical_and(unsure, (time < doubt)), time, doubt),
 
 
 def crossed(arrives: Any, clearance: Any, doubt: Any, time: Any) -> tuple[Any, ...]:
@@ -533,7 +545,7 @@ def crossed(arrives: Any, clearance: Any, doubt: Any, time: Any) -> tuple[Any, .
     Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection.
     Returns doubt.
     """
-    return where(logical_and(logical_and(arrives, logical_not((0.0 < clearance))), (time < doubt)), time, doubt),
+    return _where(_logical_and(_logical_and(arrives, _logical_not((0.0 < clearance))), (time < doubt)), time, doubt),
 
 
 def tied(arrives: Any, delay: Any, doubt: Any, late: Any, time: Any, when: Any) -> tuple[Any, ...]:
@@ -542,10 +554,10 @@ def tied(arrives: Any, delay: Any, doubt: Any, late: Any, time: Any, when: Any) 
     Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections.
     Returns doubt, late.
     """
-    s0 = time < when
-    s1 = where(s0, time, when)
-    s2 = where(logical_and(logical_and(arrives, (absolute((time - when)) <= (delay + late))), (s1 < doubt)), s1, doubt)
-    return s2, where(logical_and(arrives, s0), delay, late)
+    _s0 = time < when
+    _s1 = _where(_s0, time, when)
+    _s2 = _where(_logical_and(_logical_and(arrives, (_absolute((time - when)) <= (delay + late))), (_s1 < doubt)), _s1, doubt)
+    return _s2, _where(_logical_and(arrives, _s0), delay, late)
 
 
 def sooner(arrives: Any, index: Any, time: Any, when: Any, which: Any) -> tuple[Any, ...]:
@@ -554,8 +566,8 @@ def sooner(arrives: Any, index: Any, time: Any, when: Any, which: Any) -> tuple[
     Table 1. 4 operations: 1 comparison, 1 conjunction, 2 selections.
     Returns when, which.
     """
-    s0 = logical_and(arrives, (time < when))
-    return where(s0, time, when), where(s0, index, which)
+    _s0 = _logical_and(arrives, (time < when))
+    return _where(_s0, time, when), _where(_s0, index, which)
 
 
 def opens(clear: Any) -> tuple[Any, ...]:
@@ -564,7 +576,7 @@ def opens(clear: Any) -> tuple[Any, ...]:
     Table 1. 2 operations: 1 comparison, 1 complement.
     Returns open.
     """
-    return logical_not((0.0 < clear)),
+    return _logical_not((0.0 < clear)),
 
 
 def beginning() -> tuple[Any, ...]:
@@ -573,7 +585,7 @@ def beginning() -> tuple[Any, ...]:
     Table 1. No operations.
     Returns share, arrival, certain.
     """
-    return 2.9802322387695312e-08, inf, False
+    return 2.9802322387695312e-08, _inf, False
 
 
 def beyond(doubt: Any, excess: Any, late: Any, lost: Any, pad: Any) -> tuple[Any, ...]:
@@ -582,7 +594,7 @@ def beyond(doubt: Any, excess: Any, late: Any, lost: Any, pad: Any) -> tuple[Any
     Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection.
     Returns doubt.
     """
-    return where(logical_or(logical_or((0.0 < excess), (0.0 < lost)), (pad < late)), 0.0, doubt),
+    return _where(_logical_or(_logical_or((0.0 < excess), (0.0 < lost)), (pad < late)), 0.0, doubt),
 
 
 def nearby(flat: Any, index: Any, last: Any, t: Any, tilt: Any) -> tuple[Any, ...]:
@@ -591,9 +603,9 @@ def nearby(flat: Any, index: Any, last: Any, t: Any, tilt: Any) -> tuple[Any, ..
     Table 1. 6 operations: 1 multiplication, 2 comparisons, 1 conjunction, 2 selections.
     Returns leaving, margin.
     """
-    s0 = t * tilt
-    s1 = logical_and((last == index), (s0 < flat))
-    return where(s1, 1.0, 0.0), where(s1, s0, flat)
+    _s0 = t * tilt
+    _s1 = _logical_and((last == index), (_s0 < flat))
+    return _where(_s1, 1.0, 0.0), _where(_s1, _s0, flat)
 
 
 def struck(bend: Any, clearance: Any, gap: Any, margin: Any, rate: Any, rate_margin: Any, share: Any) -> tuple[Any, ...]:
@@ -602,12 +614,12 @@ def struck(bend: Any, clearance: Any, gap: Any, margin: Any, rate: Any, rate_mar
     Table 1. 17 operations: 1 subtraction, 6 comparisons, 6 conjunctions, 2 disjunctions, 2 complements.
     Returns hit, sure, vague.
     """
-    s0 = logical_or((rate < 0.0), logical_and((rate <= rate_margin), (bend < 0.0)))
-    s1 = 0.0 < clearance
-    s2 = logical_and(s0, logical_or(((gap - margin) <= margin), s1))
-    s3 = logical_and(s0, s1)
-    s4 = logical_and(logical_and(s2, logical_not(s3)), (0.0 < share))
-    return logical_and(s2, logical_not(s4)), s3, s4
+    _s0 = _logical_or((rate < 0.0), _logical_and((rate <= rate_margin), (bend < 0.0)))
+    _s1 = 0.0 < clearance
+    _s2 = _logical_and(_s0, _logical_or(((gap - margin) <= margin), _s1))
+    _s3 = _logical_and(_s0, _s1)
+    _s4 = _logical_and(_logical_and(_s2, _logical_not(_s3)), (0.0 < share))
+    return _logical_and(_s2, _logical_not(_s4)), _s3, _s4
 
 
 def finer(share: Any) -> tuple[Any, ...]:
@@ -616,7 +628,7 @@ def finer(share: Any) -> tuple[Any, ...]:
     Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection.
     Returns share.
     """
-    return where((2.842170943040401e-14 < share), (0.03125 * share), 0.0),
+    return _where((2.842170943040401e-14 < share), (0.03125 * share), 0.0),
 
 
 def exceeded(doubt: Any, excess: Any, t: Any) -> tuple[Any, ...]:
@@ -625,7 +637,7 @@ def exceeded(doubt: Any, excess: Any, t: Any) -> tuple[Any, ...]:
     Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection.
     Returns doubt.
     """
-    return where(logical_and((0.0 < excess), (t < doubt)), t, doubt),
+    return _where(_logical_and((0.0 < excess), (t < doubt)), t, doubt),
 
 
 def advanced(arrival: Any, certain: Any, end: Any, hit: Any, next: Any, root: Any, step: Any, sure: Any, t: Any, vague: Any) -> tuple[Any, ...]:
@@ -634,9 +646,9 @@ def advanced(arrival: Any, certain: Any, end: Any, hit: Any, next: Any, root: An
     Table 1. 14 operations: 1 subtraction, 1 comparison, 4 conjunctions, 2 disjunctions, 3 complements, 3 selections.
     Returns arrival, certain, exhausted, searching, t.
     """
-    s0 = logical_not(hit)
-    s1 = logical_and(logical_and(s0, logical_not(vague)), ((end - t) <= step))
-    return where(hit, where(sure, root, t), arrival), logical_or(certain, logical_and(hit, sure)), s1, logical_and(s0, logical_not(s1)), where(logical_or(hit, vague), t, next)
+    _s0 = _logical_not(hit)
+    _s1 = _logical_and(_logical_and(_s0, _logical_not(vague)), ((end - t) <= step))
+    return _where(hit, _where(sure, root, t), arrival), _logical_or(certain, _logical_and(hit, sure)), _s1, _logical_and(_s0, _logical_not(_s1)), _where(_logical_or(hit, vague), t, next)
 
 
 def found(arrival: Any) -> tuple[Any, ...]:
@@ -645,7 +657,7 @@ def found(arrival: Any) -> tuple[Any, ...]:
     Table 1. 1 operation: 1 comparison.
     Returns arrives.
     """
-    return arrival < inf,
+    return arrival < _inf,
 
 
 def polished(arrival: Any, certain: Any, refined: Any) -> tuple[Any, ...]:
@@ -654,7 +666,7 @@ def polished(arrival: Any, certain: Any, refined: Any) -> tuple[Any, ...]:
     Table 1. 1 operation: 1 selection.
     Returns arrival.
     """
-    return where(certain, refined, arrival),
+    return _where(certain, refined, arrival),
 
 
 def own_margin(arrival: Any, flat: Any, leaving: Any, tilt: Any) -> tuple[Any, ...]:
@@ -663,7 +675,7 @@ def own_margin(arrival: Any, flat: Any, leaving: Any, tilt: Any) -> tuple[Any, .
     Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection.
     Returns margin.
     """
-    return where((0.0 < leaving), (arrival * tilt), flat),
+    return _where((0.0 < leaving), (arrival * tilt), flat),
 
 
 def landed(arrival: Any) -> tuple[Any, ...]:
@@ -672,7 +684,7 @@ def landed(arrival: Any) -> tuple[Any, ...]:
     Table 1. 2 operations: 1 comparison, 1 selection.
     Returns time.
     """
-    return where((arrival < 0.0), 0.0, arrival),
+    return _where((arrival < 0.0), 0.0, arrival),
 
 
 def landed_surely(arrives: Any, certain: Any, clearance: Any, delay: Any, doubt: Any, time: Any) -> tuple[Any, ...]:
@@ -681,8 +693,8 @@ def landed_surely(arrives: Any, certain: Any, clearance: Any, delay: Any, doubt:
     Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections.
     Returns delay, doubt.
     """
-    s0 = logical_and(certain, (0.0 < clearance))
-    return where(s0, delay, 0.0), where(logical_and(logical_and(arrives, logical_not(s0)), (time < doubt)), time, doubt)
+    _s0 = _logical_and(certain, (0.0 < clearance))
+    return _where(_s0, delay, 0.0), _where(_logical_and(_logical_and(arrives, _logical_not(_s0)), (time < doubt)), time, doubt)
 
 
 def outside() -> tuple[Any, ...]:
@@ -700,8 +712,8 @@ def admitted(doubt: Any, finite: Any, permitted: Any, valid: Any) -> tuple[Any, 
     Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections.
     Returns outcome, uncertain.
     """
-    s0 = logical_and(permitted, finite)
-    return where(logical_and(s0, (0.0 < valid)), -1.0, 4.0), where(logical_and(s0, (0.0 < doubt)), 1.0, 0.0)
+    _s0 = _logical_and(permitted, finite)
+    return _where(_logical_and(_s0, (0.0 < valid)), -1.0, 4.0), _where(_logical_and(_s0, (0.0 < doubt)), 1.0, 0.0)
 
 
 def finite_state(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
@@ -710,9 +722,9 @@ def finite_state(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y
     Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions.
     Returns finite.
     """
-    s0 = logical_and(logical_and(logical_and(logical_and((absolute(x) < inf), (absolute(y) < inf)), (absolute(z) < inf)), (absolute(vx) < inf)), (absolute(vy) < inf))
-    s1 = logical_and(logical_and(logical_and(logical_and(s0, (absolute(vz) < inf)), (absolute(wx) < inf)), (absolute(wy) < inf)), (absolute(wz) < inf))
-    return s1,
+    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x) < _inf), (_absolute(y) < _inf)), (_absolute(z) < _inf)), (_absolute(vx) < _inf)), (_absolute(vy) < _inf))
+    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz) < _inf)), (_absolute(wx) < _inf)), (_absolute(wy) < _inf)), (_absolute(wz) < _inf))
+    return _s1,
 
 
 def opening(excess: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
@@ -721,7 +733,7 @@ def opening(excess: Any, position_error: Any, velocity_error: Any) -> tuple[Any,
     Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 selection.
     Returns when, which, late, doubt.
     """
-    return inf, -1.0, 0.0, where(logical_and(logical_and((position_error < inf), (velocity_error < inf)), (excess <= 0.0)), inf, 0.0)
+    return _inf, -1.0, 0.0, _where(_logical_and(_logical_and((position_error < _inf), (velocity_error < _inf)), (excess <= 0.0)), _inf, 0.0)
 
 
 def departed(index: Any, which: Any) -> tuple[Any, ...]:
@@ -730,10 +742,10 @@ def departed(index: Any, which: Any) -> tuple[Any, ...]:
     Table 1. 5 operations: 2 comparisons, 1 conjunction, 2 complements.
     Returns stays, moves, ends, touches.
     """
-    s0 = which < 0.0
-    s1 = logical_not(s0)
-    s2 = which == index
-    return s0, s1, s2, logical_and(s1, logical_not(s2))
+    _s0 = which < 0.0
+    _s1 = _logical_not(_s0)
+    _s2 = which == index
+    return _s0, _s1, _s2, _logical_and(_s1, _logical_not(_s2))
 
 
 def ticked(clock: Any, when: Any) -> tuple[Any, ...]:
@@ -751,8 +763,8 @@ def doubted(doubt: Any, ends: Any, late: Any, miss: Any, slack: Any, uncertain: 
     Table 1. 10 operations: 1 addition, 1 absolute value, 3 comparisons, 2 conjunctions, 1 disjunction, 1 complement, 1 selection.
     Returns uncertain.
     """
-    s0 = where(logical_or(logical_and(logical_not(((late + when) < doubt)), (doubt < inf)), logical_and(ends, (absolute(miss) <= slack))), 1.0, uncertain)
-    return s0,
+    _s0 = _where(_logical_or(_logical_and(_logical_not(((late + when) < doubt)), (doubt < _inf)), _logical_and(ends, (_absolute(miss) <= slack))), 1.0, uncertain)
+    return _s0,
 
 
 def accounted(contacts: Any, ends: Any, miss: Any, most_contacts: Any, touches: Any) -> tuple[Any, ...]:
@@ -761,8 +773,8 @@ def accounted(contacts: Any, ends: Any, miss: Any, most_contacts: Any, touches: 
     Table 1. 8 operations: 1 addition, 2 comparisons, 5 selections.
     Returns contacts, outcome.
     """
-    s0 = 1.0 + contacts
-    return where(touches, s0, contacts), where(touches, where((most_contacts <= s0), 2.0, -1.0), where(ends, where((miss <= 0.0), 0.0, 1.0), 3.0))
+    _s0 = 1.0 + contacts
+    return _where(touches, _s0, contacts), _where(touches, _where((most_contacts <= _s0), 2.0, -1.0), _where(ends, _where((miss <= 0.0), 0.0, 1.0), 3.0))
 
 
 def meeting(claims: Any, ends: Any, touches: Any) -> tuple[Any, ...]:
@@ -771,7 +783,7 @@ def meeting(claims: Any, ends: Any, touches: Any) -> tuple[Any, ...]:
     Table 1. 3 operations: 1 comparison, 1 conjunction, 1 disjunction.
     Returns meeting.
     """
-    return logical_or(touches, logical_and(ends, (0.0 < claims))),
+    return _logical_or(touches, _logical_and(ends, (0.0 < claims))),
 
 
 def here(index: Any, which: Any) -> tuple[Any, ...]:
@@ -798,7 +810,7 @@ def elsewhere() -> tuple[Any, ...]:
     Table 1. No operations.
     Returns curving.
     """
-    return inf,
+    return _inf,
 
 
 def again(index: Any, last: Any, which: Any) -> tuple[Any, ...]:
@@ -807,7 +819,7 @@ def again(index: Any, last: Any, which: Any) -> tuple[Any, ...]:
     Table 1. 3 operations: 2 comparisons, 1 conjunction.
     Returns again.
     """
-    return logical_and((which == index), (last == which)),
+    return _logical_and((which == index), (last == which)),
 
 
 def delayed(clock_error: Any, delay: Any) -> tuple[Any, ...]:
@@ -825,7 +837,7 @@ def floored(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
     Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections.
     Returns dx, dy, dz.
     """
-    return where((absolute(dx) < shift), shift, dx), where((absolute(dy) < shift), shift, dy), where((absolute(dz) < shift), shift, dz)
+    return _where((_absolute(dx) < shift), shift, dx), _where((_absolute(dy) < shift), shift, dy), _where((_absolute(dz) < shift), shift, dz)
 
 
 def unturned() -> tuple[Any, ...]:
@@ -843,7 +855,7 @@ def touched(body: Any, first: Any, which: Any) -> tuple[Any, ...]:
     Table 1. 2 operations: 1 comparison, 1 selection.
     Returns first, last.
     """
-    return where((first < 0.0), body, first), which
+    return _where((first < 0.0), body, first), which
 
 
 def closing(claims: Any, outcome: Any) -> tuple[Any, ...]:
@@ -852,7 +864,7 @@ def closing(claims: Any, outcome: Any) -> tuple[Any, ...]:
     Table 1. 3 operations: 2 comparisons, 1 conjunction.
     Returns closed.
     """
-    return logical_and((0.0 < claims), (0.0 <= outcome)),
+    return _logical_and((0.0 < claims), (0.0 <= outcome)),
 
 
 def body_of(which: Any) -> tuple[Any, ...]:
@@ -864,336 +876,336 @@ def body_of(which: Any) -> tuple[Any, ...]:
     return which,
 
 
-def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, ball_radius: Any, restitution: Any) -> tuple[Any, ...]:
+def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, p_ball_radius: Any, p_restitution: Any) -> tuple[Any, ...]:
     """Velocity and spin after a contact, frame-free.
 
     Eqs. 11-17, the frame eliminated. 63 operations: 10 additions, 12 subtractions, 40 multiplications, 1 division.
     Returns vx, vy, vz, wx, wy, wz.
     """
-    s0 = 0.4 * ball_radius
-    s1 = ((nx * vx) + (ny * vy)) + (nz * vz)
-    s2 = (s0 * ((nz * wy) - (ny * wz))) + (0.6 * (vx - (nx * s1)))
-    s3 = (s0 * ((nx * wz) - (nz * wx))) + (0.6 * (vy - (ny * s1)))
-    s4 = (s0 * ((ny * wx) - (nx * wy))) + (0.6 * (vz - (nz * s1)))
-    s5 = ((nx * wx) + (ny * wy)) + (nz * wz)
-    s6 = 1.0 / ball_radius
-    return s2 - ((nx * restitution) * s1), s3 - ((ny * restitution) * s1), s4 - ((nz * restitution) * s1), (nx * s5) + (s6 * ((ny * s4) - (nz * s3))), (ny * s5) + (s6 * ((nz * s2) - (nx * s4))), (nz * s5) + (s6 * ((nx * s3) - (ny * s2)))
+    _s0 = 0.4 * p_ball_radius
+    _s1 = ((nx * vx) + (ny * vy)) + (nz * vz)
+    _s2 = (_s0 * ((nz * wy) - (ny * wz))) + (0.6 * (vx - (nx * _s1)))
+    _s3 = (_s0 * ((nx * wz) - (nz * wx))) + (0.6 * (vy - (ny * _s1)))
+    _s4 = (_s0 * ((ny * wx) - (nx * wy))) + (0.6 * (vz - (nz * _s1)))
+    _s5 = ((nx * wx) + (ny * wy)) + (nz * wz)
+    _s6 = 1.0 / p_ball_radius
+    return _s2 - ((nx * p_restitution) * _s1), _s3 - ((ny * p_restitution) * _s1), _s4 - ((nz * p_restitution) * _s1), (nx * _s5) + (_s6 * ((ny * _s4) - (nz * _s3))), (ny * _s5) + (_s6 * ((nz * _s2) - (nx * _s4))), (nz * _s5) + (_s6 * ((nx * _s3) - (ny * _s2)))
 
 
-def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, contacts: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, ball_radius: Any, restitution: Any) -> tuple[Any, ...]:
+def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, contacts: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, p_ball_radius: Any, p_restitution: Any) -> tuple[Any, ...]:
     """Errors of velocity and spin after a contact, from those before it.
 
-    derivative of the frame-free Eq. 17, with roundings. 239 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 4 maxima, 18 comparisons, 18 selections.
+    derivative of the frame-free Eq. 17, with roundings. 243 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections.
     Returns dvx, dvy, dvz, dwx, dwy, dwz.
     """
-    s0 = 0.4 * ball_radius
-    s1 = ((nx * vx) + (ny * vy)) + (nz * vz)
-    s2 = (((((dnx * vx) + (dny * vy)) + (dnz * vz)) + (dvx * nx)) + (dvy * ny)) + (dvz * nz)
-    s3 = (s0 * ((((dnz * wy) + (dwy * nz)) - (dny * wz)) - (dwz * ny))) + (0.6 * ((dvx - (dnx * s1)) - (nx * s2)))
-    s4 = (s3 - ((dnx * restitution) * s1)) - ((nx * restitution) * s2)
-    s5 = ((ball_radius * ((absolute(wx) + absolute(wy)) + absolute(wz))) + absolute(vx)) + absolute(vy)
-    s6 = s5 + absolute(vz)
-    s7 = 2.220446049250313e-16 * s6
-    s8 = -s7
-    s9 = s4 + where((s4 < 0.0), s8, s7)
-    s10 = 8.0 + (8.0 * contacts)
-    s11 = ((ball_radius * where(where(absolute(dwx) < absolute(dwy), absolute(dwy), absolute(dwx)) < absolute(dwz), absolute(dwz), where(absolute(dwx) < absolute(dwy), absolute(dwy), absolute(dwx)))) + (turn * s6)) + where(where(absolute(dvx) < absolute(dvy), absolute(dvy), absolute(dvx)) < absolute(dvz), absolute(dvz), where(absolute(dvx) < absolute(dvy), absolute(dvy), absolute(dvx)))
-    s12 = s11 / s10
-    s13 = -s12
-    s14 = (s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (0.6 * ((dvy - (dny * s1)) - (ny * s2)))
-    s15 = (s14 - ((dny * restitution) * s1)) - ((ny * restitution) * s2)
-    s16 = s15 + where((s15 < 0.0), s8, s7)
-    s17 = (s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (0.6 * ((dvz - (dnz * s1)) - (nz * s2)))
-    s18 = (s17 - ((dnz * restitution) * s1)) - ((nz * restitution) * s2)
-    s19 = s18 + where((s18 < 0.0), s8, s7)
-    s20 = ((nx * wx) + (ny * wy)) + (nz * wz)
-    s21 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz)
-    s22 = 1.0 / ball_radius
-    s23 = (s0 * ((ny * wx) - (nx * wy))) + (0.6 * (vz - (nz * s1)))
-    s24 = (s0 * ((nx * wz) - (nz * wx))) + (0.6 * (vy - (ny * s1)))
-    s25 = ((dnx * s20) + (nx * s21)) + (s22 * ((((dny * s23) + (ny * s17)) - (dnz * s24)) - (nz * s14)))
-    s26 = s7 / ball_radius
-    s27 = -s26
-    s28 = s25 + where((s25 < 0.0), s27, s26)
-    s29 = s11 / (ball_radius * s10)
-    s30 = -s29
-    s31 = (s0 * ((nz * wy) - (ny * wz))) + (0.6 * (vx - (nx * s1)))
-    s32 = ((dny * s20) + (ny * s21)) + (s22 * ((((dnz * s31) + (nz * s3)) - (dnx * s23)) - (nx * s17)))
-    s33 = s32 + where((s32 < 0.0), s27, s26)
-    s34 = ((dnz * s20) + (nz * s21)) + (s22 * ((((dnx * s24) + (nx * s14)) - (dny * s31)) - (ny * s3)))
-    s35 = s34 + where((s34 < 0.0), s27, s26)
-    return where((absolute(s9) < s12), where((s9 < 0.0), s13, s12), s9), where((absolute(s16) < s12), where((s16 < 0.0), s13, s12), s16), where((absolute(s19) < s12), where((s19 < 0.0), s13, s12), s19), where((absolute(s28) < s29), where((s28 < 0.0), s30, s29), s28), where((absolute(s33) < s29), where((s33 < 0.0), s30, s29), s33), where((absolute(s35) < s29), where((s35 < 0.0), s30, s29), s35)
+    _s0 = 0.4 * p_ball_radius
+    _s1 = ((nx * vx) + (ny * vy)) + (nz * vz)
+    _s2 = (((((dnx * vx) + (dny * vy)) + (dnz * vz)) + (dvx * nx)) + (dvy * ny)) + (dvz * nz)
+    _s3 = (_s0 * ((((dnz * wy) + (dwy * nz)) - (dny * wz)) - (dwz * ny))) + (0.6 * ((dvx - (dnx * _s1)) - (nx * _s2)))
+    _s4 = (_s3 - ((dnx * p_restitution) * _s1)) - ((nx * p_restitution) * _s2)
+    _s5 = ((p_ball_radius * ((_absolute(wx) + _absolute(wy)) + _absolute(wz))) + _absolute(vx)) + _absolute(vy)
+    _s6 = _s5 + _absolute(vz)
+    _s7 = 2.220446049250313e-16 * _s6
+    _s8 = -_s7
+    _s9 = _s4 + _where((_s4 < 0.0), _s8, _s7)
+    _s10 = 8.0 + (8.0 * contacts)
+    _s11 = ((p_ball_radius * _where(_where(_absolute(dwx) < _absolute(dwy), _absolute(dwy), _absolute(dwx)) < _absolute(dwz), _absolute(dwz), _where(_absolute(dwx) < _absolute(dwy), _absolute(dwy), _absolute(dwx)))) + (turn * _s6)) + _where(_where(_absolute(dvx) < _absolute(dvy), _absolute(dvy), _absolute(dvx)) < _absolute(dvz), _absolute(dvz), _where(_absolute(dvx) < _absolute(dvy), _absolute(dvy), _absolute(dvx)))
+    _s12 = _s11 / _s10
+    _s13 = -_s12
+    _s14 = (_s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (0.6 * ((dvy - (dny * _s1)) - (ny * _s2)))
+    _s15 = (_s14 - ((dny * p_restitution) * _s1)) - ((ny * p_restitution) * _s2)
+    _s16 = _s15 + _where((_s15 < 0.0), _s8, _s7)
+    _s17 = (_s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (0.6 * ((dvz - (dnz * _s1)) - (nz * _s2)))
+    _s18 = (_s17 - ((dnz * p_restitution) * _s1)) - ((nz * p_restitution) * _s2)
+    _s19 = _s18 + _where((_s18 < 0.0), _s8, _s7)
+    _s20 = ((nx * wx) + (ny * wy)) + (nz * wz)
+    _s21 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz)
+    _s22 = 1.0 / p_ball_radius
+    _s23 = (_s0 * ((ny * wx) - (nx * wy))) + (0.6 * (vz - (nz * _s1)))
+    _s24 = (_s0 * ((nx * wz) - (nz * wx))) + (0.6 * (vy - (ny * _s1)))
+    _s25 = ((dnx * _s20) + (nx * _s21)) + (_s22 * ((((dny * _s23) + (ny * _s17)) - (dnz * _s24)) - (nz * _s14)))
+    _s26 = _s7 / p_ball_radius
+    _s27 = -_s26
+    _s28 = _s25 + _where((_s25 < 0.0), _s27, _s26)
+    _s29 = _s11 / (p_ball_radius * _s10)
+    _s30 = -_s29
+    _s31 = (_s0 * ((nz * wy) - (ny * wz))) + (0.6 * (vx - (nx * _s1)))
+    _s32 = ((dny * _s20) + (ny * _s21)) + (_s22 * ((((dnz * _s31) + (nz * _s3)) - (dnx * _s23)) - (nx * _s17)))
+    _s33 = _s32 + _where((_s32 < 0.0), _s27, _s26)
+    _s34 = ((dnz * _s20) + (nz * _s21)) + (_s22 * ((((dnx * _s24) + (nx * _s14)) - (dny * _s31)) - (ny * _s3)))
+    _s35 = _s34 + _where((_s34 < 0.0), _s27, _s26)
+    return _where((_absolute(_s9) < _s12), _where((_s9 < 0.0), _s13, _s12), _s9), _where((_absolute(_s16) < _s12), _where((_s16 < 0.0), _s13, _s12), _s16), _where((_absolute(_s19) < _s12), _where((_s19 < 0.0), _s13, _s12), _s19), _where((_absolute(_s28) < _s29), _where((_s28 < 0.0), _s30, _s29), _s28), _where((_absolute(_s33) < _s29), _where((_s33 < 0.0), _s30, _s29), _s33), _where((_absolute(_s35) < _s29), _where((_s35 < 0.0), _s30, _s29), _s35)
 
 
-def ring_coefficients(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+def ring_coefficients(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Coefficients in time of the event polynomial, constant first.
 
     Eq. 3 in Table 2. 64 operations: 12 additions, 8 subtractions, 43 multiplications, 1 negation.
     Returns c0, c1, c2, c3, c4, c5, c6, c7, c8.
     """
-    s0 = ring_radius * ring_radius
-    s1 = x * x
-    s2 = y * y
-    s3 = ball_radius + wire_radius
-    s4 = (((s0 + s1) + s2) + (z * z)) - (s3 * s3)
-    s5 = 4.0 * s0
-    s6 = ((2.0 * vx) * x) + ((2.0 * vy) * y)
-    s7 = s6 + ((2.0 * vz) * z)
-    s8 = 2.0 * s7
-    s9 = (vx * vx) + (vy * vy)
-    s10 = vz * vz
-    s11 = (s9 + s10) - (gravity * z)
-    s12 = (2.0 * gravity) * vz
-    s13 = gravity * gravity
-    s14 = 0.5 * s13
-    return (s4 * s4) - (s5 * (s1 + s2)), (s8 * s4) - (s5 * s6), (((2.0 * s11) * s4) + (s7 * s7)) - (s5 * s9), (s8 * s11) - (s12 * s4), ((s14 * s4) + (s11 * s11)) - (s12 * s7), (s14 * s7) - (s12 * s11), (s13 * s10) + (s14 * s11), -((0.5 * (gravity * s13)) * vz), 0.0625 * (s13 * s13)
+    _s0 = p_ring_radius * p_ring_radius
+    _s1 = x * x
+    _s2 = y * y
+    _s3 = p_ball_radius + p_wire_radius
+    _s4 = (((_s0 + _s1) + _s2) + (z * z)) - (_s3 * _s3)
+    _s5 = 4.0 * _s0
+    _s6 = ((2.0 * vx) * x) + ((2.0 * vy) * y)
+    _s7 = _s6 + ((2.0 * vz) * z)
+    _s8 = 2.0 * _s7
+    _s9 = (vx * vx) + (vy * vy)
+    _s10 = vz * vz
+    _s11 = (_s9 + _s10) - (p_gravity * z)
+    _s12 = (2.0 * p_gravity) * vz
+    _s13 = p_gravity * p_gravity
+    _s14 = 0.5 * _s13
+    return (_s4 * _s4) - (_s5 * (_s1 + _s2)), (_s8 * _s4) - (_s5 * _s6), (((2.0 * _s11) * _s4) + (_s7 * _s7)) - (_s5 * _s9), (_s8 * _s11) - (_s12 * _s4), ((_s14 * _s4) + (_s11 * _s11)) - (_s12 * _s7), (_s14 * _s7) - (_s12 * _s11), (_s13 * _s10) + (_s14 * _s11), -((0.5 * (p_gravity * _s13)) * vz), 0.0625 * (_s13 * _s13)
 
 
-def ring_deflated(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+def ring_deflated(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Coefficients of the event polynomial over t, after a contact at t = 0.
 
     Eq. 3 in Table 2, the exact root divided out. 60 operations: 11 additions, 7 subtractions, 41 multiplications, 1 negation.
     Returns c0, c1, c2, c3, c4, c5, c6, c7.
     """
-    s0 = ((2.0 * vx) * x) + ((2.0 * vy) * y)
-    s1 = s0 + ((2.0 * vz) * z)
-    s2 = ring_radius * ring_radius
-    s3 = ball_radius + wire_radius
-    s4 = (((s2 + (x * x)) + (y * y)) + (z * z)) - (s3 * s3)
-    s5 = 2.0 * s1
-    s6 = 4.0 * s2
-    s7 = (vx * vx) + (vy * vy)
-    s8 = vz * vz
-    s9 = (s7 + s8) - (gravity * z)
-    s10 = (2.0 * gravity) * vz
-    s11 = gravity * gravity
-    s12 = 0.5 * s11
-    return (s5 * s4) - (s6 * s0), (((2.0 * s9) * s4) + (s1 * s1)) - (s6 * s7), (s5 * s9) - (s10 * s4), ((s12 * s4) + (s9 * s9)) - (s10 * s1), (s12 * s1) - (s10 * s9), (s11 * s8) + (s12 * s9), -((0.5 * (gravity * s11)) * vz), 0.0625 * (s11 * s11)
+    _s0 = ((2.0 * vx) * x) + ((2.0 * vy) * y)
+    _s1 = _s0 + ((2.0 * vz) * z)
+    _s2 = p_ring_radius * p_ring_radius
+    _s3 = p_ball_radius + p_wire_radius
+    _s4 = (((_s2 + (x * x)) + (y * y)) + (z * z)) - (_s3 * _s3)
+    _s5 = 2.0 * _s1
+    _s6 = 4.0 * _s2
+    _s7 = (vx * vx) + (vy * vy)
+    _s8 = vz * vz
+    _s9 = (_s7 + _s8) - (p_gravity * z)
+    _s10 = (2.0 * p_gravity) * vz
+    _s11 = p_gravity * p_gravity
+    _s12 = 0.5 * _s11
+    return (_s5 * _s4) - (_s6 * _s0), (((2.0 * _s9) * _s4) + (_s1 * _s1)) - (_s6 * _s7), (_s5 * _s9) - (_s10 * _s4), ((_s12 * _s4) + (_s9 * _s9)) - (_s10 * _s1), (_s12 * _s1) - (_s10 * _s9), (_s11 * _s8) + (_s12 * _s9), -((0.5 * (p_gravity * _s11)) * vz), 0.0625 * (_s11 * _s11)
 
 
-def ring_normal(x: Any, y: Any, z: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any) -> tuple[Any, ...]:
+def ring_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Outward unit normal n3 at a contact.
 
     Table 2. 13 operations: 2 additions, 1 subtraction, 7 multiplications, 2 divisions, 1 square root.
     Returns nx, ny, nz.
     """
-    s0 = 1.0 / (ball_radius + wire_radius)
-    s1 = sqrt(((x * x) + (y * y)))
-    s2 = (s0 * (s1 - ring_radius)) * (1.0 / s1)
-    return x * s2, y * s2, z * s0
+    _s0 = 1.0 / (p_ball_radius + p_wire_radius)
+    _s1 = _sqrt(((x * x) + (y * y)))
+    _s2 = (_s0 * (_s1 - p_ring_radius)) * (1.0 / _s1)
+    return x * _s2, y * _s2, z * _s0
 
 
-def ring_curvature(ball_radius: Any, ring_radius: Any, wire_radius: Any) -> tuple[Any, ...]:
+def ring_curvature(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Bound on the rate at which the normal turns along the contact surface.
 
-    Table 2. 5 operations: 1 addition, 2 subtractions, 1 division, 1 minima.
+    Table 2. 6 operations: 1 addition, 2 subtractions, 1 division, 1 comparison, 1 selection.
     Returns curvature.
     """
-    return 1.0 / where(((ring_radius - ball_radius) - wire_radius) < (ball_radius + wire_radius), ((ring_radius - ball_radius) - wire_radius), (ball_radius + wire_radius)),
+    return 1.0 / _where(((p_ring_radius - p_ball_radius) - p_wire_radius) < (p_ball_radius + p_wire_radius), ((p_ring_radius - p_ball_radius) - p_wire_radius), (p_ball_radius + p_wire_radius)),
 
 
-def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any) -> tuple[Any, ...]:
+def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """Error of the normal, from that of the position.
 
-    derivative of Table 2's normal. 37 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 minima.
+    derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection.
     Returns dnx, dny, dnz, turn.
     """
-    s0 = ball_radius + wire_radius
-    s1 = 1.0 / s0
-    s2 = sqrt(((x * x) + (y * y)))
-    s3 = s2 - ring_radius
-    s4 = 1.0 / s2
-    s5 = (s1 * s3) * s4
-    s6 = (0.5 * (((2.0 * dx) * x) + ((2.0 * dy) * y))) / s2
-    s7 = ((s6 * s1) * s4) + (((-(s6 * (s4 * s4))) * s1) * s3)
-    return (dx * s5) + (x * s7), (dy * s5) + (y * s7), dz * s1, shift * (1.0 / where(((ring_radius - ball_radius) - wire_radius) < s0, ((ring_radius - ball_radius) - wire_radius), s0))
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = 1.0 / _s0
+    _s2 = _sqrt(((x * x) + (y * y)))
+    _s3 = _s2 - p_ring_radius
+    _s4 = 1.0 / _s2
+    _s5 = (_s1 * _s3) * _s4
+    _s6 = (0.5 * (((2.0 * dx) * x) + ((2.0 * dy) * y))) / _s2
+    _s7 = ((_s6 * _s1) * _s4) + (((-(_s6 * (_s4 * _s4))) * _s1) * _s3)
+    return (dx * _s5) + (x * _s7), (dy * _s5) + (y * _s7), dz * _s1, shift * (1.0 / _where(((p_ring_radius - p_ball_radius) - p_wire_radius) < _s0, ((p_ring_radius - p_ball_radius) - p_wire_radius), _s0))
 
 
-def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Positive if there certainly is no contact before the horizon.
 
-    bounds of the event condition. 144 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 2 maxima, 13 comparisons, 13 selections.
+    bounds of the event condition. 146 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 15 comparisons, 15 selections.
     Returns clear.
     """
-    s0 = ball_radius + wire_radius
-    s1 = position_error + (horizon * velocity_error)
-    s2 = 1.00006103515625 * s0
-    s3 = ring_radius + s2
-    s4 = vz * vz
-    s5 = s4 + ((2.0 * gravity) * (z - s2))
-    s6 = 1.0 / gravity
-    s7 = sqrt(s5)
-    s8 = s6 * (vz - s7)
-    s9 = s6 * (vz + s7)
-    s10 = x + (vx * s9)
-    s11 = y + (vy * s9)
-    s12 = (s10 * s10) + (s11 * s11)
-    s13 = sqrt(s12)
-    s14 = s13 - ring_radius
-    s15 = z + ((vz - ((0.5 * gravity) * s9)) * s9)
-    s16 = s3 * s3
-    s17 = 9.313225746154785e-10 * s16
-    s18 = (((s14 * s14) + (s15 * s15)) - (s0 * s0)) - s17
-    s19 = (vx * vx) + (vy * vy)
-    s20 = where((ring_radius - s2) < (0.0001220703125 * ring_radius), (0.0001220703125 * ring_radius), (ring_radius - s2))
-    s21 = s20 * s20
-    s22 = s20 * s21
-    s23 = ((((2.0 * s4) + ((4.0 * gravity) * z)) + (2.0 * s19)) - ((6.0003662109375 * gravity) * s0)) * s22
-    s24 = (vy * x) - (vx * y)
-    s25 = s24 * s24
-    s26 = s23 - ((2.0 * ring_radius) * s25)
-    s27 = (s14 * ((vx * s10) + (vy * s11))) + ((s15 * (vz - (gravity * s9))) * s13)
-    s28 = x + (horizon * vx)
-    s29 = y + (horizon * vy)
-    s30 = where(((((s17 + (s28 * s28)) + (s29 * s29)) - s21) < 0.0), 1.0, where((((s19 * (s17 + s21)) - s25) < 0.0), 1.0, 0.0))
-    s31 = where(((((4.0 * (s27 * s27)) * s22) - (((2.0 * s26) * s12) * s18)) < 0.0), s30, 0.0)
-    s32 = where((horizon < (s9 - (9.313225746154785e-10 * horizon))), 1.0, where((0.0 < s18), where((0.0 < s26), s31, 0.0), 0.0))
-    s33 = (vx * x) + (vy * y)
-    s34 = (s8 * s19) + s33
-    s35 = where((s34 < 0.0), where((s16 < ((s8 * (s33 + s34)) + ((x * x) + (y * y)))), s32, 0.0), 0.0)
-    s36 = where(((extent + (horizon * (speed + (gravity * horizon)))) < (65536.0 * s3)), where((0.0 < s5), where((s8 < 0.0), s32, s35), 0.0), 0.0)
-    s37 = where((0.0 < where(((0.000244140625 * ring_radius) - (ring_radius - s0)) < ((s1 - (1.52587890625e-05 * ball_radius)) - (1.52587890625e-05 * wire_radius)), ((s1 - (1.52587890625e-05 * ball_radius)) - (1.52587890625e-05 * wire_radius)), ((0.000244140625 * ring_radius) - (ring_radius - s0)))), 0.0, where((s1 < (5.820766091346741e-11 * s3)), s36, 0.0))
-    return s37,
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = position_error + (horizon * velocity_error)
+    _s2 = 1.00006103515625 * _s0
+    _s3 = p_ring_radius + _s2
+    _s4 = vz * vz
+    _s5 = _s4 + ((2.0 * p_gravity) * (z - _s2))
+    _s6 = 1.0 / p_gravity
+    _s7 = _sqrt(_s5)
+    _s8 = _s6 * (vz - _s7)
+    _s9 = _s6 * (vz + _s7)
+    _s10 = x + (vx * _s9)
+    _s11 = y + (vy * _s9)
+    _s12 = (_s10 * _s10) + (_s11 * _s11)
+    _s13 = _sqrt(_s12)
+    _s14 = _s13 - p_ring_radius
+    _s15 = z + ((vz - ((0.5 * p_gravity) * _s9)) * _s9)
+    _s16 = _s3 * _s3
+    _s17 = 9.313225746154785e-10 * _s16
+    _s18 = (((_s14 * _s14) + (_s15 * _s15)) - (_s0 * _s0)) - _s17
+    _s19 = (vx * vx) + (vy * vy)
+    _s20 = _where((p_ring_radius - _s2) < (0.0001220703125 * p_ring_radius), (0.0001220703125 * p_ring_radius), (p_ring_radius - _s2))
+    _s21 = _s20 * _s20
+    _s22 = _s20 * _s21
+    _s23 = ((((2.0 * _s4) + ((4.0 * p_gravity) * z)) + (2.0 * _s19)) - ((6.0003662109375 * p_gravity) * _s0)) * _s22
+    _s24 = (vy * x) - (vx * y)
+    _s25 = _s24 * _s24
+    _s26 = _s23 - ((2.0 * p_ring_radius) * _s25)
+    _s27 = (_s14 * ((vx * _s10) + (vy * _s11))) + ((_s15 * (vz - (p_gravity * _s9))) * _s13)
+    _s28 = x + (horizon * vx)
+    _s29 = y + (horizon * vy)
+    _s30 = _where(((((_s17 + (_s28 * _s28)) + (_s29 * _s29)) - _s21) < 0.0), 1.0, _where((((_s19 * (_s17 + _s21)) - _s25) < 0.0), 1.0, 0.0))
+    _s31 = _where(((((4.0 * (_s27 * _s27)) * _s22) - (((2.0 * _s26) * _s12) * _s18)) < 0.0), _s30, 0.0)
+    _s32 = _where((horizon < (_s9 - (9.313225746154785e-10 * horizon))), 1.0, _where((0.0 < _s18), _where((0.0 < _s26), _s31, 0.0), 0.0))
+    _s33 = (vx * x) + (vy * y)
+    _s34 = (_s8 * _s19) + _s33
+    _s35 = _where((_s34 < 0.0), _where((_s16 < ((_s8 * (_s33 + _s34)) + ((x * x) + (y * y)))), _s32, 0.0), 0.0)
+    _s36 = _where(((extent + (horizon * (speed + (p_gravity * horizon)))) < (65536.0 * _s3)), _where((0.0 < _s5), _where((_s8 < 0.0), _s32, _s35), 0.0), 0.0)
+    _s37 = _where((0.0 < _where(((0.000244140625 * p_ring_radius) - (p_ring_radius - _s0)) < ((_s1 - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)), ((_s1 - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)), ((0.000244140625 * p_ring_radius) - (p_ring_radius - _s0)))), 0.0, _where((_s1 < (5.820766091346741e-11 * _s3)), _s36, 0.0))
+    return _s37,
 
 
-def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Constants and windows of the search along a flight, and the errors it allows for.
 
-    bounds of the event condition. 153 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 16 maxima, 8 minima, 6 comparisons, 13 selections.
+    bounds of the event condition. 177 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections.
     Returns steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, lost.
     """
-    s0 = vz * vz
-    s1 = (vx * vx) + (vy * vy)
-    s2 = ((2.0 * s0) + ((4.0 * gravity) * z)) + (2.0 * s1)
-    s3 = (vy * x) - (vx * y)
-    s4 = s3 * s3
-    s5 = (2.0 * ring_radius) * s4
-    s6 = (x * x) + (y * y)
-    s7 = ball_radius + wire_radius
-    s8 = 1.00006103515625 * s7
-    s9 = 2.0 * gravity
-    s10 = 8.881784197001252e-16 * (s0 + (s9 * (absolute(z) + s8)))
-    s11 = (s0 + (s9 * (z + s8))) + s10
-    s12 = 1.0 / gravity
-    s13 = sqrt(s11)
-    s14 = 1.7763568394002505e-15 * (absolute(vz) + s13)
-    s15 = 0.0 <= s11
-    s16 = where(s15, (s12 * ((vz - s13) - s14)), inf)
-    s17 = ring_radius + s8
-    s18 = s17 * s17
-    s19 = (1.7763568394002505e-15 * s1) * (s18 + s6)
-    s20 = ((s18 * s1) + s19) - s4
-    s21 = (vx * x) + (vy * y)
-    s22 = sqrt(s20)
-    s23 = 1.7763568394002505e-15 * ((absolute(s21) + absolute(s3)) + s22)
-    s24 = 1.0 / s1
-    s25 = 0.0 <= s20
-    s26 = 2.409919865102884e-181 < s1
-    s27 = where(s26, where(s25, ((-((s21 + s22) + s23)) * s24), inf), (-inf))
-    s28 = where((ring_radius - s8) < (0.0001220703125 * ring_radius), (0.0001220703125 * ring_radius), (ring_radius - s8))
-    s29 = ((s1 * (s28 * s28)) - s19) - s4
-    s30 = sqrt(where(s29 < 0.0, 0.0, s29))
-    s31 = where(s26, where(s25, (((s22 + s23) - s21) * s24), (-inf)), inf)
-    s32 = 0.0 < where(s26, s29, 0.0)
-    s33 = where(s32, (((s23 - s21) - s30) * s24), s31)
-    s34 = (s0 + (s9 * (z - s8))) - s10
-    s35 = sqrt(where(s34 < 0.0, 0.0, s34))
-    s36 = where(s15, (s12 * ((vz + s13) + s14)), (-inf))
-    s37 = 0.0 < s34
-    s38 = where(s37, (s12 * ((vz + s14) - s35)), s36)
-    s39 = where(s33 < s38, s33, s38)
-    s40 = where(where(s32, (((s30 - s21) - s23) * s24), inf) < s33, s33, where(s32, (((s30 - s21) - s23) * s24), inf))
-    s41 = where(s16 < s40, s40, s16)
-    s42 = where(s31 < s38, s31, s38)
-    s43 = where(where(s37, (s12 * ((vz + s35) - s14)), inf) < s38, s38, where(s37, (s12 * ((vz + s35) - s14)), inf))
-    s44 = s41 <= s42
-    s45 = where(s44, s42, where(s33 < s36, s33, s36))
-    s46 = where(s31 < s36, s31, s36)
-    s47 = 1.0 / s28
-    return s2, s5, sqrt(s6), where(0.0 < where(s16 < s27, s27, s16), where(s16 < s27, s27, s16), 0.0), where(s39 < horizon, s39, horizon), where(0.0 < where(s44, s41, where(s43 < s27, s27, s43)), where(s44, s41, where(s43 < s27, s27, s43)), 0.0), where(s45 < horizon, s45, horizon), where(0.0 < where(s43 < s40, s40, s43), where(s43 < s40, s40, s43), 0.0), where(s46 < horizon, s46, horizon), (((6.0003662109375 * gravity) * s7) + (s5 * (s47 * (s47 * s47)))) + absolute(s2), where(where(where(where(0.0 < s39, s39, 0.0) < s45, s45, where(0.0 < s39, s39, 0.0)) < s46, s46, where(where(0.0 < s39, s39, 0.0) < s45, s45, where(0.0 < s39, s39, 0.0))) < horizon, where(where(where(0.0 < s39, s39, 0.0) < s45, s45, where(0.0 < s39, s39, 0.0)) < s46, s46, where(where(0.0 < s39, s39, 0.0) < s45, s45, where(0.0 < s39, s39, 0.0))), horizon), where(((0.000244140625 * ring_radius) - (ring_radius - s7)) < (((position_error + (horizon * velocity_error)) - (1.52587890625e-05 * ball_radius)) - (1.52587890625e-05 * wire_radius)), (((position_error + (horizon * velocity_error)) - (1.52587890625e-05 * ball_radius)) - (1.52587890625e-05 * wire_radius)), ((0.000244140625 * ring_radius) - (ring_radius - s7)))
+    _s0 = vz * vz
+    _s1 = (vx * vx) + (vy * vy)
+    _s2 = ((2.0 * _s0) + ((4.0 * p_gravity) * z)) + (2.0 * _s1)
+    _s3 = (vy * x) - (vx * y)
+    _s4 = _s3 * _s3
+    _s5 = (2.0 * p_ring_radius) * _s4
+    _s6 = (x * x) + (y * y)
+    _s7 = p_ball_radius + p_wire_radius
+    _s8 = 1.00006103515625 * _s7
+    _s9 = 2.0 * p_gravity
+    _s10 = 8.881784197001252e-16 * (_s0 + (_s9 * (_absolute(z) + _s8)))
+    _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
+    _s12 = 1.0 / p_gravity
+    _s13 = _sqrt(_s11)
+    _s14 = 1.7763568394002505e-15 * (_absolute(vz) + _s13)
+    _s15 = 0.0 <= _s11
+    _s16 = _where(_s15, (_s12 * ((vz - _s13) - _s14)), _inf)
+    _s17 = p_ring_radius + _s8
+    _s18 = _s17 * _s17
+    _s19 = (1.7763568394002505e-15 * _s1) * (_s18 + _s6)
+    _s20 = ((_s18 * _s1) + _s19) - _s4
+    _s21 = (vx * x) + (vy * y)
+    _s22 = _sqrt(_s20)
+    _s23 = 1.7763568394002505e-15 * ((_absolute(_s21) + _absolute(_s3)) + _s22)
+    _s24 = 1.0 / _s1
+    _s25 = 0.0 <= _s20
+    _s26 = 2.409919865102884e-181 < _s1
+    _s27 = _where(_s26, _where(_s25, ((-((_s21 + _s22) + _s23)) * _s24), _inf), (-_inf))
+    _s28 = _where((p_ring_radius - _s8) < (0.0001220703125 * p_ring_radius), (0.0001220703125 * p_ring_radius), (p_ring_radius - _s8))
+    _s29 = ((_s1 * (_s28 * _s28)) - _s19) - _s4
+    _s30 = _sqrt(_where(_s29 < 0.0, 0.0, _s29))
+    _s31 = _where(_s26, _where(_s25, (((_s22 + _s23) - _s21) * _s24), (-_inf)), _inf)
+    _s32 = 0.0 < _where(_s26, _s29, 0.0)
+    _s33 = _where(_s32, (((_s23 - _s21) - _s30) * _s24), _s31)
+    _s34 = (_s0 + (_s9 * (z - _s8))) - _s10
+    _s35 = _sqrt(_where(_s34 < 0.0, 0.0, _s34))
+    _s36 = _where(_s15, (_s12 * ((vz + _s13) + _s14)), (-_inf))
+    _s37 = 0.0 < _s34
+    _s38 = _where(_s37, (_s12 * ((vz + _s14) - _s35)), _s36)
+    _s39 = _where(_s33 < _s38, _s33, _s38)
+    _s40 = _where(_where(_s32, (((_s30 - _s21) - _s23) * _s24), _inf) < _s33, _s33, _where(_s32, (((_s30 - _s21) - _s23) * _s24), _inf))
+    _s41 = _where(_s16 < _s40, _s40, _s16)
+    _s42 = _where(_s31 < _s38, _s31, _s38)
+    _s43 = _where(_where(_s37, (_s12 * ((vz + _s35) - _s14)), _inf) < _s38, _s38, _where(_s37, (_s12 * ((vz + _s35) - _s14)), _inf))
+    _s44 = _s41 <= _s42
+    _s45 = _where(_s44, _s42, _where(_s33 < _s36, _s33, _s36))
+    _s46 = _where(_s31 < _s36, _s31, _s36)
+    _s47 = 1.0 / _s28
+    return _s2, _s5, _sqrt(_s6), _where(0.0 < _where(_s16 < _s27, _s27, _s16), _where(_s16 < _s27, _s27, _s16), 0.0), _where(_s39 < horizon, _s39, horizon), _where(0.0 < _where(_s44, _s41, _where(_s43 < _s27, _s27, _s43)), _where(_s44, _s41, _where(_s43 < _s27, _s27, _s43)), 0.0), _where(_s45 < horizon, _s45, horizon), _where(0.0 < _where(_s43 < _s40, _s40, _s43), _where(_s43 < _s40, _s40, _s43), 0.0), _where(_s46 < horizon, _s46, horizon), (((6.0003662109375 * p_gravity) * _s7) + (_s5 * (_s47 * (_s47 * _s47)))) + _absolute(_s2), _where(_where(_where(_where(0.0 < _s39, _s39, 0.0) < _s45, _s45, _where(0.0 < _s39, _s39, 0.0)) < _s46, _s46, _where(_where(0.0 < _s39, _s39, 0.0) < _s45, _s45, _where(0.0 < _s39, _s39, 0.0))) < horizon, _where(_where(_where(0.0 < _s39, _s39, 0.0) < _s45, _s45, _where(0.0 < _s39, _s39, 0.0)) < _s46, _s46, _where(_where(0.0 < _s39, _s39, 0.0) < _s45, _s45, _where(0.0 < _s39, _s39, 0.0))), horizon), _where(((0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)) < (((position_error + (horizon * velocity_error)) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)), (((position_error + (horizon * velocity_error)) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)), ((0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)))
 
 
-def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
 
-    running error analysis. 45 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 maxima.
+    running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections.
     Returns margin, leaving_margin, rate_margin.
     """
-    s0 = ball_radius + wire_radius
-    s1 = speed + (gravity * horizon)
-    s2 = 1.00006103515625 * s0
-    s3 = s2 * s1
-    s4 = ring_radius + s2
-    s5 = extent + (horizon * s1)
-    s6 = (position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * s5)
-    s7 = where(1.0 < (s2 / where((ring_radius - s2) < (0.0001220703125 * ring_radius), (0.0001220703125 * ring_radius), (ring_radius - s2))), (s2 / where((ring_radius - s2) < (0.0001220703125 * ring_radius), (0.0001220703125 * ring_radius), (ring_radius - s2))), 1.0)
-    s8 = 5.0 * (((s1 * s7) * s6) + (s2 * (velocity_error + (2.220446049250313e-16 * s1))))
-    s9 = 1.0009765625 * ((((3.552713678800501e-15 * s1) * ((s5 * s7) + s4)) + (4.440892098500626e-16 * s3)) + s8)
-    return 1.0009765625 * ((((4.440892098500626e-16 * horizon) * s3) + ((1.3323489447131243e-15 * s0) * s4)) + ((5.00030517578125 * s0) * s6)), s9, 1.0009765625 * ((3.552713678800501e-15 * (s4 * s1)) + s8)
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = speed + (p_gravity * horizon)
+    _s2 = 1.00006103515625 * _s0
+    _s3 = _s2 * _s1
+    _s4 = p_ring_radius + _s2
+    _s5 = extent + (horizon * _s1)
+    _s6 = (position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s5)
+    _s7 = _where(1.0 < (_s2 / _where((p_ring_radius - _s2) < (0.0001220703125 * p_ring_radius), (0.0001220703125 * p_ring_radius), (p_ring_radius - _s2))), (_s2 / _where((p_ring_radius - _s2) < (0.0001220703125 * p_ring_radius), (0.0001220703125 * p_ring_radius), (p_ring_radius - _s2))), 1.0)
+    _s8 = 5.0 * (((_s1 * _s7) * _s6) + (_s2 * (velocity_error + (2.220446049250313e-16 * _s1))))
+    _s9 = 1.0009765625 * ((((3.552713678800501e-15 * _s1) * ((_s5 * _s7) + _s4)) + (4.440892098500626e-16 * _s3)) + _s8)
+    return 1.0009765625 * ((((4.440892098500626e-16 * horizon) * _s3) + ((1.3323489447131243e-15 * _s0) * _s4)) + ((5.00030517578125 * _s0) * _s6)), _s9, 1.0009765625 * ((3.552713678800501e-15 * (_s4 * _s1)) + _s8)
 
 
-def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Newton's next value of a root near t, and the rate there.
 
     Newton's method. 56 operations: 15 additions, 6 subtractions, 30 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection.
     Returns time, rate.
     """
-    s0 = x + (t * vx)
-    s1 = y + (t * vy)
-    s2 = sqrt(((s0 * s0) + (s1 * s1)))
-    s3 = rho_start + s2
-    s4 = 1.0 / (s3 * s2)
-    s5 = s2 - ring_radius
-    s6 = vz - ((0.5 * gravity) * t)
-    s7 = z + (t * s6)
-    s8 = 2.0 * ((((s3 * s4) * ((vx * s0) + (vy * s1))) * s5) + ((vz - (gravity * t)) * s7))
-    s9 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((vx * x) + (vy * y)))) * ((rho_start - ring_radius) + s5)) * (s2 * s4)
-    s10 = ball_radius + wire_radius
-    s11 = where((0.0 < leaving), (t * (s9 + ((z + s7) * s6))), (((s5 * s5) + (s7 * s7)) - (s10 * s10))) / s8
-    return t - s11, s8
+    _s0 = x + (t * vx)
+    _s1 = y + (t * vy)
+    _s2 = _sqrt(((_s0 * _s0) + (_s1 * _s1)))
+    _s3 = rho_start + _s2
+    _s4 = 1.0 / (_s3 * _s2)
+    _s5 = _s2 - p_ring_radius
+    _s6 = vz - ((0.5 * p_gravity) * t)
+    _s7 = z + (t * _s6)
+    _s8 = 2.0 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + ((vz - (p_gravity * t)) * _s7))
+    _s9 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
+    _s10 = p_ball_radius + p_wire_radius
+    _s11 = _where((0.0 < leaving), (t * (_s9 + ((z + _s7) * _s6))), (((_s5 * _s5) + (_s7 * _s7)) - (_s10 * _s10))) / _s8
+    return t - _s11, _s8
 
 
-def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
 
-    Newton from the left under a curvature bound. 136 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 6 maxima, 4 minima, 6 comparisons, 9 selections.
+    Newton from the left under a curvature bound. 146 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections.
     Returns gap, rate, bend, step, next, root, clearance.
     """
-    s0 = x + (t * vx)
-    s1 = y + (t * vy)
-    s2 = sqrt(((s0 * s0) + (s1 * s1)))
-    s3 = s2 - ring_radius
-    s4 = rho_start + s2
-    s5 = 1.0 / (s4 * s2)
-    s6 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((vx * x) + (vy * y)))) * ((rho_start - ring_radius) + s3)) * (s2 * s5)
-    s7 = vz - ((0.5 * gravity) * t)
-    s8 = z + (t * s7)
-    s9 = ball_radius + wire_radius
-    s10 = where((0.0 < leaving), (t * (s6 + ((z + s8) * s7))), (((s3 * s3) + (s8 * s8)) - (s9 * s9)))
-    s11 = s4 * s5
-    s12 = s11 * ((vx * s0) + (vy * s1))
-    s13 = vz - (gravity * t)
-    s14 = (s12 * s3) + (s13 * s8)
-    s15 = 2.0 * s14
-    s16 = 6.0 * gravity
-    s17 = s16 * s8
-    s18 = swing * (s11 * (s11 * s11))
-    s19 = 1.00006103515625 * s9
-    s20 = s15 - rate_margin
-    s21 = where((s10 - margin) < 0.0, 0.0, (s10 - margin))
-    s22 = s20 < 0.0
-    s23 = 2.0 * s21
-    s24 = where((0.0 < where((0.0 <= s20), s21, 0.0)), inf, (where(s22, s23, (4.0 * s20)) / where(s22, (-s20), where(0.0 < ((s17 + s18) - steady), ((s17 + s18) - steady), 0.0))))
-    s25 = where(s24 < (end - t), s24, (end - t))
-    s26 = s16 * where(s19 < ((s25 * where(s13 < 0.0, 0.0, s13)) + s8), s19, ((s25 * where(s13 < 0.0, 0.0, s13)) + s8))
-    s27 = 1.0 / where((((s25 * where(0.0 < s12, 0.0, s12)) + s2) - (9.094947017729282e-13 * (ring_radius + s19))) < where((ring_radius - s19) < (0.0001220703125 * ring_radius), (0.0001220703125 * ring_radius), (ring_radius - s19)), where((ring_radius - s19) < (0.0001220703125 * ring_radius), (0.0001220703125 * ring_radius), (ring_radius - s19)), (((s25 * where(0.0 < s12, 0.0, s12)) + s2) - (9.094947017729282e-13 * (ring_radius + s19))))
-    s28 = swing * (s27 * (s27 * s27))
-    s29 = ((s26 + s28) + (9.094947017729282e-13 * ((s28 + absolute(steady)) + absolute(s26)))) - steady
-    s30 = ((2.0 * s29) * s21) + (s20 * s20)
-    s31 = sqrt(s30)
-    s32 = where(where((0.0 <= s30), (where(s22, s23, (s20 + s31)) / where(s22, (s31 - s20), where(0.0 < s29, s29, 0.0))), inf) < s25, where((0.0 <= s30), (where(s22, s23, (s20 + s31)) / where(s22, (s31 - s20), where(0.0 < s29, s29, 0.0))), inf), s25)
-    s33 = -(rate_margin + s15)
-    return s10, s15, (steady - s17) - s18, s32, t + s32, t - ((0.5 * s10) / s14), where((0.0 < s33), ((s33 * s33) - ((8.0 * ceiling) * (margin + (32.0 * s21)))), s33)
+    _s0 = x + (t * vx)
+    _s1 = y + (t * vy)
+    _s2 = _sqrt(((_s0 * _s0) + (_s1 * _s1)))
+    _s3 = _s2 - p_ring_radius
+    _s4 = rho_start + _s2
+    _s5 = 1.0 / (_s4 * _s2)
+    _s6 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
+    _s7 = vz - ((0.5 * p_gravity) * t)
+    _s8 = z + (t * _s7)
+    _s9 = p_ball_radius + p_wire_radius
+    _s10 = _where((0.0 < leaving), (t * (_s6 + ((z + _s8) * _s7))), (((_s3 * _s3) + (_s8 * _s8)) - (_s9 * _s9)))
+    _s11 = _s4 * _s5
+    _s12 = _s11 * ((vx * _s0) + (vy * _s1))
+    _s13 = vz - (p_gravity * t)
+    _s14 = (_s12 * _s3) + (_s13 * _s8)
+    _s15 = 2.0 * _s14
+    _s16 = 6.0 * p_gravity
+    _s17 = _s16 * _s8
+    _s18 = swing * (_s11 * (_s11 * _s11))
+    _s19 = 1.00006103515625 * _s9
+    _s20 = _s15 - rate_margin
+    _s21 = _where((_s10 - margin) < 0.0, 0.0, (_s10 - margin))
+    _s22 = _s20 < 0.0
+    _s23 = 2.0 * _s21
+    _s24 = _where((0.0 < _where((0.0 <= _s20), _s21, 0.0)), _inf, (_where(_s22, _s23, (4.0 * _s20)) / _where(_s22, (-_s20), _where(0.0 < ((_s17 + _s18) - steady), ((_s17 + _s18) - steady), 0.0))))
+    _s25 = _where(_s24 < (end - t), _s24, (end - t))
+    _s26 = _s16 * _where(_s19 < ((_s25 * _where(_s13 < 0.0, 0.0, _s13)) + _s8), _s19, ((_s25 * _where(_s13 < 0.0, 0.0, _s13)) + _s8))
+    _s27 = 1.0 / _where((((_s25 * _where(0.0 < _s12, 0.0, _s12)) + _s2) - (9.094947017729282e-13 * (p_ring_radius + _s19))) < _where((p_ring_radius - _s19) < (0.0001220703125 * p_ring_radius), (0.0001220703125 * p_ring_radius), (p_ring_radius - _s19)), _where((p_ring_radius - _s19) < (0.0001220703125 * p_ring_radius), (0.0001220703125 * p_ring_radius), (p_ring_radius - _s19)), (((_s25 * _where(0.0 < _s12, 0.0, _s12)) + _s2) - (9.094947017729282e-13 * (p_ring_radius + _s19))))
+    _s28 = swing * (_s27 * (_s27 * _s27))
+    _s29 = ((_s26 + _s28) + (9.094947017729282e-13 * ((_s28 + _absolute(steady)) + _absolute(_s26)))) - steady
+    _s30 = ((2.0 * _s29) * _s21) + (_s20 * _s20)
+    _s31 = _sqrt(_s30)
+    _s32 = _where(_where((0.0 <= _s30), (_where(_s22, _s23, (_s20 + _s31)) / _where(_s22, (_s31 - _s20), _where(0.0 < _s29, _s29, 0.0))), _inf) < _s25, _where((0.0 <= _s30), (_where(_s22, _s23, (_s20 + _s31)) / _where(_s22, (_s31 - _s20), _where(0.0 < _s29, _s29, 0.0))), _inf), _s25)
+    _s33 = -(rate_margin + _s15)
+    return _s10, _s15, (steady - _s17) - _s18, _s32, t + _s32, t - ((0.5 * _s10) / _s14), _where((0.0 < _s33), ((_s33 * _s33) - ((8.0 * ceiling) * (margin + (32.0 * _s21)))), _s33)
 
 
 def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any) -> tuple[Any, ...]:
@@ -1202,19 +1214,19 @@ def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: A
     Table 1. 18 operations: 6 comparisons, 3 conjunctions, 3 disjunctions, 6 selections.
     Returns t, end, searching.
     """
-    s0 = logical_and((low0 < high0), (after <= low0))
-    s1 = logical_and((low1 < high1), (after <= low1))
-    s2 = logical_and((low2 < high2), (after <= low2))
-    return where(s0, low0, where(s1, low1, where(s2, low2, t))), where(s0, high0, where(s1, high1, where(s2, high2, end))), logical_or(logical_or(logical_or(False, s2), s1), s0)
+    _s0 = _logical_and((low0 < high0), (after <= low0))
+    _s1 = _logical_and((low1 < high1), (after <= low1))
+    _s2 = _logical_and((low2 < high2), (after <= low2))
+    return _where(_s0, low0, _where(_s1, low1, _where(_s2, low2, t))), _where(_s0, high0, _where(_s1, high1, _where(_s2, high2, end))), _logical_or(_logical_or(_logical_or(False, _s2), _s1), _s0)
 
 
-def backboard_coefficients(x: Any, vx: Any, ball_radius: Any, board_distance: Any) -> tuple[Any, ...]:
+def backboard_coefficients(x: Any, vx: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
     """Coefficients in time of the event polynomial, constant first.
 
     Eq. 3 in Table 2. 2 operations: 2 subtractions.
     Returns c0, c1.
     """
-    return x - (ball_radius - board_distance), vx
+    return x - (p_ball_radius - p_board_distance), vx
 
 
 def backboard_deflated(vx: Any) -> tuple[Any, ...]:
@@ -1244,42 +1256,42 @@ def backboard_curvature() -> tuple[Any, ...]:
     return 0.0,
 
 
-def backboard_bounds(y: Any, z: Any, board_half_width: Any, board_bottom: Any, board_top: Any) -> tuple[Any, ...]:
+def backboard_bounds(y: Any, z: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any) -> tuple[Any, ...]:
     """The g of Eq. 2: a contact counts where none is positive.
 
     Eq. 2, Table 2. 5 operations: 1 addition, 3 subtractions, 1 negation.
     Returns g0, g1, g2, g3.
     """
-    return -(board_half_width + y), y - board_half_width, board_bottom - z, z - board_top
+    return -(p_board_half_width + y), y - p_board_half_width, p_board_bottom - z, z - p_board_top
 
 
-def backboard_arrival(leaving: Any, x: Any, vx: Any, ball_radius: Any, board_distance: Any) -> tuple[Any, ...]:
+def backboard_arrival(leaving: Any, x: Any, vx: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
     """Time of the only arrival, the gap's rate there and its bend.
 
     Eq. 3 in Table 2, solved. 9 operations: 2 subtractions, 1 division, 1 negation, 1 absolute value, 2 comparisons, 2 selections.
     Returns time, rate, bend, apex, height.
     """
-    s0 = where((0.0 < leaving), 0.0, (x - (ball_radius - board_distance)))
-    return -(s0 / vx), vx, 0.0, where((absolute(vx) <= 0.0), 0.0, -1.0), s0
+    _s0 = _where((0.0 < leaving), 0.0, (x - (p_ball_radius - p_board_distance)))
+    return -(_s0 / vx), vx, 0.0, _where((_absolute(vx) <= 0.0), 0.0, -1.0), _s0
 
 
-def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, board_distance: Any, gravity: Any) -> tuple[Any, ...]:
+def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_board_distance: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Rounding-error bound of the gap up to the horizon.
 
     running error analysis. 15 operations: 7 additions, 8 multiplications.
     Returns margin.
     """
-    s0 = extent + (horizon * (speed + (gravity * horizon)))
-    return (((6.667843360785852e-16 * ball_radius) + (8.890457814381136e-16 * board_distance)) + (2.222614453595284e-16 * s0)) + (2.001953125 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * s0))),
+    _s0 = extent + (horizon * (speed + (p_gravity * horizon)))
+    return (((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance)) + (2.222614453595284e-16 * _s0)) + (2.001953125 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s0))),
 
 
-def backboard_place(y: Any, z: Any, ball_radius: Any, board_distance: Any) -> tuple[Any, ...]:
+def backboard_place(y: Any, z: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
     """The point of the contact plane nearest to a position.
 
     Table 2. 1 operation: 1 subtraction.
     Returns x, y, z.
     """
-    return ball_radius - board_distance, y, z
+    return p_ball_radius - p_board_distance, y, z
 
 
 def backboard_within(g0: Any, g1: Any, g2: Any, g3: Any) -> tuple[Any, ...]:
@@ -1288,7 +1300,7 @@ def backboard_within(g0: Any, g1: Any, g2: Any, g3: Any) -> tuple[Any, ...]:
     Table 1. 7 operations: 4 comparisons, 3 conjunctions.
     Returns arrives.
     """
-    return logical_and(logical_and(logical_and((g0 <= 0.0), (g1 <= 0.0)), (g2 <= 0.0)), (g3 <= 0.0)),
+    return _logical_and(_logical_and(_logical_and((g0 <= 0.0), (g1 <= 0.0)), (g2 <= 0.0)), (g3 <= 0.0)),
 
 
 def backboard_edges(clearance: Any, g0: Any, g1: Any, g2: Any, g3: Any, slack: Any) -> tuple[Any, ...]:
@@ -1297,27 +1309,27 @@ def backboard_edges(clearance: Any, g0: Any, g1: Any, g2: Any, g3: Any, slack: A
     Table 1. 19 operations: 1 negation, 9 comparisons, 8 conjunctions, 1 complement.
     Returns unsure.
     """
-    s0 = -slack
-    s1 = logical_not(logical_and(logical_and(logical_and(logical_and((g0 < s0), (g1 < s0)), (g2 < s0)), (g3 < s0)), (0.0 < clearance)))
-    return logical_and(logical_and(logical_and(logical_and((g0 <= slack), (g1 <= slack)), (g2 <= slack)), (g3 <= slack)), s1),
+    _s0 = -slack
+    _s1 = _logical_not(_logical_and(_logical_and(_logical_and(_logical_and((g0 < _s0), (g1 < _s0)), (g2 < _s0)), (g3 < _s0)), (0.0 < clearance)))
+    return _logical_and(_logical_and(_logical_and(_logical_and((g0 <= slack), (g1 <= slack)), (g2 <= slack)), (g3 <= slack)), _s1),
 
 
-def bridge_coefficients(z: Any, vz: Any, ball_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+def bridge_coefficients(z: Any, vz: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Coefficients in time of the event polynomial, constant first.
 
     Eq. 3 in Table 2. 4 operations: 1 addition, 1 subtraction, 1 multiplication, 1 negation.
     Returns c0, c1, c2.
     """
-    return z - (ball_radius + wire_radius), vz, -(0.5 * gravity)
+    return z - (p_ball_radius + p_wire_radius), vz, -(0.5 * p_gravity)
 
 
-def bridge_deflated(vz: Any, gravity: Any) -> tuple[Any, ...]:
+def bridge_deflated(vz: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Coefficients of the event polynomial over t, after a contact at t = 0.
 
     Eq. 3 in Table 2, the exact root divided out. 2 operations: 1 multiplication, 1 negation.
     Returns c0, c1.
     """
-    return vz, -(0.5 * gravity)
+    return vz, -(0.5 * p_gravity)
 
 
 def bridge_normal() -> tuple[Any, ...]:
@@ -1338,46 +1350,46 @@ def bridge_curvature() -> tuple[Any, ...]:
     return 0.0,
 
 
-def bridge_bounds(x: Any, y: Any, ring_radius: Any, board_distance: Any, bridge_half_width: Any) -> tuple[Any, ...]:
+def bridge_bounds(x: Any, y: Any, p_ring_radius: Any, p_board_distance: Any, p_bridge_half_width: Any) -> tuple[Any, ...]:
     """The g of Eq. 2: a contact counts where none is positive.
 
     Eq. 2, Table 2. 10 operations: 3 additions, 2 subtractions, 2 multiplications, 1 square root, 2 negations.
     Returns g0, g1, g2, g3, g4.
     """
-    return -(bridge_half_width + y), y - bridge_half_width, ring_radius - sqrt(((x * x) + (y * y))), x, -(board_distance + x)
+    return -(p_bridge_half_width + y), y - p_bridge_half_width, p_ring_radius - _sqrt(((x * x) + (y * y))), x, -(p_board_distance + x)
 
 
-def bridge_arrival(leaving: Any, z: Any, vz: Any, ball_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+def bridge_arrival(leaving: Any, z: Any, vz: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Time of the only arrival, the gap's rate there and its bend.
 
     Eq. 3 in Table 2, solved. 25 operations: 3 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 5 negations, 2 comparisons, 3 selections.
     Returns time, rate, bend, apex, height.
     """
-    s0 = where((0.0 < leaving), 0.0, (z - (ball_radius + wire_radius)))
-    s1 = (vz * vz) + ((2.0 * gravity) * s0)
-    s2 = sqrt(s1)
-    s3 = vz < 0.0
-    s4 = -(1.0 / gravity)
-    return where(s3, (2.0 * s0), (vz + s2)) / where(s3, (s2 - vz), gravity), -s2, -gravity, -(vz * s4), -((0.5 * s4) * s1)
+    _s0 = _where((0.0 < leaving), 0.0, (z - (p_ball_radius + p_wire_radius)))
+    _s1 = (vz * vz) + ((2.0 * p_gravity) * _s0)
+    _s2 = _sqrt(_s1)
+    _s3 = vz < 0.0
+    _s4 = -(1.0 / p_gravity)
+    return _where(_s3, (2.0 * _s0), (vz + _s2)) / _where(_s3, (_s2 - vz), p_gravity), -_s2, -p_gravity, -(vz * _s4), -((0.5 * _s4) * _s1)
 
 
-def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, ball_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Rounding-error bound of the gap up to the horizon.
 
     running error analysis. 15 operations: 7 additions, 8 multiplications.
     Returns margin.
     """
-    s0 = extent + (horizon * (speed + (gravity * horizon)))
-    return (((6.667843360785852e-16 * ball_radius) + (6.667843360785852e-16 * wire_radius)) + (2.222614453595284e-16 * s0)) + (2.001953125 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * s0))),
+    _s0 = extent + (horizon * (speed + (p_gravity * horizon)))
+    return (((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius)) + (2.222614453595284e-16 * _s0)) + (2.001953125 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s0))),
 
 
-def bridge_place(x: Any, y: Any, ball_radius: Any, wire_radius: Any) -> tuple[Any, ...]:
+def bridge_place(x: Any, y: Any, p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
     """The point of the contact plane nearest to a position.
 
     Table 2. 1 operation: 1 addition.
     Returns x, y, z.
     """
-    return x, y, ball_radius + wire_radius
+    return x, y, p_ball_radius + p_wire_radius
 
 
 def bridge_within(g0: Any, g1: Any, g2: Any, g3: Any, g4: Any) -> tuple[Any, ...]:
@@ -1386,7 +1398,7 @@ def bridge_within(g0: Any, g1: Any, g2: Any, g3: Any, g4: Any) -> tuple[Any, ...
     Table 1. 9 operations: 5 comparisons, 4 conjunctions.
     Returns arrives.
     """
-    return logical_and(logical_and(logical_and(logical_and((g0 <= 0.0), (g1 <= 0.0)), (g2 <= 0.0)), (g3 <= 0.0)), (g4 <= 0.0)),
+    return _logical_and(_logical_and(_logical_and(_logical_and((g0 <= 0.0), (g1 <= 0.0)), (g2 <= 0.0)), (g3 <= 0.0)), (g4 <= 0.0)),
 
 
 def bridge_edges(clearance: Any, g0: Any, g1: Any, g2: Any, g3: Any, g4: Any, slack: Any) -> tuple[Any, ...]:
@@ -1395,28 +1407,28 @@ def bridge_edges(clearance: Any, g0: Any, g1: Any, g2: Any, g3: Any, g4: Any, sl
     Table 1. 23 operations: 1 negation, 11 comparisons, 10 conjunctions, 1 complement.
     Returns unsure.
     """
-    s0 = -slack
-    s1 = logical_and(logical_and(logical_and(logical_and(logical_and((g0 < s0), (g1 < s0)), (g2 < s0)), (g3 < s0)), (g4 < s0)), (0.0 < clearance))
-    s2 = logical_and(logical_and(logical_and(logical_and(logical_and((g0 <= slack), (g1 <= slack)), (g2 <= slack)), (g3 <= slack)), (g4 <= slack)), logical_not(s1))
-    return s2,
+    _s0 = -slack
+    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_logical_and((g0 < _s0), (g1 < _s0)), (g2 < _s0)), (g3 < _s0)), (g4 < _s0)), (0.0 < clearance))
+    _s2 = _logical_and(_logical_and(_logical_and(_logical_and(_logical_and((g0 <= slack), (g1 <= slack)), (g2 <= slack)), (g3 <= slack)), (g4 <= slack)), _logical_not(_s1))
+    return _s2,
 
 
-def end_coefficients(z: Any, vz: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
+def end_coefficients(z: Any, vz: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
     """Coefficients in time of the event polynomial, constant first.
 
     Eq. 3 in Table 2. 4 operations: 1 subtraction, 1 multiplication, 2 negations.
     Returns c0, c1, c2.
     """
-    return z - (-end_depth), vz, -(0.5 * gravity)
+    return z - (-p_end_depth), vz, -(0.5 * p_gravity)
 
 
-def end_deflated(vz: Any, gravity: Any) -> tuple[Any, ...]:
+def end_deflated(vz: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Coefficients of the event polynomial over t, after a contact at t = 0.
 
     Eq. 3 in Table 2, the exact root divided out. 2 operations: 1 multiplication, 1 negation.
     Returns c0, c1.
     """
-    return vz, -(0.5 * gravity)
+    return vz, -(0.5 * p_gravity)
 
 
 def end_normal() -> tuple[Any, ...]:
@@ -1437,47 +1449,47 @@ def end_curvature() -> tuple[Any, ...]:
     return 0.0,
 
 
-def end_arrival(leaving: Any, z: Any, vz: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
+def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
     """Time of the only arrival, the gap's rate there and its bend.
 
     Eq. 3 in Table 2, solved. 25 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 2 comparisons, 3 selections.
     Returns time, rate, bend, apex, height.
     """
-    s0 = where((0.0 < leaving), 0.0, (z - (-end_depth)))
-    s1 = (vz * vz) + ((2.0 * gravity) * s0)
-    s2 = sqrt(s1)
-    s3 = vz < 0.0
-    s4 = -(1.0 / gravity)
-    return where(s3, (2.0 * s0), (vz + s2)) / where(s3, (s2 - vz), gravity), -s2, -gravity, -(vz * s4), -((0.5 * s4) * s1)
+    _s0 = _where((0.0 < leaving), 0.0, (z - (-p_end_depth)))
+    _s1 = (vz * vz) + ((2.0 * p_gravity) * _s0)
+    _s2 = _sqrt(_s1)
+    _s3 = vz < 0.0
+    _s4 = -(1.0 / p_gravity)
+    return _where(_s3, (2.0 * _s0), (vz + _s2)) / _where(_s3, (_s2 - vz), p_gravity), -_s2, -p_gravity, -(vz * _s4), -((0.5 * _s4) * _s1)
 
 
-def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, gravity: Any, end_depth: Any) -> tuple[Any, ...]:
+def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
     """Rounding-error bound of the gap up to the horizon.
 
     running error analysis. 13 operations: 6 additions, 7 multiplications.
     Returns margin.
     """
-    s0 = extent + (horizon * (speed + (gravity * horizon)))
-    return ((6.667843360785852e-16 * end_depth) + (2.222614453595284e-16 * s0)) + (2.001953125 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * s0))),
+    _s0 = extent + (horizon * (speed + (p_gravity * horizon)))
+    return ((6.667843360785852e-16 * p_end_depth) + (2.222614453595284e-16 * _s0)) + (2.001953125 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s0))),
 
 
-def end_place(x: Any, y: Any, end_depth: Any) -> tuple[Any, ...]:
+def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
     """The point of the contact plane nearest to a position.
 
     Table 2. 1 operation: 1 negation.
     Returns x, y, z.
     """
-    return x, y, -end_depth
+    return x, y, -p_end_depth
 
 
-def aimed_speed(slope: Any, reach: Any, rise: Any, gravity: Any) -> tuple[Any, ...]:
+def aimed_speed(slope: Any, reach: Any, rise: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Speed of the flight that goes through a point with a slope of release.
 
     Eq. 3 without its time, solved for the speed. 9 operations: 1 addition, 1 subtraction, 5 multiplications, 1 division, 1 square root.
     Returns speed.
     """
-    s0 = reach * sqrt((((0.5 * gravity) * (1.0 + (slope * slope))) / ((reach * slope) - rise)))
-    return s0,
+    _s0 = reach * _sqrt((((0.5 * p_gravity) * (1.0 + (slope * slope))) / ((reach * slope) - rise)))
+    return _s0,
 
 
 def entry_slope(slope: Any, reach: Any, rise: Any) -> tuple[Any, ...]:
@@ -1498,56 +1510,56 @@ def slope_of_entry(entry: Any, reach: Any, rise: Any) -> tuple[Any, ...]:
     return entry + ((2.0 * rise) / reach),
 
 
-def least_speed(reach: Any, rise: Any, gravity: Any) -> tuple[Any, ...]:
+def least_speed(reach: Any, rise: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Slope and speed of the slowest release through a point.
 
     Eq. 3 without its time, least speed: at 45° + atan(rise/reach)/2, v² = g (rise + distance). 14 operations: 2 additions, 1 subtraction, 3 multiplications, 3 divisions, 2 square roots, 1 comparison, 2 selections.
     Returns slope, speed.
     """
-    s0 = reach * reach
-    s1 = sqrt((s0 + (rise * rise)))
-    s2 = s1 - rise
-    s3 = rise + s1
-    s4 = rise < 0.0
-    return where(s4, (reach / s2), (s3 / reach)), sqrt((gravity * where(s4, (s0 / s2), s3)))
+    _s0 = reach * reach
+    _s1 = _sqrt((_s0 + (rise * rise)))
+    _s2 = _s1 - rise
+    _s3 = rise + _s1
+    _s4 = rise < 0.0
+    return _where(_s4, (reach / _s2), (_s3 / reach)), _sqrt((p_gravity * _where(_s4, (_s0 / _s2), _s3)))
 
 
-def slopes_of_speed(release_speed: Any, reach: Any, rise: Any, gravity: Any) -> tuple[Any, ...]:
+def slopes_of_speed(release_speed: Any, reach: Any, rise: Any, p_gravity: Any) -> tuple[Any, ...]:
     """The low and the high slope of release through a point at a speed.
 
     Eq. 3 without its time, solved for the slope. 25 operations: 5 additions, 2 subtractions, 11 multiplications, 3 divisions, 2 square roots, 1 comparison, 1 selection.
     Returns low, high.
     """
-    s0 = release_speed * release_speed
-    s1 = reach * reach
-    s2 = sqrt((s1 + (rise * rise)))
-    s3 = s2 - rise
-    s4 = sqrt((((gravity * s3) + s0) * (s0 - (gravity * where((rise < 0.0), (s1 / s3), (rise + s2))))))
-    s5 = s0 + s4
-    s6 = gravity * reach
-    return ((reach * s6) + ((2.0 * rise) * s0)) / (reach * s5), s5 / s6
+    _s0 = release_speed * release_speed
+    _s1 = reach * reach
+    _s2 = _sqrt((_s1 + (rise * rise)))
+    _s3 = _s2 - rise
+    _s4 = _sqrt((((p_gravity * _s3) + _s0) * (_s0 - (p_gravity * _where((rise < 0.0), (_s1 / _s3), (rise + _s2))))))
+    _s5 = _s0 + _s4
+    _s6 = p_gravity * reach
+    return ((reach * _s6) + ((2.0 * rise) * _s0)) / (reach * _s5), _s5 / _s6
 
 
-def descent(z: Any, vz: Any, level: Any, gravity: Any) -> tuple[Any, ...]:
+def descent(z: Any, vz: Any, level: Any, p_gravity: Any) -> tuple[Any, ...]:
     """When the centre comes down to a height, and its upward velocity then.
 
     Eq. 3, solved. 14 operations: 2 additions, 2 subtractions, 4 multiplications, 1 division, 1 square root, 1 negation, 1 comparison, 2 selections.
     Returns time, vz.
     """
-    s0 = z - level
-    s1 = sqrt(((vz * vz) + ((2.0 * gravity) * s0)))
-    s2 = vz < 0.0
-    return where(s2, (2.0 * s0), (vz + s1)) / where(s2, (s1 - vz), gravity), -s1
+    _s0 = z - level
+    _s1 = _sqrt(((vz * vz) + ((2.0 * p_gravity) * _s0)))
+    _s2 = vz < 0.0
+    return _where(_s2, (2.0 * _s0), (vz + _s1)) / _where(_s2, (_s1 - vz), p_gravity), -_s1
 
 
-def apex(z: Any, vz: Any, gravity: Any) -> tuple[Any, ...]:
+def apex(z: Any, vz: Any, p_gravity: Any) -> tuple[Any, ...]:
     """When the centre is highest, and its height then.
 
     Eq. 3, its derivative zero. 8 operations: 1 addition, 2 multiplications, 2 divisions, 1 comparison, 2 selections.
     Returns time, height.
     """
-    s0 = 0.0 < vz
-    return where(s0, (vz / gravity), 0.0), where(s0, (z + ((0.5 * (vz * vz)) / gravity)), z)
+    _s0 = 0.0 < vz
+    return _where(_s0, (vz / p_gravity), 0.0), _where(_s0, (z + ((0.5 * (vz * vz)) / p_gravity)), z)
 
 
 def sighted(x: Any, y: Any, place_x: Any, place_y: Any) -> tuple[Any, ...]:
@@ -1556,49 +1568,49 @@ def sighted(x: Any, y: Any, place_x: Any, place_y: Any) -> tuple[Any, ...]:
     components along and across the line of sight. 13 operations: 2 additions, 1 subtraction, 6 multiplications, 2 divisions, 1 square root, 1 negation.
     Returns past, left.
     """
-    s0 = sqrt(((place_x * place_x) + (place_y * place_y)))
-    return -(((place_x * x) + (place_y * y)) / s0), ((place_y * x) - (place_x * y)) / s0
+    _s0 = _sqrt(((place_x * place_x) + (place_y * place_y)))
+    return -(((place_x * x) + (place_y * y)) / _s0), ((place_y * x) - (place_x * y)) / _s0
 
 
-def ring_nearness(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, half: Any, ball_radius: Any, ring_radius: Any, wire_radius: Any, gravity: Any) -> tuple[Any, ...]:
+def ring_nearness(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, half: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Distance of ball and wire at time t, and what bounds it within half a width of t.
 
-    Eq. 3 in Table 2, Taylor's theorem. 141 operations: 35 additions, 15 subtractions, 58 multiplications, 4 divisions, 6 square roots, 2 negations, 7 absolute values, 9 maxima, 3 minima, 1 comparison, 1 selection.
+    Eq. 3 in Table 2, Taylor's theorem. 153 operations: 35 additions, 15 subtractions, 58 multiplications, 4 divisions, 6 square roots, 2 negations, 7 absolute values, 13 comparisons, 13 selections.
     Returns gap, rate, lower, concavity, resolution.
     """
-    s0 = x + (t * vx)
-    s1 = y + (t * vy)
-    s2 = sqrt(((s0 * s0) + (s1 * s1)))
-    s3 = s2 - ring_radius
-    s4 = 0.5 * gravity
-    s5 = z + (t * (vz - (s4 * t)))
-    s6 = (s3 * s3) + (s5 * s5)
-    s7 = ball_radius + wire_radius
-    s8 = 2.0 * (((((vx * s0) + (vy * s1)) / s2) * s3) + ((vz - (gravity * t)) * s5))
-    s9 = t - half
-    s10 = (vx * vx) + (vy * vy)
-    s11 = half + t
-    s12 = where(s9 < where((-(((vx * x) + (vy * y)) / s10)) < s11, (-(((vx * x) + (vy * y)) / s10)), s11), where((-(((vx * x) + (vy * y)) / s10)) < s11, (-(((vx * x) + (vy * y)) / s10)), s11), s9)
-    s13 = x + (vx * s12)
-    s14 = y + (vy * s12)
-    s15 = sqrt(((s13 * s13) + (s14 * s14)))
-    s16 = x + (vx * s9)
-    s17 = y + (vy * s9)
-    s18 = x + (vx * s11)
-    s19 = y + (vy * s11)
-    s20 = where(where(0.0 < (s15 - ring_radius), (s15 - ring_radius), 0.0) < (ring_radius - where(sqrt(((s16 * s16) + (s17 * s17))) < sqrt(((s18 * s18) + (s19 * s19))), sqrt(((s18 * s18) + (s19 * s19))), sqrt(((s16 * s16) + (s17 * s17))))), (ring_radius - where(sqrt(((s16 * s16) + (s17 * s17))) < sqrt(((s18 * s18) + (s19 * s19))), sqrt(((s18 * s18) + (s19 * s19))), sqrt(((s16 * s16) + (s17 * s17))))), where(0.0 < (s15 - ring_radius), (s15 - ring_radius), 0.0))
-    s21 = where(0.0 < where((z + ((vz - (s4 * s11)) * s11)) < (z + ((vz - (s4 * s9)) * s9)), (z + ((vz - (s4 * s11)) * s11)), (z + ((vz - (s4 * s9)) * s9))), where((z + ((vz - (s4 * s11)) * s11)) < (z + ((vz - (s4 * s9)) * s9)), (z + ((vz - (s4 * s11)) * s11)), (z + ((vz - (s4 * s9)) * s9))), 0.0)
-    s22 = where(s9 < where((vz / gravity) < s11, (vz / gravity), s11), where((vz / gravity) < s11, (vz / gravity), s11), s9)
-    s23 = z + ((vz - (s4 * s22)) * s22)
-    s24 = where(s21 < (-s23), (-s23), s21)
-    s25 = (s11 * ((((gravity * s11) + absolute(vx)) + absolute(vy)) + absolute(vz))) + absolute(x)
-    s26 = 7.105427357601002e-15 * (ring_radius + ((s25 + absolute(y)) + absolute(z)))
-    s27 = s15 - s26
-    s28 = (vy * x) - (vx * y)
-    s29 = (((2.0 * ring_radius) * (s28 * s28)) / (s27 * (s27 * s27))) + (((6.0 * gravity) * s23) - (2.0 * (((2.0 * gravity) * z) + ((vz * vz) + s10))))
-    s30 = where((0.0 < s27), s29, inf)
-    s31 = where(((s20 * s20) + (s24 * s24)) < (s6 - (half * (((0.5 * half) * where(0.0 < s30, s30, 0.0)) + absolute(s8)))), (s6 - (half * (((0.5 * half) * where(0.0 < s30, s30, 0.0)) + absolute(s8)))), ((s20 * s20) + (s24 * s24)))
-    return sqrt(s6) - s7, s8, sqrt(s31) - s7, s30, s26
+    _s0 = x + (t * vx)
+    _s1 = y + (t * vy)
+    _s2 = _sqrt(((_s0 * _s0) + (_s1 * _s1)))
+    _s3 = _s2 - p_ring_radius
+    _s4 = 0.5 * p_gravity
+    _s5 = z + (t * (vz - (_s4 * t)))
+    _s6 = (_s3 * _s3) + (_s5 * _s5)
+    _s7 = p_ball_radius + p_wire_radius
+    _s8 = 2.0 * (((((vx * _s0) + (vy * _s1)) / _s2) * _s3) + ((vz - (p_gravity * t)) * _s5))
+    _s9 = t - half
+    _s10 = (vx * vx) + (vy * vy)
+    _s11 = half + t
+    _s12 = _where(_s9 < _where((-(((vx * x) + (vy * y)) / _s10)) < _s11, (-(((vx * x) + (vy * y)) / _s10)), _s11), _where((-(((vx * x) + (vy * y)) / _s10)) < _s11, (-(((vx * x) + (vy * y)) / _s10)), _s11), _s9)
+    _s13 = x + (vx * _s12)
+    _s14 = y + (vy * _s12)
+    _s15 = _sqrt(((_s13 * _s13) + (_s14 * _s14)))
+    _s16 = x + (vx * _s9)
+    _s17 = y + (vy * _s9)
+    _s18 = x + (vx * _s11)
+    _s19 = y + (vy * _s11)
+    _s20 = _where(_where(0.0 < (_s15 - p_ring_radius), (_s15 - p_ring_radius), 0.0) < (p_ring_radius - _where(_sqrt(((_s16 * _s16) + (_s17 * _s17))) < _sqrt(((_s18 * _s18) + (_s19 * _s19))), _sqrt(((_s18 * _s18) + (_s19 * _s19))), _sqrt(((_s16 * _s16) + (_s17 * _s17))))), (p_ring_radius - _where(_sqrt(((_s16 * _s16) + (_s17 * _s17))) < _sqrt(((_s18 * _s18) + (_s19 * _s19))), _sqrt(((_s18 * _s18) + (_s19 * _s19))), _sqrt(((_s16 * _s16) + (_s17 * _s17))))), _where(0.0 < (_s15 - p_ring_radius), (_s15 - p_ring_radius), 0.0))
+    _s21 = _where(0.0 < _where((z + ((vz - (_s4 * _s11)) * _s11)) < (z + ((vz - (_s4 * _s9)) * _s9)), (z + ((vz - (_s4 * _s11)) * _s11)), (z + ((vz - (_s4 * _s9)) * _s9))), _where((z + ((vz - (_s4 * _s11)) * _s11)) < (z + ((vz - (_s4 * _s9)) * _s9)), (z + ((vz - (_s4 * _s11)) * _s11)), (z + ((vz - (_s4 * _s9)) * _s9))), 0.0)
+    _s22 = _where(_s9 < _where((vz / p_gravity) < _s11, (vz / p_gravity), _s11), _where((vz / p_gravity) < _s11, (vz / p_gravity), _s11), _s9)
+    _s23 = z + ((vz - (_s4 * _s22)) * _s22)
+    _s24 = _where(_s21 < (-_s23), (-_s23), _s21)
+    _s25 = (_s11 * ((((p_gravity * _s11) + _absolute(vx)) + _absolute(vy)) + _absolute(vz))) + _absolute(x)
+    _s26 = 7.105427357601002e-15 * (p_ring_radius + ((_s25 + _absolute(y)) + _absolute(z)))
+    _s27 = _s15 - _s26
+    _s28 = (vy * x) - (vx * y)
+    _s29 = (((2.0 * p_ring_radius) * (_s28 * _s28)) / (_s27 * (_s27 * _s27))) + (((6.0 * p_gravity) * _s23) - (2.0 * (((2.0 * p_gravity) * z) + ((vz * vz) + _s10))))
+    _s30 = _where((0.0 < _s27), _s29, _inf)
+    _s31 = _where(((_s20 * _s20) + (_s24 * _s24)) < (_s6 - (half * (((0.5 * half) * _where(0.0 < _s30, _s30, 0.0)) + _absolute(_s8)))), (_s6 - (half * (((0.5 * half) * _where(0.0 < _s30, _s30, 0.0)) + _absolute(_s8)))), ((_s20 * _s20) + (_s24 * _s24)))
+    return _sqrt(_s6) - _s7, _s8, _sqrt(_s31) - _s7, _s30, _s26
 
 
 # The event loop, one function for each stage: it reads and writes the columns of the shots.
@@ -1606,15 +1618,15 @@ def ring_nearness(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, hal
 
 def _rows(truth: Any, shots: int) -> tuple[Any, int]:
     """Return the rows where a truth holds, None if that is all of them, and how many they are."""
-    if ndim(truth) == 0:
-        return (None, shots) if truth else (flatnonzero(()), 0)
-    rows = flatnonzero(truth)
+    if _ndim(truth) == 0:
+        return (None, shots) if truth else (_flatnonzero(()), 0)
+    rows = _flatnonzero(truth)
     return (None if len(rows) == shots else rows), len(rows)
 
 
 def _take(values: Any, rows: Any) -> Any:
     """Return some rows of a column; what all shots share stays."""
-    return values if rows is None or ndim(values) == 0 else values[rows]
+    return values if rows is None or _ndim(values) == 0 else values[rows]
 
 
 def _of(rows: Any, some: Any) -> Any:
@@ -1624,7 +1636,7 @@ def _of(rows: Any, some: Any) -> Any:
 
 def _copy(values: Any, shots: int) -> Any:
     """Return a column of one's own."""
-    return broadcast_to(values, (shots,)).copy()
+    return _broadcast_to(values, (shots,)).copy()
 
 
 def _put(values: Any, rows: Any, new: Any, shots: int) -> Any:
@@ -1643,1132 +1655,1092 @@ def _store(values: Any, rows: Any, new: Any, some: Any) -> None:
 
 def permit_plain(columns: dict[str, Any], shots: int) -> None:
     """Stage permit of the event loop, the path alone."""
-    ball_radius = columns["ball_radius"]
-    board_bottom = columns["board_bottom"]
-    board_distance = columns["board_distance"]
-    board_half_width = columns["board_half_width"]
-    board_top = columns["board_top"]
-    bridge_half_width = columns["bridge_half_width"]
-    end_depth = columns["end_depth"]
-    gravity = columns["gravity"]
-    restitution = columns["restitution"]
-    ring_radius = columns["ring_radius"]
-    wire_radius = columns["wire_radius"]
-    allowed_0, = allowed(ball_radius, ring_radius, wire_radius, board_distance, board_half_width, bridge_half_width, restitution, gravity, end_depth)
-    permitted_0, = finite_parameters(ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, restitution, gravity, end_depth, allowed_0)
-    columns["permitted"] = permitted_0
+    _p_ball_radius_0 = columns["p_ball_radius"]
+    _p_board_bottom_0 = columns["p_board_bottom"]
+    _p_board_distance_0 = columns["p_board_distance"]
+    _p_board_half_width_0 = columns["p_board_half_width"]
+    _p_board_top_0 = columns["p_board_top"]
+    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
+    _p_end_depth_0 = columns["p_end_depth"]
+    _p_gravity_0 = columns["p_gravity"]
+    _p_restitution_0 = columns["p_restitution"]
+    _p_ring_radius_0 = columns["p_ring_radius"]
+    _p_wire_radius_0 = columns["p_wire_radius"]
+    _allowed_0, = allowed(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_bridge_half_width_0, _p_restitution_0, _p_gravity_0, _p_end_depth_0)
+    _permitted_0, = finite_parameters(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_restitution_0, _p_gravity_0, _p_end_depth_0, _allowed_0)
+    columns["permitted"] = _permitted_0
 
 
 def admit_plain(columns: dict[str, Any], shots: int) -> None:
     """Stage admit of the event loop, the path alone."""
-    ball_radius = columns["ball_radius"]
-    board_bottom = columns["board_bottom"]
-    board_distance = columns["board_distance"]
-    board_half_width = columns["board_half_width"]
-    board_top = columns["board_top"]
-    bridge_half_width = columns["bridge_half_width"]
-    end_depth = columns["end_depth"]
-    last = columns["last"]
-    permitted = columns["permitted"]
-    ring_radius = columns["ring_radius"]
-    vx = columns["vx"]
-    vy = columns["vy"]
-    vz = columns["vz"]
-    wire_radius = columns["wire_radius"]
-    wx = columns["wx"]
-    wy = columns["wy"]
-    wz = columns["wz"]
-    x = columns["x"]
-    y = columns["y"]
-    z = columns["z"]
-    finite_0, = finite_state(vx, vy, vz, wx, wy, wz, x, y, z)
-    valid_0, *_ = valid(last, x, y, z, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, end_depth)
-    outcome_0, *_ = admitted(inf, finite_0, permitted, valid_0)
-    columns["outcome"] = outcome_0
+    _last_0 = columns["last"]
+    _p_ball_radius_0 = columns["p_ball_radius"]
+    _p_board_bottom_0 = columns["p_board_bottom"]
+    _p_board_distance_0 = columns["p_board_distance"]
+    _p_board_half_width_0 = columns["p_board_half_width"]
+    _p_board_top_0 = columns["p_board_top"]
+    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
+    _p_end_depth_0 = columns["p_end_depth"]
+    _p_ring_radius_0 = columns["p_ring_radius"]
+    _p_wire_radius_0 = columns["p_wire_radius"]
+    _permitted_0 = columns["permitted"]
+    _vx_0 = columns["vx"]
+    _vy_0 = columns["vy"]
+    _vz_0 = columns["vz"]
+    _wx_0 = columns["wx"]
+    _wy_0 = columns["wy"]
+    _wz_0 = columns["wz"]
+    _x_0 = columns["x"]
+    _y_0 = columns["y"]
+    _z_0 = columns["z"]
+    _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
+    _valid_0, *_ = valid(_last_0, _x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0)
+    _outcome_0, *_ = admitted(_inf, _finite_0, _permitted_0, _valid_0)
+    columns["outcome"] = _outcome_0
 
 
 def reach_plain(columns: dict[str, Any], shots: int) -> None:
     """Stage reach of the event loop, the path alone."""
-    ball_radius = columns["ball_radius"]
-    board_bottom = columns["board_bottom"]
-    board_distance = columns["board_distance"]
-    board_half_width = columns["board_half_width"]
-    board_top = columns["board_top"]
-    bridge_half_width = columns["bridge_half_width"]
-    clock = columns["clock"]
-    contacts = columns["contacts"]
-    end_depth = columns["end_depth"]
-    gravity = columns["gravity"]
-    last = columns["last"]
-    most_contacts = columns["most_contacts"]
-    ring_radius = columns["ring_radius"]
-    vx = columns["vx"]
-    vy = columns["vy"]
-    vz = columns["vz"]
-    wire_radius = columns["wire_radius"]
-    x = columns["x"]
-    y = columns["y"]
-    z = columns["z"]
-    extent_0, speed_0, excess_0 = scale(x, y, z, vx, vy, vz, gravity)
-    when_0, which_0, *_ = opening(excess_0, 0.0, 0.0)
-    leaving_0, = left(3.0, last)
-    time_0, rate_0, bend_0, *_ = end_arrival(leaving_0, z, vz, gravity, end_depth)
-    arrives_0, *_ = meeting_plane(bend_0, rate_0, time_0)
-    possible_0, = timely(arrives_0, 0.0, 0.0, time_0, when_0)
-    when_1, which_1 = sooner(arrives_0, 3.0, time_0, when_0, which_0)
-    when_0 = where(possible_0, when_1, when_0)
-    which_0 = where(possible_0, which_1, which_0)
-    leaving_0, = left(1.0, last)
-    time_0, rate_0, bend_0, *_ = backboard_arrival(leaving_0, x, vx, ball_radius, board_distance)
-    arrives_0, *_ = meeting_plane(bend_0, rate_0, time_0)
-    possible_0, = timely(arrives_0, 0.0, 0.0, time_0, when_0)
-    _, there_y_1, there_z_1, *_ = flight(time_0, x, y, z, vx, vy, vz, gravity)
-    g0_1, g1_1, g2_1, g3_1 = backboard_bounds(there_y_1, there_z_1, board_half_width, board_bottom, board_top)
-    arrives_1, = backboard_within(g0_1, g1_1, g2_1, g3_1)
-    when_1, which_1 = sooner(arrives_1, 1.0, time_0, when_0, which_0)
-    when_0 = where(possible_0, when_1, when_0)
-    which_0 = where(possible_0, which_1, which_0)
-    leaving_0, = left(2.0, last)
-    time_0, rate_0, bend_0, *_ = bridge_arrival(leaving_0, z, vz, ball_radius, wire_radius, gravity)
-    arrives_0, *_ = meeting_plane(bend_0, rate_0, time_0)
-    possible_0, = timely(arrives_0, 0.0, 0.0, time_0, when_0)
-    rows1, count2 = _rows(possible_0, shots)
-    if count2:
-        board_distance_1 = _take(board_distance, rows1)
-        bridge_half_width_1 = _take(bridge_half_width, rows1)
-        gravity_1 = _take(gravity, rows1)
-        ring_radius_1 = _take(ring_radius, rows1)
-        time_1 = _take(time_0, rows1)
-        vx_1 = _take(vx, rows1)
-        vy_1 = _take(vy, rows1)
-        vz_1 = _take(vz, rows1)
-        when_1 = _take(when_0, rows1)
-        which_1 = _take(which_0, rows1)
-        x_1 = _take(x, rows1)
-        y_1 = _take(y, rows1)
-        z_1 = _take(z, rows1)
-        there_x_1, there_y_1, *_ = flight(time_1, x_1, y_1, z_1, vx_1, vy_1, vz_1, gravity_1)
-        g0_1, g1_1, g2_1, g3_1, g4_1 = bridge_bounds(there_x_1, there_y_1, ring_radius_1, board_distance_1, bridge_half_width_1)
-        arrives_1, = bridge_within(g0_1, g1_1, g2_1, g3_1, g4_1)
-        when_1, which_1 = sooner(arrives_1, 2.0, time_1, when_1, which_1)
-        when_0 = _put(when_0, rows1, when_1, shots)
-        which_0 = _put(which_0, rows1, which_1, shots)
-    until_0, *_ = horizon(when_0, speed_0, gravity)
-    clear_0, = ring_clear(until_0, x, y, z, vx, vy, vz, extent_0, speed_0, 0.0, 0.0, ball_radius, ring_radius, wire_radius, gravity)
-    open_0, = opens(clear_0)
-    rows3, count4 = _rows(open_0, shots)
-    if count4:
-        ball_radius_1 = _take(ball_radius, rows3)
-        extent_1 = _take(extent_0, rows3)
-        gravity_1 = _take(gravity, rows3)
-        last_1 = _take(last, rows3)
-        ring_radius_1 = _take(ring_radius, rows3)
-        speed_1 = _take(speed_0, rows3)
-        until_1 = _take(until_0, rows3)
-        vx_1 = _take(vx, rows3)
-        vy_1 = _take(vy, rows3)
-        vz_1 = _take(vz, rows3)
-        when_1 = _take(when_0, rows3)
-        which_1 = _take(which_0, rows3)
-        wire_radius_1 = _take(wire_radius, rows3)
-        x_1 = _take(x, rows3)
-        y_1 = _take(y, rows3)
-        z_1 = _take(z, rows3)
-        steady_1, swing_1, rho_start_1, low0_1, high0_1, low1_1, high1_1, low2_1, high2_1, ceiling_1, latest_1, *_ = ring_prepare(until_1, x_1, y_1, z_1, vx_1, vy_1, vz_1, 0.0, 0.0, ball_radius_1, ring_radius_1, wire_radius_1, gravity_1)
-        share_1, arrival_1, certain_1 = beginning()
-        level_1, velocity_level_1, *_ = allowance(share_1, latest_1, extent_1, speed_1, 0.0, 0.0, gravity_1)
-        flat_1, tilt_1, rate_slack_1 = ring_margins(latest_1, extent_1, speed_1, level_1, velocity_level_1, ball_radius_1, ring_radius_1, wire_radius_1, gravity_1)
-        t_1, end_1, searching_1 = ring_enter(0.0, 0.0, high0_1, high1_1, high2_1, low0_1, low1_1, low2_1, 0.0)
-        rows5, count6 = _rows(searching_1, count4)
-        if count6:
-            arrival_2 = _take(arrival_1, rows5)
-            ball_radius_2 = _take(ball_radius_1, rows5)
-            ceiling_2 = _take(ceiling_1, rows5)
-            certain_2 = _take(certain_1, rows5)
-            end_2 = _take(end_1, rows5)
-            extent_2 = _take(extent_1, rows5)
-            flat_2 = _take(flat_1, rows5)
-            gravity_2 = _take(gravity_1, rows5)
-            high0_2 = _take(high0_1, rows5)
-            high1_2 = _take(high1_1, rows5)
-            high2_2 = _take(high2_1, rows5)
-            last_2 = _take(last_1, rows5)
-            latest_2 = _take(latest_1, rows5)
-            low0_2 = _take(low0_1, rows5)
-            low1_2 = _take(low1_1, rows5)
-            low2_2 = _take(low2_1, rows5)
-            rate_slack_2 = _take(rate_slack_1, rows5)
-            rho_start_2 = _take(rho_start_1, rows5)
-            ring_radius_2 = _take(ring_radius_1, rows5)
-            searching_2 = _take(searching_1, rows5)
-            share_2 = _take(share_1, rows5)
-            speed_2 = _take(speed_1, rows5)
-            steady_2 = _take(steady_1, rows5)
-            swing_2 = _take(swing_1, rows5)
-            t_2 = _take(t_1, rows5)
-            tilt_2 = _take(tilt_1, rows5)
-            vx_2 = _take(vx_1, rows5)
-            vy_2 = _take(vy_1, rows5)
-            vz_2 = _take(vz_1, rows5)
-            wire_radius_2 = _take(wire_radius_1, rows5)
-            x_2 = _take(x_1, rows5)
-            y_2 = _take(y_1, rows5)
-            z_2 = _take(z_1, rows5)
-            arrival_1 = _copy(arrival_1, count4)
-            certain_1 = _copy(certain_1, count4)
-            flat_1 = _copy(flat_1, count4)
-            tilt_1 = _copy(tilt_1, count4)
+    _clock_0 = columns["clock"]
+    _contacts_0 = columns["contacts"]
+    _last_0 = columns["last"]
+    _most_contacts_0 = columns["most_contacts"]
+    _p_ball_radius_0 = columns["p_ball_radius"]
+    _p_board_bottom_0 = columns["p_board_bottom"]
+    _p_board_distance_0 = columns["p_board_distance"]
+    _p_board_half_width_0 = columns["p_board_half_width"]
+    _p_board_top_0 = columns["p_board_top"]
+    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
+    _p_end_depth_0 = columns["p_end_depth"]
+    _p_gravity_0 = columns["p_gravity"]
+    _p_ring_radius_0 = columns["p_ring_radius"]
+    _p_wire_radius_0 = columns["p_wire_radius"]
+    _vx_0 = columns["vx"]
+    _vy_0 = columns["vy"]
+    _vz_0 = columns["vz"]
+    _x_0 = columns["x"]
+    _y_0 = columns["y"]
+    _z_0 = columns["z"]
+    _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0)
+    _when_0, _which_0, *_ = opening(_excess_0, 0.0, 0.0)
+    _leaving_0, = left(3.0, _last_0)
+    _time_0, _rate_0, _bend_0, *_ = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0)
+    _arrives_0, *_ = meeting_plane(_bend_0, _rate_0, _time_0)
+    _possible_0, = timely(_arrives_0, 0.0, 0.0, _time_0, _when_0)
+    _when_1, _which_1 = sooner(_arrives_0, 3.0, _time_0, _when_0, _which_0)
+    _when_0 = _where(_possible_0, _when_1, _when_0)
+    _which_0 = _where(_possible_0, _which_1, _which_0)
+    _leaving_0, = left(1.0, _last_0)
+    _time_0, _rate_0, _bend_0, *_ = backboard_arrival(_leaving_0, _x_0, _vx_0, _p_ball_radius_0, _p_board_distance_0)
+    _arrives_0, *_ = meeting_plane(_bend_0, _rate_0, _time_0)
+    _possible_0, = timely(_arrives_0, 0.0, 0.0, _time_0, _when_0)
+    _, _there_y_1, _there_z_1, *_ = flight(_time_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0)
+    _g0_1, _g1_1, _g2_1, _g3_1 = backboard_bounds(_there_y_1, _there_z_1, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0)
+    _arrives_1, = backboard_within(_g0_1, _g1_1, _g2_1, _g3_1)
+    _when_1, _which_1 = sooner(_arrives_1, 1.0, _time_0, _when_0, _which_0)
+    _when_0 = _where(_possible_0, _when_1, _when_0)
+    _which_0 = _where(_possible_0, _which_1, _which_0)
+    _leaving_0, = left(2.0, _last_0)
+    _time_0, _rate_0, _bend_0, *_ = bridge_arrival(_leaving_0, _z_0, _vz_0, _p_ball_radius_0, _p_wire_radius_0, _p_gravity_0)
+    _arrives_0, *_ = meeting_plane(_bend_0, _rate_0, _time_0)
+    _possible_0, = timely(_arrives_0, 0.0, 0.0, _time_0, _when_0)
+    _rows1, _count2 = _rows(_possible_0, shots)
+    if _count2:
+        _p_board_distance_1 = _take(_p_board_distance_0, _rows1)
+        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows1)
+        _p_gravity_1 = _take(_p_gravity_0, _rows1)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows1)
+        _time_1 = _take(_time_0, _rows1)
+        _vx_1 = _take(_vx_0, _rows1)
+        _vy_1 = _take(_vy_0, _rows1)
+        _vz_1 = _take(_vz_0, _rows1)
+        _when_1 = _take(_when_0, _rows1)
+        _which_1 = _take(_which_0, _rows1)
+        _x_1 = _take(_x_0, _rows1)
+        _y_1 = _take(_y_0, _rows1)
+        _z_1 = _take(_z_0, _rows1)
+        _there_x_1, _there_y_1, *_ = flight(_time_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1)
+        _g0_1, _g1_1, _g2_1, _g3_1, _g4_1 = bridge_bounds(_there_x_1, _there_y_1, _p_ring_radius_1, _p_board_distance_1, _p_bridge_half_width_1)
+        _arrives_1, = bridge_within(_g0_1, _g1_1, _g2_1, _g3_1, _g4_1)
+        _when_1, _which_1 = sooner(_arrives_1, 2.0, _time_1, _when_1, _which_1)
+        _when_0 = _put(_when_0, _rows1, _when_1, shots)
+        _which_0 = _put(_which_0, _rows1, _which_1, shots)
+    _until_0, *_ = horizon(_when_0, _speed_0, _p_gravity_0)
+    _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0)
+    _open_0, = opens(_clear_0)
+    _rows3, _count4 = _rows(_open_0, shots)
+    if _count4:
+        _extent_1 = _take(_extent_0, _rows3)
+        _last_1 = _take(_last_0, _rows3)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows3)
+        _p_gravity_1 = _take(_p_gravity_0, _rows3)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows3)
+        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows3)
+        _speed_1 = _take(_speed_0, _rows3)
+        _until_1 = _take(_until_0, _rows3)
+        _vx_1 = _take(_vx_0, _rows3)
+        _vy_1 = _take(_vy_0, _rows3)
+        _vz_1 = _take(_vz_0, _rows3)
+        _when_1 = _take(_when_0, _rows3)
+        _which_1 = _take(_which_0, _rows3)
+        _x_1 = _take(_x_0, _rows3)
+        _y_1 = _take(_y_0, _rows3)
+        _z_1 = _take(_z_0, _rows3)
+        _steady_1, _swing_1, _rho_start_1, _low0_1, _high0_1, _low1_1, _high1_1, _low2_1, _high2_1, _ceiling_1, _latest_1, *_ = ring_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, 0.0, 0.0, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _share_1, _arrival_1, _certain_1 = beginning()
+        _level_1, _velocity_level_1, *_ = allowance(_share_1, _latest_1, _extent_1, _speed_1, 0.0, 0.0, _p_gravity_1)
+        _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _t_1, _end_1, _searching_1 = ring_enter(0.0, 0.0, _high0_1, _high1_1, _high2_1, _low0_1, _low1_1, _low2_1, 0.0)
+        _rows5, _count6 = _rows(_searching_1, _count4)
+        if _count6:
+            _arrival_2 = _take(_arrival_1, _rows5)
+            _ceiling_2 = _take(_ceiling_1, _rows5)
+            _certain_2 = _take(_certain_1, _rows5)
+            _end_2 = _take(_end_1, _rows5)
+            _extent_2 = _take(_extent_1, _rows5)
+            _flat_2 = _take(_flat_1, _rows5)
+            _high0_2 = _take(_high0_1, _rows5)
+            _high1_2 = _take(_high1_1, _rows5)
+            _high2_2 = _take(_high2_1, _rows5)
+            _last_2 = _take(_last_1, _rows5)
+            _latest_2 = _take(_latest_1, _rows5)
+            _low0_2 = _take(_low0_1, _rows5)
+            _low1_2 = _take(_low1_1, _rows5)
+            _low2_2 = _take(_low2_1, _rows5)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows5)
+            _p_gravity_2 = _take(_p_gravity_1, _rows5)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows5)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows5)
+            _rate_slack_2 = _take(_rate_slack_1, _rows5)
+            _rho_start_2 = _take(_rho_start_1, _rows5)
+            _searching_2 = _take(_searching_1, _rows5)
+            _share_2 = _take(_share_1, _rows5)
+            _speed_2 = _take(_speed_1, _rows5)
+            _steady_2 = _take(_steady_1, _rows5)
+            _swing_2 = _take(_swing_1, _rows5)
+            _t_2 = _take(_t_1, _rows5)
+            _tilt_2 = _take(_tilt_1, _rows5)
+            _vx_2 = _take(_vx_1, _rows5)
+            _vy_2 = _take(_vy_1, _rows5)
+            _vz_2 = _take(_vz_1, _rows5)
+            _x_2 = _take(_x_1, _rows5)
+            _y_2 = _take(_y_1, _rows5)
+            _z_2 = _take(_z_1, _rows5)
+            _arrival_1 = _copy(_arrival_1, _count4)
+            _certain_1 = _copy(_certain_1, _count4)
+            _flat_1 = _copy(_flat_1, _count4)
+            _tilt_1 = _copy(_tilt_1, _count4)
             for _ in range(201):
-                leaving_2, margin_2 = nearby(flat_2, 0.0, last_2, t_2, tilt_2)
-                gap_2, rate_2, bend_2, step_2, next_2, root_2, clearance_2 = ring_advance(t_2, end_2, leaving_2, margin_2, rate_slack_2, ceiling_2, x_2, y_2, z_2, vx_2, vy_2, vz_2, steady_2, swing_2, rho_start_2, ball_radius_2, ring_radius_2, wire_radius_2, gravity_2)
-                hit_2, sure_2, vague_2 = struck(bend_2, clearance_2, gap_2, margin_2, rate_2, rate_slack_2, share_2)
-                rows7, count8 = _rows(vague_2, count6)
-                if count8:
-                    ball_radius_3 = _take(ball_radius_2, rows7)
-                    extent_3 = _take(extent_2, rows7)
-                    gravity_3 = _take(gravity_2, rows7)
-                    latest_3 = _take(latest_2, rows7)
-                    ring_radius_3 = _take(ring_radius_2, rows7)
-                    share_3 = _take(share_2, rows7)
-                    speed_3 = _take(speed_2, rows7)
-                    wire_radius_3 = _take(wire_radius_2, rows7)
-                    share_3, = finer(share_3)
-                    level_3, velocity_level_3, *_ = allowance(share_3, latest_3, extent_3, speed_3, 0.0, 0.0, gravity_3)
-                    flat_3, tilt_3, rate_slack_3 = ring_margins(latest_3, extent_3, speed_3, level_3, velocity_level_3, ball_radius_3, ring_radius_3, wire_radius_3, gravity_3)
-                    flat_2 = _put(flat_2, rows7, flat_3, count6)
-                    rate_slack_2 = _put(rate_slack_2, rows7, rate_slack_3, count6)
-                    share_2 = _put(share_2, rows7, share_3, count6)
-                    tilt_2 = _put(tilt_2, rows7, tilt_3, count6)
-                arrival_2, certain_2, exhausted_2, searching_2, t_2 = advanced(arrival_2, certain_2, end_2, hit_2, next_2, root_2, step_2, sure_2, t_2, vague_2)
-                t_3, end_3, searching_3 = ring_enter(end_2, end_2, high0_2, high1_2, high2_2, low0_2, low1_2, low2_2, t_2)
-                end_2 = where(exhausted_2, end_3, end_2)
-                searching_2 = where(exhausted_2, searching_3, searching_2)
-                t_2 = where(exhausted_2, t_3, t_2)
-                going9 = flatnonzero(searching_2)
-                if len(going9) == count6:
+                _leaving_2, _margin_2 = nearby(_flat_2, 0.0, _last_2, _t_2, _tilt_2)
+                _gap_2, _rate_2, _bend_2, _step_2, _next_2, _root_2, _clearance_2 = ring_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _steady_2, _swing_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2)
+                _hit_2, _sure_2, _vague_2 = struck(_bend_2, _clearance_2, _gap_2, _margin_2, _rate_2, _rate_slack_2, _share_2)
+                _rows7, _count8 = _rows(_vague_2, _count6)
+                if _count8:
+                    _extent_3 = _take(_extent_2, _rows7)
+                    _latest_3 = _take(_latest_2, _rows7)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows7)
+                    _p_gravity_3 = _take(_p_gravity_2, _rows7)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows7)
+                    _p_wire_radius_3 = _take(_p_wire_radius_2, _rows7)
+                    _share_3 = _take(_share_2, _rows7)
+                    _speed_3 = _take(_speed_2, _rows7)
+                    _share_3, = finer(_share_3)
+                    _level_3, _velocity_level_3, *_ = allowance(_share_3, _latest_3, _extent_3, _speed_3, 0.0, 0.0, _p_gravity_3)
+                    _flat_3, _tilt_3, _rate_slack_3 = ring_margins(_latest_3, _extent_3, _speed_3, _level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3)
+                    _flat_2 = _put(_flat_2, _rows7, _flat_3, _count6)
+                    _rate_slack_2 = _put(_rate_slack_2, _rows7, _rate_slack_3, _count6)
+                    _share_2 = _put(_share_2, _rows7, _share_3, _count6)
+                    _tilt_2 = _put(_tilt_2, _rows7, _tilt_3, _count6)
+                _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_arrival_2, _certain_2, _end_2, _hit_2, _next_2, _root_2, _step_2, _sure_2, _t_2, _vague_2)
+                _t_3, _end_3, _searching_3 = ring_enter(_end_2, _end_2, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2)
+                _end_2 = _where(_exhausted_2, _end_3, _end_2)
+                _searching_2 = _where(_exhausted_2, _searching_3, _searching_2)
+                _t_2 = _where(_exhausted_2, _t_3, _t_2)
+                _going9 = _flatnonzero(_searching_2)
+                if len(_going9) == _count6:
                     continue
-                done = flatnonzero(logical_not(searching_2))
-                _store(arrival_1, _of(rows5, done), arrival_2, done)
-                _store(certain_1, _of(rows5, done), certain_2, done)
-                _store(flat_1, _of(rows5, done), flat_2, done)
-                _store(tilt_1, _of(rows5, done), tilt_2, done)
-                rows5, count6 = _of(rows5, going9), len(going9)
-                if not count6:
+                _done = _flatnonzero(_logical_not(_searching_2))
+                _store(_arrival_1, _of(_rows5, _done), _arrival_2, _done)
+                _store(_certain_1, _of(_rows5, _done), _certain_2, _done)
+                _store(_flat_1, _of(_rows5, _done), _flat_2, _done)
+                _store(_tilt_1, _of(_rows5, _done), _tilt_2, _done)
+                _rows5, _count6 = _of(_rows5, _going9), len(_going9)
+                if not _count6:
                     break
-                arrival_2 = _take(arrival_2, going9)
-                ball_radius_2 = _take(ball_radius_2, going9)
-                ceiling_2 = _take(ceiling_2, going9)
-                certain_2 = _take(certain_2, going9)
-                end_2 = _take(end_2, going9)
-                extent_2 = _take(extent_2, going9)
-                flat_2 = _take(flat_2, going9)
-                gravity_2 = _take(gravity_2, going9)
-                high0_2 = _take(high0_2, going9)
-                high1_2 = _take(high1_2, going9)
-                high2_2 = _take(high2_2, going9)
-                last_2 = _take(last_2, going9)
-                latest_2 = _take(latest_2, going9)
-                low0_2 = _take(low0_2, going9)
-                low1_2 = _take(low1_2, going9)
-                low2_2 = _take(low2_2, going9)
-                rate_slack_2 = _take(rate_slack_2, going9)
-                rho_start_2 = _take(rho_start_2, going9)
-                ring_radius_2 = _take(ring_radius_2, going9)
-                searching_2 = _take(searching_2, going9)
-                share_2 = _take(share_2, going9)
-                speed_2 = _take(speed_2, going9)
-                steady_2 = _take(steady_2, going9)
-                swing_2 = _take(swing_2, going9)
-                t_2 = _take(t_2, going9)
-                tilt_2 = _take(tilt_2, going9)
-                vx_2 = _take(vx_2, going9)
-                vy_2 = _take(vy_2, going9)
-                vz_2 = _take(vz_2, going9)
-                wire_radius_2 = _take(wire_radius_2, going9)
-                x_2 = _take(x_2, going9)
-                y_2 = _take(y_2, going9)
-                z_2 = _take(z_2, going9)
+                _arrival_2 = _take(_arrival_2, _going9)
+                _ceiling_2 = _take(_ceiling_2, _going9)
+                _certain_2 = _take(_certain_2, _going9)
+                _end_2 = _take(_end_2, _going9)
+                _extent_2 = _take(_extent_2, _going9)
+                _flat_2 = _take(_flat_2, _going9)
+                _high0_2 = _take(_high0_2, _going9)
+                _high1_2 = _take(_high1_2, _going9)
+                _high2_2 = _take(_high2_2, _going9)
+                _last_2 = _take(_last_2, _going9)
+                _latest_2 = _take(_latest_2, _going9)
+                _low0_2 = _take(_low0_2, _going9)
+                _low1_2 = _take(_low1_2, _going9)
+                _low2_2 = _take(_low2_2, _going9)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going9)
+                _p_gravity_2 = _take(_p_gravity_2, _going9)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going9)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going9)
+                _rate_slack_2 = _take(_rate_slack_2, _going9)
+                _rho_start_2 = _take(_rho_start_2, _going9)
+                _searching_2 = _take(_searching_2, _going9)
+                _share_2 = _take(_share_2, _going9)
+                _speed_2 = _take(_speed_2, _going9)
+                _steady_2 = _take(_steady_2, _going9)
+                _swing_2 = _take(_swing_2, _going9)
+                _t_2 = _take(_t_2, _going9)
+                _tilt_2 = _take(_tilt_2, _going9)
+                _vx_2 = _take(_vx_2, _going9)
+                _vy_2 = _take(_vy_2, _going9)
+                _vz_2 = _take(_vz_2, _going9)
+                _x_2 = _take(_x_2, _going9)
+                _y_2 = _take(_y_2, _going9)
+                _z_2 = _take(_z_2, _going9)
             else:
-                _store(arrival_1, rows5, arrival_2, None)
-                _store(certain_1, rows5, certain_2, None)
-                _store(flat_1, rows5, flat_2, None)
-                _store(tilt_1, rows5, tilt_2, None)
-        arrives_1, = found(arrival_1)
-        leaving_1, *_ = nearby(flat_1, 0.0, last_1, arrival_1, tilt_1)
-        refined_1, *_ = ring_refine(arrival_1, leaving_1, x_1, y_1, z_1, vx_1, vy_1, vz_1, rho_start_1, ball_radius_1, ring_radius_1, wire_radius_1, gravity_1)
-        arrival_1, = polished(arrival_1, certain_1, refined_1)
-        refined_1, *_ = ring_refine(arrival_1, leaving_1, x_1, y_1, z_1, vx_1, vy_1, vz_1, rho_start_1, ball_radius_1, ring_radius_1, wire_radius_1, gravity_1)
-        arrival_1, = polished(arrival_1, certain_1, refined_1)
-        time_1, = landed(arrival_1)
-        when_1, which_1 = sooner(arrives_1, 0.0, time_1, when_1, which_1)
-        when_0 = _put(when_0, rows3, when_1, shots)
-        which_0 = _put(which_0, rows3, which_1, shots)
-    _, moves_0, ends_0, touches_0 = departed(3.0, which_0)
-    body_0, = body_of(which_0)
-    x_1, y_1, z_1, vx_1, vy_1, vz_1 = flight(when_0, x, y, z, vx, vy, vz, gravity)
-    clock_1, = ticked(clock, when_0)
-    clock_0 = where(moves_0, clock_1, clock)
-    vx_0 = where(moves_0, vx_1, vx)
-    vy_0 = where(moves_0, vy_1, vy)
-    vz_0 = where(moves_0, vz_1, vz)
-    x_0 = where(moves_0, x_1, x)
-    y_0 = where(moves_0, y_1, y)
-    z_0 = where(moves_0, z_1, z)
-    miss_0, = target(x_0, y_0, ring_radius)
-    contacts_0, outcome_0 = accounted(contacts, ends_0, miss_0, most_contacts, touches_0)
-    columns["body"] = body_0
-    columns["clock"] = clock_0
-    columns["contacts"] = contacts_0
-    columns["ends"] = ends_0
-    columns["outcome"] = outcome_0
-    columns["touches"] = touches_0
-    columns["vx"] = vx_0
-    columns["vy"] = vy_0
-    columns["vz"] = vz_0
-    columns["which"] = which_0
-    columns["x"] = x_0
-    columns["y"] = y_0
-    columns["z"] = z_0
+                _store(_arrival_1, _rows5, _arrival_2, None)
+                _store(_certain_1, _rows5, _certain_2, None)
+                _store(_flat_1, _rows5, _flat_2, None)
+                _store(_tilt_1, _rows5, _tilt_2, None)
+        _arrives_1, = found(_arrival_1)
+        _leaving_1, *_ = nearby(_flat_1, 0.0, _last_1, _arrival_1, _tilt_1)
+        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
+        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
+        _time_1, = landed(_arrival_1)
+        _when_1, _which_1 = sooner(_arrives_1, 0.0, _time_1, _when_1, _which_1)
+        _when_0 = _put(_when_0, _rows3, _when_1, shots)
+        _which_0 = _put(_which_0, _rows3, _which_1, shots)
+    _, _moves_0, _ends_0, _touches_0 = departed(3.0, _which_0)
+    _body_0, = body_of(_which_0)
+    _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0)
+    _clock_1, = ticked(_clock_0, _when_0)
+    _clock_0 = _where(_moves_0, _clock_1, _clock_0)
+    _vx_0 = _where(_moves_0, _vx_1, _vx_0)
+    _vy_0 = _where(_moves_0, _vy_1, _vy_0)
+    _vz_0 = _where(_moves_0, _vz_1, _vz_0)
+    _x_0 = _where(_moves_0, _x_1, _x_0)
+    _y_0 = _where(_moves_0, _y_1, _y_0)
+    _z_0 = _where(_moves_0, _z_1, _z_0)
+    _miss_0, = target(_x_0, _y_0, _p_ring_radius_0)
+    _contacts_0, _outcome_0 = accounted(_contacts_0, _ends_0, _miss_0, _most_contacts_0, _touches_0)
+    columns["body"] = _body_0
+    columns["clock"] = _clock_0
+    columns["contacts"] = _contacts_0
+    columns["ends"] = _ends_0
+    columns["outcome"] = _outcome_0
+    columns["touches"] = _touches_0
+    columns["vx"] = _vx_0
+    columns["vy"] = _vy_0
+    columns["vz"] = _vz_0
+    columns["which"] = _which_0
+    columns["x"] = _x_0
+    columns["y"] = _y_0
+    columns["z"] = _z_0
 
 
 def meet_plain(columns: dict[str, Any], shots: int) -> None:
     """Stage meet of the event loop, the path alone."""
-    ball_radius = columns["ball_radius"]
-    board_distance = columns["board_distance"]
-    body = columns["body"]
-    count_0 = columns["count_0"]
-    count_1 = columns["count_1"]
-    count_2 = columns["count_2"]
-    ends = columns["ends"]
-    first = columns["first"]
-    last = columns["last"]
-    restitution = columns["restitution"]
-    ring_radius = columns["ring_radius"]
-    touches = columns["touches"]
-    vx = columns["vx"]
-    vy = columns["vy"]
-    vz = columns["vz"]
-    which = columns["which"]
-    wire_radius = columns["wire_radius"]
-    wx = columns["wx"]
-    wy = columns["wy"]
-    wz = columns["wz"]
-    x = columns["x"]
-    y = columns["y"]
-    z = columns["z"]
-    meeting_0, = meeting(0.0, ends, touches)
-    rows1, count2 = _rows(meeting_0, shots)
-    if count2:
-        ball_radius_1 = _take(ball_radius, rows1)
-        board_distance_1 = _take(board_distance, rows1)
-        body_1 = _take(body, rows1)
-        count_0_1 = _take(count_0, rows1)
-        count_1_1 = _take(count_1, rows1)
-        count_2_1 = _take(count_2, rows1)
-        first_1 = _take(first, rows1)
-        last_1 = _take(last, rows1)
-        restitution_1 = _take(restitution, rows1)
-        ring_radius_1 = _take(ring_radius, rows1)
-        touches_1 = _take(touches, rows1)
-        vx_1 = _take(vx, rows1)
-        vy_1 = _take(vy, rows1)
-        vz_1 = _take(vz, rows1)
-        which_1 = _take(which, rows1)
-        wire_radius_1 = _take(wire_radius, rows1)
-        wx_1 = _take(wx, rows1)
-        wy_1 = _take(wy, rows1)
-        wz_1 = _take(wz, rows1)
-        x_1 = _take(x, rows1)
-        y_1 = _take(y, rows1)
-        z_1 = _take(z, rows1)
-        nx_1, ny_1, nz_1 = end_normal()
-        here_1, = here(0.0, which_1)
-        nx_2, ny_2, nz_2 = ring_normal(x_1, y_1, z_1, ball_radius_1, ring_radius_1, wire_radius_1)
-        count_0_2, = counted(count_0_1)
-        count_0_1 = where(here_1, count_0_2, count_0_1)
-        nx_1 = where(here_1, nx_2, nx_1)
-        ny_1 = where(here_1, ny_2, ny_1)
-        nz_1 = where(here_1, nz_2, nz_1)
-        here_1, = here(1.0, which_1)
-        nx_2, ny_2, nz_2 = backboard_normal()
-        count_1_2, = counted(count_1_1)
-        count_1_1 = where(here_1, count_1_2, count_1_1)
-        nx_1 = where(here_1, nx_2, nx_1)
-        ny_1 = where(here_1, ny_2, ny_1)
-        nz_1 = where(here_1, nz_2, nz_1)
-        here_1, = here(2.0, which_1)
-        nx_2, ny_2, nz_2 = bridge_normal()
-        count_2_2, = counted(count_2_1)
-        count_2_1 = where(here_1, count_2_2, count_2_1)
-        nx_1 = where(here_1, nx_2, nx_1)
-        ny_1 = where(here_1, ny_2, ny_1)
-        nz_1 = where(here_1, nz_2, nz_1)
-        rows3, count4 = _rows(touches_1, count2)
-        if count4:
-            ball_radius_2 = _take(ball_radius_1, rows3)
-            nx_2 = _take(nx_1, rows3)
-            ny_2 = _take(ny_1, rows3)
-            nz_2 = _take(nz_1, rows3)
-            restitution_2 = _take(restitution_1, rows3)
-            vx_2 = _take(vx_1, rows3)
-            vy_2 = _take(vy_1, rows3)
-            vz_2 = _take(vz_1, rows3)
-            wx_2 = _take(wx_1, rows3)
-            wy_2 = _take(wy_1, rows3)
-            wz_2 = _take(wz_1, rows3)
-            vx_2, vy_2, vz_2, wx_2, wy_2, wz_2 = impact(vx_2, vy_2, vz_2, wx_2, wy_2, wz_2, nx_2, ny_2, nz_2, ball_radius_2, restitution_2)
-            vx_1 = _put(vx_1, rows3, vx_2, count2)
-            vy_1 = _put(vy_1, rows3, vy_2, count2)
-            vz_1 = _put(vz_1, rows3, vz_2, count2)
-            wx_1 = _put(wx_1, rows3, wx_2, count2)
-            wy_1 = _put(wy_1, rows3, wy_2, count2)
-            wz_1 = _put(wz_1, rows3, wz_2, count2)
-        here_1, = here(1.0, which_1)
-        x_2, y_2, z_2 = backboard_place(y_1, z_1, ball_radius_1, board_distance_1)
-        x_1 = where(here_1, x_2, x_1)
-        y_1 = where(here_1, y_2, y_1)
-        z_1 = where(here_1, z_2, z_1)
-        here_1, = here(2.0, which_1)
-        x_2, y_2, z_2 = bridge_place(x_1, y_1, ball_radius_1, wire_radius_1)
-        x_1 = where(here_1, x_2, x_1)
-        y_1 = where(here_1, y_2, y_1)
-        z_1 = where(here_1, z_2, z_1)
-        first_2, last_2 = touched(body_1, first_1, which_1)
-        first_1 = where(touches_1, first_2, first_1)
-        last_1 = where(touches_1, last_2, last_1)
-        count_0_0 = _put(count_0, rows1, count_0_1, shots)
-        count_1_0 = _put(count_1, rows1, count_1_1, shots)
-        count_2_0 = _put(count_2, rows1, count_2_1, shots)
-        first_0 = _put(first, rows1, first_1, shots)
-        last_0 = _put(last, rows1, last_1, shots)
-        vx_0 = _put(vx, rows1, vx_1, shots)
-        vy_0 = _put(vy, rows1, vy_1, shots)
-        vz_0 = _put(vz, rows1, vz_1, shots)
-        wx_0 = _put(wx, rows1, wx_1, shots)
-        wy_0 = _put(wy, rows1, wy_1, shots)
-        wz_0 = _put(wz, rows1, wz_1, shots)
-        x_0 = _put(x, rows1, x_1, shots)
-        y_0 = _put(y, rows1, y_1, shots)
-        z_0 = _put(z, rows1, z_1, shots)
-    else:
-        count_0_0 = count_0
-        count_1_0 = count_1
-        count_2_0 = count_2
-        first_0 = first
-        last_0 = last
-        vx_0 = vx
-        vy_0 = vy
-        vz_0 = vz
-        wx_0 = wx
-        wy_0 = wy
-        wz_0 = wz
-        x_0 = x
-        y_0 = y
-        z_0 = z
-    columns["count_0"] = count_0_0
-    columns["count_1"] = count_1_0
-    columns["count_2"] = count_2_0
-    columns["first"] = first_0
-    columns["last"] = last_0
-    columns["vx"] = vx_0
-    columns["vy"] = vy_0
-    columns["vz"] = vz_0
-    columns["wx"] = wx_0
-    columns["wy"] = wy_0
-    columns["wz"] = wz_0
-    columns["x"] = x_0
-    columns["y"] = y_0
-    columns["z"] = z_0
+    _body_0 = columns["body"]
+    _count_0_0 = columns["count_0"]
+    _count_1_0 = columns["count_1"]
+    _count_2_0 = columns["count_2"]
+    _ends_0 = columns["ends"]
+    _first_0 = columns["first"]
+    _last_0 = columns["last"]
+    _p_ball_radius_0 = columns["p_ball_radius"]
+    _p_board_distance_0 = columns["p_board_distance"]
+    _p_restitution_0 = columns["p_restitution"]
+    _p_ring_radius_0 = columns["p_ring_radius"]
+    _p_wire_radius_0 = columns["p_wire_radius"]
+    _touches_0 = columns["touches"]
+    _vx_0 = columns["vx"]
+    _vy_0 = columns["vy"]
+    _vz_0 = columns["vz"]
+    _which_0 = columns["which"]
+    _wx_0 = columns["wx"]
+    _wy_0 = columns["wy"]
+    _wz_0 = columns["wz"]
+    _x_0 = columns["x"]
+    _y_0 = columns["y"]
+    _z_0 = columns["z"]
+    _meeting_0, = meeting(0.0, _ends_0, _touches_0)
+    _rows1, _count2 = _rows(_meeting_0, shots)
+    if _count2:
+        _body_1 = _take(_body_0, _rows1)
+        _count_0_1 = _take(_count_0_0, _rows1)
+        _count_1_1 = _take(_count_1_0, _rows1)
+        _count_2_1 = _take(_count_2_0, _rows1)
+        _first_1 = _take(_first_0, _rows1)
+        _last_1 = _take(_last_0, _rows1)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
+        _p_board_distance_1 = _take(_p_board_distance_0, _rows1)
+        _p_restitution_1 = _take(_p_restitution_0, _rows1)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows1)
+        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows1)
+        _touches_1 = _take(_touches_0, _rows1)
+        _vx_1 = _take(_vx_0, _rows1)
+        _vy_1 = _take(_vy_0, _rows1)
+        _vz_1 = _take(_vz_0, _rows1)
+        _which_1 = _take(_which_0, _rows1)
+        _wx_1 = _take(_wx_0, _rows1)
+        _wy_1 = _take(_wy_0, _rows1)
+        _wz_1 = _take(_wz_0, _rows1)
+        _x_1 = _take(_x_0, _rows1)
+        _y_1 = _take(_y_0, _rows1)
+        _z_1 = _take(_z_0, _rows1)
+        _nx_1, _ny_1, _nz_1 = end_normal()
+        _here_1, = here(0.0, _which_1)
+        _nx_2, _ny_2, _nz_2 = ring_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1)
+        _count_0_2, = counted(_count_0_1)
+        _count_0_1 = _where(_here_1, _count_0_2, _count_0_1)
+        _nx_1 = _where(_here_1, _nx_2, _nx_1)
+        _ny_1 = _where(_here_1, _ny_2, _ny_1)
+        _nz_1 = _where(_here_1, _nz_2, _nz_1)
+        _here_1, = here(1.0, _which_1)
+        _nx_2, _ny_2, _nz_2 = backboard_normal()
+        _count_1_2, = counted(_count_1_1)
+        _count_1_1 = _where(_here_1, _count_1_2, _count_1_1)
+        _nx_1 = _where(_here_1, _nx_2, _nx_1)
+        _ny_1 = _where(_here_1, _ny_2, _ny_1)
+        _nz_1 = _where(_here_1, _nz_2, _nz_1)
+        _here_1, = here(2.0, _which_1)
+        _nx_2, _ny_2, _nz_2 = bridge_normal()
+        _count_2_2, = counted(_count_2_1)
+        _count_2_1 = _where(_here_1, _count_2_2, _count_2_1)
+        _nx_1 = _where(_here_1, _nx_2, _nx_1)
+        _ny_1 = _where(_here_1, _ny_2, _ny_1)
+        _nz_1 = _where(_here_1, _nz_2, _nz_1)
+        _rows3, _count4 = _rows(_touches_1, _count2)
+        if _count4:
+            _nx_2 = _take(_nx_1, _rows3)
+            _ny_2 = _take(_ny_1, _rows3)
+            _nz_2 = _take(_nz_1, _rows3)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows3)
+            _p_restitution_2 = _take(_p_restitution_1, _rows3)
+            _vx_2 = _take(_vx_1, _rows3)
+            _vy_2 = _take(_vy_1, _rows3)
+            _vz_2 = _take(_vz_1, _rows3)
+            _wx_2 = _take(_wx_1, _rows3)
+            _wy_2 = _take(_wy_1, _rows3)
+            _wz_2 = _take(_wz_1, _rows3)
+            _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_restitution_2)
+            _vx_1 = _put(_vx_1, _rows3, _vx_2, _count2)
+            _vy_1 = _put(_vy_1, _rows3, _vy_2, _count2)
+            _vz_1 = _put(_vz_1, _rows3, _vz_2, _count2)
+            _wx_1 = _put(_wx_1, _rows3, _wx_2, _count2)
+            _wy_1 = _put(_wy_1, _rows3, _wy_2, _count2)
+            _wz_1 = _put(_wz_1, _rows3, _wz_2, _count2)
+        _here_1, = here(1.0, _which_1)
+        _x_2, _y_2, _z_2 = backboard_place(_y_1, _z_1, _p_ball_radius_1, _p_board_distance_1)
+        _x_1 = _where(_here_1, _x_2, _x_1)
+        _y_1 = _where(_here_1, _y_2, _y_1)
+        _z_1 = _where(_here_1, _z_2, _z_1)
+        _here_1, = here(2.0, _which_1)
+        _x_2, _y_2, _z_2 = bridge_place(_x_1, _y_1, _p_ball_radius_1, _p_wire_radius_1)
+        _x_1 = _where(_here_1, _x_2, _x_1)
+        _y_1 = _where(_here_1, _y_2, _y_1)
+        _z_1 = _where(_here_1, _z_2, _z_1)
+        _first_2, _last_2 = touched(_body_1, _first_1, _which_1)
+        _first_1 = _where(_touches_1, _first_2, _first_1)
+        _last_1 = _where(_touches_1, _last_2, _last_1)
+        _count_0_0 = _put(_count_0_0, _rows1, _count_0_1, shots)
+        _count_1_0 = _put(_count_1_0, _rows1, _count_1_1, shots)
+        _count_2_0 = _put(_count_2_0, _rows1, _count_2_1, shots)
+        _first_0 = _put(_first_0, _rows1, _first_1, shots)
+        _last_0 = _put(_last_0, _rows1, _last_1, shots)
+        _vx_0 = _put(_vx_0, _rows1, _vx_1, shots)
+        _vy_0 = _put(_vy_0, _rows1, _vy_1, shots)
+        _vz_0 = _put(_vz_0, _rows1, _vz_1, shots)
+        _wx_0 = _put(_wx_0, _rows1, _wx_1, shots)
+        _wy_0 = _put(_wy_0, _rows1, _wy_1, shots)
+        _wz_0 = _put(_wz_0, _rows1, _wz_1, shots)
+        _x_0 = _put(_x_0, _rows1, _x_1, shots)
+        _y_0 = _put(_y_0, _rows1, _y_1, shots)
+        _z_0 = _put(_z_0, _rows1, _z_1, shots)
+    columns["count_0"] = _count_0_0
+    columns["count_1"] = _count_1_0
+    columns["count_2"] = _count_2_0
+    columns["first"] = _first_0
+    columns["last"] = _last_0
+    columns["vx"] = _vx_0
+    columns["vy"] = _vy_0
+    columns["vz"] = _vz_0
+    columns["wx"] = _wx_0
+    columns["wy"] = _wy_0
+    columns["wz"] = _wz_0
+    columns["x"] = _x_0
+    columns["y"] = _y_0
+    columns["z"] = _z_0
 
 
 def permit_bounded(columns: dict[str, Any], shots: int) -> None:
     """Stage permit of the event loop, with bounds on errors."""
-    ball_radius = columns["ball_radius"]
-    board_bottom = columns["board_bottom"]
-    board_distance = columns["board_distance"]
-    board_half_width = columns["board_half_width"]
-    board_top = columns["board_top"]
-    bridge_half_width = columns["bridge_half_width"]
-    end_depth = columns["end_depth"]
-    gravity = columns["gravity"]
-    restitution = columns["restitution"]
-    ring_radius = columns["ring_radius"]
-    wire_radius = columns["wire_radius"]
-    allowed_0, = allowed(ball_radius, ring_radius, wire_radius, board_distance, board_half_width, bridge_half_width, restitution, gravity, end_depth)
-    permitted_0, = finite_parameters(ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, restitution, gravity, end_depth, allowed_0)
-    columns["permitted"] = permitted_0
+    _p_ball_radius_0 = columns["p_ball_radius"]
+    _p_board_bottom_0 = columns["p_board_bottom"]
+    _p_board_distance_0 = columns["p_board_distance"]
+    _p_board_half_width_0 = columns["p_board_half_width"]
+    _p_board_top_0 = columns["p_board_top"]
+    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
+    _p_end_depth_0 = columns["p_end_depth"]
+    _p_gravity_0 = columns["p_gravity"]
+    _p_restitution_0 = columns["p_restitution"]
+    _p_ring_radius_0 = columns["p_ring_radius"]
+    _p_wire_radius_0 = columns["p_wire_radius"]
+    _allowed_0, = allowed(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_bridge_half_width_0, _p_restitution_0, _p_gravity_0, _p_end_depth_0)
+    _permitted_0, = finite_parameters(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_restitution_0, _p_gravity_0, _p_end_depth_0, _allowed_0)
+    columns["permitted"] = _permitted_0
 
 
 def admit_bounded(columns: dict[str, Any], shots: int) -> None:
     """Stage admit of the event loop, with bounds on errors."""
-    ball_radius = columns["ball_radius"]
-    board_bottom = columns["board_bottom"]
-    board_distance = columns["board_distance"]
-    board_half_width = columns["board_half_width"]
-    board_top = columns["board_top"]
-    bridge_half_width = columns["bridge_half_width"]
-    end_depth = columns["end_depth"]
-    last = columns["last"]
-    permitted = columns["permitted"]
-    ring_radius = columns["ring_radius"]
-    vx = columns["vx"]
-    vy = columns["vy"]
-    vz = columns["vz"]
-    wire_radius = columns["wire_radius"]
-    wx = columns["wx"]
-    wy = columns["wy"]
-    wz = columns["wz"]
-    x = columns["x"]
-    y = columns["y"]
-    z = columns["z"]
-    finite_0, = finite_state(vx, vy, vz, wx, wy, wz, x, y, z)
-    valid_0, doubt_0 = valid(last, x, y, z, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, end_depth)
-    outcome_0, uncertain_0 = admitted(doubt_0, finite_0, permitted, valid_0)
-    columns["outcome"] = outcome_0
-    columns["uncertain"] = uncertain_0
+    _last_0 = columns["last"]
+    _p_ball_radius_0 = columns["p_ball_radius"]
+    _p_board_bottom_0 = columns["p_board_bottom"]
+    _p_board_distance_0 = columns["p_board_distance"]
+    _p_board_half_width_0 = columns["p_board_half_width"]
+    _p_board_top_0 = columns["p_board_top"]
+    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
+    _p_end_depth_0 = columns["p_end_depth"]
+    _p_ring_radius_0 = columns["p_ring_radius"]
+    _p_wire_radius_0 = columns["p_wire_radius"]
+    _permitted_0 = columns["permitted"]
+    _vx_0 = columns["vx"]
+    _vy_0 = columns["vy"]
+    _vz_0 = columns["vz"]
+    _wx_0 = columns["wx"]
+    _wy_0 = columns["wy"]
+    _wz_0 = columns["wz"]
+    _x_0 = columns["x"]
+    _y_0 = columns["y"]
+    _z_0 = columns["z"]
+    _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
+    _valid_0, _doubt_0 = valid(_last_0, _x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0)
+    _outcome_0, _uncertain_0 = admitted(_doubt_0, _finite_0, _permitted_0, _valid_0)
+    columns["outcome"] = _outcome_0
+    columns["uncertain"] = _uncertain_0
 
 
 def reach_bounded(columns: dict[str, Any], shots: int) -> None:
     """Stage reach of the event loop, with bounds on errors."""
-    ball_radius = columns["ball_radius"]
-    board_bottom = columns["board_bottom"]
-    board_distance = columns["board_distance"]
-    board_half_width = columns["board_half_width"]
-    board_top = columns["board_top"]
-    bridge_half_width = columns["bridge_half_width"]
-    clock = columns["clock"]
-    clock_error = columns["clock_error"]
-    contacts = columns["contacts"]
-    dvx = columns["dvx"]
-    dvy = columns["dvy"]
-    dvz = columns["dvz"]
-    dwx = columns["dwx"]
-    dwy = columns["dwy"]
-    dwz = columns["dwz"]
-    dx = columns["dx"]
-    dy = columns["dy"]
-    dz = columns["dz"]
-    end_depth = columns["end_depth"]
-    gravity = columns["gravity"]
-    last = columns["last"]
-    most_contacts = columns["most_contacts"]
-    ring_radius = columns["ring_radius"]
-    uncertain = columns["uncertain"]
-    vx = columns["vx"]
-    vy = columns["vy"]
-    vz = columns["vz"]
-    wire_radius = columns["wire_radius"]
-    x = columns["x"]
-    y = columns["y"]
-    z = columns["z"]
-    position_error_0, velocity_error_0, *_ = error_bounds(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz)
-    extent_0, speed_0, excess_0 = scale(x, y, z, vx, vy, vz, gravity)
-    when_0, which_0, late_0, doubt_0 = opening(excess_0, position_error_0, velocity_error_0)
-    leaving_0, = left(3.0, last)
-    time_0, rate_0, bend_0, apex_0, height_0 = end_arrival(leaving_0, z, vz, gravity, end_depth)
-    arrives_0, ceiling_0 = meeting_plane(bend_0, rate_0, time_0)
-    margin_0, = end_margin(time_0, extent_0, speed_0, position_error_0, velocity_error_0, gravity, end_depth)
-    clearance_0, delay_0 = crossing(margin_0, 0.0, rate_0, ceiling_0)
-    possible_0, = timely(arrives_0, delay_0, late_0, time_0, when_0)
-    margin_0, = end_margin(apex_0, extent_0, speed_0, position_error_0, velocity_error_0, gravity, end_depth)
-    doubt_0, = grazed(apex_0, doubt_0, height_0, margin_0)
-    doubt_1, = crossed(arrives_0, clearance_0, doubt_0, time_0)
-    doubt_1, late_1 = tied(arrives_0, delay_0, doubt_1, late_0, time_0, when_0)
-    when_1, which_1 = sooner(arrives_0, 3.0, time_0, when_0, which_0)
-    doubt_0 = where(possible_0, doubt_1, doubt_0)
-    late_0 = where(possible_0, late_1, late_0)
-    when_0 = where(possible_0, when_1, when_0)
-    which_0 = where(possible_0, which_1, which_0)
-    leaving_0, = left(1.0, last)
-    time_0, rate_0, bend_0, apex_0, height_0 = backboard_arrival(leaving_0, x, vx, ball_radius, board_distance)
-    arrives_0, ceiling_0 = meeting_plane(bend_0, rate_0, time_0)
-    margin_0, = backboard_margin(time_0, extent_0, speed_0, position_error_0, velocity_error_0, ball_radius, board_distance, gravity)
-    clearance_0, delay_0 = crossing(margin_0, 0.0, rate_0, ceiling_0)
-    possible_0, = timely(arrives_0, delay_0, late_0, time_0, when_0)
-    margin_0, = backboard_margin(apex_0, extent_0, speed_0, position_error_0, velocity_error_0, ball_radius, board_distance, gravity)
-    doubt_0, = grazed(apex_0, doubt_0, height_0, margin_0)
-    rows1, count2 = _rows(possible_0, shots)
-    if count2:
-        ball_radius_1 = _take(ball_radius, rows1)
-        board_bottom_1 = _take(board_bottom, rows1)
-        board_distance_1 = _take(board_distance, rows1)
-        board_half_width_1 = _take(board_half_width, rows1)
-        board_top_1 = _take(board_top, rows1)
-        bridge_half_width_1 = _take(bridge_half_width, rows1)
-        clearance_1 = _take(clearance_0, rows1)
-        delay_1 = _take(delay_0, rows1)
-        doubt_1 = _take(doubt_0, rows1)
-        end_depth_1 = _take(end_depth, rows1)
-        extent_1 = _take(extent_0, rows1)
-        gravity_1 = _take(gravity, rows1)
-        late_1 = _take(late_0, rows1)
-        position_error_1 = _take(position_error_0, rows1)
-        ring_radius_1 = _take(ring_radius, rows1)
-        speed_1 = _take(speed_0, rows1)
-        time_1 = _take(time_0, rows1)
-        velocity_error_1 = _take(velocity_error_0, rows1)
-        vx_1 = _take(vx, rows1)
-        vy_1 = _take(vy, rows1)
-        vz_1 = _take(vz, rows1)
-        when_1 = _take(when_0, rows1)
-        which_1 = _take(which_0, rows1)
-        wire_radius_1 = _take(wire_radius, rows1)
-        x_1 = _take(x, rows1)
-        y_1 = _take(y, rows1)
-        z_1 = _take(z, rows1)
-        _, there_y_1, there_z_1, *_ = flight(time_1, x_1, y_1, z_1, vx_1, vy_1, vz_1, gravity_1)
-        g0_1, g1_1, g2_1, g3_1 = backboard_bounds(there_y_1, there_z_1, board_half_width_1, board_bottom_1, board_top_1)
-        slack_1, = displacement(delay_1, time_1, extent_1, speed_1, position_error_1, velocity_error_1, ball_radius_1, ring_radius_1, wire_radius_1, board_distance_1, board_half_width_1, board_bottom_1, board_top_1, bridge_half_width_1, gravity_1, end_depth_1)
-        unsure_1, = backboard_edges(clearance_1, g0_1, g1_1, g2_1, g3_1, slack_1)
-        doubt_1, = questioned(doubt_1, time_1, unsure_1)
-        arrives_1, = backboard_within(g0_1, g1_1, g2_1, g3_1)
-        doubt_1, late_1 = tied(arrives_1, delay_1, doubt_1, late_1, time_1, when_1)
-        when_1, which_1 = sooner(arrives_1, 1.0, time_1, when_1, which_1)
-        doubt_0 = _put(doubt_0, rows1, doubt_1, shots)
-        late_0 = _put(late_0, rows1, late_1, shots)
-        when_0 = _put(when_0, rows1, when_1, shots)
-        which_0 = _put(which_0, rows1, which_1, shots)
-    leaving_0, = left(2.0, last)
-    time_0, rate_0, bend_0, apex_0, height_0 = bridge_arrival(leaving_0, z, vz, ball_radius, wire_radius, gravity)
-    arrives_0, ceiling_0 = meeting_plane(bend_0, rate_0, time_0)
-    margin_0, = bridge_margin(time_0, extent_0, speed_0, position_error_0, velocity_error_0, ball_radius, wire_radius, gravity)
-    clearance_0, delay_0 = crossing(margin_0, 0.0, rate_0, ceiling_0)
-    possible_0, = timely(arrives_0, delay_0, late_0, time_0, when_0)
-    margin_0, = bridge_margin(apex_0, extent_0, speed_0, position_error_0, velocity_error_0, ball_radius, wire_radius, gravity)
-    doubt_0, = grazed(apex_0, doubt_0, height_0, margin_0)
-    rows3, count4 = _rows(possible_0, shots)
-    if count4:
-        ball_radius_1 = _take(ball_radius, rows3)
-        board_bottom_1 = _take(board_bottom, rows3)
-        board_distance_1 = _take(board_distance, rows3)
-        board_half_width_1 = _take(board_half_width, rows3)
-        board_top_1 = _take(board_top, rows3)
-        bridge_half_width_1 = _take(bridge_half_width, rows3)
-        clearance_1 = _take(clearance_0, rows3)
-        delay_1 = _take(delay_0, rows3)
-        doubt_1 = _take(doubt_0, rows3)
-        end_depth_1 = _take(end_depth, rows3)
-        extent_1 = _take(extent_0, rows3)
-        gravity_1 = _take(gravity, rows3)
-        late_1 = _take(late_0, rows3)
-        position_error_1 = _take(position_error_0, rows3)
-        ring_radius_1 = _take(ring_radius, rows3)
-        speed_1 = _take(speed_0, rows3)
-        time_1 = _take(time_0, rows3)
-        velocity_error_1 = _take(velocity_error_0, rows3)
-        vx_1 = _take(vx, rows3)
-        vy_1 = _take(vy, rows3)
-        vz_1 = _take(vz, rows3)
-        when_1 = _take(when_0, rows3)
-        which_1 = _take(which_0, rows3)
-        wire_radius_1 = _take(wire_radius, rows3)
-        x_1 = _take(x, rows3)
-        y_1 = _take(y, rows3)
-        z_1 = _take(z, rows3)
-        there_x_1, there_y_1, *_ = flight(time_1, x_1, y_1, z_1, vx_1, vy_1, vz_1, gravity_1)
-        g0_1, g1_1, g2_1, g3_1, g4_1 = bridge_bounds(there_x_1, there_y_1, ring_radius_1, board_distance_1, bridge_half_width_1)
-        slack_1, = displacement(delay_1, time_1, extent_1, speed_1, position_error_1, velocity_error_1, ball_radius_1, ring_radius_1, wire_radius_1, board_distance_1, board_half_width_1, board_bottom_1, board_top_1, bridge_half_width_1, gravity_1, end_depth_1)
-        unsure_1, = bridge_edges(clearance_1, g0_1, g1_1, g2_1, g3_1, g4_1, slack_1)
-        doubt_1, = questioned(doubt_1, time_1, unsure_1)
-        arrives_1, = bridge_within(g0_1, g1_1, g2_1, g3_1, g4_1)
-        doubt_1, late_1 = tied(arrives_1, delay_1, doubt_1, late_1, time_1, when_1)
-        when_1, which_1 = sooner(arrives_1, 2.0, time_1, when_1, which_1)
-        doubt_0 = _put(doubt_0, rows3, doubt_1, shots)
-        late_0 = _put(late_0, rows3, late_1, shots)
-        when_0 = _put(when_0, rows3, when_1, shots)
-        which_0 = _put(which_0, rows3, which_1, shots)
-    until_0, pad_0 = horizon(when_0, speed_0, gravity)
-    clear_0, = ring_clear(until_0, x, y, z, vx, vy, vz, extent_0, speed_0, position_error_0, velocity_error_0, ball_radius, ring_radius, wire_radius, gravity)
-    open_0, = opens(clear_0)
-    rows5, count6 = _rows(open_0, shots)
-    if count6:
-        ball_radius_1 = _take(ball_radius, rows5)
-        doubt_1 = _take(doubt_0, rows5)
-        extent_1 = _take(extent_0, rows5)
-        gravity_1 = _take(gravity, rows5)
-        last_1 = _take(last, rows5)
-        late_1 = _take(late_0, rows5)
-        pad_1 = _take(pad_0, rows5)
-        position_error_1 = _take(position_error_0, rows5)
-        ring_radius_1 = _take(ring_radius, rows5)
-        speed_1 = _take(speed_0, rows5)
-        until_1 = _take(until_0, rows5)
-        velocity_error_1 = _take(velocity_error_0, rows5)
-        vx_1 = _take(vx, rows5)
-        vy_1 = _take(vy, rows5)
-        vz_1 = _take(vz, rows5)
-        when_1 = _take(when_0, rows5)
-        which_1 = _take(which_0, rows5)
-        wire_radius_1 = _take(wire_radius, rows5)
-        x_1 = _take(x, rows5)
-        y_1 = _take(y, rows5)
-        z_1 = _take(z, rows5)
-        steady_1, swing_1, rho_start_1, low0_1, high0_1, low1_1, high1_1, low2_1, high2_1, ceiling_1, latest_1, lost_1 = ring_prepare(until_1, x_1, y_1, z_1, vx_1, vy_1, vz_1, position_error_1, velocity_error_1, ball_radius_1, ring_radius_1, wire_radius_1, gravity_1)
-        share_1, arrival_1, certain_1 = beginning()
-        level_1, velocity_level_1, excess_1 = allowance(share_1, latest_1, extent_1, speed_1, position_error_1, velocity_error_1, gravity_1)
-        flat_1, tilt_1, rate_slack_1 = ring_margins(latest_1, extent_1, speed_1, level_1, velocity_level_1, ball_radius_1, ring_radius_1, wire_radius_1, gravity_1)
-        doubt_1, = beyond(doubt_1, excess_1, late_1, lost_1, pad_1)
-        t_1, end_1, searching_1 = ring_enter(0.0, 0.0, high0_1, high1_1, high2_1, low0_1, low1_1, low2_1, 0.0)
-        rows7, count8 = _rows(searching_1, count6)
-        if count8:
-            arrival_2 = _take(arrival_1, rows7)
-            ball_radius_2 = _take(ball_radius_1, rows7)
-            ceiling_2 = _take(ceiling_1, rows7)
-            certain_2 = _take(certain_1, rows7)
-            doubt_2 = _take(doubt_1, rows7)
-            end_2 = _take(end_1, rows7)
-            extent_2 = _take(extent_1, rows7)
-            flat_2 = _take(flat_1, rows7)
-            gravity_2 = _take(gravity_1, rows7)
-            high0_2 = _take(high0_1, rows7)
-            high1_2 = _take(high1_1, rows7)
-            high2_2 = _take(high2_1, rows7)
-            last_2 = _take(last_1, rows7)
-            latest_2 = _take(latest_1, rows7)
-            low0_2 = _take(low0_1, rows7)
-            low1_2 = _take(low1_1, rows7)
-            low2_2 = _take(low2_1, rows7)
-            position_error_2 = _take(position_error_1, rows7)
-            rate_slack_2 = _take(rate_slack_1, rows7)
-            rho_start_2 = _take(rho_start_1, rows7)
-            ring_radius_2 = _take(ring_radius_1, rows7)
-            searching_2 = _take(searching_1, rows7)
-            share_2 = _take(share_1, rows7)
-            speed_2 = _take(speed_1, rows7)
-            steady_2 = _take(steady_1, rows7)
-            swing_2 = _take(swing_1, rows7)
-            t_2 = _take(t_1, rows7)
-            tilt_2 = _take(tilt_1, rows7)
-            velocity_error_2 = _take(velocity_error_1, rows7)
-            vx_2 = _take(vx_1, rows7)
-            vy_2 = _take(vy_1, rows7)
-            vz_2 = _take(vz_1, rows7)
-            wire_radius_2 = _take(wire_radius_1, rows7)
-            x_2 = _take(x_1, rows7)
-            y_2 = _take(y_1, rows7)
-            z_2 = _take(z_1, rows7)
-            arrival_1 = _copy(arrival_1, count6)
-            certain_1 = _copy(certain_1, count6)
-            doubt_1 = _copy(doubt_1, count6)
-            flat_1 = _copy(flat_1, count6)
-            searching_1 = _copy(searching_1, count6)
-            t_1 = _copy(t_1, count6)
-            tilt_1 = _copy(tilt_1, count6)
+    _clock_0 = columns["clock"]
+    _clock_error_0 = columns["clock_error"]
+    _contacts_0 = columns["contacts"]
+    _dvx_0 = columns["dvx"]
+    _dvy_0 = columns["dvy"]
+    _dvz_0 = columns["dvz"]
+    _dwx_0 = columns["dwx"]
+    _dwy_0 = columns["dwy"]
+    _dwz_0 = columns["dwz"]
+    _dx_0 = columns["dx"]
+    _dy_0 = columns["dy"]
+    _dz_0 = columns["dz"]
+    _last_0 = columns["last"]
+    _most_contacts_0 = columns["most_contacts"]
+    _p_ball_radius_0 = columns["p_ball_radius"]
+    _p_board_bottom_0 = columns["p_board_bottom"]
+    _p_board_distance_0 = columns["p_board_distance"]
+    _p_board_half_width_0 = columns["p_board_half_width"]
+    _p_board_top_0 = columns["p_board_top"]
+    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
+    _p_end_depth_0 = columns["p_end_depth"]
+    _p_gravity_0 = columns["p_gravity"]
+    _p_ring_radius_0 = columns["p_ring_radius"]
+    _p_wire_radius_0 = columns["p_wire_radius"]
+    _uncertain_0 = columns["uncertain"]
+    _vx_0 = columns["vx"]
+    _vy_0 = columns["vy"]
+    _vz_0 = columns["vz"]
+    _x_0 = columns["x"]
+    _y_0 = columns["y"]
+    _z_0 = columns["z"]
+    _position_error_0, _velocity_error_0, *_ = error_bounds(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0)
+    _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0)
+    _when_0, _which_0, _late_0, _doubt_0 = opening(_excess_0, _position_error_0, _velocity_error_0)
+    _leaving_0, = left(3.0, _last_0)
+    _time_0, _rate_0, _bend_0, _apex_0, _height_0 = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0)
+    _arrives_0, _ceiling_0 = meeting_plane(_bend_0, _rate_0, _time_0)
+    _margin_0, = end_margin(_time_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_gravity_0, _p_end_depth_0)
+    _clearance_0, _delay_0 = crossing(_margin_0, 0.0, _rate_0, _ceiling_0)
+    _possible_0, = timely(_arrives_0, _delay_0, _late_0, _time_0, _when_0)
+    _margin_0, = end_margin(_apex_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_gravity_0, _p_end_depth_0)
+    _doubt_0, = grazed(_apex_0, _doubt_0, _height_0, _margin_0)
+    _doubt_1, = crossed(_arrives_0, _clearance_0, _doubt_0, _time_0)
+    _doubt_1, _late_1 = tied(_arrives_0, _delay_0, _doubt_1, _late_0, _time_0, _when_0)
+    _when_1, _which_1 = sooner(_arrives_0, 3.0, _time_0, _when_0, _which_0)
+    _doubt_0 = _where(_possible_0, _doubt_1, _doubt_0)
+    _late_0 = _where(_possible_0, _late_1, _late_0)
+    _when_0 = _where(_possible_0, _when_1, _when_0)
+    _which_0 = _where(_possible_0, _which_1, _which_0)
+    _leaving_0, = left(1.0, _last_0)
+    _time_0, _rate_0, _bend_0, _apex_0, _height_0 = backboard_arrival(_leaving_0, _x_0, _vx_0, _p_ball_radius_0, _p_board_distance_0)
+    _arrives_0, _ceiling_0 = meeting_plane(_bend_0, _rate_0, _time_0)
+    _margin_0, = backboard_margin(_time_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0)
+    _clearance_0, _delay_0 = crossing(_margin_0, 0.0, _rate_0, _ceiling_0)
+    _possible_0, = timely(_arrives_0, _delay_0, _late_0, _time_0, _when_0)
+    _margin_0, = backboard_margin(_apex_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0)
+    _doubt_0, = grazed(_apex_0, _doubt_0, _height_0, _margin_0)
+    _rows1, _count2 = _rows(_possible_0, shots)
+    if _count2:
+        _clearance_1 = _take(_clearance_0, _rows1)
+        _delay_1 = _take(_delay_0, _rows1)
+        _doubt_1 = _take(_doubt_0, _rows1)
+        _extent_1 = _take(_extent_0, _rows1)
+        _late_1 = _take(_late_0, _rows1)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
+        _p_board_bottom_1 = _take(_p_board_bottom_0, _rows1)
+        _p_board_distance_1 = _take(_p_board_distance_0, _rows1)
+        _p_board_half_width_1 = _take(_p_board_half_width_0, _rows1)
+        _p_board_top_1 = _take(_p_board_top_0, _rows1)
+        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows1)
+        _p_end_depth_1 = _take(_p_end_depth_0, _rows1)
+        _p_gravity_1 = _take(_p_gravity_0, _rows1)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows1)
+        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows1)
+        _position_error_1 = _take(_position_error_0, _rows1)
+        _speed_1 = _take(_speed_0, _rows1)
+        _time_1 = _take(_time_0, _rows1)
+        _velocity_error_1 = _take(_velocity_error_0, _rows1)
+        _vx_1 = _take(_vx_0, _rows1)
+        _vy_1 = _take(_vy_0, _rows1)
+        _vz_1 = _take(_vz_0, _rows1)
+        _when_1 = _take(_when_0, _rows1)
+        _which_1 = _take(_which_0, _rows1)
+        _x_1 = _take(_x_0, _rows1)
+        _y_1 = _take(_y_0, _rows1)
+        _z_1 = _take(_z_0, _rows1)
+        _, _there_y_1, _there_z_1, *_ = flight(_time_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1)
+        _g0_1, _g1_1, _g2_1, _g3_1 = backboard_bounds(_there_y_1, _there_z_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1)
+        _slack_1, = displacement(_delay_1, _time_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_bridge_half_width_1, _p_gravity_1, _p_end_depth_1)
+        _unsure_1, = backboard_edges(_clearance_1, _g0_1, _g1_1, _g2_1, _g3_1, _slack_1)
+        _doubt_1, = questioned(_doubt_1, _time_1, _unsure_1)
+        _arrives_1, = backboard_within(_g0_1, _g1_1, _g2_1, _g3_1)
+        _doubt_1, _late_1 = tied(_arrives_1, _delay_1, _doubt_1, _late_1, _time_1, _when_1)
+        _when_1, _which_1 = sooner(_arrives_1, 1.0, _time_1, _when_1, _which_1)
+        _doubt_0 = _put(_doubt_0, _rows1, _doubt_1, shots)
+        _late_0 = _put(_late_0, _rows1, _late_1, shots)
+        _when_0 = _put(_when_0, _rows1, _when_1, shots)
+        _which_0 = _put(_which_0, _rows1, _which_1, shots)
+    _leaving_0, = left(2.0, _last_0)
+    _time_0, _rate_0, _bend_0, _apex_0, _height_0 = bridge_arrival(_leaving_0, _z_0, _vz_0, _p_ball_radius_0, _p_wire_radius_0, _p_gravity_0)
+    _arrives_0, _ceiling_0 = meeting_plane(_bend_0, _rate_0, _time_0)
+    _margin_0, = bridge_margin(_time_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_wire_radius_0, _p_gravity_0)
+    _clearance_0, _delay_0 = crossing(_margin_0, 0.0, _rate_0, _ceiling_0)
+    _possible_0, = timely(_arrives_0, _delay_0, _late_0, _time_0, _when_0)
+    _margin_0, = bridge_margin(_apex_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_wire_radius_0, _p_gravity_0)
+    _doubt_0, = grazed(_apex_0, _doubt_0, _height_0, _margin_0)
+    _rows3, _count4 = _rows(_possible_0, shots)
+    if _count4:
+        _clearance_1 = _take(_clearance_0, _rows3)
+        _delay_1 = _take(_delay_0, _rows3)
+        _doubt_1 = _take(_doubt_0, _rows3)
+        _extent_1 = _take(_extent_0, _rows3)
+        _late_1 = _take(_late_0, _rows3)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows3)
+        _p_board_bottom_1 = _take(_p_board_bottom_0, _rows3)
+        _p_board_distance_1 = _take(_p_board_distance_0, _rows3)
+        _p_board_half_width_1 = _take(_p_board_half_width_0, _rows3)
+        _p_board_top_1 = _take(_p_board_top_0, _rows3)
+        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows3)
+        _p_end_depth_1 = _take(_p_end_depth_0, _rows3)
+        _p_gravity_1 = _take(_p_gravity_0, _rows3)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows3)
+        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows3)
+        _position_error_1 = _take(_position_error_0, _rows3)
+        _speed_1 = _take(_speed_0, _rows3)
+        _time_1 = _take(_time_0, _rows3)
+        _velocity_error_1 = _take(_velocity_error_0, _rows3)
+        _vx_1 = _take(_vx_0, _rows3)
+        _vy_1 = _take(_vy_0, _rows3)
+        _vz_1 = _take(_vz_0, _rows3)
+        _when_1 = _take(_when_0, _rows3)
+        _which_1 = _take(_which_0, _rows3)
+        _x_1 = _take(_x_0, _rows3)
+        _y_1 = _take(_y_0, _rows3)
+        _z_1 = _take(_z_0, _rows3)
+        _there_x_1, _there_y_1, *_ = flight(_time_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1)
+        _g0_1, _g1_1, _g2_1, _g3_1, _g4_1 = bridge_bounds(_there_x_1, _there_y_1, _p_ring_radius_1, _p_board_distance_1, _p_bridge_half_width_1)
+        _slack_1, = displacement(_delay_1, _time_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_bridge_half_width_1, _p_gravity_1, _p_end_depth_1)
+        _unsure_1, = bridge_edges(_clearance_1, _g0_1, _g1_1, _g2_1, _g3_1, _g4_1, _slack_1)
+        _doubt_1, = questioned(_doubt_1, _time_1, _unsure_1)
+        _arrives_1, = bridge_within(_g0_1, _g1_1, _g2_1, _g3_1, _g4_1)
+        _doubt_1, _late_1 = tied(_arrives_1, _delay_1, _doubt_1, _late_1, _time_1, _when_1)
+        _when_1, _which_1 = sooner(_arrives_1, 2.0, _time_1, _when_1, _which_1)
+        _doubt_0 = _put(_doubt_0, _rows3, _doubt_1, shots)
+        _late_0 = _put(_late_0, _rows3, _late_1, shots)
+        _when_0 = _put(_when_0, _rows3, _when_1, shots)
+        _which_0 = _put(_which_0, _rows3, _which_1, shots)
+    _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
+    _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0)
+    _open_0, = opens(_clear_0)
+    _rows5, _count6 = _rows(_open_0, shots)
+    if _count6:
+        _doubt_1 = _take(_doubt_0, _rows5)
+        _extent_1 = _take(_extent_0, _rows5)
+        _last_1 = _take(_last_0, _rows5)
+        _late_1 = _take(_late_0, _rows5)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows5)
+        _p_gravity_1 = _take(_p_gravity_0, _rows5)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows5)
+        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows5)
+        _pad_1 = _take(_pad_0, _rows5)
+        _position_error_1 = _take(_position_error_0, _rows5)
+        _speed_1 = _take(_speed_0, _rows5)
+        _until_1 = _take(_until_0, _rows5)
+        _velocity_error_1 = _take(_velocity_error_0, _rows5)
+        _vx_1 = _take(_vx_0, _rows5)
+        _vy_1 = _take(_vy_0, _rows5)
+        _vz_1 = _take(_vz_0, _rows5)
+        _when_1 = _take(_when_0, _rows5)
+        _which_1 = _take(_which_0, _rows5)
+        _x_1 = _take(_x_0, _rows5)
+        _y_1 = _take(_y_0, _rows5)
+        _z_1 = _take(_z_0, _rows5)
+        _steady_1, _swing_1, _rho_start_1, _low0_1, _high0_1, _low1_1, _high1_1, _low2_1, _high2_1, _ceiling_1, _latest_1, _lost_1 = ring_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _share_1, _arrival_1, _certain_1 = beginning()
+        _level_1, _velocity_level_1, _excess_1 = allowance(_share_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1)
+        _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _doubt_1, = beyond(_doubt_1, _excess_1, _late_1, _lost_1, _pad_1)
+        _t_1, _end_1, _searching_1 = ring_enter(0.0, 0.0, _high0_1, _high1_1, _high2_1, _low0_1, _low1_1, _low2_1, 0.0)
+        _rows7, _count8 = _rows(_searching_1, _count6)
+        if _count8:
+            _arrival_2 = _take(_arrival_1, _rows7)
+            _ceiling_2 = _take(_ceiling_1, _rows7)
+            _certain_2 = _take(_certain_1, _rows7)
+            _doubt_2 = _take(_doubt_1, _rows7)
+            _end_2 = _take(_end_1, _rows7)
+            _extent_2 = _take(_extent_1, _rows7)
+            _flat_2 = _take(_flat_1, _rows7)
+            _high0_2 = _take(_high0_1, _rows7)
+            _high1_2 = _take(_high1_1, _rows7)
+            _high2_2 = _take(_high2_1, _rows7)
+            _last_2 = _take(_last_1, _rows7)
+            _latest_2 = _take(_latest_1, _rows7)
+            _low0_2 = _take(_low0_1, _rows7)
+            _low1_2 = _take(_low1_1, _rows7)
+            _low2_2 = _take(_low2_1, _rows7)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows7)
+            _p_gravity_2 = _take(_p_gravity_1, _rows7)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows7)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows7)
+            _position_error_2 = _take(_position_error_1, _rows7)
+            _rate_slack_2 = _take(_rate_slack_1, _rows7)
+            _rho_start_2 = _take(_rho_start_1, _rows7)
+            _searching_2 = _take(_searching_1, _rows7)
+            _share_2 = _take(_share_1, _rows7)
+            _speed_2 = _take(_speed_1, _rows7)
+            _steady_2 = _take(_steady_1, _rows7)
+            _swing_2 = _take(_swing_1, _rows7)
+            _t_2 = _take(_t_1, _rows7)
+            _tilt_2 = _take(_tilt_1, _rows7)
+            _velocity_error_2 = _take(_velocity_error_1, _rows7)
+            _vx_2 = _take(_vx_1, _rows7)
+            _vy_2 = _take(_vy_1, _rows7)
+            _vz_2 = _take(_vz_1, _rows7)
+            _x_2 = _take(_x_1, _rows7)
+            _y_2 = _take(_y_1, _rows7)
+            _z_2 = _take(_z_1, _rows7)
+            _arrival_1 = _copy(_arrival_1, _count6)
+            _certain_1 = _copy(_certain_1, _count6)
+            _doubt_1 = _copy(_doubt_1, _count6)
+            _flat_1 = _copy(_flat_1, _count6)
+            _searching_1 = _copy(_searching_1, _count6)
+            _t_1 = _copy(_t_1, _count6)
+            _tilt_1 = _copy(_tilt_1, _count6)
             for _ in range(201):
-                leaving_2, margin_2 = nearby(flat_2, 0.0, last_2, t_2, tilt_2)
-                gap_2, rate_2, bend_2, step_2, next_2, root_2, clearance_2 = ring_advance(t_2, end_2, leaving_2, margin_2, rate_slack_2, ceiling_2, x_2, y_2, z_2, vx_2, vy_2, vz_2, steady_2, swing_2, rho_start_2, ball_radius_2, ring_radius_2, wire_radius_2, gravity_2)
-                hit_2, sure_2, vague_2 = struck(bend_2, clearance_2, gap_2, margin_2, rate_2, rate_slack_2, share_2)
-                rows9, count10 = _rows(vague_2, count8)
-                if count10:
-                    ball_radius_3 = _take(ball_radius_2, rows9)
-                    doubt_3 = _take(doubt_2, rows9)
-                    extent_3 = _take(extent_2, rows9)
-                    gravity_3 = _take(gravity_2, rows9)
-                    latest_3 = _take(latest_2, rows9)
-                    position_error_3 = _take(position_error_2, rows9)
-                    ring_radius_3 = _take(ring_radius_2, rows9)
-                    share_3 = _take(share_2, rows9)
-                    speed_3 = _take(speed_2, rows9)
-                    t_3 = _take(t_2, rows9)
-                    velocity_error_3 = _take(velocity_error_2, rows9)
-                    wire_radius_3 = _take(wire_radius_2, rows9)
-                    share_3, = finer(share_3)
-                    level_3, velocity_level_3, excess_3 = allowance(share_3, latest_3, extent_3, speed_3, position_error_3, velocity_error_3, gravity_3)
-                    flat_3, tilt_3, rate_slack_3 = ring_margins(latest_3, extent_3, speed_3, level_3, velocity_level_3, ball_radius_3, ring_radius_3, wire_radius_3, gravity_3)
-                    doubt_3, = exceeded(doubt_3, excess_3, t_3)
-                    doubt_2 = _put(doubt_2, rows9, doubt_3, count8)
-                    flat_2 = _put(flat_2, rows9, flat_3, count8)
-                    rate_slack_2 = _put(rate_slack_2, rows9, rate_slack_3, count8)
-                    share_2 = _put(share_2, rows9, share_3, count8)
-                    tilt_2 = _put(tilt_2, rows9, tilt_3, count8)
-                arrival_2, certain_2, exhausted_2, searching_2, t_2 = advanced(arrival_2, certain_2, end_2, hit_2, next_2, root_2, step_2, sure_2, t_2, vague_2)
-                t_3, end_3, searching_3 = ring_enter(end_2, end_2, high0_2, high1_2, high2_2, low0_2, low1_2, low2_2, t_2)
-                end_2 = where(exhausted_2, end_3, end_2)
-                searching_2 = where(exhausted_2, searching_3, searching_2)
-                t_2 = where(exhausted_2, t_3, t_2)
-                going11 = flatnonzero(searching_2)
-                if len(going11) == count8:
+                _leaving_2, _margin_2 = nearby(_flat_2, 0.0, _last_2, _t_2, _tilt_2)
+                _gap_2, _rate_2, _bend_2, _step_2, _next_2, _root_2, _clearance_2 = ring_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _steady_2, _swing_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2)
+                _hit_2, _sure_2, _vague_2 = struck(_bend_2, _clearance_2, _gap_2, _margin_2, _rate_2, _rate_slack_2, _share_2)
+                _rows9, _count10 = _rows(_vague_2, _count8)
+                if _count10:
+                    _doubt_3 = _take(_doubt_2, _rows9)
+                    _extent_3 = _take(_extent_2, _rows9)
+                    _latest_3 = _take(_latest_2, _rows9)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows9)
+                    _p_gravity_3 = _take(_p_gravity_2, _rows9)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows9)
+                    _p_wire_radius_3 = _take(_p_wire_radius_2, _rows9)
+                    _position_error_3 = _take(_position_error_2, _rows9)
+                    _share_3 = _take(_share_2, _rows9)
+                    _speed_3 = _take(_speed_2, _rows9)
+                    _t_3 = _take(_t_2, _rows9)
+                    _velocity_error_3 = _take(_velocity_error_2, _rows9)
+                    _share_3, = finer(_share_3)
+                    _level_3, _velocity_level_3, _excess_3 = allowance(_share_3, _latest_3, _extent_3, _speed_3, _position_error_3, _velocity_error_3, _p_gravity_3)
+                    _flat_3, _tilt_3, _rate_slack_3 = ring_margins(_latest_3, _extent_3, _speed_3, _level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3)
+                    _doubt_3, = exceeded(_doubt_3, _excess_3, _t_3)
+                    _doubt_2 = _put(_doubt_2, _rows9, _doubt_3, _count8)
+                    _flat_2 = _put(_flat_2, _rows9, _flat_3, _count8)
+                    _rate_slack_2 = _put(_rate_slack_2, _rows9, _rate_slack_3, _count8)
+                    _share_2 = _put(_share_2, _rows9, _share_3, _count8)
+                    _tilt_2 = _put(_tilt_2, _rows9, _tilt_3, _count8)
+                _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_arrival_2, _certain_2, _end_2, _hit_2, _next_2, _root_2, _step_2, _sure_2, _t_2, _vague_2)
+                _t_3, _end_3, _searching_3 = ring_enter(_end_2, _end_2, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2)
+                _end_2 = _where(_exhausted_2, _end_3, _end_2)
+                _searching_2 = _where(_exhausted_2, _searching_3, _searching_2)
+                _t_2 = _where(_exhausted_2, _t_3, _t_2)
+                _going11 = _flatnonzero(_searching_2)
+                if len(_going11) == _count8:
                     continue
-                done = flatnonzero(logical_not(searching_2))
-                _store(arrival_1, _of(rows7, done), arrival_2, done)
-                _store(certain_1, _of(rows7, done), certain_2, done)
-                _store(doubt_1, _of(rows7, done), doubt_2, done)
-                _store(flat_1, _of(rows7, done), flat_2, done)
-                _store(searching_1, _of(rows7, done), searching_2, done)
-                _store(t_1, _of(rows7, done), t_2, done)
-                _store(tilt_1, _of(rows7, done), tilt_2, done)
-                rows7, count8 = _of(rows7, going11), len(going11)
-                if not count8:
+                _done = _flatnonzero(_logical_not(_searching_2))
+                _store(_arrival_1, _of(_rows7, _done), _arrival_2, _done)
+                _store(_certain_1, _of(_rows7, _done), _certain_2, _done)
+                _store(_doubt_1, _of(_rows7, _done), _doubt_2, _done)
+                _store(_flat_1, _of(_rows7, _done), _flat_2, _done)
+                _store(_searching_1, _of(_rows7, _done), _searching_2, _done)
+                _store(_t_1, _of(_rows7, _done), _t_2, _done)
+                _store(_tilt_1, _of(_rows7, _done), _tilt_2, _done)
+                _rows7, _count8 = _of(_rows7, _going11), len(_going11)
+                if not _count8:
                     break
-                arrival_2 = _take(arrival_2, going11)
-                ball_radius_2 = _take(ball_radius_2, going11)
-                ceiling_2 = _take(ceiling_2, going11)
-                certain_2 = _take(certain_2, going11)
-                doubt_2 = _take(doubt_2, going11)
-                end_2 = _take(end_2, going11)
-                extent_2 = _take(extent_2, going11)
-                flat_2 = _take(flat_2, going11)
-                gravity_2 = _take(gravity_2, going11)
-                high0_2 = _take(high0_2, going11)
-                high1_2 = _take(high1_2, going11)
-                high2_2 = _take(high2_2, going11)
-                last_2 = _take(last_2, going11)
-                latest_2 = _take(latest_2, going11)
-                low0_2 = _take(low0_2, going11)
-                low1_2 = _take(low1_2, going11)
-                low2_2 = _take(low2_2, going11)
-                position_error_2 = _take(position_error_2, going11)
-                rate_slack_2 = _take(rate_slack_2, going11)
-                rho_start_2 = _take(rho_start_2, going11)
-                ring_radius_2 = _take(ring_radius_2, going11)
-                searching_2 = _take(searching_2, going11)
-                share_2 = _take(share_2, going11)
-                speed_2 = _take(speed_2, going11)
-                steady_2 = _take(steady_2, going11)
-                swing_2 = _take(swing_2, going11)
-                t_2 = _take(t_2, going11)
-                tilt_2 = _take(tilt_2, going11)
-                velocity_error_2 = _take(velocity_error_2, going11)
-                vx_2 = _take(vx_2, going11)
-                vy_2 = _take(vy_2, going11)
-                vz_2 = _take(vz_2, going11)
-                wire_radius_2 = _take(wire_radius_2, going11)
-                x_2 = _take(x_2, going11)
-                y_2 = _take(y_2, going11)
-                z_2 = _take(z_2, going11)
+                _arrival_2 = _take(_arrival_2, _going11)
+                _ceiling_2 = _take(_ceiling_2, _going11)
+                _certain_2 = _take(_certain_2, _going11)
+                _doubt_2 = _take(_doubt_2, _going11)
+                _end_2 = _take(_end_2, _going11)
+                _extent_2 = _take(_extent_2, _going11)
+                _flat_2 = _take(_flat_2, _going11)
+                _high0_2 = _take(_high0_2, _going11)
+                _high1_2 = _take(_high1_2, _going11)
+                _high2_2 = _take(_high2_2, _going11)
+                _last_2 = _take(_last_2, _going11)
+                _latest_2 = _take(_latest_2, _going11)
+                _low0_2 = _take(_low0_2, _going11)
+                _low1_2 = _take(_low1_2, _going11)
+                _low2_2 = _take(_low2_2, _going11)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going11)
+                _p_gravity_2 = _take(_p_gravity_2, _going11)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going11)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going11)
+                _position_error_2 = _take(_position_error_2, _going11)
+                _rate_slack_2 = _take(_rate_slack_2, _going11)
+                _rho_start_2 = _take(_rho_start_2, _going11)
+                _searching_2 = _take(_searching_2, _going11)
+                _share_2 = _take(_share_2, _going11)
+                _speed_2 = _take(_speed_2, _going11)
+                _steady_2 = _take(_steady_2, _going11)
+                _swing_2 = _take(_swing_2, _going11)
+                _t_2 = _take(_t_2, _going11)
+                _tilt_2 = _take(_tilt_2, _going11)
+                _velocity_error_2 = _take(_velocity_error_2, _going11)
+                _vx_2 = _take(_vx_2, _going11)
+                _vy_2 = _take(_vy_2, _going11)
+                _vz_2 = _take(_vz_2, _going11)
+                _x_2 = _take(_x_2, _going11)
+                _y_2 = _take(_y_2, _going11)
+                _z_2 = _take(_z_2, _going11)
             else:
-                _store(arrival_1, rows7, arrival_2, None)
-                _store(certain_1, rows7, certain_2, None)
-                _store(doubt_1, rows7, doubt_2, None)
-                _store(flat_1, rows7, flat_2, None)
-                _store(searching_1, rows7, searching_2, None)
-                _store(t_1, rows7, t_2, None)
-                _store(tilt_1, rows7, tilt_2, None)
-        doubt_1, = questioned(doubt_1, t_1, searching_1)
-        arrives_1, = found(arrival_1)
-        leaving_1, *_ = nearby(flat_1, 0.0, last_1, arrival_1, tilt_1)
-        refined_1, *_ = ring_refine(arrival_1, leaving_1, x_1, y_1, z_1, vx_1, vy_1, vz_1, rho_start_1, ball_radius_1, ring_radius_1, wire_radius_1, gravity_1)
-        arrival_1, = polished(arrival_1, certain_1, refined_1)
-        refined_1, rate_1 = ring_refine(arrival_1, leaving_1, x_1, y_1, z_1, vx_1, vy_1, vz_1, rho_start_1, ball_radius_1, ring_radius_1, wire_radius_1, gravity_1)
-        arrival_1, = polished(arrival_1, certain_1, refined_1)
-        flat_1, tilt_1, rate_margin_1 = ring_margins(latest_1, extent_1, speed_1, position_error_1, velocity_error_1, ball_radius_1, ring_radius_1, wire_radius_1, gravity_1)
-        margin_1, = own_margin(arrival_1, flat_1, leaving_1, tilt_1)
-        clearance_1, delay_1 = crossing(margin_1, rate_margin_1, rate_1, ceiling_1)
-        time_1, = landed(arrival_1)
-        delay_1, doubt_1 = landed_surely(arrives_1, certain_1, clearance_1, delay_1, doubt_1, time_1)
-        doubt_1, late_1 = tied(arrives_1, delay_1, doubt_1, late_1, time_1, when_1)
-        when_1, which_1 = sooner(arrives_1, 0.0, time_1, when_1, which_1)
-        doubt_0 = _put(doubt_0, rows5, doubt_1, shots)
-        late_0 = _put(late_0, rows5, late_1, shots)
-        when_0 = _put(when_0, rows5, when_1, shots)
-        which_0 = _put(which_0, rows5, which_1, shots)
-    _, moves_0, ends_0, touches_0 = departed(3.0, which_0)
-    body_0, = body_of(which_0)
-    x_1, y_1, z_1, vx_1, vy_1, vz_1 = flight(when_0, x, y, z, vx, vy, vz, gravity)
-    clock_1, = ticked(clock, when_0)
-    clock_0 = where(moves_0, clock_1, clock)
-    vx_0 = where(moves_0, vx_1, vx)
-    vy_0 = where(moves_0, vy_1, vy)
-    vz_0 = where(moves_0, vz_1, vz)
-    x_0 = where(moves_0, x_1, x)
-    y_0 = where(moves_0, y_1, y)
-    z_0 = where(moves_0, z_1, z)
-    slack_0, = displacement(late_0, when_0, extent_0, speed_0, position_error_0, velocity_error_0, ball_radius, ring_radius, wire_radius, board_distance, board_half_width, board_bottom, board_top, bridge_half_width, gravity, end_depth)
-    miss_0, = target(x_0, y_0, ring_radius)
-    uncertain_0, = doubted(doubt_0, ends_0, late_0, miss_0, slack_0, uncertain, when_0)
-    contacts_0, outcome_0 = accounted(contacts, ends_0, miss_0, most_contacts, touches_0)
-    columns["body"] = body_0
-    columns["clock"] = clock_0
-    columns["contacts"] = contacts_0
-    columns["ends"] = ends_0
-    columns["late"] = late_0
-    columns["outcome"] = outcome_0
-    columns["touches"] = touches_0
-    columns["uncertain"] = uncertain_0
-    columns["vx"] = vx_0
-    columns["vy"] = vy_0
-    columns["vz"] = vz_0
-    columns["when"] = when_0
-    columns["which"] = which_0
-    columns["x"] = x_0
-    columns["y"] = y_0
-    columns["z"] = z_0
+                _store(_arrival_1, _rows7, _arrival_2, None)
+                _store(_certain_1, _rows7, _certain_2, None)
+                _store(_doubt_1, _rows7, _doubt_2, None)
+                _store(_flat_1, _rows7, _flat_2, None)
+                _store(_searching_1, _rows7, _searching_2, None)
+                _store(_t_1, _rows7, _t_2, None)
+                _store(_tilt_1, _rows7, _tilt_2, None)
+        _doubt_1, = questioned(_doubt_1, _t_1, _searching_1)
+        _arrives_1, = found(_arrival_1)
+        _leaving_1, *_ = nearby(_flat_1, 0.0, _last_1, _arrival_1, _tilt_1)
+        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
+        _refined_1, _rate_1 = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
+        _flat_1, _tilt_1, _rate_margin_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _margin_1, = own_margin(_arrival_1, _flat_1, _leaving_1, _tilt_1)
+        _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1)
+        _time_1, = landed(_arrival_1)
+        _delay_1, _doubt_1 = landed_surely(_arrives_1, _certain_1, _clearance_1, _delay_1, _doubt_1, _time_1)
+        _doubt_1, _late_1 = tied(_arrives_1, _delay_1, _doubt_1, _late_1, _time_1, _when_1)
+        _when_1, _which_1 = sooner(_arrives_1, 0.0, _time_1, _when_1, _which_1)
+        _doubt_0 = _put(_doubt_0, _rows5, _doubt_1, shots)
+        _late_0 = _put(_late_0, _rows5, _late_1, shots)
+        _when_0 = _put(_when_0, _rows5, _when_1, shots)
+        _which_0 = _put(_which_0, _rows5, _which_1, shots)
+    _, _moves_0, _ends_0, _touches_0 = departed(3.0, _which_0)
+    _body_0, = body_of(_which_0)
+    _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0)
+    _clock_1, = ticked(_clock_0, _when_0)
+    _clock_0 = _where(_moves_0, _clock_1, _clock_0)
+    _vx_0 = _where(_moves_0, _vx_1, _vx_0)
+    _vy_0 = _where(_moves_0, _vy_1, _vy_0)
+    _vz_0 = _where(_moves_0, _vz_1, _vz_0)
+    _x_0 = _where(_moves_0, _x_1, _x_0)
+    _y_0 = _where(_moves_0, _y_1, _y_0)
+    _z_0 = _where(_moves_0, _z_1, _z_0)
+    _slack_0, = displacement(_late_0, _when_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_gravity_0, _p_end_depth_0)
+    _miss_0, = target(_x_0, _y_0, _p_ring_radius_0)
+    _uncertain_0, = doubted(_doubt_0, _ends_0, _late_0, _miss_0, _slack_0, _uncertain_0, _when_0)
+    _contacts_0, _outcome_0 = accounted(_contacts_0, _ends_0, _miss_0, _most_contacts_0, _touches_0)
+    columns["body"] = _body_0
+    columns["clock"] = _clock_0
+    columns["contacts"] = _contacts_0
+    columns["ends"] = _ends_0
+    columns["late"] = _late_0
+    columns["outcome"] = _outcome_0
+    columns["touches"] = _touches_0
+    columns["uncertain"] = _uncertain_0
+    columns["vx"] = _vx_0
+    columns["vy"] = _vy_0
+    columns["vz"] = _vz_0
+    columns["when"] = _when_0
+    columns["which"] = _which_0
+    columns["x"] = _x_0
+    columns["y"] = _y_0
+    columns["z"] = _z_0
 
 
 def meet_bounded(columns: dict[str, Any], shots: int) -> None:
     """Stage meet of the event loop, with bounds on errors."""
-    ball_radius = columns["ball_radius"]
-    board_distance = columns["board_distance"]
-    body = columns["body"]
-    claims = columns["claims"]
-    clock = columns["clock"]
-    clock_error = columns["clock_error"]
-    contacts = columns["contacts"]
-    count_0 = columns["count_0"]
-    count_1 = columns["count_1"]
-    count_2 = columns["count_2"]
-    dvx = columns["dvx"]
-    dvy = columns["dvy"]
-    dvz = columns["dvz"]
-    dwx = columns["dwx"]
-    dwy = columns["dwy"]
-    dwz = columns["dwz"]
-    dx = columns["dx"]
-    dy = columns["dy"]
-    dz = columns["dz"]
-    ends = columns["ends"]
-    first = columns["first"]
-    gravity = columns["gravity"]
-    last = columns["last"]
-    late = columns["late"]
-    outcome = columns["outcome"]
-    position_claim = columns["position_claim"]
-    restitution = columns["restitution"]
-    ring_radius = columns["ring_radius"]
-    spin_claim = columns["spin_claim"]
-    time_claim = columns["time_claim"]
-    touches = columns["touches"]
-    velocity_claim = columns["velocity_claim"]
-    vx = columns["vx"]
-    vy = columns["vy"]
-    vz = columns["vz"]
-    when = columns["when"]
-    which = columns["which"]
-    wire_radius = columns["wire_radius"]
-    wx = columns["wx"]
-    wy = columns["wy"]
-    wz = columns["wz"]
-    x = columns["x"]
-    y = columns["y"]
-    z = columns["z"]
-    meeting_0, = meeting(claims, ends, touches)
-    rows1, count2 = _rows(meeting_0, shots)
-    if count2:
-        ball_radius_1 = _take(ball_radius, rows1)
-        board_distance_1 = _take(board_distance, rows1)
-        body_1 = _take(body, rows1)
-        clock_1 = _take(clock, rows1)
-        clock_error_1 = _take(clock_error, rows1)
-        contacts_1 = _take(contacts, rows1)
-        count_0_1 = _take(count_0, rows1)
-        count_1_1 = _take(count_1, rows1)
-        count_2_1 = _take(count_2, rows1)
-        dvx_1 = _take(dvx, rows1)
-        dvy_1 = _take(dvy, rows1)
-        dvz_1 = _take(dvz, rows1)
-        dwx_1 = _take(dwx, rows1)
-        dwy_1 = _take(dwy, rows1)
-        dwz_1 = _take(dwz, rows1)
-        dx_1 = _take(dx, rows1)
-        dy_1 = _take(dy, rows1)
-        dz_1 = _take(dz, rows1)
-        ends_1 = _take(ends, rows1)
-        first_1 = _take(first, rows1)
-        gravity_1 = _take(gravity, rows1)
-        last_1 = _take(last, rows1)
-        late_1 = _take(late, rows1)
-        restitution_1 = _take(restitution, rows1)
-        ring_radius_1 = _take(ring_radius, rows1)
-        touches_1 = _take(touches, rows1)
-        vx_1 = _take(vx, rows1)
-        vy_1 = _take(vy, rows1)
-        vz_1 = _take(vz, rows1)
-        when_1 = _take(when, rows1)
-        which_1 = _take(which, rows1)
-        wire_radius_1 = _take(wire_radius, rows1)
-        wx_1 = _take(wx, rows1)
-        wy_1 = _take(wy, rows1)
-        wz_1 = _take(wz, rows1)
-        x_1 = _take(x, rows1)
-        y_1 = _take(y, rows1)
-        z_1 = _take(z, rows1)
-        nx_1, ny_1, nz_1 = end_normal()
-        here_1, = here(0.0, which_1)
-        nx_2, ny_2, nz_2 = ring_normal(x_1, y_1, z_1, ball_radius_1, ring_radius_1, wire_radius_1)
-        count_0_2, = counted(count_0_1)
-        count_0_1 = where(here_1, count_0_2, count_0_1)
-        nx_1 = where(here_1, nx_2, nx_1)
-        ny_1 = where(here_1, ny_2, ny_1)
-        nz_1 = where(here_1, nz_2, nz_1)
-        here_1, = here(1.0, which_1)
-        nx_2, ny_2, nz_2 = backboard_normal()
-        count_1_2, = counted(count_1_1)
-        count_1_1 = where(here_1, count_1_2, count_1_1)
-        nx_1 = where(here_1, nx_2, nx_1)
-        ny_1 = where(here_1, ny_2, ny_1)
-        nz_1 = where(here_1, nz_2, nz_1)
-        here_1, = here(2.0, which_1)
-        nx_2, ny_2, nz_2 = bridge_normal()
-        count_2_2, = counted(count_2_1)
-        count_2_1 = where(here_1, count_2_2, count_2_1)
-        nx_1 = where(here_1, nx_2, nx_1)
-        ny_1 = where(here_1, ny_2, ny_1)
-        nz_1 = where(here_1, nz_2, nz_1)
-        curving_1, = elsewhere()
-        again_1, = again(0.0, last_1, which_1)
-        curving_2, = ring_curvature(ball_radius_1, ring_radius_1, wire_radius_1)
-        curving_1 = where(again_1, curving_2, curving_1)
-        again_1, = again(1.0, last_1, which_1)
-        curving_2, = backboard_curvature()
-        curving_1 = where(again_1, curving_2, curving_1)
-        again_1, = again(2.0, last_1, which_1)
-        curving_2, = bridge_curvature()
-        curving_1 = where(again_1, curving_2, curving_1)
-        dx_1, dy_1, dz_1, dvx_1, dvy_1, dvz_1, delay_1, shift_1 = carry_flight(when_1, x_1, y_1, z_1, vx_1, vy_1, vz_1, nx_1, ny_1, nz_1, clock_1, contacts_1, late_1, dx_1, dy_1, dz_1, dvx_1, dvy_1, dvz_1, curving_1, gravity_1)
-        clock_error_1, = delayed(clock_error_1, delay_1)
-        dx_2, dy_2, dz_2 = floored(dx_1, dy_1, dz_1, shift_1)
-        dx_1 = where(ends_1, dx_2, dx_1)
-        dy_1 = where(ends_1, dy_2, dy_1)
-        dz_1 = where(ends_1, dz_2, dz_1)
-        dnx_1, dny_1, dnz_1, turn_1 = unturned()
-        here_1, = here(0.0, which_1)
-        rows3, count4 = _rows(here_1, count2)
-        if count4:
-            ball_radius_2 = _take(ball_radius_1, rows3)
-            dx_2 = _take(dx_1, rows3)
-            dy_2 = _take(dy_1, rows3)
-            dz_2 = _take(dz_1, rows3)
-            ring_radius_2 = _take(ring_radius_1, rows3)
-            shift_2 = _take(shift_1, rows3)
-            wire_radius_2 = _take(wire_radius_1, rows3)
-            x_2 = _take(x_1, rows3)
-            y_2 = _take(y_1, rows3)
-            dnx_2, dny_2, dnz_2, turn_2 = ring_carry_normal(x_2, y_2, dx_2, dy_2, dz_2, shift_2, ball_radius_2, ring_radius_2, wire_radius_2)
-            dnx_1 = _put(dnx_1, rows3, dnx_2, count2)
-            dny_1 = _put(dny_1, rows3, dny_2, count2)
-            dnz_1 = _put(dnz_1, rows3, dnz_2, count2)
-            turn_1 = _put(turn_1, rows3, turn_2, count2)
-        rows5, count6 = _rows(touches_1, count2)
-        if count6:
-            ball_radius_2 = _take(ball_radius_1, rows5)
-            contacts_2 = _take(contacts_1, rows5)
-            dnx_2 = _take(dnx_1, rows5)
-            dny_2 = _take(dny_1, rows5)
-            dnz_2 = _take(dnz_1, rows5)
-            dvx_2 = _take(dvx_1, rows5)
-            dvy_2 = _take(dvy_1, rows5)
-            dvz_2 = _take(dvz_1, rows5)
-            dwx_2 = _take(dwx_1, rows5)
-            dwy_2 = _take(dwy_1, rows5)
-            dwz_2 = _take(dwz_1, rows5)
-            nx_2 = _take(nx_1, rows5)
-            ny_2 = _take(ny_1, rows5)
-            nz_2 = _take(nz_1, rows5)
-            restitution_2 = _take(restitution_1, rows5)
-            turn_2 = _take(turn_1, rows5)
-            vx_2 = _take(vx_1, rows5)
-            vy_2 = _take(vy_1, rows5)
-            vz_2 = _take(vz_1, rows5)
-            wx_2 = _take(wx_1, rows5)
-            wy_2 = _take(wy_1, rows5)
-            wz_2 = _take(wz_1, rows5)
-            dvx_2, dvy_2, dvz_2, dwx_2, dwy_2, dwz_2 = carry_impact(vx_2, vy_2, vz_2, wx_2, wy_2, wz_2, nx_2, ny_2, nz_2, contacts_2, dvx_2, dvy_2, dvz_2, dwx_2, dwy_2, dwz_2, dnx_2, dny_2, dnz_2, turn_2, ball_radius_2, restitution_2)
-            vx_2, vy_2, vz_2, wx_2, wy_2, wz_2 = impact(vx_2, vy_2, vz_2, wx_2, wy_2, wz_2, nx_2, ny_2, nz_2, ball_radius_2, restitution_2)
-            dvx_1 = _put(dvx_1, rows5, dvx_2, count2)
-            dvy_1 = _put(dvy_1, rows5, dvy_2, count2)
-            dvz_1 = _put(dvz_1, rows5, dvz_2, count2)
-            dwx_1 = _put(dwx_1, rows5, dwx_2, count2)
-            dwy_1 = _put(dwy_1, rows5, dwy_2, count2)
-            dwz_1 = _put(dwz_1, rows5, dwz_2, count2)
-            vx_1 = _put(vx_1, rows5, vx_2, count2)
-            vy_1 = _put(vy_1, rows5, vy_2, count2)
-            vz_1 = _put(vz_1, rows5, vz_2, count2)
-            wx_1 = _put(wx_1, rows5, wx_2, count2)
-            wy_1 = _put(wy_1, rows5, wy_2, count2)
-            wz_1 = _put(wz_1, rows5, wz_2, count2)
-        here_1, = here(1.0, which_1)
-        x_2, y_2, z_2 = backboard_place(y_1, z_1, ball_radius_1, board_distance_1)
-        x_1 = where(here_1, x_2, x_1)
-        y_1 = where(here_1, y_2, y_1)
-        z_1 = where(here_1, z_2, z_1)
-        here_1, = here(2.0, which_1)
-        x_2, y_2, z_2 = bridge_place(x_1, y_1, ball_radius_1, wire_radius_1)
-        x_1 = where(here_1, x_2, x_1)
-        y_1 = where(here_1, y_2, y_1)
-        z_1 = where(here_1, z_2, z_1)
-        first_2, last_2 = touched(body_1, first_1, which_1)
-        first_1 = where(touches_1, first_2, first_1)
-        last_1 = where(touches_1, last_2, last_1)
-        clock_error_0 = _put(clock_error, rows1, clock_error_1, shots)
-        count_0_0 = _put(count_0, rows1, count_0_1, shots)
-        count_1_0 = _put(count_1, rows1, count_1_1, shots)
-        count_2_0 = _put(count_2, rows1, count_2_1, shots)
-        dvx_0 = _put(dvx, rows1, dvx_1, shots)
-        dvy_0 = _put(dvy, rows1, dvy_1, shots)
-        dvz_0 = _put(dvz, rows1, dvz_1, shots)
-        dwx_0 = _put(dwx, rows1, dwx_1, shots)
-        dwy_0 = _put(dwy, rows1, dwy_1, shots)
-        dwz_0 = _put(dwz, rows1, dwz_1, shots)
-        dx_0 = _put(dx, rows1, dx_1, shots)
-        dy_0 = _put(dy, rows1, dy_1, shots)
-        dz_0 = _put(dz, rows1, dz_1, shots)
-        first_0 = _put(first, rows1, first_1, shots)
-        last_0 = _put(last, rows1, last_1, shots)
-        vx_0 = _put(vx, rows1, vx_1, shots)
-        vy_0 = _put(vy, rows1, vy_1, shots)
-        vz_0 = _put(vz, rows1, vz_1, shots)
-        wx_0 = _put(wx, rows1, wx_1, shots)
-        wy_0 = _put(wy, rows1, wy_1, shots)
-        wz_0 = _put(wz, rows1, wz_1, shots)
-        x_0 = _put(x, rows1, x_1, shots)
-        y_0 = _put(y, rows1, y_1, shots)
-        z_0 = _put(z, rows1, z_1, shots)
-    else:
-        clock_error_0 = clock_error
-        count_0_0 = count_0
-        count_1_0 = count_1
-        count_2_0 = count_2
-        dvx_0 = dvx
-        dvy_0 = dvy
-        dvz_0 = dvz
-        dwx_0 = dwx
-        dwy_0 = dwy
-        dwz_0 = dwz
-        dx_0 = dx
-        dy_0 = dy
-        dz_0 = dz
-        first_0 = first
-        last_0 = last
-        vx_0 = vx
-        vy_0 = vy
-        vz_0 = vz
-        wx_0 = wx
-        wy_0 = wy
-        wz_0 = wz
-        x_0 = x
-        y_0 = y
-        z_0 = z
-    closed_0, = closing(claims, outcome)
-    position_claim_1, velocity_claim_1, spin_claim_1, time_claim_1 = claimed_errors(clock_error_0, dx_0, dy_0, dz_0, dvx_0, dvy_0, dvz_0, dwx_0, dwy_0, dwz_0)
-    position_claim_0 = where(closed_0, position_claim_1, position_claim)
-    spin_claim_0 = where(closed_0, spin_claim_1, spin_claim)
-    time_claim_0 = where(closed_0, time_claim_1, time_claim)
-    velocity_claim_0 = where(closed_0, velocity_claim_1, velocity_claim)
-    columns["clock_error"] = clock_error_0
-    columns["count_0"] = count_0_0
-    columns["count_1"] = count_1_0
-    columns["count_2"] = count_2_0
-    columns["dvx"] = dvx_0
-    columns["dvy"] = dvy_0
-    columns["dvz"] = dvz_0
-    columns["dwx"] = dwx_0
-    columns["dwy"] = dwy_0
-    columns["dwz"] = dwz_0
-    columns["dx"] = dx_0
-    columns["dy"] = dy_0
-    columns["dz"] = dz_0
-    columns["first"] = first_0
-    columns["last"] = last_0
-    columns["position_claim"] = position_claim_0
-    columns["spin_claim"] = spin_claim_0
-    columns["time_claim"] = time_claim_0
-    columns["velocity_claim"] = velocity_claim_0
-    columns["vx"] = vx_0
-    columns["vy"] = vy_0
-    columns["vz"] = vz_0
-    columns["wx"] = wx_0
-    columns["wy"] = wy_0
-    columns["wz"] = wz_0
-    columns["x"] = x_0
-    columns["y"] = y_0
-    columns["z"] = z_0
+    _body_0 = columns["body"]
+    _claims_0 = columns["claims"]
+    _clock_0 = columns["clock"]
+    _clock_error_0 = columns["clock_error"]
+    _contacts_0 = columns["contacts"]
+    _count_0_0 = columns["count_0"]
+    _count_1_0 = columns["count_1"]
+    _count_2_0 = columns["count_2"]
+    _dvx_0 = columns["dvx"]
+    _dvy_0 = columns["dvy"]
+    _dvz_0 = columns["dvz"]
+    _dwx_0 = columns["dwx"]
+    _dwy_0 = columns["dwy"]
+    _dwz_0 = columns["dwz"]
+    _dx_0 = columns["dx"]
+    _dy_0 = columns["dy"]
+    _dz_0 = columns["dz"]
+    _ends_0 = columns["ends"]
+    _first_0 = columns["first"]
+    _last_0 = columns["last"]
+    _late_0 = columns["late"]
+    _outcome_0 = columns["outcome"]
+    _p_ball_radius_0 = columns["p_ball_radius"]
+    _p_board_distance_0 = columns["p_board_distance"]
+    _p_gravity_0 = columns["p_gravity"]
+    _p_restitution_0 = columns["p_restitution"]
+    _p_ring_radius_0 = columns["p_ring_radius"]
+    _p_wire_radius_0 = columns["p_wire_radius"]
+    _position_claim_0 = columns["position_claim"]
+    _spin_claim_0 = columns["spin_claim"]
+    _time_claim_0 = columns["time_claim"]
+    _touches_0 = columns["touches"]
+    _velocity_claim_0 = columns["velocity_claim"]
+    _vx_0 = columns["vx"]
+    _vy_0 = columns["vy"]
+    _vz_0 = columns["vz"]
+    _when_0 = columns["when"]
+    _which_0 = columns["which"]
+    _wx_0 = columns["wx"]
+    _wy_0 = columns["wy"]
+    _wz_0 = columns["wz"]
+    _x_0 = columns["x"]
+    _y_0 = columns["y"]
+    _z_0 = columns["z"]
+    _meeting_0, = meeting(_claims_0, _ends_0, _touches_0)
+    _rows1, _count2 = _rows(_meeting_0, shots)
+    if _count2:
+        _body_1 = _take(_body_0, _rows1)
+        _clock_1 = _take(_clock_0, _rows1)
+        _clock_error_1 = _take(_clock_error_0, _rows1)
+        _contacts_1 = _take(_contacts_0, _rows1)
+        _count_0_1 = _take(_count_0_0, _rows1)
+        _count_1_1 = _take(_count_1_0, _rows1)
+        _count_2_1 = _take(_count_2_0, _rows1)
+        _dvx_1 = _take(_dvx_0, _rows1)
+        _dvy_1 = _take(_dvy_0, _rows1)
+        _dvz_1 = _take(_dvz_0, _rows1)
+        _dwx_1 = _take(_dwx_0, _rows1)
+        _dwy_1 = _take(_dwy_0, _rows1)
+        _dwz_1 = _take(_dwz_0, _rows1)
+        _dx_1 = _take(_dx_0, _rows1)
+        _dy_1 = _take(_dy_0, _rows1)
+        _dz_1 = _take(_dz_0, _rows1)
+        _ends_1 = _take(_ends_0, _rows1)
+        _first_1 = _take(_first_0, _rows1)
+        _last_1 = _take(_last_0, _rows1)
+        _late_1 = _take(_late_0, _rows1)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
+        _p_board_distance_1 = _take(_p_board_distance_0, _rows1)
+        _p_gravity_1 = _take(_p_gravity_0, _rows1)
+        _p_restitution_1 = _take(_p_restitution_0, _rows1)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows1)
+        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows1)
+        _touches_1 = _take(_touches_0, _rows1)
+        _vx_1 = _take(_vx_0, _rows1)
+        _vy_1 = _take(_vy_0, _rows1)
+        _vz_1 = _take(_vz_0, _rows1)
+        _when_1 = _take(_when_0, _rows1)
+        _which_1 = _take(_which_0, _rows1)
+        _wx_1 = _take(_wx_0, _rows1)
+        _wy_1 = _take(_wy_0, _rows1)
+        _wz_1 = _take(_wz_0, _rows1)
+        _x_1 = _take(_x_0, _rows1)
+        _y_1 = _take(_y_0, _rows1)
+        _z_1 = _take(_z_0, _rows1)
+        _nx_1, _ny_1, _nz_1 = end_normal()
+        _here_1, = here(0.0, _which_1)
+        _nx_2, _ny_2, _nz_2 = ring_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1)
+        _count_0_2, = counted(_count_0_1)
+        _count_0_1 = _where(_here_1, _count_0_2, _count_0_1)
+        _nx_1 = _where(_here_1, _nx_2, _nx_1)
+        _ny_1 = _where(_here_1, _ny_2, _ny_1)
+        _nz_1 = _where(_here_1, _nz_2, _nz_1)
+        _here_1, = here(1.0, _which_1)
+        _nx_2, _ny_2, _nz_2 = backboard_normal()
+        _count_1_2, = counted(_count_1_1)
+        _count_1_1 = _where(_here_1, _count_1_2, _count_1_1)
+        _nx_1 = _where(_here_1, _nx_2, _nx_1)
+        _ny_1 = _where(_here_1, _ny_2, _ny_1)
+        _nz_1 = _where(_here_1, _nz_2, _nz_1)
+        _here_1, = here(2.0, _which_1)
+        _nx_2, _ny_2, _nz_2 = bridge_normal()
+        _count_2_2, = counted(_count_2_1)
+        _count_2_1 = _where(_here_1, _count_2_2, _count_2_1)
+        _nx_1 = _where(_here_1, _nx_2, _nx_1)
+        _ny_1 = _where(_here_1, _ny_2, _ny_1)
+        _nz_1 = _where(_here_1, _nz_2, _nz_1)
+        _curving_1, = elsewhere()
+        _again_1, = again(0.0, _last_1, _which_1)
+        _curving_2, = ring_curvature(_p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1)
+        _curving_1 = _where(_again_1, _curving_2, _curving_1)
+        _again_1, = again(1.0, _last_1, _which_1)
+        _curving_2, = backboard_curvature()
+        _curving_1 = _where(_again_1, _curving_2, _curving_1)
+        _again_1, = again(2.0, _last_1, _which_1)
+        _curving_2, = bridge_curvature()
+        _curving_1 = _where(_again_1, _curving_2, _curving_1)
+        _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _delay_1, _shift_1 = carry_flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1, _clock_1, _contacts_1, _late_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _curving_1, _p_gravity_1)
+        _clock_error_1, = delayed(_clock_error_1, _delay_1)
+        _dx_2, _dy_2, _dz_2 = floored(_dx_1, _dy_1, _dz_1, _shift_1)
+        _dx_1 = _where(_ends_1, _dx_2, _dx_1)
+        _dy_1 = _where(_ends_1, _dy_2, _dy_1)
+        _dz_1 = _where(_ends_1, _dz_2, _dz_1)
+        _dnx_1, _dny_1, _dnz_1, _turn_1 = unturned()
+        _here_1, = here(0.0, _which_1)
+        _rows3, _count4 = _rows(_here_1, _count2)
+        if _count4:
+            _dx_2 = _take(_dx_1, _rows3)
+            _dy_2 = _take(_dy_1, _rows3)
+            _dz_2 = _take(_dz_1, _rows3)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows3)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows3)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows3)
+            _shift_2 = _take(_shift_1, _rows3)
+            _x_2 = _take(_x_1, _rows3)
+            _y_2 = _take(_y_1, _rows3)
+            _dnx_2, _dny_2, _dnz_2, _turn_2 = ring_carry_normal(_x_2, _y_2, _dx_2, _dy_2, _dz_2, _shift_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2)
+            _dnx_1 = _put(_dnx_1, _rows3, _dnx_2, _count2)
+            _dny_1 = _put(_dny_1, _rows3, _dny_2, _count2)
+            _dnz_1 = _put(_dnz_1, _rows3, _dnz_2, _count2)
+            _turn_1 = _put(_turn_1, _rows3, _turn_2, _count2)
+        _rows5, _count6 = _rows(_touches_1, _count2)
+        if _count6:
+            _contacts_2 = _take(_contacts_1, _rows5)
+            _dnx_2 = _take(_dnx_1, _rows5)
+            _dny_2 = _take(_dny_1, _rows5)
+            _dnz_2 = _take(_dnz_1, _rows5)
+            _dvx_2 = _take(_dvx_1, _rows5)
+            _dvy_2 = _take(_dvy_1, _rows5)
+            _dvz_2 = _take(_dvz_1, _rows5)
+            _dwx_2 = _take(_dwx_1, _rows5)
+            _dwy_2 = _take(_dwy_1, _rows5)
+            _dwz_2 = _take(_dwz_1, _rows5)
+            _nx_2 = _take(_nx_1, _rows5)
+            _ny_2 = _take(_ny_1, _rows5)
+            _nz_2 = _take(_nz_1, _rows5)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows5)
+            _p_restitution_2 = _take(_p_restitution_1, _rows5)
+            _turn_2 = _take(_turn_1, _rows5)
+            _vx_2 = _take(_vx_1, _rows5)
+            _vy_2 = _take(_vy_1, _rows5)
+            _vz_2 = _take(_vz_1, _rows5)
+            _wx_2 = _take(_wx_1, _rows5)
+            _wy_2 = _take(_wy_1, _rows5)
+            _wz_2 = _take(_wz_1, _rows5)
+            _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = carry_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _contacts_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dnx_2, _dny_2, _dnz_2, _turn_2, _p_ball_radius_2, _p_restitution_2)
+            _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_restitution_2)
+            _dvx_1 = _put(_dvx_1, _rows5, _dvx_2, _count2)
+            _dvy_1 = _put(_dvy_1, _rows5, _dvy_2, _count2)
+            _dvz_1 = _put(_dvz_1, _rows5, _dvz_2, _count2)
+            _dwx_1 = _put(_dwx_1, _rows5, _dwx_2, _count2)
+            _dwy_1 = _put(_dwy_1, _rows5, _dwy_2, _count2)
+            _dwz_1 = _put(_dwz_1, _rows5, _dwz_2, _count2)
+            _vx_1 = _put(_vx_1, _rows5, _vx_2, _count2)
+            _vy_1 = _put(_vy_1, _rows5, _vy_2, _count2)
+            _vz_1 = _put(_vz_1, _rows5, _vz_2, _count2)
+            _wx_1 = _put(_wx_1, _rows5, _wx_2, _count2)
+            _wy_1 = _put(_wy_1, _rows5, _wy_2, _count2)
+            _wz_1 = _put(_wz_1, _rows5, _wz_2, _count2)
+        _here_1, = here(1.0, _which_1)
+        _x_2, _y_2, _z_2 = backboard_place(_y_1, _z_1, _p_ball_radius_1, _p_board_distance_1)
+        _x_1 = _where(_here_1, _x_2, _x_1)
+        _y_1 = _where(_here_1, _y_2, _y_1)
+        _z_1 = _where(_here_1, _z_2, _z_1)
+        _here_1, = here(2.0, _which_1)
+        _x_2, _y_2, _z_2 = bridge_place(_x_1, _y_1, _p_ball_radius_1, _p_wire_radius_1)
+        _x_1 = _where(_here_1, _x_2, _x_1)
+        _y_1 = _where(_here_1, _y_2, _y_1)
+        _z_1 = _where(_here_1, _z_2, _z_1)
+        _first_2, _last_2 = touched(_body_1, _first_1, _which_1)
+        _first_1 = _where(_touches_1, _first_2, _first_1)
+        _last_1 = _where(_touches_1, _last_2, _last_1)
+        _clock_error_0 = _put(_clock_error_0, _rows1, _clock_error_1, shots)
+        _count_0_0 = _put(_count_0_0, _rows1, _count_0_1, shots)
+        _count_1_0 = _put(_count_1_0, _rows1, _count_1_1, shots)
+        _count_2_0 = _put(_count_2_0, _rows1, _count_2_1, shots)
+        _dvx_0 = _put(_dvx_0, _rows1, _dvx_1, shots)
+        _dvy_0 = _put(_dvy_0, _rows1, _dvy_1, shots)
+        _dvz_0 = _put(_dvz_0, _rows1, _dvz_1, shots)
+        _dwx_0 = _put(_dwx_0, _rows1, _dwx_1, shots)
+        _dwy_0 = _put(_dwy_0, _rows1, _dwy_1, shots)
+        _dwz_0 = _put(_dwz_0, _rows1, _dwz_1, shots)
+        _dx_0 = _put(_dx_0, _rows1, _dx_1, shots)
+        _dy_0 = _put(_dy_0, _rows1, _dy_1, shots)
+        _dz_0 = _put(_dz_0, _rows1, _dz_1, shots)
+        _first_0 = _put(_first_0, _rows1, _first_1, shots)
+        _last_0 = _put(_last_0, _rows1, _last_1, shots)
+        _vx_0 = _put(_vx_0, _rows1, _vx_1, shots)
+        _vy_0 = _put(_vy_0, _rows1, _vy_1, shots)
+        _vz_0 = _put(_vz_0, _rows1, _vz_1, shots)
+        _wx_0 = _put(_wx_0, _rows1, _wx_1, shots)
+        _wy_0 = _put(_wy_0, _rows1, _wy_1, shots)
+        _wz_0 = _put(_wz_0, _rows1, _wz_1, shots)
+        _x_0 = _put(_x_0, _rows1, _x_1, shots)
+        _y_0 = _put(_y_0, _rows1, _y_1, shots)
+        _z_0 = _put(_z_0, _rows1, _z_1, shots)
+    _closed_0, = closing(_claims_0, _outcome_0)
+    _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0)
+    _position_claim_0 = _where(_closed_0, _position_claim_1, _position_claim_0)
+    _spin_claim_0 = _where(_closed_0, _spin_claim_1, _spin_claim_0)
+    _time_claim_0 = _where(_closed_0, _time_claim_1, _time_claim_0)
+    _velocity_claim_0 = _where(_closed_0, _velocity_claim_1, _velocity_claim_0)
+    columns["clock_error"] = _clock_error_0
+    columns["count_0"] = _count_0_0
+    columns["count_1"] = _count_1_0
+    columns["count_2"] = _count_2_0
+    columns["dvx"] = _dvx_0
+    columns["dvy"] = _dvy_0
+    columns["dvz"] = _dvz_0
+    columns["dwx"] = _dwx_0
+    columns["dwy"] = _dwy_0
+    columns["dwz"] = _dwz_0
+    columns["dx"] = _dx_0
+    columns["dy"] = _dy_0
+    columns["dz"] = _dz_0
+    columns["first"] = _first_0
+    columns["last"] = _last_0
+    columns["position_claim"] = _position_claim_0
+    columns["spin_claim"] = _spin_claim_0
+    columns["time_claim"] = _time_claim_0
+    columns["velocity_claim"] = _velocity_claim_0
+    columns["vx"] = _vx_0
+    columns["vy"] = _vy_0
+    columns["vz"] = _vz_0
+    columns["wx"] = _wx_0
+    columns["wy"] = _wy_0
+    columns["wz"] = _wz_0
+    columns["x"] = _x_0
+    columns["y"] = _y_0
+    columns["z"] = _z_0

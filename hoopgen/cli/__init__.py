@@ -10,26 +10,52 @@ import io
 import os
 import sys
 import traceback
-from collections.abc import Callable, Sequence
+from collections import UserDict
+from collections.abc import Callable, Iterator, Sequence
+from importlib import import_module
 from typing import Any
 
 import click
 
-from hoopgen.cli.aim import aim
-from hoopgen.cli.batch import batch
-from hoopgen.cli.certify import certify
-from hoopgen.cli.develop import bench, check, generate
 from hoopgen.cli.errors import NOT_FORESEEN, OWN_ERROR, TRACEBACK, foreseen, in_words
-from hoopgen.cli.estimate import estimate
-from hoopgen.cli.map import map_
-from hoopgen.cli.optimum import optimum
-from hoopgen.cli.options import examples
-from hoopgen.cli.paper import paper
-from hoopgen.cli.shot import shot
-from hoopgen.cli.study import study
-from hoopgen.cli.view import view
+from hoopgen.cli.examples import examples
 
 __all__ = ["main"]
+
+_COMMANDS = {
+    "paper": "paper",
+    "shot": "shot",
+    "estimate": "estimate",
+    "map": "map",
+    "optimum": "optimum",
+    "aim": "aim",
+    "batch": "batch",
+    "study": "study",
+    "view": "view",
+    "certify": "certify",
+    "generate": "develop",
+    "check": "develop",
+    "bench": "develop",
+}
+"""Each command, and the module that has it."""
+
+
+class _Commands(UserDict[str, click.Command]):
+    """Commands that are imported when they are asked for: `generate` stands on no other."""
+
+    def __getitem__(self, name: str) -> click.Command:
+        module = import_module(f"hoopgen.cli.{_COMMANDS[name]}")
+        command: click.Command = getattr(module, "map_" if name == "map" else name)
+        return command
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(_COMMANDS)
+
+    def __len__(self) -> int:
+        return len(_COMMANDS)
+
+    def __contains__(self, name: object) -> bool:
+        return name in _COMMANDS
 
 
 class _Tour(click.Group):
@@ -85,6 +111,7 @@ def _complain(text: str) -> None:
 
 @click.group(
     cls=_Tour,
+    commands=_Commands(),
     invoke_without_command=True,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
     epilog=examples(
@@ -108,21 +135,3 @@ def main(ctx: click.Context) -> None:
     """
     if ctx.invoked_subcommand is None:
         click.echo(ctx.get_help())
-
-
-for _command in (
-    paper,
-    shot,
-    estimate,
-    map_,
-    optimum,
-    aim,
-    batch,
-    study,
-    view,
-    certify,
-    generate,
-    check,
-    bench,
-):
-    main.add_command(_command)

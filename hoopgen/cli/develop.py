@@ -8,7 +8,7 @@ from pathlib import Path
 
 import click
 
-from hoopgen.cli.options import examples
+from hoopgen.cli.examples import examples
 
 __all__ = ["bench", "check", "generate"]
 

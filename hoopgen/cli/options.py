@@ -9,6 +9,7 @@ from typing import Any
 
 import click
 
+from hoopgen.cli.examples import examples
 from hoopgen.cli.flown import flown
 from hoopgen.cli.types import ASSIGNMENT, FILE, FOLDER, PICTURE, SETTING, variable_type
 from hoopgen.parameters import PRESETS
@@ -51,11 +52,6 @@ A bare length or speed is SI, m or m/s; an angle or a spin other than 0 needs it
 
 """
 """For the end of a command's help."""
-
-
-def examples(*lines: str) -> str:
-    """Lay out example lines for the end of a command's help."""
-    return "\b\nExamples:\n" + "\n".join(f"  {line}" for line in lines)
 
 
 def together(*options: Decorator) -> Decorator:

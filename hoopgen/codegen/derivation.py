@@ -782,8 +782,7 @@ def derivation_context(model: Model) -> Derivation:
     return Derivation(
         name=scene.name,
         parameters=tuple(
-            SymbolText(latex_name(p.symbol.name), p.symbol.name, p.summary, p.unit)
-            for p in scene.parameters
+            SymbolText(latex_name(p.name), p.name, p.summary, p.unit) for p in scene.parameters
         ),
         arguments=tuple(
             SymbolText(latex, name, summary)

@@ -76,7 +76,7 @@ class _Printer:
     def fresh(self, letter: str) -> str:
         """Return a name that is not in use."""
         self.counter += 1
-        return f"{letter}{self.counter}"
+        return f"_{letter}{self.counter}"
 
     def cheap(self, node: Guard) -> bool:
         """Whether a body is better done for all than skipped for some."""
@@ -125,7 +125,7 @@ class CLoop(_Printer):
             for name in set(writes(node.body)) - shared:
                 inside.pop(name, None)
             if isinstance(node, Repeat):
-                self.lines.append(f"{indent}for (int turn = 0; turn < {node.limit}; turn++) {{")
+                self.lines.append(f"{indent}for (int _turn = 0; _turn < {node.limit}; _turn++) {{")
                 self.lines.append(f"{inner}const M {truth} = lanes_both({mask}, {node.truth});")
                 self.lines.append(f"{inner}if (!lanes_any({truth}))")
                 self.lines.append(f"{inner}    break;")
@@ -205,7 +205,7 @@ class NumPyLoop(_Printer):
             names[v] if isinstance(v, str) else constant(float(v), NUMPY) for v in node.arguments
         )
         for variable in node.assigned.values():
-            names[variable] = f"{variable}_{depth}"
+            names[variable] = local(variable, depth)
         targets = [
             names[node.assigned[o]] if o in node.assigned else "_" for o in node.kernel.output_names
         ]
@@ -228,9 +228,9 @@ class NumPyLoop(_Printer):
             assert isinstance(body, Do)
             self._do(body, inside, indent, inner)
         for name in own.gives:
-            new = f"{name}_{depth}"
+            new = local(name, depth)
             self.lines.append(
-                f"{indent}{new} = where({names[node.truth]}, {inside[name]}, {names[name]})"
+                f"{indent}{new} = _where({names[node.truth]}, {inside[name]}, {names[name]})"
             )
             names[name] = new
 
@@ -246,7 +246,7 @@ class NumPyLoop(_Printer):
         own = scope(node, later)
         rows, own_count = self.fresh("rows"), self.fresh("count")
         line, deeper = self.lines.append, indent + "    "
-        inside = {name: f"{name}_{depth + 1}" for name in own.takes}
+        inside = {name: local(name, depth + 1) for name in own.takes}
         line(f"{indent}{rows}, {own_count} = _rows({names[node.truth]}, {count})")
         line(f"{indent}if {own_count}:")
         for name in inside:
@@ -254,25 +254,25 @@ class NumPyLoop(_Printer):
         if isinstance(node, Guard):
             self._body(node.body, inside, own_count, deeper, later, depth + 1)
             for name in own.gives:
-                line(
-                    f"{deeper}{name}_{depth} = _put({names[name]}, {rows}, {inside[name]}, {count})"
-                )
+                given = f"{names[name]}, {rows}, {inside[name]}, {count}"
+                line(f"{deeper}{local(name, depth)} = _put({given})")
         else:
             turning = deeper + "    "
             for name in own.gives:
-                line(f"{deeper}{name}_{depth} = _copy({names[name]}, {count})")
+                line(f"{deeper}{local(name, depth)} = _copy({names[name]}, {count})")
             line(f"{deeper}for _ in range({node.limit}):")
             start = dict(inside)
             wanted = later | set(own.takes) | {node.truth}
             self._body(node.body, inside, own_count, turning, wanted, depth + 1)
             assert all(inside[name] == value for name, value in start.items()), "a name changed"
             going = self.fresh("going")
-            line(f"{turning}{going} = flatnonzero({inside[node.truth]})")
+            line(f"{turning}{going} = _flatnonzero({inside[node.truth]})")
             line(f"{turning}if len({going}) == {own_count}:")
             line(f"{turning}    continue")
-            line(f"{turning}done = flatnonzero(logical_not({inside[node.truth]}))")
+            line(f"{turning}_done = _flatnonzero(_logical_not({inside[node.truth]}))")
             for name in own.gives:
-                line(f"{turning}_store({name}_{depth}, _of({rows}, done), {inside[name]}, done)")
+                into = f"{local(name, depth)}, _of({rows}, _done)"
+                line(f"{turning}_store({into}, {inside[name]}, _done)")
             line(f"{turning}{rows}, {own_count} = _of({rows}, {going}), len({going})")
             line(f"{turning}if not {own_count}:")
             line(f"{turning}    break")
@@ -281,14 +281,19 @@ class NumPyLoop(_Printer):
             if own.gives:
                 line(f"{deeper}else:")
             for name in own.gives:
-                line(f"{turning}_store({name}_{depth}, {rows}, {inside[name]}, None)")
-        missing = [name for name in own.gives if names[name] != f"{name}_{depth}"]
+                line(f"{turning}_store({local(name, depth)}, {rows}, {inside[name]}, None)")
+        missing = [name for name in own.gives if names[name] != local(name, depth)]
         if missing:
             line(f"{indent}else:")
             for name in missing:
-                line(f"{deeper}{name}_{depth} = {names[name]}")
+                line(f"{deeper}{local(name, depth)} = {names[name]}")
         for name in own.gives:
-            names[name] = f"{name}_{depth}"
+            names[name] = local(name, depth)
+
+
+def local(name: str, depth: int) -> str:
+    """Return a variable as a name in a stage in NumPy, so many bodies deep."""
+    return f"_{name}_{depth}"
 
 
 def weighted(cost: Mapping[str, int]) -> int:
@@ -337,7 +342,7 @@ def loop_view(prefix: str, costs: Mapping[str, int], loop: Loop, bounds: bool) -
         numpy = NumPyLoop(prefix, costs, NUMPY)
         touched = reads(nodes) | set(writes(nodes))
         read = sorted(live_before(nodes, after) & available & touched)
-        names_after = numpy.stage(nodes, {name: name for name in read}, after)
+        names_after = numpy.stage(nodes, {name: local(name, 0) for name in read}, after)
         written = {n: names_after[n] for n in sorted(after & set(writes(nodes)) & set(names_after))}
         view.c[stage], view.numpy[stage] = c.lines, numpy.lines
         view.columns[stage] = (read, written)

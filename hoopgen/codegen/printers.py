@@ -29,21 +29,21 @@ _INFIX = {
 NUMPY = Spelling(
     operations=_INFIX
     | {
-        "sqrt": "sqrt({0})",
-        "abs": "absolute({0})",
-        "max": "where({0} < {1}, {1}, {0})",
-        "min": "where({0} < {1}, {0}, {1})",
+        "sqrt": "_sqrt({0})",
+        "abs": "_absolute({0})",
+        "max": "_where({0} < {1}, {1}, {0})",
+        "min": "_where({0} < {1}, {0}, {1})",
         "less": "({0} < {1})",
         "at_most": "({0} <= {1})",
         "equal": "({0} == {1})",
-        "both": "logical_and({0}, {1})",
-        "either": "logical_or({0}, {1})",
-        "not": "logical_not({0})",
+        "both": "_logical_and({0}, {1})",
+        "either": "_logical_or({0}, {1})",
+        "not": "_logical_not({0})",
         "nowhere": "False",
-        "select": "where({0}, {1}, {2})",
+        "select": "_where({0}, {1}, {2})",
     },
     constant="{0}",
-    infinity="inf",
+    infinity="_inf",
     assignment="{name} = {value}",
 )
 
@@ -130,7 +130,7 @@ def print_program(program: Program, spelling: Spelling) -> Body:
             operands = (text[operand] for operand in operation.operands)
             value = spelling.operations[operation.name].format(*operands)
             if index in named:
-                name = f"s{len(statements)}"
+                name = f"_s{len(statements)}"
                 kind = "M" if operation.is_truth else "V"
                 statements.append(
                     spelling.assignment.format(name=name, type=kind, value=_bare(value))

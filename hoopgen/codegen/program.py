@@ -30,6 +30,8 @@ from hoopgen.derive.ground.choice import (
 )
 from hoopgen.derive.ground.kernel import Kernel
 
+from .names import identifier
+
 CONDITIONS = {
     Less: "less",
     AtMost: "at_most",
@@ -114,9 +116,9 @@ class Program:
 
     def _lower(self, expression: sp.Basic) -> int:
         if isinstance(expression, Truth):
-            return self._add("truth", symbol=str(expression))
+            return self._add("truth", symbol=identifier(expression))
         if expression.is_Symbol:
-            return self._add("argument", symbol=str(expression))
+            return self._add("argument", symbol=identifier(expression))
         if expression.is_Number:
             return self._constant(expression)
         if expression.is_Add:

@@ -23,8 +23,9 @@ from hoopgen.derive.scenes.scene import Scene
 from hoopgen.outputs import write
 
 from .derivation import derivation_context
-from .loop import loop_view, weighted
-from .printers import JS, NUMPY, Body, C, print_program
+from .loop import local, loop_view, weighted
+from .names import FILTERS, identifier
+from .printers import JS, NUMPY, Body, C, constant, print_program
 from .program import Program, lower
 
 OUTPUTS = {
@@ -113,7 +114,7 @@ def _kernel_view(program: Program) -> KernelView:
     kernel: Kernel = program.kernel
     return KernelView(
         kernel.name,
-        [symbol.name for symbol in kernel.arguments],
+        [identifier(symbol) for symbol in kernel.arguments],
         kernel.output_names,
         kernel.summary,
         kernel.equation,
@@ -121,7 +122,7 @@ def _kernel_view(program: Program) -> KernelView:
         print_program(program, NUMPY),
         print_program(program, C),
         print_program(program, JS),
-        [f"{'M' if isinstance(a, Truth) else 'V'} {a.name}" for a in kernel.arguments],
+        [f"{'M' if isinstance(a, Truth) else 'V'} {identifier(a)}" for a in kernel.arguments],
         [("M" if t else "V", n) for n, t in zip(kernel.output_names, kernel.truths, strict=True)],
     )
 
@@ -143,8 +144,10 @@ def _environment() -> jinja2.Environment:
         keep_trailing_newline=True,
         autoescape=False,
     )
+    environment.filters |= FILTERS
+    environment.filters["number"] = lambda value: constant(float(value), NUMPY)
+    environment.filters["local"] = lambda name: local(name, 0)
     environment.filters["annotated"] = lambda name: f"{name}: Any"
-    environment.filters["quoted"] = lambda name: f'"{name}"'
     environment.filters["c_argument"] = lambda name: f"V {name}"
     return environment
 
@@ -163,8 +166,20 @@ def _stamp(template: str, scene: str, derivation: str) -> Callable[[str], str]:
     return stamp
 
 
-def render_scene(scene: Scene) -> dict[str, str]:
-    """Return every generated file of a scene: path below generated/, and text."""
+PAGE = "derivation.md.j2"
+"""The template of what is for readers alone, and takes longest."""
+
+
+def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
+    """Return every generated file of a scene: path below generated/, and text.
+
+    Parameters
+    ----------
+    scene
+        What is derived.
+    page
+        Whether the derivation's page is wanted too.
+    """
     model: Model = build(scene)
     programs = [lower(kernel) for kernel in model.kernels]
     views = {p.kernel.name: _kernel_view(p) for p in programs}
@@ -177,13 +192,12 @@ def render_scene(scene: Scene) -> dict[str, str]:
     environment = _environment()
     context: dict[str, Any] = {
         "scene": scene,
-        "parameters": [p.symbol.name for p in scene.parameters],
+        "parameters": [identifier(symbol) for symbol in scene.symbols],
         "kernels": list(views.values()),
         "state": tuple(symbol.name for symbol in STATE),
         "loops": loops,
         "outcomes": MEANINGS,
         "results": [ResultView(r) for r in model.results],
-        "derivation": derivation_context(model),
     }
     files = {}
     # The library in C is for its engine; the others are read, tested and called by studies.
@@ -192,6 +206,10 @@ def render_scene(scene: Scene) -> dict[str, str]:
         own: dict[str, Any] = {"stamp": _stamp(template, scene.name, derivation)}
         if template.startswith("c/"):
             own |= {"kernels": called}
+        if template == PAGE:
+            if not page:
+                continue
+            own |= {"derivation": derivation_context(model)}
         text = environment.get_template(template).render(context | own)
         files[_path(target, scene)] = text
     return files

@@ -43,7 +43,7 @@ class Flights:
             getattr(kernels, f"{stage}_{name}") for stage in stages
         )
         self._starts = {f.name: f.start for f in kernels.FIELDS if bounds or not f.bounds}
-        self._kept = (*self._starts, *kernels.PARAMETERS)
+        self._kept = (*self._starts, *kernels.VARIABLES.values())
         self._state, self._results = kernels.STATE, kernels.RESULTS
         self._invalid = float(kernels.Outcome.INVALID)
         self._job = job
@@ -158,7 +158,7 @@ def _given(
 ) -> dict[str, Column]:
     """Return the columns of some rows that the caller gave."""
     given: dict[str, Column] = dict(zip(kernels.STATE, states[rows].T.copy(), strict=True))
-    for name, value in zip(kernels.PARAMETERS, parameters, strict=True):
+    for name, value in zip(kernels.VARIABLES.values(), parameters, strict=True):
         given[name] = value if np.ndim(value) == 0 else np.asarray(value)[rows]
     count = rows.stop - rows.start
     given["last"] = np.full(count, -1.0) if leaving is None else leaving[rows].astype(np.float64)

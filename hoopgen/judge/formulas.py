@@ -243,7 +243,7 @@ def formulas(scene: Scene = HOOP) -> Formulas:
         compiled([e for vector in there for e in vector], state, parameters, (t,)),
         compiled([scene.target], state, parameters),
         compiled(scene.requirements, parameters),
-        tuple(p.symbol.name for p in scene.parameters),
+        tuple(p.name for p in scene.parameters),
         tuple(p.sign for p in scene.parameters),
         tuple(p.upper for p in scene.parameters),
     )

@@ -151,7 +151,8 @@ def check_scene(parameters: Mapping[str, Any]) -> dict[str, float]:
     wrong = [name for name, value in parameters.items() if np.ndim(value)]
     if wrong:
         raise ValueError(f"parameters: expected one number for {', '.join(wrong)}")
-    if not hoop.allowed(*(values[name] for name in _ALLOWED))[0] > 0.0:
+    given = {hoop.VARIABLES[name]: value for name, value in values.items()}
+    if not hoop.allowed(*(given[name] for name in _ALLOWED))[0] > 0.0:
         raise ValueError(
             "parameters: no shot can be simulated with these: a size or gravity is not above zero, "
             "or the ball is too big for the ring"

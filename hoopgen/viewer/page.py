@@ -189,12 +189,15 @@ def _touched(shots: Shots, values: Mapping[str, Value]) -> NDArray[np.float64]:
     for index, name in enumerate(SURFACES):
         rows = np.flatnonzero(events["surface"] == index)
         shot = events["shot"][rows]
-        columns = {n: v if isinstance(v, float) else v[shot] for n, v in values.items()}
+        columns = {
+            hoop.VARIABLES[n]: v if isinstance(v, float) else v[shot] for n, v in values.items()
+        }
         columns |= dict(zip("xyz", centres[rows].T, strict=True))
         kernel = getattr(hoop, f"{name}_normal")
         normal = kernel(*[columns[n] for n in inspect.signature(kernel).parameters])
+        ball = columns[hoop.VARIABLES["ball_radius"]]
         for axis, component in enumerate(normal):
-            centres[rows, axis] -= columns["ball_radius"] * component
+            centres[rows, axis] -= ball * component
     return centres
 
 

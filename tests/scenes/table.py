@@ -25,16 +25,16 @@ _PARAMETERS = (
 
 def _table() -> Scene:
     """Return the scene; the origin is in the middle of the table's top."""
-    by_name = {p.symbol.name: p.symbol for p in _PARAMETERS}
+    by_name = {p.name: p.symbol for p in _PARAMETERS}
     x, y, _ = POSITION
     ball = by_name["marble"]
+    law = Rolling("impact", by_name["bounce"])
     length, width = by_name["half_length"], by_name["half_width"]
     return Scene(
         name="table",
         parameters=_PARAMETERS,
-        bodies=tuple(
-            body(face, Rolling("impact", by_name["bounce"]))
-            for face in (
+        bodies=(
+            body(
                 Plane(
                     "top",
                     direction=(0, 0, 1),
@@ -42,12 +42,16 @@ def _table() -> Scene:
                     reach=ball,
                     limits=(-x - length, x - length, -y - width, y - width),
                 ),
+                law,
+            ),
+            body(
                 Sphere(
                     "dome",
                     centre=(by_name["dome_x"], sp.Integer(0), by_name["dome_z"]),
                     radius=by_name["dome_radius"] + ball,
                 ),
-            )
+                law,
+            ),
         ),
         finish=Plane(
             "ground", direction=(0, 0, 1), offset=-by_name["table_height"], reach=sp.Integer(0)
