@@ -181,6 +181,63 @@ LANES_INLINE void LANES(hoop_finish)(LANES(hoop_pool) *pool, int lane, const hoo
     pool->occupied[lane] = 0.0;
 }
 
+/* Write the results of the shots in all lanes, none of them invalid, which follow one another, and
+   free them. */
+LANES_INLINE void LANES(hoop_finish_all)(LANES(hoop_pool) *pool, const hoop_job *job)
+{
+    const hoop_results *out = job->results;
+    const size_t first = pool->shot[0];
+    if (out->outcome)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            out->outcome[first + (size_t)lane] = (uint8_t)pool->outcome[lane];
+        }
+    if (out->contacts)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            out->contacts[first + (size_t)lane] = (int32_t)pool->contacts[lane];
+        }
+    if (out->counts)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            out->counts[3 * (first + (size_t)lane) + 0] = (int32_t)pool->count_0[lane];
+            out->counts[3 * (first + (size_t)lane) + 1] = (int32_t)pool->count_1[lane];
+            out->counts[3 * (first + (size_t)lane) + 2] = (int32_t)pool->count_2[lane];
+        }
+    if (out->first)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            out->first[first + (size_t)lane] = (int8_t)pool->first[lane];
+        }
+    if (out->time)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            out->time[first + (size_t)lane] = (double)pool->clock[lane];
+        }
+    if (out->state)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            out->state[9 * (first + (size_t)lane) + 0] = (double)pool->x[lane];
+            out->state[9 * (first + (size_t)lane) + 1] = (double)pool->y[lane];
+            out->state[9 * (first + (size_t)lane) + 2] = (double)pool->z[lane];
+            out->state[9 * (first + (size_t)lane) + 3] = (double)pool->vx[lane];
+            out->state[9 * (first + (size_t)lane) + 4] = (double)pool->vy[lane];
+            out->state[9 * (first + (size_t)lane) + 5] = (double)pool->vz[lane];
+            out->state[9 * (first + (size_t)lane) + 6] = (double)pool->wx[lane];
+            out->state[9 * (first + (size_t)lane) + 7] = (double)pool->wy[lane];
+            out->state[9 * (first + (size_t)lane) + 8] = (double)pool->wz[lane];
+        }
+    if (out->time_error)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            out->time_error[first + (size_t)lane] = (double)pool->time_claim[lane];
+        }
+    if (out->state_error)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            out->state_error[3 * (first + (size_t)lane) + 0] = (double)pool->position_claim[lane];
+            out->state_error[3 * (first + (size_t)lane) + 1] = (double)pool->velocity_claim[lane];
+            out->state_error[3 * (first + (size_t)lane) + 2] = (double)pool->spin_claim[lane];
+        }
+    if (out->uncertain)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            out->uncertain[first + (size_t)lane] = (uint8_t)pool->uncertain[lane];
+        }
+    lanes_store(pool->occupied, K(0.0));
+}
+
 /* Run the job: fill the lanes, take every lane to its next event, free those that ended.
    No errors are bounded: the same path, with less work. */
 LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
@@ -208,6 +265,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
             pool.p_end_depth[lane] = *job->parameters[10];
         }
     M permitted = LANES(hoop_permit)(lanes_load(pool.p_ball_radius), lanes_load(pool.p_ring_radius), lanes_load(pool.p_wire_radius), lanes_load(pool.p_board_distance), lanes_load(pool.p_board_half_width), lanes_load(pool.p_board_bottom), lanes_load(pool.p_board_top), lanes_load(pool.p_bridge_half_width), lanes_load(pool.p_restitution), lanes_load(pool.p_gravity), lanes_load(pool.p_end_depth));
+    int following = 0; /* whether the lanes hold shots that follow one another */
     for (int flights = 0;;) {
         int refilled = 0;
         if (job->stop && *job->stop)
@@ -216,13 +274,14 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
             LANES(hoop_begin_all)(&pool, job, begun);
             begun += LANES_WIDTH;
             flights = LANES_WIDTH;
-            refilled = 1;
+            refilled = following = 1;
         }
         for (int lane = 0; flights < LANES_WIDTH && begun < job->shots; lane++)
             if (pool.occupied[lane] == 0.0) {
                 LANES(hoop_begin)(&pool, lane, job, begun++);
                 flights++;
                 refilled = 1;
+                following = 0;
             }
         if (flights == 0)
             return;
@@ -722,6 +781,12 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
                 event->after[8] = pool.wz[lane];
             }
         }
+        const M going = lanes_less(outcome, zero);
+        if (following && flights == LANES_WIDTH && !lanes_any(going)) {
+            LANES(hoop_finish_all)(&pool, job);
+            flights = 0;
+            continue;
+        }
         for (int lane = 0; lane < LANES_WIDTH; lane++)
             if (pool.occupied[lane] != 0.0 && pool.outcome[lane] >= 0.0) {
                 LANES(hoop_finish)(&pool, lane, job);
@@ -758,6 +823,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             pool.p_end_depth[lane] = *job->parameters[10];
         }
     M permitted = LANES(hoop_permit)(lanes_load(pool.p_ball_radius), lanes_load(pool.p_ring_radius), lanes_load(pool.p_wire_radius), lanes_load(pool.p_board_distance), lanes_load(pool.p_board_half_width), lanes_load(pool.p_board_bottom), lanes_load(pool.p_board_top), lanes_load(pool.p_bridge_half_width), lanes_load(pool.p_restitution), lanes_load(pool.p_gravity), lanes_load(pool.p_end_depth));
+    int following = 0; /* whether the lanes hold shots that follow one another */
     for (int flights = 0;;) {
         int refilled = 0;
         if (job->stop && *job->stop)
@@ -766,13 +832,14 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             LANES(hoop_begin_all)(&pool, job, begun);
             begun += LANES_WIDTH;
             flights = LANES_WIDTH;
-            refilled = 1;
+            refilled = following = 1;
         }
         for (int lane = 0; flights < LANES_WIDTH && begun < job->shots; lane++)
             if (pool.occupied[lane] == 0.0) {
                 LANES(hoop_begin)(&pool, lane, job, begun++);
                 flights++;
                 refilled = 1;
+                following = 0;
             }
         if (flights == 0)
             return;
@@ -1549,6 +1616,12 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
                 event->before[8] = before[8][lane];
                 event->after[8] = pool.wz[lane];
             }
+        }
+        const M going = lanes_less(outcome, zero);
+        if (following && flights == LANES_WIDTH && !lanes_any(going)) {
+            LANES(hoop_finish_all)(&pool, job);
+            flights = 0;
+            continue;
         }
         for (int lane = 0; lane < LANES_WIDTH; lane++)
             if (pool.occupied[lane] != 0.0 && pool.outcome[lane] >= 0.0) {
