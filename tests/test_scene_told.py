@@ -20,6 +20,7 @@ pq = pytest.importorskip("pyarrow.parquet")
 pytest.importorskip("xarray")
 
 from hoopgen.parameters import NAMES, PRESETS  # noqa: E402
+from hoopgen.study.named import parameters_named  # noqa: E402
 from hoopgen.study.told import say_scatter, say_scene  # noqa: E402
 from hoopgen.viewer.sample import sample  # noqa: E402
 
@@ -63,7 +64,7 @@ def releases(tmp_path: Path) -> Path:
             random.normal(7.17, 0.1, ROWS), random.normal(0.9, 0.03, ROWS), strict=True
         )
     ]
-    file.write_text("\n".join(["speed,elevation", *lines, ""]), encoding="utf-8")
+    file.write_text("\n".join(["speed,elevation_rad", *lines, ""]), encoding="utf-8")
     return file
 
 
@@ -177,7 +178,7 @@ def test_results_are_flown_again_as_they_were(results: Path, tmp_path: Path) -> 
     result = run("batch", results, "--out", out, "--prefix", "again_")
     assert result.stderr == ""
     table = read(out)
-    for name in ("outcome", "contacts", "end_x"):
+    for name in ("outcome", "contacts", "end_x_m"):
         one, other = (table[prefix + name].to_pandas() for prefix in ("", "again_"))
         assert one.equals(other)
     ours, theirs = (json.loads(read(file).schema.metadata[b"hoopgen"]) for file in (results, out))
@@ -195,7 +196,7 @@ def test_an_estimate_draws_from_results_in_their_scene(results: Path) -> None:
     assert result.stderr == ""
     found = json.loads(result.stdout)
     assert found["scene"] == SAID
-    assert found["setting"]["parameters"] == dict(SCENE)
+    assert parameters_named(found["setting"]["parameters"]) == dict(SCENE)
     drawn = sample(results, ROWS).releases
     wanted = hoopgen.simulate(drawn.states, SCENE, max_contacts=7).made.mean()
     assert abs(found["probability"] - wanted) < 5 * 0.5 / np.sqrt(500)
@@ -271,7 +272,8 @@ def test_a_file_without_a_scene_is_flown_in_one_that_is_said(
 
 def test_own_columns_remain_own_in_results(tmp_path: Path) -> None:
     source, out = tmp_path / "t.parquet", tmp_path / "o.parquet"
-    table = {"speed": [7.0], "elevation": [0.9], "height": [2.1], "distance": [4.2], "aim": [9.0]}
+    place = {"height": [2.1], "distance": [4.2]}
+    table = {"speed": [7.0], "elevation_rad": [0.9], **place, "aim": [9.0]}
     pq.write_table(pa.table(table), source)
     hoopgen.batch(source, out, own=["aim"])
     wanted = hoopgen.release(7.0, 0.9, height=2.1, distance=4.2)

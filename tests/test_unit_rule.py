@@ -232,7 +232,8 @@ def test_a_map_is_a_table_of_releases(tmp_path: Path) -> None:
 def test_results_of_an_older_version_are_viewed_as_they_were(tmp_path: Path) -> None:
     file, page = tmp_path / "results.parquet", tmp_path / "page.html"
     columns = {"speed": [7.2], "elevation": [0.9], "height": [2.1], "distance": [4.2]}
-    about = {"hoopgen": json.dumps({"version": "0.0", "max_contacts": 40})}
+    said = {"version": "0.0", "parameters": dict(hoopgen.NBA), "release": {}, "max_contacts": 40}
+    about = {"hoopgen": json.dumps(said)}
     pq.write_table(pa.table(columns).replace_schema_metadata(about), file)
     output("view", str(file), "--out", str(page))
     pq.write_table(pa.table(columns), file)
@@ -376,4 +377,4 @@ def test_a_trajectory_says_its_release_in_mph_and_turns() -> None:
         with showing(system):
             texts = " ".join(text.get_text() for text in path.plot().texts)
         assert f"Released at {said}" in texts
-        assert (r"$\omega_y/2\pi = 3$ Hz" in texts) == (system == "us")
+        assert (r"$\omega_y/2\pi=3$ Hz" in texts) == (system == "us")
