@@ -11,7 +11,14 @@ from numpy.typing import ArrayLike, NDArray
 from .engine.raw import STATE_SIZE
 from .results import SURFACES
 
-__all__ = ["check_contacts", "check_leaving", "check_states", "check_threads", "doubles"]
+__all__ = [
+    "check_contacts",
+    "check_count",
+    "check_leaving",
+    "check_states",
+    "check_threads",
+    "doubles",
+]
 
 
 def doubles(name: str, value: ArrayLike, expected: str = "numbers") -> NDArray[np.float64]:
@@ -79,9 +86,27 @@ def check_contacts(max_contacts: Any) -> int:
     ValueError
         If it is no whole number from 1, or more than the engines count.
     """
-    if not isinstance(max_contacts, int | np.integer) or not 1 <= max_contacts < 2**31:
-        raise ValueError(f"max_contacts: expected a whole number from 1, got {max_contacts!r}")
-    return int(max_contacts)
+    return check_count("max_contacts", max_contacts, most=2**31 - 1)
+
+
+def check_count(
+    name: str, value: Any, *, least: int = 1, most: int = 2**63 - 1, expected: str = ""
+) -> int:
+    """Return a whole number from `least` to `most`; neither a truth value nor a time is one.
+
+    Raises
+    ------
+    ValueError
+        If it is none; the message begins with `name` and says what is expected, by default the
+        ends.
+    """
+    whole = isinstance(value, int | np.integer) and not isinstance(value, bool | np.timedelta64)
+    if not whole or not least <= value <= most:
+        said = expected or f"a whole number from {least}"
+        # An end that nobody comes near is told only to those who pass it.
+        beyond = f"; at most {most}" if whole and value > most else ""
+        raise ValueError(f"{name}: expected {said}, got {value!r}{beyond}")
+    return int(value)
 
 
 def check_threads(threads: Any) -> int:
@@ -95,6 +120,4 @@ def check_threads(threads: Any) -> int:
     if threads is None:
         own = getattr(os, "sched_getaffinity", None)
         return len(own(0)) if own else os.cpu_count() or 1
-    if not isinstance(threads, int | np.integer) or threads < 1:
-        raise ValueError(f"threads: expected a whole number from 1, or None, got {threads!r}")
-    return int(threads)
+    return check_count("threads", threads, expected="a whole number from 1, or None")

@@ -11,6 +11,22 @@ RING_HEIGHT = 3.048
 """m, of the ring above the floor: 10 ft."""
 
 
+def from_zero(distance: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return distances, NaN for negative ones; what lies behind the ring is said by the angle.
+
+    Raises
+    ------
+    ValueError
+        If it is a single one, and negative.
+    """
+    negative = distance < 0.0
+    if not negative.any():
+        return distance
+    if not distance.ndim:
+        raise ValueError(f"distance: expected 0 m or more, got {distance}")
+    return np.where(negative, np.nan, distance)
+
+
 def release(
     speed: ArrayLike,
     elevation: ArrayLike,
@@ -43,7 +59,7 @@ def release(
     height
         Of the ball's centre above the floor, m; the ring is at 3.048.
     distance
-        From the ring's centre on the floor plan, m.
+        From the ring's centre on the floor plan, m. Of many a negative one gives a state of NaN.
     angle
         Of the place around the ring's centre, rad: 0 straight in front, on +x, counter-clockwise
         seen from above.
@@ -58,7 +74,7 @@ def release(
     TypeError
         If an argument cannot become float64.
     ValueError
-        If the shapes do not broadcast.
+        If the shapes do not broadcast, or the one distance of all is negative.
     """
     arguments = {
         "speed": speed,
@@ -76,6 +92,7 @@ def release(
     except ValueError:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items() if array.ndim)
         raise ValueError(f"release: the shapes do not broadcast: {shapes}") from None
+    arrays["distance"] = from_zero(arrays["distance"])
     # Nothing is broadcast before it is stored: what all shots share is computed once.
     # Towards the centre is angle + pi; the shooter's left, seen from above, is counter-clockwise.
     heading = arrays["azimuth"] + arrays["angle"]

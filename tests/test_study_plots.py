@@ -412,9 +412,9 @@ def test_variables_of_no_release_are_named_as_the_dataset_names_them() -> None:
 
 def test_the_map_of_hoopgen_is_drawn() -> None:
     over = {"speed": [7.1, 7.2, 7.3], "elevation": np.radians([50.0, 52.0])}
-    figure = plot_map(hoopgen.map(over, FREE_THROW, {"speed": 0.07}, shots=50))
+    figure = plot_map(hoopgen.map(hoopgen.Scatter(FREE_THROW, {"speed": 0.07}), over, shots=50))
     assert one(figure.axes[0], QuadMesh).get_array().shape == (2, 3)
-    assert axes_of(plot_map(hoopgen.map(over, FREE_THROW)), "key").patches
+    assert axes_of(plot_map(hoopgen.map(hoopgen.Scatter(FREE_THROW), over)), "key").patches
 
 
 # ------------------------------------------------------------------------------------ the fan
@@ -777,7 +777,7 @@ def test_only_cells_are_pixels_and_files_are_small(tmp_path: Path, name: str) ->
 
 def test_a_map_of_many_cells_is_a_small_file(tmp_path: Path) -> None:
     over = {"speed": np.linspace(6.6, 9.6, 900), "elevation": np.radians(np.linspace(38, 75, 600))}
-    path = save(plot_map(hoopgen.map(over, FREE_THROW)), tmp_path / "map.svg")
+    path = save(plot_map(hoopgen.map(hoopgen.Scatter(FREE_THROW), over)), tmp_path / "map.svg")
     assert path.stat().st_size < 300_000
 
 

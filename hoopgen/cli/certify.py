@@ -19,8 +19,8 @@ from hoopgen.cli.options import (
     preset_options,
     scene,
 )
-from hoopgen.cli.table import table
-from hoopgen.cli.types import FILE
+from hoopgen.cli.types import FILE, whole
+from hoopgen.layout import table
 
 if TYPE_CHECKING:
     from hoopgen.judge import Proof
@@ -42,7 +42,7 @@ __all__ = ["certify"]
 @max_contacts_option
 @click.option(
     "--max-bits",
-    type=click.IntRange(min=128),
+    type=whole(128),
     default=4096,
     show_default=True,
     help="Precision at which to give up.",
@@ -54,7 +54,7 @@ def certify(
     /,
     file: Path | None,
     preset: str,
-    settings: tuple[tuple[str, float], ...],
+    settings: Mapping[str, float],
     max_contacts: int,
     max_bits: int,
     as_json: bool,
@@ -72,7 +72,7 @@ def certify(
         state, parameters = _released(release), scene(preset, settings)
     else:
         state, written = _read(file)
-        parameters = written | dict(settings)
+        parameters = {**written, **settings}
     proof = prove(state, parameters, max_contacts=max_contacts, max_bits=max_bits, record=True)[0]
     click.echo(_record(proof) if as_json else _summary(proof))
     if not proof.decided:

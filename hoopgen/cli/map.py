@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.cli.options import UNITS_IN_WORDS, examples, picture_option
-from hoopgen.cli.releasing import Releasing, release_options, work_options
-from hoopgen.cli.types import AXIS, COUNT, OUT
+from hoopgen.cli.releasing import Releasing, from_option, release_options, work_options
+from hoopgen.cli.types import AXIS, COUNT, OUT, once
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -39,44 +39,39 @@ _FORMATS = (".nc", ".csv")
     "--over",
     type=AXIS,
     multiple=True,
+    callback=once,
     required=True,
     help="A variable and its values, from:to:count or one,two,three; may be repeated.",
 )
 @release_options
-@click.option("--shots", type=COUNT, help="Of each cell, with --scatter.  [default: 10,000]")
+@from_option
+@click.option(
+    "--shots", type=COUNT, help="Of each cell, with --scatter or --from.  [default: 10,000]"
+)
 @click.option("--out", type=OUT, help="Write the map: .nc (netCDF, for xarray) or .csv; SI units.")
 @picture_option("map")
 @work_options
 def map_(
-    over: tuple[tuple[str, NDArray[np.float64]], ...],
+    over: Mapping[str, NDArray[np.float64]],
     releasing: Releasing,
+    file: Path | None,
     out: Path | None,
     picture: Path | None,
     **work: Any,
 ) -> None:
     """Map a shot over any of its variables.
 
-    Each cell is one shot; with --scatter, the probability that it is made. The variables that are
-    not mapped over are given as for `hoopgen shot`.
+    Each cell is one shot; with --scatter or --from, the probability that it is made. The variables
+    that are not mapped over are given as for `hoopgen shot`.
     """
     import hoopgen
     from hoopgen.cli.progress import shown
 
     if out is not None and out.suffix.lower() not in _FORMATS:
         raise click.UsageError(f"--out: {out} ends in none of {', '.join(_FORMATS)}")
-    twice = [name for place, (name, _) in enumerate(over) if name in dict(over[:place])]
-    if twice:
-        raise click.UsageError(f"--over: {twice[0]} is given twice")
+    model, scene = releasing.model(file)
     with shown() as progress:
-        dataset = hoopgen.map(
-            dict(over),
-            releasing.values,
-            releasing.sd,
-            releasing.correlation,
-            releasing.parameters,
-            progress=progress,
-            **work,
-        )
+        dataset = hoopgen.map(model, over, scene, progress=progress, **work)
     if out is not None:
         _write(dataset, out)
     if picture is not None:
@@ -126,7 +121,8 @@ def _columns(dataset: xr.Dataset) -> Iterator[tuple[str, NDArray[Any]]]:
 
 def _summary(dataset: xr.Dataset) -> str:
     """Say how large the map is, and its best cell or the shares of its outcomes."""
-    from hoopgen.study.words import percent, say
+    from hoopgen.phrases import counted, interval, percent
+    from hoopgen.study.words import say
 
     axes = [str(name) for name in dataset.dims if name != "kind"]
     cells = " × ".join(f"{dataset.sizes[name]} {name}" for name in axes)
@@ -137,11 +133,11 @@ def _summary(dataset: xr.Dataset) -> str:
             f"{percent(share)} {name}" for name, share in zip(names, shares, strict=True) if share
         ]
         return f"map    {cells}, one shot each\nshots  {', '.join(said)}"
-    shots = f"map    {cells}, {dataset['shots'].values.max():,} shots each"
+    shots = f"map    {cells}, {counted(dataset['shots'].values.max(), 'shot')} each"
     probability = dataset["probability"]
     if probability.isnull().all():
         return f"{shots}\nbest   none: no cell can be simulated"
     best = dataset.isel(probability.argmax(...))
     where = ", ".join(f"{name} {say(name, best[name].item())}" for name in axes)
     made, low, high = (best[name].item() for name in ("probability", "low", "high"))
-    return f"{shots}\nbest   {percent(made)} made ({percent(low)} to {percent(high)}) at {where}"
+    return f"{shots}\nbest   {percent(made)} made ({interval(low, high)}) at {where}"

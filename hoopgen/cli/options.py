@@ -9,7 +9,17 @@ from typing import Any
 
 import click
 
-from hoopgen.cli.types import ASSIGNMENT, FILE, FOLDER, OUT, SETTING, variable_type
+from hoopgen.cli.types import (
+    ASSIGNMENT,
+    COUNT,
+    FILE,
+    FOLDER,
+    OUT,
+    SETTING,
+    once,
+    variable_type,
+    whole,
+)
 
 __all__ = [
     "NEEDED",
@@ -120,18 +130,19 @@ preset_options = together(
         "settings",
         type=SETTING,
         multiple=True,
+        callback=once,
         help="Change one parameter of the preset; may be repeated.",
     ),
 )
 """``--preset`` and ``--set``."""
 
 
-def scene(preset: str, settings: tuple[tuple[str, float], ...]) -> Mapping[str, float]:
+def scene(preset: str, settings: Mapping[str, float]) -> Mapping[str, float]:
     """Merge a preset with what is set."""
     import hoopgen
 
     presets = {"paper": hoopgen.PAPER, "nba": hoopgen.NBA, "fiba": hoopgen.FIBA}
-    return presets[preset] | dict(settings)
+    return presets[preset] | settings
 
 
 def scene_options(command: Callable[..., Any]) -> Callable[..., Any]:
@@ -150,7 +161,7 @@ def scene_options(command: Callable[..., Any]) -> Callable[..., Any]:
 
 max_contacts_option = click.option(
     "--max-contacts",
-    type=click.IntRange(min=1),
+    type=whole(most=2**31 - 1),
     default=40,
     show_default=True,
     help="Contacts after which a shot is given up as capped.",
@@ -164,9 +175,7 @@ backend_option = click.option(
     help="What computes; all give the same bits.",
 )
 
-threads_option = click.option(
-    "--threads", type=click.IntRange(min=1), help="As many as there are, by default."
-)
+threads_option = click.option("--threads", type=COUNT, help="As many as there are, by default.")
 
 scheduler_option = click.option(
     "--scheduler",
@@ -180,7 +189,7 @@ folder_option = click.option(
 
 seed_option = click.option(
     "--seed",
-    type=click.IntRange(min=0),
+    type=whole(0, 2**64 - 1, "NUMBER"),
     default=0,
     show_default=True,
     help="Of the random numbers.",
@@ -213,6 +222,7 @@ table_options = together(
         "--release",
         type=ASSIGNMENT,
         multiple=True,
+        callback=once,
         help="A variable that all rows share, in place of a column; may be repeated.",
     ),
     scene_options,

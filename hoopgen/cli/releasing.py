@@ -5,7 +5,9 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from typing import Any
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -22,9 +24,12 @@ from hoopgen.cli.options import (
     together,
     variable_option,
 )
-from hoopgen.cli.types import ASSIGNMENT, CORRELATION
+from hoopgen.cli.types import ASSIGNMENT, CORRELATION, FILE, once
 
-__all__ = ["Releasing", "release_options", "work_options"]
+if TYPE_CHECKING:
+    from hoopgen.study.models import Resample, Scatter
+
+__all__ = ["Releasing", "from_option", "release_options", "work_options"]
 
 
 @dataclass(frozen=True)
@@ -48,6 +53,52 @@ class Releasing:
     correlation: Mapping[tuple[str, str], float]
     parameters: Mapping[str, float]
 
+    def model(
+        self, file: Path | None, changes: Mapping[str, float] = MappingProxyType({})
+    ) -> tuple[Scatter | Resample, Mapping[str, float]]:
+        """Return the release model, of measured releases if there is a file, and the scene.
+
+        Of some variables changed, the scene's parameters among them.
+        """
+        from hoopgen.parameters import NAMES
+        from hoopgen.study.models import Resample, Scatter
+        from hoopgen.study.variables import change_variables
+
+        measured = {} if file is None else self._measured(file)
+        values = change_variables({**measured, **self.values}, changes)
+        scene = dict(self.parameters)
+        scene |= {name: values.pop(name) for name in NAMES if name in changes}
+        if measured:
+            return Resample(values), scene
+        return Scatter(values, self.sd, self.correlation), scene
+
+    def _measured(self, file: Path) -> Mapping[str, Any]:
+        """Return the columns of the file that say something, without those that are given."""
+        import pyarrow as pa
+
+        from hoopgen.study.tables import Source, columns_of, values
+
+        if self.sd:
+            raise click.UsageError(
+                "--scatter is about a release, and --from has many; leave one out"
+            )
+        source = Source(file)
+        columns = columns_of(source.schema().names, given=self.values)
+        return values(pa.concat_tables(source.tables(_ROWS)), columns)
+
+
+_ROWS = 1 << 20
+"""Read at a time."""
+
+
+from_option = click.option(
+    "--from",
+    "file",
+    type=FILE,
+    help="Draw from measured releases, .csv, .parquet or .arrow; the options above fill in.",
+)
+"""``--from``, measured releases in place of scatter."""
+
 
 def release_options(command: Callable[..., Any]) -> Callable[..., Any]:
     """Add the options of a release, its scatter and the scene; give `releasing` to the command."""
@@ -57,8 +108,8 @@ def release_options(command: Callable[..., Any]) -> Callable[..., Any]:
         given = {name: options.pop(name) for name in VARIABLE_HELP}
         releasing = Releasing(
             values={name: value for name, value in given.items() if value is not None},
-            sd=dict(options.pop("scatter")),
-            correlation=dict(options.pop("correlation")),
+            sd=options.pop("scatter"),
+            correlation=options.pop("correlation"),
             parameters=parameters,
         )
         return command(*arguments, releasing=releasing, **options)
@@ -73,12 +124,14 @@ _SCATTER = (
         "--scatter",
         type=ASSIGNMENT,
         multiple=True,
+        callback=once,
         help="Standard deviation of a variable, speed=0.07, elevation=1.3deg; may be repeated.",
     ),
     click.option(
         "--correlation",
         type=CORRELATION,
         multiple=True,
+        callback=once,
         help="Of two that scatter, speed,elevation=-0.3; may be repeated.",
     ),
 )

@@ -22,6 +22,7 @@ from hoopgen.cli.options import (
     scene,
 )
 from hoopgen.cli.types import OUT
+from hoopgen.phrases import counted
 
 if TYPE_CHECKING:
     import numpy as np
@@ -56,7 +57,7 @@ __all__ = ["shot"]
 @json_option
 def shot(
     preset: str,
-    settings: tuple[tuple[str, float], ...],
+    settings: Mapping[str, float],
     max_contacts: int,
     backend: Literal["auto", "c", "numpy"],
     picture: Path | None,
@@ -121,18 +122,18 @@ def _outcome_text(shots: hoopgen.Shots) -> str:
     outcome = hoopgen.Outcome(int(shots.outcome[0]))
     said = outcome.name.lower()
     if outcome == hoopgen.Outcome.CAPPED:
-        return f"{said}: {shots.contacts[0]} contacts, and not yet at the end plane"
+        return f"{said}: {counted(shots.contacts[0], 'contact')}, and not yet at the end plane"
     if outcome == hoopgen.Outcome.SHORT:
         return f"{said}: the ball never comes down through the end plane"
     off_centre = math.hypot(shots.state[0, 0], shots.state[0, 1])
     return f"{said}, {off_centre:.3f} m from the centre of the ring after {shots.time[0]:.3f} s"
 
 
-def _title(shots: hoopgen.Shots, preset: str, settings: tuple[tuple[str, float], ...]) -> str:
+def _title(shots: hoopgen.Shots, preset: str, settings: Mapping[str, float]) -> str:
     import hoopgen
 
     outcome = hoopgen.Outcome(int(shots.outcome[0])).name.capitalize()
-    changed = "".join(f", {name.replace('_', ' ')} {value:.6g}" for name, value in settings)
+    changed = "".join(f", {name.replace('_', ' ')} {value:.6g}" for name, value in settings.items())
     return f"{outcome} ({preset.upper()} preset{changed})"
 
 

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import click
 
 from hoopgen.cli.options import backend_option, examples, seed_option, table_options
-from hoopgen.cli.types import OUT
+from hoopgen.cli.types import OUT, whole
+from hoopgen.phrases import counted
 
 if TYPE_CHECKING:
     from typing import Literal
@@ -32,7 +33,7 @@ __all__ = ["view"]
 @click.option(
     "--sample",
     "count",
-    type=click.IntRange(1, 2000),
+    type=whole(most=2000),
     default=50,
     show_default=True,
     help="Shots on the page, chosen at random.",
@@ -47,7 +48,7 @@ def view(
     count: int,
     seed: int,
     title: str,
-    release: tuple[tuple[str, float], ...],
+    release: Mapping[str, float],
     parameters: Mapping[str, float],
     max_contacts: int,
     format: str | None,
@@ -65,7 +66,7 @@ def view(
     from hoopgen import viewer
     from hoopgen.viewer.sample import sample
 
-    chosen = sample(file, count, seed, parameters, release=dict(release), format=format, own=own)
+    chosen = sample(file, count, seed, parameters, release=release, format=format, own=own)
     states, given = chosen.releases.states, chosen.releases.parameters
     shots = hoopgen.simulate(states, given, max_contacts=max_contacts, backend=backend, record=True)
     invalid = int(np.count_nonzero(shots.outcome == hoopgen.Outcome.INVALID))
@@ -79,7 +80,8 @@ def _about(file: Path, chosen: Sample, seed: int, invalid: int) -> str:
     """Say which rows are shown."""
     count = len(chosen.rows)
     if count == chosen.total:
-        text = f"all {count} rows of {file.name}"
+        text = f"{'all ' * (count > 1)}{counted(count, 'row')} of {file.name}"
     else:
-        text = f"{count} of {chosen.total} rows of {file.name}, chosen at random (seed {seed})"
+        rows = f"{count:,} of {counted(chosen.total, 'row')} of {file.name}"
+        text = f"{rows}, chosen at random (seed {seed})"
     return f"{text}; {invalid} invalid, left out" if invalid else text

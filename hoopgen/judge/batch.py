@@ -16,7 +16,7 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.inputs import check_contacts, check_leaving, check_states
+from hoopgen.inputs import check_contacts, check_count, check_leaving, check_states
 from hoopgen.parameters import PAPER, resolve
 from hoopgen.results import Outcome
 
@@ -79,10 +79,9 @@ def certify(
         [np.broadcast_to(p, len(releases)) for p in resolve(parameters, len(releases))], axis=-1
     )
     most = check_contacts(max_contacts)
-    if not isinstance(max_bits, int | np.integer) or max_bits < FIRST_BITS:
-        raise ValueError(f"max_bits: expected a whole number from {FIRST_BITS}, got {max_bits!r}")
+    bits = check_count("max_bits", max_bits, least=FIRST_BITS)
     formulas()  # compiled here, once for all processes that are forked
-    task = _Task(most, int(max_bits), record)
+    task = _Task(most, bits, record)
     left = check_leaving(leaving, len(releases))
     left = np.full(len(releases), -1, np.int8) if left is None else left
     chunks = [
@@ -103,9 +102,7 @@ def certify(
 def _processes(processes: int | None) -> int:
     if processes is None:
         return len(os.sched_getaffinity(0)) if _FORKS else 1
-    if not isinstance(processes, int | np.integer) or processes < 1:
-        raise ValueError(f"processes: expected a whole number from 1, or None, got {processes!r}")
-    return int(processes)
+    return check_count("processes", processes, expected="a whole number from 1, or None")
 
 
 def _context() -> multiprocessing.context.BaseContext:

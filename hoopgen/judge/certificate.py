@@ -11,6 +11,7 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
 
+from hoopgen.phrases import counted
 from hoopgen.results import SURFACES
 
 UNDECIDED = 255
@@ -156,4 +157,4 @@ class Certificate:
         return self.proofs[shot]
 
     def __repr__(self) -> str:
-        return f"Certificate({len(self)} shots, {int(self.decided.sum())} decided)"
+        return f"Certificate({counted(len(self), 'shot')}, {int(self.decided.sum()):,} decided)"

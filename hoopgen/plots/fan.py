@@ -16,6 +16,7 @@ from matplotlib.path import Path
 from numpy.typing import NDArray
 
 import hoopgen
+from hoopgen.phrases import counted, percent
 from hoopgen.plots.key import CLASSES, Class, classify, draw_key, key_height
 from hoopgen.plots.page import add_view, new_page
 from hoopgen.plots.panels import Panel
@@ -24,7 +25,6 @@ from hoopgen.plots.scene import draw_hoop, scene_corners
 from hoopgen.plots.style import MISSED_LINES, PAGE, style
 from hoopgen.plots.views import View
 from hoopgen.study.measures import kinds
-from hoopgen.study.words import percent_in_picture
 
 __all__ = ["Fan", "draw_fan", "gather_fan", "plot_fan"]
 
@@ -114,8 +114,8 @@ def plot_fan(
         _as_line(CLASSES[one]): float(np.mean(place == one)) for one in np.unique(place).tolist()
     }
     fan = gather_fan(shots, parameters, range(min(paths, len(shots))))
-    made = percent_in_picture(float(np.mean(shots.outcome == hoopgen.Outcome.MADE)))
-    note = f"{len(shots)} shots, {made} made; {len(fan.curves)} are drawn."
+    made = percent(float(np.mean(shots.outcome == hoopgen.Outcome.MADE)))
+    note = f"{counted(len(shots), 'shot')}, {made} made; {len(fan.curves)} are drawn."
     with style():
         if ax is not None:
             return _draw_on(check_axes(ax), fan, shares, title, note)
@@ -216,7 +216,7 @@ def _draw_on(axes: Axes, fan: Fan, shares: Mapping[Class, float], title: str, no
     """Draw all of it on axes that there are."""
     draw_fan(axes, fit_view(axes, fan.view, fan.limits()), fan)
     add_title(axes, title, note)
-    said = {one: f"{one.words} {percent_in_picture(share)}" for one, share in shares.items()}
+    said = {one: f"{one.words} {percent(share)}" for one, share in shares.items()}
     add_key(axes, [Line2D([], [], color=one.colour, label=text) for one, text in said.items()])
     return axes
 

@@ -16,12 +16,12 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.inputs import doubles
+from hoopgen.phrases import percent
 from hoopgen.plots.court import FLOOR, Court, add_floor, draw_floor, find_court, on_floor
 from hoopgen.plots.page import add_axes, new_page
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import add_title, check_axes, fit_view
 from hoopgen.plots.style import COLOURS, PAGE, SHADES, style
-from hoopgen.study.words import percent_in_picture
 
 __all__ = ["plot_landings"]
 
@@ -271,7 +271,7 @@ def _draw_circle(axes: Axes, radius: float, share: float) -> None:
     at = radius * np.sin(_LABELLED), -radius * np.cos(_LABELLED)
     axes.text(
         *at,
-        f"{percent_in_picture(share, 0)} within {radius:.2f} m",
+        f"{percent(share, 0)} within {radius:.2f} m",
         ha="center",
         va="center",
         fontsize=7.0,

@@ -16,12 +16,12 @@ from matplotlib.figure import Figure, FigureBase
 from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
+from hoopgen.phrases import percent
 from hoopgen.plots.cells import Cells, read_cells
 from hoopgen.plots.key import CLASSES, draw_key, key_height
 from hoopgen.plots.page import new_page
 from hoopgen.plots.picture import add_key, add_title, check_axes
 from hoopgen.plots.style import COLOURS, PAGE, SHADES, style
-from hoopgen.study.words import percent_in_picture
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -177,7 +177,7 @@ def _draw_line(axes: Axes, shown: Cells) -> None:
     axis, top = shown.axes[0], shown.values
     if shown.interval is not None:
         low, top = shown.interval
-        share = f"{percent_in_picture(shown.confidence, 0)} " if shown.confidence else ""
+        share = f"{percent(shown.confidence, 0)} " if shown.confidence else ""
         axes.fill_between(axis.values, low, top, color=_BAND, lw=0, label=f"{share}interval")
     axes.plot(axis.values, shown.values, color=COLOURS["path"], lw=1.2, label="estimate")
     best = shown.best()
@@ -262,7 +262,7 @@ def _draw_probabilities(
             _mark(axes, *panel.at(best))
             said = f"{_BEST} {panel.say(best)}"
             if len(panels) > 1:
-                said = f"{panel.note}\n{_BEST} {percent_in_picture(float(panel.values[best]))}"
+                said = f"{panel.note}\n{_BEST} {percent(float(panel.values[best]))}"
             axes.set_title(said, loc="left", fontsize=_SMALL)
     bar = figure.colorbar(mesh, ax=list(places), label=_MADE, ticks=levels, pad=0.02)
     bar.ax.yaxis.set_major_formatter(FuncFormatter(_in_percent))

@@ -18,10 +18,12 @@ import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
 import hoopgen
-from hoopgen.inputs import check_contacts, doubles
+from hoopgen.inputs import check_contacts, check_count, doubles
 from hoopgen.installed import need
 from hoopgen.notebook import table as rendered
 from hoopgen.parameters import PAPER, resolve
+from hoopgen.phrases import counted
+from hoopgen.releases import from_zero
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
 
@@ -29,7 +31,6 @@ from .chunks import opened, run, written
 from .measures import MEASURES, Kind, kinds, measure
 from .models import from_columns
 from .tables import FORMATS, Column, Source, Stamp, columns_of, values
-from .tallies import check_count
 from .variables import STATE, VARIABLES, check_names
 
 __all__ = ["ROWS", "Batch", "batch"]
@@ -63,7 +64,7 @@ class Batch(dict[str, int]):
         return pq.read_table(self.path, partitioning=None).to_pandas()
 
     def _repr_html_(self) -> str:
-        about = f"{sum(self.values()):,} shots in {self.path}"
+        about = f"{counted(sum(self.values()), 'shot')} in {self.path}"
         rows = [(name, f"{count:,}") for name, count in self.items()]
         return rendered(about, ("outcome", "shots"), rows)
 
@@ -193,6 +194,8 @@ def batch(
 
 def _numbers(name: str, values: Mapping[str, Any]) -> dict[str, float]:
     arrays = {key: doubles(f"{name}[{key!r}]", value) for key, value in values.items()}
+    if "distance" in arrays:
+        from_zero(arrays["distance"])
     for key, array in arrays.items():
         if array.ndim:
             raise ValueError(

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 import hoopgen
 from hoopgen.generated.numpy import hoop
 from hoopgen.parameters import NAMES, Value, resolve
+from hoopgen.phrases import counted
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.study.measures import Kind, kinds
@@ -124,7 +125,7 @@ def page(
 
 def _title(shots: Shots, valid: NDArray[np.intp]) -> str:
     if len(valid) > 1:
-        return f"{len(valid)} shots"
+        return counted(len(valid), "shot")
     return Outcome(int(shots.outcome[valid[0]])).name.capitalize()
 
 

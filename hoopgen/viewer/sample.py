@@ -104,5 +104,4 @@ def sample(
     order = np.argsort(kept["row"])
     rows = kept["row"][order].astype(np.int64)
     given = {name: kept[name][order] for name in columns}
-    given |= {name: np.full(len(rows), value) for name, value in shared.items()}
-    return Sample(rows, total, from_columns(given, parameters))
+    return Sample(rows, total, from_columns({**given, **shared}, parameters))

@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import Any
 
 import hoopgen
+from hoopgen.phrases import percent
 
 from .answers import Answer, Asked
 
@@ -65,7 +66,7 @@ def _sections(
         yield study.description.strip()
     yield (
         f"By hoopgen {hoopgen.__version__} from [study.toml](study.toml), seed {study.seed}; "
-        f"intervals of {100 * study.confidence:.4g} % confidence. "
+        f"intervals of {percent(study.confidence, None)} confidence. "
         "[versions.json](versions.json) says what computed."
     )
     rows = ["| question | answer |", "|---|---|"]

@@ -17,7 +17,8 @@ from pathlib import Path
 from typing import Any
 
 import hoopgen
-from hoopgen.study.chunks import differences, flat, opened, sync, versions, written
+from hoopgen.phrases import counted
+from hoopgen.study.chunks import differences, flat, in_short, opened, sync, versions, written
 from hoopgen.study.words import for_json
 
 from . import lines
@@ -86,7 +87,7 @@ def run_study(
         gets a copy of the file, the versions of what computed, a report, and a folder for each
         question with its answer, tables and figures.
     threads, scheduler
-        As for `hoopgen.estimate`; questions that are not worked on in chunks do not use them.
+        As for `hoopgen.estimate`.
     progress
         Called with the name of a question, what of it is done, and its total (None: not known).
 
@@ -134,8 +135,8 @@ def run_study(
             kept.remove()
     if errors:
         raise ExceptionGroup(
-            f"{len(errors)} of {len(questions)} questions could not be answered; the others are "
-            f"in {folder}",
+            f"{len(errors)} of {counted(len(questions), 'question')} could not be answered; "
+            f"the others are in {folder}",
             list(errors.values()),
         )
     return answers
@@ -209,10 +210,10 @@ def _refuse_changed(folder: Path, identities: Mapping[str, Mapping[str, Any]]) -
             found.append(f"it has the question {name}, which the study has not")
             continue
         if changed := differences(there, here):
-            found.append(f"question {name}: {'; '.join(changed)}")
+            found.append(f"question {name}: {in_short(changed)}")
     if found:
         raise ValueError(
-            f"{folder} holds another study: {'. '.join(found)}. Give another folder, or "
+            f"{folder} holds another study: {in_short(found)}. Give another folder, or "
             "delete the folders of those questions in it to ask them anew"
         )
 
