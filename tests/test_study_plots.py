@@ -313,7 +313,7 @@ def test_the_best_cell_is_marked_and_said() -> None:
     # The values of linspace, and radians turned into degrees.
     assert mark.get_xdata()[0] == pytest.approx(7.2, rel=4 * EPS, abs=0)
     assert mark.get_ydata()[0] == pytest.approx(52.0, rel=4 * EPS, abs=0)
-    assert axes.get_title(loc="left") == "○ best 70.0% (69.0–71.0) at 7.2 m/s, 52°"
+    assert axes.get_title(loc="left") == "○ best 70.0% (69.0% to 71.0%) at 7.2 m/s, 52°"
 
 
 def test_where_nothing_is_made_nothing_is_best() -> None:
@@ -370,7 +370,7 @@ def test_what_is_the_same_in_all_cells_is_said() -> None:
     said = [text.get_text() for text in plot_map(dataset.isel(backspin=2)).texts]
     assert " ".join(said) == (
         "Backspin 2 Hz, distance from the ring's centre 4.191 m. "
-        "Standard deviations: release speed 0.07 m/s. 1000 shots a cell, seed 7."
+        "Standard deviations: release speed 0.07 m/s. 1,000 shots a cell, seed 7."
     )
     assert [text.get_text() for text in plot_map(dataset, note="mine").texts] == ["mine"]
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.phrases import counted, percent
+from hoopgen.phrases import counted, interval, percent
 from hoopgen.plots.key import classify
 from hoopgen.study.words import Quantity, quantity
 
@@ -115,8 +115,8 @@ class Cells:
         )
         between = ""
         if self.interval is not None:
-            low, high = (100.0 * float(bound[place]) for bound in self.interval)
-            between = f" ({low:.1f}\N{EN DASH}{high:.1f})"
+            low, high = (float(bound[place]) for bound in self.interval)
+            between = f" ({interval(low, high)})"
         return f"{percent(float(self.values[place]))}{between} at {where}"
 
 

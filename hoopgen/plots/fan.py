@@ -115,7 +115,8 @@ def plot_fan(
     }
     fan = gather_fan(shots, parameters, range(min(paths, len(shots))))
     made = percent(float(np.mean(shots.outcome == hoopgen.Outcome.MADE)))
-    note = f"{counted(len(shots), 'shot')}, {made} made; {len(fan.curves)} are drawn."
+    drawn = f"{len(fan.curves)} {'is' if len(fan.curves) == 1 else 'are'}"
+    note = f"{counted(len(shots), 'shot')}, {made} made; {drawn} drawn."
     with style():
         if ax is not None:
             return _draw_on(check_axes(ax), fan, shares, title, note)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
@@ -279,7 +280,8 @@ def _draw_contours(axes: Axes, panel: Cells, levels: list[float], norm: Normaliz
     lines = axes.contour(
         across.values, up.values, panel.values.T, levels, colors=colours, linewidths=0.6
     )
-    axes.clabel(lines, fmt=_with_percent, fontsize=6.5, inline_spacing=2, manual=_labels(lines))
+    said = partial(percent, digits=None)
+    axes.clabel(lines, fmt=said, fontsize=6.5, inline_spacing=2, manual=_labels(lines))
 
 
 def _labels(lines: QuadContourSet) -> list[tuple[float, float]]:
@@ -310,10 +312,6 @@ def _lightness(colour: tuple[float, float, float, float]) -> float:
 def _mark(axes: Axes, x: float, y: float) -> None:
     (mark,) = axes.plot([x], [y], marker="o", ms=5.0, zorder=5.0, clip_on=False, label="_best")
     mark.set(mfc=_LIGHT, mec=_DARK, mew=0.9)
-
-
-def _with_percent(value: float) -> str:
-    return f"{_in_percent(value)}%"
 
 
 def _in_percent(value: float, _: int | None = None) -> str:
