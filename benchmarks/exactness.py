@@ -26,6 +26,7 @@ from benchmarks.report import number, table
 from hoopgen.judge import Certificate, Proof, certify
 from hoopgen.judge.audit import deepest
 from hoopgen.outputs import write
+from hoopgen.phrases import percent
 from hoopgen.simulation import FIELDS
 
 ERRORS = ("time", "position", "velocity", "spin")
@@ -203,7 +204,7 @@ def _audit(
 
 
 def _share(part: int, whole: int) -> str:
-    return f"{100 * part / whole:.2f} %" if whole else "–"
+    return percent(part / whole, 2) if whole else "–"
 
 
 def _small(value: float) -> str:

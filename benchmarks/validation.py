@@ -36,7 +36,7 @@ HERTZ = 2 * math.pi
 INCH = 0.0254
 
 SEVENTY = {"speed": 0.07, "elevation": 1.3 * DEGREE, "azimuth": 1.0 * DEGREE}
-"""Scatter of a shooter who makes about 70 % of free throws."""
+"""Scatter of a shooter who makes about 70% of free throws."""
 
 STRAIGHTER = SEVENTY | {"speed": 0.09, "azimuth": 0.5 * DEGREE}
 """Of one who makes as many, less steady in speed, and straighter."""
@@ -181,7 +181,7 @@ def free_throws(shots: int) -> FreeThrows:
         **change: float,
     ) -> Optimum:
         scene = PAPER | {"restitution": change.pop("restitution", PAPER["restitution"])}
-        return optimum(over, LINE | change, sd, None, scene, by=by, shots=shots, margins=())
+        return optimum(Scatter(LINE | change, sd), over, scene, by=by, shots=shots, margins=())
 
     return FreeThrows(
         {spin: best(backspin=spin * HERTZ) for spin in BACKSPINS},
@@ -233,7 +233,7 @@ def banks(
     spots = np.stack([away * np.cos(angle), away * np.sin(angle)], axis=-1).reshape(-1, 2)
     release = {name: LINE[name] for name in ("height", "backspin")}
     scene = PAPER | {"restitution": restitution}
-    found = bank_or_direct(spots, release, sd, None, scene, shots=shots)
+    found = bank_or_direct(Scatter(release, sd), spots, scene, shots=shots)
     # From straight in front the line is the court's middle, and says nothing about the axis.
     aside = found.isel(place=np.flatnonzero(spots[:, 1] > 0.1))
     starts = np.stack([aside.x, aside.y], axis=1)
@@ -267,7 +267,7 @@ def _thrown_again(
     """Bank less direct from a place with new random numbers: seed 2."""
     ways: tuple[By, By] = ("bank", "direct")
     bank, direct = (
-        Player(sd, parameters=scene, by=way).scored(
+        Player(Scatter({}, sd), scene, way).scored(
             {name: float(place.sel(way=way)[name]) for name in ARGUMENTS}, shots, seed=2
         )
         for way in ways
@@ -315,7 +315,9 @@ class Curve:
 
 def success(release: Mapping[str, float], name: str, sds: Sequence[float], shots: int) -> Curve:
     """Vary one deviation of the shooter's scatter, all else the same."""
-    thrown = [Player(SEVENTY | {name: sd}).thrown(release, shots, seed=1) for sd in sds]
+    thrown = [
+        Player(Scatter({}, SEVENTY | {name: sd})).thrown(release, shots, seed=1) for sd in sds
+    ]
     pairs = [(one.made, one.valid) for one in thrown]
     made, valid = (np.concatenate(counts) for counts in zip(*pairs, strict=True))
     return Curve(np.array(sds), made / valid, *wilson(made, valid, 0.95))

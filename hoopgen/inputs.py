@@ -16,6 +16,7 @@ from .results import SURFACES
 __all__ = [
     "check_angles",
     "check_contacts",
+    "check_count",
     "check_leaving",
     "check_states",
     "check_threads",
@@ -143,12 +144,27 @@ def check_contacts(max_contacts: Any) -> int:
     ValueError
         If it is no whole number from 1, or more than the engines count.
     """
-    if not is_whole(max_contacts) or not 1 <= max_contacts < 2**31:
-        raise ValueError(
-            f"max_contacts: expected a whole number from 1, got {brief(max_contacts)}; "
-            f"at most {2**31 - 1}"
-        )
-    return int(max_contacts)
+    return check_count("max_contacts", max_contacts, most=2**31 - 1)
+
+
+def check_count(
+    name: str, value: Any, *, least: int = 1, most: int = 2**63 - 1, expected: str = ""
+) -> int:
+    """Return a whole number from `least` to `most`; neither a truth value nor a time is one.
+
+    Raises
+    ------
+    ValueError
+        If it is none; the message begins with `name` and says what is expected, by default the
+        ends.
+    """
+    whole = is_whole(value) and not isinstance(value, bool)
+    if not whole or not least <= value <= most:
+        said = expected or f"a whole number from {least}"
+        # An end that nobody comes near is told only to those who pass it.
+        beyond = f"; at most {most}" if whole and value > most else ""
+        raise ValueError(f"{name}: expected {said}, got {brief(value)}{beyond}")
+    return int(value)
 
 
 def check_threads(threads: Any) -> int:
@@ -165,6 +181,5 @@ def check_threads(threads: Any) -> int:
     processors = len(own(0)) if own else os.cpu_count() or 1
     if threads is None:
         return processors
-    if not is_whole(threads) or threads < 1:
-        raise ValueError(f"threads: expected a whole number from 1, or None, got {brief(threads)}")
-    return min(int(threads), CROWD * processors)
+    count = check_count("threads", threads, expected="a whole number from 1, or None")
+    return min(count, CROWD * processors)

@@ -15,6 +15,22 @@ RING_HEIGHT = 3.048
 _ANGLES = ("elevation", "azimuth", "angle")
 
 
+def from_zero(distance: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return distances, NaN for negative ones; what lies behind the ring is said by the angle.
+
+    Raises
+    ------
+    ValueError
+        If it is a single one, and negative.
+    """
+    negative = distance < 0.0
+    if not negative.any():
+        return distance
+    if not distance.ndim:
+        raise ValueError(f"distance: expected 0 m or more, got {distance}")
+    return np.where(negative, np.nan, distance)
+
+
 def release(
     speed: ArrayLike,
     elevation: ArrayLike,
@@ -47,7 +63,7 @@ def release(
     height
         Of the ball's centre above the floor, m; the ring is at 3.048.
     distance
-        From the ring's centre on the floor plan, m.
+        From the ring's centre on the floor plan, m. Of many a negative one gives a state of NaN.
     angle
         Of the place around the ring's centre, rad: 0 straight in front, on +x, counter-clockwise
         seen from above.
@@ -62,7 +78,8 @@ def release(
     TypeError
         If an argument cannot become float64.
     ValueError
-        If the shapes do not broadcast, or angles are degrees: by their median, more than a turn.
+        If the shapes do not broadcast, the one distance of all is negative, or angles are degrees:
+        by their median, more than a turn.
     """
     arguments = {
         "speed": speed,
@@ -102,6 +119,7 @@ def released(arrays: Mapping[str, NDArray[np.float64]]) -> NDArray[np.float64]:
     except ValueError:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items() if array.ndim)
         raise ValueError(f"release: the shapes do not broadcast: {shapes}") from None
+    arrays = {**arrays, "distance": from_zero(arrays["distance"])}
     with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is an invalid shot
         return _states(arrays, shape)
 

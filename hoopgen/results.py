@@ -14,6 +14,7 @@ from hoopgen.generated.numpy import hoop
 from hoopgen.generated.numpy.hoop import Outcome as Outcome
 
 from .brief import brief
+from .phrases import counted, doubtful
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -200,7 +201,7 @@ class Shots:
         return len(self._states)
 
     def __repr__(self) -> str:
-        shots = f"{len(self):,} shot{'' if len(self) == 1 else 's'}"
+        shots = counted(len(self), "shot")
         what = self._counts() if "outcome" in self._fields else ", ".join(self._fields)
         from .study.told import say_scene
 
@@ -210,8 +211,10 @@ class Shots:
         """Say how many ended how, and how many of them are uncertain."""
         ended = {one.name.lower(): np.count_nonzero(self.outcome == one) for one in Outcome}
         said = ", ".join(f"{count:,} {name}" for name, count in ended.items() if count)
-        doubt = np.count_nonzero(self.uncertain) if "uncertain" in self._fields else 0
-        return f"{said}; {doubt:,} uncertain" if doubt else said
+        if "uncertain" not in self._fields or not self.uncertain.any():
+            return said
+        capped = self.uncertain & (self.outcome == Outcome.CAPPED)
+        return f"{said}; {doubtful(int(self.uncertain.sum()), int(capped.sum()))}"
 
     def plot(self, **options: Any) -> Figure | Axes:
         """Draw the paths; options, and what is returned and raised, as for `plots.plot_fan`."""

@@ -14,6 +14,8 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from .phrases import percent
+
 __all__ = ["check_room", "evenly", "in_bytes", "in_short", "memory"]
 
 SHARE = 0.75
@@ -65,7 +67,8 @@ def check_room(name: str, count: int, what: str, each: int) -> None:
     if count * each > SHARE * memory():
         raise ValueError(
             f"{name}: {in_short(count)} {what} would take {in_bytes(count * each)} of memory; of "
-            f"the {in_bytes(memory())} there are, at most {SHARE:.0%} are asked for. Give fewer"
+            f"the {in_bytes(memory())} there are, at most {percent(SHARE, 0)} are asked for. "
+            "Give fewer"
         )
 
 

@@ -18,7 +18,7 @@ from click.testing import CliRunner, Result
 import hoopgen
 import hoopgen.paper
 from hoopgen.cli import main
-from hoopgen.cli.table import NO_BREAK, table
+from hoopgen.layout import NO_BREAK, table
 from hoopgen.study.named import in_units
 from hoopgen.units import FOOT
 
@@ -265,7 +265,7 @@ def test_presets_and_settings_reach_the_scene() -> None:
 def test_a_capped_shot_is_told() -> None:
     told = run(*FIGURE_7, "--max-contacts", "1")
     assert told.exit_code == 0
-    assert "outcome    capped: 1 contacts" in told.stdout
+    assert "outcome    capped: 1 contact, and" in told.stdout
 
 
 def test_a_short_shot_is_told_and_is_no_error() -> None:
@@ -303,7 +303,7 @@ def test_shot_draws_its_picture(tmp_path: Path, suffix: str) -> None:
         ([*SHOT, "--set", "restitution=2"], "restitution"),
         ([*SHOT, "--set", "ring_radius=0.1", "--backend", "numpy"], "too big for the ring"),
         ([*SHOT, "--preset", "ncaa"], "'ncaa' is not one of"),
-        ([*SHOT, "--max-contacts", "-1"], "-1 is not in the range"),
+        ([*SHOT, "--max-contacts", "-1"], "'-1' is not a whole number from 1"),
         ([*SHOT, "--picture", "shot.bmp"], ".png, .svg, .pdf"),
         ([*SHOT, "--backend", "gpu"], "'gpu' is not one of"),
         (["check", "--root", "nowhere"], "'nowhere' does not exist"),

@@ -18,7 +18,7 @@ pytest.importorskip("pyarrow.parquet")
 distributed = pytest.importorskip("distributed")
 
 import hoopgen  # noqa: E402
-from hoopgen.study import chunks, models  # noqa: E402
+from hoopgen.study import aim, chunks, models  # noqa: E402
 
 pytestmark = pytest.mark.xdist_group("cluster")
 
@@ -107,6 +107,21 @@ def test_a_table_is_simulated_to_the_same_bytes(cluster: Any, tmp_path: Path) ->
         **options,
     )
     assert (tmp_path / "there.parquet").read_bytes() == (tmp_path / "here.parquet").read_bytes()
+
+
+def test_a_search_and_an_aim_find_the_same(cluster: Any, tmp_path: Path) -> None:
+    address = cluster.scheduler_address
+    place = {"height": 2.13, "distance": 4.19, "elevation": 0.9}
+    player, over = hoopgen.Scatter(place, {"speed": 0.07, "azimuth": 0.02}), {"aim": (0.0, 0.1)}
+    options: dict[str, Any] = {"shots": 40_000, "margins": []}
+    here = hoopgen.optimum(player, over, **options, folder=tmp_path / "here")
+    there = hoopgen.optimum(player, over, **options, folder=tmp_path / "there", scheduler=address)
+    assert there == here
+    assert contents(tmp_path / "there") == contents(tmp_path / "here")
+    rows = np.linspace(3.0, 5.0, 20)
+    table = aim.aim_table(rows, height=2.1, scheduler=address)
+    for name, column in aim.aim_table(rows, height=2.1).items():
+        np.testing.assert_array_equal(table[name], column)
 
 
 def test_an_error_of_the_job_comes_from_the_worker(cluster: Any) -> None:

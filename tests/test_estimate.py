@@ -151,7 +151,7 @@ def test_capped_shots_are_trials_that_bound_the_probability() -> None:
 
 def test_invalid_shots_are_no_trials() -> None:
     """A restitution that scatters above 1 cannot be simulated."""
-    wild = Scatter(PLAYER.mean, {**SD, "restitution": 0.3})
+    wild = Scatter(PLAYER.release, {**SD, "restitution": 0.3})
     found = estimate(wild, SCENE, shots=2000)
     releases = wild.draw(0, 2000, 0, SCENE)
     invalid = ~(
@@ -168,7 +168,7 @@ def test_where_all_are_invalid_there_is_no_probability() -> None:
     assert math.isnan(found.with_capped)
     assert (found.low, found.high) == (0.0, 1.0)
     assert found.as_dict()["probability"] is None
-    assert "nan %" in str(found)
+    assert "made     unknown" in str(found)
 
 
 def test_a_readme_s_player_makes_two_of_three() -> None:
@@ -252,7 +252,7 @@ def test_a_folder_keeps_chunks_and_is_gone_on_from(
         {"shots": 2400},
         {"max_contacts": 39},
         {"parameters": hoopgen.NBA},
-        {"model": Scatter(PLAYER.mean, SD | {"speed": 0.08})},
+        {"model": Scatter(PLAYER.release, SD | {"speed": 0.08})},
     ],
 )
 def test_a_folder_of_another_estimate_is_refused(tmp_path: Path, change: Any) -> None:
@@ -341,7 +341,7 @@ def test_a_comparison_pairs_the_same_shots() -> None:
 
 
 def test_swapped_settings_swap_the_sign() -> None:
-    other = Scatter({**PLAYER.mean, "backspin": 0.0}, SD)
+    other = Scatter({**PLAYER.release, "backspin": 0.0}, SD)
     there, back = compare(PLAYER, other, shots=2000), compare(other, PLAYER, shots=2000)
     assert back.difference == -there.difference
     assert (back.low, back.high) == pytest.approx((-there.high, -there.low), rel=1e-12)
@@ -365,7 +365,7 @@ def test_the_gain_is_the_ratio_of_the_variances() -> None:
 
 
 def test_pairs_with_an_invalid_shot_are_left_out() -> None:
-    wild = Scatter(PLAYER.mean, {**SD, "restitution": 0.3})
+    wild = Scatter(PLAYER.release, {**SD, "restitution": 0.3})
     found = compare((PLAYER, SCENE), (wild, SCENE), shots=2000)
     assert found.pairs == 2000 - found.second.invalid
     assert found.first.invalid == 0
@@ -397,21 +397,21 @@ def test_results_are_json_and_say_what_they_are_of() -> None:
 
 def test_an_estimate_in_words() -> None:
     known = Estimate(
-        *(0.6789, 0.6785, 0.6793, 0.95, 1_000_000, 678_900, 320_000, 1100, 0, 0, 77),
+        *(0.6789, 0.6785, 0.6793, 0.95, 1_000_000, 678_900, 320_000, 1100, 0, 0, 77, 70),
         kinds={"swish": 250_000, "rim": 750_000, "bank_rim": 0},
         kinds_made={"swish": 250_000, "rim": 428_900, "bank_rim": 0},
         seed=0,
         setting={**PLAYER.identity(), "parameters": dict(hoopgen.NBA) | {"restitution": 0.75}},
     )
     assert str(known) == (
-        "made     67.890 %, 67.850 % to 67.930 % (Wilson's 95 % interval)\n"
+        "made     67.890%, 67.850% to 67.930% (Wilson's 95% interval)\n"
         "shots    1,000,000: 678,900 made, 320,000 missed, 1,100 capped, 0 short, 0 invalid, "
-        "77 uncertain\n"
-        "capped   68.000 % if made\n"
+        "77 uncertain (70 of them capped)\n"
+        "capped   68.000% if made\n"
         "\n"
         "kind         share  of it made\n"
-        "swish       25.0 %     100.0 %\n"
-        "rim         75.0 %      57.2 %\n"
+        "swish        25.0%      100.0%\n"
+        "rim          75.0%       57.2%\n"
         "\n"
         "scene    NBA, restitution 0.75\n"
         "release  speed 7.17 m/s, elevation 52°, backspin 3 Hz, height 2.1336 m, distance 4.191 m\n"
@@ -424,7 +424,7 @@ def test_a_comparison_in_words() -> None:
     text = str(compare((PLAYER, SCENE), (PLAYER, hoopgen.NBA), shots=2000))
     assert text.startswith("first       6")
     assert "points, " in text
-    assert "Newcombe's paired 95 % interval" in text
+    assert "Newcombe's paired 95% interval" in text
     assert "pairs       2,000: " in text
 
 
@@ -508,7 +508,7 @@ def failure(*arguments: str) -> str:
 
 def test_the_command_says_and_writes_what_the_library_gives() -> None:
     given = ["--shots", "2e3", "--seed", "7", "--confidence", "0.9", "--max-contacts", "30"]
-    correlated = Scatter(PLAYER.mean, PLAYER.sd, {("speed", "elevation"): -0.3})
+    correlated = Scatter(PLAYER.release, PLAYER.sd, {("speed", "elevation"): -0.3})
     wanted = estimate(correlated, SCENE, shots=2000, seed=7, confidence=0.9, max_contacts=30)
     arguments = [*OPTIONS, *given, "--correlation", "speed,elevation=-0.3"]
     assert output(*arguments) == f"{wanted}\n"
@@ -531,7 +531,7 @@ def test_the_command_says_and_writes_what_the_library_gives() -> None:
 def test_versus_compares_with_variables_changed(
     versus: list[str], change: dict[str, float], drop: tuple[str, ...]
 ) -> None:
-    kept = {name: value for name, value in PLAYER.mean.items() if name not in drop}
+    kept = {name: value for name, value in PLAYER.release.items() if name not in drop}
     wanted = compare((PLAYER, SCENE), (Scatter(kept | change, SD), SCENE), shots=1500)
     options = [word for one in versus for word in ("--versus", one)]
     found = json.loads(output(*OPTIONS, "--shots", "1500", *options, "--json"))

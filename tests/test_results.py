@@ -178,7 +178,9 @@ def test_shots_count_what_became_of_them() -> None:
     assert "1 invalid" in repr(shots)
     assert "short" not in repr(shots)
     assert shots.uncertain.any()
-    assert repr(shots).endswith(f"; {shots.uncertain.sum():,} uncertain; PAPER (the article's))")
+    capped = shots.uncertain & (shots.outcome == hoopgen.Outcome.CAPPED)
+    doubt = f"{shots.uncertain.sum():,} uncertain ({capped.sum():,} of them capped)"
+    assert repr(shots).endswith(f"; {doubt}; PAPER (the article's))")
 
 
 def test_made_is_true_for_a_made_shot_though_its_code_is_not() -> None:

@@ -20,7 +20,8 @@ pq = pytest.importorskip("pyarrow.parquet")
 pytest.importorskip("xarray")
 
 from hoopgen.parameters import NAMES, PRESETS  # noqa: E402
-from hoopgen.study.told import say_scatter, say_scene  # noqa: E402
+from hoopgen.study.named import parameters_named  # noqa: E402
+from hoopgen.study.told import say_scatter, say_scene, told_by  # noqa: E402
 from hoopgen.viewer.sample import sample  # noqa: E402
 
 SCENE = hoopgen.NBA | {"restitution": 0.75}
@@ -63,7 +64,7 @@ def releases(tmp_path: Path) -> Path:
             random.normal(7.17, 0.1, ROWS), random.normal(0.9, 0.03, ROWS), strict=True
         )
     ]
-    file.write_text("\n".join(["speed,elevation", *lines, ""]), encoding="utf-8")
+    file.write_text("\n".join(["speed,elevation_rad", *lines, ""]), encoding="utf-8")
     return file
 
 
@@ -177,7 +178,7 @@ def test_results_are_flown_again_as_they_were(results: Path, tmp_path: Path) -> 
     result = run("batch", results, "--out", out, "--prefix", "again_")
     assert result.stderr == ""
     table = read(out)
-    for name in ("outcome", "contacts", "end_x"):
+    for name in ("outcome", "contacts", "end_x_m"):
         one, other = (table[prefix + name].to_pandas() for prefix in ("", "again_"))
         assert one.equals(other)
     ours, theirs = (json.loads(read(file).schema.metadata[b"hoopgen"]) for file in (results, out))
@@ -195,12 +196,48 @@ def test_an_estimate_draws_from_results_in_their_scene(results: Path) -> None:
     assert result.stderr == ""
     found = json.loads(result.stdout)
     assert found["scene"] == SAID
-    assert found["setting"]["parameters"] == dict(SCENE)
+    assert parameters_named(found["setting"]["parameters"]) == dict(SCENE)
     drawn = sample(results, ROWS).releases
     wanted = hoopgen.simulate(drawn.states, SCENE, max_contacts=7).made.mean()
     assert abs(found["probability"] - wanted) < 5 * 0.5 / np.sqrt(500)
     changed = json.loads(run("estimate", "--from", results, *options, *IN_SCENE).stdout)
     assert changed == found  # the options say the same
+
+
+MEASURED = {
+    "map": ("map", "--over", "distance=4m,4.2m", "--shots", "100"),
+    "optimum": ("optimum", "--over", "elevation=50deg:55deg", "--shots", "200"),
+}
+
+
+@pytest.mark.parametrize("command", MEASURED)
+def test_a_map_and_a_search_draw_from_results_in_their_scene(command: str, results: Path) -> None:
+    result = run(*MEASURED[command], "--from", results)
+    assert result.stderr == ""
+    assert f"\nscene    {SAID}\nrelease  measured: " in result.stdout
+    assert result.stdout == run(*MEASURED[command], "--from", results, *IN_SCENE).stdout
+    assert "not FIBA" in failure(*MEASURED[command], "--from", results, "--preset", "fiba")
+    changed = run(*MEASURED[command], "--from", results, "--preset", "fiba", "--override").stdout
+    assert "\nscene    FIBA\n" in changed
+    assert "there is no file" in failure(*MEASURED[command], "--override")
+
+
+def test_a_map_of_results_has_their_contacts(results: Path, tmp_path: Path) -> None:
+    file = tmp_path / "map.csv"
+    run(*MEASURED["map"], "--from", results, "--out", file)
+    with file.open(encoding="utf-8", newline="") as rows:
+        assert {row["max_contacts"] for row in csv.DictReader(rows)} == {"7"}
+
+
+def test_measured_scenes_are_said_to_be() -> None:
+    columns = {**FREE_THROW, "aim": 0.05, "elevation": [0.9, 0.91], "restitution": [0.6, 0.7]}
+    player = hoopgen.Resample(columns)
+    mapped = hoopgen.map(player, {"distance": [4.0, 4.2]}, hoopgen.NBA, shots=50)
+    assert mapped.attrs["scene"] == "NBA, restitution by row"
+    assert told_by(mapped)["scene"] == "NBA, restitution by row"
+    assert told_by(mapped)["release"].startswith("measured: height, distance, backspin, aim")
+    both = hoopgen.bank_or_direct(player, [[2.0, 2.0]], hoopgen.NBA, over=["azimuth"], shots=50)
+    assert told_by(both)["scene"] == "NBA, restitution by row"
 
 
 @pytest.mark.parametrize(
@@ -271,7 +308,8 @@ def test_a_file_without_a_scene_is_flown_in_one_that_is_said(
 
 def test_own_columns_remain_own_in_results(tmp_path: Path) -> None:
     source, out = tmp_path / "t.parquet", tmp_path / "o.parquet"
-    table = {"speed": [7.0], "elevation": [0.9], "height": [2.1], "distance": [4.2], "aim": [9.0]}
+    place = {"height": [2.1], "distance": [4.2]}
+    table = {"speed": [7.0], "elevation_rad": [0.9], **place, "aim": [9.0]}
     pq.write_table(pa.table(table), source)
     hoopgen.batch(source, out, own=["aim"])
     wanted = hoopgen.release(7.0, 0.9, height=2.1, distance=4.2)
@@ -378,9 +416,10 @@ def test_results_in_python_say_their_scene() -> None:
     assert repr(shots).endswith(f"; {SAID})")
     assert SAID in shots._repr_html_()
     assert shots.to_xarray().attrs["scene"] == SAID
-    mapped = hoopgen.map({"aim": [0.0, 0.05]}, {**FREE_THROW, "elevation": 0.9}, parameters=SCENE)
+    still = hoopgen.Scatter({**FREE_THROW, "elevation": 0.9})
+    mapped = hoopgen.map(still, {"aim": [0.0, 0.05]}, SCENE)
     assert mapped.attrs["scene"] == SAID
-    margins = hoopgen.margins({**FREE_THROW, "aim": 0.05, "elevation": 0.9}, SCENE, names=["speed"])
+    margins = hoopgen.margins(scatter, SCENE, names=["speed"], shots=100)
     assert str(margins["speed"]).endswith(f"; {SAID}")
 
 
@@ -438,7 +477,8 @@ def test_maps_say_scene_and_correlations() -> None:
     plots = pytest.importorskip("hoopgen.plots")
     release = {**FREE_THROW, "elevation": 0.9, "restitution": 0.75}
     over, correlation = {"aim": [0.0, 0.05, 0.1]}, {("speed", "elevation"): -0.3}
-    dataset = hoopgen.map(over, release, ERRORS, correlation, hoopgen.NBA, shots=50, seed=9)
+    player = hoopgen.Scatter(release, ERRORS, correlation)
+    dataset = hoopgen.map(player, over, hoopgen.NBA, shots=50, seed=9)
     text = words(plots.plot_map(dataset))
     assert text.count("estitution") == 1
     for said in (f"Scene: {SAID}.", "correlation of speed and elevation −0.3", "seed 9."):
@@ -446,9 +486,9 @@ def test_maps_say_scene_and_correlations() -> None:
     assert "Scene: NBA." in words(
         plots.plot_map(
             hoopgen.map(
+                hoopgen.Scatter({**FREE_THROW, "aim": 0, "elevation": 0.9}),
                 {"restitution": [0.6, 0.7]},
-                {**FREE_THROW, "aim": 0, "elevation": 0.9},
-                parameters=hoopgen.NBA,
+                hoopgen.NBA,
             )
         )
     )
@@ -457,9 +497,8 @@ def test_maps_say_scene_and_correlations() -> None:
 def test_bank_shots_say_what_they_rest_on() -> None:
     plots = pytest.importorskip("hoopgen.plots")
     release = {"height": 2.1336, "backspin": 6 * np.pi}
-    dataset = hoopgen.bank_or_direct(
-        [[2.0, 2.0]], release, ERRORS, {("speed", "elevation"): -0.3}, SCENE, shots=100, seed=4
-    )
+    player = hoopgen.Scatter(release, ERRORS, {("speed", "elevation"): -0.3})
+    dataset = hoopgen.bank_or_direct(player, [[2.0, 2.0]], SCENE, shots=100, seed=4)
     assert dataset.attrs["scene"] == SAID
     text = words(plots.plot_aim_points(dataset, SCENE))
     for said in (f"Scene: {SAID}.", "height 2.1336 m", "correlation of speed", "Seed: 4."):

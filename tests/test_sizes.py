@@ -21,7 +21,7 @@ from hoopgen.sizes import check_room, in_bytes, in_short, memory
 FREE_THROW = hoopgen.release(7.17, 0.89, height=2.1336, distance=4.191)
 RELEASE = {"speed": 7.17, "elevation": 0.89, "height": 2.1336, "distance": 4.191}
 PLACE = ["--distance", "13.75ft", "--height", "7ft"]
-SHOT = ["--speed", "7.17", "--elevation", "51", *PLACE]
+SHOT = ["--speed", "7.17", "--elevation", "51deg", *PLACE]
 
 
 @pytest.fixture(autouse=True)
@@ -100,16 +100,15 @@ TOO_MUCH: dict[str, tuple[Callable[[], Any], str]] = {
     ),
     "cells": (
         lambda: hoopgen.map(
+            hoopgen.Scatter({"height": 2.0, "distance": 4.0}),
             {name: np.linspace(0.1, 0.2, 10**4) for name in ("elevation", "speed", "azimuth")},
-            {"height": 2.0, "distance": 4.0},
         ),
         "over: 1e+12 cells would take 48 TB",
     ),
     "cells that scatter": (
         lambda: hoopgen.map(
+            hoopgen.Scatter({"height": 2.0, "distance": 4.0}, {"speed": 0.1}),
             {name: np.linspace(0.1, 0.2, 10**6) for name in ("elevation", "speed")},
-            {"height": 2.0, "distance": 4.0},
-            {"speed": 0.1},
         ),
         "over: 1e+12 cells would take 720 TB",
     ),
@@ -121,7 +120,7 @@ TOO_MUCH: dict[str, tuple[Callable[[], Any], str]] = {
     ),
     "grid": (
         lambda: hoopgen.Grid(
-            {"speed": np.arange(1e6), "elevation": np.arange(1e6)}, {"height": 2.0, "distance": 4.0}
+            {"speed": np.arange(1e6), "distance": np.arange(1e6)}, {"height": 2.0, "elevation": 0.9}
         ).draw(0, 10**12),
         "stop: 1e+12 shots drawn at once would take",
     ),
@@ -138,9 +137,9 @@ def test_what_no_machine_holds_is_refused_at_once(what: str) -> None:
 
 def test_shots_of_bank_shots_are_kept_and_so_limited() -> None:
     bank = pytest.importorskip("hoopgen.study.bank")
-    release = {"height": 2.1336, "backspin": 18.0}
+    player = hoopgen.Scatter({"height": 2.1336, "backspin": 18.0}, {"speed": 0.07})
     with pytest.raises(ValueError, match=r"^shots: 1e\+12 shots would take 48 TB"):
-        bank.bank_or_direct([[3.0, 1.0]], release, {"speed": 0.07}, shots=10**12)
+        bank.bank_or_direct(player, [[3.0, 1.0]], shots=10**12)
 
 
 def test_without_a_log_max_contacts_takes_no_room() -> None:
@@ -209,16 +208,16 @@ def test_no_interval_is_narrower_than_its_least_shots_allow() -> None:
     [
         (["shot", *SHOT, "--max-contacts", "2147483647"], "max_contacts: 2.1e+9 events"),
         (
-            ["map", "--over", "elevation=45:60:100000000000", "--speed", "7", *PLACE],
+            ["map", "--over", "elevation=45deg:60deg:100000000000", "--speed", "7", *PLACE],
             "elevation: 1e+11 values would take 10 TB",
         ),
         (
-            ["map", "--over", "elevation=45:60:100000", "--over", "speed=6:8:100000", *PLACE]
-            + ["--over", "azimuth=-1:1:100"],
+            ["map", "--over", "elevation=45deg:60deg:100000", "--over", "speed=6:8:100000", *PLACE]
+            + ["--over", "azimuth=-1deg:1deg:100"],
             "over: 1e+12 cells would take 48 TB",
         ),
         (
-            ["map", "--over", "speed=-1e308:1e308:3", "--elevation", "50", *PLACE],
+            ["map", "--over", "speed=-1e308:1e308:3", "--elevation", "50deg", *PLACE],
             "speed: from -1e+308 to 1e+308 is further than numbers go",
         ),
         (["aim", "--distance", "1m:2m:5e-324m", "--height", "7ft"], "2 to 10,000 distances"),

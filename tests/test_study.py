@@ -641,7 +641,9 @@ def test_maps_are_those_of_the_library(whole: Path) -> None:
         "elevation": np.linspace(48 * DEGREE, 56 * DEGREE, 3),
         "aim": [0.0, 2 * 0.0254],
     }
-    dataset = hoopgen.map(over, without("elevation", "aim"), SCATTER, shots=200, seed=5)
+    dataset = hoopgen.map(
+        hoopgen.Scatter(without("elevation", "aim"), SCATTER), over, shots=200, seed=5
+    )
     with xr.open_dataset(whole / "map" / "map.nc", engine="scipy") as there:
         for name in ("elevation", "aim", "probability", "low", "high", "made"):
             assert there[name].equals(dataset[name])
@@ -649,7 +651,7 @@ def test_maps_are_those_of_the_library(whole: Path) -> None:
     best = loaded(whole, "map")["best"]
     assert best["probability"] == dataset["probability"].max()
     over = {"speed": [6.9, 7.1, 7.3], "elevation": np.array([50, 52]) * DEGREE}
-    dataset = hoopgen.map(over, without("aim", "elevation"))
+    dataset = hoopgen.map(hoopgen.Scatter(without("aim", "elevation")), over)
     with xr.open_dataset(whole / "outcomes" / "map.nc", engine="scipy") as there:
         assert np.array_equal(there["outcome"], dataset["outcome"])
     shares = loaded(whole, "outcomes")["shares"]
@@ -660,7 +662,7 @@ def test_maps_are_those_of_the_library(whole: Path) -> None:
 def test_bank_shots_are_those_of_the_library(whole: Path) -> None:
     places = [(1.5, 1.0), (1.5, -1.0), (2.0, 1.0), (2.0, -1.0)]
     release = without("distance", "elevation", "aim")
-    dataset = bank_or_direct(places, release, SCATTER, shots=100, seed=5)
+    dataset = bank_or_direct(hoopgen.Scatter(release, SCATTER), places, shots=100, seed=5)
     with xr.open_dataset(whole / "bank" / "bank.nc", engine="scipy") as there:
         for name in dataset.data_vars:
             assert np.array_equal(there[name], dataset[name]), name
@@ -681,7 +683,9 @@ def test_aims_and_optima_are_those_of_the_library(whole: Path) -> None:
     assert (whole / "table" / "table.csv").read_text().startswith("distance_m,angle_deg,")
     over = {"elevation": None, "aim": (0.0, 4 * 0.0254)}
     fixed = without("elevation", "aim")
-    best = hoopgen.optimum(over, fixed, SCATTER, shots=500, seed=5, margins=["speed"])
+    best = hoopgen.optimum(
+        hoopgen.Scatter(fixed, SCATTER), over, shots=500, seed=5, margins=["speed"]
+    )
     assert loaded(whole, "best") == json.loads(json.dumps(in_units(best.as_dict())))
 
 
@@ -704,7 +708,7 @@ def test_the_report_lists_what_was_asked_and_every_answer(whole: Path) -> None:
     assert 'versus.release.backspin = "3 Hz"' in text
     found = loaded(whole, "probability")
     for share in ("probability", "low", "high"):
-        assert f"{100 * found[share]:.2f} %" in text
+        assert f"{100 * found[share]:.2f}%" in text
     links = re.findall(r"\]\(([^#)]+)\)", text)
     assert len(links) > 20
     assert all((whole / link).is_file() for link in links)
@@ -931,9 +935,7 @@ def test_an_error_that_was_not_foreseen_is_told_with_its_type(
     assert result.exit_code == 70
     first, second = result.stderr.splitlines()
     assert first == "hoopgen: error: question probability: KeyError: 'wrong'"
-    assert second.startswith(
-        "hoopgen: error: hoopgen study: 1 of 1 questions could not be answered"
-    )
+    assert second.startswith("hoopgen: error: hoopgen study: 1 of 1 question could not be answered")
     assert "HOOPGEN_TRACEBACK=1" in second
 
 

@@ -25,7 +25,6 @@ import hoopgen  # noqa: E402
 from hoopgen import plots  # noqa: E402
 from hoopgen.cli import main  # noqa: E402
 from hoopgen.study.bank import bank_or_direct  # noqa: E402
-from hoopgen.study.margins import margins  # noqa: E402
 from hoopgen.study.named import in_units, named, parameters_named  # noqa: E402
 from hoopgen.study.tables import NAMED, columns_of, variable_of  # noqa: E402
 from hoopgen.study.toml import check_study  # noqa: E402
@@ -157,17 +156,16 @@ DEGREES: dict[str, Callable[[], Any]] = {
     "release of many": lambda: hoopgen.release(7.17, [51, 52, 0.9], **PLACE),
     "release, azimuth": lambda: hoopgen.release(7.17, 0.9, -10, **PLACE),
     "release, angle": lambda: hoopgen.release(7.17, 0.9, angle=45, **PLACE),
-    "mean": lambda: hoopgen.Scatter({**FREE, "elevation": 52}, SD),
+    "release of a scatter": lambda: hoopgen.Scatter({**FREE, "elevation": 52}, SD),
     "sd": lambda: hoopgen.Scatter({**FREE, "elevation": 0.9}, {"elevation": 13.0}),
     "columns": lambda: hoopgen.Resample({**FREE, "elevation": [52.0, 51.0]}),
     "axes": lambda: hoopgen.Grid({"elevation": [45.0, 60.0]}, FREE),
     "fixed": lambda: hoopgen.Grid({"speed": [7.0]}, {**PLACE, "elevation": 52.0}),
-    "over of a map": lambda: hoopgen.map({"elevation": [45, 60]}, FREE),
-    "release of a map": lambda: hoopgen.map({"speed": [7.0]}, {**PLACE, "elevation": 52}),
-    "over of an optimum": lambda: hoopgen.optimum({"elevation": (45, 60)}, FREE, SD),
-    "release of an optimum": lambda: hoopgen.optimum(["aim"], {**PLACE, "elevation": 52}, SD),
+    "over of a map": lambda: hoopgen.map(hoopgen.Scatter(FREE), {"elevation": [45, 60]}),
+    "over of an optimum": lambda: hoopgen.optimum(
+        hoopgen.Scatter(FREE, SD), {"elevation": (45, 60)}
+    ),
     "aim": lambda: hoopgen.aim(entry=45, **PLACE),
-    "release of margins": lambda: margins({**FREE, "elevation": 52}),
     "release of a batch": lambda: hoopgen.batch("x.csv", "x.parquet", release={"elevation": 52}),
 }
 
@@ -232,7 +230,8 @@ def test_a_map_is_a_table_of_releases(tmp_path: Path) -> None:
 def test_results_of_an_older_version_are_viewed_as_they_were(tmp_path: Path) -> None:
     file, page = tmp_path / "results.parquet", tmp_path / "page.html"
     columns = {"speed": [7.2], "elevation": [0.9], "height": [2.1], "distance": [4.2]}
-    about = {"hoopgen": json.dumps({"version": "0.0", "max_contacts": 40})}
+    said = {"version": "0.0", "parameters": dict(hoopgen.NBA), "release": {}, "max_contacts": 40}
+    about = {"hoopgen": json.dumps(said)}
     pq.write_table(pa.table(columns).replace_schema_metadata(about), file)
     output("view", str(file), "--out", str(page))
     pq.write_table(pa.table(columns), file)
@@ -330,7 +329,7 @@ STATES = hoopgen.release(np.linspace(7.0, 7.4, 5), 0.9, 0.02, 18.0, **PLACE)
 
 def _bank() -> Any:
     release = {"height": 2.1, "backspin": 18.0}
-    dataset = bank_or_direct([[2.0, 2.0]], release, {"speed": 0.07}, shots=200)
+    dataset = bank_or_direct(hoopgen.Scatter(release, {"speed": 0.07}), [[2.0, 2.0]], shots=200)
     return plots.plot_aim_points(dataset, hoopgen.PAPER)
 
 
@@ -342,7 +341,10 @@ PICTURES: dict[str, Callable[[], Any]] = {
     ),
     "aim_points": _bank,
     "map": lambda: plots.plot_map(
-        hoopgen.map({"height": [2.0, 2.1, 2.2], "distance": [4.0, 4.2]}, {"aim": 0, "entry": 0.7})
+        hoopgen.map(
+            hoopgen.Scatter({"aim": 0, "entry": 0.7}),
+            {"height": [2.0, 2.1, 2.2], "distance": [4.0, 4.2]},
+        )
     ),
 }
 
@@ -376,4 +378,4 @@ def test_a_trajectory_says_its_release_in_mph_and_turns() -> None:
         with showing(system):
             texts = " ".join(text.get_text() for text in path.plot().texts)
         assert f"Released at {said}" in texts
-        assert (r"$\omega_y/2\pi = 3$ Hz" in texts) == (system == "us")
+        assert (r"$\omega_y/2\pi=3$ Hz" in texts) == (system == "us")

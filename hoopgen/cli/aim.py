@@ -14,12 +14,15 @@ from hoopgen.cli.options import (
     UNITS_IN_WORDS,
     by_option,
     examples,
+    folder_option,
     scene_options,
+    scheduler_option,
+    threads_option,
     units_option,
     variable_option,
 )
-from hoopgen.cli.table import table
 from hoopgen.cli.types import OUT, Parsed, quantity
+from hoopgen.layout import table
 from hoopgen.study.told import say_scene
 from hoopgen.units import parse_quantity, shown
 
@@ -48,10 +51,14 @@ def _distances(text: str) -> tuple[float, ...]:
     """Read a length; several, ``3m,4m,5m``; or a range with its step or count, ``1m:7m:0.5m``."""
     parts = text.split(":")
     if len(parts) == 1:
-        return tuple(parse_quantity(part, "length") for part in text.split(","))
-    if len(parts) != 3:
+        found = tuple(parse_quantity(part, "length") for part in text.split(","))
+    elif len(parts) == 3:
+        found = _range(*parts)
+    else:
         raise ValueError(f"{brief(text)} is not from:to:step, such as 1m:7m:0.5m")
-    return _range(*parts)
+    if min(found) < 0.0:
+        raise ValueError(f"distance: expected 0 m or more, got {min(found):.6g} m")
+    return found
 
 
 def _range(first: str, last: str, by: str) -> tuple[float, ...]:
@@ -109,6 +116,9 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
 @variable_option("sidespin", default=0.0)
 @by_option
 @scene_options
+@threads_option
+@folder_option
+@scheduler_option
 @click.option("--csv", "file", type=OUT, help="Write the table: m, m/s, degrees, Hz, s.")
 @units_option
 def aim(
@@ -117,6 +127,9 @@ def aim(
     by: By,
     parameters: Mapping[str, float],
     file: Path | None,
+    threads: int | None,
+    folder: Path | None,
+    scheduler: str | None,
     **wanted: Any,
 ) -> None:
     """Aim: the release that goes through the centre of the ring, and how far it may be off.
@@ -124,6 +137,7 @@ def aim(
     The slowest one, or one with a wanted entry angle, elevation or speed. How far off each of
     speed, elevation and azimuth alone may be is found by simulation.
     """
+    from hoopgen.cli.progress import shown
     from hoopgen.study.aim import aim as aimed
     from hoopgen.study.aim import aim_table, write_csv
 
@@ -131,7 +145,10 @@ def aim(
     if len(distance) == 1:
         # Of one number it says why there is no such release.
         aimed(distance=distance[0], arc=arc, parameters=parameters, **wanted)
-    columns = aim_table(distance, arc=arc, by=by, parameters=parameters, **spins, **wanted)
+    work: dict[str, Any] = {"threads": threads, "folder": folder, "scheduler": scheduler}
+    with shown() as progress:
+        options = {**spins, **wanted, **work, "progress": progress}
+        columns = aim_table(distance, arc=arc, by=by, parameters=parameters, **options)
     if len(distance) == 1:
         shot = {name: float(column[0]) for name, column in columns.items()}
         click.echo(_one(shot, wanted, by))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -9,6 +10,7 @@ import click
 
 from hoopgen.cli.options import examples, scheduler_option, table_options, threads_option
 from hoopgen.cli.types import OUT
+from hoopgen.phrases import counted
 
 __all__ = ["batch"]
 
@@ -49,7 +51,7 @@ All others are kept as they are. A row with no number where one is needed is inv
 @click.option("--prefix", default="", help="Of the names of the results.")
 @threads_option
 @scheduler_option
-def batch(file: Path, out: Path, release: tuple[tuple[str, float], ...], **options: Any) -> None:
+def batch(file: Path, out: Path, release: Mapping[str, float], **options: Any) -> None:
     """Simulate the releases of a table, and write it with the results.
 
     FILE is CSV, Parquet or Arrow, and may be larger than the memory. The same command goes on
@@ -59,7 +61,7 @@ def batch(file: Path, out: Path, release: tuple[tuple[str, float], ...], **optio
     from hoopgen.cli.progress import shown
 
     with shown() as progress:
-        outcomes = hoopgen.batch(file, out, release=dict(release), progress=progress, **options)
+        outcomes = hoopgen.batch(file, out, release=release, progress=progress, **options)
     counts = [f"{count:,} {name}" for name, count in outcomes.items()]
-    click.echo(f"{sum(outcomes.values()):,} shots: {', '.join(counts)}; in {out}")
+    click.echo(f"{counted(sum(outcomes.values()), 'shot')}: {', '.join(counts)}; in {out}")
     click.echo(f"scene: {outcomes.scene}")

@@ -19,8 +19,8 @@ from hoopgen.cli.options import (
     preset_options,
     scene,
 )
-from hoopgen.cli.table import table
-from hoopgen.cli.types import FILE
+from hoopgen.cli.types import FILE, whole
+from hoopgen.layout import table
 from hoopgen.study.told import say_scene
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ __all__ = ["certify"]
 @max_contacts_option
 @click.option(
     "--max-bits",
-    type=click.IntRange(min=128),
+    type=whole(128),
     default=4096,
     show_default=True,
     help="Precision at which to give up.",
@@ -55,7 +55,7 @@ def certify(
     /,
     file: Path | None,
     preset: str,
-    settings: tuple[tuple[str, float], ...],
+    settings: Mapping[str, float],
     max_contacts: int,
     max_bits: int,
     as_json: bool,
@@ -74,7 +74,7 @@ def certify(
         state, parameters = _released(release), scene(preset, settings)
     else:
         state, written = _read(file)
-        parameters = written | dict(settings)
+        parameters = {**written, **settings}
     proof = prove(state, parameters, max_contacts=max_contacts, max_bits=max_bits, record=True)[0]
     scene_told = say_scene(parameters)
     if as_json:

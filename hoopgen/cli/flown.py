@@ -44,7 +44,8 @@ def flown(file: Path, format: str = "", own: Sequence[str] = ()) -> tuple[dict[s
     if not preset and not names_scene(source, own):
         scene = say_scene(parameters or PAPER)
         assumed = f"hoopgen: {file.name} names no scene: {scene} is assumed; --preset names another"
-    contacts = context.params["max_contacts"] if _given("max_contacts") else None
+    has_contacts = "max_contacts" in context.params
+    contacts = context.params["max_contacts"] if has_contacts and _given("max_contacts") else None
     return {"parameters": parameters, "max_contacts": contacts}, assumed
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.cli.options import UNITS_IN_WORDS, examples, picture_option, units_option
-from hoopgen.cli.releasing import Releasing, release_options, work_options
-from hoopgen.cli.types import AXIS, COUNT, MAP
+from hoopgen.cli.releasing import Releasing, from_option, release_options, work_options
+from hoopgen.cli.types import AXIS, COUNT, MAP, once
 from hoopgen.outputs import write, written_text
 
 if TYPE_CHECKING:
@@ -40,11 +40,15 @@ _FREE_THROW = "--backspin 3Hz --height 7ft --distance 13.75ft"
     "--over",
     type=AXIS,
     multiple=True,
+    callback=once,
     required=True,
     help="A variable and its values, from:to:count or one,two,three; may be repeated.",
 )
 @release_options
-@click.option("--shots", type=COUNT, help="Of each cell, with --scatter.  [default: 10,000]")
+@from_option
+@click.option(
+    "--shots", type=COUNT, help="Of each cell, with --scatter or --from.  [default: 10,000]"
+)
 @click.option(
     "--out", type=MAP, help="Write the map: .nc (netCDF, for xarray) or .csv; SI, with the units."
 )
@@ -52,7 +56,7 @@ _FREE_THROW = "--backspin 3Hz --height 7ft --distance 13.75ft"
 @work_options
 @units_option
 def map_(
-    over: tuple[tuple[str, NDArray[np.float64]], ...],
+    over: Mapping[str, NDArray[np.float64]],
     releasing: Releasing,
     out: Path | None,
     picture: Path | None,
@@ -60,26 +64,16 @@ def map_(
 ) -> None:
     """Map a shot over any of its variables.
 
-    Each cell is one shot; with --scatter, the probability that it is made. The variables that are
-    not mapped over are given as for `hoopgen shot`.
+    Each cell is one shot; with --scatter or --from, the probability that it is made. The variables
+    that are not mapped over are given as for `hoopgen shot`.
     """
     import hoopgen
     from hoopgen.cli.progress import shown
     from hoopgen.study.told import footer, told_by
 
-    twice = [name for place, (name, _) in enumerate(over) if name in dict(over[:place])]
-    if twice:
-        raise click.UsageError(f"--over: {twice[0]} is given twice")
+    model, scene = releasing.model()
     with shown() as progress:
-        dataset = hoopgen.map(
-            dict(over),
-            releasing.values,
-            releasing.sd,
-            releasing.correlation,
-            releasing.parameters,
-            progress=progress,
-            **work,
-        )
+        dataset = hoopgen.map(model, over, scene, progress=progress, **work)
     if out is not None:
         _write(dataset, out)
     if picture is not None:
@@ -148,7 +142,8 @@ def _shared(dataset: xr.Dataset) -> dict[str, Any]:
 
 def _summary(dataset: xr.Dataset) -> str:
     """Say how large the map is, and its best cell or the shares of its outcomes."""
-    from hoopgen.study.words import percent, say
+    from hoopgen.phrases import counted, interval, percent
+    from hoopgen.study.words import say
 
     axes = [str(name) for name in dataset.dims if name != "kind"]
     cells = " × ".join(f"{dataset.sizes[name]} {name}" for name in axes)
@@ -159,11 +154,11 @@ def _summary(dataset: xr.Dataset) -> str:
             f"{percent(share)} {name}" for name, share in zip(names, shares, strict=True) if share
         ]
         return f"map    {cells}, one shot each\nshots  {', '.join(said)}"
-    shots = f"map    {cells}, {dataset['shots'].values.max():,} shots each"
+    shots = f"map    {cells}, {counted(dataset['shots'].values.max(), 'shot')} each"
     probability = dataset["probability"]
     if probability.isnull().all():
         return f"{shots}\nbest   none: no cell can be simulated"
     best = dataset.isel(probability.argmax(...))
     where = ", ".join(f"{name} {say(name, best[name].item())}" for name in axes)
     made, low, high = (best[name].item() for name in ("probability", "low", "high"))
-    return f"{shots}\nbest   {percent(made)} made ({percent(low)} to {percent(high)}) at {where}"
+    return f"{shots}\nbest   {percent(made)} made ({interval(low, high)}) at {where}"

@@ -11,7 +11,17 @@ import click
 
 from hoopgen.cli.examples import examples
 from hoopgen.cli.flown import flown
-from hoopgen.cli.types import ASSIGNMENT, FILE, FOLDER, PICTURE, SETTING, variable_type
+from hoopgen.cli.types import (
+    ASSIGNMENT,
+    COUNT,
+    FILE,
+    FOLDER,
+    PICTURE,
+    SETTING,
+    once,
+    variable_type,
+    whole,
+)
 from hoopgen.parameters import PRESETS
 from hoopgen.units import System, showing
 
@@ -121,13 +131,14 @@ preset_options = together(
         "settings",
         type=SETTING,
         multiple=True,
+        callback=once,
         help="Change one parameter of the preset; may be repeated.",
     ),
 )
 """``--preset`` and ``--set``."""
 
 
-def scene(preset: str, settings: tuple[tuple[str, float], ...]) -> Mapping[str, float]:
+def scene(preset: str, settings: Mapping[str, float]) -> Mapping[str, float]:
     """Merge a preset with what is set."""
     return PRESETS[preset] | dict(settings)
 
@@ -148,7 +159,7 @@ def scene_options(command: Callable[..., Any]) -> Callable[..., Any]:
 
 max_contacts_option = click.option(
     "--max-contacts",
-    type=click.IntRange(min=1),
+    type=whole(most=2**31 - 1),
     default=40,
     show_default=True,
     help="Contacts after which a shot is given up as capped.",
@@ -162,9 +173,7 @@ backend_option = click.option(
     help="What computes; all give the same bits.",
 )
 
-threads_option = click.option(
-    "--threads", type=click.IntRange(min=1), help="As many as there are, by default."
-)
+threads_option = click.option("--threads", type=COUNT, help="As many as there are, by default.")
 
 scheduler_option = click.option(
     "--scheduler",
@@ -178,7 +187,7 @@ folder_option = click.option(
 
 seed_option = click.option(
     "--seed",
-    type=click.IntRange(min=0),
+    type=whole(0, 2**64 - 1, "NUMBER"),
     default=0,
     show_default=True,
     help="Of the random numbers.",
@@ -217,6 +226,7 @@ _TABLE = together(
         "--release",
         type=ASSIGNMENT,
         multiple=True,
+        callback=once,
         help="A variable that all rows share, in place of a column; may be repeated.",
     ),
     preset_options,

@@ -10,8 +10,8 @@ import click
 
 from hoopgen.brief import brief
 from hoopgen.cli.options import backend_option, examples
-from hoopgen.cli.table import NO_BREAK, table
 from hoopgen.cli.types import FOLDER
+from hoopgen.layout import NO_BREAK, table
 
 if TYPE_CHECKING:
     from hoopgen.paper import Result

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import hoopgen
-from hoopgen.cli.table import NO_BREAK, table
+from hoopgen.layout import NO_BREAK, table
 from hoopgen.units import shown
 
 __all__ = ["event_table", "story", "surface_name"]

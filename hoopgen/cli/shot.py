@@ -23,6 +23,7 @@ from hoopgen.cli.options import (
     units_option,
 )
 from hoopgen.cli.types import PAGE
+from hoopgen.phrases import counted
 from hoopgen.study.told import say_scene
 
 if TYPE_CHECKING:
@@ -59,7 +60,7 @@ __all__ = ["shot"]
 @json_option
 def shot(
     preset: str,
-    settings: tuple[tuple[str, float], ...],
+    settings: Mapping[str, float],
     max_contacts: int,
     backend: Literal["auto", "c", "numpy"],
     picture: Path | None,
@@ -126,7 +127,7 @@ def _outcome_text(shots: hoopgen.Shots) -> str:
     outcome = hoopgen.Outcome(int(shots.outcome[0]))
     said = outcome.name.lower()
     if outcome == hoopgen.Outcome.CAPPED:
-        return f"{said}: {shots.contacts[0]} contacts, and not yet at the end plane"
+        return f"{said}: {counted(shots.contacts[0], 'contact')}, and not yet at the end plane"
     if outcome == hoopgen.Outcome.SHORT:
         return f"{said}: the ball never comes down through the end plane"
     off_centre = math.hypot(shots.state[0, 0], shots.state[0, 1])

@@ -11,8 +11,9 @@ from typing import Any
 import click
 
 from hoopgen.cli.errors import OwnError, foreseen, in_words
-from hoopgen.cli.options import examples
+from hoopgen.cli.options import examples, scheduler_option, threads_option
 from hoopgen.cli.types import FILE, FOLDER
+from hoopgen.phrases import counted
 
 __all__ = ["study"]
 
@@ -40,12 +41,8 @@ def _print_reference(ctx: click.Context, _: click.Parameter, wanted: bool) -> No
     type=FOLDER,
     help="Folder of the results; by default beside FILE, <its name>-results.",
 )
-@click.option("--threads", type=click.IntRange(min=1), help="As many as there are, by default.")
-@click.option(
-    "--scheduler",
-    metavar="ADDRESS",
-    help="Of a Dask scheduler whose workers compute, tcp://host:8786.",
-)
+@threads_option
+@scheduler_option
 @click.option("--check", is_flag=True, help="Say what is wrong with FILE, and compute nothing.")
 @click.option(
     "--reference",
@@ -71,7 +68,7 @@ def study(
         if check:
             questions = check_study(file)
             names = ", ".join(asked.question.name for asked in questions)
-            click.echo(f"{file}: {len(questions)} questions, {names}")
+            click.echo(f"{file}: {counted(len(questions), 'question')}, {names}")
             return
         with _shown() as progress:
             answers = run_study(file, out, threads=threads, scheduler=scheduler, progress=progress)

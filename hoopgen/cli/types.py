@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from decimal import Decimal, InvalidOperation
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
@@ -33,7 +34,9 @@ __all__ = [
     "Checked",
     "Parsed",
     "quantity",
+    "once",
     "variable_type",
+    "whole",
 ]
 
 Value = TypeVar("Value")
@@ -186,14 +189,35 @@ def _correlation(text: str) -> tuple[tuple[str, str], float]:
     return (first, second), parse_quantity(value, "number")
 
 
-def _count(text: str) -> int:
-    try:
-        number = float(text)
-    except ValueError:
-        number = 0.0
-    if not 1 <= number < 2**63 or number != int(number):
-        raise ValueError(f"{brief(text)} is not a whole number from 1")
-    return int(number)
+_MOST = 2**63 - 1
+
+
+def whole(least: int = 1, most: int = _MOST, metavar: str = "COUNT") -> Parsed[int]:
+    """Return the type of a whole number from `least` to `most`; ``1e6`` is one too."""
+
+    def read(text: str) -> int:
+        try:
+            number = Decimal(text)
+        except InvalidOperation:
+            number = Decimal("nan")
+        # In this order nothing is made a whole number that would fill the memory.
+        if not number.is_finite() or not least <= number <= most or number != int(number):
+            below = "" if most == _MOST else f" to {most}"
+            raise ValueError(f"{brief(text)} is not a whole number from {least}{below}")
+        return int(number)
+
+    return Parsed(read, metavar)
+
+
+def once(ctx: click.Context, option: click.Parameter, given: Iterable[tuple[Any, Value]]) -> Any:
+    """Give the command what a repeated option says, by name; each may be said once."""
+    said: dict[Any, Value] = {}
+    for name, value in given:
+        if name in said:
+            words = name if isinstance(name, str) else ",".join(name)
+            raise click.BadParameter(f"{words} is given twice", ctx, option)
+        said[name] = value
+    return said
 
 
 ASSIGNMENT = Parsed(_assignment, "NAME=VALUE")
@@ -211,7 +235,7 @@ BOUNDS = Parsed(_bounds, "NAME=LOW:HIGH")
 CORRELATION = Parsed(_correlation, "NAME,NAME=VALUE")
 """Two variables and their correlation, ``speed,elevation=-0.3``."""
 
-COUNT = Parsed(_count, "COUNT")
+COUNT = whole()
 """A whole number from 1, ``1e6`` too."""
 
 FILE = click.Path(exists=True, dir_okay=False, path_type=Path)

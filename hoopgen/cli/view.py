@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import click
 
 from hoopgen.cli.options import backend_option, examples, seed_option, table_options
-from hoopgen.cli.types import PAGE
+from hoopgen.cli.types import PAGE, whole
 
 if TYPE_CHECKING:
     from typing import Literal
@@ -30,7 +30,7 @@ __all__ = ["view"]
 @click.option(
     "--sample",
     "count",
-    type=click.IntRange(1, 2000),
+    type=whole(most=2000),
     default=50,
     show_default=True,
     help="Shots on the page, chosen at random.",
@@ -45,7 +45,7 @@ def view(
     count: int,
     seed: int,
     title: str,
-    release: tuple[tuple[str, float], ...],
+    release: Mapping[str, float],
     parameters: Mapping[str, float] | None,
     max_contacts: int | None,
     override: bool,
@@ -68,7 +68,7 @@ def view(
         seed=seed,
         title=title,
         parameters=parameters,
-        release=dict(release),
+        release=release,
         max_contacts=max_contacts,
         override=override,
         format=format,

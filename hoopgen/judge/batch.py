@@ -16,10 +16,9 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.brief import brief
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
-from hoopgen.inputs import check_contacts, check_leaving, check_states, is_whole
+from hoopgen.inputs import check_contacts, check_count, check_leaving, check_states
 from hoopgen.parameters import PAPER, resolve
 from hoopgen.results import Outcome
 
@@ -81,11 +80,8 @@ def certify(
     values = resolve(parameters, len(releases))
     left = check_leaving(leaving, len(releases))
     most = check_contacts(max_contacts)
-    if not is_whole(max_bits) or max_bits < FIRST_BITS:
-        raise ValueError(
-            f"max_bits: expected a whole number from {FIRST_BITS}, got {brief(max_bits)}"
-        )
-    return prove(HOOP, releases, values, left, most, int(max_bits), record, processes)
+    bits = check_count("max_bits", max_bits, least=FIRST_BITS)
+    return prove(HOOP, releases, values, left, most, bits, record, processes)
 
 
 def prove(
@@ -130,11 +126,7 @@ def prove(
 def _processes(processes: int | None) -> int:
     if processes is None:
         return len(os.sched_getaffinity(0)) if _FORKS else 1
-    if not is_whole(processes) or processes < 1:
-        raise ValueError(
-            f"processes: expected a whole number from 1, or None, got {brief(processes)}"
-        )
-    return int(processes)
+    return check_count("processes", processes, expected="a whole number from 1, or None")
 
 
 def _context() -> multiprocessing.context.BaseContext:

@@ -11,6 +11,8 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
 
+from hoopgen.phrases import counted
+
 UNDECIDED = 255
 """In `Certificate.outcome`: none was proved."""
 
@@ -154,4 +156,4 @@ class Certificate:
         return self.proofs[shot]
 
     def __repr__(self) -> str:
-        return f"Certificate({len(self)} shots, {int(self.decided.sum())} decided)"
+        return f"Certificate({counted(len(self), 'shot')}, {int(self.decided.sum()):,} decided)"

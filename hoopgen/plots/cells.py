@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 
 from hoopgen.brief import brief
 from hoopgen.parameters import NAMES
+from hoopgen.phrases import counted, interval, percent
 from hoopgen.plots.key import classify
 from hoopgen.study.told import told_by
-from hoopgen.study.words import Quantity, percent_in_picture, quantity
+from hoopgen.study.words import Quantity, quantity
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -120,9 +121,9 @@ class Cells:
         )
         between = ""
         if self.interval is not None:
-            low, high = (100.0 * float(bound[place]) for bound in self.interval)
-            between = f" ({low:.1f}\N{EN DASH}{high:.1f})"
-        return f"{percent_in_picture(float(self.values[place]))}{between} at {where}"
+            low, high = (float(bound[place]) for bound in self.interval)
+            between = f" ({interval(low, high)})"
+        return f"{percent(float(self.values[place]))}{between} at {where}"
 
 
 def read_cells(dataset: xr.Dataset, of: str | None = None) -> Cells:
@@ -198,9 +199,11 @@ def _note(dataset: xr.Dataset) -> str:
         if value
     ]
     shots = set(np.unique(dataset["shots"]).tolist()) if "shots" in dataset else set()
-    rest = [f"{number} shots a cell" for number in shots if len(shots) == 1]
+    rest = [f"{counted(number, 'shot')} a cell" for number in shots if len(shots) == 1]
     rest += [f"seed {told['seed']}"] if "seed" in told else []
     spread = f"standard deviations: {', '.join(scatter)}" if scatter else ""
+    if "columns" in told:
+        spread = f"measured releases: {', '.join(json.loads(told['columns']))}"
     sentences = (", ".join(same), spread, ", ".join(rest))
     told_of_all = [f"{said[0].upper()}{said[1:]}." for said in sentences if said]
     return " ".join([scene, *told_of_all]).strip()

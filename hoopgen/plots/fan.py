@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 import hoopgen
 from hoopgen.brief import brief
+from hoopgen.phrases import counted, percent
 from hoopgen.plots.key import CLASSES, Class, classify, draw_key, key_height
 from hoopgen.plots.page import add_view, new_page
 from hoopgen.plots.panels import Panel
@@ -26,7 +27,6 @@ from hoopgen.plots.style import MISSED_LINES, PAGE, style
 from hoopgen.plots.views import View
 from hoopgen.study.measures import kinds
 from hoopgen.study.told import say_scene
-from hoopgen.study.words import percent_in_picture
 
 __all__ = ["Fan", "draw_fan", "gather_fan", "plot_fan"]
 
@@ -121,8 +121,9 @@ def plot_fan(
         _as_line(CLASSES[one]): float(np.mean(place == one)) for one in np.unique(place).tolist()
     }
     fan = gather_fan(shots, parameters, range(min(paths, len(shots))))
-    made = percent_in_picture(float(np.mean(shots.outcome == hoopgen.Outcome.MADE)))
-    said = f"{len(shots)} shots, {made} made; {len(fan.curves)} are drawn."
+    made = percent(float(np.mean(shots.outcome == hoopgen.Outcome.MADE)))
+    drawn = f"{len(fan.curves)} {'is' if len(fan.curves) == 1 else 'are'}"
+    said = f"{counted(len(shots), 'shot')}, {made} made; {drawn} drawn."
     told = f"{said} Scene: {say_scene(parameters)}. {note}"
     with style():
         if ax is not None:
@@ -224,7 +225,7 @@ def _draw_on(axes: Axes, fan: Fan, shares: Mapping[Class, float], title: str, no
     """Draw all of it on axes that there are."""
     draw_fan(axes, fit_view(axes, fan.view, fan.limits()), fan)
     add_title(axes, title, note)
-    said = {one: f"{one.words} {percent_in_picture(share)}" for one, share in shares.items()}
+    said = {one: f"{one.words} {percent(share)}" for one, share in shares.items()}
     add_key(axes, [Line2D([], [], color=one.colour, label=text) for one, text in said.items()])
     return axes
 

@@ -16,13 +16,13 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.inputs import doubles
+from hoopgen.phrases import percent
 from hoopgen.plots.court import FLOOR, Court, add_floor, draw_floor, find_court, on_floor
 from hoopgen.plots.page import add_axes, new_page
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import add_title, check_axes, fit_view
 from hoopgen.plots.style import COLOURS, PAGE, SHADES, style
 from hoopgen.study.told import say_scene
-from hoopgen.study.words import percent_in_picture
 from hoopgen.units import shown
 
 __all__ = ["plot_landings"]
@@ -279,7 +279,7 @@ def _draw_circle(axes: Axes, radius: float, share: float) -> None:
     unit = shown("length")
     axes.text(
         *at,
-        f"{percent_in_picture(share, 0)} within {radius / unit.size:.2f} {unit.symbol}",
+        f"{percent(share, 0)} within {radius / unit.size:.2f} {unit.symbol}",
         ha="center",
         va="center",
         fontsize=7.0,

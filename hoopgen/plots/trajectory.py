@@ -283,7 +283,7 @@ def _told(trajectory: Path, parameters: Mapping[str, float]) -> tuple[str, str]:
     x, y, z, vx, vy, vz, *spin = (float(value) for value in trajectory.at(np.zeros(1))[0])
     speed = np.hypot(np.hypot(vx, vy), vz)
     angle = np.degrees(np.arctan2(vz, np.hypot(vx, vy)))
-    unit, spins = shown("speed"), shown("spin")
+    unit, spins, length = shown("speed"), shown("spin"), shown("length")
     # The article's figures say angular velocities, coaches turns a second.
     us = shown_system() == "us"
     sign, symbol, size = ("/2\\pi", spins.symbol, spins.size) if us else ("", "rad/s", 1.0)
@@ -294,7 +294,10 @@ def _told(trajectory: Path, parameters: Mapping[str, float]) -> tuple[str, str]:
         for axis, w in zip("xyz", spin, strict=True)
         if w
     ]
-    place = f"{np.hypot(x, y):.3f} m from the ring's centre, {RING_HEIGHT + z:.3f} m high"
+    away, high = (
+        f"{one / length.size:.3f} {length.symbol}" for one in (np.hypot(x, y), RING_HEIGHT + z)
+    )
+    place = f"{away} from the ring's centre, {high} high"
     beat = _beat(trajectory.duration)
     return (
         f"{said}, {', '.join(turning) or 'no spin'}; {place}.",

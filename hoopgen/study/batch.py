@@ -18,11 +18,13 @@ import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
 from hoopgen.brief import listed
-from hoopgen.inputs import doubles
+from hoopgen.inputs import check_count, doubles
 from hoopgen.installed import need
 from hoopgen.notebook import table as rendered
 from hoopgen.outputs import check_output, followed
 from hoopgen.parameters import resolve
+from hoopgen.phrases import counted
+from hoopgen.releases import from_zero
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
 
@@ -32,7 +34,6 @@ from .models import from_columns
 from .named import UNIT_OF, named
 from .origin import settle
 from .tables import FORMATS, Column, Source, Stamp
-from .tallies import check_count
 from .told import say_scene
 from .variables import STATE, VARIABLES, check_angles, check_names
 
@@ -70,7 +71,7 @@ class Batch(dict[str, int]):
         return pq.read_table(self.path, partitioning=None).to_pandas()
 
     def _repr_html_(self) -> str:
-        about = f"{sum(self.values()):,} shots in {self.path}; {self.scene}"
+        about = f"{counted(sum(self.values()), 'shot')} in {self.path}; {self.scene}"
         rows = [(name, f"{count:,}") for name, count in self.items()]
         return rendered(about, ("outcome", "shots"), rows)
 
@@ -208,6 +209,8 @@ def batch(
 
 def _numbers(name: str, values: Mapping[str, Any]) -> dict[str, float]:
     arrays = {key: doubles(f"{name}[{key!r}]", value) for key, value in values.items()}
+    if "distance" in arrays:
+        from_zero(arrays["distance"])
     for key, array in arrays.items():
         if array.ndim:
             raise ValueError(

@@ -13,7 +13,7 @@ import json
 import os
 import sys
 from collections import deque
-from collections.abc import Callable, Generator, Iterator, Mapping
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from concurrent.futures import CancelledError, Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
@@ -54,6 +54,7 @@ __all__ = [
     "Stream",
     "differences",
     "flat",
+    "in_short",
     "opened",
     "read_record",
     "run",
@@ -100,8 +101,11 @@ class Stream(Protocol):
         """How many are expected, for the progress; None if that is not known."""
         ...
 
-    def tasks(self) -> Iterator[Task]:
-        """Read, and give what computes each chunk; also of those that are on disk already."""
+    def tasks(self) -> Iterator[Task | None]:
+        """Read, and give what computes each chunk; also of those that are on disk already.
+
+        None is no chunk: what comes next is asked for when all chunks before have been given.
+        """
         ...
 
     def identity(self) -> Mapping[str, Any]:
@@ -191,7 +195,7 @@ def _say(line: str) -> None:
     print(f"hoopgen: {line}", file=sys.stderr)
 
 
-def _tasks(job: Job | Stream) -> Iterator[Task]:
+def _tasks(job: Job | Stream) -> Iterator[Task | None]:
     if isinstance(job, Stream):
         return job.tasks()
     numbers = itertools.count() if job.chunks is None else iter(range(job.chunks))
@@ -199,19 +203,19 @@ def _tasks(job: Job | Stream) -> Iterator[Task]:
 
 
 def _in_order(
-    tasks: Iterator[Task], folder: Folder | None, workers: _Workers
+    tasks: Iterator[Task | None], folder: Folder | None, workers: _Workers
 ) -> Iterator[tuple[pa.Table, str | None]]:
     """Give chunks, and what was wrong with those on disk, in the order of their tasks."""
     pending: deque[Future[tuple[pa.Table, str | None]]] = deque()
     ahead = AHEAD * workers.number
     pool = ThreadPoolExecutor(ahead if workers.remote else workers.number)
     try:
-        for chunk, task in enumerate(tasks):
-            pending.append(pool.submit(_fetch, folder, workers, chunk, task))
-            if len(pending) >= ahead:
+        numbers = itertools.count()
+        for task in itertools.chain(tasks, [None]):
+            if task is not None:
+                pending.append(pool.submit(_fetch, folder, workers, next(numbers), task))
+            while pending and (task is None or len(pending) >= ahead):
                 yield pending.popleft().result()
-        while pending:
-            yield pending.popleft().result()
     finally:
         pool.shutdown(wait=False, cancel_futures=True)
         workers.stop()
@@ -506,7 +510,7 @@ def _identify(folder: Path, here: dict[str, str]) -> None:
         raise ValueError(f"{file} cannot be read; delete the folder to begin anew") from None
     if found := differences(there, here):
         raise ValueError(
-            f"{folder} holds another job: {'; '.join(found)}. Give the same job, "
+            f"{folder} holds another job: {in_short(found)}. Give the same job, "
             "or another folder; or delete this one to begin anew"
         )
 
@@ -537,6 +541,16 @@ def differences(there: Mapping[str, str], here: Mapping[str, str]) -> list[str]:
         for name in dict.fromkeys((*here, *there))
         if there.get(name) != here.get(name)
     ]
+
+
+def in_short(found: Sequence[str]) -> str:
+    """Say the first few of what is not the same, and how many more there are."""
+    more = [f"and {len(found) - _FEW} more"] if len(found) > _FEW else []
+    return "; ".join([*found[:_FEW], *more])
+
+
+_FEW = 3
+"""Differences that are told."""
 
 
 def flat(values: Mapping[str, Any], prefix: str = "") -> dict[str, str]:

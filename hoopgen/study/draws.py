@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtri
 
-from hoopgen.brief import brief
-from hoopgen.inputs import is_whole
+from hoopgen.inputs import check_count
 
 __all__ = ["ROW_OF_RELEASES", "ROW_OF_SAMPLE", "check_seed", "normals", "uniforms"]
 
@@ -71,6 +70,6 @@ def check_seed(seed: int) -> int:
     ValueError
         If it is not a whole number from 0 to 2^64 - 1.
     """
-    if not is_whole(seed) or not 0 <= seed < 2**64:
-        raise ValueError(f"seed: expected a whole number from 0 to 2**64 - 1, got {brief(seed)}")
-    return int(seed)
+    return check_count(
+        "seed", seed, least=0, most=2**64 - 1, expected="a whole number from 0 to 2**64 - 1"
+    )

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from contextlib import closing
 from dataclasses import asdict, dataclass
 from fractions import Fraction
-from math import ceil, floor, inf, log10, nan, sqrt
+from math import ceil, inf, nan, sqrt
 from os import PathLike
 from typing import Any, Literal, TypeAlias
 
@@ -20,9 +20,10 @@ from numpy.typing import NDArray
 from scipy.special import ndtri
 
 from hoopgen.brief import brief
-from hoopgen.inputs import check_contacts
+from hoopgen.inputs import check_contacts, check_count
 from hoopgen.notebook import Said
 from hoopgen.parameters import PAPER
+from hoopgen.phrases import decimals, doubtful, interval, percent, points
 from hoopgen.results import Outcome, Shots
 from hoopgen.simulation import simulate
 from hoopgen.sizes import in_short
@@ -31,7 +32,7 @@ from .chunks import run
 from .draws import check_seed
 from .measures import Kind
 from .models import Grid, ReleaseModel
-from .tallies import COLUMNS, FIELDS, Tally, blocks, check_count, check_scene, check_share, wilson
+from .tallies import COLUMNS, FIELDS, Tally, blocks, check_scene, check_share, wilson
 from .told import footer, told_setting
 from .words import for_json
 
@@ -41,10 +42,7 @@ __all__ = [
     "Estimate",
     "Setting",
     "compare",
-    "decimals",
     "estimate",
-    "in_percent",
-    "in_points",
     "least_shots",
     "most_shots",
     "newcombe",
@@ -66,7 +64,7 @@ Backend = Literal["auto", "c", "numpy"]
 Progress = Callable[[int, int | None], None]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Estimate(Said):
     """How probably a shot is made.
 
@@ -87,6 +85,8 @@ class Estimate(Said):
         Of them, by outcome.
     uncertain
         With a decision within its rounding-error bound.
+    uncertain_capped
+        Capped ones among those.
     kinds, kinds_made
         Shots by the name of their `Kind`, all and made.
     seed
@@ -106,6 +106,7 @@ class Estimate(Said):
     short: int
     invalid: int
     uncertain: int
+    uncertain_capped: int
     kinds: Mapping[str, int]
     kinds_made: Mapping[str, int]
     seed: int
@@ -135,27 +136,28 @@ class Estimate(Said):
 
     def __str__(self) -> str:
         digits = decimals(self.half_width)
-        others = ("missed", "capped", "short", "invalid", "uncertain")
-        counts = [f"{getattr(self, name):,} {name}" for name in ("made", *others)]
+        ended = (outcome.name.lower() for outcome in Outcome)
+        counts = [f"{getattr(self, name):,} {name}" for name in ended]
+        counts.append(doubtful(self.uncertain, self.uncertain_capped))
         lines = [
-            f"made     {in_percent(self.probability, digits)}, "
-            f"{in_percent(self.low, digits)} to {in_percent(self.high, digits)} "
-            f"(Wilson's {in_percent(self.confidence)} interval)",
+            f"made     {percent(self.probability, digits)}, "
+            f"{interval(self.low, self.high, digits)} "
+            f"(Wilson's {percent(self.confidence, None)} interval)",
             f"shots    {self.shots:,}: {', '.join(counts)}",
-            *([f"capped   {in_percent(self.with_capped, digits)} if made"] if self.capped else []),
+            *([f"capped   {percent(self.with_capped, digits)} if made"] if self.capped else []),
             "",
             "kind         share  of it made",
         ]
         lines += [
-            f"{name.replace('_', ', '):9}  {in_percent(self.shares[name], 1):>7}"
-            f"  {in_percent(self.kinds_made[name] / count, 1):>10}"
+            f"{name.replace('_', ', '):10}  {percent(self.shares[name]):>6}"
+            f"  {percent(self.kinds_made[name] / count):>10}"
             for name, count in self.kinds.items()
             if count
         ]
         return "\n".join([*lines, "", footer(_NAMES, _told(self))])
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Comparison(Said):
     """What the second of two settings adds to the first, over the same random numbers.
 
@@ -214,14 +216,14 @@ class Comparison(Said):
 
     def __str__(self) -> str:
         digits = decimals(self.half_width)
-        made = [in_percent(one.probability, digits) for one in (self.first, self.second)]
-        ends = f"{in_points(self.low, digits)} to {in_points(self.high, digits)}"
+        made = [percent(one.probability, digits) for one in (self.first, self.second)]
+        ends = f"{points(self.low, digits)} to {points(self.high, digits)}"
         return "\n".join(
             [
                 f"first       {made[0]} made",
                 f"second      {made[1]} made",
-                f"difference  {in_points(self.difference, digits)} points, {ends} "
-                f"(Newcombe's paired {in_percent(self.confidence)} interval)",
+                f"difference  {points(self.difference, digits)} points, {ends} "
+                f"(Newcombe's paired {percent(self.confidence, None)} interval)",
                 f"pairs       {self.pairs:,}: {self.both:,} both made, "
                 f"{self.only_first:,} the first only, {self.only_second:,} the second only, "
                 f"{self.neither:,} neither",
@@ -534,6 +536,7 @@ def _estimate(work: _Work, total: NDArray[np.int64], which: int, level: float) -
         shots=int(tally.shots),
         **ended,
         uncertain=int(tally.uncertain),
+        uncertain_capped=int(tally.uncertain_capped),
         kinds=dict(zip(names, tally.of_kind().tolist(), strict=True)),
         kinds_made=dict(zip(names, tally.table[:, Outcome.MADE].tolist(), strict=True)),
         seed=work.seed,
@@ -590,18 +593,3 @@ def newcombe(
         float(difference - combined(first - low_1, high_2 - second)),
         float(difference + combined(high_1 - first, second - low_2)),
     )
-
-
-def decimals(half_width: float) -> int:
-    """Return the decimals of percents at which two digits of half an interval are seen."""
-    return max(1, min(9, 1 - floor(log10(100.0 * half_width)))) if half_width > 0.0 else 1
-
-
-def in_percent(share: float, digits: int | None = None) -> str:
-    """Say a share with so many decimals; by default four digits of it."""
-    return f"{100.0 * share:.4g} %" if digits is None else f"{100.0 * share:.{digits}f} %"
-
-
-def in_points(difference: float, digits: int) -> str:
-    """Say a difference of shares in percentage points, with its sign."""
-    return f"{100.0 * difference:+.{digits}f}"

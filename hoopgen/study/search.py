@@ -35,9 +35,9 @@ Floats = NDArray[np.float64]
 
 
 def bounds_of(
-    over: Mapping[str, Bounds | None] | Sequence[str], fixed: Mapping[str, float], player: Player
+    over: Mapping[str, Bounds | None] | Sequence[str], centre: Mapping[str, float], player: Player
 ) -> dict[str, Bounds]:
-    """Return the bounds to search within: those given, or the usual ones.
+    """Return the bounds to search within: those given, or the usual ones about a release.
 
     Raises
     ------
@@ -48,12 +48,9 @@ def bounds_of(
     wanted = dict(over) if isinstance(over, Mapping) else dict.fromkeys(names)
     if not wanted:
         raise ValueError("over: expected at least one variable")
-    twice = [name for name in wanted if name in fixed]
-    if twice:
-        raise ValueError(f"release: {', '.join(twice)} already in over")
-    bounds, player = {}, player.at(fixed)
+    bounds, player = {}, player.at(centre)
     for name, ends in wanted.items():
-        given = doubles(f"over[{name!r}]", _usual(name, fixed, player) if ends is None else ends)
+        given = doubles(f"over[{name!r}]", _usual(name, centre, player) if ends is None else ends)
         if given.shape != (2,) or not np.all(np.isfinite(given)) or not given[0] < given[1]:
             raise ValueError(
                 f"over[{name!r}]: expected (low, high), low below high, got {brief(ends)}"

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 __all__ = [
     "footer",
     "in_a_note",
+    "model_told",
     "say_release",
     "say_scatter",
     "say_scene",
@@ -105,7 +106,7 @@ def told_setting(setting: Mapping[str, Any]) -> dict[str, str]:
         The identity of the model, and the ``parameters`` of the scene.
     """
     model = setting.get("model")
-    mean = setting["mean"] if model == "scatter" else {}
+    mean = setting["release"] if model == "scatter" else {}
     own = {name: value for name, value in mean.items() if name in NAMES}
     by_row = setting["columns"] if model == "resample" else ()
     told = {"scene": say_scene({**setting["parameters"], **own}, by_row)}
@@ -113,9 +114,20 @@ def told_setting(setting: Mapping[str, Any]) -> dict[str, str]:
         pairs = [((one, other), value) for one, other, value in setting["correlation"]]
         return told | {"release": say_release(mean), "scatter": say_scatter(setting["sd"], pairs)}
     if model == "resample":
-        columns = ", ".join(setting["columns"])
-        return told | {"release": f"measured: {columns} (SHA-256 {setting['sha256'][:12]}...)"}
+        return told | {"release": _measured(setting["columns"], setting["sha256"])}
     return told | {"release": f"of the model {model}" if model else "of a model of one's own"}
+
+
+def _measured(columns: Iterable[str], sha256: str) -> str:
+    return f"measured: {', '.join(columns)} (SHA-256 {sha256[:12]}...)"
+
+
+_OF_A_MODEL = ("sd", "correlation", "columns", "sha256")
+
+
+def model_told(identity: Mapping[str, Any]) -> dict[str, str]:
+    """Return what the attributes of a dataset say of a release model, as JSON; see `told_by`."""
+    return {name: json.dumps(identity[name]) for name in _OF_A_MODEL if name in identity}
 
 
 def told_of(
@@ -138,16 +150,20 @@ def told_by(dataset: xr.Dataset) -> dict[str, str]:
     """Return what is said of a dataset of `hoopgen.map` or `bank_or_direct`, by its attributes."""
     attributes = dataset.attrs
     told = {}
+    columns = json.loads(attributes.get("columns", "[]"))
     if "parameters" in attributes:
-        told["scene"] = say_scene(json.loads(attributes["parameters"]))
+        parameters = json.loads(attributes["parameters"])
+        by_row = [name for name in columns if name not in (*parameters, *dataset.coords)]
+        told["scene"] = say_scene(parameters, by_row)
     same = {
         str(name): float(column)
         for name, column in dataset.coords.items()
         if column.ndim == 0 and np.issubdtype(column.dtype, np.number)
     }
     same |= json.loads(attributes.get("release", "{}"))
-    if release := say_release(same):
-        told["release"] = release
+    releases = [_measured(columns, json.loads(attributes["sha256"]))] if columns else []
+    if releases := [*releases, *filter(None, [say_release(same)])]:
+        told["release"] = "; ".join(releases)
     if "sd" in attributes:
         pairs = json.loads(attributes.get("correlation", "[]"))
         correlation = [((one, other), value) for one, other, value in pairs]

@@ -20,6 +20,7 @@ from hoopgen.units import UNITS, Kind
 
 __all__ = [
     "ARGUMENTS",
+    "STANDS_FOR",
     "STATE",
     "VARIABLES",
     "Releases",
@@ -82,7 +83,7 @@ _INSTEAD = _listed(
 """Those that stand for arguments: `aim` for speed, `entry` for elevation, `x` and `y` for distance
 and angle."""
 
-_PLACES: Mapping[str, tuple[str, ...]] = MappingProxyType(
+STANDS_FOR: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "aim": ("speed",),
         "entry": ("speed", "elevation"),
@@ -224,7 +225,7 @@ def release_arguments(
     ValueError
         If one is missing, or two stand for the same.
     """
-    for name, others in _PLACES.items():
+    for name, others in STANDS_FOR.items():
         both = [other for other in others if name in values and other in values]
         if both:
             raise ValueError(f"variables: {name} takes the place of {' and '.join(both)}; got both")
@@ -258,8 +259,8 @@ def change_variables(values: Mapping[str, Any], changes: Mapping[str, Any]) -> d
     A `speed` drops `aim` and `entry`, an `entry` drops `speed` and `elevation`, and so on.
     """
     release = ("aim", "entry")
-    dropped = {other for name in release if name in changes for other in _PLACES[name]}
-    dropped |= {name for name in release for other in _PLACES[name] if other in changes}
+    dropped = {other for name in release if name in changes for other in STANDS_FOR[name]}
+    dropped |= {name for name in release for other in STANDS_FOR[name] if other in changes}
     return {name: value for name, value in values.items() if name not in dropped} | dict(changes)
 
 

@@ -24,8 +24,6 @@ __all__ = [
     "Quantity",
     "between",
     "for_json",
-    "percent",
-    "percent_in_picture",
     "quantity",
     "say",
 ]
@@ -61,11 +59,6 @@ def _shown(name: str) -> Shown:
 def between(name: str, low: float, high: float) -> str:
     """Say an interval of a variable, its unit once."""
     return f"{say(name, low, unit=False)} to {say(name, high)}"
-
-
-def percent(share: float) -> str:
-    """Say a share."""
-    return f"{100.0 * share:.1f} %"
 
 
 # ---------------------------------------------------------------------------------------- pictures
@@ -118,14 +111,6 @@ def quantity(name: str, attributes: Mapping[str, object] | None = None) -> Quant
         return Quantity(VARIABLES[name].label, one.symbol, one.size)
     given = attributes or {}
     return Quantity(str(given.get("long_name", name)), str(given.get("units", "")))
-
-
-def percent_in_picture(share: float, digits: int = 1) -> str:
-    """Return a share, set close; one that would be rounded to none is said to be less."""
-    least = 0.1**digits
-    if 0.0 < 100.0 * share < least / 2.0:
-        return f"<{least:.{digits}f}%"
-    return f"{100.0 * share:.{digits}f}%"
 
 
 def _with(unit: str, number: str) -> str:

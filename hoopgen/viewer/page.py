@@ -22,6 +22,7 @@ from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
 from hoopgen.outputs import PAGES, check_output, write
 from hoopgen.parameters import NAMES, Value, resolve
+from hoopgen.phrases import counted
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.study.measures import Kind, kinds
@@ -138,7 +139,7 @@ def _about(about: str, parameters: Mapping[str, Any]) -> str:
 
 def _title(shots: Shots, valid: NDArray[np.intp]) -> str:
     if len(valid) > 1:
-        return f"{len(valid)} shots"
+        return counted(len(valid), "shot")
     return Outcome(int(shots.outcome[valid[0]])).name.capitalize()
 
 

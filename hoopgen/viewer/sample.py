@@ -118,5 +118,5 @@ def sample(
     order = np.argsort(kept["row"])
     rows = kept["row"][order].astype(np.int64)
     given = {name: kept[name][order] for name in columns}
-    given |= {name: np.full(len(rows), value) for name, value in shared.items()}
-    return Sample(rows, total, from_columns(given, origin.parameters), origin.max_contacts)
+    releases = from_columns({**given, **shared}, origin.parameters)
+    return Sample(rows, total, releases, origin.max_contacts)

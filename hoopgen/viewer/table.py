@@ -9,6 +9,7 @@ from typing import Any, Literal
 
 import numpy as np
 
+from hoopgen.phrases import counted
 from hoopgen.results import Outcome
 from hoopgen.simulation import simulate
 
@@ -77,7 +78,8 @@ def _about(file: Path, chosen: Sample, seed: int, invalid: int) -> str:
     """Say which rows are shown."""
     count = len(chosen.rows)
     if count == chosen.total:
-        text = f"all {count} rows of {file.name}"
+        text = f"{'all ' * (count > 1)}{counted(count, 'row')} of {file.name}"
     else:
-        text = f"{count} of {chosen.total} rows of {file.name}, chosen at random (seed {seed})"
+        rows = f"{count:,} of {counted(chosen.total, 'row')} of {file.name}"
+        text = f"{rows}, chosen at random (seed {seed})"
     return f"{text}; {invalid} invalid, left out" if invalid else text

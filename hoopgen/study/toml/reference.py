@@ -73,8 +73,7 @@ the same bytes with the same versions; `versions.json` alone tells of the machin
 added to the file later. If one that is in the folder has changed, or is no longer asked, the folder
 is refused, and what differs is said.
 
-With `--scheduler tcp://…` the workers of a Dask cluster compute what is worked on in chunks: all
-but `optimum` and `aim`.
+With `--scheduler tcp://…` the workers of a Dask cluster compute the chunks.
 
 ## Where shots come from
 

@@ -11,6 +11,7 @@ from types import MappingProxyType
 from typing import Any
 
 import hoopgen
+from hoopgen.phrases import percent
 
 from .answers import Answer, Asked
 
@@ -72,7 +73,7 @@ def _sections(
         yield _HTML.sub("&lt;", study.description.strip())
     yield (
         f"By hoopgen {hoopgen.__version__} from [study.toml](study.toml), seed {study.seed}; "
-        f"intervals of {100 * study.confidence:.4g} % confidence. "
+        f"intervals of {percent(study.confidence, None)} confidence. "
         "[versions.json](versions.json) says what computed."
     )
     rows = ["| question | answer |", "|---|---|"]

@@ -18,7 +18,16 @@ from typing import Any
 
 import hoopgen
 from hoopgen.outputs import sync
-from hoopgen.study.chunks import differences, flat, opened, read_record, versions, written
+from hoopgen.phrases import counted
+from hoopgen.study.chunks import (
+    differences,
+    flat,
+    in_short,
+    opened,
+    read_record,
+    versions,
+    written,
+)
 from hoopgen.study.words import for_json
 
 from . import lines
@@ -87,7 +96,7 @@ def run_study(
         gets a copy of the file, the versions of what computed, a report, and a folder for each
         question with its answer, tables and figures.
     threads, scheduler
-        As for `hoopgen.estimate`; questions that are not worked on in chunks do not use them.
+        As for `hoopgen.estimate`.
     progress
         Called with the name of a question, what of it is done, and its total (None: not known).
 
@@ -135,8 +144,8 @@ def run_study(
             kept.remove()
     if errors:
         raise ExceptionGroup(
-            f"{len(errors)} of {len(questions)} questions could not be answered; the others are "
-            f"in {folder}",
+            f"{len(errors)} of {counted(len(questions), 'question')} could not be answered; "
+            f"the others are in {folder}",
             list(errors.values()),
         )
     return answers
@@ -210,10 +219,10 @@ def _refuse_changed(folder: Path, identities: Mapping[str, Mapping[str, Any]]) -
             found.append(f"it has the question {name}, which the study has not")
             continue
         if changed := differences(there, here):
-            found.append(f"question {name}: {'; '.join(changed)}")
+            found.append(f"question {name}: {in_short(changed)}")
     if found:
         raise ValueError(
-            f"{folder} holds another study: {'. '.join(found)}. Give another folder, or "
+            f"{folder} holds another study: {in_short(found)}. Give another folder, or "
             "delete the folders of those questions in it to ask them anew"
         )
 

@@ -121,6 +121,8 @@ class Study(Table):
 class Releases(Table):
     """Measured releases, whose rows are drawn at random.
 
+    A map and a search move the mean of a column; how far the rows are from it stays as it was.
+
     The columns take the place of what is given above; `release` beside this table, in the same
     place of the file, takes the place of columns.
     """

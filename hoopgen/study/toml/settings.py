@@ -9,10 +9,11 @@ from functools import reduce
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pyarrow as pa
 
 from hoopgen.parameters import PAPER, PRESETS
-from hoopgen.study.models import ReleaseModel, Resample, Scatter
+from hoopgen.study.models import Resample, Scatter
 from hoopgen.study.origin import origin_of
 from hoopgen.study.tables import Source, variable_of
 from hoopgen.study.variables import STATE, change_variables
@@ -107,8 +108,8 @@ class Setting:
         """Whether a deviation is above 0."""
         return any(self.sd.values())
 
-    def model(self) -> ReleaseModel:
-        """Return the release model.
+    def model(self, over: Iterable[str] = ()) -> Scatter | Resample:
+        """Return the release model, without numbers that some variables take the place of.
 
         Raises
         ------
@@ -118,13 +119,19 @@ class Setting:
             If the file of measured releases cannot be read.
         """
         if self.releases is None:
-            return Scatter(self.release, self.sd, self.correlation)
+            release = given_without(self.release, over)
+            return (
+                Scatter(release, self.sd, self.correlation) if self.scatters else Scatter(release)
+            )
         if self.scatters:
             raise ValueError(
                 "scatter: it is about one release, and releases has many; leave one out, or give "
                 'scatter = "none"'
             )
-        return Resample(self._measured(self.releases))
+        measured = self._measured(self.releases)
+        alike = {name: value for name, value in measured.items() if not np.ndim(value)}
+        left = given_without(alike, over)
+        return Resample({n: v for n, v in measured.items() if n not in alike or n in left})
 
     def _measured(self, releases: Releases) -> dict[str, Any]:
         """Return the columns of measured releases, and what is the same for all."""
