@@ -24,6 +24,7 @@ from hoopgen.cli.paper import paper
 from hoopgen.cli.shot import shot
 from hoopgen.cli.study import study
 from hoopgen.cli.view import view
+from hoopgen.printable import printable
 
 __all__ = ["main"]
 
@@ -72,7 +73,7 @@ class _Tour(click.Group):
 
 
 def _complain(text: str) -> None:
-    click.echo(f"hoopgen: error: {' '.join(text.split())}", err=True)
+    click.echo(f"hoopgen: error: {printable(' '.join(text.split()))}", err=True)
 
 
 def _in_words(error: Exception) -> str:

@@ -11,6 +11,8 @@ from typing import Any
 import click
 
 from hoopgen.cli.options import examples
+from hoopgen.cli.types import FILE, FOLDER
+from hoopgen.printable import printable
 
 __all__ = ["study"]
 
@@ -32,10 +34,10 @@ def _print_reference(ctx: click.Context, _: click.Parameter, wanted: bool) -> No
         "hoopgen study --reference",
     )
 )
-@click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.argument("file", type=FILE)
 @click.option(
     "--out",
-    type=click.Path(file_okay=False, path_type=Path),
+    type=FOLDER,
     help="Folder of the results; by default beside FILE, <its name>-results.",
 )
 @click.option("--threads", type=click.IntRange(min=1), help="As many as there are, by default.")
@@ -69,7 +71,7 @@ def study(
         if check:
             questions = check_study(file)
             names = ", ".join(asked.question.name for asked in questions)
-            click.echo(f"{file}: {len(questions)} questions, {names}")
+            click.echo(printable(f"{file}: {len(questions)} questions, {names}"))
             return
         with _shown() as progress:
             answers = run_study(file, out, threads=threads, scheduler=scheduler, progress=progress)
@@ -82,14 +84,14 @@ def study(
     for name, answer in answers.items():
         click.echo(f"{name:{width}}  {answer.line}")
     folder = out if out is not None else file.with_name(f"{file.stem}-results")
-    click.echo(f"{'report':{width}}  {folder / 'report.md'}")
+    click.echo(printable(f"{'report':{width}}  {folder / 'report.md'}"))
 
 
 def _failed(complaints: Any) -> click.ClickException:
     """Say all complaints but the last, a line each; that one is the error."""
     *others, last = (" ".join(complaint.split()) for complaint in complaints)
     for complaint in others:
-        click.echo(f"hoopgen: error: {complaint}", err=True)
+        click.echo(f"hoopgen: error: {printable(complaint)}", err=True)
     return click.ClickException(last)
 
 

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 import hoopgen
 from hoopgen.generated.numpy import hoop
 from hoopgen.parameters import NAMES, Value, resolve
+from hoopgen.printable import printable
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.study.measures import Kind, kinds
@@ -100,8 +101,8 @@ def page(
     touched = _touched(shots, values)
     words = [Kind(kind).name.lower() for kind in kinds(shots.outcome, shots.counts, shots.first)]
     data = {
-        "title": title or _title(shots, valid),
-        "about": about,
+        "title": printable(title) or _title(shots, valid),
+        "about": printable(about),
         "ring_height": RING_HEIGHT,
         "surfaces": SURFACES,
         "outcomes": [outcome.name.lower() for outcome in Outcome],
@@ -126,7 +127,7 @@ def _labels(labels: Sequence[str] | None, shots: int) -> list[str]:
         return [f"Shot {number}" for number in range(1, shots + 1)]
     if isinstance(labels, str) or len(labels) != shots:
         raise ValueError(f"labels: expected {shots}, one a shot, got {labels!r}")
-    return [str(label) for label in labels]
+    return [printable(str(label)) for label in labels]
 
 
 def _shot(

@@ -9,6 +9,7 @@ from types import MappingProxyType
 from typing import Any
 
 import hoopgen
+from hoopgen.printable import printable
 
 from .answers import Answer, Asked
 
@@ -133,4 +134,4 @@ def _cell(text: str) -> str:
 
 
 def _flat(error: Exception) -> str:
-    return " ".join(str(error).split())
+    return printable(" ".join(str(error).split()))
