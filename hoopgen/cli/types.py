@@ -179,11 +179,22 @@ CORRELATION = Parsed(_correlation, "NAME,NAME=VALUE")
 COUNT = Parsed(_count, "COUNT")
 """A whole number from 1, ``1e6`` too."""
 
-FILE = click.Path(exists=True, dir_okay=False, path_type=Path)
+
+class _Path(click.Path):
+    """A path; one without a name would be the folder that the command is given in."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return the path."""
+        if value == "":
+            self.fail("expected a name, got ''", param, ctx)
+        return super().convert(value, param, ctx)
+
+
+FILE = _Path(exists=True, dir_okay=False, path_type=Path)
 """A file to be read."""
 
-OUT = click.Path(dir_okay=False, path_type=Path)
+OUT = _Path(dir_okay=False, path_type=Path)
 """A file to be written."""
 
-FOLDER = click.Path(file_okay=False, path_type=Path)
+FOLDER = _Path(file_okay=False, path_type=Path)
 """A folder to be written."""

@@ -23,7 +23,7 @@ from hoopgen.parameters import PAPER, resolve
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
 
-from .chunks import opened, run, written
+from .chunks import check_workers, opened, run, written
 from .measures import MEASURES, Kind, kinds, measure
 from .models import from_columns
 from .tables import FORMATS, Column, Source, Stamp, columns_of, values
@@ -126,6 +126,7 @@ def batch(
         check_contacts(max_contacts),
     )
     check_names("measures", shots.measures, MEASURES)
+    check_workers(scheduler, threads)
     rows = check_count("rows", rows)
     stamp = table.stamp()
     columns = _columns(table, own, shots.release)
