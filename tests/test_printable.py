@@ -157,10 +157,8 @@ def test_a_title_is_drawn_as_it_is_written(
 
 @pytest.mark.parametrize("title", TITLES)
 def test_a_title_is_on_the_page_as_it_is_written(title: str, tmp_path: Path) -> None:
-    shots = _shots(2)
-    file = hoopgen.view(
-        shots, hoopgen.NBA, tmp_path / "page.html", title=title, about=title, labels=[title] * 2
-    )
+    file, labels = tmp_path / "page.html", [title] * 2
+    hoopgen.view(_shots(2), hoopgen.NBA, file, title=title, about=title, labels=labels)
     text = file.read_text(encoding="utf-8")
     head, _, _ = text.partition("<style>")
     assert printable(head) == head
