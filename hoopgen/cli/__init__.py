@@ -28,6 +28,7 @@ from hoopgen.cli.paper import paper
 from hoopgen.cli.shot import shot
 from hoopgen.cli.study import study
 from hoopgen.cli.view import view
+from hoopgen.printable import printable
 
 __all__ = ["main"]
 
@@ -80,7 +81,7 @@ def _write_what_can_be_written() -> None:
 
 
 def _complain(text: str) -> None:
-    click.echo(f"hoopgen: error: {' '.join(text.split())}", err=True)
+    click.echo(f"hoopgen: error: {printable(' '.join(text.split()))}", err=True)
 
 
 @click.group(

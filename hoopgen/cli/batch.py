@@ -9,6 +9,7 @@ import click
 
 from hoopgen.cli.options import examples, scheduler_option, table_options, threads_option
 from hoopgen.cli.types import OUT
+from hoopgen.printable import printable
 
 __all__ = ["batch"]
 
@@ -60,4 +61,5 @@ def batch(file: Path, out: Path, release: tuple[tuple[str, float], ...], **optio
     with shown() as progress:
         outcomes = hoopgen.batch(file, out, release=dict(release), progress=progress, **options)
     counts = [f"{count:,} {name}" for name, count in outcomes.items()]
-    click.echo(f"{sum(outcomes.values()):,} shots: {', '.join(counts)}; in {out}")
+    said = f"{sum(outcomes.values()):,} shots: {', '.join(counts)}; in {out}"
+    click.echo(printable(said))

@@ -13,6 +13,7 @@ import click
 from hoopgen.cli.errors import OwnError, foreseen, in_words
 from hoopgen.cli.options import examples
 from hoopgen.cli.types import FILE, FOLDER
+from hoopgen.printable import printable
 
 __all__ = ["study"]
 
@@ -71,7 +72,7 @@ def study(
         if check:
             questions = check_study(file)
             names = ", ".join(asked.question.name for asked in questions)
-            click.echo(f"{file}: {len(questions)} questions, {names}")
+            click.echo(printable(f"{file}: {len(questions)} questions, {names}"))
             return
         with _shown() as progress:
             answers = run_study(file, out, threads=threads, scheduler=scheduler, progress=progress)
@@ -85,7 +86,7 @@ def study(
     for name, answer in answers.items():
         click.echo(f"{name:{width}}  {answer.line}")
     folder = out if out is not None else file.with_name(f"{file.stem}-results")
-    click.echo(f"{'report':{width}}  {folder / 'report.md'}")
+    click.echo(printable(f"{'report':{width}}  {folder / 'report.md'}"))
 
 
 def _failed(
@@ -94,7 +95,7 @@ def _failed(
     """Say all complaints but the last, a line each; that one is the error."""
     *others, last = (" ".join(complaint.split()) for complaint in complaints)
     for complaint in others:
-        click.echo(f"hoopgen: error: {complaint}", err=True)
+        click.echo(f"hoopgen: error: {printable(complaint)}", err=True)
     return kind(last)
 
 

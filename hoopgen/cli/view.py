@@ -10,6 +10,7 @@ import click
 
 from hoopgen.cli.options import backend_option, examples, seed_option, table_options
 from hoopgen.cli.types import PAGE
+from hoopgen.printable import printable
 
 if TYPE_CHECKING:
     from typing import Literal
@@ -72,7 +73,7 @@ def view(
     labels = [f"Row {row + 1}" for row in chosen.rows]
     about = _about(file, chosen, seed, invalid)
     viewer.view(shots, given, out, title=title, about=about, labels=labels)
-    click.echo(f"{out}: {about}")
+    click.echo(printable(f"{out}: {about}"))
 
 
 def _about(file: Path, chosen: Sample, seed: int, invalid: int) -> str:

@@ -14,6 +14,7 @@ from matplotlib.figure import Figure
 from hoopgen.plots.panels import Limits, Panel
 from hoopgen.plots.style import style
 from hoopgen.plots.views import View
+from hoopgen.printable import printable
 
 __all__ = ["Picture", "add_key", "add_title", "check_axes", "fit_view"]
 
@@ -66,10 +67,12 @@ def fit_view(axes: Axes, view: View, limits: Limits) -> Panel:
 def add_title(axes: Axes, title: str, *said: str) -> None:
     """Write a title, in which nothing is mathematics, and what is said below it, broken to fit."""
     wide = max(20, int(_width(axes) / _LETTER))
-    lines = [title.replace("$", r"\$")] if title else []
+    lines = [printable(title).replace("$", r"\$")] if title else []
     for text in said:
-        lines += [line for part in text.splitlines() for line in textwrap.wrap(part, wide)]
-    axes.set_title("\n".join(lines), loc="left", fontsize=_SMALL)
+        lines += [
+            line for part in printable(text).splitlines() for line in textwrap.wrap(part, wide)
+        ]
+    axes.set_title("\n".join(lines), loc="left", fontsize=_SMALL, parse_math=True)
 
 
 def add_key(axes: Axes, handles: Sequence[Artist]) -> None:

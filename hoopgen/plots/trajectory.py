@@ -20,6 +20,7 @@ from hoopgen.plots.picture import Picture, add_key, add_title, check_axes, fit_v
 from hoopgen.plots.scene import scene_corners
 from hoopgen.plots.style import COLOURS, PAGE, style
 from hoopgen.plots.views import SIDE, TOP, View, oblique
+from hoopgen.printable import printable
 
 __all__ = ["plot_trajectory"]
 
@@ -281,5 +282,6 @@ def _release_text(trajectory: Path) -> str:
 def _draw_title(figure: Figure, title: str, text: str) -> None:
     width, height = figure.get_size_inches()
     x = _LEFT / width
+    title, y = printable(title), 1.0 - 0.35 / height
     figure.text(x, 1.0 - 0.16 / height, title, fontsize=10, fontweight="bold", va="center")
-    figure.text(x, 1.0 - 0.35 / height, text, fontsize=7.5, color="#333333", va="center")
+    figure.text(x, y, text, fontsize=7.5, color="#333333", va="center", parse_math=True)

@@ -18,7 +18,7 @@ from hoopgen.results import SURFACES
 from hoopgen.simulation import simulate
 from hoopgen.sizes import check_room
 
-from .draws import check_seed
+from .draws import check_two_seeds
 from .optimum import paired, scattering
 from .player import By, Player, Thrown, arguments_of, one_each
 from .search import Bounds, bounds_of, search
@@ -85,7 +85,7 @@ def bank_or_direct(
     spots = doubles("places", places)
     if spots.ndim != 2 or spots.shape[1] != 2:
         raise ValueError(f"places: expected x and y, shape (n, 2), got shape {spots.shape}")
-    check_seed(check_seed(seed) + 1)
+    check_two_seeds(seed)
     check_kept(shots)
     question = _Question(
         [scattering(sd, correlation, parameters, way, threads) for way in WAYS],

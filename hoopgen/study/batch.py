@@ -28,7 +28,7 @@ from hoopgen.parameters import PAPER, resolve
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
 
-from .chunks import opened, run, written
+from .chunks import check_workers, opened, run, written
 from .measures import MEASURES, Kind, kinds, measure
 from .models import from_columns
 from .tables import FORMATS, Column, Source, Stamp
@@ -170,6 +170,7 @@ def batch(
         check_contacts(max_contacts),
     )
     check_names("measures", shots.measures, MEASURES)
+    check_workers(scheduler, threads)
     rows = check_count("rows", rows)
     stamp = table.stamp()
     columns = table.columns(own, shots.release)

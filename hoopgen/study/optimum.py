@@ -15,7 +15,7 @@ from hoopgen.notebook import Said
 from hoopgen.parameters import PAPER
 from hoopgen.simulation import simulate
 
-from .draws import check_seed
+from .draws import check_two_seeds
 from .estimate import newcombe
 from .margins import MARGINS, Margin
 from .margins import margins as margins_of
@@ -224,7 +224,7 @@ def optimum(
     check_count("shots", shots)
     check_share("confidence", confidence)
     check_share("tolerance", tolerance)
-    check_seed(check_seed(seed) + 1)
+    check_two_seeds(seed)
     point = search(player, bounds, fixed, shots, seed)
     if point is None:
         where = "; ".join(f"{name} {between(name, *ends)}" for name, ends in bounds.items())

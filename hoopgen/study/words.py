@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.printable import printable
 from hoopgen.units import Kind
 
 from .variables import VARIABLES
@@ -120,7 +121,8 @@ def quantity(name: str, attributes: Mapping[str, object] | None = None) -> Quant
         unit, size, _ = _SHOWN[VARIABLES[name].kind]
         return Quantity(VARIABLES[name].label, unit, size)
     given = attributes or {}
-    return Quantity(str(given.get("long_name", name)), str(given.get("units", "")))
+    long_name, units = str(given.get("long_name", name)), str(given.get("units", ""))
+    return Quantity(printable(long_name), printable(units))
 
 
 def percent_in_picture(share: float, digits: int = 1) -> str:

@@ -22,6 +22,7 @@ from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
 from hoopgen.outputs import PAGES, check_output, write
 from hoopgen.parameters import NAMES, Value, resolve
+from hoopgen.printable import printable
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.study.measures import Kind, kinds
@@ -108,8 +109,8 @@ def page(
     touched = _touched(shots, values)
     words = [Kind(kind).name.lower() for kind in kinds(shots.outcome, shots.counts, shots.first)]
     data = {
-        "title": title or _title(shots, valid),
-        "about": about,
+        "title": printable(title) or _title(shots, valid),
+        "about": printable(about),
         "ring_height": RING_HEIGHT,
         "surfaces": SURFACES,
         "outcomes": [outcome.name.lower() for outcome in Outcome],
@@ -135,7 +136,7 @@ def _labels(labels: Sequence[str] | None, shots: int) -> list[str]:
     names = list(labels)
     if isinstance(labels, str) or len(names) != shots:
         raise ValueError(f"labels: expected {shots}, one a shot, got {brief(labels)}")
-    return [str(label) for label in names]
+    return [printable(str(label)) for label in names]
 
 
 def _shot(

@@ -27,6 +27,7 @@ from hoopgen.study.aim import aim, aim_table, write_csv
 from hoopgen.study.bank import bank_or_direct, check_kept
 from hoopgen.study.batch import batch
 from hoopgen.study.chunks import run
+from hoopgen.study.draws import check_two_seeds
 from hoopgen.study.estimate import (
     compare,
     decimals,
@@ -327,6 +328,7 @@ def _best_cell(dataset: xr.Dataset, cells: str) -> Answer:
 
 
 def _check_optimum(asked: Asked, question: Optimum) -> None:
+    check_two_seeds(asked.study.seed)
     setting, fixed = asked.setting, _fixed(asked, question.over)
     player = scattering(setting.sd, setting.correlation, setting.parameters, question.by)
     ends = bounds_of(_ends(question.over), fixed, player)
@@ -389,6 +391,7 @@ def _bank_release(asked: Asked, question: Bank) -> dict[str, float]:
 
 
 def _check_bank(asked: Asked, question: Bank) -> None:
+    check_two_seeds(asked.study.seed)
     setting, fixed = asked.setting, _bank_release(asked, question)
     check_kept(question.shots)
     x, y = _places(question)[0].tolist()

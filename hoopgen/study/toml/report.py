@@ -11,6 +11,7 @@ from types import MappingProxyType
 from typing import Any
 
 import hoopgen
+from hoopgen.printable import printable
 
 from .answers import Answer, Asked
 
@@ -137,5 +138,5 @@ def _keys(values: Mapping[str, Any], prefix: str = "") -> Iterator[str]:
 
 def _text(said: object) -> str:
     """Return what is no Markdown as a line of it that shows the same: no mark or tag counts."""
-    line = "".join(each for each in " ".join(str(said).split()) if each.isprintable())
+    line = printable(" ".join(str(said).split()))
     return _MARKS.sub(r"\\\g<0>", html.escape(line, quote=False))
