@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from .installed import need
 from .notebook import ROWS, some_rows, table
 from .results import SURFACES, Outcome
+from .study.told import say_scene
 
 if TYPE_CHECKING:
     from .results import Shots, Trajectory
@@ -63,6 +64,7 @@ def shots_frame(shots: Shots) -> Any:
             columns[name] = pd.Categorical.from_codes(columns[name], words)
     frame = pd.DataFrame(columns, pd.RangeIndex(len(shots), name="shot"))
     frame.attrs["units"] = {name: UNITS[name] for name in columns if name in UNITS}
+    frame.attrs["scene"] = say_scene(shots.parameters)
     return frame
 
 
@@ -91,6 +93,7 @@ def shots_dataset(shots: Shots) -> Any:
     if "state" in data:
         dataset = dataset.assign_coords(unit=("component", list(_STATE_UNITS.values())))
     alike = {name: value for name, value in shots.parameters.items() if np.ndim(value) == 0}
+    dataset.attrs["scene"] = say_scene(shots.parameters)
     dataset.attrs["parameters"] = json.dumps(alike)
     apart = {name: ("shot", v) for name, v in shots.parameters.items() if np.ndim(v)}
     return dataset.assign_coords(apart)

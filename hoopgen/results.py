@@ -202,7 +202,9 @@ class Shots:
     def __repr__(self) -> str:
         shots = f"{len(self):,} shot{'' if len(self) == 1 else 's'}"
         what = self._counts() if "outcome" in self._fields else ", ".join(self._fields)
-        return f"Shots({shots}{': ' if what else ''}{what})"
+        from .study.told import say_scene
+
+        return f"Shots({shots}{': ' if what else ''}{what}; {say_scene(self.parameters)})"
 
     def _counts(self) -> str:
         """Say how many ended how, and how many of them are uncertain."""

@@ -437,7 +437,9 @@ def test_the_command_writes_a_table(written: str, distances: Any, tmp_path: Path
     expected = aim_table(distances, height=7 * FOOT, parameters=hoopgen.NBA)
     written_limits = [float(row["high_speed_m_s"]) for row in rows]
     assert written_limits == pytest.approx(expected["high_speed"].tolist(), rel=1e-9)
-    assert len(result.stdout.splitlines()) == len(rows) + 3
+    assert len(result.stdout.splitlines()) == len(rows) + 5
+    assert result.stdout.endswith("\n\nscene   NBA\n")
+    assert {name: float(rows[0][name]) for name in hoopgen.NBA} == dict(hoopgen.NBA)
 
 
 def test_the_command_says_what_a_steep_shot_forgives() -> None:
@@ -451,7 +453,7 @@ def test_the_command_says_what_a_steep_shot_forgives() -> None:
 def test_the_command_shows_what_is_out_of_reach() -> None:
     result = _run("--distance", "4m,40m", "--speed", "8")
     assert result.exit_code == 0
-    assert result.stdout.splitlines()[-1].split() == ["40.000", *["-"] * 9]
+    assert result.stdout.splitlines()[-3].split() == ["40.000", *["-"] * 9]
 
 
 def test_a_shot_that_does_not_go_in_is_told() -> None:

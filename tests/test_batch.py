@@ -223,9 +223,12 @@ def test_units_and_settings_are_in_the_file(source: Path, tmp_path: Path) -> Non
     assert units["contacts"] is None
     assert json.loads(schema.metadata[b"hoopgen"]) == {
         "version": hoopgen.__version__,
+        "preset": "nba",
+        "scene": "NBA, gravity 9.8 m/s², restitution by row",
         "parameters": dict(scene),
         "release": PLACE,
         "max_contacts": 7,
+        "own": [],
     }
 
 

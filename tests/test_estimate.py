@@ -400,7 +400,7 @@ def test_an_estimate_in_words() -> None:
         kinds={"swish": 250_000, "rim": 750_000, "bank_rim": 0},
         kinds_made={"swish": 250_000, "rim": 428_900, "bank_rim": 0},
         seed=0,
-        setting={},
+        setting={**PLAYER.identity(), "parameters": dict(hoopgen.NBA) | {"restitution": 0.75}},
     )
     assert str(known) == (
         "made     67.890 %, 67.850 % to 67.930 % (Wilson's 95 % interval)\n"
@@ -410,7 +410,12 @@ def test_an_estimate_in_words() -> None:
         "\n"
         "kind         share  of it made\n"
         "swish       25.0 %     100.0 %\n"
-        "rim         75.0 %      57.2 %"
+        "rim         75.0 %      57.2 %\n"
+        "\n"
+        "scene    NBA, restitution 0.75\n"
+        "release  speed 7.17 m/s, elevation 52°, backspin 3 Hz, height 2.1336 m, distance 4.191 m\n"
+        "scatter  speed 0.07 m/s, elevation 1.3°, azimuth 1°\n"
+        "seed     0"
     )
 
 

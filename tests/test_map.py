@@ -332,7 +332,9 @@ def test_csv_has_a_row_for_each_cell_in_columns_that_batch_reads(tmp_path: Path)
         assert Outcome[row["outcome"].upper()] == cell["outcome"].item()
         assert Kind[row["kind"].upper()] == cell["kind"].item()
         assert row["uncertain"] == str(cell["uncertain"].item())
-    assert set(columns_of(rows[0])) == {*OVER, *REST}
+    # The scene too, and nothing else that would be read.
+    assert set(columns_of(rows[0])) == {*OVER, *REST, *hoopgen.PAPER}
+    assert {n: float(rows[0][n]) for n in hoopgen.PAPER} == dict(hoopgen.PAPER)
     made = np.mean(wanted["outcome"].values == Outcome.MADE)
     assert text.startswith("map    3 elevation × 4 speed, one shot each\nshots  ")
     assert f"{100 * made:.1f} % made" in text
@@ -360,7 +362,7 @@ def test_aim_and_places_may_be_mapped_over() -> None:
 def test_where_nothing_can_be_simulated_it_says_so() -> None:
     arguments = ["--over", "restitution=1.1,1.2", *FREE_THROW, "--entry", "45", *SCATTER]
     text = output("map", *arguments, "--shots", "5")
-    assert text.endswith("best   none: no cell can be simulated\n")
+    assert "\nbest   none: no cell can be simulated\n\nscene    PAPER" in text
 
 
 def test_a_picture_is_drawn(tmp_path: Path) -> None:

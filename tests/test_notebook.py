@@ -214,7 +214,9 @@ def test_an_optimum_is_a_row_and_shows_its_shots(best: Any) -> None:
     assert best.margins["speed"].to_pandas().high[0] == best.margins["speed"].high
     # As many are drawn as were thrown, so the picture's share is the optimum's.
     said = [text.get_text() for text in best.plot(paths=5).texts]
-    assert f"2000 shots, {100 * best.probability:.1f}% made; 5 are drawn." in said
+    drawn = f"2000 shots, {100 * best.probability:.1f}% made; 5 are drawn. Scene: PAPER"
+    assert any(text.startswith(drawn) for text in said)
+    assert f"Seed: {best.seed + 1}." in " ".join(said)
 
 
 def test_aims_are_a_table() -> None:

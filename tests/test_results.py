@@ -160,11 +160,10 @@ def test_outcomes_and_surfaces_are_numbered_as_documented() -> None:
 def test_shots_have_a_length_and_say_what_they_hold() -> None:
     shots = hoopgen.simulate([FIGURE_7] * 3, fields=["outcome", "time"])
     assert len(shots) == 3
-    assert repr(shots) == "Shots(3 shots: 3 missed)"
-    assert (
-        repr(hoopgen.simulate(FIGURE_7, fields=["time", "first"])) == "Shots(1 shot: time, first)"
-    )
-    assert repr(hoopgen.simulate(np.empty((0, 9)))) == "Shots(0 shots)"
+    assert repr(shots) == "Shots(3 shots: 3 missed; PAPER (the article's))"
+    few = hoopgen.simulate(FIGURE_7, hoopgen.NBA, fields=["time", "first"])
+    assert repr(few) == "Shots(1 shot: time, first; NBA)"
+    assert repr(hoopgen.simulate(np.empty((0, 9)), hoopgen.FIBA)) == "Shots(0 shots; FIBA)"
 
 
 def test_shots_count_what_became_of_them() -> None:
@@ -179,7 +178,7 @@ def test_shots_count_what_became_of_them() -> None:
     assert "1 invalid" in repr(shots)
     assert "short" not in repr(shots)
     assert shots.uncertain.any()
-    assert repr(shots).endswith(f"; {shots.uncertain.sum():,} uncertain)")
+    assert repr(shots).endswith(f"; {shots.uncertain.sum():,} uncertain; PAPER (the article's))")
 
 
 def test_made_is_true_for_a_made_shot_though_its_code_is_not() -> None:

@@ -470,7 +470,7 @@ def test_the_key_of_a_fan_has_the_shares_of_all_shots() -> None:
             share = np.mean((shots.outcome == what) & (kind == touched))
             assert f"{100 * share:.1f}%" in said
     made = np.mean(shots.outcome == Outcome.MADE)
-    note = f"500 shots, {100 * made:.1f}% made; 10 are drawn."
+    note = f"500 shots, {100 * made:.1f}% made; 10 are drawn. Scene: NBA."
     assert note in [text.get_text() for text in figure.texts]
 
 
@@ -582,7 +582,7 @@ def test_the_lines_are_those_of_the_rule_books(name: str) -> None:
 
 def test_balls_that_never_land_are_left_out() -> None:
     figure = plot_landings([1.0, np.nan, 2.0], [0.5, 0.0, np.nan], SCENE)
-    assert "n = 1" in [text.get_text() for text in figure.texts]
+    assert "n = 1. Scene: NBA." in [text.get_text() for text in figure.texts]
 
 
 @pytest.mark.parametrize(

@@ -100,7 +100,8 @@ def test_words_are_text_whatever_is_in_them() -> None:
     for tag in ("<script", "</script", "<!--", "<img"):
         assert nasty.count(tag) == plain.count(tag)
     data = data_of(nasty)
-    assert [data["title"], data["about"], data["shots"][0]["label"]] == [NASTY] * 3
+    assert [data["title"], data["shots"][0]["label"]] == [NASTY] * 2
+    assert data["about"] == f"{NASTY}; scene PAPER (the article's)"
 
 
 def test_a_shot_is_pieces_of_parabolas_not_frames() -> None:
@@ -672,7 +673,7 @@ def test_the_command_shows_a_sample_of_a_table(table: Path, tmp_path: Path) -> N
     result = CliRunner().invoke(main, ["view", str(table), "--out", str(out), *options])
     assert result.exit_code == 0, result.output
     data = data_of(out.read_text("utf-8"))
-    assert data["about"] == "5 of 100 rows of releases.csv, chosen at random (seed 3)"
+    assert data["about"] == "5 of 100 rows of releases.csv, chosen at random (seed 3); scene NBA"
     assert data["about"] in result.stdout
     assert data["title"] == "5 shots"
     assert all(re.fullmatch(r"Row \d+", shot["label"]) for shot in data["shots"])
@@ -704,7 +705,8 @@ def test_the_shot_command_writes_a_page(tmp_path: Path) -> None:
     result = CliRunner().invoke(main, ["shot", *release, "--view", str(out)])
     assert result.exit_code == 0, result.output
     data = data_of(out.read_text("utf-8"))
-    assert "PAPER preset" in data["title"]
+    assert data["title"] in ("Made", "Missed")
+    assert data["about"] == "Scene PAPER (the article's)"
     assert len(data["shots"]) == 1
 
 

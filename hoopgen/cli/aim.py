@@ -19,6 +19,7 @@ from hoopgen.cli.options import (
 )
 from hoopgen.cli.table import table
 from hoopgen.cli.types import OUT, Parsed, quantity
+from hoopgen.study.told import say_scene
 from hoopgen.units import parse_quantity
 
 if TYPE_CHECKING:
@@ -134,8 +135,9 @@ def aim(
         click.echo(_one(shot, wanted, by))
     else:
         click.echo(_many(columns))
+    click.echo(f"\nscene   {say_scene(parameters)}")
     if file is not None:
-        write_csv(file, columns)
+        write_csv(file, columns, parameters)
 
 
 def _one(shot: Mapping[str, float], wanted: Mapping[str, float], by: str) -> str:

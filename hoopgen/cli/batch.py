@@ -63,3 +63,4 @@ def batch(file: Path, out: Path, release: tuple[tuple[str, float], ...], **optio
     counts = [f"{count:,} {name}" for name, count in outcomes.items()]
     said = f"{sum(outcomes.values()):,} shots: {', '.join(counts)}; in {out}"
     click.echo(printable(said))
+    click.echo(f"scene: {outcomes.scene}")

@@ -21,6 +21,7 @@ from hoopgen.cli.options import (
 )
 from hoopgen.cli.table import table
 from hoopgen.cli.types import FILE
+from hoopgen.study.told import say_scene
 
 if TYPE_CHECKING:
     from hoopgen.judge import Proof
@@ -74,7 +75,11 @@ def certify(
         state, written = _read(file)
         parameters = written | dict(settings)
     proof = prove(state, parameters, max_contacts=max_contacts, max_bits=max_bits, record=True)[0]
-    click.echo(_record(proof) if as_json else _summary(proof))
+    scene_told = say_scene(parameters)
+    if as_json:
+        click.echo(json.dumps({**_record(proof), "scene": scene_told}, indent=2))
+    else:
+        click.echo(f"{_summary(proof)}\nscene      {scene_told}")
     if not proof.decided:
         ctx.exit(1)
 
@@ -123,7 +128,7 @@ def _summary(proof: Proof) -> str:
     return "\n".join(lines)
 
 
-def _record(proof: Proof) -> str:
+def _record(proof: Proof) -> dict[str, Any]:
     from hoopgen.cli.report import surface_name
 
     events: list[dict[str, Any]] = [
@@ -135,10 +140,9 @@ def _record(proof: Proof) -> str:
         }
         for event in proof.events
     ]
-    record = {
+    return {
         "outcome": _outcome(proof),
         "bits": proof.bits,
         "question": proof.question,
         "events": events,
     }
-    return json.dumps(record, indent=2)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from hoopgen.cli.options import UNITS_IN_WORDS, examples, json_option
+from hoopgen.cli.flown import flown
+from hoopgen.cli.options import UNITS_IN_WORDS, examples, json_option, override_option
 from hoopgen.cli.releasing import Releasing, release_options, work_options
 from hoopgen.cli.types import ASSIGNMENT, COUNT, FILE
 
@@ -39,6 +41,7 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3 --scatter azimuth=1"
     type=FILE,
     help="Draw from measured releases, .csv, .parquet or .arrow; the options above fill in.",
 )
+@override_option
 @click.option(
     "--versus",
     type=ASSIGNMENT,
@@ -61,6 +64,7 @@ def estimate(
     versus: tuple[tuple[str, float], ...],
     precision: float | None,
     as_json: bool,
+    override: bool,
     **work: Any,
 ) -> None:
     """Estimate how probably a shot is made.
@@ -72,7 +76,13 @@ def estimate(
     from hoopgen.cli.progress import shown
     from hoopgen.study.words import say
 
-    measured = {} if file is None else _measured(file, releasing)
+    measured: Mapping[str, Any] = {}
+    assumed = ""
+    if file is None and override:
+        raise click.UsageError("--override: there is no file of results; leave it out")
+    if file is not None:
+        asked, assumed = flown(file)
+        measured, releasing, work["max_contacts"] = _measured(file, releasing, asked, override)
     setting = _setting(releasing, measured, {})
     with shown() as progress:
         options = {"precision": precision, "progress": progress, **work}
@@ -87,21 +97,29 @@ def estimate(
         if versus:
             click.echo(f"versus      {', '.join(f'{name} {say(name, to)}' for name, to in versus)}")
         click.echo(result)
+    if assumed:
+        click.echo(assumed, err=True)
     if precision is not None and result.half_width > precision:
         click.echo("hoopgen: the precision was not reached; more --shots", err=True)
 
 
-def _measured(file: Path, releasing: Releasing) -> Mapping[str, Any]:
-    """Return the columns of the file that say something, without those that are given."""
+def _measured(
+    file: Path, releasing: Releasing, asked: Mapping[str, Any], override: bool
+) -> tuple[Mapping[str, Any], Releasing, int]:
+    """Return what the file says of releases, without what is given; its scene; its contacts."""
     import pyarrow as pa
 
+    from hoopgen.study.origin import settle
     from hoopgen.study.tables import Source
 
     if releasing.sd:
         raise click.UsageError("--scatter is about a release, and --from has many; leave one out")
     source = Source(file)
-    columns = source.columns(given=releasing.values)
-    return source.values(pa.concat_tables(source.tables(_ROWS)), columns)
+    origin = settle(source, release=releasing.values, **asked, override=override)
+    columns = source.columns(origin.own, origin.release)
+    measured = source.values(pa.concat_tables(source.tables(_ROWS)), columns)
+    releasing = replace(releasing, values=origin.release, parameters=origin.parameters)
+    return measured, releasing, origin.max_contacts
 
 
 _ROWS = 1 << 20

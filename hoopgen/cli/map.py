@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import json
 from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -61,6 +62,7 @@ def map_(
     """
     import hoopgen
     from hoopgen.cli.progress import shown
+    from hoopgen.study.told import footer, told_by
 
     twice = [name for place, (name, _) in enumerate(over) if name in dict(over[:place])]
     if twice:
@@ -82,6 +84,7 @@ def map_(
 
         plots.save(plots.plot_map(dataset), picture)
     click.echo(_summary(dataset))
+    click.echo(f"\n{footer(9, told_by(dataset))}")
 
 
 def _write(dataset: xr.Dataset, file: Path) -> None:
@@ -111,6 +114,8 @@ def _columns(dataset: xr.Dataset) -> Iterator[tuple[str, NDArray[Any]]]:
     for label, coordinate in dataset.coords.items():
         if not coordinate.dims:
             yield str(label), np.broadcast_to(coordinate.values, shape)
+    for name, value in _shared(dataset).items():
+        yield name, np.broadcast_to(value, shape)
     for label, variable in dataset.items():
         name = str(label)
         if "kind" in variable.dims:
@@ -120,6 +125,20 @@ def _columns(dataset: xr.Dataset) -> Iterator[tuple[str, NDArray[Any]]]:
             yield name, np.array(variable.attrs["flag_meanings"].split())[variable.values]
         else:
             yield name, variable.values
+
+
+def _shared(dataset: xr.Dataset) -> dict[str, Any]:
+    """Return what else is the same in all cells: scene, scatter, seed, and what computed."""
+    told = dataset.attrs
+    scene = json.loads(told["parameters"])
+    sd = json.loads(told.get("sd", "{}"))
+    pairs = json.loads(told.get("correlation", "[]"))
+    return {
+        **{name: value for name, value in scene.items() if name not in dataset.coords},
+        **{f"sd_{name}": value for name, value in sd.items()},
+        **{f"correlation_{one}_{other}": value for one, other, value in pairs},
+        **{name: told[name] for name in ("max_contacts", "seed", "source") if name in told},
+    }
 
 
 def _summary(dataset: xr.Dataset) -> str:

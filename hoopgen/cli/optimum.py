@@ -20,6 +20,7 @@ from hoopgen.cli.options import (
 from hoopgen.cli.releasing import Releasing, release_options
 from hoopgen.cli.table import table
 from hoopgen.cli.types import BOUNDS, COUNT
+from hoopgen.study.told import footer
 from hoopgen.study.variables import VARIABLES
 from hoopgen.study.words import between, percent, say
 
@@ -124,6 +125,7 @@ def optimum(
         click.echo(_against(best, rival))
     click.echo()
     click.echo(_margins(list(best.margins.values()), best.tolerance))
+    click.echo(f"\n{footer(9, best.told())}")
 
 
 def _record(best: Optimum, rival: Optimum | None) -> dict[str, Any]:

@@ -9,7 +9,9 @@ from typing import Any
 
 import click
 
+from hoopgen.cli.flown import flown
 from hoopgen.cli.types import ASSIGNMENT, FILE, FOLDER, PICTURE, SETTING, variable_type
+from hoopgen.parameters import PRESETS
 
 __all__ = [
     "NEEDED",
@@ -24,6 +26,7 @@ __all__ = [
     "folder_option",
     "json_option",
     "max_contacts_option",
+    "override_option",
     "picture_option",
     "preset_options",
     "scene",
@@ -110,10 +113,10 @@ def argument_options(*, required: bool) -> Decorator:
 preset_options = together(
     click.option(
         "--preset",
-        type=click.Choice(["paper", "nba", "fiba"], case_sensitive=False),
+        type=click.Choice(list(PRESETS), case_sensitive=False),
         default="paper",
         show_default=True,
-        help="Ball, ring, board and restitution.",
+        help="Ball, ring, board and restitution; a file of results names its own.",
     ),
     click.option(
         "--set",
@@ -128,10 +131,7 @@ preset_options = together(
 
 def scene(preset: str, settings: tuple[tuple[str, float], ...]) -> Mapping[str, float]:
     """Merge a preset with what is set."""
-    import hoopgen
-
-    presets = {"paper": hoopgen.PAPER, "nba": hoopgen.NBA, "fiba": hoopgen.FIBA}
-    return presets[preset] | dict(settings)
+    return PRESETS[preset] | dict(settings)
 
 
 def scene_options(command: Callable[..., Any]) -> Callable[..., Any]:
@@ -207,7 +207,13 @@ by_option = click.option(
 
 # -------------------------------------------------------------------------------------- in and out
 
-table_options = together(
+override_option = click.option(
+    "--override",
+    is_flag=True,
+    help="Fly the shots of a file of results as the options say, though the file says otherwise.",
+)
+
+_TABLE = together(
     click.argument("file", type=FILE),
     click.option(
         "--release",
@@ -215,7 +221,8 @@ table_options = together(
         multiple=True,
         help="A variable that all rows share, in place of a column; may be repeated.",
     ),
-    scene_options,
+    preset_options,
+    override_option,
     max_contacts_option,
     click.option(
         "--format",
@@ -229,7 +236,25 @@ table_options = together(
         help="A column that is not to be read, though it is named like a variable.",
     ),
 )
-"""FILE, a table of releases, and what goes with it."""
+
+
+def table_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Add FILE, a table of releases, and what goes with it.
+
+    The command is given `parameters` and `max_contacts`, None for what FILE says.
+    """
+
+    @functools.wraps(command)
+    def collected(*arguments: Any, preset: str, settings: Any, **options: Any) -> Any:
+        asked, assumed = flown(options["file"], options["format"] or "", options["own"])
+        result = command(*arguments, **(options | asked))
+        if assumed:
+            click.echo(assumed, err=True)
+        return result
+
+    decorated: Callable[..., Any] = _TABLE(collected)
+    return decorated
+
 
 json_option = click.option(
     "--json", "as_json", is_flag=True, help="Write everything as JSON; SI units, numbers in full."

@@ -51,12 +51,14 @@ def paper(
     shot does not do what the article's figure shows.
     """
     from hoopgen.paper import run
+    from hoopgen.study.told import say_scene
 
     suffixes = [] if out is None else _suffixes(formats)
     if out is not None:
         out.mkdir(parents=True, exist_ok=True)
     results = run(backend=backend)
     click.echo(_overview(results))
+    click.echo(f"\nScene: {say_scene(results[0].parameters)}; releases: Table 3")
     click.echo(_notes(results))
     if events:
         click.echo(_logs(results))

@@ -22,6 +22,7 @@ from hoopgen.cli.options import (
     scene,
 )
 from hoopgen.cli.types import PAGE
+from hoopgen.study.told import say_scene
 
 if TYPE_CHECKING:
     import numpy as np
@@ -86,15 +87,16 @@ def shot(
             "or a size or gravity is not above zero"
         )
     if picture is not None:
-        _draw(shots, parameters, _title(shots, preset, settings), picture)
+        _draw(shots, parameters, picture)
     if page is not None:
         from hoopgen.viewer import view
 
-        view(shots, parameters, page, title=_title(shots, preset, settings))
+        view(shots, parameters, page)
     if as_json:
         click.echo(json.dumps(_record(shots, state, parameters), indent=2, allow_nan=False))
     else:
         click.echo(_summary(shots, state))
+        click.echo(f"scene      {say_scene(parameters)}")
 
 
 def _summary(shots: hoopgen.Shots, state: NDArray[np.float64]) -> str:
@@ -128,19 +130,12 @@ def _outcome_text(shots: hoopgen.Shots) -> str:
     return f"{said}, {off_centre:.3f} m from the centre of the ring after {shots.time[0]:.3f} s"
 
 
-def _title(shots: hoopgen.Shots, preset: str, settings: tuple[tuple[str, float], ...]) -> str:
-    import hoopgen
-
-    outcome = hoopgen.Outcome(int(shots.outcome[0])).name.capitalize()
-    changed = "".join(f", {name.replace('_', ' ')} {value:.6g}" for name, value in settings)
-    return f"{outcome} ({preset.upper()} preset{changed})"
-
-
-def _draw(shots: hoopgen.Shots, parameters: Mapping[str, float], title: str, picture: Path) -> None:
+def _draw(shots: hoopgen.Shots, parameters: Mapping[str, float], picture: Path) -> None:
     import hoopgen
     from hoopgen import plots
 
     outcome = hoopgen.Outcome(int(shots.outcome[0]))
+    title = outcome.name.capitalize()
     figure = plots.plot_trajectory(shots.trajectory(0), parameters, outcome=outcome, title=title)
     plots.save(figure, picture)
 
@@ -162,6 +157,7 @@ def _record(
         "time": float(shots.time[0]),
         "state": shots.state[0].tolist(),
         "release": state.tolist(),
+        "scene": say_scene(parameters),
         "parameters": {name: float(value) for name, value in parameters.items()},
         "events": [
             {

@@ -25,6 +25,7 @@ from hoopgen.plots.scene import draw_hoop, scene_corners
 from hoopgen.plots.style import MISSED_LINES, PAGE, style
 from hoopgen.plots.views import View
 from hoopgen.study.measures import kinds
+from hoopgen.study.told import say_scene
 from hoopgen.study.words import percent_in_picture
 
 __all__ = ["Fan", "draw_fan", "gather_fan", "plot_fan"]
@@ -48,6 +49,7 @@ def plot_fan(
     *,
     paths: int = ...,
     title: str = ...,
+    note: str = ...,
     width: float = ...,
     ax: None = None,
 ) -> Figure: ...
@@ -60,6 +62,7 @@ def plot_fan(
     *,
     paths: int = ...,
     title: str = ...,
+    note: str = ...,
     width: float = ...,
     ax: Axes,
 ) -> Axes: ...
@@ -71,6 +74,7 @@ def plot_fan(
     *,
     paths: int = 150,
     title: str = "",
+    note: str = "",
     width: float = PAGE,
     ax: Axes | None = None,
 ) -> Figure | Axes:
@@ -87,6 +91,8 @@ def plot_fan(
         all.
     title
         Above the picture.
+    note
+        Said below it, after what the picture says itself: how many there are, and their scene.
     width
         Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
     ax
@@ -116,11 +122,12 @@ def plot_fan(
     }
     fan = gather_fan(shots, parameters, range(min(paths, len(shots))))
     made = percent_in_picture(float(np.mean(shots.outcome == hoopgen.Outcome.MADE)))
-    note = f"{len(shots)} shots, {made} made; {len(fan.curves)} are drawn."
+    said = f"{len(shots)} shots, {made} made; {len(fan.curves)} are drawn."
+    told = f"{said} Scene: {say_scene(parameters)}. {note}"
     with style():
         if ax is not None:
-            return _draw_on(check_axes(ax), fan, shares, title, note)
-        return _draw(fan, shares, title, note, width)
+            return _draw_on(check_axes(ax), fan, shares, title, told)
+        return _draw(fan, shares, title, told, width)
 
 
 def gather_fan(shots: hoopgen.Shots, parameters: Mapping[str, Any], drawn: Iterable[int]) -> Fan:

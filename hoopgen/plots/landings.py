@@ -21,6 +21,7 @@ from hoopgen.plots.page import add_axes, new_page
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import add_title, check_axes, fit_view
 from hoopgen.plots.style import COLOURS, PAGE, SHADES, style
+from hoopgen.study.told import say_scene
 from hoopgen.study.words import percent_in_picture
 
 __all__ = ["plot_landings"]
@@ -53,6 +54,7 @@ def plot_landings(
     place: tuple[float, float] | None = ...,
     court: str = ...,
     title: str = ...,
+    note: str = ...,
     width: float = ...,
     ax: None = None,
 ) -> Figure: ...
@@ -67,6 +69,7 @@ def plot_landings(
     place: tuple[float, float] | None = ...,
     court: str = ...,
     title: str = ...,
+    note: str = ...,
     width: float = ...,
     ax: Axes,
 ) -> Axes: ...
@@ -80,6 +83,7 @@ def plot_landings(
     place: tuple[float, float] | None = None,
     court: str = "NBA",
     title: str = "",
+    note: str = "",
     width: float = PAGE,
     ax: Axes | None = None,
 ) -> Figure | Axes:
@@ -98,6 +102,8 @@ def plot_landings(
         Whose lines are drawn, of `hoopgen.plots.court.COURTS`.
     title
         Above the picture.
+    note
+        Said below it, after what the picture says itself: how many there are, and their scene.
     width
         Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
     ax
@@ -120,7 +126,8 @@ def plot_landings(
     points = _points(x, y)
     scene = {name: float(np.mean(value)) for name, value in parameters.items()}
     circles = {share: float(np.quantile(np.hypot(*points.T), share)) for share in _WITHIN}
-    places = _Places(points, circles, place, scene, lines)
+    told = f"n = {len(points)}. Scene: {say_scene(parameters)}. {note}"
+    places = _Places(points, circles, place, scene, lines, told)
     with style():
         if ax is not None:
             return _draw_on(check_axes(ax), places, title)
@@ -141,24 +148,20 @@ def _points(x: ArrayLike, y: ArrayLike) -> Points:
 
 @dataclass(frozen=True)
 class _Places:
-    """Where balls land: x and y, (n, 2); radii that hold shares of them; and what is around."""
+    """Where balls land: x and y, (n, 2); radii that hold shares; what is around, and said."""
 
     points: Points
     circles: Mapping[float, float]
     place: tuple[float, float] | None
     scene: Mapping[str, float]
     court: Court
+    note: str
 
     @property
     def limits(self) -> Limits:
         """Bound what is shown."""
         radius = max(self.circles.values())
         return _limits(self.points, radius, self.scene, self.place, self.court)
-
-    @property
-    def note(self) -> str:
-        """Say how many there are."""
-        return f"n = {len(self.points)}"
 
     def draw(self, axes: Axes, limits: Limits) -> PolyCollection:
         """Draw all but the floor, on a floor plan."""

@@ -102,7 +102,7 @@ def plot_map(
         Above the picture.
     note
         Below the title; by default what is the same in all cells, the scatter, the number of shots
-        and the seed, but none on `ax`, where several maps may share one.
+        and the seed; on `ax`, where several maps may share one, the scene alone.
     width
         Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
     ax
@@ -128,7 +128,7 @@ def plot_map(
         shown = replace(shown, note=note)
     with style():
         if ax is not None:
-            return _draw_on(check_axes(ax), shown, title, note or "")
+            return _draw_on(check_axes(ax), shown, title, shown.scene if note is None else note)
         if shown.of == "probability" and len(shown.axes) == 1:
             return _plot_line(shown, title, width)
         return _plot_panels(shown, title, width)
@@ -155,9 +155,9 @@ def _draw_on(axes: Axes, shown: Cells, title: str, note: str) -> Axes:
     if panel.of == "probability" and len(panel.axes) == 1:
         _draw_line(axes, panel)
     else:
-        axes.set_xlabel(panel.axes[0].quantity.label)
+        axes.set_xlabel(panel.axes[0].quantity.label, parse_math=False)
         if len(panel.axes) > 1:
-            axes.set_ylabel(panel.axes[1].quantity.label)
+            axes.set_ylabel(panel.axes[1].quantity.label, parse_math=False)
         else:
             axes.set_yticks([])
     if panel.of == "kind":
@@ -184,7 +184,7 @@ def _draw_line(axes: Axes, shown: Cells) -> None:
     if best is not None:
         _mark(axes, shown.at(best)[0], float(shown.values[best]))
         axes.set_title(f"{_BEST} {shown.say(best)}", loc="left", fontsize=_SMALL)
-    axes.set_xlabel(axis.quantity.label)
+    axes.set_xlabel(axis.quantity.label, parse_math=False)
     axes.set_ylabel(_MADE)
     axes.yaxis.set_major_formatter(FuncFormatter(_in_percent))
     axes.set_ylim(0.0, 1.08 * float(np.nanmax(top, initial=0.01)))

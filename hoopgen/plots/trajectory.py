@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import textwrap
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, Protocol, overload
@@ -21,6 +22,8 @@ from hoopgen.plots.scene import scene_corners
 from hoopgen.plots.style import COLOURS, PAGE, style
 from hoopgen.plots.views import SIDE, TOP, View, oblique
 from hoopgen.printable import printable
+from hoopgen.releases import RING_HEIGHT
+from hoopgen.study.told import say_scene
 
 __all__ = ["plot_trajectory"]
 
@@ -52,7 +55,8 @@ _PATH = 20_000
 """Points of all flights, at most, and twice the contacts that are drawn: more than a page has."""
 
 # Inches around and between the panels, for their labels.
-_LEFT, _RIGHT, _BETWEEN, _BELOW, _ABOVE = 0.62, 0.15, 0.72, 0.5, 0.66
+_LEFT, _RIGHT, _BETWEEN, _BELOW, _ABOVE = 0.62, 0.15, 0.72, 0.5, 0.8
+_LINES, _LINE = 2, 0.14  # of what is said below the title, and one of them
 _TALLEST, _TALLEST_OVER = 5.6, 4.6  # of side and top views together; over a 3D view
 _NARROWEST = 5.3  # of a page, for the title and the key
 _WIDEST_BESIDE = 3.2  # of the side and top views, to have the 3D view beside them
@@ -60,6 +64,8 @@ _BOX_BELOW = 3.5
 _LABELS = 0.48  # around a 3D view
 _PAD = 0.06  # m
 _FLAT = 1e-6  # m
+_SMALL = 7.5  # points
+_LETTER = 0.56 * _SMALL / 72.0  # inches: the mean width of a letter in DejaVu Sans
 _ROUND = 0.25  # m: the room's sides
 _FAR = 1e290  # m: near the end of the doubles' range matplotlib computes with infinity
 _ELEVATION = np.radians(25.0)
@@ -135,23 +141,29 @@ def plot_trajectory(
         if three_d:
             raise ValueError("three_d: on ax there is the side view alone; leave out")
         with style():
-            return _draw_on(check_axes(ax), drawing, title, _release_text(trajectory))
+            return _draw_on(check_axes(ax), drawing, title, *_told(trajectory, parameters))
     if three_d is None:
         three_d = bool(np.abs(drawing.path[:, 1]).max() > _FLAT)
     with style():
         page = _arrange(drawing, three_d)
-        figure = Picture(figsize=(page.width, page.height))
+        told = [
+            line
+            for text in _told(trajectory, parameters)
+            for line in textwrap.wrap(text, int((page.width - _LEFT) / _LETTER))
+        ]
+        room = max(0, len(told) - _LINES) * _LINE
+        figure = Picture(figsize=(page.width, page.height + room))
         for panel in page.panels:
             draw_panel(figure, panel, drawing)
-        _draw_title(figure, title, _release_text(trajectory))
+        _draw_title(figure, title, told)
         draw_key(figure, drawing.marks, page.panels[0].left, 0.12)
     return figure
 
 
-def _draw_on(axes: Axes, drawing: Drawing, title: str, text: str) -> Axes:
+def _draw_on(axes: Axes, drawing: Drawing, title: str, *told: str) -> Axes:
     """Draw the side view on axes that there are."""
     draw_view(axes, fit_view(axes, SIDE, _flat_limits(drawing, SIDE)), drawing)
-    add_title(axes, title, text)
+    add_title(axes, title, *told, formulas=True)
     add_key(axes, [_key_of(mark) for mark in drawing.marks if mark.text])
     return axes
 
@@ -266,22 +278,38 @@ def _space_panel(drawing: Drawing, box: tuple[float, float, float, float]) -> Pa
     return Panel(view, limits, float(scale), box[0], box[1])
 
 
-def _release_text(trajectory: Path) -> str:
-    """Say how the ball is released, in one line."""
-    _, _, _, vx, vy, vz, *spin = (float(value) for value in trajectory.at(np.zeros(1))[0])
+def _told(trajectory: Path, parameters: Mapping[str, float]) -> tuple[str, str]:
+    """Say how the ball is released, and in which scene."""
+    x, y, z, vx, vy, vz, *spin = (float(value) for value in trajectory.at(np.zeros(1))[0])
     speed = np.hypot(np.hypot(vx, vy), vz)
     angle = np.degrees(np.arctan2(vz, np.hypot(vx, vy)))
-    said = f"Released at {speed:.2f} m/s, {angle:.1f}\N{DEGREE SIGN} up"
-    turning = [
-        f"$\\omega_{axis} = {w:.4g}$ rad/s" for axis, w in zip("xyz", spin, strict=True) if w
+    said = f"Released at {speed:.2f} m/s, {angle:.1f}\N{DEGREE SIGN} up{_aside(x, y, vx, vy)}"
+    turning = [  # no blanks in formulas: lines are broken there
+        f"$\\omega_{axis}={w:.4g}$ rad/s" for axis, w in zip("xyz", spin, strict=True) if w
     ]
+    place = f"{np.hypot(x, y):.3f} m from the ring's centre, {RING_HEIGHT + z:.3f} m high"
     beat = _beat(trajectory.duration)
-    return f"{said}, {', '.join(turning) or 'no spin'}. Dots on the path every {beat:g} s."
+    return (
+        f"{said}, {', '.join(turning) or 'no spin'}; {place}.",
+        f"Scene: {say_scene(parameters)}. Dots on the path every {beat:g} s.",
+    )
 
 
-def _draw_title(figure: Figure, title: str, text: str) -> None:
+def _aside(x: float, y: float, vx: float, vy: float) -> str:
+    """Say how far to a side the ball flies: the azimuth, nothing where it is none."""
+    if not ((x or y) and (vx or vy)):
+        return ""
+    azimuth = np.degrees(np.arctan2(y * vx - x * vy, -x * vx - y * vy))
+    if round(abs(azimuth), 1) == 0.0:
+        return ""
+    return f" and {abs(azimuth):.1f}\N{DEGREE SIGN} to the {'left' if azimuth > 0.0 else 'right'}"
+
+
+def _draw_title(figure: Figure, title: str, told: Sequence[str]) -> None:
     width, height = figure.get_size_inches()
     x = _LEFT / width
-    title, y = printable(title), 1.0 - 0.35 / height
-    figure.text(x, 1.0 - 0.16 / height, title, fontsize=10, fontweight="bold", va="center")
-    figure.text(x, y, text, fontsize=7.5, color="#333333", va="center", parse_math=True)
+    head = printable(title)
+    figure.text(x, 1.0 - 0.16 / height, head, fontsize=10, fontweight="bold", va="center")
+    for number, line in enumerate(told):
+        y = 1.0 - (0.34 + _LINE * number) / height
+        figure.text(x, y, line, fontsize=_SMALL, color="#333333", va="center", parse_math=True)

@@ -360,10 +360,15 @@ _SHOWN: Mapping[str, tuple[str, float]] = MappingProxyType(
 """In files: how a column's name says its unit, and that unit's size in SI."""
 
 
-def write_csv(path: str | os.PathLike[str], table: Mapping[str, NDArray[np.float64]]) -> None:
+def write_csv(
+    path: str | os.PathLike[str],
+    table: Mapping[str, NDArray[np.float64]],
+    parameters: Mapping[str, float] = PAPER,
+) -> None:
     """Write a table of `aim_table`: degrees and Hz, the unit in each column's name.
 
-    What is NaN is left empty.
+    What is NaN is left empty. The last columns are the parameters of the scene, so that
+    `hoopgen.batch` flies the releases in it; SI.
 
     Raises
     ------
@@ -374,7 +379,8 @@ def write_csv(path: str | os.PathLike[str], table: Mapping[str, NDArray[np.float
     columns = [table[name] / size for name, (_, size) in shown.items()]
     with written_text(path) as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(f"{name}_{unit}" for name, (unit, _) in shown.items())
+        writer.writerow([*(f"{name}_{unit}" for name, (unit, _) in shown.items()), *parameters])
         for row in zip(*columns, strict=True):
             # Ten digits: more than a machine holds, and no traces of the conversion.
-            writer.writerow("" if np.isnan(cell) else f"{cell:.10g}" for cell in row)
+            cells = ["" if np.isnan(cell) else f"{cell:.10g}" for cell in row]
+            writer.writerow([*cells, *map(float, parameters.values())])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -11,6 +12,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
+import hoopgen
 from hoopgen.inputs import doubles
 from hoopgen.parameters import NAMES, PAPER
 from hoopgen.releases import release as release_states
@@ -23,6 +25,7 @@ from .optimum import paired, scattering
 from .player import By, Player, Thrown, arguments_of, one_each
 from .search import Bounds, bounds_of, search
 from .tallies import check_count, check_share, wilson
+from .told import say_scene
 from .variables import ARGUMENTS, VARIABLES
 
 __all__ = ["WAYS", "Crossing", "bank_or_direct", "crossing", "on_board"]
@@ -206,7 +209,20 @@ def _dataset(spots: Floats, columns: Mapping[str, Floats], question: _Question) 
     coordinates = {"way": list(WAYS)} | {
         name: ("place", spots[:, k], _attributes(*named[name])) for k, name in enumerate("xy")
     }
-    told = {"confidence": question.confidence, "shots": question.shots, "seed": question.seed}
+    player = question.players[0].at(question.fixed)
+    scene = {n: v for n, v in player.parameters.items() if n not in question.over}
+    pairs = [[one, other, value] for (one, other), value in player.correlation.items()]
+    told = {
+        "source": f"hoopgen {hoopgen.__version__}",
+        "scene": say_scene(scene),
+        "parameters": json.dumps(scene),
+        "release": json.dumps({n: v for n, v in question.fixed.items() if n not in NAMES}),
+        "sd": json.dumps(dict(player.sd)),
+        "correlation": json.dumps(pairs),
+        "confidence": question.confidence,
+        "shots": question.shots,
+        "seed": str(question.seed),
+    }
     return xr.Dataset(data, coordinates, told)
 
 

@@ -32,6 +32,7 @@ from .draws import check_seed
 from .measures import Kind
 from .models import Grid, ReleaseModel
 from .tallies import COLUMNS, FIELDS, Tally, blocks, check_count, check_scene, check_share, wilson
+from .told import footer, told_setting
 from .words import for_json
 
 __all__ = [
@@ -128,7 +129,8 @@ class Estimate(Said):
 
     def as_dict(self) -> dict[str, Any]:
         """Return everything, in types that JSON knows; None for what is not a number."""
-        more = {"with_capped": self.with_capped, "shares": self.shares}
+        more: dict[str, Any] = {"with_capped": self.with_capped, "shares": self.shares}
+        more["scene"] = told_setting(self.setting)["scene"]
         return {name: for_json(value) for name, value in (asdict(self) | more).items()}
 
     def __str__(self) -> str:
@@ -150,7 +152,7 @@ class Estimate(Said):
             for name, count in self.kinds.items()
             if count
         ]
-        return "\n".join(lines)
+        return "\n".join([*lines, "", footer(_NAMES, _told(self))])
 
 
 @dataclass(frozen=True)
@@ -224,6 +226,8 @@ class Comparison(Said):
                 f"{self.only_first:,} the first only, {self.only_second:,} the second only, "
                 f"{self.neither:,} neither",
                 f"gain        worth {self.gain:.3g} times the shots without common random numbers",
+                "",
+                footer(_NAMES + 3, _told(self.first), _told(self.second)),
             ]
         )
 
@@ -500,6 +504,14 @@ def least_shots(precision: float, confidence: float, *, paired: bool = False) ->
 
 
 # ------------------------------------------------------------------------------------ what it says
+
+_NAMES = 9
+"""Letters of the column of names in what is printed."""
+
+
+def _told(found: Estimate) -> dict[str, str]:
+    """Say what an estimate rests on."""
+    return told_setting(found.setting) | {"seed": str(found.seed)}
 
 
 def _tally(total: NDArray[np.int64], which: int) -> Tally:

@@ -39,6 +39,7 @@ from .tallies import (
     check_share,
     wilson,
 )
+from .told import say_scene
 from .variables import STATE, VARIABLES, check_names, release_arguments
 
 __all__ = ["check_cells", "map"]
@@ -365,12 +366,12 @@ def _units(name: str) -> dict[str, str]:
 def _attributes(work: _Work, level: float) -> dict[str, Any]:
     """Return what the map was made with; the mappings as JSON, which every file format takes."""
     scatter = work.scatter.identity()
+    scene = {n: work.fixed.get(n, v) for n, v in work.parameters.items() if n not in work.axes}
     return {
         "Conventions": "CF-1.11",
         "source": f"hoopgen {hoopgen.__version__}",
-        "parameters": json.dumps(
-            {n: work.fixed.get(n, v) for n, v in work.parameters.items() if n not in work.axes}
-        ),
+        "scene": say_scene(scene),
+        "parameters": json.dumps(scene),
         "max_contacts": work.max_contacts,
         **(
             {}

@@ -16,6 +16,7 @@ from hoopgen.parameters import PAPER
 from .draws import check_seed
 from .player import By, Player, arguments_of, one_each
 from .tallies import check_count, check_share
+from .told import say_scene
 from .variables import VARIABLES, check_names
 from .words import between, for_json, say
 
@@ -64,6 +65,8 @@ class Margin(Said):
     steady
         Ends of the interval in which the probability with scatter stays within the tolerance of
         that at the release; None without scatter.
+    scene
+        In words: the preset, and what differs from it.
     """
 
     name: str
@@ -73,8 +76,14 @@ class Margin(Said):
     elsewhere: tuple[Bounds, ...]
     searched: Bounds
     steady: Bounds | None = None
+    scene: str = ""
 
     def __str__(self) -> str:
+        return f"{self.line}; {self.scene}" if self.scene else self.line
+
+    @property
+    def line(self) -> str:
+        """What it forgives, without its scene."""
         more = f", and in {len(self.elsewhere)} further intervals" if self.elsewhere else ""
         return f"{self.name} {self.said(self.low, self.high)}{more}"
 
@@ -158,7 +167,8 @@ def margins(
             least = scattered.thrown(values, shots, seed).share[0] - tolerance
             line = _Line(name, values, scattered, shots, least, seed)
             steady, _ = line.intervals(searched, *_SMOOTH)
-        found[name] = Margin(name, values[name], low, high, elsewhere, searched, steady)
+        scene = say_scene({k: v for k, v in exact.parameters.items() if k != name})
+        found[name] = Margin(name, values[name], low, high, elsewhere, searched, steady, scene)
     return found
 
 

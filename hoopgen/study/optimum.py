@@ -24,6 +24,7 @@ from .models import Scatter
 from .player import BY, By, Player, Thrown, arguments_of, one_each
 from .search import Bounds, bounds_of, flat_about, search
 from .tallies import check_count, check_scene, check_share, wilson
+from .told import footer, in_a_note, say_scene, told_of
 from .variables import resolve_variables
 from .words import between, for_json, percent, say
 
@@ -135,11 +136,18 @@ class Optimum(Said):
         """
         player = Scatter(self.release, self.sd, self.correlation)
         shots = player.draw(0, min(self.shots, _PLOTTED), self.seed + 1, self.parameters)
+        told = told_of(self.parameters, self.sd, self.correlation, self.seed + 1, self.release)
+        options = {"note": in_a_note(told)} | options
         return simulate(shots.states, shots.parameters, record=True).plot(**options)
+
+    def told(self) -> dict[str, str]:
+        """Return what it rests on, in words, by what it is: scene, scatter, seed."""
+        return told_of(self.parameters, self.sd, self.correlation, self.seed)
 
     def as_dict(self) -> dict[str, Any]:
         """Return everything in types that JSON knows; SI. What is not a number is None."""
         plain = asdict(self)
+        plain["scene"] = say_scene(self.parameters)
         plain["correlation"] = {",".join(pair): r for pair, r in self.correlation.items()}
         plain["at_bounds"] = list(self.at_bounds)
         return {name: for_json(value) for name, value in plain.items()}
@@ -158,7 +166,9 @@ class Optimum(Said):
             *([f"invalid  {self.invalid:,} shots, not counted"] if self.invalid else []),
             f"flat     {flat}: within {100 * self.tolerance:g} points of that",
             *(f"bound    {name}: the best may lie beyond" for name in self.at_bounds),
-            *(f"margin   {margin}" for margin in self.margins.values()),
+            *(f"margin   {margin.line}" for margin in self.margins.values()),
+            "",
+            footer(9, self.told()),
         ]
         return "\n".join(lines)
 

@@ -102,9 +102,9 @@ class Quantity:
         """Return values in the unit shown."""
         return np.asarray(values, dtype=np.float64) / self.size
 
-    def say(self, value: float) -> str:
+    def say(self, value: float, digits: int = _DIGITS) -> str:
         """Return a value, in the unit shown, in words."""
-        return _with(self.unit, f"{value:.{_DIGITS}g}".replace("-", MINUS))
+        return _with(self.unit, f"{value:.{digits}g}".replace("-", MINUS))
 
 
 def quantity(name: str, attributes: Mapping[str, object] | None = None) -> Quantity:

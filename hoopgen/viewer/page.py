@@ -26,6 +26,7 @@ from hoopgen.printable import printable
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.study.measures import Kind, kinds
+from hoopgen.study.told import say_scene
 
 from .shown import Page
 
@@ -39,7 +40,7 @@ _SLOT = re.compile(r"\{\{(\w+)\}\}")
 
 
 def view(
-    shots: Shots,
+    shots: Shots | str | os.PathLike[str],
     parameters: Mapping[str, Any] | None = None,
     path: str | os.PathLike[str] | None = None,
     *,
@@ -56,15 +57,17 @@ def view(
     Parameters
     ----------
     shots
-        Of `hoopgen.simulate` with ``record=True``, all fields; `MOST` at most.
+        Of `hoopgen.simulate` with ``record=True``, all fields; `MOST` at most. Or a file, a table
+        of releases or the results of `hoopgen.batch`: 50 of its rows are flown, in their own scene.
     parameters
-        Of the scene, one number each or (n,); by default those they were simulated with.
+        Of the scene, one number each or (n,); by default those they were simulated with,
+        or that a file of results says, else `PAPER`.
     path
         Where to; ends in .html. Without, no file is written.
     title
         At the top; by default the outcome, or the number of shots.
     about
-        A line below it.
+        A line below it, after which the scene is said.
     labels
         What each shot is called, n words or lines; by default "Shot 1", "Shot 2", ...
 
@@ -85,11 +88,17 @@ def view(
         If the file cannot be written; what was there before stays.
     """
     target = None if path is None else check_output(path, PAGES)
+    if not isinstance(shots, Shots):
+        from .table import view_table
+
+        if about or labels is not None:
+            raise ValueError("about, labels: of a file they are its rows; leave out")
+        return view_table(shots, target, title=title, parameters=parameters)
     scene = shots.parameters if parameters is None else parameters
     text = page(shots, scene, title=title, about=about, labels=labels)
     if target is not None:
         write(target, text)
-    return Page(target, text)
+    return Page(target, text, _about(about, scene))
 
 
 def page(
@@ -110,7 +119,7 @@ def page(
     words = [Kind(kind).name.lower() for kind in kinds(shots.outcome, shots.counts, shots.first)]
     data = {
         "title": printable(title) or _title(shots, valid),
-        "about": printable(about),
+        "about": _about(about, parameters),
         "ring_height": RING_HEIGHT,
         "surfaces": SURFACES,
         "outcomes": [outcome.name.lower() for outcome in Outcome],
@@ -122,6 +131,10 @@ def page(
         ],
     }
     return _fill(data)
+
+
+def _about(about: str, parameters: Mapping[str, Any]) -> str:
+    return f"{printable(about)}{'; s' if about else 'S'}cene {say_scene(parameters)}"
 
 
 def _title(shots: Shots, valid: NDArray[np.intp]) -> str:

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from hoopgen import plots
 from hoopgen.inputs import check_contacts
 from hoopgen.outputs import write
+from hoopgen.parameters import NAMES
 from hoopgen.results import Outcome, Shots
 from hoopgen.simulation import check_log, simulate
 from hoopgen.sizes import check_room
@@ -41,8 +42,10 @@ from hoopgen.study.maps import map as mapped
 from hoopgen.study.measures import measure
 from hoopgen.study.models import Scatter
 from hoopgen.study.optimum import optimum, scattering
+from hoopgen.study.origin import settle
 from hoopgen.study.search import bounds_of
 from hoopgen.study.tables import Source
+from hoopgen.study.told import in_a_note, say_scene, told_setting
 from hoopgen.study.variables import Releases, resolve_variables
 from hoopgen.study.words import between, percent, say
 
@@ -133,6 +136,16 @@ class Asked:
         """Where its shots come from."""
         return Setting.of((self.given, self.question), self.folder)
 
+    @property
+    def scene(self) -> str:
+        """In words: the preset, and what differs from it."""
+        table = self.question if isinstance(self.question, Batch) else None
+        if table is not None:
+            source = Source(self.folder / table.file, table.format or "")
+            return say_scene(self.setting.parameters_of(source))
+        own = {n: v for n, v in self.setting.release.items() if n in NAMES}
+        return say_scene(self.setting.parameters | own)
+
     def changed(self, versus: Given) -> Setting:
         """Return the setting with changes."""
         return Setting.of((self.given, self.question, versus), self.folder)
@@ -147,7 +160,8 @@ class Asked:
         }
         if isinstance(question, Batch):
             source = Source(self.folder / question.file, question.format or "")
-            shared = {"release": question.release, "parameters": self.setting.parameters}
+            scene = self.setting.parameters_of(source)
+            shared = {"release": question.release, "parameters": scene}
             return identity | {"setting": shared, "table": source.digest()[0]}
         identity["setting"] = self.setting.identity()
         if isinstance(question, Compare):
@@ -215,7 +229,8 @@ class _Shooting:
     def fan(self) -> Any:
         """Return the picture of paths."""
         released, shots = self._simulated(_FAN, record=True)
-        return plots.plot_fan(shots, released.parameters, title=self.question.title)
+        note = in_a_note(self._told)
+        return plots.plot_fan(shots, released.parameters, title=self.question.title, note=note)
 
     def landings(self) -> Any:
         """Return the picture of where misses reach the floor."""
@@ -225,7 +240,12 @@ class _Shooting:
         x, y = (floor[name][shots.outcome == Outcome.MISSED] for name in ("floor_x", "floor_y"))
         place = states[:, :2].mean(axis=0).tolist()
         title = f"{self.question.title}: where misses land" if self.question.title else ""
-        return plots.plot_landings(x, y, scene, place=tuple(place), title=title)
+        note = in_a_note(self._told)
+        return plots.plot_landings(x, y, scene, place=tuple(place), title=title, note=note)
+
+    @property
+    def _told(self) -> dict[str, str]:
+        return told_setting(self.asked.setting.identity()) | {"seed": str(self.asked.study.seed)}
 
     def _simulated(self, most: int, *, record: bool = False) -> tuple[Releases, Shots]:
         setting, seed = self.asked.setting, self.asked.study.seed
@@ -442,7 +462,6 @@ class _Places:
             confidence=self.study.confidence,
             threads=1,
         )
-        dataset.attrs = {}
         return pa.table({"dataset": [bytes(dataset.to_netcdf(engine="scipy"))]})
 
 
@@ -455,11 +474,6 @@ def _bank(asked: Asked, question: Bank, work: Work) -> Answer:
     dataset = xr.concat(
         datasets, "place", data_vars="all", coords="minimal", compat="override", join="exact"
     )
-    dataset.attrs = {
-        "confidence": asked.study.confidence,
-        "shots": question.shots,
-        "seed": str(asked.study.seed),
-    }
     write(work.folder / "bank.nc", bytes(dataset.to_netcdf(engine="scipy")))
     for name in question.figures:
         picture = plots.plot_aim_points(dataset, asked.setting.parameters, title=question.title)
@@ -524,7 +538,7 @@ def _aim(asked: Asked, question: Aim, work: Work) -> Answer:
         by=question.by,
         parameters=asked.setting.parameters,
     )
-    write_csv(work.folder / "table.csv", columns)
+    write_csv(work.folder / "table.csv", columns, asked.setting.parameters)
     rows = [
         [
             *(_one_of(columns, name, row) for name in _AIMED),
@@ -557,18 +571,26 @@ def _ends_of(columns: Mapping[str, NDArray[np.float64]], name: str, row: int) ->
 
 def _check_batch(asked: Asked, question: Batch) -> None:
     source = Source(asked.folder / question.file, question.format or "")
-    source.columns(question.own, question.release)
+    origin = settle(source, None, question.release, None, question.own, override=True)
+    source.columns(origin.own, origin.release)
     check_contacts(question.max_contacts)
 
 
+def _most_contacts(question: Batch) -> int | None:
+    """Return how many the study says; None where it leaves that to the table."""
+    return question.max_contacts if "max_contacts" in question.model_fields_set else None
+
+
 def _batch(asked: Asked, question: Batch, work: Work) -> Answer:
+    source = Source(asked.folder / question.file, question.format or "")
     counts = batch(
-        asked.folder / question.file,
+        source.path,
         work.folder / "results.parquet",
-        parameters=asked.setting.parameters,
+        parameters=asked.setting.parameters_of(source),
         release=question.release,
         measures=question.measures,
-        max_contacts=question.max_contacts,
+        max_contacts=_most_contacts(question),
+        override=True,  # what the study file says is said on purpose
         format=question.format,
         own=question.own,
         prefix=question.prefix,

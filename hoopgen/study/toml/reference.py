@@ -8,12 +8,12 @@ from collections.abc import Container, Iterator
 
 from pydantic.fields import FieldInfo
 
-from hoopgen.parameters import NAMES
+from hoopgen.parameters import NAMES, PRESETS
 from hoopgen.study.variables import ARGUMENTS, VARIABLES
 from hoopgen.units import UNITS
 
 from .fields import Table
-from .schema import KINDS, PRESETS, Given, Question, Releases, Study
+from .schema import KINDS, Given, Question, Releases, Study
 
 __all__ = ["reference"]
 
@@ -97,7 +97,8 @@ _VARIABLES = """
 """
 
 _TABLES = {
-    "scene": 'Ball and hoop: `preset`, one of {presets} (by default "paper"), and parameters.',
+    "scene": "Ball and hoop: `preset`, one of {presets} (by default the scene that a file of "
+    'results says, else "paper"), and parameters.',
     "release": "The release aimed at: height, a place, an elevation or `entry`, a speed or `aim`.",
     "scatter": 'Standard deviations about it; `scatter = "none"` for none.',
     "correlation": "Of pairs that scatter: `speed.elevation = -0.3`.",

@@ -98,6 +98,7 @@ def _sections(
 
 def _answer(asked: Asked, answer: Answer, folder: Path) -> Iterator[str]:
     yield f"**{answer.line}**"
+    yield f"Scene: {asked.scene}."
     if answer.text:
         yield answer.text
     files = sorted(file.name for file in (folder / asked.question.name).iterdir())

@@ -9,7 +9,7 @@ from typing import Annotated, Any, TypeAlias
 from pydantic import AfterValidator, Field, GetCoreSchemaHandler, ValidationError, model_validator
 from pydantic_core import CoreSchema, core_schema
 
-from hoopgen.parameters import FIBA, NAMES, NBA, PAPER
+from hoopgen.parameters import NAMES, PRESETS
 from hoopgen.study.aim import Arc
 from hoopgen.study.lock import LOCK
 from hoopgen.study.margins import MARGINS
@@ -38,7 +38,6 @@ from .fields import (
 
 __all__ = [
     "KINDS",
-    "PRESETS",
     "Aim",
     "Bank",
     "Batch",
@@ -52,10 +51,6 @@ __all__ = [
     "Study",
     "StudyFile",
 ]
-
-PRESETS: Mapping[str, Mapping[str, float]] = MappingProxyType(
-    {"paper": PAPER, "nba": NBA, "fiba": FIBA}
-)
 
 _RELEASE = tuple(name for name in VARIABLES if name not in NAMES)
 _SCATTERED = (*ARGUMENTS, *NAMES)
