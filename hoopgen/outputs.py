@@ -101,7 +101,8 @@ def written(path: str | os.PathLike[str], temporary: Path | None = None) -> Iter
     path
         The file.
     temporary
-        Its name until it is whole, on the same file system; by default one of its own.
+        Its name until it is whole, on the same file system; by default one of its own. It is moved
+        to the place of whatever is there, links and pipes too.
 
     Raises
     ------
@@ -109,11 +110,11 @@ def written(path: str | os.PathLike[str], temporary: Path | None = None) -> Iter
         If it cannot be written. Nothing is left then, and what was there before stays.
     """
     target = Path(path)
-    if _straight(target):
+    if temporary is None and _straight(target):
         with _named(target), target.open("wb") as file:
             yield file
         return
-    place = followed(target)
+    place = target if temporary else followed(target)
     part = temporary or place.with_name(f".hoopgen-{secrets.token_hex(8)}.tmp")
     try:
         with _named(target, part):

@@ -24,6 +24,7 @@ pa = pytest.importorskip("pyarrow")
 pq = pytest.importorskip("pyarrow.parquet")
 
 from hoopgen.study import batch as study_batch  # noqa: E402
+from hoopgen.study import chunks  # noqa: E402
 from hoopgen.study.measures import MEASURES, Kind, kinds, measure  # noqa: E402
 from hoopgen.study.named import named  # noqa: E402
 from hoopgen.study.tables import NAMED, Source  # noqa: E402
@@ -523,6 +524,7 @@ def test_an_interrupted_command_says_how_to_go_on(
     source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def interrupted(*arguments: Any, **options: Any) -> Any:
+        next(chunks.run(*arguments, **options))
         raise KeyboardInterrupt
 
     monkeypatch.setattr(study_batch, "run", interrupted)

@@ -518,3 +518,23 @@ def test_a_table_is_aligned_and_breaks_cells_between_words() -> None:
         "b c",
         "d      -22.5",
     ]
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [*SHOT, "--picture", ""],
+        ["paper", "--out", ""],
+        ["estimate", "--folder", ""],
+        ["map", "--out", ""],
+        ["batch", "", "--out", "x.parquet"],
+        ["study", "", "--check"],
+        ["study", str(Path(__file__)), "--out", ""],
+    ],
+)
+def test_a_path_has_a_name(
+    arguments: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert "expected a name, got ''" in failure(*arguments)
+    assert not [*tmp_path.iterdir()]

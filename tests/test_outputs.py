@@ -103,6 +103,21 @@ def test_a_link_stays_and_its_file_is_written(tmp_path: Path) -> None:
 
 
 @POSIX
+def test_what_has_a_name_until_it_is_whole_takes_the_place_of_links_and_pipes(
+    tmp_path: Path,
+) -> None:
+    link, pipe, part = (tmp_path / name for name in ("link", "pipe", "part.tmp"))
+    link.symlink_to(tmp_path / "far")
+    os.mkfifo(pipe)
+    for place in (link, pipe):
+        with written(place, part) as out:
+            out.write(BEFORE)
+        assert not place.is_symlink()
+        assert place.read_bytes() == BEFORE
+    assert {path.name for path in tmp_path.iterdir()} == {"link", "pipe"}
+
+
+@POSIX
 def test_a_pipe_is_written_as_it_is(tmp_path: Path) -> None:
     pipe = tmp_path / "pipe.csv"
     os.mkfifo(pipe)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import builtins
 import json
+import os
 import pickle
 import re
 import signal
@@ -362,6 +363,47 @@ WRONG = {
         BEGIN + "[[question]]\nkind = 'estimate'\nname = '../up'\n",
         5,
         'question #1, name: expected small letters, digits, - and _, at most 60; got "../up"',
+    ),
+    "name of our own": (
+        BEGIN + "[[question]]\nkind = 'estimate'\nname = 'lock'\n",
+        5,
+        'question #1, name: "lock" cannot be a name: a file beside it has it',
+    ),
+    "name of a device": (
+        BEGIN + ASKED + "[[question]]\nkind = 'estimate'\nname = 'com1'\n",
+        8,
+        'question #2, name: "com1" cannot be a name: on Windows it is a device',
+    ),
+    "control characters in the name": (
+        BEGIN.replace("x", r"a\u001b[31m") + ASKED,
+        2,
+        r'study.name: expected a line of text; got "a\u001b[31m", with control characters',
+    ),
+    "control characters in a title": (
+        BEGIN + ASKED + 'title = "a\\u009b2J"\n',
+        6,
+        r'question #1, title: expected a line of text; got "a\x9b2J", with control characters',
+    ),
+    "control characters in a key": (
+        BEGIN + ASKED + '"\\u001b[31m" = 1\n',
+        6,
+        r"question #1, \x1b[31m: unknown key",
+    ),
+    "a seed too large": (
+        BEGIN + "seed = 18446744073709551616\n" + ASKED,
+        3,
+        "study.seed: expected a whole number from 0; got 18446744073709551616, more than 2^64 - 1",
+    ),
+    "a seed without another": (
+        BEGIN + "seed = 18446744073709551615\n" + HERE + "[scatter]\nspeed = 1\n"
+        "[[question]]\nkind = 'optimum'\nname = 'a'\nover = ['elevation']\n",
+        11,
+        "question #1: seed: expected 2**64 - 2 at most",
+    ),
+    "too many shots": (
+        BEGIN + ASKED + "shots = 9223372036854775808\n",
+        6,
+        "shots: expected a whole number from 1; got 9223372036854775808, more than 2^63 - 1",
     ),
     "name taken": (
         BEGIN + ASKED + ASKED,
@@ -733,7 +775,7 @@ def test_a_report_holds_titles_as_text_and_a_description_as_markdown(tmp_path: P
     assert f"## {said}" in lines
     assert sum(line.startswith(f"| [{said}](#probability) | ") for line in lines) == 1
     assert not re.findall(r"<(?!a id=|/a>|https:)\w", report)
-    assert report_text("one\r# two\x1b[31m") == r"one \# two\[31m"
+    assert report_text("one\r# two\x1b[31m") == r"one \# two\\x1b\[31m"
 
 
 def test_the_report_holds_errors_as_text(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -937,6 +979,57 @@ def test_an_error_that_was_not_foreseen_is_told_with_its_type(
     assert first == "hoopgen: error: question probability: KeyError: 'wrong'"
     assert second.startswith("hoopgen: error: hoopgen study: 1 of 1 question could not be answered")
     assert "HOOPGEN_TRACEBACK=1" in second
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there are no pipes")
+@pytest.mark.parametrize("name", ["question.json", "answer.json"])
+def test_a_pipe_in_place_of_a_file_is_named_and_not_waited_for(name: str, tmp_path: Path) -> None:
+    file = written(tmp_path, HEAD + ESTIMATE)
+    run_study(file)
+    place = tmp_path / "study-results" / "probability" / name
+    place.unlink()
+    os.mkfifo(place)
+    result = run(file)
+    assert result.exit_code == 2
+    assert f"{place}" in result.stderr
+    assert "this is no file; remove it" in result.stderr
+
+
+def test_a_file_in_place_of_a_question_is_named_before_the_work(tmp_path: Path) -> None:
+    file = written(tmp_path, HEAD + ESTIMATE)
+    run_study(file)
+    results = tmp_path / "study-results"
+    (results / "more").touch()
+    written(tmp_path, HEAD + ESTIMATE + ESTIMATE.replace("probability", "more"))
+    with pytest.raises(ExceptionGroup) as raised:
+        run_study(file)
+    (error,) = raised.value.exceptions
+    assert isinstance(error, FileExistsError)
+    assert error.filename == str(results / "more")
+    assert not (results / "more.unfinished").exists()
+
+
+def test_what_cannot_be_is_said_once_and_before_a_folder_is_made(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("distributed")
+    file = written(tmp_path / "study", HEAD + ESTIMATE)
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ValueError, match="scheduler: expected an address such as tcp://10"):
+        run_study(file, scheduler="10.0.0.1")
+    with pytest.raises(ValueError, match="out: expected the name of a folder, got ''"):
+        run_study(file, "")
+    assert sorted(path.name for path in tmp_path.rglob("*")) == [
+        "measured.csv",
+        "study",
+        "study.toml",
+    ]
+
+
+def test_a_seed_is_as_large_as_the_library_takes(tmp_path: Path) -> None:
+    text = HEAD.replace("seed = 5", "seed = 18446744073709551615") + ESTIMATE
+    run_study(written(tmp_path, text))
+    assert loaded(tmp_path / "study-results", "probability")["seed"] == 2**64 - 1
 
 
 def test_a_question_that_fails_leaves_the_others_alone(tmp_path: Path) -> None:

@@ -19,6 +19,7 @@ import click
 
 from hoopgen.cli.errors import NOT_FORESEEN, OWN_ERROR, TRACEBACK, foreseen, in_words
 from hoopgen.cli.examples import examples
+from hoopgen.printable import printable
 
 __all__ = ["main"]
 
@@ -106,7 +107,7 @@ def _write_what_can_be_written() -> None:
 
 
 def _complain(text: str) -> None:
-    click.echo(f"hoopgen: error: {' '.join(text.split())}", err=True)
+    click.echo(f"hoopgen: error: {printable(' '.join(text.split()))}", err=True)
 
 
 @click.group(

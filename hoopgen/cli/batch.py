@@ -11,6 +11,7 @@ import click
 from hoopgen.cli.options import examples, scheduler_option, table_options, threads_option
 from hoopgen.cli.types import OUT
 from hoopgen.phrases import counted
+from hoopgen.printable import printable
 
 __all__ = ["batch"]
 
@@ -63,5 +64,6 @@ def batch(file: Path, out: Path, release: Mapping[str, float], **options: Any) -
     with shown() as progress:
         outcomes = hoopgen.batch(file, out, release=release, progress=progress, **options)
     counts = [f"{count:,} {name}" for name, count in outcomes.items()]
-    click.echo(f"{counted(sum(outcomes.values()), 'shot')}: {', '.join(counts)}; in {out}")
+    said = f"{counted(sum(outcomes.values()), 'shot')}: {', '.join(counts)}; in {out}"
+    click.echo(printable(said))
     click.echo(f"scene: {outcomes.scene}")

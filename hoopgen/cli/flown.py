@@ -10,6 +10,7 @@ import click
 from click.core import ParameterSource
 
 from hoopgen.parameters import NAMES, PAPER, PRESETS
+from hoopgen.printable import printable
 
 __all__ = ["flown"]
 
@@ -43,7 +44,8 @@ def flown(file: Path, format: str = "", own: Sequence[str] = ()) -> tuple[dict[s
     assumed = ""
     if not preset and not names_scene(source, own):
         scene = say_scene(parameters or PAPER)
-        assumed = f"hoopgen: {file.name} names no scene: {scene} is assumed; --preset names another"
+        said_of = f"{file.name} names no scene: {scene} is assumed; --preset names another"
+        assumed = f"hoopgen: {printable(said_of)}"
     has_contacts = "max_contacts" in context.params
     contacts = context.params["max_contacts"] if has_contacts and _given("max_contacts") else None
     return {"parameters": parameters, "max_contacts": contacts}, assumed

@@ -12,6 +12,7 @@ from hoopgen.brief import brief
 from hoopgen.cli.options import backend_option, examples
 from hoopgen.cli.types import FOLDER
 from hoopgen.layout import NO_BREAK, table
+from hoopgen.printable import printable
 
 if TYPE_CHECKING:
     from hoopgen.paper import Result
@@ -62,7 +63,7 @@ def paper(
     if events:
         click.echo(_logs(results))
     if out is not None:
-        click.echo(f"\n{_draw(results, out, suffixes)} pictures in {out}")
+        click.echo(printable(f"\n{_draw(results, out, suffixes)} pictures in {out}"))
     wrong = [result.case.name for result in results if not result.agrees]
     if wrong:
         click.echo(f"\nNot as in the article: {'; '.join(wrong)}", err=True)

@@ -14,6 +14,7 @@ from hoopgen.cli.errors import OwnError, foreseen, in_words
 from hoopgen.cli.options import examples, scheduler_option, threads_option
 from hoopgen.cli.types import FILE, FOLDER
 from hoopgen.phrases import counted
+from hoopgen.printable import printable
 
 __all__ = ["study"]
 
@@ -68,7 +69,7 @@ def study(
         if check:
             questions = check_study(file)
             names = ", ".join(asked.question.name for asked in questions)
-            click.echo(f"{file}: {counted(len(questions), 'question')}, {names}")
+            click.echo(printable(f"{file}: {counted(len(questions), 'question')}, {names}"))
             return
         with _shown() as progress:
             answers = run_study(file, out, threads=threads, scheduler=scheduler, progress=progress)
@@ -82,7 +83,7 @@ def study(
     for name, answer in answers.items():
         click.echo(f"{name:{width}}  {answer.line}")
     folder = out if out is not None else file.with_name(f"{file.stem}-results")
-    click.echo(f"{'report':{width}}  {folder / 'report.md'}")
+    click.echo(printable(f"{'report':{width}}  {folder / 'report.md'}"))
 
 
 def _failed(
@@ -91,7 +92,7 @@ def _failed(
     """Say all complaints but the last, a line each; that one is the error."""
     *others, last = (" ".join(complaint.split()) for complaint in complaints)
     for complaint in others:
-        click.echo(f"hoopgen: error: {complaint}", err=True)
+        click.echo(f"hoopgen: error: {printable(complaint)}", err=True)
     return kind(last)
 
 

@@ -110,9 +110,7 @@ class Checked(_Type[Path]):
 
 def _ending(suffixes: Sequence[str]) -> Checked:
     """Return the type of a file to be written whose name ends in one of these."""
-    return Checked(
-        lambda path: check_output(path, suffixes), click.Path(dir_okay=False, path_type=Path)
-    )
+    return Checked(lambda path: check_output(path, suffixes), _Path(dir_okay=False, path_type=Path))
 
 
 def quantity(kind: Kind) -> Parsed[float]:
@@ -238,10 +236,21 @@ CORRELATION = Parsed(_correlation, "NAME,NAME=VALUE")
 COUNT = whole()
 """A whole number from 1, ``1e6`` too."""
 
-FILE = click.Path(exists=True, dir_okay=False, path_type=Path)
+
+class _Path(click.Path):
+    """A path; one without a name would be the folder that the command is given in."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return the path."""
+        if value == "":
+            self.fail("expected a name, got ''", param, ctx)
+        return super().convert(value, param, ctx)
+
+
+FILE = _Path(exists=True, dir_okay=False, path_type=Path)
 """A file to be read."""
 
-OUT = Checked(check_output, click.Path(dir_okay=False, path_type=Path))
+OUT = Checked(check_output, _Path(dir_okay=False, path_type=Path))
 """A file to be written."""
 
 PICTURE = _ending(PICTURES)
@@ -253,5 +262,5 @@ PAGE = _ending(PAGES)
 MAP = _ending(MAPS)
 """A map to be written."""
 
-FOLDER = Checked(check_folder, click.Path(file_okay=False, path_type=Path))
+FOLDER = Checked(check_folder, _Path(file_okay=False, path_type=Path))
 """A folder to be written."""

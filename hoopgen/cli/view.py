@@ -10,6 +10,7 @@ import click
 
 from hoopgen.cli.options import backend_option, examples, seed_option, table_options
 from hoopgen.cli.types import PAGE, whole
+from hoopgen.printable import printable
 
 if TYPE_CHECKING:
     from typing import Literal
@@ -75,4 +76,4 @@ def view(
         own=own,
         backend=backend,
     )
-    click.echo(f"{out}: {page.about}")
+    click.echo(printable(f"{out}: {page.about}"))

@@ -156,9 +156,9 @@ def _draw_on(axes: Axes, shown: Cells, title: str, note: str) -> Axes:
     if panel.of == "probability" and len(panel.axes) == 1:
         _draw_line(axes, panel)
     else:
-        axes.set_xlabel(panel.axes[0].quantity.label)
+        axes.set_xlabel(panel.axes[0].quantity.label, parse_math=False)
         if len(panel.axes) > 1:
-            axes.set_ylabel(panel.axes[1].quantity.label)
+            axes.set_ylabel(panel.axes[1].quantity.label, parse_math=False)
         else:
             axes.set_yticks([])
     if panel.of == "kind":
@@ -185,7 +185,7 @@ def _draw_line(axes: Axes, shown: Cells) -> None:
     if best is not None:
         _mark(axes, shown.at(best)[0], float(shown.values[best]))
         axes.set_title(f"{_BEST} {shown.say(best)}", loc="left", fontsize=_SMALL)
-    axes.set_xlabel(axis.quantity.label)
+    axes.set_xlabel(axis.quantity.label, parse_math=False)
     axes.set_ylabel(_MADE)
     axes.yaxis.set_major_formatter(FuncFormatter(_in_percent))
     axes.set_ylim(0.0, 1.08 * float(np.nanmax(top, initial=0.01)))

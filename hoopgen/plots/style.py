@@ -105,6 +105,7 @@ _SETTINGS: Mapping[Any, Any] = {
     "xtick.major.size": 3.0,
     "ytick.major.size": 3.0,
     "axes.unicode_minus": True,
+    "text.parse_math": False,  # titles and names are others': "$5 off" is no formula
     "svg.hashsalt": "hoopgen",
     "svg.fonttype": "path",
     "pdf.fonttype": 42,

@@ -21,6 +21,7 @@ from hoopgen.plots.picture import Picture, add_key, add_title, check_axes, fit_v
 from hoopgen.plots.scene import scene_corners
 from hoopgen.plots.style import COLOURS, PAGE, style
 from hoopgen.plots.views import SIDE, TOP, View, oblique
+from hoopgen.printable import printable
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.study.told import say_scene
 from hoopgen.units import shown, shown_system
@@ -163,7 +164,7 @@ def plot_trajectory(
 def _draw_on(axes: Axes, drawing: Drawing, title: str, *told: str) -> Axes:
     """Draw the side view on axes that there are."""
     draw_view(axes, fit_view(axes, SIDE, _flat_limits(drawing, SIDE)), drawing)
-    add_title(axes, title, *told)
+    add_title(axes, title, *told, formulas=True)
     add_key(axes, [_key_of(mark) for mark in drawing.marks if mark.text])
     return axes
 
@@ -318,7 +319,8 @@ def _aside(x: float, y: float, vx: float, vy: float) -> str:
 def _draw_title(figure: Figure, title: str, told: Sequence[str]) -> None:
     width, height = figure.get_size_inches()
     x = _LEFT / width
-    figure.text(x, 1.0 - 0.16 / height, title, fontsize=10, fontweight="bold", va="center")
+    head = printable(title)
+    figure.text(x, 1.0 - 0.16 / height, head, fontsize=10, fontweight="bold", va="center")
     for number, line in enumerate(told):
         y = 1.0 - (0.34 + _LINE * number) / height
-        figure.text(x, y, line, fontsize=_SMALL, color="#333333", va="center")
+        figure.text(x, y, line, fontsize=_SMALL, color="#333333", va="center", parse_math=True)

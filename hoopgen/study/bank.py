@@ -21,7 +21,7 @@ from hoopgen.simulation import simulate
 from hoopgen.sizes import check_room
 
 from .crew import crew
-from .draws import check_seed
+from .draws import check_two_seeds
 from .models import Resample, Scatter, alike, scene_by_row
 from .optimum import paired, scattering
 from .player import By, Player, Thrown, arguments_of
@@ -88,7 +88,7 @@ def bank_or_direct(
     spots = doubles("places", places)
     if spots.ndim != 2 or spots.shape[1] != 2:
         raise ValueError(f"places: expected x and y, shape (n, 2), got shape {spots.shape}")
-    check_seed(check_seed(seed) + 1)
+    check_two_seeds(seed)
     check_kept(shots)
     over = over if isinstance(over, Mapping) else (over,) if isinstance(over, str) else tuple(over)
     players = [scattering(model, over, parameters, way) for way in WAYS]

@@ -28,7 +28,7 @@ from hoopgen.releases import from_zero
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
 
-from .chunks import opened, run, written
+from .chunks import check_workers, opened, run, written
 from .measures import MEASURES, Kind, kinds, measure
 from .models import from_columns
 from .named import UNIT_OF, named
@@ -177,6 +177,7 @@ def batch(
         dict(origin.parameters), dict(origin.release), tuple(measures), origin.max_contacts
     )
     check_names("measures", shots.measures, MEASURES)
+    check_workers(scheduler, threads)
     rows = check_count("rows", rows)
     stamp = table.stamp()
     columns = table.columns(origin.own, shots.release)

@@ -13,7 +13,14 @@ from scipy.special import ndtri
 
 from hoopgen.inputs import check_count
 
-__all__ = ["ROW_OF_RELEASES", "ROW_OF_SAMPLE", "check_seed", "normals", "uniforms"]
+__all__ = [
+    "ROW_OF_RELEASES",
+    "ROW_OF_SAMPLE",
+    "check_seed",
+    "check_two_seeds",
+    "normals",
+    "uniforms",
+]
 
 ROW_OF_RELEASES, ROW_OF_SAMPLE = 1 << 32, 2 << 32
 """Streams that choose rows, of measured releases and of a table to look at; those of variables are
@@ -60,6 +67,21 @@ def normals(seed: int, stream: int, start: int, stop: int) -> NDArray[np.float64
     numbers = uniforms(seed, stream, start, stop)
     ndtri(numbers, out=numbers)
     return numbers
+
+
+def check_two_seeds(seed: int) -> int:
+    """Return a seed as an int: that of a search, after which there is one for fresh shots.
+
+    Raises
+    ------
+    ValueError
+        If it is not a whole number from 0 to 2^64 - 2.
+    """
+    if check_seed(seed) == 2**64 - 1:
+        raise ValueError(
+            f"seed: expected 2**64 - 2 at most, as the one after it is used too, got {seed}"
+        )
+    return int(seed)
 
 
 def check_seed(seed: int) -> int:

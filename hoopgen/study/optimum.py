@@ -19,7 +19,7 @@ from hoopgen.simulation import simulate
 
 from .advice import advice
 from .crew import crew
-from .draws import check_seed
+from .draws import check_two_seeds
 from .estimate import newcombe
 from .margins import MARGINS, Margin, margins_about
 from .measures import measure
@@ -237,7 +237,7 @@ def optimum(
     check_count("shots", shots)
     check_share("confidence", confidence)
     check_share("tolerance", tolerance)
-    check_seed(check_seed(seed) + 1)
+    check_two_seeds(seed)
     margins = check_names("names", margins, VARIABLES)
     lowest = {name: low for name, (low, _) in bounds.items()}
     player.thrown(fixed | lowest, 1, seed)  # what is wrong shows before a folder is made

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.parameters import NAMES
+from hoopgen.printable import printable
 from hoopgen.units import Shown, shown, shown_system
 
 from .variables import VARIABLES
@@ -110,7 +111,8 @@ def quantity(name: str, attributes: Mapping[str, object] | None = None) -> Quant
         one = _shown(name)
         return Quantity(VARIABLES[name].label, one.symbol, one.size)
     given = attributes or {}
-    return Quantity(str(given.get("long_name", name)), str(given.get("units", "")))
+    long_name, units = str(given.get("long_name", name)), str(given.get("units", ""))
+    return Quantity(printable(long_name), printable(units))
 
 
 def _with(unit: str, number: str) -> str:

@@ -23,6 +23,7 @@ from hoopgen.generated.numpy import hoop
 from hoopgen.outputs import PAGES, check_output, write
 from hoopgen.parameters import NAMES, Value, resolve
 from hoopgen.phrases import counted
+from hoopgen.printable import printable
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.study.measures import Kind, kinds
@@ -118,7 +119,7 @@ def page(
     touched = _touched(shots, values)
     words = [Kind(kind).name.lower() for kind in kinds(shots.outcome, shots.counts, shots.first)]
     data = {
-        "title": title or _title(shots, valid),
+        "title": printable(title) or _title(shots, valid),
         "about": _about(about, parameters),
         "ring_height": RING_HEIGHT,
         "surfaces": SURFACES,
@@ -134,7 +135,7 @@ def page(
 
 
 def _about(about: str, parameters: Mapping[str, Any]) -> str:
-    return f"{about}{'; s' if about else 'S'}cene {say_scene(parameters)}"
+    return f"{printable(about)}{'; s' if about else 'S'}cene {say_scene(parameters)}"
 
 
 def _title(shots: Shots, valid: NDArray[np.intp]) -> str:
@@ -149,7 +150,7 @@ def _labels(labels: Sequence[str] | None, shots: int) -> list[str]:
     names = list(labels)
     if isinstance(labels, str) or len(names) != shots:
         raise ValueError(f"labels: expected {shots}, one a shot, got {brief(labels)}")
-    return [str(label) for label in names]
+    return [printable(str(label)) for label in names]
 
 
 def _shot(

@@ -29,6 +29,7 @@ from hoopgen.study.aim import aim, aim_table, write_csv
 from hoopgen.study.bank import bank_or_direct, check_kept
 from hoopgen.study.batch import batch
 from hoopgen.study.chunks import run
+from hoopgen.study.draws import check_two_seeds
 from hoopgen.study.estimate import compare, estimate, most_shots
 from hoopgen.study.maps import check_cells
 from hoopgen.study.maps import map as mapped
@@ -340,6 +341,7 @@ def _best_cell(dataset: xr.Dataset, cells: str) -> Answer:
 
 
 def _check_optimum(asked: Asked, question: Optimum) -> None:
+    check_two_seeds(asked.study.seed)
     setting, model = asked.setting, asked.setting.model(question.over)
     player = scattering(model, question.over, setting.parameters, question.by)
     ends = bounds_of(_ends(question.over), model.centre, player)
@@ -399,6 +401,7 @@ def _bank_model(asked: Asked, question: Bank) -> Scatter | Resample:
 
 
 def _check_bank(asked: Asked, question: Bank) -> None:
+    check_two_seeds(asked.study.seed)
     model, parameters = _bank_model(asked, question), asked.setting.parameters
     check_kept(question.shots)
     x, y = _places(question)[0].tolist()

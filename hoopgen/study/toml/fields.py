@@ -9,7 +9,7 @@ import json
 import math
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from types import MappingProxyType
 from typing import Annotated, Any
@@ -26,6 +26,7 @@ from pydantic import (
 from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, core_schema
 
 from hoopgen.brief import cut
+from hoopgen.printable import printable
 from hoopgen.sizes import evenly
 from hoopgen.units import NO_BARE, Kind, parse_quantity, readings
 
@@ -34,6 +35,7 @@ from .lines import Path
 __all__ = [
     "Ends",
     "Listed",
+    "Name",
     "Named",
     "OneOf",
     "Quantity",
@@ -155,9 +157,18 @@ class Quantity(_Value):
 
 @dataclass(frozen=True)
 class Whole(_Value):
-    """A whole number; 1e6 is one too."""
+    """A whole number; 1e6 is one too.
+
+    Attributes
+    ----------
+    low
+        The least.
+    bits
+        It is below 2 to the power of this.
+    """
 
     low: int = 1
+    bits: int = 63
 
     @property
     def words(self) -> str:
@@ -165,9 +176,11 @@ class Whole(_Value):
         return f"a whole number from {self.low}"
 
     def read(self, given: Any) -> int:
-        """Return it; TOML's go up to 2^63 - 1."""
+        """Return it."""
         number = isinstance(given, int | float) and not isinstance(given, bool)
-        if not number or not self.low <= given < 2**63 or given != int(given):
+        if number and given >= 2**self.bits:
+            raise self.refuse(given, f", more than 2^{self.bits} - 1")
+        if not number or not given >= self.low or given != int(given):
             raise self.refuse(given)
         return int(given)
 
@@ -187,7 +200,7 @@ class Share(_Value):
 
 @dataclass(frozen=True)
 class Text(_Value):
-    """Text.
+    """Text without control characters, which no picture and no page can show.
 
     Attributes
     ----------
@@ -209,7 +222,29 @@ class Text(_Value):
         """Return it."""
         if not isinstance(given, str) or not re.fullmatch(self.pattern, given):
             raise self.refuse(given)
+        if printable(given) != given:
+            raise self.refuse(given, ", with control characters")
         return given
+
+
+@dataclass(frozen=True)
+class Name(Text):
+    """Text that names a folder.
+
+    Attributes
+    ----------
+    taken
+        What it may not be, and why.
+    """
+
+    taken: Mapping[str, str] = field(default_factory=dict)
+
+    def read(self, given: Any) -> str:
+        """Return it."""
+        name = super().read(given)
+        if name in self.taken:
+            raise ValueError(f"{show(name)} cannot be a name: {self.taken[name]}")
+        return name
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ from typing import Any
 
 import hoopgen
 from hoopgen.phrases import percent
+from hoopgen.printable import printable
 
 from .answers import Answer, Asked
 
@@ -139,5 +140,5 @@ def _keys(values: Mapping[str, Any], prefix: str = "") -> Iterator[str]:
 
 def _text(said: object) -> str:
     """Return what is no Markdown as a line of it that shows the same: no mark or tag counts."""
-    line = "".join(each for each in " ".join(str(said).split()) if each.isprintable())
+    line = printable(" ".join(str(said).split()))
     return _MARKS.sub(r"\\\g<0>", html.escape(line, quote=False))

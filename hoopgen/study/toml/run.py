@@ -7,6 +7,7 @@ gets its name when all of it is there, so what bears a name is finished. Nothing
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import platform
@@ -20,6 +21,7 @@ import hoopgen
 from hoopgen.outputs import sync
 from hoopgen.phrases import counted
 from hoopgen.study.chunks import (
+    check_workers,
     differences,
     flat,
     in_short,
@@ -110,7 +112,8 @@ def run_study(
     StudyError
         If the file is not as described: with all that is wrong, the lines and the keys.
     ValueError
-        If the folder holds another study, and what differs; or something else.
+        If the folder holds another study, and what differs; or something else. If `out`,
+        `threads` or the form of `scheduler` is not as described.
     ExceptionGroup
         If questions cannot be answered: their errors, each with a note that names it. The others
         are in the folder.
@@ -118,6 +121,9 @@ def run_study(
         If files cannot be read or written.
     """
     file = Path(path)
+    if out is not None and not os.fspath(out):
+        raise ValueError("out: expected the name of a folder, got ''")
+    check_workers(scheduler, threads)
     content, questions, document = _read(file)
     folder = Path(out) if out is not None else file.with_name(f"{file.stem}-results")
     identities = {asked.question.name: _identity(asked) for asked in questions}
@@ -234,6 +240,8 @@ def _noted(progress: Progress | None, name: str) -> Callable[[int, int | None], 
 def _answered(asked: Asked, identity: Mapping[str, Any], finished: Path, work: Work) -> Answer:
     """Return the answer that is in the folder, or find it and put it there."""
     if not finished.is_dir():
+        if os.path.lexists(finished):
+            raise FileExistsError(errno.EEXIST, "this is no folder; remove it", str(finished))
         work.folder.mkdir(exist_ok=True)
         for stale in work.folder.glob("*.tmp"):
             stale.unlink()
