@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from benchmarks.report import table
-from benchmarks.validation import (
+from benchmarks.validation_results import (
     ANGLES,
     DEGREE,
     FOOT,

@@ -17,7 +17,8 @@ for needed in ("matplotlib", "pyarrow", "scipy", "xarray"):
     pytest.importorskip(needed)
 
 import hoopgen  # noqa: E402
-from benchmarks import validation, validation_page  # noqa: E402
+from benchmarks import validation_page  # noqa: E402
+from benchmarks import validation_results as validation  # noqa: E402
 from hoopgen.plots import save  # noqa: E402
 from hoopgen.study.bank import on_board  # noqa: E402
 

@@ -178,13 +178,15 @@ def test_without_the_event_log_it_says_what_to_do(tmp_path: Path) -> None:
         view(hoopgen.simulate(SAMPLE[0]), hoopgen.PAPER, tmp_path / "shot.html")
 
 
-def test_surfaces_have_the_colours_of_the_pictures() -> None:
+def test_surfaces_have_the_colours_of_the_pictures(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     from hoopgen.plots import COLOURS
 
-    style = (FOLDER / "page.css").read_text("utf-8")
-    own = dict(re.findall(r"--([a-z]+): (#[0-9A-F]{6});", style))
-    assert {name: own[name] for name in COLOURS} == dict(COLOURS)
+    written = view(hoopgen.simulate(SAMPLE[0], record=True), hoopgen.PAPER, tmp_path / "shot.html")
+    style = Path(written).read_text("utf-8").partition("<style>")[2].partition("</style>")[0]
+    given = re.findall(r"--([a-z]+): (#[0-9A-F]{6});", style)
+    assert len(given) == len(dict(given)), "no colour is given twice"
+    assert {name: dict(given)[name] for name in COLOURS} == dict(COLOURS)
 
 
 def test_three_is_the_release_that_its_notes_name_and_small() -> None:

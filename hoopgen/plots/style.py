@@ -11,6 +11,7 @@ from typing import Any
 import matplotlib
 from matplotlib.figure import Figure
 
+from hoopgen.colours import COLOURS
 from hoopgen.outputs import PICTURES, check_output, written
 
 __all__ = [
@@ -29,21 +30,6 @@ __all__ = [
 
 COLUMN, PAGE = 3.5, 7.1
 """Widths of a journal's column and of its page, inches."""
-
-# Okabe and Ito's palette: told apart by readers with any colour vision, and in grey.
-COLOURS: Mapping[str, str] = MappingProxyType(
-    {
-        "path": "#0072B2",
-        "ball": "#E69F00",
-        "ring": "#D55E00",
-        "backboard": "#333333",
-        "bridge": "#00795C",
-        "end": "#8C4A76",
-        "release": "#0072B2",
-        "faint": "#8A8A8A",
-        "paper": "#FFFFFF",
-    }
-)
 
 # The same hues, each kind of shot at a lightness of its own: made ones dark, missed ones pale. So
 # they are told apart in grey and by readers with any colour vision; tests/test_study_plots.py

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 import hoopgen
 from hoopgen.brief import brief
+from hoopgen.colours import COLOURS
 from hoopgen.generated.numpy import hoop
 from hoopgen.outputs import PAGES, check_output, write
 from hoopgen.parameters import NAMES, Value, resolve
@@ -205,7 +206,7 @@ def _touched(shots: Shots, values: Mapping[str, Value]) -> NDArray[np.float64]:
 
 def _fill(data: Mapping[str, Any]) -> str:
     """Put style, scripts and data into the page, and a policy that lets nothing else run."""
-    style, three = _read("page.css"), _read("three/three.js")
+    style, three = _palette() + _read("page.css"), _read("three/three.js")
     scripts = [_generated(), *(_read(name) for name in _SCRIPTS)]
     allowed = " ".join(_digest(text) for text in (three, *scripts))
     policy = f"default-src 'none'; img-src data:; script-src {allowed}; style-src {_digest(style)}"
@@ -234,6 +235,12 @@ def _digest(text: str) -> str:
 
 
 @cache
+def _palette() -> str:
+    """Return the colours that the page shares with pictures, as variables of its style."""
+    names = "".join(f"  --{name}: {colour};\n" for name, colour in COLOURS.items())
+    return f":root {{\n{names}}}\n"
+
+
 def _generated() -> str:
     return files("hoopgen.generated").joinpath("js/hoop.js").read_text(encoding="utf-8")
 
