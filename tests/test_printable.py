@@ -60,7 +60,7 @@ def test_nor_do_columns_and_names_of_files(tmp_path: Path) -> None:
     assert result.exit_code == 2
     assert r"column speed_\x1b[31m" in result.stderr
     assert "\x1b" not in result.output
-    table.write_text("speed,elevation,height,distance\n7,1,2,4\n", encoding="utf-8")
+    table.write_text("speed,elevation_rad,height,distance\n7,1,2,4\n", encoding="utf-8")
     result = CliRunner().invoke(main, ["batch", str(table), "--out", str(folder / "x.parquet")])
     assert result.exit_code == 0
     assert r"\x1b[31m" in result.stdout
