@@ -27,8 +27,8 @@ POSIX = pytest.mark.skipif(os.name == "nt", reason="permissions, links and pipes
 BEFORE = b"what was there before\n" * 100
 
 PLACE = ["--distance", "13.75ft", "--height", "7ft"]
-SHOT = ["shot", "--speed", "7.17", "--elevation", "51", *PLACE]
-MAP = ["map", "--over", "elevation=50:53:3", "--over", "speed=7:7.4:3", *PLACE]
+SHOT = ["shot", "--speed", "7.17", "--elevation", "51deg", *PLACE]
+MAP = ["map", "--over", "elevation=50deg:53deg:3", "--over", "speed=7:7.4:3", *PLACE]
 AIM = ["aim", "--distance", "4m,5m", "--height", "7ft"]
 
 
@@ -125,7 +125,7 @@ def test_a_pipe_is_written_as_it_is(tmp_path: Path) -> None:
         result = run(*MAP, "--out", str(pipe))
         assert result.exit_code == 0, result.output
         read, _ = reader.communicate(timeout=60)
-    assert read.startswith(b"elevation,speed,")
+    assert read.startswith(b"elevation_rad,speed_m_s,")
     assert stat.S_ISFIFO(pipe.stat().st_mode)
 
 
@@ -358,7 +358,7 @@ def test_a_batch_writes_the_file_that_a_link_leads_to(tmp_path: Path) -> None:
     link, file = tmp_path / "link.parquet", tmp_path / "far" / "file.parquet"
     link.symlink_to(file)
     table = tmp_path / "throws.csv"
-    table.write_text("speed,elevation\n7.2,0.9\n")
+    table.write_text("speed,elevation_rad\n7.2,0.9\n")
     hoopgen.batch(table, link, release={"height": 2.1, "distance": 4.2})
     assert link.is_symlink()
     assert file.read_bytes().startswith(b"PAR1")

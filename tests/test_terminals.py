@@ -34,8 +34,8 @@ import sys
 from hoopgen.cli import main
 
 place = "--height 7ft --distance 13.75ft".split()
-throw = ["--speed", "7.2", "--elevation", "51", *place]
-player = ["--elevation", "52", *place, "--scatter", "speed=0.07", "--shots", "500"]
+throw = ["--speed", "7.2", "--elevation", "51deg", *place]
+player = ["--elevation", "52deg", *place, "--scatter", "speed=0.07", "--shots", "500"]
 table = ["table.csv", "--release", "height=7ft", "--release", "distance=4m"]
 commands = [
     (0, ["--help"]),
@@ -45,10 +45,10 @@ commands = [
     (2, ["shot", "--speed", "7\\u2265"]),
     (0, ["certify", *throw]),
     (0, ["estimate", "--aim", "5cm", *player]),
-    (0, ["map", "--over", "elevation=45:60:3", "--over", "speed=7:7.5:3", *place]),
+    (0, ["map", "--over", "elevation=45deg:60deg:3", "--over", "speed=7:7.5:3", *place]),
     (0, ["optimum", "--over", "aim", "--seed", "3", *player]),
-    (0, ["aim", *place, "--entry", "45"]),
-    (2, ["aim", *place, "--entry=-60"]),
+    (0, ["aim", *place, "--entry", "45deg"]),
+    (2, ["aim", *place, "--entry=-60deg"]),
     (0, ["batch", *table, "--out", "results.parquet"]),
     (0, ["view", *table, "--out", "page.html"]),
     (0, ["study", "study.toml"]),

@@ -19,7 +19,7 @@ EXTREMES = (0x00, 0x01, 0x7F, 0x80, 0xFF)
 
 WHERE = ("--height", "7ft", "--distance", "13.75ft")
 SHARED = ("--release", "height=7ft", "--release", "distance=13.75ft")
-PLAYER = ("--elevation", "52", "--aim", "5cm", "--scatter", "speed=0.07", *WHERE)
+PLAYER = ("--elevation", "52deg", "--aim", "5cm", "--scatter", "speed=0.07", *WHERE)
 
 READERS: tuple[tuple[str, ...], ...] = (
     ("batch", "{}", "--out", "results.parquet", *SHARED),
@@ -80,7 +80,7 @@ SIZES = ("shots", "count", "precision")
 
 KEPT: tuple[tuple[str, ...], ...] = (
     ("estimate", *PLAYER, "--shots", "300000", "--folder", "kept"),
-    ("map", "--over", "backspin=0:3:2", *PLAYER, "--folder", "kept", "--out", "map.csv"),
+    ("map", "--over", "backspin=0:3Hz:2", *PLAYER, "--folder", "kept", "--out", "map.csv"),
     ("study", "study.toml", "--out", "kept"),
 )
 """What goes on from files that it has kept itself."""

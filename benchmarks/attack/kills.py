@@ -19,7 +19,7 @@ KILLS = 3
 
 LONG = STUDY.replace("shots = 500", "shots = 200_000")
 
-_MAP = ("--over", "backspin=0:3:5", "--shots", "80000")
+_MAP = ("--over", "backspin=0:3Hz:5", "--shots", "80000")
 
 COMMANDS: tuple[tuple[str, ...], ...] = (
     ("estimate", *PLAYER, "--shots", "600000", "--folder", "kept"),

@@ -17,11 +17,11 @@ from .cases import Attack, Attempt, Result
 from .files import STUDY, table
 from .processes import Entry, hoopgen, run, said, wrong
 
-SHOT = {"--speed": "7.17", "--elevation": "51", "--height": "7ft", "--distance": "13.75ft"}
+SHOT = {"--speed": "7.17", "--elevation": "51deg", "--height": "7ft", "--distance": "13.75ft"}
 PLAYER = {**SHOT, "--scatter": "speed=0.07", "--shots": "200"}
 SOUGHT = {name: value for name, value in PLAYER.items() if name != "--elevation"}
 
-MAP = {**PLAYER, "--over": "backspin=0:3:2"}
+MAP = {**PLAYER, "--over": "backspin=0:3Hz:2"}
 BATCH = {"file": "releases.csv", "--out": "results.parquet"}
 
 USUAL: tuple[tuple[str, Mapping[str, str]], ...] = (
@@ -32,7 +32,7 @@ USUAL: tuple[tuple[str, Mapping[str, str]], ...] = (
     ("estimate", {**PLAYER, "--folder": "kept", "--precision": "0.1"}),
     ("map", MAP),
     ("map", {**MAP, "--picture": "map.svg", "--out": "map.nc"}),
-    ("optimum", {**SOUGHT, "--over": "elevation=50:52"}),
+    ("optimum", {**SOUGHT, "--over": "elevation=50deg:52deg"}),
     ("aim", {"--distance": "13.75ft", "--height": "7ft"}),
     ("aim", {"--distance": "4m:5m:0.5m", "--height": "7ft", "--csv": "aim.csv"}),
     ("batch", BATCH),

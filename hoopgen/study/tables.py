@@ -379,7 +379,7 @@ class Source:
         except (pa.ArrowException, SystemError) as error:
             raise ValueError(f"{self.path}: {cut(str(error), _SAID)}") from error
         except ValueError as error:
-            raise ValueError(f"{self.path}: {error}") from error
+            raise ValueError(f"{self.path}: {cut(str(error), 10 * _SAID)}") from error
 
 
 _Opened = Iterator[tuple[pa.Schema, Iterable[pa.RecordBatch]]]
