@@ -147,7 +147,8 @@ def in_doubles(expressions: Mapping[str, sp.Expr | int], values: Values) -> dict
     with np.errstate(all="ignore"):
         for operation in lowered.operations:
             if operation.name == "argument":
-                done.append(np.asarray(values[operation.symbol], np.float64))
+                name = operation.symbol.removeprefix("p_")  # of a parameter
+                done.append(np.asarray(values[name], np.float64))
             elif operation.name == "constant":
                 done.append(np.float64(operation.value))
             else:
