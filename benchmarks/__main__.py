@@ -14,6 +14,7 @@ from benchmarks.families import FAMILIES
 from benchmarks.picture import draw
 from benchmarks.report import as_json, as_markdown
 from benchmarks.run import QUICK, Settings, run
+from hoopgen.outputs import write
 from hoopgen.plots.style import save
 
 
@@ -31,8 +32,8 @@ def main() -> None:
         sys.exit(_beside(arguments))
     arguments.out.mkdir(parents=True, exist_ok=True)
     results = run(QUICK if arguments.quick else Settings())
-    (arguments.out / "benchmarks.json").write_text(as_json(results), encoding="utf-8")
-    (arguments.out / "benchmarks.md").write_text(as_markdown(results), encoding="utf-8")
+    write(arguments.out / "benchmarks.json", as_json(results))
+    write(arguments.out / "benchmarks.md", as_markdown(results))
     save(draw(results), arguments.out / "benchmarks.svg")
     print(as_markdown(results))
 

@@ -25,6 +25,8 @@ from benchmarks.machine import facts
 from benchmarks.report import number, table
 from hoopgen.judge import Certificate, Proof, certify
 from hoopgen.judge.audit import deepest
+from hoopgen.outputs import write
+from hoopgen.phrases import percent
 from hoopgen.simulation import FIELDS
 
 ERRORS = ("time", "position", "velocity", "spin")
@@ -202,7 +204,7 @@ def _audit(
 
 
 def _share(part: int, whole: int) -> str:
-    return f"{100 * part / whole:.2f} %" if whole else "–"
+    return percent(part / whole, 2) if whole else "–"
 
 
 def _small(value: float) -> str:
@@ -326,6 +328,7 @@ def main() -> None:
     parser.add_argument("--families", nargs="+", choices=[f.key for f in FAMILIES])
     parser.add_argument("--out", type=Path, default=Path("docs"), help="folder, default docs")
     arguments = parser.parse_args()
+    arguments.out.mkdir(parents=True, exist_ok=True)  # before the work, should it fail
     families = [f for f in FAMILIES if not arguments.families or f.key in arguments.families]
     shots = 5_000 if arguments.quick else arguments.shots
     audited = 50 if arguments.quick else arguments.audited
@@ -336,10 +339,9 @@ def main() -> None:
         tallies.append(tally(family, -(-shots * weight // sum(weights)), audited))
         last = tallies[-1]
         print(f"{last.label}: {last.shots} shots, {last.wrong} wrong, {last.seconds:.0f} s")
-    arguments.out.mkdir(parents=True, exist_ok=True)
     numbers = json.dumps([asdict(t) for t in tallies], indent=1)
-    (arguments.out / "exactness.json").write_text(numbers + "\n", encoding="utf-8")
-    (arguments.out / "exactness.md").write_text(as_markdown(tallies), encoding="utf-8")
+    write(arguments.out / "exactness.json", numbers + "\n")
+    write(arguments.out / "exactness.md", as_markdown(tallies))
     sys.exit(any(t.wrong or t.unseen or max(t.ratios) > 1 for t in tallies))
 
 

@@ -1,6 +1,6 @@
 """`python -m benchmarks.pictures`: the pictures of the README and of docs/.
 
-All show one free throw, of a shooter whose scatter is that of a 70 % one (Slegers 2021), and bank
+All show one free throw, of a shooter whose scatter is that of a 70% one (Slegers 2021), and bank
 shots from the places around. Random numbers have seed 0: the same pictures every time.
 """
 
@@ -40,12 +40,12 @@ def free_throws() -> Figure:
     fan = gather_fan(shots, SCENE, range(grid.shots))
     cells = read_cells(
         hoopgen.map(
+            hoopgen.Scatter(PLACE),
             {
                 "speed": np.linspace(6.75, 8.55, 721),
                 "elevation": np.radians(np.arange(40, 66, 0.05)),
             },
-            PLACE,
-            parameters=SCENE,
+            SCENE,
         )
     )
     key = dict.fromkeys(CLASSES[place] for place in np.unique(cells.values))
@@ -79,7 +79,7 @@ def free_throws() -> Figure:
 def outcome_map() -> Figure:
     """Every free throw within wide limits."""
     over = {"speed": np.linspace(6.6, 9.6, 901), "elevation": np.radians(np.arange(38, 75, 0.06))}
-    return plot_map(hoopgen.map(over, PLACE, parameters=SCENE))
+    return plot_map(hoopgen.map(hoopgen.Scatter(PLACE), over, SCENE))
 
 
 def probability_map() -> Figure:
@@ -88,7 +88,7 @@ def probability_map() -> Figure:
         "speed": np.linspace(6.95, 7.75, 65),
         "elevation": np.radians(np.linspace(44.0, 64.0, 61)),
     }
-    return plot_map(hoopgen.map(over, PLACE, SCATTER, parameters=SCENE, shots=5_000))
+    return plot_map(hoopgen.map(hoopgen.Scatter(PLACE, SCATTER), over, SCENE, shots=5_000))
 
 
 def _released(shots: int, *, record: bool = False) -> tuple[np.ndarray, hoopgen.Shots]:
@@ -117,7 +117,8 @@ def aim_points() -> Figure:
     distance, angle = np.meshgrid([2.0, 3.0, 4.2, 5.5], np.radians(np.arange(-75.0, 76.0, 15.0)))
     places = np.stack([distance * np.cos(angle), distance * np.sin(angle)], axis=-1)
     release = {name: PLACE[name] for name in ("height", "backspin")}
-    dataset = bank_or_direct(places.reshape(-1, 2), release, SCATTER, parameters=SCENE, shots=5_000)
+    player = hoopgen.Scatter(release, SCATTER)
+    dataset = bank_or_direct(player, places.reshape(-1, 2), SCENE, shots=5_000)
     return plot_aim_points(dataset, SCENE)
 
 

@@ -10,6 +10,7 @@ from benchmarks.peers import PEERS
 from benchmarks.run import Results
 from benchmarks.timing import Spread
 from benchmarks.workloads import WORKLOADS
+from hoopgen.phrases import percent
 
 ARTICLE = {"event-driven": (0.0001, 0.0027), "time stepping": (0.0109, 0.0285)}
 """The article's Table 4, swish and bouncing (s)."""
@@ -92,7 +93,7 @@ def _speed(results: Results) -> list[str]:
         ["contacts a shot", *(number(results.work[w.key].contacts) for w in WORKLOADS)],
         [
             "hoopgen is uncertain of",
-            *(f"{100 * results.work[w.key].uncertain:.2f} %" for w in WORKLOADS),
+            *(percent(results.work[w.key].uncertain, 2) for w in WORKLOADS),
         ],
         *(
             [f"shots a turn, {one.label}", *(f"{rates[w.key][one.key].shots:,}" for w in WORKLOADS)]
@@ -127,8 +128,8 @@ def _errors(results: Results) -> list[str]:
         return [
             f"{workload} {label}",
             f"{error.shots:,}",
-            f"{100 * error.wrong_outcome:.2f} %",
-            f"{100 * error.wrong_sequence:.2f} %",
+            percent(error.wrong_outcome, 2),
+            percent(error.wrong_sequence, 2),
             f"{error.time_median:.1e}",
             f"{error.time_95:.1e}",
         ]
@@ -141,7 +142,7 @@ def _errors(results: Results) -> list[str]:
         "outcome and sequence of surfaces are right.",
         "",
         *table(
-            ["", "shots", "wrong outcome", "wrong sequence", "time, median (s)", "time, 95 % (s)"],
+            ["", "shots", "wrong outcome", "wrong sequence", "time, median (s)", "time, 95% (s)"],
             [row(label, key, w.key) for w in WORKLOADS for key, label in judged.items()],
         ),
     ]
@@ -217,14 +218,14 @@ def _limits(results: Results) -> list[str]:
             _time(1 / rate),
             f"{BYTES_A_SHOT}",
             f"{number(moved / 1e9)} GB/s",
-            f"{100 * moved / limits.bandwidth[CORES]:.1f} %",
+            percent(moved / limits.bandwidth[CORES]),
         ]
         operations = results.work[workload.key].operations
         if operations is None:
             cells += ["not counted", "not counted"]
         else:
             share = rate * operations / limits.operations[CORES]
-            cells += [number(operations), f"{100 * share:.1f} %"]
+            cells += [number(operations), percent(share)]
         rows.append(cells)
     head = ["", "a shot", "bytes", "moved", "of the bandwidth", "operations", "of the peak"]
     return [

@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from benchmarks.report import table
-from benchmarks.validation import (
+from benchmarks.validation_results import (
     ANGLES,
     DEGREE,
     FOOT,
@@ -28,6 +28,7 @@ from benchmarks.validation import (
     rounded,
 )
 from hoopgen import PAPER
+from hoopgen.phrases import percent
 from hoopgen.plots.style import COLOURS, PAGE, style
 from hoopgen.study.optimum import Optimum
 
@@ -53,7 +54,7 @@ SOURCES = (
 
 def share(value: float, low: float, high: float) -> str:
     """A probability with its interval."""
-    return f"{100 * value:.1f} % ({100 * low:.1f}–{100 * high:.1f})"
+    return f"{percent(value)} ({100 * low:.1f}–{100 * high:.1f})"
 
 
 def points(value: float, low: float, high: float) -> str:
@@ -115,7 +116,7 @@ def _head(results: Results) -> list[str]:
         "",
         "The best release is that of `hoopgen.optimum`, searched with the random numbers of seed "
         "0. Its probability is estimated again with those of seed 1: the search's own would be too "
-        f"good. In parentheses are 95 % intervals ({results.shots:,} shots, Wilson; differences "
+        f"good. In parentheses are 95% intervals ({results.shots:,} shots, Wilson; differences "
         "over the same random numbers, Newcombe), and after angles and aims the range in which "
         "the probability stays within one point of the best. A shot given up after 40 contacts "
         f"does not count as made ({results.line.theirs.capped} of the "
@@ -209,7 +210,7 @@ def _line(results: Results) -> list[str]:
                 ],
                 [
                     "their release, 52° and 5 cm",
-                    "70 %, assumed in 2011",
+                    "70%, assumed in 2011",
                     share(theirs.probability, theirs.low, theirs.high),
                 ],
                 ["our best release", "", chance(best)],
@@ -261,7 +262,7 @@ def _bank(results: Results) -> list[str]:
         "From each place the best direct shot and the best shot off the board, each over release "
         f"angle, speed and direction ({results.bank_shots:,} shots a place). Bank less direct, in "
         "points; 0° is straight in front of the board, 90° along the baseline. Each interval, and "
-        "each verdict counted below, is at 95 % by itself. The place where the bank leads most was "
+        "each verdict counted below, is at 95% by itself. The place where the bank leads most was "
         "chosen by these random numbers, so its lead is of others (seed 2).",
         "",
         *_grid(found),
@@ -271,7 +272,7 @@ def _bank(results: Results) -> list[str]:
                 [
                     "where the bank is better",
                     "intermediate ranges, towards the sides",
-                    f"at {better} of {data.sizes['place']} places (worse at {worse}), each at 95 %",
+                    f"at {better} of {data.sizes['place']} places (worse at {worse}), each at 95%",
                 ],
                 [
                     "by how much at most",
@@ -304,7 +305,7 @@ def _bank(results: Results) -> list[str]:
         f"by {found.touches.spread * 1000:.0f} mm.",
         "",
         "By how much the bank is better depends on where a shooter's errors are. Of theirs we know "
-        "the 70 % of free throws, not the deviations. A bank shot forgives errors of speed and "
+        "the 70% of free throws, not the deviations. A bank shot forgives errors of speed and "
         "angle more than a direct one, and errors to the side about as much (Silverberg 2013). So "
         "one who is straighter and less steady in speed, with SDs of "
         f"{STRAIGHTER['speed']:.2f} m/s, {STRAIGHTER['elevation'] / DEGREE:.1f}° and "
@@ -370,16 +371,16 @@ def _scatter(results: Results) -> list[str]:
                 [
                     "success, from the steadiest speed to the least steady",
                     "r = −0.88",
-                    f"from {sure:.0f} to {unsure:.0f} %",
+                    f"from {sure:.0f} to {unsure:.0f}%",
                 ],
                 [
                     "success, from the steadiest angle to the least steady",
                     "unrelated",
-                    f"from {fine:.0f} to {coarse:.0f} %",
+                    f"from {fine:.0f} to {coarse:.0f}%",
                 ],
                 [
                     "a shooter with 0.07 m/s, 1.3° and 1.0° to the side",
-                    "makes about 70 %",
+                    "makes about 70%",
                     chance(results.line.best),
                 ],
             ],

@@ -66,7 +66,7 @@ def swish(n: int) -> States:
 
 
 def free_throw(n: int) -> States:
-    """Return n shots of a player's scatter: speed 1.5 %, elevation 1.5°, azimuth 1°."""
+    """Return n shots of a player's scatter: speed 1.5%, elevation 1.5°, azimuth 1°."""
     gauss = _gauss("free throw", n, 3)
     states = np.tile(swish_shot(), (n, 1))
     _, _, _, vx, _, vz, _, backspin, _ = swish_shot()

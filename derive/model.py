@@ -33,7 +33,7 @@ from .scenes import validity
 from .scenes.names import check_kernels
 from .scenes.scene import Scene
 from .search import events, search
-from .search.search import Search
+from .search.search import Formula, Search
 from .studies import ARGUMENTS, study_kernels
 from .surfaces import Surface
 
@@ -230,7 +230,17 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
 
 def _law_kernels(law: Law, scene: Scene, order: tuple[sp.Symbol, ...]) -> dict[str, Kernel]:
     ball_radius = scene.ball_radius
-    return {
+    kernels = {}
+    doubt = law.doubt(normal, velocity, spin, ball_radius)
+    if doubt is not None:
+        kernels["doubt"] = kernel(
+            f"{law.name}_doubt",
+            {"unsure": doubt},
+            order,
+            "Where a decision within a contact lies within its error.",
+            "the law's own slack",
+        )
+    return kernels | {
         "impact": kernel(
             law.name,
             _components(MOTION, *law.after(normal, velocity, spin, ball_radius)),
@@ -252,7 +262,7 @@ def _surface_kernels(
     surface: Surface, scene: Scene, order: tuple[sp.Symbol, ...]
 ) -> SurfaceKernels:
     found = search(surface, scene.gravity)
-    formulas = {
+    formulas: dict[str, Formula] = {
         "coefficients": (
             _named("c", events.event_coefficients(surface, scene.gravity)),
             "Coefficients in time of the event polynomial, constant first.",
@@ -291,7 +301,8 @@ def _surface_kernels(
 def build(scene: Scene) -> Model:
     """Return all kernels of a scene, and its event loop."""
     order = _order(scene)
-    common = {k.name: k for k in _common(scene, order)} | decisions.kernels(scene.faces)
+    common = {k.name: k for k in _common(scene, order)}
+    choices = decisions.kernels(scene.faces)
     laws = {law: _law_kernels(law, scene, order) for law in scene.laws}
     surfaces = tuple(_surface_kernels(surface, scene, order) for surface in scene.surfaces)
     finish = _surface_kernels(scene.finish, scene, order)
@@ -302,9 +313,14 @@ def build(scene: Scene) -> Model:
     end = Contact(len(contacts), len(scene.bodies), finish.kernels, finish.search, {})
     names = [body.name for body in scene.bodies]
     loop = event_loop(
-        common, contacts, end, fields(names), [variable(symbol) for symbol in scene.symbols]
+        common | choices,
+        contacts,
+        end,
+        fields(names),
+        [variable(symbol) for symbol in scene.symbols],
     )
     study = tuple(study_kernels(scene, order))
+    common |= {name: made for name, made in choices.items() if name in loop.called}
     model = Model(scene, common, laws, surfaces, finish, study, loop, results(names))
     check_kernels(scene.name, (kernel.name for kernel in model.kernels))
     return model

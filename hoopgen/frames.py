@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 from .installed import need
 from .notebook import ROWS, some_rows, table
 from .results import SURFACES, Outcome
+from .study.told import say_scene
+from .units import column_name
 
 if TYPE_CHECKING:
     from .results import Shots, Trajectory
@@ -25,6 +27,11 @@ _ERRORS = {"position_error": "m", "velocity_error": "m/s", "spin_error": "rad/s"
 
 UNITS: Mapping[str, str] = {"time": "s", "time_error": "s", **_STATE_UNITS, **_ERRORS}
 """Of the columns that have one."""
+
+
+def _named(name: str, unit: str = "") -> str:
+    return column_name(name, unit or UNITS.get(name, ""))
+
 
 _OUTCOMES = [outcome.name.lower() for outcome in Outcome]
 _END = (*SURFACES, "end")
@@ -61,8 +68,9 @@ def shots_frame(shots: Shots) -> Any:
     for name, words in (("outcome", _OUTCOMES), ("first", list(SURFACES))):
         if name in columns:
             columns[name] = pd.Categorical.from_codes(columns[name], words)
+    columns = {_named(name): column for name, column in columns.items()}
     frame = pd.DataFrame(columns, pd.RangeIndex(len(shots), name="shot"))
-    frame.attrs["units"] = {name: UNITS[name] for name in columns if name in UNITS}
+    frame.attrs["scene"] = say_scene(shots.parameters)
     return frame
 
 
@@ -91,6 +99,7 @@ def shots_dataset(shots: Shots) -> Any:
     if "state" in data:
         dataset = dataset.assign_coords(unit=("component", list(_STATE_UNITS.values())))
     alike = {name: value for name, value in shots.parameters.items() if np.ndim(value) == 0}
+    dataset.attrs["scene"] = say_scene(shots.parameters)
     dataset.attrs["parameters"] = json.dumps(alike)
     apart = {name: ("shot", v) for name, v in shots.parameters.items() if np.ndim(v)}
     return dataset.assign_coords(apart)
@@ -116,15 +125,15 @@ def contacts_frame(trajectory: Trajectory) -> Any:
     pd = need("pandas", "to_pandas")
     events = trajectory.events
     words = pd.Categorical.from_codes(events["surface"], list(_END))
-    columns = {"time": events["time"], "surface": words}
-    columns |= dict(zip(STATE[:3], events["before"].T, strict=False))
+    columns = {_named("time"): events["time"], "surface": words}
+    columns |= dict(zip(map(_named, STATE[:3]), events["before"].T, strict=False))
     for name in ("before", "after"):
-        columns |= {f"{name}_{one}": events[name][:, k] for k, one in enumerate(STATE) if k > 2}
-    frame = pd.DataFrame(columns, pd.RangeIndex(1, len(events) + 1, name="event"))
-    frame.attrs["units"] = {
-        name: UNITS[name.rpartition("_")[2]] for name in columns if name != "surface"
-    }
-    return frame
+        columns |= {
+            _named(f"{name}_{one}", UNITS[one]): events[name][:, k]
+            for k, one in enumerate(STATE)
+            if k > 2
+        }
+    return pd.DataFrame(columns, pd.RangeIndex(1, len(events) + 1, name="event"))
 
 
 def contacts_html(trajectory: Trajectory) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,9 @@ from .engine.raw import STATE_SIZE
 from .results import SURFACES
 
 __all__ = [
+    "check_angles",
     "check_contacts",
+    "check_count",
     "check_leaving",
     "check_states",
     "check_threads",
@@ -71,6 +74,27 @@ def is_whole(value: Any) -> bool:
     return isinstance(value, int | np.integer) and not isinstance(value, np.timedelta64)
 
 
+def check_angles(name: str, angles: Mapping[str, ArrayLike]) -> None:
+    """Refuse angles that are degrees, by their median: all are radians, and within a turn.
+
+    Raises
+    ------
+    ValueError
+        The message begins with `name`.
+    """
+    for angle, value in angles.items():
+        sizes = np.abs(np.asarray(value, dtype=np.float64))
+        if not np.any(sizes > 2 * np.pi):
+            continue
+        sizes = sizes[np.isfinite(sizes)]
+        if sizes.size and np.median(sizes) > 2 * np.pi:
+            raise ValueError(
+                f"{name}: {angle} is in radians, and these are more than a turn: "
+                f"{np.median(sizes):.6g}. Degrees would be np.radians(...), or in a table a column "
+                f"{angle}_deg"
+            )
+
+
 def check_states(states: ArrayLike) -> NDArray[np.float64]:
     """Return releases as float64 (n, 9), each row together in memory.
 
@@ -120,9 +144,27 @@ def check_contacts(max_contacts: Any) -> int:
     ValueError
         If it is no whole number from 1, or more than the engines count.
     """
-    if not is_whole(max_contacts) or not 1 <= max_contacts < 2**31:
-        raise ValueError(f"max_contacts: expected a whole number from 1, got {brief(max_contacts)}")
-    return int(max_contacts)
+    return check_count("max_contacts", max_contacts, most=2**31 - 1)
+
+
+def check_count(
+    name: str, value: Any, *, least: int = 1, most: int = 2**63 - 1, expected: str = ""
+) -> int:
+    """Return a whole number from `least` to `most`; neither a truth value nor a time is one.
+
+    Raises
+    ------
+    ValueError
+        If it is none; the message begins with `name` and says what is expected, by default the
+        ends.
+    """
+    whole = is_whole(value) and not isinstance(value, bool)
+    if not whole or not least <= value <= most:
+        said = expected or f"a whole number from {least}"
+        # An end that nobody comes near is told only to those who pass it.
+        beyond = f"; at most {most}" if whole and value > most else ""
+        raise ValueError(f"{name}: expected {said}, got {brief(value)}{beyond}")
+    return int(value)
 
 
 def check_threads(threads: Any) -> int:
@@ -139,6 +181,5 @@ def check_threads(threads: Any) -> int:
     processors = len(own(0)) if own else os.cpu_count() or 1
     if threads is None:
         return processors
-    if not is_whole(threads) or threads < 1:
-        raise ValueError(f"threads: expected a whole number from 1, or None, got {brief(threads)}")
-    return min(int(threads), CROWD * processors)
+    count = check_count("threads", threads, expected="a whole number from 1, or None")
+    return min(count, CROWD * processors)

@@ -15,7 +15,7 @@ ROWS = 10
 
 
 class Said:
-    """A result that is shown as it is printed, and becomes a row of a table."""
+    """A result that is shown and represented as it is printed, and becomes a row of a table."""
 
     def as_dict(self) -> dict[str, Any]:
         """Return everything, in types that JSON knows."""
@@ -24,12 +24,19 @@ class Said:
     def to_pandas(self) -> Any:
         """Return a pandas.DataFrame of one row: what `as_dict` gives, nested names joined by _.
 
+        Units are in the columns' names.
+
         Raises
         ------
         ImportError
             If pandas is missing: what brings it.
         """
-        return need("pandas", "to_pandas").json_normalize([self.as_dict()], sep="_")
+        from .study.named import in_units
+
+        return need("pandas", "to_pandas").json_normalize([in_units(self.as_dict())], sep="_")
+
+    def __repr__(self) -> str:
+        return str(self)
 
     def _repr_html_(self) -> str:
         return f"<pre>{html.escape(str(self))}</pre>"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -93,6 +94,35 @@ FIBA = _preset(
     (1.80, 1.05),
 )
 """FIBA equipment rules, middle of the tolerances."""
+
+PRESETS: Mapping[str, Parameters] = MappingProxyType({"paper": PAPER, "nba": NBA, "fiba": FIBA})
+"""By the names that they have on the command line and in files."""
+
+
+def nearest_preset(parameters: Mapping[str, Any]) -> tuple[str, dict[str, Any]]:
+    """Return the preset that differs in the fewest parameters, and those that differ from it.
+
+    Parameters
+    ----------
+    parameters
+        Of the scene, one number each or (n,). Names that are not there do not count.
+
+    Returns
+    -------
+    tuple
+        A key of `PRESETS`, of several the first; and names and values.
+    """
+
+    def apart(preset: Mapping[str, Any]) -> dict[str, Any]:
+        return {
+            name: value
+            for name, value in parameters.items()
+            if name in preset and not np.all(np.asarray(value) == preset[name])
+        }
+
+    differences = {name: apart(preset) for name, preset in PRESETS.items()}
+    nearest = min(differences, key=lambda name: len(differences[name]))
+    return nearest, differences[nearest]
 
 
 def resolve(parameters: Mapping[str, Any], shots: int) -> list[Value]:

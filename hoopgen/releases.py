@@ -2,13 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .inputs import doubles
+from .inputs import check_angles, doubles
 
 RING_HEIGHT = 3.048
 """m, of the ring above the floor: 10 ft."""
+
+_ANGLES = ("elevation", "azimuth", "angle")
+
+
+def from_zero(distance: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return distances, NaN for negative ones; what lies behind the ring is said by the angle.
+
+    Raises
+    ------
+    ValueError
+        If it is a single one, and negative.
+    """
+    negative = distance < 0.0
+    if not negative.any():
+        return distance
+    if not distance.ndim:
+        raise ValueError(f"distance: expected 0 m or more, got {distance}")
+    return np.where(negative, np.nan, distance)
 
 
 def release(
@@ -43,7 +63,7 @@ def release(
     height
         Of the ball's centre above the floor, m; the ring is at 3.048.
     distance
-        From the ring's centre on the floor plan, m.
+        From the ring's centre on the floor plan, m. Of many a negative one gives a state of NaN.
     angle
         Of the place around the ring's centre, rad: 0 straight in front, on +x, counter-clockwise
         seen from above.
@@ -58,7 +78,8 @@ def release(
     TypeError
         If an argument cannot become float64.
     ValueError
-        If the shapes do not broadcast.
+        If the shapes do not broadcast, the one distance of all is negative, or angles are degrees:
+        by their median, more than a turn.
     """
     arguments = {
         "speed": speed,
@@ -71,11 +92,42 @@ def release(
         "angle": angle,
     }
     arrays = {name: doubles(name, value) for name, value in arguments.items()}
+    check_angles("release", {name: arrays[name] for name in _ANGLES})
+    return released(arrays)
+
+
+def released(arrays: Mapping[str, NDArray[np.float64]]) -> NDArray[np.float64]:
+    """Return what `release` does, whatever the angles: studies check theirs once.
+
+    Parameters
+    ----------
+    arrays
+        All arguments of `release`.
+
+    Returns
+    -------
+    ndarray
+        As of `release`.
+
+    Raises
+    ------
+    ValueError
+        If the shapes do not broadcast.
+    """
     try:
         shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
     except ValueError:
         shapes = ", ".join(f"{name} {array.shape}" for name, array in arrays.items() if array.ndim)
         raise ValueError(f"release: the shapes do not broadcast: {shapes}") from None
+    arrays = {**arrays, "distance": from_zero(arrays["distance"])}
+    with np.errstate(over="ignore", invalid="ignore"):  # what is not finite is an invalid shot
+        return _states(arrays, shape)
+
+
+def _states(
+    arrays: Mapping[str, NDArray[np.float64]], shape: tuple[int, ...]
+) -> NDArray[np.float64]:
+    """Return the states of releases whose arguments broadcast to a shape."""
     # Nothing is broadcast before it is stored: what all shots share is computed once.
     # Towards the centre is angle + pi; the shooter's left, seen from above, is counter-clockwise.
     heading = arrays["azimuth"] + arrays["angle"]

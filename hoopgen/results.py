@@ -11,14 +11,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.generated.numpy import hoop
+from hoopgen.generated.numpy.hoop import Outcome as Outcome
 
 from .brief import brief
+from .phrases import counted, doubtful
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-Outcome = hoop.Outcome
 
 SURFACES = hoop.BODIES
 """Surfaces, in the order of ``Shots.counts``; the event log numbers the end plane after them."""
@@ -109,7 +110,7 @@ class Trajectory:
         return drawn
 
     def to_pandas(self) -> Any:
-        """Return the events as a pandas.DataFrame, a row each; their units are in its ``attrs``.
+        """Return the events as a pandas.DataFrame, a row each, units in the columns' names.
 
         Time, surface, position, and velocity and spin before and after.
 
@@ -200,16 +201,20 @@ class Shots:
         return len(self._states)
 
     def __repr__(self) -> str:
-        shots = f"{len(self):,} shot{'' if len(self) == 1 else 's'}"
+        shots = counted(len(self), "shot")
         what = self._counts() if "outcome" in self._fields else ", ".join(self._fields)
-        return f"Shots({shots}{': ' if what else ''}{what})"
+        from .study.told import say_scene
+
+        return f"Shots({shots}{': ' if what else ''}{what}; {say_scene(self.parameters)})"
 
     def _counts(self) -> str:
         """Say how many ended how, and how many of them are uncertain."""
         ended = {one.name.lower(): np.count_nonzero(self.outcome == one) for one in Outcome}
         said = ", ".join(f"{count:,} {name}" for name, count in ended.items() if count)
-        doubt = np.count_nonzero(self.uncertain) if "uncertain" in self._fields else 0
-        return f"{said}; {doubt:,} uncertain" if doubt else said
+        if "uncertain" not in self._fields or not self.uncertain.any():
+            return said
+        capped = self.uncertain & (self.outcome == Outcome.CAPPED)
+        return f"{said}; {doubtful(int(self.uncertain.sum()), int(capped.sum()))}"
 
     def plot(self, **options: Any) -> Figure | Axes:
         """Draw the paths; options, and what is returned and raised, as for `plots.plot_fan`."""
@@ -219,7 +224,7 @@ class Shots:
         return drawn
 
     def to_pandas(self) -> Any:
-        """Return the results as a pandas.DataFrame, a row a shot; units are in its ``attrs``.
+        """Return the results as a pandas.DataFrame, a row a shot, units in the columns' names.
 
         Fields with several numbers a shot are as many columns: ``ring_contacts``, ..., ``x``, ...
 

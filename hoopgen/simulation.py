@@ -22,6 +22,7 @@ from .engine.raw import BOUNDS, EVENT, FIELDS, Raw, allocate, allocate_events
 from .inputs import check_contacts, check_leaving, check_states, check_threads
 from .parameters import NAMES, PAPER, Value, resolve
 from .results import SURFACES, Shots
+from .sizes import check_room
 
 CHUNK = 1 << 17
 """Most shots that a thread takes at a time; each chunk costs a call, and lanes idle at its end."""
@@ -133,6 +134,9 @@ def simulate(
     values = resolve(parameters, shots)
     most = check_contacts(max_contacts)
     wanted = _fields(fields)
+    workers = check_threads(threads)
+    if record:
+        check_log(shots, most, workers)
     batch = _Batch(
         releases,
         values,
@@ -143,7 +147,7 @@ def simulate(
     )
     computed = tuple(dict.fromkeys((*wanted, "uncertain"))) if settle else wanted
     out = allocate(shots, len(SURFACES), computed)
-    logs = _run(batch, out, check_threads(threads), record)
+    logs = _run(batch, out, workers, record)
     results = dict(out.arrays)
     if record:
         results["events"] = np.concatenate([np.empty(0, EVENT), *logs])
@@ -154,6 +158,20 @@ def simulate(
         decide(results, releases, parameters, batch.max_contacts, leaving=batch.leaving)
     kept = {name: array for name, array in results.items() if name in (*wanted, "events")}
     return Shots(kept, releases, dict(zip(NAMES, values, strict=True)))
+
+
+def check_log(shots: int, max_contacts: int, threads: int | None = None) -> None:
+    """Refuse an event log for which there is no room; arguments as of `simulate`.
+
+    Raises
+    ------
+    ValueError
+        If it would take too much memory.
+    """
+    # Room is made for every contact that could be, by each thread for the shots it has.
+    at_once = min(shots, check_threads(threads) * max(1, ROOM // (max_contacts + 1)))
+    rows = at_once * (max_contacts + 1)
+    check_room("max_contacts", rows, "events to be recorded at once", EVENT.itemsize + 16)
 
 
 def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[Any]]:

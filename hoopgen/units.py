@@ -1,20 +1,41 @@
-"""Units written in words: ``13.75ft``, ``51deg``, ``3 Hz``, ``6ft 8in``.
+"""Units written in words: ``13.75ft``, ``51 degrees``, ``3 Hz``, ``6ft 8in``.
 
 The library itself speaks SI and radians only. This is the door: a small table and a small grammar,
-nothing is ever evaluated.
+nothing is ever evaluated. One rule holds wherever a person types text, on the command line, in
+study files and in the names of columns: what has no unit is SI, but an angle or a spin, which are
+thought of in other units than the library's, must have one. 0 is 0 in any.
+
+Outwards, `showing` chooses the units of text and pictures.
 """
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Literal
 
 from .brief import brief
 
-__all__ = ["FOOT", "UNITS", "Kind", "parse_quantity"]
+__all__ = [
+    "FOOT",
+    "NO_BARE",
+    "UNITS",
+    "Kind",
+    "Shown",
+    "System",
+    "column_name",
+    "parse_quantity",
+    "readings",
+    "showing",
+    "shown",
+    "shown_system",
+    "unit_size",
+]
 
 Kind = Literal["length", "speed", "angle", "spin", "acceleration", "number"]
 
@@ -29,44 +50,93 @@ _TURN = 2.0 * math.pi
 
 UNITS: Mapping[Kind, Mapping[str, float]] = MappingProxyType(
     {
-        "length": MappingProxyType(
-            {"m": 1.0, "cm": 0.01, "mm": 0.001, "ft": FOOT, "in": _INCH, "'": FOOT, '"': _INCH}
-        ),
+        "length": MappingProxyType({"m": 1.0, "cm": 0.01, "mm": 0.001, "ft": FOOT, "in": _INCH}),
         "speed": MappingProxyType(
-            {"m/s": 1.0, "ft/s": FOOT, "km/h": 1000.0 / _HOUR, "mph": _MILE / _HOUR}
+            {
+                "m/s": 1.0,
+                "cm/s": 0.01,
+                "ft/s": FOOT,
+                "km/h": 1000.0 / _HOUR,
+                "mph": _MILE / _HOUR,
+            }
         ),
-        "angle": MappingProxyType({"rad": 1.0, "deg": _DEGREE, "°": _DEGREE}),
+        "angle": MappingProxyType({"rad": 1.0, "deg": _DEGREE}),
         "spin": MappingProxyType(
             {"rad/s": 1.0, "deg/s": _DEGREE, "Hz": _TURN, "rev/s": _TURN, "rpm": _TURN / 60.0}
         ),
-        "acceleration": MappingProxyType(
-            {"m/s2": 1.0, "m/s^2": 1.0, "ft/s2": FOOT, "ft/s^2": FOOT}
-        ),
+        "acceleration": MappingProxyType({"m/s2": 1.0, "ft/s2": FOOT}),
         "number": MappingProxyType({"": 1.0}),
     }
 )
 """Each kind of quantity, its units and their size in SI. The first unit of a kind is the SI one."""
 
+NO_BARE: Mapping[Kind, tuple[str, ...]] = MappingProxyType(
+    {"angle": ("deg", "rad"), "spin": ("Hz", "rpm", "rad/s", "deg/s")}
+)
+"""Kinds that must have their unit, and the units that a bare number may have been meant in."""
+
+_SPELLED = {
+    "m": "metre metres meter meters",
+    "cm": "centimetre centimetres centimeter centimeters",
+    "mm": "millimetre millimetres millimeter millimeters",
+    "km": "kilometre kilometres kilometer kilometers",
+    "ft": "foot feet ' \u2032",
+    "in": 'inch inches " \u2033',
+    "mi": "mile miles",
+    "s": "sec second seconds",
+    "min": "minute minutes",
+    "h": "hr hour hours",
+    "rad": "radian radians",
+    "deg": "degree degrees \u00b0",
+    "rev": "revolution revolutions turn turns",
+    "hz": "hertz",
+    "s2": "s^2 s\u00b2",
+    "mph": "mi/h",
+    "km/h": "kph kmh",
+    "rpm": "rev/min",
+}
+"""Other spellings, of units and of their parts."""
+
+_SYMBOLS = {word: symbol for symbol, words in _SPELLED.items() for word in words.split()}
+
+_SIZES: Mapping[Kind, Mapping[str, float]] = {
+    kind: {unit.lower(): size for unit, size in units.items()} for kind, units in UNITS.items()
+}
+
 _NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
-_UNIT = (
-    r"[^\s\d.+-]+(?:(?<=/s)2|(?<=\^)2)?"  # only a square ends in a digit: 6ft2in is feet, inches
+_WORD = r"[^\s\d.+/-]+"
+_UNIT = (  # only a square ends in a digit: 6ft2in is feet, inches
+    rf"{_WORD}(?:(?:\s*/\s*|\s+[pP][eE][rR]\s+){_WORD}(?:(?<=/s)2|(?<=\^)2)?)?"
 )
 _PART = re.compile(rf"\s*({_NUMBER})\s*({_UNIT})?", re.ASCII)
 _SIGN = re.compile(r"\s*([+-]?)", re.ASCII)
 
 
-def parse_quantity(text: str, kind: Kind, *, bare: str | None = None) -> float:
+# ----------------------------------------------------------------------------------------- reading
+
+
+def unit_size(unit: str, kind: Kind) -> float | None:
+    """Return the size in SI of a unit of `kind`, None if it is none.
+
+    Spelled as in `UNITS` or in full, ``feet``, ``revolutions per minute``, in capital letters or
+    small ones.
+    """
+    parts = re.split(r"\s*/\s*|\s+per\s+", unit.strip().lower())
+    symbol = "/".join(_SYMBOLS.get(part, part) for part in parts)
+    return _SIZES[kind].get(_SYMBOLS.get(symbol, symbol))
+
+
+def parse_quantity(text: str, kind: Kind) -> float:
     """Read a number with a unit and give it in SI.
 
     Parameters
     ----------
     text
-        A number and a unit of `kind`, with or without a space between them. Lengths may have
-        several parts, ``6ft 8in``; a sign in front holds for all of them.
+        A number and a unit of `kind`, with or without a space between them; see `unit_size`.
+        Lengths may have several parts, ``6ft 8in``; a sign in front holds for all of them. Without
+        a unit it is SI; an angle or a spin other than 0 must have one.
     kind
         What is measured; see `UNITS`.
-    bare
-        The unit of a number written without one. By default the SI unit of `kind`.
 
     Returns
     -------
@@ -76,22 +146,29 @@ def parse_quantity(text: str, kind: Kind, *, bare: str | None = None) -> float:
     Raises
     ------
     ValueError
-        The text is no number, the unit is not one of `kind`, or the value is not finite.
+        The text is no number, the unit is not one of `kind` or is needed and not there, or the
+        value is not finite.
     """
-    units = UNITS[kind]
     sign, parts = _split(text, kind)
     if len(parts) > 1 and (kind != "length" or any(not unit for _, unit in parts)):
         raise ValueError(_complaint(text, kind))
-    default = next(iter(units)) if bare is None else bare
     total = 0.0
-    for number, written in parts:
-        unit = written or default
-        if unit not in units:
+    for number, unit in parts:
+        size = unit_size(unit, kind) if unit else 1.0
+        if size is None:
             raise ValueError(_wrong_unit(text, unit, kind))
-        total += float(number) * units[unit]
+        total += float(number) * size
     if not math.isfinite(total):
         raise ValueError(f"{brief(text)} is too large")
+    if kind in NO_BARE and not parts[0][1] and total != 0.0:
+        raise ValueError(f"{brief(text)} has no unit: write {readings(text.strip(), kind)}")
     return -total if sign == "-" else total
+
+
+def readings(number: str, kind: Kind, form: str = "{}{}") -> str:
+    """Say what a number without its unit may mean: ``52deg or 52rad``."""
+    *others, last = (form.format(number, unit) for unit in NO_BARE[kind])
+    return f"{', '.join(others)} or {last}"
 
 
 def _split(text: str, kind: Kind) -> tuple[str, list[tuple[str, str]]]:
@@ -125,3 +202,97 @@ def _wrong_unit(text: str, unit: str, kind: Kind) -> str:
 
 def _listed(kind: Kind) -> str:
     return ", ".join(UNITS[kind])
+
+
+# ----------------------------------------------------------------------------------------- writing
+
+
+def column_name(name: str, unit: str) -> str:
+    """Return the name of a column of numbers in a unit: ``speed_m_s``; a plain number's has none.
+
+    What is written like this is read again: see `hoopgen.study.tables`.
+    """
+    plain = unit.lower().replace("\u00b2", "2").replace("/", "_")
+    return name if plain in ("", "1") else f"{name}_{plain}"
+
+
+System = Literal["si", "us"]
+
+
+@dataclass(frozen=True)
+class Shown:
+    """How values of a kind are shown in text and pictures.
+
+    Attributes
+    ----------
+    symbol
+        Of the unit; empty for a plain number.
+    size
+        Of the unit, in SI.
+    decimals
+        In text.
+    """
+
+    symbol: str
+    size: float
+    decimals: int
+
+
+_SHOWN: Mapping[System, Mapping[str, Shown]] = MappingProxyType(
+    {
+        "si": {
+            "length": Shown("m", 1.0, 3),
+            "speed": Shown("m/s", 1.0, 3),
+            "angle": Shown("\u00b0", _DEGREE, 1),
+            "spin": Shown("Hz", _TURN, 2),
+            "acceleration": Shown("m/s\u00b2", 1.0, 3),
+            "number": Shown("", 1.0, 3),
+            "short": Shown("cm", 0.01, 1),
+        },
+        "us": {
+            "length": Shown("ft", FOOT, 2),
+            "speed": Shown("mph", _MILE / _HOUR, 2),
+            "angle": Shown("\u00b0", _DEGREE, 1),
+            "spin": Shown("Hz", _TURN, 2),
+            "acceleration": Shown("ft/s\u00b2", FOOT, 2),
+            "number": Shown("", 1.0, 3),
+            "short": Shown("in", _INCH, 2),
+        },
+    }
+)
+
+_SYSTEM: ContextVar[System] = ContextVar("units shown", default="si")
+
+
+@contextmanager
+def showing(system: System) -> Iterator[None]:
+    """Show text and pictures in other units, as long as the context lasts.
+
+    Parameters
+    ----------
+    system
+        "si", metres and m/s; or "us", feet, inches and mph. Degrees and Hz in both. Numbers that
+        functions take and return, and files, are not touched.
+
+    Raises
+    ------
+    ValueError
+        If there is no such system.
+    """
+    if system not in _SHOWN:
+        raise ValueError(f"system: expected {' or '.join(_SHOWN)}, got {system!r}")
+    token = _SYSTEM.set(system)
+    try:
+        yield
+    finally:
+        _SYSTEM.reset(token)
+
+
+def shown(kind: Kind | Literal["short"]) -> Shown:
+    """Return how a kind, or a short length, is shown."""
+    return _SHOWN[_SYSTEM.get()][kind]
+
+
+def shown_system() -> System:
+    """Return the units that are shown."""
+    return _SYSTEM.get()

@@ -22,8 +22,29 @@ from numpy.typing import NDArray
 ROOT = Path(__file__).resolve().parents[1]
 COMPILER = (os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc").split()
 WARNINGS = ("-Wall", "-Wextra", "-Wconversion", "-Werror")
-WIDTHS = (1, 2, 4, 8)
-"""Of the kernels; GCC and Clang make vectors of any width out of what the processor has."""
+# Of -fsanitize=undefined GCC leaves out the conversion of a double that no integer holds.
+SANITIZERS = (
+    "-O1",
+    "-g",
+    "-fsanitize=address,undefined,float-cast-overflow",
+    "-fno-sanitize-recover=all",
+)
+TARGETS = {1: (), 4: (), 8: ("avx2",), 16: ("avx512f", "avx512dq", "avx512vl")}
+"""What the processor must have for each number of lanes."""
+
+
+def _processor() -> frozenset[str]:
+    """Return what the processor says that it has; nothing where it is not an x86."""
+    try:
+        said = Path("/proc/cpuinfo").read_text(encoding="utf-8")
+    except OSError:
+        return frozenset()
+    flags = next((line for line in said.splitlines() if line.startswith("flags")), "")
+    return frozenset(flags.split())
+
+
+WIDTHS = tuple(width for width, needed in TARGETS.items() if _processor() >= set(needed))
+"""Lanes that kernels can be compiled for here."""
 
 needs_compiler = pytest.mark.skipif(
     os.name != "posix" or shutil.which(COMPILER[0]) is None, reason="no C compiler"
@@ -36,6 +57,9 @@ _HEAD = """\
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
+#ifdef __x86_64__
+#include <immintrin.h>
+#endif
 #define LANES_PASTE_(name, width) name##_w##width
 #define LANES_PASTE(name, width) LANES_PASTE_(name, width)
 #define LANES(name) LANES_PASTE(name, LANES_WIDTH)
@@ -52,6 +76,9 @@ void run_{name}(size_t rows, const double *const *in, double *const *out)
     }}
 }}
 """
+
+
+_TRUTH = "lanes_not(lanes_equal(lanes_load(in[{}] + row), K(0.0)))"
 
 
 def setup_flags() -> list[str]:
@@ -87,12 +114,9 @@ def load_module(source: Path) -> ModuleType:
     return module
 
 
-def macros(scene: str) -> str:
-    """Return what the generated engine of a scene defines before it includes the kernels."""
-    engine = (ROOT / f"generated/c/{scene}_engine.h").read_text(encoding="utf-8")
-    head, found, _ = engine.partition(f'#include "{scene}_kernels.h"')
-    assert found
-    return head
+def lanes(scene: str) -> str:
+    """Return what a scene's kernels are written in."""
+    return (ROOT / f"generated/c/{scene}_lanes.h").read_text(encoding="utf-8")
 
 
 class CKernels:
@@ -119,18 +143,20 @@ class CKernels:
         self._width = width
         (folder / f"kernels_w{width}.h").write_text(header, encoding="utf-8")
         source = folder / f"kernels_w{width}.c"
-        parts = [_HEAD, f"#define LANES_WIDTH {width}\n", macros("hoop")]
+        parts = [_HEAD, f"#define LANES_WIDTH {width}\n", lanes("hoop")]
         parts += [f'#include "kernels_w{width}.h"\n']
         parts += [self._function(kernel, scene) for kernel in self._kernels.values()]
         source.write_text("".join(parts), encoding="utf-8")
         # Vectors wider than the processor's go through memory: an ABI of this library's own.
-        self._library = ctypes.CDLL(str(shared_library(source, "-Wno-psabi")))
+        self._library = ctypes.CDLL(
+            str(shared_library(source, *(f"-m{one}" for one in TARGETS[width]), "-Wno-psabi"))
+        )
 
     @staticmethod
     def _function(kernel: Kernel, scene: str) -> str:
         # A truth comes and goes as a number that is not zero where it holds.
         arguments = (
-            f"lanes_load(in[{i}] + row){' != K(0.0)' if isinstance(a, Truth) else ''}"
+            _TRUTH.format(i) if isinstance(a, Truth) else f"lanes_load(in[{i}] + row)"
             for i, a in enumerate(kernel.arguments)
         )
         values = (

@@ -99,7 +99,7 @@ def try_flags(
     *,
     link: str = "",
     ours: bool = True,
-    widest: int = 8,
+    widest: int = 16,
     shots: int = 0,
     source: Path = ROOT / "generated" / "c" / "hoop.c",
 ) -> Verdict:
@@ -112,7 +112,7 @@ def try_flags(
     ours
         Whether setup.py builds it; else the compiler alone, -O3 before the flags.
     widest
-        The widest vectors that are built; 1 and 2 take seconds, all of them about ten.
+        The widest vectors that are built; 1 and 4 take seconds, all of them about ten.
     shots
         Of each family of the benchmarks, compared besides those that hoopgen compares itself. With
         none, nothing is "silent".
@@ -121,7 +121,7 @@ def try_flags(
     """
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        few = f"-DHOOP_WIDEST={widest}" if widest < 8 else ""
+        few = f"-DHOOP_WIDEST={widest}" if widest < 16 else ""
         if ours:
             library, said = _set_up(compiler, f"{few} {flags}", link, folder)
         else:

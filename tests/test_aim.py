@@ -412,7 +412,7 @@ def test_the_command_says_one_aim_and_what_it_forgives() -> None:
 
 
 def test_the_command_says_where_past_the_centre() -> None:
-    result = _run("--distance", "13.75ft", "--depth", "2in", "--elevation", "52")
+    result = _run("--distance", "13.75ft", "--depth", "2in", "--elevation", "52deg")
     assert "5.1 cm past its centre" in result.stdout
     assert "2.0 cm short of its centre" in _run("--distance", "4m", "--depth", "-2cm").stdout
 
@@ -437,11 +437,13 @@ def test_the_command_writes_a_table(written: str, distances: Any, tmp_path: Path
     expected = aim_table(distances, height=7 * FOOT, parameters=hoopgen.NBA)
     written_limits = [float(row["high_speed_m_s"]) for row in rows]
     assert written_limits == pytest.approx(expected["high_speed"].tolist(), rel=1e-9)
-    assert len(result.stdout.splitlines()) == len(rows) + 3
+    assert len(result.stdout.splitlines()) == len(rows) + 5
+    assert result.stdout.endswith("\n\nscene   NBA\n")
+    assert {name: float(rows[0][name]) for name in hoopgen.NBA} == dict(hoopgen.NBA)
 
 
 def test_the_command_says_what_a_steep_shot_forgives() -> None:
-    result = _run("--distance", "0.5m", "--elevation", "89.4")
+    result = _run("--distance", "0.5m", "--elevation", "89.4deg")
     assert result.exit_code == 0, result.output
     assert "nan" not in result.stdout
     assert "89.2°" in result.stdout
@@ -451,11 +453,11 @@ def test_the_command_says_what_a_steep_shot_forgives() -> None:
 def test_the_command_shows_what_is_out_of_reach() -> None:
     result = _run("--distance", "4m,40m", "--speed", "8")
     assert result.exit_code == 0
-    assert result.stdout.splitlines()[-1].split() == ["40.000", *["-"] * 9]
+    assert result.stdout.splitlines()[-3].split() == ["40.000", *["-"] * 9]
 
 
 def test_a_shot_that_does_not_go_in_is_told() -> None:
-    result = _run("--distance", "1m", "--entry", "45", "--backspin", "3Hz")
+    result = _run("--distance", "1m", "--entry", "45deg", "--backspin", "3Hz")
     assert result.exit_code == 0
     assert "does not go in" in result.stdout
 
@@ -464,7 +466,7 @@ def test_a_shot_that_does_not_go_in_is_told() -> None:
     ("arguments", "said"),
     [
         (["--distance", "4m", "--speed", "3"], "speed: the point needs at least"),
-        (["--distance", "4m", "--speed", "9", "--entry", "45"], "got entry and speed"),
+        (["--distance", "4m", "--speed", "9", "--entry", "45deg"], "got entry and speed"),
         (["--distance", "4m:3m:0.1m"], "expected from below to"),
         (["--distance", "3m:4m:0"], "expected from below to"),
         (["--distance", "3m:4m:1"], "expected from below to"),

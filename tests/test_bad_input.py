@@ -348,6 +348,20 @@ def test_max_contacts_must_be_a_whole_number_from_1(value: Any) -> None:
         hoopgen.simulate(FREE_THROW, max_contacts=value)
 
 
+@pytest.mark.parametrize("value", [True, np.timedelta64(3, "s"), np.bool_(True)])
+def test_neither_truth_nor_time_is_a_whole_number(value: Any) -> None:
+    for name in ("max_contacts", "threads"):
+        with pytest.raises(ValueError, match=f"^{name}: expected a whole number from 1"):
+            hoopgen.simulate(FREE_THROW, **{name: value})
+
+
+def test_a_whole_number_that_is_too_large_is_told_the_end() -> None:
+    with pytest.raises(
+        ValueError, match=r"whole number from 1, got 2147483648; at most 2147483647"
+    ):
+        hoopgen.simulate(FREE_THROW, max_contacts=2**31)
+
+
 @pytest.mark.parametrize("value", [np.int8(3), np.uint64(3), 3])
 def test_max_contacts_may_be_any_kind_of_whole_number(value: Any) -> None:
     assert hoopgen.simulate(FREE_THROW, max_contacts=value).contacts[0] <= 3

@@ -24,8 +24,10 @@ pa = pytest.importorskip("pyarrow")
 pq = pytest.importorskip("pyarrow.parquet")
 
 from hoopgen.study import batch as study_batch  # noqa: E402
+from hoopgen.study import chunks  # noqa: E402
 from hoopgen.study.measures import MEASURES, Kind, kinds, measure  # noqa: E402
-from hoopgen.study.tables import Source  # noqa: E402
+from hoopgen.study.named import named  # noqa: E402
+from hoopgen.study.tables import NAMED, Source  # noqa: E402
 from hoopgen.units import FOOT  # noqa: E402
 
 ROWS = 500
@@ -125,9 +127,9 @@ def test_results_are_those_of_the_shots_row_by_row(source: Path, tmp_path: Path)
     ended = shots.outcome <= hoopgen.Outcome.MISSED
     for name, numbers in zip(("time", *COMPONENTS), (shots.time, *shots.state.T), strict=True):
         expected = np.where(ended, numbers, np.nan)
-        np.testing.assert_array_equal(table[f"end_{name}"].to_numpy(), expected)
+        np.testing.assert_array_equal(table[named(f"end_{name}")].to_numpy(), expected)
     for name, numbers in measure(states, shots, scene).items():
-        np.testing.assert_array_equal(table[name].to_numpy(), numbers)
+        np.testing.assert_array_equal(table[named(name)].to_numpy(), numbers)
     counts = np.bincount(shots.outcome, minlength=len(hoopgen.Outcome))
     assert list(outcomes.values()) == counts.tolist()
     assert list(outcomes) == [outcome.name.lower() for outcome in hoopgen.Outcome]
@@ -174,7 +176,7 @@ def test_a_row_without_a_number_is_invalid_and_disturbs_no_other(tmp_path: Path)
     assert names(table["outcome"])[1:] == ["invalid"] * 4
     alone = hoopgen.simulate(hoopgen.release(7.1, np.radians(52), **PLACE))
     assert names(table["outcome"])[0] == hoopgen.Outcome(int(alone.outcome[0])).name.lower()
-    assert table["end_time"][0].as_py() == alone.time[0]
+    assert table["end_time_s"][0].as_py() == alone.time[0]
     assert names(table["kind"])[1] == "none"
     assert names(table["note"]) == list("abcde")
     assert outcomes["invalid"] == 4
@@ -183,7 +185,7 @@ def test_a_row_without_a_number_is_invalid_and_disturbs_no_other(tmp_path: Path)
 def test_own_columns_of_any_type_are_kept(tmp_path: Path) -> None:
     own = {
         "speed": [7.0, 7.2, 7.1],
-        "elevation": [0.9, 0.9, 0.9],
+        "elevation_rad": [0.9, 0.9, 0.9],
         "when": pa.array([1, 2, None], pa.timestamp("ms")),
         "path": [[1.0, 2.0], [], None],
         "team": pa.array(["a", "b", "a"]).dictionary_encode(),
@@ -214,22 +216,26 @@ def test_units_and_settings_are_in_the_file(source: Path, tmp_path: Path) -> Non
     )
     schema = read(tmp_path / "out.parquet").schema
     units = {field.name: (field.metadata or {}).get(b"unit") for field in schema}
-    assert units["end_time"] == b"s"
-    assert units["end_x"] == b"m"
-    assert units["end_vz"] == b"m/s"
-    assert units["end_wy"] == b"rad/s"
-    assert units["entry_angle"] == b"rad"
+    assert units["end_time_s"] == b"s"
+    assert units["end_x_m"] == b"m"
+    assert units["end_vz_m_s"] == b"m/s"
+    assert units["end_wy_rad_s"] == b"rad/s"
+    assert units["entry_angle_rad"] == b"rad"
     assert units["contacts"] is None
     assert json.loads(schema.metadata[b"hoopgen"]) == {
         "version": hoopgen.__version__,
+        "preset": "nba",
+        "scene": "NBA, gravity 9.8 m/s², restitution by row",
         "parameters": dict(scene),
         "release": PLACE,
         "max_contacts": 7,
+        "own": [],
+        NAMED: True,
     }
 
 
 def test_a_table_without_rows_gives_one(tmp_path: Path) -> None:
-    (tmp_path / "t.csv").write_text("speed,elevation\n", encoding="utf-8")
+    (tmp_path / "t.csv").write_text("speed,elevation_deg\n", encoding="utf-8")
     outcomes = hoopgen.batch(tmp_path / "t.csv", tmp_path / "out.parquet", release=PLACE)
     assert not any(outcomes.values())
     assert len(read(tmp_path / "out.parquet")) == 0
@@ -430,15 +436,15 @@ def test_bad_arguments_are_refused_before_anything_is_written(
 
 
 def test_columns_named_like_results_need_a_prefix(source: Path, tmp_path: Path) -> None:
-    table = pa.table(throws() | {"outcome": ["?"] * ROWS, "depth": np.zeros(ROWS)})
+    table = pa.table(throws() | {"outcome": ["?"] * ROWS, "depth_m": np.zeros(ROWS)})
     pq.write_table(table, source)
     out = tmp_path / "out.parquet"
-    with pytest.raises(ValueError, match="named like results: outcome, depth; give a prefix"):
+    with pytest.raises(ValueError, match="named like results: outcome, depth_m; give a prefix"):
         hoopgen.batch(source, out, release=PLACE, measures=["depth"])
     hoopgen.batch(source, out, release=PLACE, measures=["depth"], prefix="hoopgen_")
     result = read(out)
     assert result.select(table.column_names) == table
-    assert {"hoopgen_outcome", "hoopgen_depth", "hoopgen_end_x"} < {*result.column_names}
+    assert {"hoopgen_outcome", "hoopgen_depth_m", "hoopgen_end_x_m"} < {*result.column_names}
 
 
 # The command
@@ -478,8 +484,8 @@ def test_a_table_of_aims_is_one_of_releases(tmp_path: Path) -> None:
     assert names(table["outcome"]) == ["made", "made", "invalid"]  # the last is out of reach
     wanted = np.radians([float(cell) for cell in names(table["entry_angle_deg"])[:2] if cell])
     # The table has ten digits; the ball comes down where it was aimed at, as steeply as was said.
-    np.testing.assert_allclose(table["entry_angle"].to_numpy()[:2], wanted, rtol=0, atol=1e-8)
-    np.testing.assert_allclose(table["depth"].to_numpy()[:2], 0.0, rtol=0, atol=1e-8)
+    np.testing.assert_allclose(table["entry_angle_rad"].to_numpy()[:2], wanted, rtol=0, atol=1e-8)
+    np.testing.assert_allclose(table["depth_m"].to_numpy()[:2], 0.0, rtol=0, atol=1e-8)
 
 
 def test_the_command_fails_in_one_line(source: Path, tmp_path: Path) -> None:
@@ -518,6 +524,7 @@ def test_an_interrupted_command_says_how_to_go_on(
     source: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def interrupted(*arguments: Any, **options: Any) -> Any:
+        next(chunks.run(*arguments, **options))
         raise KeyboardInterrupt
 
     monkeypatch.setattr(study_batch, "run", interrupted)

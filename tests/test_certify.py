@@ -32,6 +32,7 @@ from benchmarks.workloads import TABLE_3, WORKLOADS
 from hoopgen.cli.certify import certify as command
 from hoopgen.judge import UNDECIDED, Enclosure, Proof, certify
 from hoopgen.judge.audit import deepest
+from hoopgen.judge.certificate import doubles, enclosure
 from hoopgen.judge.flight import arrival_at
 from hoopgen.judge.flight import fly as fly_in_balls
 from hoopgen.judge.formulas import compiled, formulas
@@ -551,6 +552,20 @@ def flagged(record: bool) -> tuple[hoopgen.Shots, Any, Any]:
     return hoopgen.simulate(states, parameters, fields=names, record=record), states, parameters
 
 
+def test_doubles_are_no_further_from_the_truth_than_they_say() -> None:
+    """Held in whole numbers: a radius that is rounded to nearest is too short for half of them."""
+    random = np.random.default_rng(6)
+    with ctx.workprec(200):
+        balls = [arb(m) / 3**k for m, k in random.integers(1, 300, (200, 2)).tolist()]
+        nearest, radii = doubles([*balls, arb(0.1), arb(0)])
+    assert radii[-2:] == [0.0, 0.0]
+    for ball, near, radius in zip(balls, nearest, radii, strict=False):
+        middle, spread, exponent = enclosure(ball)
+        scale = Fraction(2) ** exponent
+        furthest = abs(middle * scale - Fraction(near)) + spread * scale
+        assert furthest <= Fraction(radius) <= furthest * (1 + Fraction(1, 2**20))
+
+
 @pytest.mark.parametrize("record", [False, True])
 def test_settled_shots_are_as_proved(record: bool) -> None:
     shots, states, parameters = flagged(record)
@@ -589,6 +604,16 @@ def test_settling_takes_parameters_by_shot(mixed: Batch) -> None:
     np.testing.assert_array_equal(fields["counts"][sure], shots.counts[sure])
 
 
+def test_a_settled_shots_errors_hold_the_radius_of_each_component() -> None:
+    """The largest of three: every component is within it of the truth."""
+    shots, states, parameters = flagged(False)
+    fields = {name: getattr(shots, name).copy() for name in GENEROUS}
+    settled = settle(fields, states, parameters)
+    radii = certify(states, parameters).state_radius[settled].reshape(-1, 3, 3)
+    assert np.any(radii.min(axis=2) < radii.max(axis=2))
+    assert np.all(fields["state_error"][settled][:, :, None] >= radii)
+
+
 # ----------------------------------------------------------------------------------- penetration
 
 
@@ -622,6 +647,15 @@ def test_a_face_is_entered_through_it_and_not_around_its_edge() -> None:
     assert through[BOARD] == pytest.approx(0.25, rel=0, abs=1e-12)
     above = deepest(state((0.0, 0.0, 1.5), (-2.0, 0.0, 0.0)), 0.375, values)
     assert above[BOARD] == 0.0
+
+
+def test_a_ball_that_leaves_a_face_from_behind_it_is_as_deep_as_it_starts() -> None:
+    """Its arrival is the start itself, which no later one tells of."""
+    values = [float(v) for v in SQUARE.values()]
+    depth = 2.0**-30
+    leaving = state((-0.5 - depth, 0.0, 0.5), (2.0, 0.0, 0.0))
+    found = deepest(leaving, 0.25, values, BOARD)[BOARD]
+    assert depth <= found < depth + 1e-12
 
 
 # ------------------------------------------------------------------------------------ the report
@@ -695,7 +729,7 @@ def test_a_missing_dependency_is_named_in_one_line(missing: str) -> None:
 
 
 def test_the_command_prints_the_proof(tmp_path: Path) -> None:
-    options = ["--speed", "7.3", "--elevation", "51", "--distance", "13.75ft", "--height", "7ft"]
+    options = ["--speed", "7.3", "--elevation", "51deg", "--distance", "13.75ft", "--height", "7ft"]
     by_options = CliRunner().invoke(command, options)
     assert by_options.exit_code == 0, by_options.output
     assert "outcome    missed" in by_options.output
@@ -707,7 +741,7 @@ def test_the_command_prints_the_proof(tmp_path: Path) -> None:
     assert by_file.exit_code == 0, by_file.output
     proved = json.loads(by_file.output)
     assert [event["surface"] for event in proved["events"]] == ["ring", "end"]
-    assert proved["events"][0]["time"][:20] in by_options.output
+    assert proved["events"][0]["time_s"][:20] in by_options.output
 
 
 def test_the_command_admits_a_tie(tmp_path: Path) -> None:

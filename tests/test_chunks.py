@@ -8,7 +8,7 @@ import os
 import signal
 import subprocess
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import islice
 from pathlib import Path
@@ -19,7 +19,7 @@ import pytest
 
 pa = pytest.importorskip("pyarrow")
 
-from hoopgen.study import chunks  # noqa: E402
+from hoopgen.study import chunks, lock  # noqa: E402
 
 CHUNKS = 7
 
@@ -205,9 +205,14 @@ def test_chunks_of_other_versions_are_not_taken(
         next(chunks.run(Numbers(), tmp_path))
 
 
-def test_an_identity_that_cannot_be_read_is_an_error(tmp_path: Path) -> None:
+NO_RECORDS = ["{", "[1]", "null", '"text"', "1e400", "[" * 100_000, "\0"]
+"""What a file of names and values may hold in their place."""
+
+
+@pytest.mark.parametrize("content", [*NO_RECORDS, '{"hoopgen": 5}', '{"a": ["b"]}'])
+def test_an_identity_that_cannot_be_read_is_an_error(content: str, tmp_path: Path) -> None:
     list(chunks.run(Numbers(), tmp_path))
-    (tmp_path / "identity.json").write_text("{", encoding="utf-8")
+    (tmp_path / "identity.json").write_text(content, encoding="utf-8")
     with pytest.raises(ValueError, match=r"identity\.json cannot be read; delete the folder"):
         next(chunks.run(Numbers(), tmp_path))
 
@@ -302,21 +307,19 @@ def test_who_opens_a_folder_that_is_being_removed_holds_a_lock_that_others_see(
 ) -> None:
     """Between two steps of one that opens, another removes the folder, a third makes it anew."""
     path = tmp_path / "parts"
-    opens = point == "before it opens the lock"
-    where, name = (Path, "open") if opens else (chunks, "_take")
-    step = getattr(where, name)
+    name = "_lock_file" if point == "before it opens the lock" else "_take"
+    step = getattr(lock, name)
     with contextlib.ExitStack() as first, contextlib.ExitStack() as third:
         first.enter_context(chunks.opened(path, {})).remove()
 
-        def meanwhile(file: Any, *given: Any, **options: Any) -> Any:
-            if not opens or file.name == "lock":
-                monkeypatch.setattr(where, name, step)
-                first.close()
-                if again:
-                    third.enter_context(chunks.opened(path, {}))
-            return step(file, *given, **options)
+        def meanwhile(given: Any) -> Any:
+            monkeypatch.setattr(lock, name, step)
+            first.close()
+            if again:
+                third.enter_context(chunks.opened(path, {}))
+            return step(given)
 
-        monkeypatch.setattr(where, name, meanwhile)
+        monkeypatch.setattr(lock, name, meanwhile)
         if again:
             with pytest.raises(RuntimeError, match="another process"), chunks.opened(path, {}):
                 pass
@@ -349,6 +352,97 @@ def test_a_file_is_no_folder(tmp_path: Path) -> None:
     (tmp_path / "parts").touch()
     with pytest.raises(FileExistsError), chunks.opened(tmp_path / "parts", {}):
         pass
+
+
+# What is no file, and no folder
+
+
+def pipe(path: Path) -> None:
+    os.mkfifo(path)
+
+
+def folder(path: Path) -> None:
+    path.mkdir()
+
+
+def loop(path: Path) -> None:
+    path.symlink_to(path.name)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there are no pipes, and links need rights")
+@pytest.mark.parametrize("what", [pipe, folder, loop])
+@pytest.mark.parametrize("name", ["chunk-000000002.arrow", "identity.json", "lock"])
+def test_what_is_no_file_is_named_and_not_waited_for(
+    name: str, what: Callable[[Path], None], tmp_path: Path, whole: dict[str, bytes]
+) -> None:
+    list(chunks.run(Numbers(), tmp_path))
+    (tmp_path / name).unlink()
+    what(tmp_path / name)
+    with pytest.raises(FileExistsError, match="this is no file; remove it") as raised:
+        list(chunks.run(Numbers(), tmp_path))
+    assert raised.value.filename == str(tmp_path / name)
+    left = {file.name: file.read_bytes() for file in tmp_path.iterdir() if file.is_file()}
+    assert {**left, name: whole[name]} == whole
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="links need rights there")
+def test_a_lock_that_leads_elsewhere_makes_nothing_there(tmp_path: Path) -> None:
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts" / "lock").symlink_to(tmp_path / "elsewhere")
+    with pytest.raises(FileExistsError, match="this is no file; remove it"):
+        next(chunks.run(Numbers(), tmp_path / "parts"))
+    assert not (tmp_path / "elsewhere").exists()
+    (tmp_path / "elsewhere").write_bytes(b"of somebody else")
+    with pytest.raises(FileExistsError, match="this is no file; remove it"):
+        next(chunks.run(Numbers(), tmp_path / "parts"))
+    assert (tmp_path / "elsewhere").read_bytes() == b"of somebody else"
+
+
+@pytest.mark.skipif(not Path("/proc/self").is_dir(), reason="there is no /proc")
+@pytest.mark.parametrize("path", ["/proc/hoopgen", "/proc/self"])
+def test_a_folder_that_cannot_be_made_or_written_is_named(path: str) -> None:
+    with pytest.raises(OSError, match="this folder cannot be made or written") as raised:
+        next(chunks.run(Numbers(), path))
+    assert raised.value.filename == path
+
+
+def test_nor_one_in_a_file_or_in_the_place_of_a_link(tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    with pytest.raises(NotADirectoryError):
+        next(chunks.run(Numbers(), tmp_path / "file" / "parts"))
+    (tmp_path / "link").symlink_to("nowhere")
+    for name in ("file", "link"):
+        with pytest.raises(FileExistsError, match="this is no folder"):
+            next(chunks.run(Numbers(), tmp_path / name))
+
+
+def test_a_folder_has_a_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ValueError, match="folder: expected a name, got ''"):
+        next(chunks.run(Numbers(), ""))
+    assert not [*tmp_path.iterdir()]
+
+
+def test_a_file_system_without_locks_is_said(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refused(_: Any) -> None:
+        raise OSError(errno.ENOLCK, os.strerror(errno.ENOLCK))
+
+    monkeypatch.setattr(lock, "_take", refused)
+    with pytest.raises(OSError, match=r"this folder cannot be locked \(No locks") as raised:
+        next(chunks.run(Numbers(), tmp_path))
+    assert raised.value.filename == str(tmp_path)
+
+
+def test_a_folder_without_a_chunk_is_not_left_behind(tmp_path: Path) -> None:
+    class Fails(Numbers):
+        def compute(self, chunk: int) -> Any:
+            raise ArithmeticError
+
+    with pytest.raises(ArithmeticError):
+        next(chunks.run(Fails(), tmp_path / "parts"))
+    assert not [*tmp_path.iterdir()]
 
 
 def test_many_that_make_and_remove_a_folder_are_never_in_it_at_once(tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import json
 import math
+import os
 import re
 import subprocess
 import sys
@@ -17,12 +18,23 @@ from click.testing import CliRunner, Result
 import hoopgen
 import hoopgen.paper
 from hoopgen.cli import main
-from hoopgen.cli.table import NO_BREAK, table
+from hoopgen.layout import NO_BREAK, table
+from hoopgen.study.named import in_units
 from hoopgen.units import FOOT
 
-SHOT = ["shot", "--speed", "7.17", "--elevation", "51", "--distance", "13.75ft", "--height", "7ft"]
+SHOT = [
+    "shot",
+    "--speed",
+    "7.17",
+    "--elevation",
+    "51deg",
+    "--distance",
+    "13.75ft",
+    "--height",
+    "7ft",
+]
 FIGURE_7 = [
-    *["shot", "--speed", "7.166", "--elevation", "51.101", "--distance", "13.75ft"],
+    *["shot", "--speed", "7.166", "--elevation", "51.101deg", "--distance", "13.75ft"],
     *["--height", "8ft", "--backspin", "3Hz"],
 ]
 COMMANDS = [
@@ -84,11 +96,12 @@ def test_every_example_of_shot_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     assert (tmp_path / "shot.svg").exists()
 
 
-def test_help_says_that_a_bare_angle_is_in_degrees() -> None:
+def test_help_says_which_numbers_need_a_unit() -> None:
     text = run("shot", "--help").stdout
-    assert "--elevation ANGLE [deg]" in text
+    assert "--elevation ANGLE [deg|rad]" in text
+    assert "--backspin SPIN [Hz|rpm]" in text
     assert "--speed SPEED [m/s]" in text
-    assert "degrees for an angle" in text
+    assert "an angle or a spin other than 0 needs its unit" in text
 
 
 def test_help_imports_nothing_heavy() -> None:
@@ -182,12 +195,12 @@ def test_shot_is_the_engine_s_shot() -> None:
     assert told["outcome"] == hoopgen.Outcome(int(shots.outcome[0])).name.lower()
     assert told["release"] == np.reshape(state, 9).tolist()
     assert told["state"] == shots.state[0].tolist()
-    assert told["time"] == shots.time[0]
+    assert told["time_s"] == shots.time[0]
     assert told["contacts"] == shots.contacts[0]
     assert told["counts"] == dict(zip(hoopgen.SURFACES, shots.counts[0].tolist(), strict=True))
     events = told["events"]
     assert isinstance(events, list)
-    assert [event["time"] for event in events] == shots.events["time"].tolist()
+    assert [event["time_s"] for event in events] == shots.events["time"].tolist()
     assert [event["after"] for event in events] == shots.events["after"].tolist()
     assert events[-1]["surface"] == "end"
 
@@ -209,7 +222,7 @@ def test_shot_prints_events_outcome_and_counts() -> None:
     "option",
     [
         ["--elevation", "51deg"],
-        ["--elevation", "51"],
+        ["--elevation", "51 Degrees"],
         ["--speed", "7.17 m/s"],
         ["--height", "84in"],
         ["--distance", "13ft 9in"],
@@ -226,7 +239,7 @@ def test_units_do_not_change_the_shot(option: list[str]) -> None:
 
 
 def test_spin_and_azimuth_reach_the_release() -> None:
-    told = record(*SHOT, "--backspin", "180rpm", "--sidespin", "-2rad/s", "--azimuth", "-2")
+    told = record(*SHOT, "--backspin", "180rpm", "--sidespin", "-2rad/s", "--azimuth", "-2deg")
     state = hoopgen.release(
         speed=7.17,
         elevation=math.radians(51),
@@ -242,17 +255,21 @@ def test_spin_and_azimuth_reach_the_release() -> None:
 def test_presets_and_settings_reach_the_scene() -> None:
     told = record(*SHOT, "--preset", "nba", "--set", "restitution=0.75", "--set", "gravity=32ft/s2")
     wanted = hoopgen.NBA | {"restitution": 0.75, "gravity": 32 * FOOT}
-    assert told["parameters"] == dict(wanted)
+    assert told["parameters"] == in_units(dict(wanted))
+    assert told["parameters"]["gravity_m_s2"] == 32 * FOOT
+    assert told["components"] == ["x_m", "y_m", "z_m", "vx_m_s", "vy_m_s", "vz_m_s"] + [
+        f"w{axis}_rad_s" for axis in "xyz"
+    ]
 
 
 def test_a_capped_shot_is_told() -> None:
     told = run(*FIGURE_7, "--max-contacts", "1")
     assert told.exit_code == 0
-    assert "outcome    capped: 1 contacts" in told.stdout
+    assert "outcome    capped: 1 contact, and" in told.stdout
 
 
 def test_a_short_shot_is_told_and_is_no_error() -> None:
-    arguments = ["shot", "--speed", "3", "--elevation", "40", "--distance", "4", "--height", "2"]
+    arguments = ["shot", "--speed", "3", "--elevation", "40deg", "--distance", "4", "--height", "2"]
     assert "short: the ball never comes down" in run(*arguments).stdout
     assert record(*arguments)["first"] is None
 
@@ -261,7 +278,7 @@ def test_a_short_shot_is_told_and_is_no_error() -> None:
 def test_shot_draws_its_picture(tmp_path: Path, suffix: str) -> None:
     pytest.importorskip("matplotlib")
     path = tmp_path / f"shot.{suffix}"
-    result = run(*SHOT, "--azimuth", "1", "--picture", str(path))
+    result = run(*SHOT, "--azimuth", "1deg", "--picture", str(path))
     assert result.exit_code == 0, result.output
     assert path.stat().st_size > 10_000
 
@@ -274,8 +291,11 @@ def test_shot_draws_its_picture(tmp_path: Path, suffix: str) -> None:
     [
         (["sho"], "No such command 'sho'"),
         (["shot"], "Missing option"),
-        ([*SHOT, "--speed", "7ft"], "'ft' is not a unit of speed; use m/s, ft/s"),
+        ([*SHOT, "--speed", "7ft"], "'ft' is not a unit of speed; use m/s, cm/s"),
         ([*SHOT, "--elevation", "steep"], "'steep' is not a number with a unit of angle"),
+        ([*SHOT, "--elevation", "52"], "'--elevation': '52' has no unit: write 52deg or 52rad"),
+        ([*SHOT, "--azimuth", "-1"], "'-1' has no unit: write -1deg or -1rad"),
+        ([*SHOT, "--backspin", "3"], "'3' has no unit: write 3Hz, 3rpm, 3rad/s or 3deg/s"),
         ([*SHOT, "--speed", "nan"], "'nan' is not a number"),
         ([*SHOT, "--set", "bounce=0.7"], "'bounce' is none of ball_radius"),
         ([*SHOT, "--set", "restitution"], "'restitution' is not name=value"),
@@ -283,7 +303,7 @@ def test_shot_draws_its_picture(tmp_path: Path, suffix: str) -> None:
         ([*SHOT, "--set", "restitution=2"], "restitution"),
         ([*SHOT, "--set", "ring_radius=0.1", "--backend", "numpy"], "too big for the ring"),
         ([*SHOT, "--preset", "ncaa"], "'ncaa' is not one of"),
-        ([*SHOT, "--max-contacts", "-1"], "-1 is not in the range"),
+        ([*SHOT, "--max-contacts", "-1"], "'-1' is not a whole number from 1"),
         ([*SHOT, "--picture", "shot.bmp"], ".png, .svg, .pdf"),
         ([*SHOT, "--backend", "gpu"], "'gpu' is not one of"),
         (["check", "--root", "nowhere"], "'nowhere' does not exist"),
@@ -327,6 +347,74 @@ def test_what_is_not_installed_is_named_with_its_extra(
     assert done.returncode == 2, done.stderr
     said = rf"hoopgen: error: \S+ needs {missing}: pip install (-e )?'.+\[{extra}\]'\n"
     assert re.fullmatch(said, done.stderr), done.stderr
+
+
+# What nobody foresaw
+
+
+@pytest.mark.parametrize(
+    "error",
+    [
+        TypeError("unhashable type: 'list'"),
+        KeyError("gravity"),
+        ZeroDivisionError("division by zero"),
+        MemoryError("Unable to allocate 7.28 TiB\nfor an array"),
+        RecursionError("maximum recursion depth exceeded"),
+        OverflowError(34, "Numerical result out of range"),
+    ],
+)
+def test_what_nobody_foresaw_is_one_line_too(
+    error: Exception, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def broken(**_: object) -> None:
+        raise error
+
+    monkeypatch.setattr(hoopgen, "release", broken)
+    monkeypatch.delenv("HOOPGEN_TRACEBACK", raising=False)
+    result = run(*SHOT)
+    assert result.exit_code == 70
+    assert result.stdout == ""
+    line = f"hoopgen: error: hoopgen shot: {type(error).__name__}: {' '.join(str(error).split())}"
+    assert result.stderr.startswith(f"{line} (this was not foreseen; HOOPGEN_TRACEBACK=1 ")
+    assert result.stderr.count("\n") == 1
+    monkeypatch.setenv("HOOPGEN_TRACEBACK", "1")
+    told = run(*SHOT)
+    assert told.exit_code == 70
+    assert told.stderr.startswith("Traceback (most recent call last)")
+    assert "in broken" in told.stderr
+    assert told.stderr.endswith(result.stderr)
+
+
+def test_a_program_that_calls_the_command_gets_the_error_itself(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def broken(**_: object) -> None:
+        raise KeyError("gravity")
+
+    monkeypatch.setattr(hoopgen, "release", broken)
+    with pytest.raises(KeyError):
+        main(SHOT, standalone_mode=False)
+
+
+@pytest.mark.skipif(os.name == "nt", reason="pipes as of POSIX")
+def test_a_reader_who_has_enough_is_no_error() -> None:
+    command = [sys.executable, "-m", "hoopgen", "paper", "--events"]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        assert process.stdout is not None
+        process.stdout.close()
+        assert process.stderr is not None
+        assert process.stderr.read() == b""
+    assert process.returncode == 1
+
+
+def test_ctrl_c_is_one_word(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(**_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(hoopgen, "release", interrupted)
+    result = run(*SHOT)
+    assert result.exit_code == 130
+    assert result.stderr == "\nhoopgen: error: interrupted\n"
 
 
 # generate, check, bench
@@ -407,7 +495,7 @@ def test_a_real_process_fails_without_a_traceback() -> None:
     assert done.stdout == ""
     assert done.stderr == (
         "hoopgen: error: Invalid value for '--speed': 'x' is not a number with a unit of speed "
-        "(m/s, ft/s, km/h, mph) (see hoopgen shot --help)\n"
+        "(m/s, cm/s, ft/s, km/h, mph) (see hoopgen shot --help)\n"
     )
 
 
@@ -430,3 +518,23 @@ def test_a_table_is_aligned_and_breaks_cells_between_words() -> None:
         "b c",
         "d      -22.5",
     ]
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [*SHOT, "--picture", ""],
+        ["paper", "--out", ""],
+        ["estimate", "--folder", ""],
+        ["map", "--out", ""],
+        ["batch", "", "--out", "x.parquet"],
+        ["study", "", "--check"],
+        ["study", str(Path(__file__)), "--out", ""],
+    ],
+)
+def test_a_path_has_a_name(
+    arguments: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert "expected a name, got ''" in failure(*arguments)
+    assert not [*tmp_path.iterdir()]

@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
+import socket
+import subprocess
+import sys
+import threading
 import time
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -18,7 +23,7 @@ pytest.importorskip("pyarrow.parquet")
 distributed = pytest.importorskip("distributed")
 
 import hoopgen  # noqa: E402
-from hoopgen.study import chunks, models  # noqa: E402
+from hoopgen.study import aim, chunks, models, workers  # noqa: E402
 
 pytestmark = pytest.mark.xdist_group("cluster")
 
@@ -56,7 +61,7 @@ def cluster() -> Iterator[Any]:
         yield cluster
 
 
-def workers(cluster: Any) -> list[int]:
+def processes(cluster: Any) -> list[int]:
     """The process of each worker."""
     with distributed.Client(cluster.scheduler_address, set_as_default=False) as client:
         client.wait_for_workers(2, timeout=60)
@@ -74,11 +79,11 @@ def test_a_worker_killed_in_the_middle_changes_no_bit(cluster: Any, tmp_path: Pa
         Free(pause=0.05), tmp_path / "there", scheduler=cluster.scheduler_address
     ):
         if len(there) == 6:
-            os.kill(workers(cluster)[0], signal.SIGKILL)
+            os.kill(processes(cluster)[0], signal.SIGKILL)
         there.append(table)
     assert there == here
     assert contents(tmp_path / "there") == contents(tmp_path / "here")
-    assert len({*workers(cluster)}) == 2
+    assert len({*processes(cluster)}) == 2
 
 
 def test_a_cluster_goes_on_where_one_machine_stopped(cluster: Any, tmp_path: Path) -> None:
@@ -93,7 +98,10 @@ def test_a_cluster_goes_on_where_one_machine_stopped(cluster: Any, tmp_path: Pat
 
 def test_a_table_is_simulated_to_the_same_bytes(cluster: Any, tmp_path: Path) -> None:
     random = np.random.default_rng(3)
-    numbers = {"speed": random.normal(7.1, 0.2, 300), "elevation": random.normal(0.9, 0.05, 300)}
+    numbers = {
+        "speed": random.normal(7.1, 0.2, 300),
+        "elevation_rad": random.normal(0.9, 0.05, 300),
+    }
     text = pa.array([f"throw {k}" for k in range(300)]).dictionary_encode()
     pa.parquet.write_table(pa.table({**numbers, "name": text}), tmp_path / "throws.parquet")
     options = {"release": {"height": 2.1, "distance": 4.2}, "measures": ["depth"], "rows": 40}
@@ -104,6 +112,21 @@ def test_a_table_is_simulated_to_the_same_bytes(cluster: Any, tmp_path: Path) ->
         **options,
     )
     assert (tmp_path / "there.parquet").read_bytes() == (tmp_path / "here.parquet").read_bytes()
+
+
+def test_a_search_and_an_aim_find_the_same(cluster: Any, tmp_path: Path) -> None:
+    address = cluster.scheduler_address
+    place = {"height": 2.13, "distance": 4.19, "elevation": 0.9}
+    player, over = hoopgen.Scatter(place, {"speed": 0.07, "azimuth": 0.02}), {"aim": (0.0, 0.1)}
+    options: dict[str, Any] = {"shots": 40_000, "margins": []}
+    here = hoopgen.optimum(player, over, **options, folder=tmp_path / "here")
+    there = hoopgen.optimum(player, over, **options, folder=tmp_path / "there", scheduler=address)
+    assert there == here
+    assert contents(tmp_path / "there") == contents(tmp_path / "here")
+    rows = np.linspace(3.0, 5.0, 20)
+    table = aim.aim_table(rows, height=2.1, scheduler=address)
+    for name, column in aim.aim_table(rows, height=2.1).items():
+        np.testing.assert_array_equal(table[name], column)
 
 
 def test_an_error_of_the_job_comes_from_the_worker(cluster: Any) -> None:
@@ -123,7 +146,7 @@ def test_workers_with_other_versions_are_refused(
     package: str, cluster: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     others = {**chunks.versions(), package: "9.9"}
-    monkeypatch.setattr(chunks, "versions", lambda: others)
+    monkeypatch.setattr(workers, "versions", lambda: others)
     with pytest.raises(
         RuntimeError, match=rf"the worker tcp://.* has {package} .*, and here it is 9\.9; install"
     ):
@@ -133,10 +156,157 @@ def test_workers_with_other_versions_are_refused(
 @pytest.mark.parametrize("package", PACKAGES)
 def test_a_late_worker_with_other_versions_computes_nothing(package: str) -> None:
     with pytest.raises(RuntimeError, match=rf"a worker has {package} .*, not 9\.9"):
-        chunks._on_worker({**chunks.versions(), package: "9.9"}, lambda: pa.table({}))
+        workers._on_worker({**chunks.versions(), package: "9.9"}, lambda: pa.table({}))
 
 
-def test_where_no_scheduler_answers_it_is_said(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(chunks, "_CONNECT", 0.5)
-    with pytest.raises(ConnectionError, match=r"no Dask scheduler answers at 'tcp://127.0.0.1:1'"):
-        next(chunks.run(Free(), scheduler="tcp://127.0.0.1:1"))
+# Who is not there
+
+BAD = {
+    "10.0.0.1": "missing port",
+    "tcp://10.0.0.1": "missing port",
+    "tcp://10.0.0.1:port": "'port'",
+    "tcp://10.0.0.1:99999": "no host and port",
+    "tcp://:8786": "no host and port",
+    "http://10.0.0.1:8786": "'http'",
+    "": "missing port",
+}
+
+
+@pytest.mark.parametrize("address", BAD)
+def test_an_address_is_looked_at_before_a_folder_is_made(address: str, tmp_path: Path) -> None:
+    said = rf"scheduler: expected an address such as tcp://10\.0\.0\.1:8786, got .*{BAD[address]}"
+    with pytest.raises(ValueError, match=said):
+        next(chunks.run(Free(), tmp_path / "folder", scheduler=address))
+    table, out = tmp_path / "throws.csv", tmp_path / "out.parquet"
+    table.write_text("speed,elevation,height,distance\n7,0.9,2,4\n")
+    with pytest.raises(ValueError, match=said):
+        hoopgen.batch(table, out, scheduler=address)
+    assert [*tmp_path.iterdir()] == [table]
+
+
+def test_where_no_scheduler_answers_it_is_said_and_no_folder_stays(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(workers, "_CONNECT", 1)
+    said = r"no Dask scheduler answers at 'tcp://127.0.0.1:1' within 1 s \(Connection refused\)"
+    with pytest.raises(ConnectionError, match=said):
+        next(chunks.run(Free(), tmp_path / "folder", scheduler="tcp://127.0.0.1:1"))
+    assert [*tmp_path.iterdir()] == []
+
+
+@pytest.mark.parametrize(
+    ("greeting", "said"),
+    [
+        (b"", "no Dask scheduler answers at 'tcp://.*' within 0.1 s"),
+        (b"SSH-2.0-OpenSSH_9.2p1\r\n", "what is at 'tcp://.*' .* is no Dask scheduler"),
+    ],
+)
+def test_what_is_no_scheduler_is_not_waited_for(
+    greeting: bytes, said: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(workers, "_CONNECT", 0.1 if not greeting else 60)
+    with socket.create_server(("127.0.0.1", 0)) as server:
+
+        def greet() -> None:
+            with contextlib.suppress(OSError), contextlib.ExitStack() as stack:
+                while True:
+                    stack.enter_context(server.accept()[0]).sendall(greeting)
+
+        threading.Thread(target=greet, daemon=True).start()
+        address = f"tcp://127.0.0.1:{server.getsockname()[1]}"
+        with pytest.raises(ConnectionError, match=said):
+            next(chunks.run(Free(), scheduler=address))
+        server.shutdown(socket.SHUT_RDWR)
+
+
+@pytest.mark.parametrize("certificate", ["", "none.pem"])
+def test_an_address_with_certificates_says_which_are_missing(certificate: str) -> None:
+    names = ("ca-file", "client.cert", "client.key")
+    keys = {f"distributed.comm.tls.{name}": certificate or None for name in names}
+    import dask
+
+    said = "Dask's certificates: " if certificate else "needs certificates: distributed.comm.tls"
+    with dask.config.set(keys), pytest.raises(ValueError, match=f"^scheduler: 'tls://.*{said}"):
+        next(chunks.run(Free(), scheduler="tls://127.0.0.1:1"))
+
+
+def test_workers_are_waited_for_and_it_is_said_once_each_time(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """None at first; and then the only one goes."""
+    monkeypatch.setattr(workers, "_PATIENCE", 0.1)
+    said: list[str] = []
+    with distributed.LocalCluster(
+        n_workers=0,
+        threads_per_worker=1,
+        processes=False,
+        protocol="tcp",
+        host="127.0.0.1",
+        dashboard_address=None,
+    ) as cluster:
+
+        def report(line: str) -> None:
+            said.append(line)
+            cluster.scale(1)
+
+        tables = chunks.run(Free(), scheduler=cluster.scheduler_address, report=report)
+        there = [next(tables)]
+        line = f"waiting for workers of {cluster.scheduler_address}"
+        assert said == [line]
+        cluster.scale(0)
+        cluster.sync(cluster._correct_state)
+        there.extend(tables)
+    assert there == list(chunks.run(Free()))
+    assert said == [line, line]
+
+
+CLUSTER = """
+import os, distributed
+with distributed.LocalCluster(
+    n_workers=1, threads_per_worker=1, processes=False, protocol="tcp", host="127.0.0.1",
+    dashboard_address=None,
+) as cluster:
+    print(cluster.scheduler_address, flush=True)
+    sys.stdin.read()
+"""
+
+GONE = """
+tables = chunks.run(Free(pause=0.01), sys.argv[2], scheduler=sys.argv[1])
+try:
+    next(tables)
+    os.kill(int(sys.argv[3]), int(sys.argv[4]))
+    list(tables)
+except ConnectionError as error:
+    print(error)
+"""
+
+
+def script(body: str, *arguments: str) -> list[str]:
+    """Return a command that runs a text of Python with this module at hand."""
+    head = f"import sys; sys.path.insert(0, {str(Path(__file__).parent)!r})\n"
+    head += "from test_cluster import *\n"
+    return [sys.executable, "-c", head + body, *arguments]
+
+
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGTERM])
+def test_a_scheduler_that_is_gone_is_one_line_and_finished_chunks_stay(
+    how: signal.Signals, tmp_path: Path
+) -> None:
+    with subprocess.Popen(
+        script(CLUSTER), stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    ) as cluster:
+        assert cluster.stdout is not None
+        address = cluster.stdout.readline().strip()
+        command = script(GONE, address, str(tmp_path), str(cluster.pid), str(int(how)))
+        gone = subprocess.run(command, capture_output=True, text=True, check=False)
+        cluster.kill()
+    assert gone.stderr == ""
+    assert gone.stdout == (
+        f"scheduler: {address!r} is gone; finished chunks are kept, and the same call goes on from "
+        "there\n"
+    )
+    assert gone.stderr == ""
+    there = contents(tmp_path)
+    assert "chunk-000000000.arrow" in there
+    assert list(chunks.run(Free(), tmp_path)) == list(chunks.run(Free()))
+    assert there.items() <= contents(tmp_path).items()

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, ClassVar
 
 import mpmath
 import pytest
 import sympy as sp
+from hoopgen.derive.ground.symbols import t
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.search import approach
 from hoopgen.derive.search.approach import Approach
 from hoopgen.derive.search.bernstein import PolynomialApproach
+from hoopgen.derive.search.events import ceiling
 from hoopgen.derive.search.ring import WIDER
 from hoopgen.derive.surfaces import Sphere
 from hypothesis import assume, example, given, settings
@@ -226,6 +229,48 @@ def test_a_clearance_promises_one_simple_root_that_three_newton_steps_reach(
         assert abs(times[3] - root) <= mpf(2) ** -48 * first
         for k in range(33):
             assert slopes(search, values, t + 2 * first * k / 32)[1] < 0
+
+
+@dataclass(frozen=True)
+class Parabola(Approach):
+    """F = gap - slope t + C t²/2 with |F''| = C: of all that C allows, Newton does worst on it."""
+
+    constants: ClassVar[dict[str, sp.Expr]] = {}
+    windows: ClassVar[list[Any]] = []
+    margins: ClassVar[dict[str, sp.Expr]] = {}
+    opening, slope = sp.symbols("opening slope", positive=True)
+    gap = opening - slope * t + ceiling * t**2 / 2
+    leaving_gap = gap
+    rate = ceiling * t - slope
+    bend = ceiling
+    ceiling = ceiling
+
+    def curvature(self, width: sp.Expr) -> sp.Expr:
+        """F bends up, never down."""
+        return sp.Integer(0)
+
+
+@pytest.mark.parametrize("part", [0, 0.25, 0.49])
+def test_a_clearance_promises_no_more_than_the_worst_gap_keeps(part: float) -> None:
+    """The least slope that has a clearance, on the parabola with one root that falls slowest.
+
+    The steps end within 2^-48 of the first of them, and not by far: with 2 for 2^5 it is 2^-34.
+    """
+    worst = Parabola(HOOP.gravity)
+    advance, refine = worst.advance(), worst.refine()
+    with digits(120):
+        values = EXACT | {"opening": 1, "ceiling": 1, "end": 1, "t": 0, "margin": mpf(part)}
+        low, high = mpf(1), mpf(64)
+        for _ in range(64):
+            middle = (low + high) / 2
+            clear = exactly(advance["clearance"], values | {"slope": middle}) > 0
+            low, high = (low, middle) if clear else (middle, high)
+        values["slope"] = high
+        times = [mpf(0)]
+        for _ in range(9):
+            times.append(exactly(refine["time"], values | {"t": times[-1]}))
+        late = abs(times[3] - times[-1]) / times[1]
+        assert mpf(2) ** -64 < late <= mpf(2) ** -48
 
 
 # -- Margins

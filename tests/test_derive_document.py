@@ -37,6 +37,7 @@ from hoopgen.derive.search.ring import WIDER
 from hoopgen.generated.numpy import hoop
 from latex_reader import read
 from mpmath import mp, mpf
+from scenes.caps import CAPS
 from scenes.table import TABLE
 from sympy import symbols
 from test_kernels import DIGITS, Evaluator, model
@@ -130,12 +131,8 @@ ROWS = 6
 
 
 @cache
-def table_model() -> Model:
-    return build(TABLE)
-
-
 def scene_model(scene: str) -> Model:
-    return model() if scene == "hoop" else table_model()
+    return model() if scene == "hoop" else build({"table": TABLE, "caps": CAPS}[scene])
 
 
 @cache
@@ -218,7 +215,7 @@ def assert_printed_as_meant(formulas: Formulas, letters: Letters, seed: int) -> 
     return len(lines)
 
 
-@pytest.mark.parametrize("scene", ["hoop", "table"])
+@pytest.mark.parametrize("scene", ["hoop", "table", "caps"])
 def test_every_printed_formula_is_what_its_kernel_computes(scene: str) -> None:
     letters, count = Letters(scene_model(scene).scene), 0
     known = {line.means: line.left for line in page(scene).brief.lines}
@@ -289,7 +286,7 @@ def test_another_scene_has_a_page_of_its_own() -> None:
     """Neither a word nor a formula of the hoop's."""
     monkey = pytest.MonkeyPatch()
     with monkey.context() as patch:
-        patch.setattr(render, "build", lambda _: table_model())
+        patch.setattr(render, "build", lambda _: scene_model("table"))
         text = render.render_scene(TABLE)["derivation_table.md"]
     assert re.findall(r"\b(?:ring|bridge|backboard|board|hoop|rim)\b", text, re.IGNORECASE) == []
     assert r"\text{dome radius}" in text
@@ -318,7 +315,7 @@ def test_the_outline_has_every_node_of_the_loop_once() -> None:
     assert sum(line.lstrip().startswith(("- [`", "- `")) for line in lines) == len(kernels)
 
 
-@pytest.mark.parametrize("scene", ["hoop", "table"])
+@pytest.mark.parametrize("scene", ["hoop", "table", "caps"])
 def test_every_argument_of_a_kernel_is_explained(scene: str) -> None:
     """In a table, or told by its form; no two arguments of a kernel are written alike."""
     rows = {row.name for row in page(scene).arguments}

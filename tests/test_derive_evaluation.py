@@ -42,6 +42,8 @@ OPERATIONS = {
     "neg": np.negative,
     "sqrt": np.sqrt,
     "abs": np.absolute,
+    "max": lambda a, b: np.where(a < b, b, a),
+    "min": lambda a, b: np.where(a < b, a, b),
     "less": np.less,
     "at_most": np.less_equal,
     "select": np.where,

@@ -149,7 +149,80 @@ def test_the_windows_come_in_order_and_do_not_overlap(path: Path) -> None:
     assert all(one[1] <= other[0] for one, other in pairwise(open_))
 
 
+# -- The margins
+
+MARGINS = {
+    "margin": (SCENE_SEARCH.margins["margin"], SCENE_SEARCH.gap),
+    "leaving_margin": (SCENE_SEARCH.margins["leaving_margin"], SCENE_SEARCH.leaving_gap),
+    "rate_margin": (SCENE_SEARCH.margins["rate_margin"], SCENE_SEARCH.rate),
+}
+SHARES = {
+    "margin": (1 / 8, 1 / 4),
+    "leaving_margin": (1 / 32, 1 / 20),
+    "rate_margin": (1 / 26, 1 / 16),
+}
+"""Between what the largest error of many is, beside its bound: a bound that is twice as wide leaves
+them, and so does one whose share of the formulas' roundings is halved."""
+
+
+def near_a_narrow_hole(count: int) -> dict[str, np.ndarray]:
+    """Return flights near the inner side of rings with hardly a hole, at a time just after.
+
+    There the coordinates are small beside the radii, so that the formulas' own roundings, which
+    are a share of the radii, are most of the error.
+    """
+    rng = np.random.default_rng(12)
+    radius = rng.uniform(0.1, 1, count)
+    reach = radius * (1 - 2.0 ** -rng.uniform(2, 11.9, count))
+    ball = reach * rng.uniform(0.05, 0.95, count)
+    about, around = rng.normal(np.pi, 0.05, count), rng.normal(0, 1e-3, count)
+    rho = radius + reach * np.cos(about)
+    values = PARAMETERS | dict.fromkeys(("position_error", "velocity_error"), 0.0)
+    values |= {"ring_radius": radius, "ball_radius": ball, "wire_radius": reach - ball}
+    values |= {"x": rho * np.cos(around), "y": rho * np.sin(around), "z": reach * np.sin(about)}
+    values |= dict(zip(("vx", "vy", "vz"), rng.normal(0, 1, (3, count)), strict=True))
+    values["t"] = values["horizon"] = 10.0 ** rng.uniform(-9, -3, count)
+    values["extent"] = sum(np.abs(values[name]) for name in ("x", "y", "z"))
+    values["speed"] = sum(np.abs(values[name]) for name in ("vx", "vy", "vz"))
+    return values
+
+
+def test_the_margins_hold_the_roundings_of_their_formulas_and_not_by_far() -> None:
+    """The largest error beside its bound.
+
+    With a twelfth of their share the roundings of F are beyond its margin. Those of F/t and F'
+    would be within theirs without one: no counterexample can hold it, what is measured does.
+    """
+    values = near_a_narrow_hole(2000)
+    values |= in_doubles(SCENE_SEARCH.constants, values)
+    bounds = in_doubles({name: bound for name, (bound, _) in MARGINS.items()}, values)
+    found = in_doubles({name: formula for name, (_, formula) in MARGINS.items()}, values)
+    ratios = dict.fromkeys(MARGINS, mpf(0))
+    with digits(50):
+        for k in range(len(values["t"])):
+            path = Path({n: float(v if np.ndim(v) == 0 else v[k]) for n, v in values.items()})
+            true = exact_gaps(path)
+            for name in MARGINS:
+                scale = path["t"] if name == "leaving_margin" else 1
+                error = abs(mpf(float(found[name][k])) - true[name]) / scale
+                ratios[name] = max(ratios[name], error / mpf(float(bounds[name][k])))
+    for name, (least, most) in SHARES.items():
+        assert least < ratios[name] < most, name
+
+
+def exact_gaps(path: Path) -> dict[str, mpf]:
+    """Return F, F less its value at the start, and F'."""
+    t, (rho, z) = path["t"], path.place(path["t"])
+    x, y = path["x"] + path["vx"] * t, path["y"] + path["vy"] * t
+    outward = (x * path["vx"] + y * path["vy"]) / rho
+    rate = 2 * ((rho - path["ring_radius"]) * outward + z * (path["vz"] - path["gravity"] * t))
+    gap = path.gap(t)
+    return {"margin": gap, "leaving_margin": gap - path.gap(mpf(0)), "rate_margin": rate}
+
+
 # -- The filter
+
+TURNS = {"x": np.cos, "y": np.sin}
 
 
 def shots(count: int) -> dict[str, np.ndarray]:
@@ -192,6 +265,42 @@ def test_a_flight_that_is_clear_has_no_contact_before_the_horizon() -> None:
             roots = mpmath.polyroots(coefficients, maxsteps=200, extraprec=200)
             real = [r.real for r in roots if abs(r.imag) < mpf(10) ** -15]
             assert not any(0 <= r <= shot["horizon"] for r in real)
+
+
+def test_a_flight_that_touches_within_its_errors_is_never_clear() -> None:
+    """Past the wire into the hole, within 1e-12 m of a touch, of states that are off by as much.
+
+    With hardly any gravity the parabola below F is F itself, and nothing but the slack holds the
+    roundings and the errors. (The horizon of a scene with so little would reach far beyond.)
+    """
+    rng, count = np.random.default_rng(7), 2000
+    radius = PARAMETERS["ring_radius"]
+    reach = PARAMETERS["ball_radius"] + PARAMETERS["wire_radius"]
+    about, around = rng.uniform(np.pi / 2, np.pi, count), rng.uniform(0, 2 * np.pi, count)
+    outward, upward = np.cos(about), np.sin(about)
+    away = reach + rng.uniform(-9e-13, 9e-13, count)
+    rho, speed, time = radius + away * outward, rng.uniform(0.1, 10, count), np.full(count, 0.1)
+    time *= rng.uniform(0.4, 2, count) / speed
+    sideways, vz = -speed * upward, speed * outward
+    vx, vy = sideways * np.cos(around), sideways * np.sin(around)
+    values = PARAMETERS | {
+        "x": rho * np.cos(around) - vx * time,
+        "y": rho * np.sin(around) - vy * time,
+        "z": away * upward - vz * time,
+        "vx": vx,
+        "vy": vy,
+        "vz": vz,
+        "gravity": 1e-12,
+        "horizon": time + 0.3 * rng.uniform(0, 1, count) / speed,
+        "position_error": 1e-12,
+        "velocity_error": 0,
+    }
+    values["extent"] = sum(np.abs(values[name]) for name in ("x", "y", "z"))
+    values["speed"] = sum(np.abs(values[name]) for name in ("vx", "vy", "vz"))
+    assert not np.any(in_doubles({"clear": SCENE_SEARCH.clear}, values)["clear"] > 0)
+    values |= {"position_error": 0, "z": values["z"] + 1e-6 * upward}
+    values |= {name: values[name] + 1e-6 * outward * turn(around) for name, turn in TURNS.items()}
+    assert np.count_nonzero(in_doubles({"clear": SCENE_SEARCH.clear}, values)["clear"] > 0) > 100
 
 
 def test_a_flight_whose_errors_are_large_is_never_clear() -> None:

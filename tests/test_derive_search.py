@@ -7,7 +7,7 @@ from itertools import product
 import pytest
 import sympy as sp
 from hoopgen.derive.flight.parabola import flight_polynomials
-from hoopgen.derive.ground.choice import IfLess, release
+from hoopgen.derive.ground.choice import IfLess, release, smallest
 from hoopgen.derive.ground.polynomials import (
     add,
     bernstein,
@@ -20,6 +20,7 @@ from hoopgen.derive.ground.polynomials import (
 from hoopgen.derive.ground.symbols import POSITION, VELOCITY, t
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.search import approach, events
+from hoopgen.derive.search.approach import _first_root
 from hoopgen.derive.search.bernstein import PolynomialApproach
 from hoopgen.derive.search.events import crossing, event_coefficients
 from hoopgen.derive.search.plane import plane_arrival
@@ -163,7 +164,7 @@ def test_the_apex_is_where_the_gap_is_highest(plane: Plane) -> None:
 # -- The parabola below F
 
 gap_, slope_, bent = sp.symbols("gap slope bent", real=True)
-FIRST_ROOT = events._first_root(gap_, slope_, bent)
+FIRST_ROOT = _first_root(gap_, slope_, bent)
 
 
 def parabola(gap: mpf, slope: mpf, curvature: mpf, s: mpf) -> mpf:
@@ -217,7 +218,7 @@ def test_a_parabola_that_never_falls_below_zero_limits_no_step(curvature: int) -
     """0/0 passes through `smallest`, whose first operand is the window's end."""
     step = exactly(FIRST_ROOT, {"gap": 0, "slope": 0, "bent": curvature})
     assert step != step
-    assert exactly(events.smallest(sp.Integer(5), sp.Symbol("s")), {"s": step}) == 5
+    assert exactly(smallest(sp.Integer(5), sp.Symbol("s")), {"s": step}) == 5
 
 
 SIZES = st.just(0.0) | st.floats(1e-9, 1e3)
@@ -283,11 +284,3 @@ def test_the_general_search_has_gap_rate_and_bend_of_its_condition(
     assert same(rate, sp.diff(release(polynomial), t))
     assert same(release(search.bend), sp.diff(release(polynomial), t, 2))
     assert same(release(search.leaving_gap), gap - gap.subs(t, 0))
-
-
-def test_a_curved_surface_with_bounds_is_refused() -> None:
-    class Bowl(Sphere):
-        bounds = (x,)
-
-    with pytest.raises(ValueError, match="only a plane can have bounds"):
-        approach(Bowl("bowl", BALL.centre, BALL.radius), gravity)

@@ -22,6 +22,7 @@ from hoopgen.cli import main
 from hoopgen.study import estimate as module
 from hoopgen.study.estimate import Comparison, Estimate, newcombe
 from hoopgen.study.measures import Kind, kinds
+from hoopgen.study.named import in_units
 from hoopgen.study.tallies import Tally, wilson
 from hoopgen.study.variables import Releases, change_variables
 
@@ -150,7 +151,7 @@ def test_capped_shots_are_trials_that_bound_the_probability() -> None:
 
 def test_invalid_shots_are_no_trials() -> None:
     """A restitution that scatters above 1 cannot be simulated."""
-    wild = Scatter(PLAYER.mean, {**SD, "restitution": 0.3})
+    wild = Scatter(PLAYER.release, {**SD, "restitution": 0.3})
     found = estimate(wild, SCENE, shots=2000)
     releases = wild.draw(0, 2000, 0, SCENE)
     invalid = ~(
@@ -167,7 +168,7 @@ def test_where_all_are_invalid_there_is_no_probability() -> None:
     assert math.isnan(found.with_capped)
     assert (found.low, found.high) == (0.0, 1.0)
     assert found.as_dict()["probability"] is None
-    assert "nan %" in str(found)
+    assert "made     unknown" in str(found)
 
 
 def test_a_readme_s_player_makes_two_of_three() -> None:
@@ -251,7 +252,7 @@ def test_a_folder_keeps_chunks_and_is_gone_on_from(
         {"shots": 2400},
         {"max_contacts": 39},
         {"parameters": hoopgen.NBA},
-        {"model": Scatter(PLAYER.mean, SD | {"speed": 0.08})},
+        {"model": Scatter(PLAYER.release, SD | {"speed": 0.08})},
     ],
 )
 def test_a_folder_of_another_estimate_is_refused(tmp_path: Path, change: Any) -> None:
@@ -340,7 +341,7 @@ def test_a_comparison_pairs_the_same_shots() -> None:
 
 
 def test_swapped_settings_swap_the_sign() -> None:
-    other = Scatter({**PLAYER.mean, "backspin": 0.0}, SD)
+    other = Scatter({**PLAYER.release, "backspin": 0.0}, SD)
     there, back = compare(PLAYER, other, shots=2000), compare(other, PLAYER, shots=2000)
     assert back.difference == -there.difference
     assert (back.low, back.high) == pytest.approx((-there.high, -there.low), rel=1e-12)
@@ -364,7 +365,7 @@ def test_the_gain_is_the_ratio_of_the_variances() -> None:
 
 
 def test_pairs_with_an_invalid_shot_are_left_out() -> None:
-    wild = Scatter(PLAYER.mean, {**SD, "restitution": 0.3})
+    wild = Scatter(PLAYER.release, {**SD, "restitution": 0.3})
     found = compare((PLAYER, SCENE), (wild, SCENE), shots=2000)
     assert found.pairs == 2000 - found.second.invalid
     assert found.first.invalid == 0
@@ -396,21 +397,26 @@ def test_results_are_json_and_say_what_they_are_of() -> None:
 
 def test_an_estimate_in_words() -> None:
     known = Estimate(
-        *(0.6789, 0.6785, 0.6793, 0.95, 1_000_000, 678_900, 320_000, 1100, 0, 0, 77),
+        *(0.6789, 0.6785, 0.6793, 0.95, 1_000_000, 678_900, 320_000, 1100, 0, 0, 77, 70),
         kinds={"swish": 250_000, "rim": 750_000, "bank_rim": 0},
         kinds_made={"swish": 250_000, "rim": 428_900, "bank_rim": 0},
         seed=0,
-        setting={},
+        setting={**PLAYER.identity(), "parameters": dict(hoopgen.NBA) | {"restitution": 0.75}},
     )
     assert str(known) == (
-        "made     67.890 %, 67.850 % to 67.930 % (Wilson's 95 % interval)\n"
+        "made     67.890%, 67.850% to 67.930% (Wilson's 95% interval)\n"
         "shots    1,000,000: 678,900 made, 320,000 missed, 1,100 capped, 0 short, 0 invalid, "
-        "77 uncertain\n"
-        "capped   68.000 % if made\n"
+        "77 uncertain (70 of them capped)\n"
+        "capped   68.000% if made\n"
         "\n"
         "kind         share  of it made\n"
-        "swish       25.0 %     100.0 %\n"
-        "rim         75.0 %      57.2 %"
+        "swish        25.0%      100.0%\n"
+        "rim          75.0%       57.2%\n"
+        "\n"
+        "scene    NBA, restitution 0.75\n"
+        "release  speed 7.17 m/s, elevation 52°, backspin 3 Hz, height 2.1336 m, distance 4.191 m\n"
+        "scatter  speed 0.07 m/s, elevation 1.3°, azimuth 1°\n"
+        "seed     0"
     )
 
 
@@ -418,7 +424,7 @@ def test_a_comparison_in_words() -> None:
     text = str(compare((PLAYER, SCENE), (PLAYER, hoopgen.NBA), shots=2000))
     assert text.startswith("first       6")
     assert "points, " in text
-    assert "Newcombe's paired 95 % interval" in text
+    assert "Newcombe's paired 95% interval" in text
     assert "pairs       2,000: " in text
 
 
@@ -477,9 +483,9 @@ def test_a_tally_of_many_settings_is_that_of_each() -> None:
 # On the command line
 
 OPTIONS = [
-    *["estimate", "--speed", "7.17", "--elevation", "52", "--height", "7ft"],
+    *["estimate", "--speed", "7.17", "--elevation", "52deg", "--height", "7ft"],
     *["--distance", "13.75ft", "--backspin", "3Hz", "--preset", "nba", "--set", "restitution=0.75"],
-    *["--scatter", "speed=0.07", "--scatter", "elevation=1.3", "--scatter", "azimuth=1deg"],
+    *["--scatter", "speed=0.07", "--scatter", "elevation=1.3deg", "--scatter", "azimuth=1deg"],
 ]
 
 
@@ -502,18 +508,22 @@ def failure(*arguments: str) -> str:
 
 def test_the_command_says_and_writes_what_the_library_gives() -> None:
     given = ["--shots", "2e3", "--seed", "7", "--confidence", "0.9", "--max-contacts", "30"]
-    correlated = Scatter(PLAYER.mean, PLAYER.sd, {("speed", "elevation"): -0.3})
+    correlated = Scatter(PLAYER.release, PLAYER.sd, {("speed", "elevation"): -0.3})
     wanted = estimate(correlated, SCENE, shots=2000, seed=7, confidence=0.9, max_contacts=30)
     arguments = [*OPTIONS, *given, "--correlation", "speed,elevation=-0.3"]
     assert output(*arguments) == f"{wanted}\n"
-    assert json.loads(output(*arguments, "--json")) == wanted.as_dict()
+    assert json.loads(output(*arguments, "--json")) == in_units(wanted.as_dict())
 
 
 @pytest.mark.parametrize(
     ("versus", "change", "drop"),
     [
         (["backspin=0"], {"backspin": 0.0}, ()),
-        (["elevation=50", "backspin=1Hz"], {"elevation": 50 * DEGREE, "backspin": 2 * math.pi}, ()),
+        (
+            ["elevation=50deg", "backspin=1Hz"],
+            {"elevation": 50 * DEGREE, "backspin": 2 * math.pi},
+            (),
+        ),
         (["aim=5cm"], {"aim": 0.05}, ("speed",)),
         (["entry=45deg", "aim=0"], {"entry": 45 * DEGREE, "aim": 0.0}, ("speed", "elevation")),
     ],
@@ -521,11 +531,11 @@ def test_the_command_says_and_writes_what_the_library_gives() -> None:
 def test_versus_compares_with_variables_changed(
     versus: list[str], change: dict[str, float], drop: tuple[str, ...]
 ) -> None:
-    kept = {name: value for name, value in PLAYER.mean.items() if name not in drop}
+    kept = {name: value for name, value in PLAYER.release.items() if name not in drop}
     wanted = compare((PLAYER, SCENE), (Scatter(kept | change, SD), SCENE), shots=1500)
     options = [word for one in versus for word in ("--versus", one)]
     found = json.loads(output(*OPTIONS, "--shots", "1500", *options, "--json"))
-    assert found == wanted.as_dict()
+    assert found == in_units(wanted.as_dict())
 
 
 def test_versus_changes_the_scene_and_says_what_it_changed() -> None:
@@ -592,7 +602,7 @@ def test_the_folder_is_passed_on(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--elevation", "52"], "variables: missing height, distance"),
+        (["--elevation", "52deg"], "variables: missing height, distance"),
         (["--scatter", "pace=1"], "'pace' is none of speed, elevation"),
         (["--scatter", "speed"], "'speed' is not name=value"),
         (["--scatter", "speed=1deg"], "speed: '1deg': 'deg' is not a unit of speed"),

@@ -21,6 +21,7 @@ from hoopgen.cli import main
 from hoopgen.cli.types import AXIS
 from hoopgen.study import maps as module
 from hoopgen.study.measures import Kind, kinds
+from hoopgen.study.named import named
 from hoopgen.study.tables import columns_of
 from hoopgen.study.variables import VARIABLES, resolve_variables
 
@@ -68,7 +69,7 @@ def cells(dataset: xr.Dataset, over: Any) -> Any:
 )
 def test_a_cell_is_the_estimate_of_its_release(over: Any, release: Any, sd: Any) -> None:
     scene = hoopgen.NBA
-    dataset = hoopgen.map(over, release, sd, CORRELATION, scene, shots=300, seed=5)
+    dataset = hoopgen.map(Scatter(release, sd, CORRELATION), over, scene, shots=300, seed=5)
     assert dataset["probability"].dims == tuple(over)
     for at, cell in cells(dataset, over):
         alone = estimate(Scatter(release | at, sd, CORRELATION), scene, shots=300, seed=5)
@@ -79,20 +80,24 @@ def test_a_cell_is_the_estimate_of_its_release(over: Any, release: Any, sd: Any)
 
 
 def test_a_probability_that_cannot_be_is_not_a_number() -> None:
-    dataset = hoopgen.map({"restitution": [0.7, 1.2]}, REST | {"entry": 0.75}, SD, shots=50)
+    dataset = hoopgen.map(
+        Scatter(REST | {"entry": 0.75}, SD), {"restitution": [0.7, 1.2]}, shots=50
+    )
     assert dataset["invalid"].values.tolist() == [0, 50]
     assert np.isnan(dataset["probability"].values).tolist() == [False, True]
     assert (dataset["low"][1].item(), dataset["high"][1].item()) == (0.0, 1.0)
 
 
 def test_a_scatter_of_zero_is_a_scatter() -> None:
-    dataset = hoopgen.map({"speed": [7.0, 7.17]}, REST | {"elevation": 0.9}, {"speed": 0}, shots=20)
+    dataset = hoopgen.map(
+        Scatter(REST | {"elevation": 0.9}, {"speed": 0}), {"speed": [7.0, 7.17]}, shots=20
+    )
     assert set(dataset["probability"].values) <= {0.0, 1.0}
     assert dataset["shots"].values.tolist() == [20, 20]
 
 
 def test_by_default_a_cell_has_10_000_shots() -> None:
-    dataset = hoopgen.map({"speed": [7.1]}, REST | {"elevation": 0.9}, SD)
+    dataset = hoopgen.map(Scatter(REST | {"elevation": 0.9}, SD), {"speed": [7.1]})
     assert dataset["shots"].values.tolist() == [10_000]
 
 
@@ -100,7 +105,7 @@ def test_by_default_a_cell_has_10_000_shots() -> None:
 
 
 def test_without_scatter_a_cell_is_one_shot() -> None:
-    dataset = hoopgen.map(OVER, REST, parameters=hoopgen.FIBA)
+    dataset = hoopgen.map(Scatter(REST), OVER, hoopgen.FIBA)
     assert set(dataset.data_vars) == {"outcome", "kind", "uncertain"}
     for at, cell in cells(dataset, OVER):
         shot = resolve_variables(REST | at, hoopgen.FIBA)
@@ -111,7 +116,7 @@ def test_without_scatter_a_cell_is_one_shot() -> None:
 
 
 def test_codes_are_named_as_the_cf_conventions_want() -> None:
-    dataset = hoopgen.map(OVER, REST)
+    dataset = hoopgen.map(Scatter(REST), OVER)
     for name, codes in (("outcome", Outcome), ("kind", Kind)):
         variable = dataset[name]
         assert variable.dtype == variable.attrs["flag_values"].dtype == np.uint8
@@ -121,7 +126,7 @@ def test_codes_are_named_as_the_cf_conventions_want() -> None:
 
 
 def test_scatter_of_nothing_is_none() -> None:
-    assert "outcome" in hoopgen.map(OVER, REST, sd={})
+    assert "outcome" in hoopgen.map(Scatter(REST, {}), OVER)
 
 
 # The dataset
@@ -129,7 +134,7 @@ def test_scatter_of_nothing_is_none() -> None:
 
 def test_coordinates_have_units_and_names() -> None:
     over = {"entry": [0.7, 0.8], "restitution": [0.6, 0.7], "gravity": [9.8]}
-    dataset = hoopgen.map(over, REST | {"aim": 0.05}, SD, shots=20)
+    dataset = hoopgen.map(Scatter(REST | {"aim": 0.05}, SD), over, shots=20)
     assert list(dataset.sizes) == [*over, "kind"]
     for name in (*over, *REST, "aim"):
         assert dataset[name].attrs["long_name"] == VARIABLES[name].label
@@ -147,15 +152,15 @@ def test_coordinates_have_units_and_names() -> None:
     assert dataset["aim"].item() == 0.05
     assert dataset["kind"].values.tolist() == [kind.name.lower() for kind in Kind]
     assert all("long_name" in dataset[name].attrs for name in dataset.variables)
-    assert "90 % interval" in str(hoopgen.map(over, REST, SD, shots=9, confidence=0.9)["low"].attrs)
+    assert "90% interval" in str(
+        hoopgen.map(Scatter(REST, SD), over, shots=9, confidence=0.9)["low"].attrs
+    )
 
 
 def test_attributes_say_what_made_it() -> None:
     dataset = hoopgen.map(
+        Scatter(REST | {"entry": 0.8, "ball_radius": 0.12}, SD, CORRELATION),
         {"restitution": [0.6]},
-        REST | {"entry": 0.8, "ball_radius": 0.12},
-        SD,
-        CORRELATION,
         hoopgen.NBA,
         shots=20,
         seed=2**64 - 1,
@@ -178,7 +183,9 @@ def test_attributes_say_what_made_it() -> None:
 
 @pytest.mark.parametrize("sd", [None, SD])
 def test_it_goes_to_netcdf_and_back(tmp_path: Path, sd: Any) -> None:
-    dataset = hoopgen.map(OVER, REST, sd, **({"shots": 30, "seed": 2**63} if sd else {}))
+    dataset = hoopgen.map(
+        Scatter(REST, sd or {}), OVER, **({"shots": 30, "seed": 2**63} if sd else {})
+    )
     dataset.to_netcdf(tmp_path / "map.nc", engine="scipy")
     with xr.open_dataset(tmp_path / "map.nc", engine="scipy") as file:
         read = file.load()
@@ -198,7 +205,7 @@ def test_chunks_threads_and_backends_change_nothing(
     sd: Any, chunk: int, block: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def made(**how: Any) -> xr.Dataset:
-        return hoopgen.map(OVER, REST, sd, shots=60 if sd else None, **how)
+        return hoopgen.map(Scatter(REST, sd or {}), OVER, shots=60 if sd else None, **how)
 
     wanted = made(threads=1)
     monkeypatch.setattr(module, "BLOCK", block)
@@ -211,7 +218,7 @@ def test_chunks_threads_and_backends_change_nothing(
 def test_a_chunk_may_be_computed_by_another_process(monkeypatch: pytest.MonkeyPatch) -> None:
     works: list[Any] = []
     monkeypatch.setattr(module, "run", lambda work, *_, **__: works.append(work) or iter(()))
-    hoopgen.map(OVER, REST, SD, CORRELATION, shots=100)
+    hoopgen.map(Scatter(REST, SD, CORRELATION), OVER, shots=100)
     (work,) = works
     there = pickle.loads(pickle.dumps(work))
     assert there.compute(1).equals(work.compute(1))
@@ -223,25 +230,29 @@ def test_a_folder_is_gone_on_from(tmp_path: Path, sd: Any, monkeypatch: pytest.M
     monkeypatch.setattr(module, "_CHUNK", 5)
     monkeypatch.setattr(module, "BLOCK", 5)
     shots = {"shots": 12} if sd else {}
-    wanted = hoopgen.map(OVER, REST, sd, **shots, folder=tmp_path)
+    wanted = hoopgen.map(Scatter(REST, sd or {}), OVER, **shots, folder=tmp_path)
     lost = sorted(tmp_path.glob("chunk-*.arrow"))[1]
     lost.unlink()
     said: list[tuple[int, int | None]] = []
     again = hoopgen.map(
-        OVER, REST, sd, **shots, folder=tmp_path, progress=lambda *now: said.append(now)
+        Scatter(REST, sd or {}),
+        OVER,
+        **shots,
+        folder=tmp_path,
+        progress=lambda *now: said.append(now),
     )
     xr.testing.assert_identical(again, wanted)
     chunks = len(list(tmp_path.glob("chunk-*.arrow")))
     assert chunks > 2
     assert said == [(done, chunks) for done in range(chunks + 1)]
     with pytest.raises(ValueError, match="there and"):
-        hoopgen.map(OVER, REST | {"sidespin": 1.0}, sd, **shots, folder=tmp_path)
+        hoopgen.map(Scatter(REST | {"sidespin": 1.0}, sd or {}), OVER, **shots, folder=tmp_path)
 
 
 def test_whole_numbers_may_be_numpy_s(tmp_path: Path) -> None:
     given = {"shots": np.int64(20), "seed": np.uint8(3), "max_contacts": np.int64(5)}
     plain = {name: int(value) for name, value in given.items()}
-    maps = [hoopgen.map(OVER, REST, SD, **one, folder=tmp_path) for one in (given, plain)]
+    maps = [hoopgen.map(Scatter(REST, SD), OVER, **one, folder=tmp_path) for one in (given, plain)]
     xr.testing.assert_identical(*maps)
 
 
@@ -253,7 +264,11 @@ def test_whole_numbers_may_be_numpy_s(tmp_path: Path) -> None:
         ({"over": {"speed": 7.0}}, ValueError, r"over\['speed'\]: expected a list of numbers"),
         ({"over": {"speed": []}}, ValueError, r"over\['speed'\]: expected a list of numbers"),
         ({"over": {"speed": ["a"]}}, TypeError, r"over\['speed'\]: expected numbers"),
-        ({"over": {"height": [2.0]}}, ValueError, "release: height is mapped over; leave out"),
+        (
+            {"over": {"height": [2.0]}},
+            ValueError,
+            "release: height already in over; leave out of one",
+        ),
         ({"release": PLACE}, ValueError, "variables: expected speed and elevation, or aim"),
         ({"release": {"elevation": 0.9}}, ValueError, "variables: missing height, distance"),
         ({"release": {"elevations": 0.9}}, ValueError, "release: unknown elevations"),
@@ -268,7 +283,7 @@ def test_whole_numbers_may_be_numpy_s(tmp_path: Path) -> None:
             "aim takes the place of speed; got both",
         ),
         ({"sd": {"aim": 0.1}}, ValueError, "sd: unknown aim"),
-        ({"sd": None, "shots": 10}, ValueError, "shots: without sd all shots of a cell are one"),
+        ({"sd": {}, "shots": 10}, ValueError, "shots: without scatter all shots of a cell are one"),
         ({"shots": 0}, ValueError, "shots: expected a whole number from 1"),
         ({"parameters": {"gravity": 9.8}}, ValueError, "parameters: missing"),
         ({"confidence": 0}, ValueError, "confidence: expected a number within 0 and 1"),
@@ -281,16 +296,18 @@ def test_what_is_wrong_is_said(
     tmp_path: Path, change: Any, error: type[Exception], message: str
 ) -> None:
     given: dict[str, Any] = {"over": {"speed": [7.1, 7.2]}, "release": REST | {"elevation": 0.9}}
+    given |= {"sd": SD, "folder": tmp_path / "kept"} | change
+    release, sd, over = (given.pop(name) for name in ("release", "sd", "over"))
     with pytest.raises(error, match=message):
-        hoopgen.map(**given | {"sd": SD, "folder": tmp_path / "kept"} | change)
+        hoopgen.map(Scatter(release, sd), over, **given)
     assert not (tmp_path / "kept").exists()
 
 
 # On the command line
 
 FREE_THROW = ["--height", "7ft", "--distance", "13.75ft", "--backspin", "3Hz"]
-GRID = ["map", "--over", "elevation=48:56:3", "--over", "speed=7.0,7.1,7.2,7.3"]
-SCATTER = ["--scatter", "speed=0.07", "--scatter", "elevation=1.3", "--scatter", "azimuth=1"]
+GRID = ["map", "--over", "elevation=48deg:56deg:3", "--over", "speed=7.0,7.1,7.2,7.3"]
+SCATTER = ["--scatter", "speed=0.07", "--scatter", "elevation=1.3deg", "--scatter", "azimuth=1deg"]
 
 
 def run(*arguments: str) -> Result:
@@ -308,34 +325,36 @@ def test_netcdf_is_what_the_library_gives(tmp_path: Path) -> None:
     arguments = [*GRID, *FREE_THROW, *SCATTER, "--shots", "50", "--seed", "3", "--preset", "fiba"]
     text = output(*arguments, "--out", str(out))
     over = {"elevation": np.linspace(48 * DEGREE, 56 * DEGREE, 3), "speed": OVER["speed"]}
-    wanted = hoopgen.map(over, REST, SD, {}, hoopgen.FIBA, shots=50, seed=3)
+    wanted = hoopgen.map(Scatter(REST, SD), over, hoopgen.FIBA, shots=50, seed=3)
     with xr.open_dataset(out, engine="scipy") as file:
         xr.testing.assert_equal(file.load(), wanted)
         assert file.attrs == wanted.attrs
     best = wanted.isel(wanted["probability"].argmax(...))
     assert text.splitlines()[0] == "map    3 elevation × 4 speed, 50 shots each"
-    assert text.splitlines()[1].startswith(
-        f"best   {100 * best['probability'].item():.1f} % made ("
-    )
+    assert text.splitlines()[1].startswith(f"best   {100 * best['probability'].item():.1f}% made (")
     assert f"at elevation {best['elevation'].item() / DEGREE:.1f}°" in text
 
 
 def test_csv_has_a_row_for_each_cell_in_columns_that_batch_reads(tmp_path: Path) -> None:
     out = tmp_path / "map.csv"
     text = output(*GRID, *FREE_THROW, "--out", str(out))
-    wanted = hoopgen.map(OVER, REST)
+    wanted = hoopgen.map(Scatter(REST), OVER)
     with out.open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == 12
     for row, (at, cell) in zip(rows, cells(wanted, OVER), strict=True):
-        assert {name: float(row[name]) for name in at} == pytest.approx(at, rel=1e-15)
+        read = {name: float(row[named(name)]) for name in at}
+        assert read == pytest.approx(at, rel=1e-15)
         assert Outcome[row["outcome"].upper()] == cell["outcome"].item()
         assert Kind[row["kind"].upper()] == cell["kind"].item()
         assert row["uncertain"] == str(cell["uncertain"].item())
-    assert set(columns_of(rows[0])) == {*OVER, *REST}
+    # The scene too, and nothing else that would be read.
+    assert set(columns_of(rows[0])) == {*OVER, *REST, *hoopgen.PAPER}
+    assert {n: float(rows[0][n]) for n in hoopgen.PAPER} == dict(hoopgen.PAPER)
+    assert {"elevation_rad", "speed_m_s", "height_m", "backspin_rad_s"} <= {*rows[0]}
     made = np.mean(wanted["outcome"].values == Outcome.MADE)
     assert text.startswith("map    3 elevation × 4 speed, one shot each\nshots  ")
-    assert f"{100 * made:.1f} % made" in text
+    assert f"{100 * made:.1f}% made" in text
 
 
 def test_csv_has_the_shares_of_kinds(tmp_path: Path) -> None:
@@ -358,9 +377,9 @@ def test_aim_and_places_may_be_mapped_over() -> None:
 
 
 def test_where_nothing_can_be_simulated_it_says_so() -> None:
-    arguments = ["--over", "restitution=1.1,1.2", *FREE_THROW, "--entry", "45", *SCATTER]
+    arguments = ["--over", "restitution=1.1,1.2", *FREE_THROW, "--entry", "45deg", *SCATTER]
     text = output("map", *arguments, "--shots", "5")
-    assert text.endswith("best   none: no cell can be simulated\n")
+    assert "\nbest   none: no cell can be simulated\n\nscene    PAPER" in text
 
 
 def test_a_picture_is_drawn(tmp_path: Path) -> None:
@@ -372,16 +391,16 @@ def test_a_picture_is_drawn(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ([*GRID, *FREE_THROW, "--out", "map.txt"], "map.txt ends in none of .nc, .csv"),
-        ([*GRID, *FREE_THROW, "--over", "speed=7:8:3"], "--over: speed is given twice"),
-        ([*GRID, *FREE_THROW, "--speed", "7"], "release: speed is mapped over; leave out"),
+        ([*GRID, *FREE_THROW, "--out", "map.txt"], "'map.txt' ends in none of .nc, .csv"),
+        ([*GRID, *FREE_THROW, "--over", "speed=7:8:3"], "'--over': speed is given twice"),
+        ([*GRID, *FREE_THROW, "--speed", "7"], "release: speed already in over; leave out of one"),
         (["map", *FREE_THROW], "Missing option '--over'"),
         (["map", "--over", "speed=7:8", *FREE_THROW], "speed: '7:8' is neither from:to:count"),
         (["map", "--over", "speed=7:8:1", *FREE_THROW], "speed: '7:8:1' is neither from:to:count"),
         (["map", "--over", "speed=7:8:x", *FREE_THROW], "speed: '7:8:x' is neither from:to:count"),
         (["map", "--over", "speed=7,b", *FREE_THROW], "speed: 'b' is not a number with a unit"),
         (["map", "--over", "tempo=7:8:3"], "'tempo' is none of speed"),
-        ([*GRID, *FREE_THROW, "--shots", "10"], "without sd all shots of a cell are one"),
+        ([*GRID, *FREE_THROW, "--shots", "10"], "without scatter all shots of a cell are one"),
     ],
 )
 def test_what_is_wrong_on_the_command_line_is_said(arguments: list[str], message: str) -> None:

@@ -407,8 +407,8 @@ def test_correlated_noise_keeps_the_numbers_of_the_first_name_in_order() -> None
 @pytest.mark.parametrize(
     ("mean", "sd", "correlation", "message"),
     [
-        ({"sped": 7}, {}, {}, "mean: unknown sped. One of speed"),
-        ({"speed": [7, 8]}, {}, {}, r"mean\['speed'\]: expected one number, got \[7, 8\]"),
+        ({"sped": 7}, {}, {}, "release: unknown sped. One of speed"),
+        ({"speed": [7, 8]}, {}, {}, r"release\['speed'\]: expected one number, got \[7, 8\]"),
         ({}, {"aim": 0.1}, {}, "sd: unknown aim. One of speed"),
         ({}, {"speed": -0.1}, {}, r"sd\['speed'\]: expected a number from 0, got -0.1"),
         ({}, {"speed": math.nan}, {}, r"sd\['speed'\]: expected a number from 0, got nan"),
@@ -516,8 +516,7 @@ def test_later_changes_of_the_caller_s_columns_change_no_shot() -> None:
         (FREE_THROW, "columns of one length and at least one row"),
         ({"speed": []}, r"at least one row, got shapes speed \(0,\)"),
         ({"speed": [1, 2], "height": [1, 2, 3]}, r"got shapes speed \(2,\), height \(3,\)"),
-        ({"speed": [1, 2]}, "variables: missing height, distance"),
-        ({"velocity": [1, 2]}, "variables: unknown velocity"),
+        ({"velocity": [1, 2]}, "columns: unknown velocity"),
         ({"vx": [1, 2], "x": 3}, "columns: a state needs y, z, vy, vz too"),
         ({"vx": [1, 2], "speed": 3}, "columns: unknown speed. One of x, y, z"),
     ],
@@ -576,5 +575,7 @@ def test_what_is_wrong_with_a_grid_is_said(axes: Any, fixed: Any, message: str) 
 
 
 def test_degrees_in_place_of_radians_are_refused() -> None:
-    with pytest.raises(ValueError, match=r"mean: elevation is in radians, .* more than a turn: 52"):
+    with pytest.raises(
+        ValueError, match=r"release: elevation is in radians, .* more than a turn: 52"
+    ):
         Scatter({"speed": 7.0, "elevation": 52.0, "height": 2.0, "distance": 4.0})

@@ -62,7 +62,7 @@ CELLS = {
     "map": """
         over = {"speed": np.linspace(6.8, 7.4, 12)}
         place = {"elevation": 0.9, "height": 2.1336, "distance": 4.191}
-        dataset = hoopgen.map(over, place, {"speed": 0.05}, shots=100)
+        dataset = hoopgen.map(hoopgen.Scatter(place, {"speed": 0.05}), over, shots=100)
         dataset""",
     "inline": """
         import matplotlib.pyplot as plt
@@ -182,7 +182,7 @@ def test_a_page_has_the_scene_of_its_shots() -> None:
 @pytest.fixture(scope="module")
 def best() -> Any:
     over = {"speed": (7.0, 7.3), "elevation": (50 * DEGREE, 54 * DEGREE)}
-    return hoopgen.optimum(over, PLACE, SD, shots=2000, margins=["speed"])
+    return hoopgen.optimum(hoopgen.Scatter(PLACE, SD), over, shots=2000, margins=["speed"])
 
 
 def test_an_estimate_is_a_row(shots: hoopgen.Shots) -> None:
@@ -192,7 +192,7 @@ def test_an_estimate_is_a_row(shots: hoopgen.Shots) -> None:
     assert len(frame) == 1
     assert frame.probability[0] == found.probability
     assert frame.kinds_made_swish[0] == found.kinds_made["swish"]
-    assert frame.setting_sd_speed[0] == SD["speed"]
+    assert frame.setting_sd_speed_m_s[0] == SD["speed"]
     assert found._repr_html_() == f"<pre>{html.escape(str(found))}</pre>"
 
 
@@ -208,21 +208,23 @@ def test_a_comparison_is_a_row() -> None:
 def test_an_optimum_is_a_row_and_shows_its_shots(best: Any) -> None:
     pytest.importorskip("pandas")
     frame = best.to_pandas()
-    assert frame.release_speed[0] == best.release["speed"]
+    assert frame.release_speed_m_s[0] == best.release["speed"]
     assert frame.margins_speed_low[0] == best.margins["speed"].low
     assert best._repr_html_() == f"<pre>{html.escape(str(best))}</pre>"
     assert best.margins["speed"].to_pandas().high[0] == best.margins["speed"].high
     # As many are drawn as were thrown, so the picture's share is the optimum's.
     said = [text.get_text() for text in best.plot(paths=5).texts]
-    assert f"2000 shots, {100 * best.probability:.1f}% made; 5 are drawn." in said
+    drawn = f"2,000 shots, {100 * best.probability:.1f}% made; 5 are drawn. Scene: PAPER"
+    assert any(text.startswith(drawn) for text in said)
+    assert f"Seed: {best.seed + 1}." in " ".join(said)
 
 
 def test_aims_are_a_table() -> None:
     pytest.importorskip("pandas")
     found = hoopgen.aim(height=2.1, distance=np.linspace(2.0, 9.0, 20), entry=45 * DEGREE)
     frame = found.to_pandas()
-    np.testing.assert_array_equal(frame.speed, found.speed)
-    assert frame.attrs["units"]["elevation"] == "rad"
+    np.testing.assert_array_equal(frame.speed_m_s, found.speed)
+    np.testing.assert_array_equal(frame.elevation_rad, found.elevation)
     text = found._repr_html_()
     assert text.count("<tr>") == 12
     assert "<th>entry_angle (°)</th>" in text
@@ -233,7 +235,7 @@ def test_aims_are_a_table() -> None:
 def test_a_batch_is_its_counts_and_its_file(tmp_path: Path) -> None:
     pytest.importorskip("pandas")
     source, out = tmp_path / "in.csv", tmp_path / "<b>out.parquet"
-    source.write_text("speed,elevation,height,distance\n7.2,0.9,2.1,4.2\n8,0.9,2.1,4.2\n")
+    source.write_text("speed,elevation_rad,height,distance\n7.2,0.9,2.1,4.2\n8,0.9,2.1,4.2\n")
     found = hoopgen.batch(source, out)
     assert sum(found.values()) == 2
     assert found == dict(found)
@@ -252,18 +254,18 @@ def kinds() -> Any:
         "elevation": np.linspace(0.8, 1.0, 9),
         "backspin": [0.0, 6.0],
     }
-    return hoopgen.map(over, {"height": 2.1336, "distance": 4.191})
+    return hoopgen.map(hoopgen.Scatter({"height": 2.1336, "distance": 4.191}), over)
 
 
 def shares() -> Any:
     over = {"speed": np.linspace(7.0, 7.4, 8), "elevation": np.linspace(0.85, 0.95, 7)}
-    return hoopgen.map(over, PLACE, SD, shots=200)
+    return hoopgen.map(hoopgen.Scatter(PLACE, SD), over, shots=200)
 
 
 def board() -> Any:
     from hoopgen.study.bank import bank_or_direct
 
-    return bank_or_direct([[2.0, 2.0]], PLACE, SD, shots=500)
+    return bank_or_direct(hoopgen.Scatter(PLACE, SD), [[2.0, 2.0]], shots=500)
 
 
 DRAWN = {

@@ -19,8 +19,10 @@ pytest.importorskip("pyarrow")
 import hoopgen
 from hoopgen.cli import main
 from hoopgen.study.bank import bank_or_direct, crossing, on_board
+from hoopgen.study.crew import crew
 from hoopgen.study.margins import _SMOOTH, Margin, margins
 from hoopgen.study.models import Scatter
+from hoopgen.study.named import in_units
 from hoopgen.study.optimum import Optimum, optimum
 from hoopgen.study.player import Player
 from hoopgen.study.search import bounds_of
@@ -35,13 +37,13 @@ BOARD = hoopgen.SURFACES.index("backboard")
 
 @pytest.fixture(scope="module")
 def best() -> Optimum:
-    return optimum(["elevation", "aim"], PLACE, SD, shots=8_000)
+    return optimum(Scatter(PLACE, SD), ["elevation", "aim"], shots=8_000)
 
 
 @pytest.fixture(scope="module")
 def bank() -> Optimum:
     place = PLACE | {"distance": 2.7, "angle": 50 * DEGREE}
-    return optimum(["elevation", "aim", "azimuth"], place, SD, by="bank", shots=8_000)
+    return optimum(Scatter(place, SD), ["elevation", "aim", "azimuth"], by="bank", shots=8_000)
 
 
 # Candidates
@@ -52,7 +54,7 @@ def test_a_candidate_is_thrown_as_the_release_model_throws_it() -> None:
     correlation = {("speed", "elevation"): -0.3, ("azimuth", "restitution"): 0.5}
     aims = np.array([-0.05, 0.0, 0.04])
     values = PLACE | {"elevation": 0.9, "gravity": 9.8}
-    thrown = Player(sd, correlation).thrown({**values, "aim": aims}, 1500, seed=9)
+    thrown = Player(Scatter({}, sd, correlation)).thrown({**values, "aim": aims}, 1500, seed=9)
     for aim, count in zip(aims.tolist(), thrown.made.tolist(), strict=True):
         drawn = Scatter({**values, "aim": aim}, sd, correlation).draw(0, 1500, seed=9)
         outcome = hoopgen.simulate(drawn.states, drawn.parameters).outcome
@@ -63,17 +65,20 @@ def test_so_many_shots_that_they_come_in_blocks_are_the_same_shots(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     values = PLACE | {"elevation": 0.9, "speed": np.linspace(7.0, 7.4, 5)}
-    whole = Player(SD).thrown(values, 1000, seed=3)
-    monkeypatch.setattr("hoopgen.study.player._BLOCK", 96)
-    again = Player(SD).thrown(values, 1000, seed=3)
+    whole = Player(Scatter({}, SD)).thrown(values, 1000, seed=3)
+    monkeypatch.setattr("hoopgen.study.player._TASK", 96)
+    again = Player(Scatter({}, SD)).thrown(values, 1000, seed=3)
     assert (again.made.tolist(), again.valid.tolist()) == (whole.made.tolist(), [1000] * 5)
-    one = Player(SD).scored({**values, "speed": 7.2}, 1000, seed=3)
+    one = Player(Scatter({}, SD)).scored({**values, "speed": 7.2}, 1000, seed=3)
     assert (one.made.sum(), one.valid.sum()) == (whole.made[2], 1000)
 
 
 def test_off_the_board_counts_what_touches_it_first_and_direct_the_rest() -> None:
     values = PLACE | {"elevation": 0.93, "speed": np.array([7.2, 7.4, 7.6])}
-    counted = {by: Player(SD, by=by).thrown(values, 3000).made for by in ("any", "direct", "bank")}
+    counted = {
+        by: Player(Scatter({}, SD), by=by).thrown(values, 3000).made
+        for by in ("any", "direct", "bank")
+    }
     assert (counted["any"] == counted["direct"] + counted["bank"]).all()
     for speed, count in zip(values["speed"].tolist(), counted["bank"].tolist(), strict=True):
         drawn = Scatter({**values, "speed": speed}, SD).draw(0, 3000)
@@ -85,8 +90,12 @@ def test_off_the_board_counts_what_touches_it_first_and_direct_the_rest() -> Non
 
 def test_the_threads_change_nothing() -> None:
     values = PLACE | {"elevation": 0.9, "speed": np.linspace(7.0, 7.4, 5)}
-    alone, together = (Player(SD, threads=n).thrown(values, 1000).made for n in (1, 2))
-    assert alone.tolist() == together.tolist()
+    player = Player(Scatter({}, SD))
+    wanted = player.thrown(values, 40_000).made.tolist()
+    for threads in (1, 2):
+        with crew({}, threads=threads) as together:
+            thrown = replace(player, crew=together).thrown(values, 40_000)
+        assert thrown.made.tolist() == wanted
 
 
 # The best release
@@ -95,13 +104,13 @@ def test_the_threads_change_nothing() -> None:
 def test_no_release_of_a_random_hundred_is_better_on_fresh_shots(best: Optimum) -> None:
     random = np.random.default_rng(1)
     values = {name: random.uniform(*ends, 100) for name, ends in best.bounds.items()}
-    made = Player(SD).thrown({**PLACE, **values}, best.shots, seed=77).made
+    made = Player(Scatter({}, SD)).thrown({**PLACE, **values}, best.shots, seed=77).made
     assert made.max() / best.shots < best.high
     assert made.mean() / best.shots < best.probability - 0.1
 
 
 def test_the_probability_is_of_fresh_shots_with_its_interval(best: Optimum) -> None:
-    made = Player(SD).thrown(best.release, best.shots, best.seed + 1).made[0]
+    made = Player(Scatter({}, SD)).thrown(best.release, best.shots, best.seed + 1).made[0]
     assert (best.made, best.probability) == (made, made / best.shots)
     assert (best.low, best.high) == wilson(made, best.shots, best.confidence)
 
@@ -111,7 +120,7 @@ UNSTEADY = SD | {"restitution": 0.3}
 
 
 def test_an_invalid_shot_is_no_trial_of_an_optimum_as_of_an_estimate() -> None:
-    found = optimum(["elevation", "aim"], PLACE, UNSTEADY, shots=2_000, seed=6, margins=())
+    found = optimum(Scatter(PLACE, UNSTEADY), ["elevation", "aim"], shots=2_000, seed=6, margins=())
     counted = hoopgen.estimate(Scatter(found.release, UNSTEADY), shots=2_000, seed=7)
     assert 100 < found.invalid == counted.invalid
     assert (found.probability, found.low, found.high) == (
@@ -119,14 +128,14 @@ def test_an_invalid_shot_is_no_trial_of_an_optimum_as_of_an_estimate() -> None:
         counted.low,
         counted.high,
     )
-    assert f"invalid  {found.invalid} shots" in str(found)
+    assert f"; 2,000 fresh shots, {found.invalid} of them invalid" in str(found)
 
 
 def test_a_pair_with_an_invalid_shot_does_not_count() -> None:
     over, place = ["elevation"], PLACE | {"aim": 0.03}
-    unsteady = optimum(over, place, UNSTEADY, shots=1_000, margins=())
-    steady = optimum(over, place, SD, shots=1_000, margins=())
-    first, second = (Scatter(one.release, one.sd) for one in (steady, unsteady))
+    unsteady = optimum(Scatter(place, UNSTEADY), over, shots=1_000, margins=())
+    steady = optimum(Scatter(place, SD), over, shots=1_000, margins=())
+    first, second = (Scatter(one.release, one.model.sd) for one in (steady, unsteady))
     counted = hoopgen.compare(first, second, shots=1_000, seed=1)
     assert unsteady.lead(steady) == (counted.difference, counted.low, counted.high)
     assert counted.both + counted.only_first + counted.only_second + counted.neither < 950
@@ -134,9 +143,9 @@ def test_a_pair_with_an_invalid_shot_does_not_count() -> None:
 
 def test_the_scene_may_be_given_in_the_release() -> None:
     changed = {"restitution": 0.6, "board_distance": 0.5, "gravity": 9.7}
-    within = optimum(["elevation", "aim"], PLACE | changed, SD, shots=500)
-    beside = optimum(["elevation", "aim"], PLACE, SD, parameters=hoopgen.PAPER | changed, shots=500)
-    same = replace(within, release=beside.release)
+    within = optimum(Scatter(PLACE | changed, SD), ["elevation", "aim"], shots=500)
+    beside = optimum(Scatter(PLACE, SD), ["elevation", "aim"], hoopgen.PAPER | changed, shots=500)
+    same = replace(within, release=beside.release, model=beside.model)
     assert same == beside
     assert within.release == beside.release | changed
     assert hoopgen.release(**within.arguments).shape == (9,)
@@ -144,9 +153,8 @@ def test_the_scene_may_be_given_in_the_release() -> None:
 
 def test_a_parameter_that_was_searched_over_is_that_of_the_scene() -> None:
     found = optimum(
+        Scatter(PLACE | {"elevation": 0.93}, SD),
         {"aim": None, "restitution": (0.5, 0.6)},
-        PLACE | {"elevation": 0.93},
-        SD,
         shots=500,
         margins=["restitution"],
     )
@@ -156,7 +164,9 @@ def test_a_parameter_that_was_searched_over_is_that_of_the_scene() -> None:
 
 def test_straight_in_front_the_best_direction_is_straight_on() -> None:
     release = PLACE | {"elevation": 52 * DEGREE, "aim": 0.04}
-    found = optimum({"azimuth": (-4 * DEGREE, 3 * DEGREE)}, release, SD, shots=8_000, margins=())
+    found = optimum(
+        Scatter(release, SD), {"azimuth": (-4 * DEGREE, 3 * DEGREE)}, shots=8_000, margins=()
+    )
     low, high = found.flat["azimuth"]
     assert low < 0.0 < high
     # As flat to the left as to the right, but for the random numbers: a tenth of the scatter.
@@ -166,9 +176,9 @@ def test_straight_in_front_the_best_direction_is_straight_on() -> None:
 
 def test_the_flat_range_is_flat_and_its_ends_are_its_ends() -> None:
     release = PLACE | {"elevation": 52 * DEGREE}
-    found = optimum(["aim"], release, SD, shots=40_000, margins=())
+    found = optimum(Scatter(release, SD), ["aim"], shots=40_000, margins=())
     few = found.shots // 4  # no fewer are taken
-    share = lambda aim: Player(SD).thrown({**release, "aim": aim}, few).share[0]  # noqa: E731
+    share = lambda aim: Player(Scatter({}, SD)).thrown({**release, "aim": aim}, few).share[0]  # noqa: E731
     least = share(found.release["aim"]) - found.tolerance
     low, high = found.flat["aim"]
     assert share(low) >= least
@@ -180,14 +190,14 @@ def test_the_flat_range_is_flat_and_its_ends_are_its_ends() -> None:
 
 def test_a_bound_that_is_in_the_way_is_named() -> None:
     over = {"elevation": (44 * DEGREE, 48 * DEGREE), "aim": None}
-    found = optimum(over, PLACE, SD, shots=4_000, margins=())
+    found = optimum(Scatter(PLACE, SD), over, shots=4_000, margins=())
     assert found.at_bounds == ("elevation",)
-    assert "elevation" in next(line for line in str(found).splitlines() if "beyond" in line)
+    assert "release angle" in next(line for line in str(found).splitlines() if "beyond" in line)
 
 
 def test_the_same_question_has_the_same_answer() -> None:
     once, again, other = (
-        optimum(["elevation", "aim"], PLACE, SD, shots=500, seed=seed, margins=["speed"])
+        optimum(Scatter(PLACE, SD), ["elevation", "aim"], shots=500, seed=seed, margins=["speed"])
         for seed in (4, 4, 5)
     )
     assert once == again
@@ -209,24 +219,24 @@ def test_off_the_board_the_best_release_is_off_the_board(bank: Optimum) -> None:
 
 
 def test_the_lead_is_of_the_same_shots(best: Optimum) -> None:
-    short = optimum(["elevation"], PLACE | {"aim": -0.1}, SD, shots=8_000, margins=())
+    short = optimum(Scatter(PLACE | {"aim": -0.1}, SD), ["elevation"], shots=8_000, margins=())
     difference, low, high = best.lead(short)
     assert difference == (best.made - short.made) / best.shots
     assert 0.0 < low < difference < high
     assert best.lead(best)[0] == 0.0
     with pytest.raises(ValueError, match="same seed"):
-        best.lead(optimum(["elevation"], PLACE | {"aim": 0.0}, SD, shots=100, margins=()))
+        best.lead(optimum(Scatter(PLACE | {"aim": 0.0}, SD), ["elevation"], shots=100, margins=()))
 
 
 def test_usual_bounds_need_the_place_however_it_is_given() -> None:
-    by_distance = bounds_of(["elevation", "speed"], PLACE, Player(SD))
+    by_distance = bounds_of(["elevation", "speed"], PLACE, Player(Scatter({}, SD)))
     release = {"height": 2.1336, "x": 4.191 * 0.6, "y": 4.191 * 0.8}
-    by_place = bounds_of(["elevation", "speed"], release, Player(SD))
+    by_place = bounds_of(["elevation", "speed"], release, Player(Scatter({}, SD)))
     for name, ends in by_distance.items():
         # Three sides of a right triangle: a rounding or two.
         assert by_place[name] == pytest.approx(ends, rel=1e-15, abs=0.0)
     with pytest.raises(ValueError, match="no usual bounds"):
-        bounds_of(["elevation"], {"height": 2.0}, Player(SD))
+        bounds_of(["elevation"], {"height": 2.0}, Player(Scatter({}, SD)))
 
 
 def test_everything_goes_into_json(best: Optimum) -> None:
@@ -268,9 +278,9 @@ def test_what_is_not_a_number_is_none_in_json(best: Optimum) -> None:
     ],
 )
 def test_a_wrong_argument_is_named(change: Mapping[str, Any], message: str) -> None:
-    good = {"over": ["elevation", "aim"], "release": PLACE, "sd": SD, "shots": 64}
+    given = {"release": PLACE, "sd": SD, "over": ["elevation", "aim"], "shots": 64} | change
     with pytest.raises(ValueError, match=message):
-        optimum(**{**good, **change})  # type: ignore[arg-type]
+        optimum(Scatter(given.pop("release"), given.pop("sd")), given.pop("over"), **given)
 
 
 # Margins
@@ -321,7 +331,7 @@ def test_with_scatter_the_probability_falls_by_the_tolerance_at_the_ends(best: O
         assert margin.steady is not None
 
         def share(at: float, name: str = name) -> float:
-            thrown = Player(SD).thrown({**best.arguments, name: at}, few, best.seed)
+            thrown = Player(Scatter({}, SD)).thrown({**best.arguments, name: at}, few, best.seed)
             return float(thrown.share[0])
 
         least = share(margin.value) - best.tolerance
@@ -333,7 +343,7 @@ def test_with_scatter_the_probability_falls_by_the_tolerance_at_the_ends(best: O
 
 
 def test_the_margin_of_the_aim_changes_the_speed(best: Optimum) -> None:
-    aim = margins(best.release, names=["aim"])["aim"]
+    aim = margins(Scatter(best.release), names=["aim"])["aim"]
     speed = best.margins["speed"]
     at = [
         Scatter(best.release | {"aim": end}).draw(0, 1).columns["speed"][0]
@@ -344,7 +354,9 @@ def test_the_margin_of_the_aim_changes_the_speed(best: Optimum) -> None:
 
 
 def test_a_shot_that_misses_has_no_margin() -> None:
-    missed = margins(PLACE | {"speed": 5.0, "elevation": 0.9}, names=["azimuth"])["azimuth"]
+    missed = margins(Scatter(PLACE | {"speed": 5.0, "elevation": 0.9}), names=["azimuth"])[
+        "azimuth"
+    ]
     assert np.isnan(missed.low)
     assert np.isnan(missed.high)
     assert "does not succeed" in str(missed)
@@ -353,21 +365,23 @@ def test_a_shot_that_misses_has_no_margin() -> None:
 @pytest.mark.parametrize("elevation", [89.4, 89.999, 90.0, 91.0, -89.999, -91.0])
 def test_a_release_lies_within_what_is_searched_however_steep(elevation: float) -> None:
     value = elevation * DEGREE
-    margin = margins(PLACE | {"speed": 9.0, "elevation": value}, names=["elevation"])["elevation"]
+    margin = margins(Scatter(PLACE | {"speed": 9.0, "elevation": value}), names=["elevation"])[
+        "elevation"
+    ]
     assert margin.searched[0] <= margin.value == value <= margin.searched[1]
 
 
 @pytest.mark.parametrize("name", ["elevation", "entry"])
 def test_a_steep_release_that_goes_in_has_its_margin(name: str) -> None:
     given = {"elevation": 89.4 * DEGREE, "aim": 0.0} if name == "elevation" else {"entry": 1.56}
-    margin = margins(PLACE | given, names=[name])[name]
+    margin = margins(Scatter(PLACE | given), names=[name])[name]
     assert margin.low < margin.value < margin.high
     assert margin.high <= 90 * DEGREE
 
 
 def test_a_variable_that_is_not_the_releases_is_refused() -> None:
     with pytest.raises(ValueError, match="names: aim is no variable of this release"):
-        margins(PLACE | {"speed": 7.2, "elevation": 0.9}, names=["aim"])
+        margins(Scatter(PLACE | {"speed": 7.2, "elevation": 0.9}), names=["aim"])
 
 
 # Bank or direct
@@ -407,17 +421,19 @@ def test_a_release_points_along_its_line_of_sight(bank: Optimum) -> None:
 def test_a_side_place_banks_better_and_a_far_front_place_does_not() -> None:
     places = [(1.5, 2.6), (4.5, 0.0)]
     release = {"height": 2.1336, "backspin": 6 * np.pi}
-    found = bank_or_direct(places, release, SD, shots=3_000, over=("elevation", "aim", "azimuth"))
+    found = bank_or_direct(
+        Scatter(release, SD), places, shots=3_000, over=("elevation", "aim", "azimuth")
+    )
     side, front = found.difference.values
     assert side > 0.03
     assert front < 0.0
     assert (found.difference_low < found.difference).all()
     assert (found.difference < found.difference_high).all()
     # As `optimum` would find and count them, one place and one way at a time.
+    place = {"distance": float(np.hypot(1.5, 2.6)), "angle": float(np.arctan2(2.6, 1.5))}
     alone = optimum(
+        Scatter(release | place, SD),
         ["elevation", "aim", "azimuth"],
-        release | {"distance": float(np.hypot(1.5, 2.6)), "angle": float(np.arctan2(2.6, 1.5))},
-        SD,
         by="bank",
         shots=3_000,
         margins=(),
@@ -431,8 +447,8 @@ def test_a_side_place_banks_better_and_a_far_front_place_does_not() -> None:
 def test_from_a_place_the_scene_may_be_given_in_the_release_too() -> None:
     release, changed = {"height": 2.1}, {"board_distance": 0.6, "restitution": 0.75}
     places, scene = [(1.0, 1.5)], hoopgen.PAPER | changed
-    within = bank_or_direct(places, release | changed, SD, shots=500)
-    beside = bank_or_direct(places, release, SD, parameters=scene, shots=500)
+    within = bank_or_direct(Scatter(release | changed, SD), places, shots=500)
+    beside = bank_or_direct(Scatter(release, SD), places, scene, shots=500)
     assert np.isfinite(within.touch_y).all()
     assert within.identical(beside)
 
@@ -440,7 +456,7 @@ def test_from_a_place_the_scene_may_be_given_in_the_release_too() -> None:
 def test_from_a_place_what_was_searched_of_the_scene_is_in_the_results() -> None:
     over = {"aim": (0.0, 1.0), "board_distance": (0.5, 0.7)}
     release = {"height": 2.1, "elevation": 0.93}
-    found = bank_or_direct([(2.5, 0.0)], release, SD, over=over, shots=500)
+    found = bank_or_direct(Scatter(release, SD), [(2.5, 0.0)], over=over, shots=500)
     bank = found.sel(way="bank").isel(place=0)
     scene = hoopgen.PAPER | {"board_distance": float(bank.board_distance)}
     arguments = {name: float(bank[name]) for name in ARGUMENTS}
@@ -449,11 +465,13 @@ def test_from_a_place_what_was_searched_of_the_scene_is_in_the_results() -> None
 
 def test_invalid_shots_from_a_place_do_not_count() -> None:
     over = ("elevation", "aim")
-    found = bank_or_direct([(2.5, 1.0)], {"height": 2.1}, UNSTEADY, over=over, shots=1_000, seed=6)
+    found = bank_or_direct(
+        Scatter({"height": 2.1}, UNSTEADY), [(2.5, 1.0)], over=over, shots=1_000, seed=6
+    )
+    place = {"distance": float(np.hypot(2.5, 1.0)), "angle": float(np.arctan2(1, 2.5))}
     alone = optimum(
+        Scatter({"height": 2.1} | place, UNSTEADY),
         over,
-        {"height": 2.1, "distance": float(np.hypot(2.5, 1.0)), "angle": float(np.arctan2(1, 2.5))},
-        UNSTEADY,
         by="direct",
         shots=1_000,
         seed=6,
@@ -466,7 +484,9 @@ def test_invalid_shots_from_a_place_do_not_count() -> None:
 
 
 def test_a_place_without_a_way_in_is_said_to_have_none() -> None:
-    found = bank_or_direct([(-1.0, 0.0)], {"height": 2.0}, SD, shots=512, over=("elevation", "aim"))
+    found = bank_or_direct(
+        Scatter({"height": 2.0}, SD), [(-1.0, 0.0)], shots=512, over=("elevation", "aim")
+    )
     bank = found.sel(way="bank").isel(place=0)
     assert float(bank.probability) == 0.0
     assert np.isnan(float(bank.speed))
@@ -476,9 +496,9 @@ def test_a_place_without_a_way_in_is_said_to_have_none() -> None:
 # On the command line
 
 ASKED = [
-    *["optimum", "--over", "elevation=48:58", "--over", "aim=-5cm:12cm", "--height", "7ft"],
+    *["optimum", "--over", "elevation=48deg:58deg", "--over", "aim=-5cm:12cm", "--height", "7ft"],
     *["--distance", "13.75ft", "--backspin", "3Hz", "--scatter", "speed=0.07"],
-    *["--scatter", "elevation=1.3", "--scatter", "azimuth=1", "--shots", "2000"],
+    *["--scatter", "elevation=1.3deg", "--scatter", "azimuth=1deg", "--shots", "2000"],
 ]
 
 
@@ -487,9 +507,12 @@ def test_the_command_says_what_the_library_found() -> None:
     assert result.exit_code == 0, result.output
     bounds = {"elevation": (48 * DEGREE, 58 * DEGREE), "aim": (-0.05, 0.12)}
     release = {"height": 7 * 0.3048, "distance": 13.75 * 0.3048, "backspin": 3 * (2 * np.pi)}
-    found = optimum(bounds, release, SD, shots=2000)
+    found = optimum(Scatter(release, SD), bounds, shots=2000)
     read = json.loads(result.stdout)
-    assert read["release"] == found.release
+    assert read["release"] == in_units(found.release)
+    assert read["flat"]["elevation_rad"] == list(found.flat["elevation"])
+    assert read["margins"]["speed"]["unit"] == "m/s"
+    assert read["entry_angle_rad"] == found.entry_angle
     assert read["probability"] == found.probability
 
 
@@ -506,8 +529,8 @@ def test_the_command_speaks_to_a_coach() -> None:
     [
         (["--over", "elevaton"], "'elevaton' is none of"),
         (["--over", "elevation=45"], "elevation: '45' is not low:high"),
-        (["--over", "elevation=45:60:3"], "is not low:high"),
-        (["--over", "elevation=45:60m"], "not a unit of angle"),
+        (["--over", "elevation=45deg:60deg:3"], "is not low:high"),
+        (["--over", "elevation=45deg:60m"], "not a unit of angle"),
         (["--by", "luck"], "luck"),
     ],
 )

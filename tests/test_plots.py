@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import os
+import re
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -13,6 +14,7 @@ import numpy as np
 import pytest
 
 import hoopgen
+from hoopgen.engine.raw import EVENT
 from hoopgen.paper import Result, run
 
 matplotlib = pytest.importorskip("matplotlib")
@@ -26,6 +28,8 @@ from matplotlib.text import Text  # noqa: E402
 
 from hoopgen.plots import COLOURS, plot_trajectory, save, style  # noqa: E402
 from hoopgen.plots.layout import Box, place_labels  # noqa: E402
+from hoopgen.plots.marks import collect_marks  # noqa: E402
+from hoopgen.plots.trajectory import _collect  # noqa: E402
 from hoopgen.plots.views import SIDE, TOP, oblique  # noqa: E402
 
 RESULTS = {result.case.slug: result for result in run()}
@@ -213,6 +217,64 @@ def test_any_shot_can_be_drawn(azimuth: float, angle: float, distance: float, sp
     width, height = figure.get_size_inches()
     assert width <= 7.1
     assert height <= 11.0
+
+
+@pytest.mark.parametrize("gravity", [1e-3, 1e-12, 1e-280])
+def test_a_flight_of_any_length_is_a_drawing_of_the_same_size(gravity: float) -> None:
+    state = hoopgen.release(7.17, 0.89, 0.02, height=2.1336, distance=4.191)
+    scene = hoopgen.PAPER | {"gravity": gravity}
+    flight = hoopgen.simulate(state, scene, record=True).trajectory(0)
+    figure = plot_trajectory(flight, scene)
+    FigureCanvasAgg(figure).draw()
+    for axes in views(figure).values():
+        assert sum(len(line.get_xdata()) for line in axes.lines) < 2_000
+    # A chord is off by no more than this part of the flight's height.
+    assert 1 / (len(_collect(flight, scene, None).path) - 1) ** 2 < 1e-5
+    said = " ".join(text.get_text() for text in figure.texts)  # in lines as long as there is room
+    dots = re.search(r"Dots on the path every (\S+) s\.", said)
+    assert dots
+    assert 40 <= flight.duration / float(dots[1]) <= 100
+
+
+def test_a_flight_beyond_all_numbers_is_refused() -> None:
+    state = hoopgen.release(7.17, 0.89, height=2.1336, distance=4.191)
+    scene = hoopgen.PAPER | {"gravity": 1e-306}
+    with pytest.raises(ValueError, match=r"^trajectory: it leads further than can be drawn"):
+        plot_trajectory(hoopgen.simulate(state, scene, record=True).trajectory(0), scene)
+
+
+def test_a_shot_of_any_number_of_contacts_is_one_too() -> None:
+    contacts = 50_000
+    state = hoopgen.release(0.0, 0.0, height=4.0, distance=0.3, angle=np.pi)
+    scene = hoopgen.PAPER | {"restitution": 1.0}
+    shots = hoopgen.simulate(state, scene, max_contacts=contacts, record=True)
+    assert shots.contacts.tolist() == [contacts]  # it bounces on the bridge for ever
+    drawing = _collect(shots.trajectory(0), scene, hoopgen.Outcome.CAPPED)
+    assert len(drawing.path) <= 20_001
+    assert len(drawing.dots) <= 10_000
+    assert drawing.marks[1].text.startswith("bridge ")
+    assert drawing.marks[1].label == f"1\N{EN DASH}{contacts}"
+
+
+def test_contacts_without_room_for_a_badge_are_counted() -> None:
+    release = np.zeros(3)
+    events = np.zeros(500, EVENT)
+    events["time"] = np.arange(500) / 100
+    events["surface"] = np.arange(500) % 2
+    marks = collect_marks(release, events, 0.12, hoopgen.Outcome.CAPPED)
+    contacts = [mark for mark in marks if mark.kind in hoopgen.SURFACES]
+    assert [mark.label for mark in contacts] == [str(number) for number in range(1, 61)]
+    assert [mark.text for mark in marks[-2:]] == [
+        "and 440 contacts more",
+        "capped after 500 contacts",
+    ]
+
+
+def test_an_ordinary_flight_has_160_points_a_second() -> None:
+    for result in RESULTS.values():
+        times = np.unique(np.append(result.trajectory.events["time"], 0.0))
+        wanted = sum(max(2, int(160 * lasts)) for lasts in np.diff(times).tolist())
+        assert len(_collect(result.trajectory, result.parameters, None).path) == wanted + 1
 
 
 def test_a_3d_view_can_be_asked_for() -> None:

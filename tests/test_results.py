@@ -160,11 +160,10 @@ def test_outcomes_and_surfaces_are_numbered_as_documented() -> None:
 def test_shots_have_a_length_and_say_what_they_hold() -> None:
     shots = hoopgen.simulate([FIGURE_7] * 3, fields=["outcome", "time"])
     assert len(shots) == 3
-    assert repr(shots) == "Shots(3 shots: 3 missed)"
-    assert (
-        repr(hoopgen.simulate(FIGURE_7, fields=["time", "first"])) == "Shots(1 shot: time, first)"
-    )
-    assert repr(hoopgen.simulate(np.empty((0, 9)))) == "Shots(0 shots)"
+    assert repr(shots) == "Shots(3 shots: 3 missed; PAPER (the article's))"
+    few = hoopgen.simulate(FIGURE_7, hoopgen.NBA, fields=["time", "first"])
+    assert repr(few) == "Shots(1 shot: time, first; NBA)"
+    assert repr(hoopgen.simulate(np.empty((0, 9)), hoopgen.FIBA)) == "Shots(0 shots; FIBA)"
 
 
 def test_shots_count_what_became_of_them() -> None:
@@ -179,7 +178,9 @@ def test_shots_count_what_became_of_them() -> None:
     assert "1 invalid" in repr(shots)
     assert "short" not in repr(shots)
     assert shots.uncertain.any()
-    assert repr(shots).endswith(f"; {shots.uncertain.sum():,} uncertain)")
+    capped = shots.uncertain & (shots.outcome == hoopgen.Outcome.CAPPED)
+    doubt = f"{shots.uncertain.sum():,} uncertain ({capped.sum():,} of them capped)"
+    assert repr(shots).endswith(f"; {doubt}; PAPER (the article's))")
 
 
 def test_made_is_true_for_a_made_shot_though_its_code_is_not() -> None:
@@ -241,11 +242,11 @@ def test_shots_are_a_table_of_pandas() -> None:
     assert frame.index.name == "shot"
     assert list(frame.outcome) == [Outcome(code).name.lower() for code in shots.outcome]
     assert list(frame["first"].cat.codes) == shots.first.tolist()
-    np.testing.assert_array_equal(frame[["x", "y", "z"]], shots.state[:, :3])
+    np.testing.assert_array_equal(frame[["x_m", "y_m", "z_m"]], shots.state[:, :3])
     np.testing.assert_array_equal(frame["backboard_contacts"], shots.counts[:, 1])
-    np.testing.assert_array_equal(frame["spin_error"], shots.state_error[:, 2])
-    assert frame.attrs["units"]["vx"] == "m/s"
-    assert list(some_shots(fields=["time"]).to_pandas()) == ["time"]
+    np.testing.assert_array_equal(frame["spin_error_rad_s"], shots.state_error[:, 2])
+    assert {"time_s", "vx_m_s", "wz_rad_s"} <= {*frame}
+    assert list(some_shots(fields=["time"]).to_pandas()) == ["time_s"]
 
 
 def test_shots_are_a_dataset_of_xarray() -> None:
@@ -269,9 +270,9 @@ def test_contacts_are_a_table_of_pandas() -> None:
     path = hoopgen.simulate(FIGURE_7, record=True).trajectory(0)
     frame = path.to_pandas()
     assert list(frame.surface) == ["ring", "backboard", "end"]
-    np.testing.assert_array_equal(frame.time, path.events["time"])
-    np.testing.assert_array_equal(frame[["x", "y", "z"]], path.events["before"][:, :3])
-    np.testing.assert_array_equal(frame.after_wz, path.events["after"][:, 8])
+    np.testing.assert_array_equal(frame.time_s, path.events["time"])
+    np.testing.assert_array_equal(frame[["x_m", "y_m", "z_m"]], path.events["before"][:, :3])
+    np.testing.assert_array_equal(frame.after_wz_rad_s, path.events["after"][:, 8])
 
 
 @pytest.mark.parametrize("missing", ["pandas", "xarray"])

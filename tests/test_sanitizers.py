@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from compiled import ROOT, compiles, needs_compiler, setup_flags
+from compiled import ROOT, SANITIZERS, compiles, needs_compiler, setup_flags
 
 from benchmarks.workloads import WORKLOADS
 from hoopgen import PAPER
@@ -27,14 +27,6 @@ ROWS = 1_000_000
 
 LOGGED = 0.05
 """Share of the calls that keep the event log, whose buffers are large."""
-
-# Of -fsanitize=undefined GCC leaves out the conversion of a double that no integer holds.
-SANITIZERS = (
-    "-O1",
-    "-g",
-    "-fsanitize=address,undefined,float-cast-overflow",
-    "-fno-sanitize-recover=all",
-)
 
 NOT_THERE = 77
 """The driver's exit status where the processor does not have the width."""

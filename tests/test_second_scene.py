@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from compiled import ROOT, WARNINGS, load_module, needs_compiler, same_bits, shared_library
+from compiled import ROOT, WARNINGS, WIDTHS, load_module, needs_compiler, same_bits, shared_library
 from hoopgen.derive.model import Model, build
 from mpmath import mp, mpf
 from numpy.typing import NDArray
@@ -266,7 +266,7 @@ def test_the_scene_has_kernels_for_its_own_surfaces_only() -> None:
     assert not any("ring" in kernel.name for kernel in model.kernels)
 
 
-@pytest.mark.parametrize("width", [1, 2, 4, 8])
+@pytest.mark.parametrize("width", WIDTHS)
 @pytest.mark.parametrize("shared", [True, False], ids=["shared parameters", "own parameters"])
 def test_both_engines_give_the_same_bits(engines: Engines, width: int, shared: bool) -> None:
     """For valid shots and invalid ones, whatever the vector width."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import builtins
 import json
+import os
 import pickle
 import re
 import signal
@@ -27,6 +28,7 @@ import hoopgen  # noqa: E402
 from hoopgen.cli import main  # noqa: E402
 from hoopgen.study.bank import bank_or_direct  # noqa: E402
 from hoopgen.study.chunks import versions  # noqa: E402
+from hoopgen.study.named import in_units, named  # noqa: E402
 from hoopgen.study.toml import answers, check_study, run_study  # noqa: E402
 from hoopgen.study.toml import lines as toml_lines  # noqa: E402
 from hoopgen.study.toml.reading import StudyError, parse  # noqa: E402
@@ -276,20 +278,22 @@ WRONG = {
         5,
         "release.height: expected a length such as \"7 ft\"; '7 kg': 'kg' is not a unit of length",
     ),
-    "no unit": (
-        BEGIN + "[release]\nheight = '7'\n" + ASKED,
+    "angle without unit": (
+        BEGIN + "[release]\nentry = '52'\n" + ASKED,
         4,
-        "release.height: expected a length such as \"7 ft\"; '7': there is no unit of length",
+        "release.entry: expected an angle such as \"45 deg\"; '52' has no unit: write 52deg or 52",
     ),
     "bare angle": (
         BEGIN + "[release]\nelevation = 52\n" + ASKED,
         4,
-        'release.elevation: expected an angle such as "45 deg"; got 52 without a unit',
+        'release.elevation: expected an angle such as "45 deg"; got 52, which has no unit: '
+        'write "52 deg" or "52 rad"',
     ),
     "bare spin": (
         BEGIN + "[release]\nbackspin = 3.0\n" + ASKED,
         4,
-        'release.backspin: expected a spin such as "1 Hz"; got 3.0 without a unit',
+        'release.backspin: expected a spin such as "1 Hz"; got 3.0, which has no unit: '
+        'write "3.0 Hz", "3.0 rpm", "3.0 rad/s" or "3.0 deg/s"',
     ),
     "wrong type": (
         BEGIN + "seed = 'five'\n" + ASKED,
@@ -359,6 +363,47 @@ WRONG = {
         BEGIN + "[[question]]\nkind = 'estimate'\nname = '../up'\n",
         5,
         'question #1, name: expected small letters, digits, - and _, at most 60; got "../up"',
+    ),
+    "name of our own": (
+        BEGIN + "[[question]]\nkind = 'estimate'\nname = 'lock'\n",
+        5,
+        'question #1, name: "lock" cannot be a name: a file beside it has it',
+    ),
+    "name of a device": (
+        BEGIN + ASKED + "[[question]]\nkind = 'estimate'\nname = 'com1'\n",
+        8,
+        'question #2, name: "com1" cannot be a name: on Windows it is a device',
+    ),
+    "control characters in the name": (
+        BEGIN.replace("x", r"a\u001b[31m") + ASKED,
+        2,
+        r'study.name: expected a line of text; got "a\u001b[31m", with control characters',
+    ),
+    "control characters in a title": (
+        BEGIN + ASKED + 'title = "a\\u009b2J"\n',
+        6,
+        r'question #1, title: expected a line of text; got "a\x9b2J", with control characters',
+    ),
+    "control characters in a key": (
+        BEGIN + ASKED + '"\\u001b[31m" = 1\n',
+        6,
+        r"question #1, \x1b[31m: unknown key",
+    ),
+    "a seed too large": (
+        BEGIN + "seed = 18446744073709551616\n" + ASKED,
+        3,
+        "study.seed: expected a whole number from 0; got 18446744073709551616, more than 2^64 - 1",
+    ),
+    "a seed without another": (
+        BEGIN + "seed = 18446744073709551615\n" + HERE + "[scatter]\nspeed = 1\n"
+        "[[question]]\nkind = 'optimum'\nname = 'a'\nover = ['elevation']\n",
+        11,
+        "question #1: seed: expected 2**64 - 2 at most",
+    ),
+    "too many shots": (
+        BEGIN + ASKED + "shots = 9223372036854775808\n",
+        6,
+        "shots: expected a whole number from 1; got 9223372036854775808, more than 2^63 - 1",
     ),
     "name taken": (
         BEGIN + ASKED + ASKED,
@@ -591,10 +636,10 @@ def without(*names: str) -> dict[str, float]:
 def test_estimates_and_comparisons_are_those_of_the_library(whole: Path) -> None:
     model = hoopgen.Scatter(RELEASE, SCATTER)
     found = hoopgen.estimate(model, shots=300_000, seed=5).as_dict()
-    assert loaded(whole, "probability") == found
+    assert loaded(whole, "probability") == in_units(found)
     first = hoopgen.Scatter(RELEASE | {"backspin": 0.0}, SCATTER)
     found = hoopgen.compare(first, model, shots=2000, seed=5).as_dict()
-    assert loaded(whole, "backspin") == found
+    assert loaded(whole, "backspin") == in_units(found)
 
 
 def test_measured_releases_are_drawn_from(whole: Path) -> None:
@@ -638,7 +683,9 @@ def test_maps_are_those_of_the_library(whole: Path) -> None:
         "elevation": np.linspace(48 * DEGREE, 56 * DEGREE, 3),
         "aim": [0.0, 2 * 0.0254],
     }
-    dataset = hoopgen.map(over, without("elevation", "aim"), SCATTER, shots=200, seed=5)
+    dataset = hoopgen.map(
+        hoopgen.Scatter(without("elevation", "aim"), SCATTER), over, shots=200, seed=5
+    )
     with xr.open_dataset(whole / "map" / "map.nc", engine="scipy") as there:
         for name in ("elevation", "aim", "probability", "low", "high", "made"):
             assert there[name].equals(dataset[name])
@@ -646,7 +693,7 @@ def test_maps_are_those_of_the_library(whole: Path) -> None:
     best = loaded(whole, "map")["best"]
     assert best["probability"] == dataset["probability"].max()
     over = {"speed": [6.9, 7.1, 7.3], "elevation": np.array([50, 52]) * DEGREE}
-    dataset = hoopgen.map(over, without("aim", "elevation"))
+    dataset = hoopgen.map(hoopgen.Scatter(without("aim", "elevation")), over)
     with xr.open_dataset(whole / "outcomes" / "map.nc", engine="scipy") as there:
         assert np.array_equal(there["outcome"], dataset["outcome"])
     shares = loaded(whole, "outcomes")["shares"]
@@ -657,7 +704,7 @@ def test_maps_are_those_of_the_library(whole: Path) -> None:
 def test_bank_shots_are_those_of_the_library(whole: Path) -> None:
     places = [(1.5, 1.0), (1.5, -1.0), (2.0, 1.0), (2.0, -1.0)]
     release = without("distance", "elevation", "aim")
-    dataset = bank_or_direct(places, release, SCATTER, shots=100, seed=5)
+    dataset = bank_or_direct(hoopgen.Scatter(release, SCATTER), places, shots=100, seed=5)
     with xr.open_dataset(whole / "bank" / "bank.nc", engine="scipy") as there:
         for name in dataset.data_vars:
             assert np.array_equal(there[name], dataset[name]), name
@@ -673,12 +720,15 @@ def test_aims_and_optima_are_those_of_the_library(whole: Path) -> None:
         entry=45 * DEGREE,
         backspin=RELEASE["backspin"],
     )
-    assert loaded(whole, "table") == {name: column.tolist() for name, column in table.items()}
+    columns = {named(name): column.tolist() for name, column in table.items()}
+    assert loaded(whole, "table") == columns
     assert (whole / "table" / "table.csv").read_text().startswith("distance_m,angle_deg,")
     over = {"elevation": None, "aim": (0.0, 4 * 0.0254)}
     fixed = without("elevation", "aim")
-    best = hoopgen.optimum(over, fixed, SCATTER, shots=500, seed=5, margins=["speed"])
-    assert loaded(whole, "best") == json.loads(json.dumps(best.as_dict()))
+    best = hoopgen.optimum(
+        hoopgen.Scatter(fixed, SCATTER), over, shots=500, seed=5, margins=["speed"]
+    )
+    assert loaded(whole, "best") == json.loads(json.dumps(in_units(best.as_dict())))
 
 
 def test_a_table_is_simulated_as_by_batch(whole: Path, tmp_path: Path) -> None:
@@ -700,7 +750,7 @@ def test_the_report_lists_what_was_asked_and_every_answer(whole: Path) -> None:
     assert 'versus.release.backspin = "3 Hz"' in text
     found = loaded(whole, "probability")
     for share in ("probability", "low", "high"):
-        assert f"{100 * found[share]:.2f} %" in text
+        assert f"{100 * found[share]:.2f}%" in text
     links = re.findall(r"\]\(([^#)]+)\)", text)
     assert len(links) > 20
     assert all((whole / link).is_file() for link in links)
@@ -725,7 +775,7 @@ def test_a_report_holds_titles_as_text_and_a_description_as_markdown(tmp_path: P
     assert f"## {said}" in lines
     assert sum(line.startswith(f"| [{said}](#probability) | ") for line in lines) == 1
     assert not re.findall(r"<(?!a id=|/a>|https:)\w", report)
-    assert report_text("one\r# two\x1b[31m") == r"one \# two\[31m"
+    assert report_text("one\r# two\x1b[31m") == r"one \# two\\x1b\[31m"
 
 
 def test_the_report_holds_errors_as_text(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -760,7 +810,7 @@ def test_the_folder_has_the_file_as_it_was_and_the_versions(whole: Path) -> None
 def test_what_is_not_a_number_is_null(tmp_path: Path) -> None:
     text = HEAD + "[[question]]\nkind = 'aim'\nname = 'a'\ndistance = 1\nspeed = 1\n"
     run_study(written(tmp_path, text))
-    assert loaded(tmp_path / "study-results", "a")["elevation"] == [None]
+    assert loaded(tmp_path / "study-results", "a")["elevation_rad"] == [None]
 
 
 # The same bytes
@@ -898,13 +948,88 @@ def test_a_folder_with_something_else_is_left_alone(tmp_path: Path) -> None:
     assert sorted(path.name for path in tmp_path.iterdir()) == ["measured.csv", "study.toml"]
 
 
-def test_a_damaged_question_is_named(tmp_path: Path) -> None:
+@pytest.mark.parametrize("content", ["{", "[1]", "null", '"text"', "[" * 100_000])
+def test_a_damaged_question_is_named(content: str, tmp_path: Path) -> None:
     file = written(tmp_path, HEAD + ESTIMATE)
     run_study(file)
     damaged = tmp_path / "study-results" / "probability" / "question.json"
-    damaged.write_text("{")
+    whole = damaged.read_bytes()
+    damaged.write_text(content)
     with pytest.raises(ValueError, match=r"question\.json cannot be read; delete .*probability"):
         run_study(file)
+    damaged.write_bytes(whole)
+    damaged.with_name("answer.json").write_text(content)
+    with pytest.raises(ExceptionGroup) as raised:
+        run_study(file)
+    (error,) = raised.value.exceptions
+    assert re.search(r"answer\.json cannot be read; delete .*probability$", str(error))
+
+
+def test_an_error_that_was_not_foreseen_is_told_with_its_type(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def broken(*_: Any) -> None:
+        raise KeyError("wrong")
+
+    file = written(tmp_path, HEAD + ESTIMATE)
+    monkeypatch.setattr("hoopgen.study.toml.run.answer", broken)
+    result = run(file)
+    assert result.exit_code == 70
+    first, second = result.stderr.splitlines()
+    assert first == "hoopgen: error: question probability: KeyError: 'wrong'"
+    assert second.startswith("hoopgen: error: hoopgen study: 1 of 1 question could not be answered")
+    assert "HOOPGEN_TRACEBACK=1" in second
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there are no pipes")
+@pytest.mark.parametrize("name", ["question.json", "answer.json"])
+def test_a_pipe_in_place_of_a_file_is_named_and_not_waited_for(name: str, tmp_path: Path) -> None:
+    file = written(tmp_path, HEAD + ESTIMATE)
+    run_study(file)
+    place = tmp_path / "study-results" / "probability" / name
+    place.unlink()
+    os.mkfifo(place)
+    result = run(file)
+    assert result.exit_code == 2
+    assert f"{place}" in result.stderr
+    assert "this is no file; remove it" in result.stderr
+
+
+def test_a_file_in_place_of_a_question_is_named_before_the_work(tmp_path: Path) -> None:
+    file = written(tmp_path, HEAD + ESTIMATE)
+    run_study(file)
+    results = tmp_path / "study-results"
+    (results / "more").touch()
+    written(tmp_path, HEAD + ESTIMATE + ESTIMATE.replace("probability", "more"))
+    with pytest.raises(ExceptionGroup) as raised:
+        run_study(file)
+    (error,) = raised.value.exceptions
+    assert isinstance(error, FileExistsError)
+    assert error.filename == str(results / "more")
+    assert not (results / "more.unfinished").exists()
+
+
+def test_what_cannot_be_is_said_once_and_before_a_folder_is_made(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pytest.importorskip("distributed")
+    file = written(tmp_path / "study", HEAD + ESTIMATE)
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ValueError, match="scheduler: expected an address such as tcp://10"):
+        run_study(file, scheduler="10.0.0.1")
+    with pytest.raises(ValueError, match="out: expected the name of a folder, got ''"):
+        run_study(file, "")
+    assert sorted(path.name for path in tmp_path.rglob("*")) == [
+        "measured.csv",
+        "study",
+        "study.toml",
+    ]
+
+
+def test_a_seed_is_as_large_as_the_library_takes(tmp_path: Path) -> None:
+    text = HEAD.replace("seed = 5", "seed = 18446744073709551615") + ESTIMATE
+    run_study(written(tmp_path, text))
+    assert loaded(tmp_path / "study-results", "probability")["seed"] == 2**64 - 1
 
 
 def test_a_question_that_fails_leaves_the_others_alone(tmp_path: Path) -> None:

@@ -313,7 +313,7 @@ def test_the_best_cell_is_marked_and_said() -> None:
     # The values of linspace, and radians turned into degrees.
     assert mark.get_xdata()[0] == pytest.approx(7.2, rel=4 * EPS, abs=0)
     assert mark.get_ydata()[0] == pytest.approx(52.0, rel=4 * EPS, abs=0)
-    assert axes.get_title(loc="left") == "○ best 70.0% (69.0–71.0) at 7.2 m/s, 52°"
+    assert axes.get_title(loc="left") == "○ best 70.0% (69.0% to 71.0%) at 7.2 m/s, 52°"
 
 
 def test_where_nothing_is_made_nothing_is_best() -> None:
@@ -370,7 +370,7 @@ def test_what_is_the_same_in_all_cells_is_said() -> None:
     said = [text.get_text() for text in plot_map(dataset.isel(backspin=2)).texts]
     assert " ".join(said) == (
         "Backspin 2 Hz, distance from the ring's centre 4.191 m. "
-        "Standard deviations: release speed 0.07 m/s. 1000 shots a cell, seed 7."
+        "Standard deviations: release speed 0.07 m/s. 1,000 shots a cell, seed 7."
     )
     assert [text.get_text() for text in plot_map(dataset, note="mine").texts] == ["mine"]
 
@@ -412,9 +412,9 @@ def test_variables_of_no_release_are_named_as_the_dataset_names_them() -> None:
 
 def test_the_map_of_hoopgen_is_drawn() -> None:
     over = {"speed": [7.1, 7.2, 7.3], "elevation": np.radians([50.0, 52.0])}
-    figure = plot_map(hoopgen.map(over, FREE_THROW, {"speed": 0.07}, shots=50))
+    figure = plot_map(hoopgen.map(hoopgen.Scatter(FREE_THROW, {"speed": 0.07}), over, shots=50))
     assert one(figure.axes[0], QuadMesh).get_array().shape == (2, 3)
-    assert axes_of(plot_map(hoopgen.map(over, FREE_THROW)), "key").patches
+    assert axes_of(plot_map(hoopgen.map(hoopgen.Scatter(FREE_THROW), over)), "key").patches
 
 
 # ------------------------------------------------------------------------------------ the fan
@@ -470,7 +470,7 @@ def test_the_key_of_a_fan_has_the_shares_of_all_shots() -> None:
             share = np.mean((shots.outcome == what) & (kind == touched))
             assert f"{100 * share:.1f}%" in said
     made = np.mean(shots.outcome == Outcome.MADE)
-    note = f"500 shots, {100 * made:.1f}% made; 10 are drawn."
+    note = f"500 shots, {100 * made:.1f}% made; 10 are drawn. Scene: NBA."
     assert note in [text.get_text() for text in figure.texts]
 
 
@@ -509,6 +509,18 @@ def test_a_fan_of_nothing_is_refused() -> None:
 
 
 # ------------------------------------------------------------------------------------ landings
+
+
+@pytest.mark.parametrize("place", [(1e9, 0.0), (4.2, -1e12)])
+def test_landings_far_away_and_a_tiny_ball_make_no_endless_picture(
+    place: tuple[float, float],
+) -> None:
+    scene = SCENE | {"ball_radius": 1e-12}
+    axes = axes_of(
+        plot_landings([0.5, 0.5, 0.5], [1.0, 1.0, 1.0], scene, place=place), "floor plan"
+    )
+    (cells,) = axes.collections
+    assert len(cells.get_array()) <= 2 * 501**2
 
 
 def test_densities_add_up_to_all_that_is_shown() -> None:
@@ -570,7 +582,7 @@ def test_the_lines_are_those_of_the_rule_books(name: str) -> None:
 
 def test_balls_that_never_land_are_left_out() -> None:
     figure = plot_landings([1.0, np.nan, 2.0], [0.5, 0.0, np.nan], SCENE)
-    assert "n = 1" in [text.get_text() for text in figure.texts]
+    assert "n = 1. Scene: NBA." in [text.get_text() for text in figure.texts]
 
 
 @pytest.mark.parametrize(
@@ -777,7 +789,7 @@ def test_only_cells_are_pixels_and_files_are_small(tmp_path: Path, name: str) ->
 
 def test_a_map_of_many_cells_is_a_small_file(tmp_path: Path) -> None:
     over = {"speed": np.linspace(6.6, 9.6, 900), "elevation": np.radians(np.linspace(38, 75, 600))}
-    path = save(plot_map(hoopgen.map(over, FREE_THROW)), tmp_path / "map.svg")
+    path = save(plot_map(hoopgen.map(hoopgen.Scatter(FREE_THROW), over)), tmp_path / "map.svg")
     assert path.stat().st_size < 300_000
 
 

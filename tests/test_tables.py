@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import decimal
+import json
 import math
+import re
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from hoopgen.units import UNITS, parse_quantity
+from hoopgen.units import UNITS, column_name, parse_quantity
 
 pa = pytest.importorskip("pyarrow")
 pq = pytest.importorskip("pyarrow.parquet")
@@ -20,7 +22,8 @@ from hoopgen.study.measures import MEASURES  # noqa: E402
 from hoopgen.study.tables import Column, Source, columns_of, values  # noqa: E402
 from hoopgen.study.variables import STATE, VARIABLES  # noqa: E402
 
-FREE_THROW = ["speed", "elevation", "height", "distance"]
+FREE_THROW = ["speed", "elevation_deg", "height", "distance"]
+RELEASE = ["speed", "elevation", "height", "distance"]
 
 
 def csv(folder: Path, text: str) -> Source:
@@ -47,7 +50,13 @@ def column(cells: Any, name: str = "speed", unit: float = 1.0) -> list[float]:
         ("speed_ft_s", "speed", "1ft/s"),
         ("speed_km_h", "speed", "1km/h"),
         ("speed_mph", "speed", "1mph"),
-        ("elevation", "elevation", "1rad"),
+        ("speed_kph", "speed", "1km/h"),
+        ("speed_cm_s", "speed", "1cm/s"),
+        ("speed_feet_per_second", "speed", "1ft/s"),
+        ("elevation_rad", "elevation", "1rad"),
+        ("elevation_degrees", "elevation", "1deg"),
+        ("height_feet", "height", "1ft"),
+        ("backspin_revolutions_per_minute", "backspin", "1rpm"),
         ("elevation_deg", "elevation", "1deg"),
         ("backspin_hz", "backspin", "1Hz"),
         ("backspin_rpm", "backspin", "1rpm"),
@@ -60,19 +69,52 @@ def column(cells: Any, name: str = "speed", unit: float = 1.0) -> list[float]:
     ],
 )
 def test_the_unit_is_in_the_name(name: str, variable: str, text: str) -> None:
-    others = [other for other in FREE_THROW if other != variable]
+    others = [other for other in FREE_THROW if not other.startswith(variable)]
     found = columns_of([*others, "player", name])
     kind = VARIABLES[variable].kind
     assert found[variable] == Column(name, parse_quantity(text, kind))
-    assert sorted(found) == sorted({*others, variable})
+    assert sorted(found) == sorted({*RELEASE, variable})
 
 
-def test_every_unit_that_can_be_part_of_a_name_is_one() -> None:
-    for kind, units in UNITS.items():
-        words = {unit for unit in units if unit and not {*unit} & {*"'\"°^"}}
-        assert len(tables._suffixes(kind)) == len(words)
-        for unit in words:
-            assert tables._suffixes(kind)["_" + unit.replace("/", "_").lower()] == units[unit]
+@pytest.mark.parametrize("name", [*VARIABLES, *STATE])
+def test_a_column_named_with_any_unit_is_read_in_that_unit(name: str) -> None:
+    kind = tables._KINDS[name]
+    for unit, size in UNITS[kind].items():
+        assert tables.variable_of(column_name(name, unit)) == (name, size)
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("elevation", "elevation_deg or elevation_rad"),
+        (" Azimuth", "azimuth_deg or azimuth_rad"),
+        ("entry", "entry_deg or entry_rad"),
+        ("backspin", "backspin_hz, backspin_rpm, backspin_rad_s or backspin_deg_s"),
+        ("wy", "wy_hz, wy_rpm, wy_rad_s or wy_deg_s"),
+    ],
+)
+def test_a_bare_angle_or_spin_is_refused_with_its_readings(name: str, said: str) -> None:
+    expected = f"column {name} has no unit: name it {said}. If it is a column of your own, list it"
+    with pytest.raises(ValueError, match=re.escape(expected)):
+        columns_of([name, *FREE_THROW])
+    assert list(columns_of([*FREE_THROW, name], own=[name])) == RELEASE
+
+
+def test_a_bare_column_of_what_is_given_elsewhere_is_not_read() -> None:
+    found = columns_of([*FREE_THROW, "backspin"], given=["backspin"])
+    assert list(found) == RELEASE
+
+
+def test_bare_angles_are_radians_in_files_that_an_older_version_wrote() -> None:
+    columns = pa.schema(
+        [(name, pa.float64()) for name in ("speed", "elevation", "height", "distance")]
+    )
+    old = columns.with_metadata({"hoopgen": json.dumps({"version": "0.1.0", "release": {}})})
+    assert columns_of(old)["elevation"] == Column("elevation", 1.0)
+    new = columns.with_metadata({"hoopgen": json.dumps({"version": "0.1.0", tables.NAMED: True})})
+    for schema in (columns, new, columns.with_metadata({"hoopgen": "{"})):
+        with pytest.raises(ValueError, match="column elevation has no unit"):
+            columns_of(schema)
 
 
 def test_states_have_units_too() -> None:
@@ -86,23 +128,27 @@ def test_states_have_units_too() -> None:
 @pytest.mark.parametrize("missing", [("wx", "wy", "wz"), ("wz",), ()])
 def test_a_state_may_lack_spin(missing: tuple[str, ...]) -> None:
     names = [name for name in STATE if name not in missing]
-    assert list(columns_of(names)) == names
+    units = {"wx": "wx_rad_s", "wy": "wy_hz", "wz": "wz_rpm"}
+    assert list(columns_of([units.get(name, name) for name in names])) == names
 
 
 def test_x_and_y_are_a_place_unless_there_is_more_of_a_state() -> None:
-    assert [*columns_of(["x", "y", "speed", "elevation", "height"])][:2] == ["x", "y"]
+    assert [*columns_of(["x", "y", "speed", "elevation_deg", "height"])][:2] == ["x", "y"]
 
 
 @pytest.mark.parametrize(
     ("names", "said"),
     [
         ([*FREE_THROW, "backspin_knots"], "column backspin_knots: knots is no unit of backspin; "),
-        ([*FREE_THROW, "backspin_m_s"], "expected backspin, backspin_rad_s, backspin_deg_s, "),
+        ([*FREE_THROW, "backspin_m_s"], "expected backspin_rad_s, backspin_deg_s, "),
         ([*FREE_THROW, "restitution_pct"], "pct is no unit of restitution; expected restitution"),
         ([*FREE_THROW, "speed_mph"], "columns speed and speed_mph both say speed"),
         ([*FREE_THROW, "Speed"], "columns speed and Speed both say speed"),
-        ([*FREE_THROW, "vx"], "vx say that the rows are states, and speed, elevation, height"),
-        (["speed_mph", "elevation"], r"missing height, distance. The columns are speed_mph, elev"),
+        ([*FREE_THROW, "vx"], "vx say that the rows are states, and speed, elevation_deg, height"),
+        (
+            ["speed_mph", "elevation_deg"],
+            r"missing height, distance. The columns are speed_mph, elev",
+        ),
         (["x", "y", "z", "vx", "vy"], "a state needs vz too"),
         (["player", "made"], "no column says how a shot is released: player, made"),
         ([], "no column says how a shot is released: none"),
@@ -115,7 +161,7 @@ def test_columns_that_are_not_clear_are_refused(names: list[str], said: str) -> 
 
 def test_own_columns_are_let_alone_whatever_their_names() -> None:
     own = ["speed_knots", "vx", "Distance"]
-    assert list(columns_of([*FREE_THROW, *own], own)) == FREE_THROW
+    assert list(columns_of([*FREE_THROW, *own], own)) == RELEASE
     with pytest.raises(ValueError, match="own: no column vy; there are speed"):
         columns_of(FREE_THROW, ["vy"])
 
@@ -123,11 +169,11 @@ def test_own_columns_are_let_alone_whatever_their_names() -> None:
 @pytest.mark.parametrize("measure", MEASURES)
 @pytest.mark.parametrize("suffix", ["", "_deg", "_m_s"])
 def test_what_is_measured_is_no_variable(measure: str, suffix: str) -> None:
-    assert list(columns_of([*FREE_THROW, measure + suffix])) == FREE_THROW
+    assert list(columns_of([*FREE_THROW, measure + suffix])) == RELEASE
 
 
 def test_what_is_given_elsewhere_is_neither_read_nor_missed() -> None:
-    found = columns_of(["speed", "elevation", "height_ft"], given=["height", "distance"])
+    found = columns_of(["speed", "elevation_deg", "height_ft"], given=["height", "distance"])
     assert list(found) == ["speed", "elevation"]
 
 
@@ -318,13 +364,13 @@ def test_a_file_that_is_not_there_is_named(name: str, tmp_path: Path) -> None:
     assert raised.value.filename == str(tmp_path / name)
 
 
-def test_a_column_of_degrees_without_a_unit_is_refused() -> None:
-    table = pa.table({"elevation": [52.0, 51.0, None]})
+def test_a_column_of_degrees_that_says_radians_is_refused() -> None:
+    table = pa.table({"elevation_rad": [52.0, 51.0, None]})
     with pytest.raises(ValueError, match=r"columns: elevation is in radians.*elevation_deg"):
         values(table, columns_of(table.column_names, given=("speed", "height", "distance")))
 
 
 def test_a_junk_angle_in_one_row_refuses_no_other() -> None:
-    table = pa.table({"elevation": [0.9, 999.0, 0.8]})
+    table = pa.table({"elevation_rad": [0.9, 999.0, 0.8]})
     numbers = values(table, columns_of(table.column_names, given=("speed", "height", "distance")))
     assert numbers["elevation"].tolist() == [0.9, 999.0, 0.8]

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from hoopgen.units import FOOT, UNITS, Kind, parse_quantity
+from hoopgen.units import FOOT, UNITS, Kind, column_name, parse_quantity, showing, shown
 
 
 @pytest.mark.parametrize(
@@ -58,10 +58,103 @@ def test_lengths_may_have_parts_and_the_sign_holds_for_all(text: str, inches: fl
     assert parse_quantity(text, "length") == pytest.approx(inches * 0.0254, rel=2**-51, abs=0)
 
 
-def test_a_bare_number_is_si_unless_another_unit_is_asked_for() -> None:
-    assert parse_quantity("0.5", "angle") == 0.5
-    assert parse_quantity("51", "angle", bare="deg") == math.radians(51)
-    assert parse_quantity("0.5rad", "angle", bare="deg") == 0.5
+@pytest.mark.parametrize(
+    ("text", "kind", "same"),
+    [
+        ("7 feet", "length", "7ft"),
+        ("1 foot", "length", "1ft"),
+        ("6 Feet 8 INCHES", "length", "6ft8in"),
+        ("1 inch", "length", "1in"),
+        ("6\u20328\u2033", "length", "6ft8in"),
+        ("4.2 metres", "length", "4.2m"),
+        ("4.2 meters", "length", "4.2m"),
+        ("5 Centimeters", "length", "5cm"),
+        ("25 kph", "speed", "25km/h"),
+        ("25 KM/H", "speed", "25km/h"),
+        ("25 km / h", "speed", "25km/h"),
+        ("25 kilometres per hour", "speed", "25km/h"),
+        ("700cm/s", "speed", "700 cm/s"),
+        ("7 metres per second", "speed", "7m/s"),
+        ("23 feet/second", "speed", "23ft/s"),
+        ("16 MPH", "speed", "16mph"),
+        ("16 miles per hour", "speed", "16mph"),
+        ("52 degrees", "angle", "52deg"),
+        ("1 Degree", "angle", "1deg"),
+        ("0.9 radians", "angle", "0.9rad"),
+        ("3 hertz", "spin", "3Hz"),
+        ("3 HZ", "spin", "3Hz"),
+        ("3 revolutions per second", "spin", "3rev/s"),
+        ("3 turns/s", "spin", "3rev/s"),
+        ("180 revolutions per minute", "spin", "180rpm"),
+        ("180 RPM", "spin", "180rpm"),
+        ("90\u00b0/s", "spin", "90deg/s"),
+        ("90 degrees per second", "spin", "90deg/s"),
+        ("19 radians per second", "spin", "19rad/s"),
+        ("9.8 m/s\u00b2", "acceleration", "9.8m/s2"),
+        ("9.8 metres per s^2", "acceleration", "9.8m/s2"),
+    ],
+)
+def test_units_are_spelled_in_full_and_in_any_case(text: str, kind: Kind, same: str) -> None:
+    assert parse_quantity(text, kind) == parse_quantity(same, kind)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "said"),
+    [
+        ("52", "angle", "'52' has no unit: write 52deg or 52rad"),
+        (" -0.9 ", "angle", "' -0.9 ' has no unit: write -0.9deg or -0.9rad"),
+        ("3", "spin", "'3' has no unit: write 3Hz, 3rpm, 3rad/s or 3deg/s"),
+    ],
+)
+def test_a_bare_angle_or_spin_is_refused_with_what_it_may_mean(
+    text: str, kind: Kind, said: str
+) -> None:
+    with pytest.raises(ValueError, match=f"^{said}$"):
+        parse_quantity(text, kind)
+
+
+@pytest.mark.parametrize("text", ["0", "-0", "0.0"])
+@pytest.mark.parametrize("kind", list(UNITS))
+def test_nothing_needs_no_unit(kind: Kind, text: str) -> None:
+    assert parse_quantity(text, kind) == 0.0
+
+
+def test_text_is_shown_in_other_units_as_long_as_is_asked() -> None:
+    assert shown("length").symbol == "m"
+    with showing("us"):
+        symbols = {kind: shown(kind).symbol for kind in UNITS}
+        with showing("si"):
+            assert shown("speed").symbol == "m/s"
+        assert shown("short").symbol == "in"
+    assert symbols == {
+        "length": "ft",
+        "speed": "mph",
+        "angle": "\u00b0",
+        "spin": "Hz",
+        "acceleration": "ft/s\u00b2",
+        "number": "",
+    }
+    assert shown("speed").symbol == "m/s"
+    with (
+        pytest.raises(ValueError, match="system: expected si or us, got 'metric'"),
+        showing("metric"),
+    ):  # type: ignore[arg-type]
+        pass
+
+
+@pytest.mark.parametrize(
+    ("name", "unit", "column"),
+    [
+        ("speed", "m/s", "speed_m_s"),
+        ("gravity", "m/s\u00b2", "gravity_m_s2"),
+        ("wy", "rad/s", "wy_rad_s"),
+        ("backspin", "Hz", "backspin_hz"),
+        ("restitution", "", "restitution"),
+        ("probability", "1", "probability"),
+    ],
+)
+def test_columns_have_their_units_in_their_names(name: str, unit: str, column: str) -> None:
+    assert column_name(name, unit) == column
 
 
 @pytest.mark.parametrize("kind", list(UNITS))
@@ -100,7 +193,7 @@ def test_what_is_no_quantity_is_refused(text: str, kind: Kind) -> None:
 @pytest.mark.parametrize(
     ("text", "kind", "wanted"),
     [
-        ("7ft", "speed", "m/s, ft/s, km/h, mph"),
+        ("7ft", "speed", "m/s, cm/s, ft/s, km/h, mph"),
         ("51ft", "angle", "rad, deg"),
         ("3Hz", "angle", "rad, deg"),
         ("5furlongs", "length", "m, cm, mm, ft, in"),

@@ -100,7 +100,8 @@ def test_words_are_text_whatever_is_in_them() -> None:
     for tag in ("<script", "</script", "<!--", "<img"):
         assert nasty.count(tag) == plain.count(tag)
     data = data_of(nasty)
-    assert [data["title"], data["about"], data["shots"][0]["label"]] == [NASTY] * 3
+    assert [data["title"], data["shots"][0]["label"]] == [NASTY] * 2
+    assert data["about"] == f"{NASTY}; scene PAPER (the article's)"
 
 
 def test_a_shot_is_pieces_of_parabolas_not_frames() -> None:
@@ -153,7 +154,7 @@ def test_parameters_by_shot_go_with_the_shot() -> None:
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"path": "shot.txt"}, r"path: .*\.html, got 'shot\.txt'"),
+        ({"path": "shot.txt"}, r"'shot\.txt' ends in none of \.html, \.htm"),
         ({"labels": ["one"]}, "labels: expected 2"),
         ({"labels": "ab"}, "labels: expected 2"),
         ({"parameters": {}}, "parameters: missing"),
@@ -177,13 +178,15 @@ def test_without_the_event_log_it_says_what_to_do(tmp_path: Path) -> None:
         view(hoopgen.simulate(SAMPLE[0]), hoopgen.PAPER, tmp_path / "shot.html")
 
 
-def test_surfaces_have_the_colours_of_the_pictures() -> None:
+def test_surfaces_have_the_colours_of_the_pictures(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     from hoopgen.plots import COLOURS
 
-    style = (FOLDER / "page.css").read_text("utf-8")
-    own = dict(re.findall(r"--([a-z]+): (#[0-9A-F]{6});", style))
-    assert {name: own[name] for name in COLOURS} == dict(COLOURS)
+    written = view(hoopgen.simulate(SAMPLE[0], record=True), hoopgen.PAPER, tmp_path / "shot.html")
+    style = Path(written).read_text("utf-8").partition("<style>")[2].partition("</style>")[0]
+    given = re.findall(r"--([a-z]+): (#[0-9A-F]{6});", style)
+    assert len(given) == len(dict(given)), "no colour is given twice"
+    assert {name: dict(given)[name] for name in COLOURS} == dict(COLOURS)
 
 
 def test_three_is_the_release_that_its_notes_name_and_small() -> None:
@@ -196,6 +199,42 @@ def test_three_is_the_release_that_its_notes_name_and_small() -> None:
     text = page(simulate(SAMPLE[0]), hoopgen.PAPER)
     assert script in text
     assert (FOLDER / "three" / "LICENSE").read_text("utf-8") in text
+
+
+# Its scripts, without a browser
+
+POINTS = """
+const [Flight, Scene] = new Function(require("fs").readFileSync(0, "utf8"))();
+for (const lasts of [1, 3.9, 1e4, 1e13, 1e200]) {
+  const gravity = 10 / lasts;
+  const flights = [[0, 4, 0, 0, -4, 0, 5, 0, 0, 0], [lasts, 4 - 4 * lasts, 0, 0, 0, 0, 0, 0, 0, 0]];
+  const shot = { flights, parameters: { gravity }, duration: lasts };
+  const beat = Scene.beatOf([shot]);
+  console.log(JSON.stringify([Flight.pathOf(shot).length, beat, lasts / beat]));
+}
+"""
+
+
+def test_a_flight_of_any_length_has_few_points_and_dots() -> None:
+    node = shutil.which("node")
+    if node is None:
+        pytest.skip("needs node")
+    flight = FOLDER.parent.parent / "generated" / "js" / "hoop.js"
+    if not flight.is_file():
+        pytest.skip("needs the sources")
+    files = (flight, FOLDER / "flight.js", FOLDER / "scene.js")
+    scripts = "\n".join(file.read_text(encoding="utf-8") for file in files)
+    said = subprocess.run(
+        [node, "-e", POINTS],
+        input=f"{scripts}\nreturn [Flight, Scene];",
+        capture_output=True,
+        text=True,
+        check=True,
+    ).stdout
+    told = [json.loads(line) for line in said.splitlines()]
+    assert [points for points, _, _ in told] == [51, 196, 201, 201, 201]  # 50 a second, up to 200
+    assert [beat for _, beat, _ in told[:3]] == [0.1, 0.1, 100.0]
+    assert all(dots <= 101 for _, _, dots in told)
 
 
 # In a browser
@@ -624,7 +663,7 @@ def test_a_sample_is_random_among_shots_that_the_same_seed_drew(tmp_path: Path) 
     drawn = hoopgen.Resample(measured).draw(0, 20_000, seed=0).columns["speed"]
     file = tmp_path / "drawn.csv"
     rows = "\n".join(f"{speed},0.9,2,4" for speed in drawn)
-    file.write_text(f"speed,elevation,height,distance\n{rows}\n", encoding="utf-8")
+    file.write_text(f"speed,elevation_rad,height,distance\n{rows}\n", encoding="utf-8")
     chosen = drawn[sample(file, 200, seed=0).rows]
     # Uniform over 2 m/s: a mean of 200 has a standard deviation of 0.041 m/s; within five of these.
     assert abs(chosen.mean() - 7.0) < 5 * 2 / np.sqrt(12 * 200)
@@ -636,7 +675,7 @@ def test_the_command_shows_a_sample_of_a_table(table: Path, tmp_path: Path) -> N
     result = CliRunner().invoke(main, ["view", str(table), "--out", str(out), *options])
     assert result.exit_code == 0, result.output
     data = data_of(out.read_text("utf-8"))
-    assert data["about"] == "5 of 100 rows of releases.csv, chosen at random (seed 3)"
+    assert data["about"] == "5 of 100 rows of releases.csv, chosen at random (seed 3); scene NBA"
     assert data["about"] in result.stdout
     assert data["title"] == "5 shots"
     assert all(re.fullmatch(r"Row \d+", shot["label"]) for shot in data["shots"])
@@ -664,11 +703,21 @@ def test_results_of_a_batch_are_shown_as_its_releases_are(table: Path, tmp_path:
 
 def test_the_shot_command_writes_a_page(tmp_path: Path) -> None:
     out = tmp_path / "shot.html"
-    release = ["--speed", "7.17", "--elevation", "51", "--distance", "13.75ft", "--height", "7ft"]
+    release = [
+        "--speed",
+        "7.17",
+        "--elevation",
+        "51deg",
+        "--distance",
+        "13.75ft",
+        "--height",
+        "7ft",
+    ]
     result = CliRunner().invoke(main, ["shot", *release, "--view", str(out)])
     assert result.exit_code == 0, result.output
     data = data_of(out.read_text("utf-8"))
-    assert "PAPER preset" in data["title"]
+    assert data["title"] in ("Made", "Missed")
+    assert data["about"] == "Scene PAPER (the article's)"
     assert len(data["shots"]) == 1
 
 

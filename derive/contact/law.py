@@ -19,6 +19,8 @@ class Law(ABC):
     """
 
     name: str
+    restitution: sp.Expr
+    """Along the normal: v_n+ = -e v_n. The judge keeps that exact on planes."""
 
     @abstractmethod
     def after(

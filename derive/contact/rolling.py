@@ -100,8 +100,6 @@ def impact(
 class Rolling(Law):
     """The article's law: the ball leaves rolling, with a restitution along the normal."""
 
-    restitution: sp.Expr
-
     def after(
         self, normal: sp.Matrix, velocity: sp.Matrix, spin: sp.Matrix, ball_radius: sp.Expr
     ) -> tuple[sp.Matrix, sp.Matrix]:

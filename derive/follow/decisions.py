@@ -15,7 +15,7 @@ from ..ground.kernel import Kernel, decision
 from ..ground.rounding import position_error, velocity_error
 from ..ground.symbols import STATE
 from ..search import decisions as searching
-from ..search.decisions import delay, doubt, excess, index, last, when, which
+from ..search.decisions import delay, doubt, excess, index, last, unsure, when, which
 from .fields import IN_FLIGHT, NONE, Outcome
 
 first, body, miss, slack, outcome, most_contacts, claims, count, valid, uncertain = sp.symbols(
@@ -140,6 +140,11 @@ KERNELS = {
             "closing",
             {"closed": every(Less(0, claims), AtMost(0, outcome))},
             "Where a shot has ended whose errors are asked for.",
+        ),
+        decision(
+            "undecided",
+            {"uncertain": Choose(unsure, 1, uncertain)},
+            "1 where a decision within a contact lies within its error.",
         ),
     )
 }

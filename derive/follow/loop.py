@@ -1,9 +1,9 @@
 """Table 1, the event loop: what happens to a shot from its release to its end.
 
-Four stages. `permit` looks at the parameters and `admit` at a release, once each; then `reach` finds
-the next event and takes the ball there, and `meet` gives it its motion after that, again and again
-until the shot has an outcome. Between the stages a target does what is its own: it fills its lanes,
-writes the log, and stores results.
+Four stages. `permit` looks at the parameters and `admit` at a release, once each; then `reach`
+finds the next event and takes the ball there, and `meet` gives it its motion after that, again and
+again until the shot has an outcome. Between the stages a target does what is its own: it fills its
+lanes, writes the log, and stores results.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from ..ground.tree import Do, Guard, Node, check, needed, reads, walk, without
+from ..ground.tree import Do, Guard, Node, check, live_before, needed, walk, without
 from ..search.search import Parts, Search
 from .fields import CLAIMS, Field
 
@@ -75,9 +75,9 @@ class Loop:
         kept = tuple(field for field in self.fields if not field.bounds)
         wanted = {field.name for field in kept}
         stages: dict[str, tuple[Node, ...]] = {}
-        for name, nodes in reversed(self.stages.items()):
+        for name, nodes in reversed(list(self.stages.items())):
             stages[name] = needed(without(nodes, fixed), wanted)
-            wanted |= reads(stages[name])
+            wanted |= live_before(stages[name], wanted)
         stages = dict(reversed(stages.items()))
         return Loop(kept, tuple(j for j in self.job if j not in fixed), self.parameters, stages)
 
@@ -174,12 +174,16 @@ def _laws(common: Parts, contacts: Sequence[Contact]) -> Iterator[Node]:
     for surface in contacts:
         by_law.setdefault(surface.law["impact"].name, []).append(surface)
     if len(by_law) == 1:
-        yield Guard("touches", _law(contacts[0]))
+        yield Guard("touches", tuple(_law(common, contacts[0])))
         return
     for surfaces in by_law.values():
         for surface in surfaces:
-            yield from _on(common, surface, *_law(surface))
+            yield from _on(common, surface, *_law(common, surface))
 
 
-def _law(surface: Contact) -> tuple[Node, ...]:
-    return Do(surface.law["carry"]), Do(surface.law["impact"])
+def _law(common: Parts, surface: Contact) -> Iterator[Node]:
+    if "doubt" in surface.law:
+        yield Do(surface.law["doubt"])
+        yield Do(common["undecided"])
+    yield Do(surface.law["carry"])
+    yield Do(surface.law["impact"])

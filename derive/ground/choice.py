@@ -19,8 +19,8 @@ class Truth(sp.Symbol):  # type: ignore[misc]
 
     def __new__(cls, name: str) -> Truth:
         """Return the truth of that name."""
-        truth: Truth = super().__new__(cls, name, real=True)
-        return truth
+        made: Truth = super().__new__(cls, name, real=True)
+        return made
 
 
 class Condition(sp.Function):  # type: ignore[misc]

@@ -35,8 +35,7 @@ class Kernel:
     equation: str
 
     def __post_init__(self) -> None:
-        free = set().union(*(e.free_symbols for _, e in self.outputs))
-        unbound = sorted(map(str, free - set(self.arguments)))
+        unbound = sorted(map(str, symbols_in(self.expressions) - set(self.arguments)))
         if unbound:
             raise ValueError(f"kernel {self.name}: not among its arguments: {', '.join(unbound)}")
 
@@ -56,6 +55,18 @@ class Kernel:
         return tuple(name for name, _ in self.outputs)
 
 
+def symbols_in(expressions: Iterable[sp.Basic]) -> set[sp.Symbol]:
+    """Return the symbols in expressions; unlike SymPy's `free_symbols`, each part is met once."""
+    seen: set[sp.Basic] = set()
+    rest = list(expressions)
+    while rest:
+        part = rest.pop()
+        if part not in seen:
+            seen.add(part)
+            rest += part.args
+    return {part for part in seen if part.is_Symbol}
+
+
 def kernel(
     name: str,
     outputs: Mapping[str, sp.Expr],
@@ -65,7 +76,7 @@ def kernel(
 ) -> Kernel:
     """Return the kernel whose arguments are those symbols of `order` that its outputs use."""
     sympified = {key: sp.sympify(value) for key, value in outputs.items()}
-    free = set().union(*(e.free_symbols for e in sympified.values()))
+    free = symbols_in(sympified.values())
     arguments = tuple(symbol for symbol in order if symbol in free)
     return Kernel(name, arguments, tuple(sympified.items()), summary, equation)
 
@@ -73,6 +84,6 @@ def kernel(
 def decision(name: str, outputs: Mapping[str, sp.Basic], summary: str) -> Kernel:
     """Return a kernel of the event loop, whose arguments come in the order of their names."""
     sympified = {key: sp.sympify(value) for key, value in outputs.items()}
-    free = set().union(*(e.free_symbols for e in sympified.values()))
+    free = symbols_in(sympified.values())
     arguments = tuple(sorted(free, key=lambda symbol: symbol.name))
     return Kernel(name, arguments, tuple(sympified.items()), summary, "Table 1")

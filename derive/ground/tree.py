@@ -8,7 +8,7 @@ rows, or by a branch.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from .kernel import Kernel
@@ -111,6 +111,29 @@ def writes(nodes: Iterable[Node]) -> dict[str, bool]:
                 if found[variable] != kinds[output]:
                     raise ValueError(f"{variable} is both a truth and a number")
     return found
+
+
+def live_before(nodes: Sequence[Node], after: Iterable[str]) -> set[str]:
+    """Return the variables whose values are needed before the nodes, given those needed after."""
+    live = set(after)
+    for node in reversed(nodes):
+        if isinstance(node, Do):
+            live -= set(node.assigned.values())
+            live |= reads([node])
+        else:
+            live |= live_in_body(node, live) | {node.truth}
+    return live
+
+
+def live_in_body(node: Guard | Repeat, after: Iterable[str]) -> set[str]:
+    """Return the variables whose values are needed where a guarded body begins."""
+    live = live_before(node.body, after)
+    while isinstance(node, Repeat):
+        more = live_before(node.body, live | set(after) | {node.truth})
+        if more <= live:
+            break
+        live |= more
+    return live
 
 
 def check(nodes: Iterable[Node], known: Iterable[str]) -> set[str]:

@@ -118,33 +118,42 @@ class Approach(ABC):
         rate_here = hold(self.rate, "F'")
         return {"time": t - gap / rate_here, "rate": rate_here}
 
-    def advance(self) -> dict[str, sp.Expr]:
+    def advance(self, side: sp.Expr = sp.Integer(1)) -> dict[str, sp.Expr]:
         """Return gap, rate, bend, a step without a root, where it ends, Newton's root, clearance.
 
         The curvature is bounded on a window twice as long as the local line (falling) or, on
         leaving the surface, the local parabola says, so that M is nearly exact; where even that
         window ends first, so does the step. A falling gap with a positive clearance has one simple
         root nearby.
+
+        Where a root may be out of bounds the search goes on behind it: with `side` -1 it looks for
+        the way out, a root of -F, whose curvature the ceiling bounds.
         """
-        gap = self._searched()
+        turned = side != 1
+        gap, rate, bend = self._searched(), self.rate, self.bend
+        if turned:
+            gap, rate, bend = hold(side * gap), hold(side * rate), hold(side * bend)
         low_gap = hold(largest(hold(gap - margin), 0))
-        slope = hold(hold(self.rate, "F'") - rate_margin)
+        slope = hold(hold(rate, "" if turned else "F'") - rate_margin)
         numerator = IfLess(slope, 0, 2 * low_gap, 4 * slope)
-        denominator = IfLess(slope, 0, -slope, _positive(hold(-self.bend)))
+        denominator = IfLess(slope, 0, -slope, _positive(hold(-bend)))
         rising = IfAtMost(0, slope, low_gap, 0)
         guess = IfLess(0, rising, sp.oo, numerator / hold(denominator))
         width = hold(smallest(hold(end - t), guess), "w")
-        step = _first_root(low_gap, slope, hold(self.curvature(width), "M"))
+        curvature = self.curvature(width)
+        if turned:
+            curvature = IfLess(0, side, hold(curvature), ceiling)
+        step = _first_root(low_gap, slope, hold(curvature, "M"))
         stride = smallest(width, step)
-        least_fall = hold(-self.rate - rate_margin)
+        least_fall = hold(-rate - rate_margin)
         enough = least_fall**2 - 8 * ceiling * hold(2**5 * low_gap + margin)
         return {
             "gap": gap,
-            "rate": self.rate,
-            "bend": self.bend,
+            "rate": rate,
+            "bend": bend,
             "step": stride,
             "next": t + hold(stride),
-            "root": t - gap / self.rate,
+            "root": t - gap / rate,
             "clearance": IfLess(0, least_fall, enough, least_fall),
         }
 

@@ -1,4 +1,4 @@
-"""Which search a surface has: its own where one is registered for its kind, else the general one."""
+"""Which search a surface has: its own where its kind has one, else the general one."""
 
 from __future__ import annotations
 
@@ -17,15 +17,7 @@ from .search import Search
 
 @singledispatch
 def search(surface: Surface, gravity: sp.Expr) -> Search:
-    """Return the search of a surface; a kind with one of its own registers it here.
-
-    Raises
-    ------
-    ValueError
-        If the surface has bounds and is not a plane.
-    """
-    if surface.bounds:
-        raise ValueError(f"surface {surface.name}: only a plane can have bounds")
+    """Return the search of a surface; a kind with one of its own registers it here."""
     return CurvedSearch(surface, gravity, PolynomialApproach(gravity, surface))
 
 

@@ -28,7 +28,9 @@ def clear(search: RingApproach) -> sp.Expr:
       rho² being convex in time; or it never enters the hole.
 
     Everything is multiplied through by the positive rho² I³. The slack of 2^-30 (R_H + R)²
-    exceeds every rounding and carried error as long as the flight is not 2^16 times as large.
+    exceeds every rounding and carried error as long as the flight is not 2^16 times as large. It is
+    generous: below the level where the parabola begins, gravity lifts F above it, by more than this
+    up to any horizon that a scene has. With next to no gravity the kernel needs the slack.
     """
     g, radius = search.gravity, search.ring.ring_radius
     innermost, outermost = search.radii()

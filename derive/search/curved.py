@@ -12,8 +12,8 @@ from ..ground.choice import AtMost, Choose, Either, Less, Nowhere, every
 from ..ground.kernel import Kernel, decision
 from ..ground.tree import Do, Guard, Node, Repeat
 from .approach import Approach
-from .decisions import KERNELS, end, t
-from .search import Formula, Parts, Search, given, proposed
+from .decisions import KERNELS, end, side, t
+from .search import Formula, Parts, Search, bounded, edges, given, proposed
 
 STEP_LIMIT = 201
 """Steps after which a search gives up and the shot is uncertain; a search takes about five."""
@@ -41,8 +41,8 @@ class CurvedSearch(Search):
 
     @property
     def constants(self) -> tuple[sp.Symbol, ...]:
-        """What does not change during the flight."""
-        return self.approach.symbols
+        """What does not change during the flight, and on which side of bounds the search is."""
+        return (*self.approach.symbols, side) if self.surface.bounds else self.approach.symbols
 
     @property
     def formulas(self) -> dict[str, Formula]:
@@ -75,7 +75,7 @@ class CurvedSearch(Search):
                 "Newton's method",
             ),
             "advance": (
-                approach.advance(),
+                approach.advance(side) if self.surface.bounds else approach.advance(),
                 "Gap, rate, bend, a step without a root and its end, Newton's root and its "
                 "clearance.",
                 "Newton from the left under a curvature bound",
@@ -84,8 +84,8 @@ class CurvedSearch(Search):
 
     @property
     def decisions(self) -> dict[str, Kernel]:
-        """Which window comes next."""
-        return {
+        """Which window comes next, and what lies within the bounds."""
+        return edges(self.surface) | {
             "enter": decision(
                 f"{self.surface.name}_enter",
                 enter(len(self.approach.windows)),
@@ -98,13 +98,15 @@ class CurvedSearch(Search):
         yield Do(common["horizon"], {"t": "when"}, {"horizon": "until"})
         yield given(own["clear"], horizon="until")
         yield Do(KERNELS["opens"])
+        step = _bounded_step if self.surface.bounds else _step
         body = (
             given(own["prepare"], horizon="until"),
             Do(KERNELS["beginning"]),
             *_allowing(common, own),
             Do(KERNELS["beyond"]),
             Do(own["enter"], {"after": 0.0, "t": 0.0, "end": 0.0}),
-            Repeat("searching", STEP_LIMIT, tuple(_step(common, own, index))),
+            Do(KERNELS["outside"]),
+            Repeat("searching", STEP_LIMIT, tuple(step(common, own, index))),
             Do(KERNELS["questioned"], {"unsure": "searching", "time": "t"}),
             *_landing(common, own, index),
             *proposed(index),
@@ -134,6 +136,24 @@ def _step(common: Parts, own: Parts, index: int) -> Iterator[Node]:
     finer = (Do(KERNELS["finer"]), *_allowing(common, own), Do(KERNELS["exceeded"]))
     yield Guard("vague", finer)
     yield Do(KERNELS["advanced"])
+    yield Guard("exhausted", (Do(own["enter"], {"after": "end"}),))
+
+
+def _bounded_step(common: Parts, own: Parts, index: int) -> Iterator[Node]:
+    """Step as `_step` does; a root out of bounds is passed, and so is the way out behind it."""
+    yield Do(KERNELS["nearby"], {"index": index})
+    yield given(own["advance"], rate_margin="rate_slack")
+    yield Do(KERNELS["struck_bounded"], {"rate_margin": "rate_slack"})
+    finer = (Do(KERNELS["finer"]), *_allowing(common, own), Do(KERNELS["exceeded"]))
+    yield Guard("vague", finer)
+    yield Do(KERNELS["candidate"])
+    polish = (
+        Do(own["refine"], {"t": "candidate"}, {"time": "refined"}, frozenset({"time"})),
+        Do(KERNELS["refined_candidate"]),
+    )
+    within = bounded(common, own, "candidate", delay=0.0, clearance=1.0)
+    yield Guard("met", (*polish, *polish, *within))
+    yield Do(KERNELS["passed"])
     yield Guard("exhausted", (Do(own["enter"], {"after": "end"}),))
 
 

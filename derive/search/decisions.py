@@ -27,9 +27,9 @@ from .events import SHARES
 when, which, last, index, time, doubt, delay = sp.symbols(
     "when which last index time doubt delay", real=True
 )
-"""The earliest arrival so far: its time and surface; the surface touched last; the one that is asked
-about; an arrival there; the earliest time of a decision that lies within its rounding error; and a
-bound on the arrival's delay."""
+"""The earliest arrival so far: its time and surface; the surface touched last; the one that is
+asked about; an arrival there; the earliest time of a decision that lies within its rounding error;
+and a bound on the arrival's delay."""
 excess, pad, lost, share, clear, leaving = sp.symbols(
     "excess pad lost share clear leaving", real=True
 )
@@ -37,9 +37,10 @@ rate, bend, apex, height, margin, rate_margin = sp.symbols(
     "rate bend apex height margin rate_margin", real=True
 )
 gap, step, following, root, clearance = sp.symbols("gap step next root clearance", real=True)
+side, candidate = sp.symbols("side candidate", real=True)
 flat, tilt, arrival, t, end, refined = sp.symbols("flat tilt arrival t end refined", real=True)
-unsure, arrives, certain, hit, sure, vague = map(
-    Truth, ("unsure", "arrives", "certain", "hit", "sure", "vague")
+unsure, arrives, certain, hit, sure, vague, met, sunk = map(
+    Truth, ("unsure", "arrives", "certain", "hit", "sure", "vague", "met", "sunk")
 )
 
 
@@ -55,6 +56,8 @@ _falling = some(Less(rate, 0), every(AtMost(rate, rate_margin), Less(bend, 0)))
 _clears = every(_falling, Less(0, clearance))
 _strikes = every(_falling, some(AtMost(gap - margin, margin), Less(0, clearance)))
 _unclear = every(_strikes, Not(_clears), Less(0, share))
+_sunk = Less(gap, -margin)
+_lands = every(met, arrives)
 _near = every(Equal(last, index), Less(tilt * t, flat))
 _exhausted = every(Not(hit), Not(vague), AtMost(end - t, step))
 
@@ -187,6 +190,47 @@ KERNELS = {
                 "doubt": earlier(every(arrives, Not(every(certain, Less(0, clearance)))), time),
             },
             "The delay of an arrival that is certain, a doubt about another one.",
+        ),
+        decision(
+            "outside",
+            {"side": 1},
+            "A search that begins outside the surface.",
+        ),
+        decision(
+            "struck_bounded",
+            {
+                "hit": every(_strikes, Not(_unclear), Not(_sunk)),
+                "sure": _clears,
+                "vague": every(_unclear, Not(_sunk)),
+                "sunk": _sunk,
+            },
+            "The same where the ball may be inside a surface, beyond its bounds.",
+        ),
+        decision(
+            "candidate",
+            {
+                "candidate": Choose(sure, root, t),
+                "met": every(hit, Less(0, side)),
+                "arrives": Nowhere(),
+            },
+            "The time of a root, and whether it is a way in.",
+        ),
+        decision(
+            "refined_candidate",
+            {"candidate": Choose(sure, refined, candidate)},
+            "A root that is certain, refined.",
+        ),
+        decision(
+            "passed",
+            {
+                "arrival": Choose(_lands, candidate, arrival),
+                "certain": Either(certain, every(_lands, sure)),
+                "exhausted": every(_exhausted, Not(sunk)),
+                "searching": every(Not(_lands), Not(every(_exhausted, Not(sunk)))),
+                "side": Choose(Either(sunk, every(hit, Not(_lands))), -side, side),
+                "t": Choose(hit, candidate, Choose(Either(vague, sunk), t, following)),
+            },
+            "The same where a root out of bounds is passed, and the search goes on behind it.",
         ),
     )
 }

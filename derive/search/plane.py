@@ -7,18 +7,15 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..ground.choice import AtMost, IfAtMost, IfLess, Less, Not, every, hold, size
-from ..ground.kernel import Kernel, decision
+from ..ground.choice import IfAtMost, IfLess, hold, size
+from ..ground.kernel import Kernel
 from ..ground.rounding import SAFETY, flight_rounding, rounding
 from ..ground.symbols import POSITION, position
 from ..ground.tree import Do, Guard, Node
 from ..surfaces import Plane
-from .decisions import KERNELS, clearance
+from .decisions import KERNELS
 from .events import event_coefficients, horizon, leaving
-from .search import Formula, Parts, Search, given, proposed
-
-slack = sp.Symbol("slack", nonnegative=True)
-"""Bound on the error of a length at a computed arrival (`events.displacement`)."""
+from .search import Formula, Parts, Search, bounded, edges, proposed
 
 
 def plane_arrival(plane: Plane, gravity: sp.Expr) -> dict[str, sp.Expr]:
@@ -96,24 +93,7 @@ class PlaneSearch(Search):
     @property
     def decisions(self) -> dict[str, Kernel]:
         """Whether a contact lies within the bounds, and whether that is in doubt."""
-        bounds = sp.symbols(f"g:{len(self.surface.bounds)}", real=True)
-        if not bounds:
-            return {}
-        surely = every(*(Less(g, -slack) for g in bounds), Less(0, clearance))
-        near = every(*(AtMost(g, slack) for g in bounds))
-        name = self.surface.name
-        return {
-            "within": decision(
-                f"{name}_within",
-                {"arrives": every(*(AtMost(g, 0) for g in bounds))},
-                "Where a contact counts (Eq. 2).",
-            ),
-            "edges": decision(
-                f"{name}_edges",
-                {"unsure": every(near, Not(surely))},
-                "Where that, or the crossing, lies within its error.",
-            ),
-        }
+        return edges(self.surface)
 
     def nodes(self, common: Parts, own: Parts, index: int) -> Iterator[Node]:
         """Propose the only arrival, if it is one and within the bounds."""
@@ -128,14 +108,4 @@ class PlaneSearch(Search):
         if not self.surface.bounds:
             yield Guard("possible", (Do(KERNELS["crossed"]), *proposed(index)))
             return
-        there = {name: f"there_{name}" for name in "xyz"}
-        body = (
-            Do(common["flight"], {"t": "time"}, there, frozenset(there)),
-            given(own["bounds"], **there),
-            Do(common["displacement"], {"horizon": "time"}, {"margin": "slack"}),
-            Do(own["edges"]),
-            Do(KERNELS["questioned"]),
-            Do(own["within"]),
-            *proposed(index),
-        )
-        yield Guard("possible", body)
+        yield Guard("possible", (*bounded(common, own, "time"), *proposed(index)))

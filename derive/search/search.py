@@ -8,11 +8,15 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..ground.kernel import Kernel
+from ..ground.choice import AtMost, Less, Not, every
+from ..ground.kernel import Kernel, decision
 from ..ground.symbols import variable
 from ..ground.tree import Do, Node
 from ..surfaces import Surface
-from .decisions import KERNELS
+from .decisions import KERNELS, clearance
+
+slack = sp.Symbol("slack", nonnegative=True)
+"""Bound on the error of a length at a computed arrival (`events.displacement`)."""
 
 Parts = Mapping[str, Kernel]
 
@@ -56,6 +60,39 @@ def proposed(index: int) -> Iterator[Node]:
     """Take an arrival that is earlier than those found so far."""
     yield Do(KERNELS["tied"])
     yield Do(KERNELS["sooner"], {"index": index})
+
+
+def edges(surface: Surface) -> dict[str, Kernel]:
+    """Return whether a contact lies within the bounds (Eq. 2), and whether that is in doubt."""
+    bounds = sp.symbols(f"g:{len(surface.bounds)}", real=True)
+    if not bounds:
+        return {}
+    surely = every(*(Less(g, -slack) for g in bounds), Less(0, clearance))
+    near = every(*(AtMost(g, slack) for g in bounds))
+    return {
+        "within": decision(
+            f"{surface.name}_within",
+            {"arrives": every(*(AtMost(g, 0) for g in bounds))},
+            "Where a contact counts (Eq. 2).",
+        ),
+        "edges": decision(
+            f"{surface.name}_edges",
+            {"unsure": every(near, Not(surely))},
+            "Where that, or the crossing, lies within its error.",
+        ),
+    }
+
+
+def bounded(common: Parts, own: Parts, time: str, **inputs: float) -> Iterator[Node]:
+    """Look whether a contact at a time lies within the bounds."""
+    there = {name: f"there_{name}" for name in "xyz"}
+    yield Do(common["flight"], {"t": time}, there, frozenset(there))
+    yield given(own["bounds"], **there)
+    slackened = given(common["displacement"], horizon=time, **inputs)
+    yield Do(slackened.kernel, slackened.inputs, {"margin": "slack"})
+    yield given(own["edges"], **inputs)
+    yield given(KERNELS["questioned"], time=time)
+    yield Do(own["within"])
 
 
 def given(kernel: Kernel, **inputs: str | float) -> Do:

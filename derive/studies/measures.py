@@ -18,8 +18,7 @@ from ..ground.choice import IfLess, hold, hold_all, largest, size, smallest
 from ..ground.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
 from ..search.events import leaving
 from ..search.plane import plane_arrival
-from ..search.ring import Ring
-from ..surfaces import Plane
+from ..surfaces import Plane, Ring
 
 level = sp.Symbol("level", real=True)
 """Height of a horizontal plane above the ring's, m."""

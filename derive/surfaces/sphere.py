@@ -1,4 +1,4 @@
-"""A fixed sphere, touched from outside."""
+"""A fixed sphere, or the part of one within bounds, touched from outside."""
 
 from __future__ import annotations
 
@@ -12,10 +12,26 @@ from .surface import Surface
 
 @dataclass(frozen=True)
 class Sphere(Surface):
-    """A fixed sphere; `radius` is its own radius and the ball's together."""
+    """A fixed sphere.
+
+    Attributes
+    ----------
+    centre
+        Of the sphere.
+    radius
+        Its own radius and the ball's together.
+    limits
+        The bounds (Eq. 2): lengths whose gradient is at most 1.
+    """
 
     centre: tuple[sp.Expr, sp.Expr, sp.Expr]
     radius: sp.Expr
+    limits: tuple[sp.Expr, ...] = ()
+
+    @property
+    def bounds(self) -> tuple[sp.Expr, ...]:
+        """The bounds of the part."""
+        return self.limits
 
     @property
     def _offset(self) -> sp.Matrix:
@@ -43,5 +59,5 @@ class Sphere(Surface):
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
-        """Nearer than touching."""
-        return (self.distance,)
+        """Nearer than touching, and within the bounds."""
+        return (self.distance, *self.limits)

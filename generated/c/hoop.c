@@ -1,6 +1,6 @@
 /* hoop: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene hoop, derivation 6e7b03a5573931e9,
+   Generated from templates/c/scene.c.j2, scene hoop, derivation 8fe807011d58f5ca,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 
@@ -9,6 +9,9 @@
 #include <float.h>
 #include <math.h>
 #include <string.h>
+#if defined(__GNUC__) && defined(__x86_64__)
+#include <immintrin.h>
+#endif
 
 /* Results are the same bits everywhere because every operation is done as it is written. Most of what
    flags can do to that the compiler admits to here; what it does not, hoop_exact.h finds. */
@@ -42,9 +45,9 @@ _Static_assert(sizeof 0.1 == sizeof(double), "compile without -fsingle-precision
 /* The widest vectors that are compiled. A build may ask for fewer, which take less time. */
 #ifndef HOOP_WIDEST
 #if defined(__GNUC__) && defined(__x86_64__)
-#define HOOP_WIDEST 8
+#define HOOP_WIDEST 16
 #elif defined(__GNUC__)
-#define HOOP_WIDEST 2
+#define HOOP_WIDEST 4
 #else
 #define HOOP_WIDEST 1
 #endif
@@ -80,21 +83,21 @@ typedef struct {
 #define LANES_INLINE static inline
 #endif
 
-#if HOOP_WIDEST >= 2
-#define LANES_WIDTH 2
+#if HOOP_WIDEST >= 4
+#define LANES_WIDTH 4
 #include "hoop_exact.h"
 #include "hoop_engine.h"
 #undef LANES_WIDTH
 #endif
 
-#if HOOP_WIDEST >= 4
+#if HOOP_WIDEST >= 8
 #ifdef __clang__
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
 #else
 #pragma GCC push_options
 #pragma GCC target("avx2")
 #endif
-#define LANES_WIDTH 4
+#define LANES_WIDTH 8
 #include "hoop_exact.h"
 #include "hoop_engine.h"
 #undef LANES_WIDTH
@@ -105,14 +108,14 @@ typedef struct {
 #endif
 #endif
 
-#if HOOP_WIDEST >= 8
+#if HOOP_WIDEST >= 16
 #ifdef __clang__
 #pragma clang attribute push(__attribute__((target("avx512f,avx512dq,avx512vl"))), apply_to = function)
 #else
 #pragma GCC push_options
 #pragma GCC target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")
 #endif
-#define LANES_WIDTH 8
+#define LANES_WIDTH 16
 #include "hoop_exact.h"
 #include "hoop_engine.h"
 #undef LANES_WIDTH
@@ -130,16 +133,16 @@ typedef struct {
 
 static int widest(void)
 {
-#if HOOP_WIDEST >= 8
+#if HOOP_WIDEST >= 16
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512vl"))
+        return 16;
+#endif
+#if HOOP_WIDEST >= 8
+    if (__builtin_cpu_supports("avx2"))
         return 8;
 #endif
-#if HOOP_WIDEST >= 4
-    if (__builtin_cpu_supports("avx2"))
-        return 4;
-#endif
-    return HOOP_WIDEST < 2 ? 1 : 2;
+    return HOOP_WIDEST < 4 ? 1 : 4;
 }
 
 const char *hoop_sources(void) { return TEXT(HOOP_SOURCES); }
@@ -164,14 +167,14 @@ int hoop_simulate(size_t shots, const double *states, const double *const *param
         return width;
     switch (width) {
         RUN(1)
-#if HOOP_WIDEST >= 2
-        RUN(2)
-#endif
 #if HOOP_WIDEST >= 4
         RUN(4)
 #endif
 #if HOOP_WIDEST >= 8
         RUN(8)
+#endif
+#if HOOP_WIDEST >= 16
+        RUN(16)
 #endif
     default:
         return -1;

@@ -1,6 +1,6 @@
 /* hoop: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene hoop, derivation 6e7b03a5573931e9,
+   Generated from templates/c/scene.h.j2, scene hoop, derivation 8fe807011d58f5ca,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Plain C11, no dependencies but sqrt. Compile hoop.c, next to which this and the other files
@@ -93,7 +93,7 @@ typedef struct {
    strides      by parameter: 0 for one value, 1 for one per shot
    leaving      NULL, or by shot the surface that the ball touches at the start and leaves, -1: none
    max_contacts at least 1
-   width        vector lanes: 1, 2, 4 or 8; 0 for the widest that this processor has
+   width        vector lanes: 1, 4, 8 or 16; 0 for the widest that this processor has
    stop         NULL, or a flag: when it becomes nonzero, the run ends, its results unfinished
 
    Returns the width that was used; or, with nothing run, -1 if that width is not there, -2 if

@@ -1,85 +1,12 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 6e7b03a5573931e9,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 8fe807011d58f5ca,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
    its place. No lane's result depends on its neighbours. */
 
-#if LANES_WIDTH == 1
-typedef double LANES(vector);
-typedef int LANES(mask);
-#else
-typedef double LANES(vector) __attribute__((vector_size(8 * LANES_WIDTH)));
-typedef int64_t LANES(mask) __attribute__((vector_size(8 * LANES_WIDTH)));
-#endif
-
-#define V LANES(vector)
-#define M LANES(mask)
-#define lanes_select LANES(select)
-#define lanes_choose LANES(choose)
-#define lanes_abs LANES(abs)
-#define lanes_sqrt LANES(sqrt)
-#define lanes_any LANES(any)
-#define lanes_load LANES(load)
-#define lanes_store LANES(store)
-#define lanes_gather LANES(gather)
-
-#if LANES_WIDTH == 1
-#define K(c) (c)
-#define NOT(m) (!(m))
-#define NOWHERE 0
-LANES_INLINE V lanes_select(M m, V a, V b) { return m ? a : b; }
-LANES_INLINE V lanes_abs(V a) { return fabs(a); }
-LANES_INLINE V lanes_sqrt(V a) { return sqrt(a); }
-LANES_INLINE int lanes_any(M m) { return m; }
-#else
-#define K(c) ((c) - (V){0})
-#define NOT(m) (~(m))
-#define NOWHERE ((M){0})
-LANES_INLINE V lanes_select(M m, V a, V b) { return (V)(((M)a & m) | ((M)b & ~m)); }
-LANES_INLINE V lanes_abs(V a) { return (V)((M)a & (INT64_MAX - (M){0})); }
-LANES_INLINE V lanes_sqrt(V a)
-{
-    V root = a;
-    for (int lane = 0; lane < LANES_WIDTH; lane++)
-        root[lane] = sqrt(a[lane]);
-    return root;
-}
-LANES_INLINE int lanes_any(M m)
-{
-    int64_t any = 0;
-    for (int lane = 0; lane < LANES_WIDTH; lane++)
-        any |= m[lane];
-    return any != 0;
-}
-#endif
-
-/* Where one truth holds instead of another. */
-LANES_INLINE M lanes_choose(M m, M a, M b) { return (a & m) | (b & NOT(m)); }
-
-LANES_INLINE V lanes_load(const double *row)
-{
-    V a;
-    memcpy(&a, row, sizeof a);
-    return a;
-}
-
-LANES_INLINE void lanes_store(double *row, V a) { memcpy(row, &a, sizeof a); }
-
-LANES_INLINE V lanes_gather(const double *first, int64_t stride)
-{
-#if LANES_WIDTH == 1
-    (void)stride;
-    return *first;
-#else
-    V a;
-    for (int lane = 0; lane < LANES_WIDTH; lane++)
-        a[lane] = first[stride * lane];
-    return a;
-#endif
-}
-
+#include "hoop_lanes.h"
 #include "hoop_kernels.h"
 
 /* Shots in flight, a row of lanes for each quantity. */
@@ -254,6 +181,63 @@ LANES_INLINE void LANES(hoop_finish)(LANES(hoop_pool) *pool, int lane, const hoo
     pool->occupied[lane] = 0.0;
 }
 
+/* Write the results of the shots in all lanes, none of them invalid, which follow one another, and
+   free them. */
+LANES_INLINE void LANES(hoop_finish_all)(LANES(hoop_pool) *pool, const hoop_job *job)
+{
+    const hoop_results *out = job->results;
+    const size_t first = pool->shot[0];
+    if (out->outcome)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            out->outcome[first + (size_t)lane] = (uint8_t)pool->outcome[lane];
+        }
+    if (out->contacts)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            out->contacts[first + (size_t)lane] = (int32_t)pool->contacts[lane];
+        }
+    if (out->counts)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            out->counts[3 * (first + (size_t)lane) + 0] = (int32_t)pool->count_0[lane];
+            out->counts[3 * (first + (size_t)lane) + 1] = (int32_t)pool->count_1[lane];
+            out->counts[3 * (first + (size_t)lane) + 2] = (int32_t)pool->count_2[lane];
+        }
+    if (out->first)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            out->first[first + (size_t)lane] = (int8_t)pool->first[lane];
+        }
+    if (out->time)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            out->time[first + (size_t)lane] = (double)pool->clock[lane];
+        }
+    if (out->state)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            out->state[9 * (first + (size_t)lane) + 0] = (double)pool->x[lane];
+            out->state[9 * (first + (size_t)lane) + 1] = (double)pool->y[lane];
+            out->state[9 * (first + (size_t)lane) + 2] = (double)pool->z[lane];
+            out->state[9 * (first + (size_t)lane) + 3] = (double)pool->vx[lane];
+            out->state[9 * (first + (size_t)lane) + 4] = (double)pool->vy[lane];
+            out->state[9 * (first + (size_t)lane) + 5] = (double)pool->vz[lane];
+            out->state[9 * (first + (size_t)lane) + 6] = (double)pool->wx[lane];
+            out->state[9 * (first + (size_t)lane) + 7] = (double)pool->wy[lane];
+            out->state[9 * (first + (size_t)lane) + 8] = (double)pool->wz[lane];
+        }
+    if (out->time_error)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            out->time_error[first + (size_t)lane] = (double)pool->time_claim[lane];
+        }
+    if (out->state_error)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            out->state_error[3 * (first + (size_t)lane) + 0] = (double)pool->position_claim[lane];
+            out->state_error[3 * (first + (size_t)lane) + 1] = (double)pool->velocity_claim[lane];
+            out->state_error[3 * (first + (size_t)lane) + 2] = (double)pool->spin_claim[lane];
+        }
+    if (out->uncertain)
+        for (int lane = 0; lane < LANES_WIDTH; lane++) {
+            out->uncertain[first + (size_t)lane] = (uint8_t)pool->uncertain[lane];
+        }
+    lanes_store(pool->occupied, K(0.0));
+}
+
 /* Run the job: fill the lanes, take every lane to its next event, free those that ended.
    No errors are bounded: the same path, with less work. */
 LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
@@ -281,6 +265,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
             pool.p_end_depth[lane] = *job->parameters[10];
         }
     M permitted = LANES(hoop_permit)(lanes_load(pool.p_ball_radius), lanes_load(pool.p_ring_radius), lanes_load(pool.p_wire_radius), lanes_load(pool.p_board_distance), lanes_load(pool.p_board_half_width), lanes_load(pool.p_board_bottom), lanes_load(pool.p_board_top), lanes_load(pool.p_bridge_half_width), lanes_load(pool.p_restitution), lanes_load(pool.p_gravity), lanes_load(pool.p_end_depth));
+    int following = 0; /* whether the lanes hold shots that follow one another */
     for (int flights = 0;;) {
         int refilled = 0;
         if (job->stop && *job->stop)
@@ -289,13 +274,14 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
             LANES(hoop_begin_all)(&pool, job, begun);
             begun += LANES_WIDTH;
             flights = LANES_WIDTH;
-            refilled = 1;
+            refilled = following = 1;
         }
         for (int lane = 0; flights < LANES_WIDTH && begun < job->shots; lane++)
             if (pool.occupied[lane] == 0.0) {
                 LANES(hoop_begin)(&pool, lane, job, begun++);
                 flights++;
                 refilled = 1;
+                following = 0;
             }
         if (flights == 0)
             return;
@@ -328,11 +314,11 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         V count_1 = lanes_load(pool.count_1);
         V count_2 = lanes_load(pool.count_2);
         V outcome = lanes_load(pool.outcome);
-        const M flying = lanes_load(pool.occupied) > zero;
+        const M flying = lanes_less(zero, lanes_load(pool.occupied));
 
         /* A new shot is looked at once; one that is not valid ends here. */
         if (refilled) {
-            const M fresh = flying & (lanes_load(pool.fresh) > zero);
+            const M fresh = lanes_both(flying, lanes_less(zero, lanes_load(pool.fresh)));
             clock = lanes_select(fresh, K(0.0), clock);
             last = lanes_select(fresh, lanes_load(pool.from), last);
             first = lanes_select(fresh, K(-1.0), first);
@@ -354,7 +340,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
                 LANES(hoop_admitted)(K(INFINITY), finite, permitted, valid);
             outcome = lanes_select(fresh, _o5.outcome, outcome);
             lanes_store(pool.fresh, zero);
-            if (lanes_any(fresh & (outcome >= zero))) {
+            if (lanes_any(lanes_both(fresh, lanes_at_most(zero, outcome)))) {
                 lanes_store(pool.x, x);
                 lanes_store(pool.y, y);
                 lanes_store(pool.z, z);
@@ -405,7 +391,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         const LANES(hoop_timely_out) _o11 =
             LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
         M possible = _o11.possible;
-        const M _m12 = flying & possible;
+        const M _m12 = lanes_both(flying, possible);
         {
             const LANES(hoop_sooner_out) _o13 =
                 LANES(hoop_sooner)(arrives, K(3.0), time, when, which);
@@ -426,7 +412,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         const LANES(hoop_timely_out) _o17 =
             LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
         possible = _o17.possible;
-        const M _m18 = flying & possible;
+        const M _m18 = lanes_both(flying, possible);
         {
             const LANES(hoop_flight_out) _o19 =
                 LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
@@ -460,7 +446,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         const LANES(hoop_timely_out) _o26 =
             LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
         possible = _o26.possible;
-        const M _m27 = flying & possible;
+        const M _m27 = lanes_both(flying, possible);
         if (lanes_any(_m27)) {
             const LANES(hoop_flight_out) _o28 =
                 LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
@@ -490,7 +476,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         const LANES(hoop_opens_out) _o34 =
             LANES(hoop_opens)(clear);
         M open = _o34.open;
-        const M _m35 = flying & open;
+        const M _m35 = lanes_both(flying, open);
         if (lanes_any(_m35)) {
             const LANES(hoop_ring_prepare_out) _o36 =
                 LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
@@ -525,7 +511,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
             V end = _o40.end;
             M searching = _o40.searching;
             for (int _turn = 0; _turn < 201; _turn++) {
-                const M _m41 = _m35 & searching;
+                const M _m41 = lanes_both(_m35, searching);
                 if (!lanes_any(_m41))
                     break;
                 const LANES(hoop_nearby_out) _o42 =
@@ -546,7 +532,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
                 M hit = _o44.hit;
                 M sure = _o44.sure;
                 M vague = _o44.vague;
-                const M _m45 = _m41 & vague;
+                const M _m45 = lanes_both(_m41, vague);
                 if (lanes_any(_m45)) {
                     const LANES(hoop_finer_out) _o46 =
                         LANES(hoop_finer)(share);
@@ -568,7 +554,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
                 M exhausted = _o49.exhausted;
                 searching = lanes_choose(_m41, _o49.searching, searching);
                 t = lanes_select(_m41, _o49.t, t);
-                const M _m50 = _m41 & exhausted;
+                const M _m50 = lanes_both(_m41, exhausted);
                 {
                     const LANES(hoop_ring_enter_out) _o51 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
@@ -611,7 +597,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         const LANES(hoop_body_of_out) _o61 =
             LANES(hoop_body_of)(which);
         V body = _o61.body;
-        const M _m62 = flying & moves;
+        const M _m62 = lanes_both(flying, moves);
         {
             const LANES(hoop_flight_out) _o63 =
                 LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
@@ -646,7 +632,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         const LANES(hoop_meeting_out) _o67 =
             LANES(hoop_meeting)(K(0.0), ends, touches);
         M meeting = _o67.meeting;
-        const M _m68 = flying & meeting;
+        const M _m68 = lanes_both(flying, meeting);
         if (lanes_any(_m68)) {
             const LANES(hoop_end_normal_out) _o69 =
                 LANES(hoop_end_normal)();
@@ -656,7 +642,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
             const LANES(hoop_here_out) _o70 =
                 LANES(hoop_here)(K(0.0), which);
             M here = _o70.here;
-            const M _m71 = _m68 & here;
+            const M _m71 = lanes_both(_m68, here);
             {
                 const LANES(hoop_ring_normal_out) _o72 =
                     LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
@@ -670,7 +656,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
             const LANES(hoop_here_out) _o74 =
                 LANES(hoop_here)(K(1.0), which);
             here = _o74.here;
-            const M _m75 = _m68 & here;
+            const M _m75 = lanes_both(_m68, here);
             {
                 const LANES(hoop_backboard_normal_out) _o76 =
                     LANES(hoop_backboard_normal)();
@@ -684,7 +670,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
             const LANES(hoop_here_out) _o78 =
                 LANES(hoop_here)(K(2.0), which);
             here = _o78.here;
-            const M _m79 = _m68 & here;
+            const M _m79 = lanes_both(_m68, here);
             {
                 const LANES(hoop_bridge_normal_out) _o80 =
                     LANES(hoop_bridge_normal)();
@@ -695,7 +681,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
                     LANES(hoop_counted)(count_2);
                 count_2 = lanes_select(_m79, _o81.count, count_2);
             }
-            const M _m82 = _m68 & touches;
+            const M _m82 = lanes_both(_m68, touches);
             if (lanes_any(_m82)) {
                 const LANES(hoop_impact_out) _o83 =
                     LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
@@ -709,7 +695,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
             const LANES(hoop_here_out) _o84 =
                 LANES(hoop_here)(K(1.0), which);
             here = _o84.here;
-            const M _m85 = _m68 & here;
+            const M _m85 = lanes_both(_m68, here);
             {
                 const LANES(hoop_backboard_place_out) _o86 =
                     LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
@@ -720,7 +706,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
             const LANES(hoop_here_out) _o87 =
                 LANES(hoop_here)(K(2.0), which);
             here = _o87.here;
-            const M _m88 = _m68 & here;
+            const M _m88 = lanes_both(_m68, here);
             {
                 const LANES(hoop_bridge_place_out) _o89 =
                     LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
@@ -728,7 +714,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
                 y = lanes_select(_m88, _o89.y, y);
                 z = lanes_select(_m88, _o89.z, z);
             }
-            const M _m90 = _m68 & touches;
+            const M _m90 = lanes_both(_m68, touches);
             {
                 const LANES(hoop_touched_out) _o91 =
                     LANES(hoop_touched)(body, first, which);
@@ -795,6 +781,12 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
                 event->after[8] = pool.wz[lane];
             }
         }
+        const M going = lanes_less(outcome, zero);
+        if (following && flights == LANES_WIDTH && !lanes_any(going)) {
+            LANES(hoop_finish_all)(&pool, job);
+            flights = 0;
+            continue;
+        }
         for (int lane = 0; lane < LANES_WIDTH; lane++)
             if (pool.occupied[lane] != 0.0 && pool.outcome[lane] >= 0.0) {
                 LANES(hoop_finish)(&pool, lane, job);
@@ -831,6 +823,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             pool.p_end_depth[lane] = *job->parameters[10];
         }
     M permitted = LANES(hoop_permit)(lanes_load(pool.p_ball_radius), lanes_load(pool.p_ring_radius), lanes_load(pool.p_wire_radius), lanes_load(pool.p_board_distance), lanes_load(pool.p_board_half_width), lanes_load(pool.p_board_bottom), lanes_load(pool.p_board_top), lanes_load(pool.p_bridge_half_width), lanes_load(pool.p_restitution), lanes_load(pool.p_gravity), lanes_load(pool.p_end_depth));
+    int following = 0; /* whether the lanes hold shots that follow one another */
     for (int flights = 0;;) {
         int refilled = 0;
         if (job->stop && *job->stop)
@@ -839,13 +832,14 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             LANES(hoop_begin_all)(&pool, job, begun);
             begun += LANES_WIDTH;
             flights = LANES_WIDTH;
-            refilled = 1;
+            refilled = following = 1;
         }
         for (int lane = 0; flights < LANES_WIDTH && begun < job->shots; lane++)
             if (pool.occupied[lane] == 0.0) {
                 LANES(hoop_begin)(&pool, lane, job, begun++);
                 flights++;
                 refilled = 1;
+                following = 0;
             }
         if (flights == 0)
             return;
@@ -893,11 +887,11 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         V spin_claim = lanes_load(pool.spin_claim);
         V time_claim = lanes_load(pool.time_claim);
         V outcome = lanes_load(pool.outcome);
-        const M flying = lanes_load(pool.occupied) > zero;
+        const M flying = lanes_less(zero, lanes_load(pool.occupied));
 
         /* A new shot is looked at once; one that is not valid ends here. */
         if (refilled) {
-            const M fresh = flying & (lanes_load(pool.fresh) > zero);
+            const M fresh = lanes_both(flying, lanes_less(zero, lanes_load(pool.fresh)));
             dx = lanes_select(fresh, K(0.0), dx);
             dy = lanes_select(fresh, K(0.0), dy);
             dz = lanes_select(fresh, K(0.0), dz);
@@ -936,7 +930,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             outcome = lanes_select(fresh, _o5.outcome, outcome);
             uncertain = lanes_select(fresh, _o5.uncertain, uncertain);
             lanes_store(pool.fresh, zero);
-            if (lanes_any(fresh & (outcome >= zero))) {
+            if (lanes_any(lanes_both(fresh, lanes_at_most(zero, outcome)))) {
                 lanes_store(pool.x, x);
                 lanes_store(pool.y, y);
                 lanes_store(pool.z, z);
@@ -1024,7 +1018,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         const LANES(hoop_grazed_out) _o16 =
             LANES(hoop_grazed)(apex, doubt, height, margin);
         doubt = _o16.doubt;
-        const M _m17 = flying & possible;
+        const M _m17 = lanes_both(flying, possible);
         {
             const LANES(hoop_crossed_out) _o18 =
                 LANES(hoop_crossed)(arrives, clearance, doubt, time);
@@ -1068,7 +1062,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         const LANES(hoop_grazed_out) _o28 =
             LANES(hoop_grazed)(apex, doubt, height, margin);
         doubt = _o28.doubt;
-        const M _m29 = flying & possible;
+        const M _m29 = lanes_both(flying, possible);
         if (lanes_any(_m29)) {
             const LANES(hoop_flight_out) _o30 =
                 LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
@@ -1131,7 +1125,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         const LANES(hoop_grazed_out) _o45 =
             LANES(hoop_grazed)(apex, doubt, height, margin);
         doubt = _o45.doubt;
-        const M _m46 = flying & possible;
+        const M _m46 = lanes_both(flying, possible);
         if (lanes_any(_m46)) {
             const LANES(hoop_flight_out) _o47 =
                 LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
@@ -1175,7 +1169,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         const LANES(hoop_opens_out) _o57 =
             LANES(hoop_opens)(clear);
         M open = _o57.open;
-        const M _m58 = flying & open;
+        const M _m58 = lanes_both(flying, open);
         if (lanes_any(_m58)) {
             const LANES(hoop_ring_prepare_out) _o59 =
                 LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
@@ -1215,7 +1209,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             V end = _o64.end;
             M searching = _o64.searching;
             for (int _turn = 0; _turn < 201; _turn++) {
-                const M _m65 = _m58 & searching;
+                const M _m65 = lanes_both(_m58, searching);
                 if (!lanes_any(_m65))
                     break;
                 const LANES(hoop_nearby_out) _o66 =
@@ -1236,7 +1230,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
                 M hit = _o68.hit;
                 M sure = _o68.sure;
                 M vague = _o68.vague;
-                const M _m69 = _m65 & vague;
+                const M _m69 = lanes_both(_m65, vague);
                 if (lanes_any(_m69)) {
                     const LANES(hoop_finer_out) _o70 =
                         LANES(hoop_finer)(share);
@@ -1262,7 +1256,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
                 M exhausted = _o74.exhausted;
                 searching = lanes_choose(_m65, _o74.searching, searching);
                 t = lanes_select(_m65, _o74.t, t);
-                const M _m75 = _m65 & exhausted;
+                const M _m75 = lanes_both(_m65, exhausted);
                 {
                     const LANES(hoop_ring_enter_out) _o76 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
@@ -1304,13 +1298,13 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_crossing_out) _o86 =
                 LANES(hoop_crossing)(margin, rate_margin, rate, ceiling);
             V clearance = _o86.clearance;
-            delay = lanes_select(_m58, _o86.delay, delay);
+            V delay = _o86.delay;
             const LANES(hoop_landed_out) _o87 =
                 LANES(hoop_landed)(arrival);
             V time = _o87.time;
             const LANES(hoop_landed_surely_out) _o88 =
                 LANES(hoop_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = lanes_select(_m58, _o88.delay, delay);
+            delay = _o88.delay;
             doubt = lanes_select(_m58, _o88.doubt, doubt);
             const LANES(hoop_tied_out) _o89 =
                 LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
@@ -1329,7 +1323,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         const LANES(hoop_body_of_out) _o92 =
             LANES(hoop_body_of)(which);
         V body = _o92.body;
-        const M _m93 = flying & moves;
+        const M _m93 = lanes_both(flying, moves);
         {
             const LANES(hoop_flight_out) _o94 =
                 LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
@@ -1370,7 +1364,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         const LANES(hoop_meeting_out) _o100 =
             LANES(hoop_meeting)(claims, ends, touches);
         M meeting = _o100.meeting;
-        const M _m101 = flying & meeting;
+        const M _m101 = lanes_both(flying, meeting);
         if (lanes_any(_m101)) {
             const LANES(hoop_end_normal_out) _o102 =
                 LANES(hoop_end_normal)();
@@ -1380,7 +1374,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_here_out) _o103 =
                 LANES(hoop_here)(K(0.0), which);
             M here = _o103.here;
-            const M _m104 = _m101 & here;
+            const M _m104 = lanes_both(_m101, here);
             {
                 const LANES(hoop_ring_normal_out) _o105 =
                     LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
@@ -1394,7 +1388,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_here_out) _o107 =
                 LANES(hoop_here)(K(1.0), which);
             here = _o107.here;
-            const M _m108 = _m101 & here;
+            const M _m108 = lanes_both(_m101, here);
             {
                 const LANES(hoop_backboard_normal_out) _o109 =
                     LANES(hoop_backboard_normal)();
@@ -1408,7 +1402,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_here_out) _o111 =
                 LANES(hoop_here)(K(2.0), which);
             here = _o111.here;
-            const M _m112 = _m101 & here;
+            const M _m112 = lanes_both(_m101, here);
             {
                 const LANES(hoop_bridge_normal_out) _o113 =
                     LANES(hoop_bridge_normal)();
@@ -1425,7 +1419,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_again_out) _o116 =
                 LANES(hoop_again)(K(0.0), last, which);
             M again = _o116.again;
-            const M _m117 = _m101 & again;
+            const M _m117 = lanes_both(_m101, again);
             {
                 const LANES(hoop_ring_curvature_out) _o118 =
                     LANES(hoop_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
@@ -1434,7 +1428,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_again_out) _o119 =
                 LANES(hoop_again)(K(1.0), last, which);
             again = _o119.again;
-            const M _m120 = _m101 & again;
+            const M _m120 = lanes_both(_m101, again);
             {
                 const LANES(hoop_backboard_curvature_out) _o121 =
                     LANES(hoop_backboard_curvature)();
@@ -1443,7 +1437,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_again_out) _o122 =
                 LANES(hoop_again)(K(2.0), last, which);
             again = _o122.again;
-            const M _m123 = _m101 & again;
+            const M _m123 = lanes_both(_m101, again);
             {
                 const LANES(hoop_bridge_curvature_out) _o124 =
                     LANES(hoop_bridge_curvature)();
@@ -1462,7 +1456,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_delayed_out) _o126 =
                 LANES(hoop_delayed)(clock_error, delay);
             clock_error = lanes_select(_m101, _o126.clock_error, clock_error);
-            const M _m127 = _m101 & ends;
+            const M _m127 = lanes_both(_m101, ends);
             {
                 const LANES(hoop_floored_out) _o128 =
                     LANES(hoop_floored)(dx, dy, dz, shift);
@@ -1479,7 +1473,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_here_out) _o130 =
                 LANES(hoop_here)(K(0.0), which);
             here = _o130.here;
-            const M _m131 = _m101 & here;
+            const M _m131 = lanes_both(_m101, here);
             if (lanes_any(_m131)) {
                 const LANES(hoop_ring_carry_normal_out) _o132 =
                     LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
@@ -1488,7 +1482,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
                 dnz = lanes_select(_m131, _o132.dnz, dnz);
                 turn = lanes_select(_m131, _o132.turn, turn);
             }
-            const M _m133 = _m101 & touches;
+            const M _m133 = lanes_both(_m101, touches);
             if (lanes_any(_m133)) {
                 const LANES(hoop_carry_impact_out) _o134 =
                     LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
@@ -1510,7 +1504,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_here_out) _o136 =
                 LANES(hoop_here)(K(1.0), which);
             here = _o136.here;
-            const M _m137 = _m101 & here;
+            const M _m137 = lanes_both(_m101, here);
             {
                 const LANES(hoop_backboard_place_out) _o138 =
                     LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
@@ -1521,7 +1515,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_here_out) _o139 =
                 LANES(hoop_here)(K(2.0), which);
             here = _o139.here;
-            const M _m140 = _m101 & here;
+            const M _m140 = lanes_both(_m101, here);
             {
                 const LANES(hoop_bridge_place_out) _o141 =
                     LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
@@ -1529,7 +1523,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
                 y = lanes_select(_m140, _o141.y, y);
                 z = lanes_select(_m140, _o141.z, z);
             }
-            const M _m142 = _m101 & touches;
+            const M _m142 = lanes_both(_m101, touches);
             {
                 const LANES(hoop_touched_out) _o143 =
                     LANES(hoop_touched)(body, first, which);
@@ -1540,7 +1534,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         const LANES(hoop_closing_out) _o144 =
             LANES(hoop_closing)(claims, outcome);
         M closed = _o144.closed;
-        const M _m145 = flying & closed;
+        const M _m145 = lanes_both(flying, closed);
         {
             const LANES(hoop_claimed_errors_out) _o146 =
                 LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
@@ -1623,6 +1617,12 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
                 event->after[8] = pool.wz[lane];
             }
         }
+        const M going = lanes_less(outcome, zero);
+        if (following && flights == LANES_WIDTH && !lanes_any(going)) {
+            LANES(hoop_finish_all)(&pool, job);
+            flights = 0;
+            continue;
+        }
         for (int lane = 0; lane < LANES_WIDTH; lane++)
             if (pool.occupied[lane] != 0.0 && pool.outcome[lane] >= 0.0) {
                 LANES(hoop_finish)(&pool, lane, job);
@@ -1643,12 +1643,25 @@ static void LANES(hoop_run)(const hoop_job *job)
 #undef V
 #undef M
 #undef K
-#undef NOT
-#undef NOWHERE
+#undef lanes_all
+#undef lanes_add
+#undef lanes_sub
+#undef lanes_mul
+#undef lanes_div
+#undef lanes_neg
+#undef lanes_sqrt
+#undef lanes_abs
+#undef lanes_max
+#undef lanes_min
+#undef lanes_less
+#undef lanes_at_most
+#undef lanes_equal
+#undef lanes_both
+#undef lanes_either
+#undef lanes_not
+#undef lanes_nowhere
 #undef lanes_select
 #undef lanes_choose
-#undef lanes_abs
-#undef lanes_sqrt
 #undef lanes_any
 #undef lanes_load
 #undef lanes_store

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 6e7b03a5573931e9,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 8fe807011d58f5ca,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -23,7 +23,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_flight_out)
 LANES(hoop_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V p_gravity)
 {
-    return (LANES(hoop_flight_out)){ x + (t * vx), y + (t * vy), z + (t * (vz - ((K(0.5) * p_gravity) * t))), vx, vy, vz - (p_gravity * t) };
+    return (LANES(hoop_flight_out)){ lanes_add(x, lanes_mul(t, vx)), lanes_add(y, lanes_mul(t, vy)), lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t)))), vx, vy, lanes_sub(vz, lanes_mul(p_gravity, t)) };
 }
 
 /* Positive clearance if a crossing is certain, and the bound on its delay.
@@ -36,9 +36,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_crossing_out)
 LANES(hoop_crossing)(V margin, V rate_margin, V rate, V ceiling)
 {
-    const V _s0 = -(rate + rate_margin);
-    const M _s1 = K(0.0) < _s0;
-    return (LANES(hoop_crossing_out)){ lanes_select(_s1, ((_s0 * _s0) - ((K(6.0) * ceiling) * margin)), _s0), lanes_select(_s1, ((K(6.0) * margin) / _s0), K(INFINITY)) };
+    const V _s0 = lanes_neg(lanes_add(rate, rate_margin));
+    const M _s1 = lanes_less(K(0.0), _s0);
+    return (LANES(hoop_crossing_out)){ lanes_select(_s1, lanes_sub(lanes_mul(_s0, _s0), lanes_mul(lanes_mul(K(6.0), ceiling), margin)), _s0), lanes_select(_s1, lanes_div(lanes_mul(K(6.0), margin), _s0), K(INFINITY)) };
 }
 
 /* Errors of a state that a search allows for, and by how much the errors exceed them.
@@ -52,12 +52,10 @@ typedef struct {
 LANES_INLINE LANES(hoop_allowance_out)
 LANES(hoop_allowance)(V share, V horizon, V extent, V speed, V position_error, V velocity_error, V p_gravity)
 {
-    const V _s0 = speed + (p_gravity * horizon);
-    const V _s1 = share * (extent + (horizon * _s0));
-    const V _s2 = share * _s0;
-    const V _s3 = position_error - _s1;
-    const V _s4 = velocity_error - _s2;
-    return (LANES(hoop_allowance_out)){ _s1, _s2, lanes_select((_s3 < _s4), _s4, _s3) };
+    const V _s0 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s1 = lanes_mul(share, lanes_add(extent, lanes_mul(horizon, _s0)));
+    const V _s2 = lanes_mul(share, _s0);
+    return (LANES(hoop_allowance_out)){ _s1, _s2, lanes_max(lanes_sub(position_error, _s1), lanes_sub(velocity_error, _s2)) };
 }
 
 /* A time after which no event is wanted, and how long that is after t.
@@ -70,8 +68,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_horizon_out)
 LANES(hoop_horizon)(V t, V speed, V p_gravity)
 {
-    const V _s0 = K(9.5367431640625e-07) * (t + (speed * (K(1.0) / p_gravity)));
-    return (LANES(hoop_horizon_out)){ t + _s0, _s0 };
+    const V _s0 = lanes_mul(K(9.5367431640625e-07), lanes_add(t, lanes_mul(speed, lanes_div(K(1.0), p_gravity))));
+    return (LANES(hoop_horizon_out)){ lanes_add(t, _s0), _s0 };
 }
 
 /* Sums of the sizes of the coordinates and of the velocities; excess over the largest.
@@ -91,13 +89,8 @@ LANES(hoop_scale)(V x, V y, V z, V vx, V vy, V vz, V p_gravity)
     const V _s3 = lanes_abs(vx);
     const V _s4 = lanes_abs(vy);
     const V _s5 = lanes_abs(vz);
-    const V _s6 = K(1.0) / p_gravity;
-    const V _s7 = lanes_select((_s6 < _s0), _s0, _s6);
-    const V _s8 = lanes_select((_s7 < _s1), _s1, _s7);
-    const V _s9 = lanes_select((_s8 < _s2), _s2, _s8);
-    const V _s10 = lanes_select((_s9 < _s3), _s3, _s9);
-    const V _s11 = lanes_select((_s10 < _s4), _s4, _s10);
-    return (LANES(hoop_scale_out)){ (_s0 + _s1) + _s2, (_s3 + _s4) + _s5, lanes_select((_s11 < _s5), _s5, _s11) - K(2.9073548971824276e+135) };
+    const V _s6 = lanes_max(lanes_max(lanes_max(lanes_max(lanes_max(lanes_div(K(1.0), p_gravity), _s0), _s1), _s2), _s3), _s4);
+    return (LANES(hoop_scale_out)){ lanes_add(lanes_add(_s0, _s1), _s2), lanes_add(lanes_add(_s3, _s4), _s5), lanes_sub(lanes_max(_s6, _s5), K(2.9073548971824276e+135)) };
 }
 
 /* Bound on the error of a length at a computed arrival.
@@ -109,11 +102,11 @@ typedef struct {
 LANES_INLINE LANES(hoop_displacement_out)
 LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_gravity, V p_end_depth)
 {
-    const V _s0 = speed + (p_gravity * horizon);
-    const V _s1 = extent + (horizon * _s0);
-    const V _s2 = (((((p_ball_radius + p_board_distance) + p_board_half_width) + p_bridge_half_width) + p_end_depth) + p_ring_radius) + p_wire_radius;
-    const V _s3 = ((K(1.0009765625) * delay) * _s0) + (K(4.445228907190568e-16) * (_s1 + ((_s2 + lanes_abs(p_board_bottom)) + lanes_abs(p_board_top))));
-    return (LANES(hoop_displacement_out)){ _s3 + (K(3.0029296875) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * _s1))) };
+    const V _s0 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s1 = lanes_add(extent, lanes_mul(horizon, _s0));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_half_width), p_bridge_half_width), p_end_depth), p_ring_radius), p_wire_radius);
+    const V _s3 = lanes_add(lanes_mul(lanes_mul(K(1.0009765625), delay), _s0), lanes_mul(K(4.445228907190568e-16), lanes_add(_s1, lanes_add(lanes_add(_s2, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)))));
+    return (LANES(hoop_displacement_out)){ lanes_add(_s3, lanes_mul(K(3.0029296875), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s1)))) };
 }
 
 /* Errors of a state at the end of a flight to a surface, from those at its start.
@@ -132,44 +125,32 @@ typedef struct {
 LANES_INLINE LANES(hoop_carry_flight_out)
 LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V late, V dx, V dy, V dz, V dvx, V dvy, V dvz, V curving, V p_gravity)
 {
-    const V _s0 = dx + (dvx * t);
+    const V _s0 = lanes_add(dx, lanes_mul(dvx, t));
     const V _s1 = lanes_abs(vx);
-    const V _s2 = K(2.0) * t;
-    const V _s3 = K(1.1102230246251565e-16) * ((_s2 * _s1) + lanes_abs(x));
-    const V _s4 = _s0 + lanes_select((_s0 < K(0.0)), (-_s3), _s3);
-    const V _s5 = dy + (dvy * t);
+    const V _s2 = lanes_mul(K(2.0), t);
+    const V _s3 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s2, _s1), lanes_abs(x)));
+    const V _s4 = lanes_add(_s0, lanes_select(lanes_less(_s0, K(0.0)), lanes_neg(_s3), _s3));
+    const V _s5 = lanes_add(dy, lanes_mul(dvy, t));
     const V _s6 = lanes_abs(vy);
-    const V _s7 = K(1.1102230246251565e-16) * ((_s2 * _s6) + lanes_abs(y));
-    const V _s8 = _s5 + lanes_select((_s5 < K(0.0)), (-_s7), _s7);
-    const V _s9 = dz + (dvz * t);
+    const V _s7 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s2, _s6), lanes_abs(y)));
+    const V _s8 = lanes_add(_s5, lanes_select(lanes_less(_s5, K(0.0)), lanes_neg(_s7), _s7));
+    const V _s9 = lanes_add(dz, lanes_mul(dvz, t));
     const V _s10 = lanes_abs(vz);
-    const V _s11 = K(1.1102230246251565e-16) * (((p_gravity * (t * t)) + (_s2 * _s10)) + lanes_abs(z));
-    const V _s12 = _s9 + lanes_select((_s9 < K(0.0)), (-_s11), _s11);
-    const V _s13 = ((nx * vx) + (ny * vy)) + (nz * vz);
-    const V _s14 = (-(((nx * _s4) + (ny * _s8)) + (nz * _s12))) / _s13;
-    const V _s15 = (vx * _s14) + _s4;
-    const V _s16 = lanes_select((_s1 < _s6), _s6, _s1);
-    const V _s17 = lanes_select((_s16 < _s10), _s10, _s16);
-    const V _s18 = lanes_abs(dx);
-    const V _s19 = lanes_abs(dy);
-    const V _s20 = lanes_select((_s18 < _s19), _s19, _s18);
-    const V _s21 = lanes_abs(dz);
-    const V _s22 = lanes_select((_s20 < _s21), _s21, _s20);
-    const V _s23 = curving * (t * _s17);
-    const V _s24 = lanes_abs(dvx);
-    const V _s25 = lanes_abs(dvy);
-    const V _s26 = lanes_select((_s24 < _s25), _s25, _s24);
-    const V _s27 = lanes_abs(dvz);
-    const V _s28 = lanes_select((_s3 < _s7), _s7, _s3);
-    const V _s29 = (t * lanes_select((_s26 < _s27), _s27, _s26)) + lanes_select((_s28 < _s11), _s11, _s28);
-    const V _s30 = ((_s17 / lanes_abs(_s13)) * ((_s22 * lanes_select((_s23 < K(1.0)), _s23, K(1.0))) + _s29)) + (_s29 + _s22);
-    const V _s31 = _s30 / (K(8.0) + (K(8.0) * contacts));
-    const V _s32 = -_s31;
-    const V _s33 = (vy * _s14) + _s8;
-    const V _s34 = (vz * _s14) + _s12;
-    const V _s35 = lanes_abs(_s14);
-    const V _s36 = K(0.0625) * late;
-    return (LANES(hoop_carry_flight_out)){ lanes_select((lanes_abs(_s15) < _s31), lanes_select((_s15 < K(0.0)), _s32, _s31), _s15), lanes_select((lanes_abs(_s33) < _s31), lanes_select((_s33 < K(0.0)), _s32, _s31), _s33), lanes_select((lanes_abs(_s34) < _s31), lanes_select((_s34 < K(0.0)), _s32, _s31), _s34), dvx, dvy, dvz - (p_gravity * _s14), (K(4.440892098500626e-16) * (clock + t)) + lanes_select((_s35 < _s36), _s36, _s35), _s30 };
+    const V _s11 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(p_gravity, lanes_mul(t, t)), lanes_mul(_s2, _s10)), lanes_abs(z)));
+    const V _s12 = lanes_add(_s9, lanes_select(lanes_less(_s9, K(0.0)), lanes_neg(_s11), _s11));
+    const V _s13 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s14 = lanes_div(lanes_neg(lanes_add(lanes_add(lanes_mul(nx, _s4), lanes_mul(ny, _s8)), lanes_mul(nz, _s12))), _s13);
+    const V _s15 = lanes_add(lanes_mul(vx, _s14), _s4);
+    const V _s16 = lanes_max(lanes_max(_s1, _s6), _s10);
+    const V _s17 = lanes_max(lanes_max(lanes_abs(dx), lanes_abs(dy)), lanes_abs(dz));
+    const V _s18 = lanes_add(lanes_mul(t, lanes_max(lanes_max(lanes_abs(dvx), lanes_abs(dvy)), lanes_abs(dvz))), lanes_max(lanes_max(_s3, _s7), _s11));
+    const V _s19 = lanes_mul(lanes_div(_s16, lanes_abs(_s13)), lanes_add(lanes_mul(_s17, lanes_min(lanes_mul(curving, lanes_mul(t, _s16)), K(1.0))), _s18));
+    const V _s20 = lanes_add(_s19, lanes_add(_s18, _s17));
+    const V _s21 = lanes_div(_s20, lanes_add(K(8.0), lanes_mul(K(8.0), contacts)));
+    const V _s22 = lanes_neg(_s21);
+    const V _s23 = lanes_add(lanes_mul(vy, _s14), _s8);
+    const V _s24 = lanes_add(lanes_mul(vz, _s14), _s12);
+    return (LANES(hoop_carry_flight_out)){ lanes_select(lanes_less(lanes_abs(_s15), _s21), lanes_select(lanes_less(_s15, K(0.0)), _s22, _s21), _s15), lanes_select(lanes_less(lanes_abs(_s23), _s21), lanes_select(lanes_less(_s23, K(0.0)), _s22, _s21), _s23), lanes_select(lanes_less(lanes_abs(_s24), _s21), lanes_select(lanes_less(_s24, K(0.0)), _s22, _s21), _s24), dvx, dvy, lanes_sub(dvz, lanes_mul(p_gravity, _s14)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(lanes_abs(_s14), lanes_mul(K(0.0625), late))), _s20 };
 }
 
 /* Bounds on the errors of a state and its time that decisions allow for.
@@ -184,19 +165,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_error_bounds_out)
 LANES(hoop_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
 {
-    const V _s0 = lanes_abs(dx);
-    const V _s1 = lanes_abs(dy);
-    const V _s2 = lanes_select((_s0 < _s1), _s1, _s0);
-    const V _s3 = lanes_abs(dz);
-    const V _s4 = lanes_abs(dvx);
-    const V _s5 = lanes_abs(dvy);
-    const V _s6 = lanes_select((_s4 < _s5), _s5, _s4);
-    const V _s7 = lanes_abs(dvz);
-    const V _s8 = lanes_abs(dwx);
-    const V _s9 = lanes_abs(dwy);
-    const V _s10 = lanes_select((_s8 < _s9), _s9, _s8);
-    const V _s11 = lanes_abs(dwz);
-    return (LANES(hoop_error_bounds_out)){ K(16.0) * lanes_select((_s2 < _s3), _s3, _s2), K(16.0) * lanes_select((_s6 < _s7), _s7, _s6), K(16.0) * lanes_select((_s10 < _s11), _s11, _s10), K(16.0) * clock_error };
+    return (LANES(hoop_error_bounds_out)){ lanes_mul(K(16.0), lanes_max(lanes_max(lanes_abs(dx), lanes_abs(dy)), lanes_abs(dz))), lanes_mul(K(16.0), lanes_max(lanes_max(lanes_abs(dvx), lanes_abs(dvy)), lanes_abs(dvz))), lanes_mul(K(16.0), lanes_max(lanes_max(lanes_abs(dwx), lanes_abs(dwy)), lanes_abs(dwz))), lanes_mul(K(16.0), clock_error) };
 }
 
 /* Bounds on the errors of a state and its time that a shot claims.
@@ -211,19 +180,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_claimed_errors_out)
 LANES(hoop_claimed_errors)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
 {
-    const V _s0 = lanes_abs(dx);
-    const V _s1 = lanes_abs(dy);
-    const V _s2 = lanes_select((_s0 < _s1), _s1, _s0);
-    const V _s3 = lanes_abs(dz);
-    const V _s4 = lanes_abs(dvx);
-    const V _s5 = lanes_abs(dvy);
-    const V _s6 = lanes_select((_s4 < _s5), _s5, _s4);
-    const V _s7 = lanes_abs(dvz);
-    const V _s8 = lanes_abs(dwx);
-    const V _s9 = lanes_abs(dwy);
-    const V _s10 = lanes_select((_s8 < _s9), _s9, _s8);
-    const V _s11 = lanes_abs(dwz);
-    return (LANES(hoop_claimed_errors_out)){ K(64.0) * lanes_select((_s2 < _s3), _s3, _s2), K(64.0) * lanes_select((_s6 < _s7), _s7, _s6), K(64.0) * lanes_select((_s10 < _s11), _s11, _s10), K(64.0) * clock_error };
+    return (LANES(hoop_claimed_errors_out)){ lanes_mul(K(64.0), lanes_max(lanes_max(lanes_abs(dx), lanes_abs(dy)), lanes_abs(dz))), lanes_mul(K(64.0), lanes_max(lanes_max(lanes_abs(dvx), lanes_abs(dvy)), lanes_abs(dvz))), lanes_mul(K(64.0), lanes_max(lanes_max(lanes_abs(dwx), lanes_abs(dwy)), lanes_abs(dwz))), lanes_mul(K(64.0), clock_error) };
 }
 
 /* 1 where finite parameters are allowed.
@@ -235,9 +192,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_allowed_out)
 LANES(hoop_allowed)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_bridge_half_width, V p_restitution, V p_gravity, V p_end_depth)
 {
-    const V _s0 = lanes_select((K(0.0) < p_ring_radius), lanes_select((K(0.0) < p_ball_radius), lanes_select((K(0.0) < ((p_ring_radius - p_ball_radius) - p_wire_radius)), K(1.0), K(0.0)), K(0.0)), K(0.0));
-    const V _s1 = lanes_select((K(0.0) <= p_restitution), lanes_select((K(0.0) < p_bridge_half_width), lanes_select((K(0.0) < p_board_half_width), lanes_select((K(0.0) < p_board_distance), lanes_select((K(0.0) < p_wire_radius), _s0, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
-    return (LANES(hoop_allowed_out)){ lanes_select((K(0.0) < p_end_depth), lanes_select((K(0.0) < p_gravity), lanes_select((p_restitution <= K(1.0)), _s1, K(0.0)), K(0.0)), K(0.0)) };
+    const V _s0 = lanes_select(lanes_less(K(0.0), p_ring_radius), lanes_select(lanes_less(K(0.0), p_ball_radius), lanes_select(lanes_less(K(0.0), lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius)), K(1.0), K(0.0)), K(0.0)), K(0.0));
+    const V _s1 = lanes_select(lanes_at_most(K(0.0), p_restitution), lanes_select(lanes_less(K(0.0), p_bridge_half_width), lanes_select(lanes_less(K(0.0), p_board_half_width), lanes_select(lanes_less(K(0.0), p_board_distance), lanes_select(lanes_less(K(0.0), p_wire_radius), _s0, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
+    return (LANES(hoop_allowed_out)){ lanes_select(lanes_less(K(0.0), p_end_depth), lanes_select(lanes_less(K(0.0), p_gravity), lanes_select(lanes_at_most(p_restitution, K(1.0)), _s1, K(0.0)), K(0.0)), K(0.0)) };
 }
 
 /* Where the parameters are finite and allowed.
@@ -249,9 +206,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_finite_parameters_out)
 LANES(hoop_finite_parameters)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_restitution, V p_gravity, V p_end_depth, V allowed)
 {
-    const M _s0 = ((((K(0.0) < allowed) & (lanes_abs(p_ball_radius) < K(INFINITY))) & (lanes_abs(p_ring_radius) < K(INFINITY))) & (lanes_abs(p_wire_radius) < K(INFINITY))) & (lanes_abs(p_board_distance) < K(INFINITY));
-    const M _s1 = (((_s0 & (lanes_abs(p_board_half_width) < K(INFINITY))) & (lanes_abs(p_board_bottom) < K(INFINITY))) & (lanes_abs(p_board_top) < K(INFINITY))) & (lanes_abs(p_bridge_half_width) < K(INFINITY));
-    return (LANES(hoop_finite_parameters_out)){ ((_s1 & (lanes_abs(p_restitution) < K(INFINITY))) & (lanes_abs(p_gravity) < K(INFINITY))) & (lanes_abs(p_end_depth) < K(INFINITY)) };
+    const M _s0 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), allowed), lanes_less(lanes_abs(p_ball_radius), K(INFINITY))), lanes_less(lanes_abs(p_ring_radius), K(INFINITY))), lanes_less(lanes_abs(p_wire_radius), K(INFINITY))), lanes_less(lanes_abs(p_board_distance), K(INFINITY)));
+    const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(_s0, lanes_less(lanes_abs(p_board_half_width), K(INFINITY))), lanes_less(lanes_abs(p_board_bottom), K(INFINITY))), lanes_less(lanes_abs(p_board_top), K(INFINITY))), lanes_less(lanes_abs(p_bridge_half_width), K(INFINITY)));
+    return (LANES(hoop_finite_parameters_out)){ lanes_both(lanes_both(lanes_both(_s1, lanes_less(lanes_abs(p_restitution), K(INFINITY))), lanes_less(lanes_abs(p_gravity), K(INFINITY))), lanes_less(lanes_abs(p_end_depth), K(INFINITY))) };
 }
 
 /* 1 where no surface is overlapped; 1 where that is in doubt.
@@ -264,46 +221,27 @@ typedef struct {
 LANES_INLINE LANES(hoop_valid_out)
 LANES(hoop_valid)(V last, V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_end_depth)
 {
-    const V _s0 = lanes_sqrt(((x * x) + (y * y)));
-    const V _s1 = _s0 - p_ring_radius;
-    const V _s2 = p_ball_radius + p_wire_radius;
-    const V _s3 = ((z * z) + (_s1 * _s1)) - (_s2 * _s2);
-    const M _s4 = lanes_abs(last) < K(0.5);
-    const V _s5 = lanes_select(_s4, K(1.0), lanes_select((K(0.0) <= _s3), K(1.0), K(0.0)));
-    const V _s6 = p_ball_radius - p_board_distance;
-    const V _s7 = x - _s6;
-    const V _s8 = K(2.0) * p_ball_radius;
-    const V _s9 = (_s6 - _s8) - x;
-    const V _s10 = lanes_select((_s7 < _s9), _s9, _s7);
-    const V _s11 = -(p_board_half_width + y);
-    const V _s12 = lanes_select((_s10 < _s11), _s11, _s10);
-    const V _s13 = y - p_board_half_width;
-    const V _s14 = lanes_select((_s12 < _s13), _s13, _s12);
-    const V _s15 = p_board_bottom - z;
-    const V _s16 = lanes_select((_s14 < _s15), _s15, _s14);
-    const V _s17 = z - p_board_top;
-    const V _s18 = lanes_select((_s16 < _s17), _s17, _s16);
-    const M _s19 = lanes_abs((last - K(1.0))) < K(0.5);
-    const V _s20 = lanes_select(_s19, _s5, lanes_select((K(0.0) <= _s18), _s5, K(0.0)));
-    const V _s21 = z - _s2;
-    const V _s22 = ((_s2 - _s8) - (K(2.0) * p_wire_radius)) - z;
-    const V _s23 = lanes_select((_s21 < _s22), _s22, _s21);
-    const V _s24 = -(p_bridge_half_width + y);
-    const V _s25 = lanes_select((_s23 < _s24), _s24, _s23);
-    const V _s26 = y - p_bridge_half_width;
-    const V _s27 = lanes_select((_s25 < _s26), _s26, _s25);
-    const V _s28 = p_ring_radius - _s0;
-    const V _s29 = lanes_select((_s27 < _s28), _s28, _s27);
-    const V _s30 = lanes_select((_s29 < x), x, _s29);
-    const V _s31 = -(p_board_distance + x);
-    const V _s32 = lanes_select((_s30 < _s31), _s31, _s30);
-    const M _s33 = lanes_abs((last - K(2.0))) < K(0.5);
-    const V _s34 = ((((lanes_abs(p_ball_radius) + lanes_abs(p_board_bottom)) + lanes_abs(p_board_distance)) + lanes_abs(p_board_half_width)) + lanes_abs(p_board_top)) + lanes_abs(p_bridge_half_width);
-    const V _s35 = ((((_s34 + lanes_abs(p_end_depth)) + lanes_abs(p_ring_radius)) + lanes_abs(p_wire_radius)) + lanes_abs(x)) + lanes_abs(y);
-    const V _s36 = K(1.7763568394002505e-15) * (_s35 + lanes_abs(z));
-    const V _s37 = lanes_select(_s4, K(0.0), lanes_select((lanes_abs(_s3) <= (((K(4.0) * p_ball_radius) + (K(4.0) * p_wire_radius)) * _s36)), K(1.0), K(0.0)));
-    const V _s38 = lanes_select(_s19, _s37, lanes_select((lanes_abs(_s18) <= _s36), K(1.0), _s37));
-    return (LANES(hoop_valid_out)){ lanes_select(_s33, _s20, lanes_select((K(0.0) <= _s32), _s20, K(0.0))), lanes_select(_s33, _s38, lanes_select((lanes_abs(_s32) <= _s36), K(1.0), _s38)) };
+    const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s1 = lanes_sub(_s0, p_ring_radius);
+    const V _s2 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s3 = lanes_sub(lanes_add(lanes_mul(z, z), lanes_mul(_s1, _s1)), lanes_mul(_s2, _s2));
+    const M _s4 = lanes_less(lanes_abs(last), K(0.5));
+    const V _s5 = lanes_select(_s4, K(1.0), lanes_select(lanes_at_most(K(0.0), _s3), K(1.0), K(0.0)));
+    const V _s6 = lanes_sub(p_ball_radius, p_board_distance);
+    const V _s7 = lanes_mul(K(2.0), p_ball_radius);
+    const V _s8 = lanes_max(lanes_max(lanes_max(lanes_max(lanes_sub(x, _s6), lanes_sub(lanes_sub(_s6, _s7), x)), lanes_neg(lanes_add(p_board_half_width, y))), lanes_sub(y, p_board_half_width)), lanes_sub(p_board_bottom, z));
+    const V _s9 = lanes_max(_s8, lanes_sub(z, p_board_top));
+    const M _s10 = lanes_less(lanes_abs(lanes_sub(last, K(1.0))), K(0.5));
+    const V _s11 = lanes_select(_s10, _s5, lanes_select(lanes_at_most(K(0.0), _s9), _s5, K(0.0)));
+    const V _s12 = lanes_max(lanes_max(lanes_max(lanes_sub(z, _s2), lanes_sub(lanes_sub(lanes_sub(_s2, _s7), lanes_mul(K(2.0), p_wire_radius)), z)), lanes_neg(lanes_add(p_bridge_half_width, y))), lanes_sub(y, p_bridge_half_width));
+    const V _s13 = lanes_max(lanes_max(lanes_max(_s12, lanes_sub(p_ring_radius, _s0)), x), lanes_neg(lanes_add(p_board_distance, x)));
+    const M _s14 = lanes_less(lanes_abs(lanes_sub(last, K(2.0))), K(0.5));
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_top)), lanes_abs(p_bridge_half_width));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s15, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)), lanes_abs(x)), lanes_abs(y));
+    const V _s17 = lanes_mul(K(1.7763568394002505e-15), lanes_add(_s16, lanes_abs(z)));
+    const V _s18 = lanes_select(_s4, K(0.0), lanes_select(lanes_at_most(lanes_abs(_s3), lanes_mul(lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)), _s17)), K(1.0), K(0.0)));
+    const V _s19 = lanes_select(_s10, _s18, lanes_select(lanes_at_most(lanes_abs(_s9), _s17), K(1.0), _s18));
+    return (LANES(hoop_valid_out)){ lanes_select(_s14, _s11, lanes_select(lanes_at_most(K(0.0), _s13), _s11, K(0.0))), lanes_select(_s14, _s19, lanes_select(lanes_at_most(lanes_abs(_s13), _s17), K(1.0), _s19)) };
 }
 
 /* Not positive where a crossing of the end plane is made.
@@ -315,7 +253,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_target_out)
 LANES(hoop_target)(V x, V y, V p_ring_radius)
 {
-    return (LANES(hoop_target_out)){ lanes_sqrt(((x * x) + (y * y))) - p_ring_radius };
+    return (LANES(hoop_target_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), p_ring_radius) };
 }
 
 /* 1 where the ball leaves a surface.
@@ -327,7 +265,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_left_out)
 LANES(hoop_left)(V index, V last)
 {
-    return (LANES(hoop_left_out)){ lanes_select((last == index), K(1.0), K(0.0)) };
+    return (LANES(hoop_left_out)){ lanes_select(lanes_equal(last, index), K(1.0), K(0.0)) };
 }
 
 /* Whether a plane's only arrival is one, and the size of the bend there.
@@ -340,7 +278,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_meeting_plane_out)
 LANES(hoop_meeting_plane)(V bend, V rate, V time)
 {
-    const M _s0 = (((rate < K(0.0)) | (((rate <= K(0.0)) & (bend < K(0.0))) & (time == K(0.0)))) & (K(0.0) <= time)) & (time < K(INFINITY));
+    const M _s0 = lanes_both(lanes_both(lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_both(lanes_at_most(rate, K(0.0)), lanes_less(bend, K(0.0))), lanes_equal(time, K(0.0)))), lanes_at_most(K(0.0), time)), lanes_less(time, K(INFINITY)));
     return (LANES(hoop_meeting_plane_out)){ _s0, lanes_abs(bend) };
 }
 
@@ -353,7 +291,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_timely_out)
 LANES(hoop_timely)(M arrives, V delay, V late, V time, V when)
 {
-    return (LANES(hoop_timely_out)){ arrives & NOT(((delay + late) < (time - when))) };
+    return (LANES(hoop_timely_out)){ lanes_both(arrives, lanes_not(lanes_less(lanes_add(delay, late), lanes_sub(time, when)))) };
 }
 
 /* A doubt where the gap's apex is zero within its error.
@@ -365,7 +303,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_grazed_out)
 LANES(hoop_grazed)(V apex, V doubt, V height, V margin)
 {
-    return (LANES(hoop_grazed_out)){ lanes_select((((K(0.0) <= apex) & (lanes_abs(height) <= margin)) & (apex < doubt)), apex, doubt) };
+    return (LANES(hoop_grazed_out)){ lanes_select(lanes_both(lanes_both(lanes_at_most(K(0.0), apex), lanes_at_most(lanes_abs(height), margin)), lanes_less(apex, doubt)), apex, doubt) };
 }
 
 /* A doubt about a decision at a time.
@@ -377,7 +315,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_questioned_out)
 LANES(hoop_questioned)(V doubt, V time, M unsure)
 {
-    return (LANES(hoop_questioned_out)){ lanes_select((unsure & (time < doubt)), time, doubt) };
+    return (LANES(hoop_questioned_out)){ lanes_select(lanes_both(unsure, lanes_less(time, doubt)), time, doubt) };
 }
 
 /* A doubt about an arrival whose crossing is not certain.
@@ -389,7 +327,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_crossed_out)
 LANES(hoop_crossed)(M arrives, V clearance, V doubt, V time)
 {
-    return (LANES(hoop_crossed_out)){ lanes_select(((arrives & NOT((K(0.0) < clearance))) & (time < doubt)), time, doubt) };
+    return (LANES(hoop_crossed_out)){ lanes_select(lanes_both(lanes_both(arrives, lanes_not(lanes_less(K(0.0), clearance))), lanes_less(time, doubt)), time, doubt) };
 }
 
 /* A doubt about two arrivals within their delays; the delay of the earlier one.
@@ -402,10 +340,10 @@ typedef struct {
 LANES_INLINE LANES(hoop_tied_out)
 LANES(hoop_tied)(M arrives, V delay, V doubt, V late, V time, V when)
 {
-    const M _s0 = time < when;
+    const M _s0 = lanes_less(time, when);
     const V _s1 = lanes_select(_s0, time, when);
-    const V _s2 = lanes_select(((arrives & (lanes_abs((time - when)) <= (delay + late))) & (_s1 < doubt)), _s1, doubt);
-    return (LANES(hoop_tied_out)){ _s2, lanes_select((arrives & _s0), delay, late) };
+    const V _s2 = lanes_select(lanes_both(lanes_both(arrives, lanes_at_most(lanes_abs(lanes_sub(time, when)), lanes_add(delay, late))), lanes_less(_s1, doubt)), _s1, doubt);
+    return (LANES(hoop_tied_out)){ _s2, lanes_select(lanes_both(arrives, _s0), delay, late) };
 }
 
 /* The earlier of the earliest arrival so far and this one.
@@ -418,7 +356,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_sooner_out)
 LANES(hoop_sooner)(M arrives, V index, V time, V when, V which)
 {
-    const M _s0 = arrives & (time < when);
+    const M _s0 = lanes_both(arrives, lanes_less(time, when));
     return (LANES(hoop_sooner_out)){ lanes_select(_s0, time, when), lanes_select(_s0, index, which) };
 }
 
@@ -431,7 +369,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_opens_out)
 LANES(hoop_opens)(V clear)
 {
-    return (LANES(hoop_opens_out)){ NOT((K(0.0) < clear)) };
+    return (LANES(hoop_opens_out)){ lanes_not(lanes_less(K(0.0), clear)) };
 }
 
 /* How a search begins: with the errors that it allows for, and nothing found.
@@ -445,7 +383,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_beginning_out)
 LANES(hoop_beginning)(void)
 {
-    return (LANES(hoop_beginning_out)){ K(2.9802322387695312e-08), K(INFINITY), NOWHERE };
+    return (LANES(hoop_beginning_out)){ K(2.9802322387695312e-08), K(INFINITY), lanes_nowhere() };
 }
 
 /* Nothing is certain where the errors exceed what the search allows for.
@@ -457,7 +395,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_beyond_out)
 LANES(hoop_beyond)(V doubt, V excess, V late, V lost, V pad)
 {
-    return (LANES(hoop_beyond_out)){ lanes_select((((K(0.0) < excess) | (K(0.0) < lost)) | (pad < late)), K(0.0), doubt) };
+    return (LANES(hoop_beyond_out)){ lanes_select(lanes_either(lanes_either(lanes_less(K(0.0), excess), lanes_less(K(0.0), lost)), lanes_less(pad, late)), K(0.0), doubt) };
 }
 
 /* 1 near the surface that the ball left, where F/t is known better than F; the margin.
@@ -470,8 +408,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_nearby_out)
 LANES(hoop_nearby)(V flat, V index, V last, V t, V tilt)
 {
-    const V _s0 = t * tilt;
-    const M _s1 = (last == index) & (_s0 < flat);
+    const V _s0 = lanes_mul(t, tilt);
+    const M _s1 = lanes_both(lanes_equal(last, index), lanes_less(_s0, flat));
     return (LANES(hoop_nearby_out)){ lanes_select(_s1, K(1.0), K(0.0)), lanes_select(_s1, _s0, flat) };
 }
 
@@ -486,12 +424,12 @@ typedef struct {
 LANES_INLINE LANES(hoop_struck_out)
 LANES(hoop_struck)(V bend, V clearance, V gap, V margin, V rate, V rate_margin, V share)
 {
-    const M _s0 = (rate < K(0.0)) | ((rate <= rate_margin) & (bend < K(0.0)));
-    const M _s1 = K(0.0) < clearance;
-    const M _s2 = _s0 & (((gap - margin) <= margin) | _s1);
-    const M _s3 = _s0 & _s1;
-    const M _s4 = (_s2 & NOT(_s3)) & (K(0.0) < share);
-    return (LANES(hoop_struck_out)){ _s2 & NOT(_s4), _s3, _s4 };
+    const M _s0 = lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_at_most(rate, rate_margin), lanes_less(bend, K(0.0))));
+    const M _s1 = lanes_less(K(0.0), clearance);
+    const M _s2 = lanes_both(_s0, lanes_either(lanes_at_most(lanes_sub(gap, margin), margin), _s1));
+    const M _s3 = lanes_both(_s0, _s1);
+    const M _s4 = lanes_both(lanes_both(_s2, lanes_not(_s3)), lanes_less(K(0.0), share));
+    return (LANES(hoop_struck_out)){ lanes_both(_s2, lanes_not(_s4)), _s3, _s4 };
 }
 
 /* The next smaller errors that a search allows for.
@@ -503,7 +441,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_finer_out)
 LANES(hoop_finer)(V share)
 {
-    return (LANES(hoop_finer_out)){ lanes_select((K(2.842170943040401e-14) < share), (K(0.03125) * share), K(0.0)) };
+    return (LANES(hoop_finer_out)){ lanes_select(lanes_less(K(2.842170943040401e-14), share), lanes_mul(K(0.03125), share), K(0.0)) };
 }
 
 /* A doubt where the errors exceed what is allowed for.
@@ -515,7 +453,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_exceeded_out)
 LANES(hoop_exceeded)(V doubt, V excess, V t)
 {
-    return (LANES(hoop_exceeded_out)){ lanes_select(((K(0.0) < excess) & (t < doubt)), t, doubt) };
+    return (LANES(hoop_exceeded_out)){ lanes_select(lanes_both(lanes_less(K(0.0), excess), lanes_less(t, doubt)), t, doubt) };
 }
 
 /* The search after a step: what it found, whether its window is exhausted, where it is.
@@ -531,9 +469,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_advanced_out)
 LANES(hoop_advanced)(V arrival, M certain, V end, M hit, V next, V root, V step, M sure, V t, M vague)
 {
-    const M _s0 = NOT(hit);
-    const M _s1 = (_s0 & NOT(vague)) & ((end - t) <= step);
-    return (LANES(hoop_advanced_out)){ lanes_select(hit, lanes_select(sure, root, t), arrival), certain | (hit & sure), _s1, _s0 & NOT(_s1), lanes_select((hit | vague), t, next) };
+    const M _s0 = lanes_not(hit);
+    const M _s1 = lanes_both(lanes_both(_s0, lanes_not(vague)), lanes_at_most(lanes_sub(end, t), step));
+    return (LANES(hoop_advanced_out)){ lanes_select(hit, lanes_select(sure, root, t), arrival), lanes_either(certain, lanes_both(hit, sure)), _s1, lanes_both(_s0, lanes_not(_s1)), lanes_select(lanes_either(hit, vague), t, next) };
 }
 
 /* Whether a search found an arrival.
@@ -545,7 +483,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_found_out)
 LANES(hoop_found)(V arrival)
 {
-    return (LANES(hoop_found_out)){ arrival < K(INFINITY) };
+    return (LANES(hoop_found_out)){ lanes_less(arrival, K(INFINITY)) };
 }
 
 /* A root that is certain, refined.
@@ -569,7 +507,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_own_margin_out)
 LANES(hoop_own_margin)(V arrival, V flat, V leaving, V tilt)
 {
-    return (LANES(hoop_own_margin_out)){ lanes_select((K(0.0) < leaving), (arrival * tilt), flat) };
+    return (LANES(hoop_own_margin_out)){ lanes_select(lanes_less(K(0.0), leaving), lanes_mul(arrival, tilt), flat) };
 }
 
 /* The time of an arrival, not before the flight.
@@ -581,7 +519,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_landed_out)
 LANES(hoop_landed)(V arrival)
 {
-    return (LANES(hoop_landed_out)){ lanes_select((arrival < K(0.0)), K(0.0), arrival) };
+    return (LANES(hoop_landed_out)){ lanes_select(lanes_less(arrival, K(0.0)), K(0.0), arrival) };
 }
 
 /* The delay of an arrival that is certain, a doubt about another one.
@@ -594,8 +532,20 @@ typedef struct {
 LANES_INLINE LANES(hoop_landed_surely_out)
 LANES(hoop_landed_surely)(M arrives, M certain, V clearance, V delay, V doubt, V time)
 {
-    const M _s0 = certain & (K(0.0) < clearance);
-    return (LANES(hoop_landed_surely_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(((arrives & NOT(_s0)) & (time < doubt)), time, doubt) };
+    const M _s0 = lanes_both(certain, lanes_less(K(0.0), clearance));
+    return (LANES(hoop_landed_surely_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(time, doubt)), time, doubt) };
+}
+
+/* A search that begins outside the surface.
+   Table 1. No operations. */
+typedef struct {
+    V side;
+} LANES(hoop_outside_out);
+
+LANES_INLINE LANES(hoop_outside_out)
+LANES(hoop_outside)(void)
+{
+    return (LANES(hoop_outside_out)){ K(1.0) };
 }
 
 /* Whether a shot can start, and whether that is in doubt.
@@ -608,8 +558,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_admitted_out)
 LANES(hoop_admitted)(V doubt, M finite, M permitted, V valid)
 {
-    const M _s0 = permitted & finite;
-    return (LANES(hoop_admitted_out)){ lanes_select((_s0 & (K(0.0) < valid)), K(-1.0), K(4.0)), lanes_select((_s0 & (K(0.0) < doubt)), K(1.0), K(0.0)) };
+    const M _s0 = lanes_both(permitted, finite);
+    return (LANES(hoop_admitted_out)){ lanes_select(lanes_both(_s0, lanes_less(K(0.0), valid)), K(-1.0), K(4.0)), lanes_select(lanes_both(_s0, lanes_less(K(0.0), doubt)), K(1.0), K(0.0)) };
 }
 
 /* Where every number of a state is finite.
@@ -621,8 +571,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_finite_state_out)
 LANES(hoop_finite_state)(V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
 {
-    const M _s0 = ((((lanes_abs(x) < K(INFINITY)) & (lanes_abs(y) < K(INFINITY))) & (lanes_abs(z) < K(INFINITY))) & (lanes_abs(vx) < K(INFINITY))) & (lanes_abs(vy) < K(INFINITY));
-    const M _s1 = (((_s0 & (lanes_abs(vz) < K(INFINITY))) & (lanes_abs(wx) < K(INFINITY))) & (lanes_abs(wy) < K(INFINITY))) & (lanes_abs(wz) < K(INFINITY));
+    const M _s0 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(lanes_abs(x), K(INFINITY)), lanes_less(lanes_abs(y), K(INFINITY))), lanes_less(lanes_abs(z), K(INFINITY))), lanes_less(lanes_abs(vx), K(INFINITY))), lanes_less(lanes_abs(vy), K(INFINITY)));
+    const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(_s0, lanes_less(lanes_abs(vz), K(INFINITY))), lanes_less(lanes_abs(wx), K(INFINITY))), lanes_less(lanes_abs(wy), K(INFINITY))), lanes_less(lanes_abs(wz), K(INFINITY)));
     return (LANES(hoop_finite_state_out)){ _s1 };
 }
 
@@ -638,7 +588,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_opening_out)
 LANES(hoop_opening)(V excess, V position_error, V velocity_error)
 {
-    return (LANES(hoop_opening_out)){ K(INFINITY), K(-1.0), K(0.0), lanes_select((((position_error < K(INFINITY)) & (velocity_error < K(INFINITY))) & (excess <= K(0.0))), K(INFINITY), K(0.0)) };
+    return (LANES(hoop_opening_out)){ K(INFINITY), K(-1.0), K(0.0), lanes_select(lanes_both(lanes_both(lanes_less(position_error, K(INFINITY)), lanes_less(velocity_error, K(INFINITY))), lanes_at_most(excess, K(0.0))), K(INFINITY), K(0.0)) };
 }
 
 /* Whether there is no event, the end, or a contact.
@@ -653,10 +603,10 @@ typedef struct {
 LANES_INLINE LANES(hoop_departed_out)
 LANES(hoop_departed)(V index, V which)
 {
-    const M _s0 = which < K(0.0);
-    const M _s1 = NOT(_s0);
-    const M _s2 = which == index;
-    return (LANES(hoop_departed_out)){ _s0, _s1, _s2, _s1 & NOT(_s2) };
+    const M _s0 = lanes_less(which, K(0.0));
+    const M _s1 = lanes_not(_s0);
+    const M _s2 = lanes_equal(which, index);
+    return (LANES(hoop_departed_out)){ _s0, _s1, _s2, lanes_both(_s1, lanes_not(_s2)) };
 }
 
 /* The time of the event.
@@ -668,7 +618,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_ticked_out)
 LANES(hoop_ticked)(V clock, V when)
 {
-    return (LANES(hoop_ticked_out)){ clock + when };
+    return (LANES(hoop_ticked_out)){ lanes_add(clock, when) };
 }
 
 /* 1 where a decision up to this event, or on the target, lies within its error.
@@ -680,7 +630,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_doubted_out)
 LANES(hoop_doubted)(V doubt, M ends, V late, V miss, V slack, V uncertain, V when)
 {
-    const V _s0 = lanes_select(((NOT(((late + when) < doubt)) & (doubt < K(INFINITY))) | (ends & (lanes_abs(miss) <= slack))), K(1.0), uncertain);
+    const V _s0 = lanes_select(lanes_either(lanes_both(lanes_not(lanes_less(lanes_add(late, when), doubt)), lanes_less(doubt, K(INFINITY))), lanes_both(ends, lanes_at_most(lanes_abs(miss), slack))), K(1.0), uncertain);
     return (LANES(hoop_doubted_out)){ _s0 };
 }
 
@@ -694,8 +644,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_accounted_out)
 LANES(hoop_accounted)(V contacts, M ends, V miss, V most_contacts, M touches)
 {
-    const V _s0 = K(1.0) + contacts;
-    return (LANES(hoop_accounted_out)){ lanes_select(touches, _s0, contacts), lanes_select(touches, lanes_select((most_contacts <= _s0), K(2.0), K(-1.0)), lanes_select(ends, lanes_select((miss <= K(0.0)), K(0.0), K(1.0)), K(3.0))) };
+    const V _s0 = lanes_add(K(1.0), contacts);
+    return (LANES(hoop_accounted_out)){ lanes_select(touches, _s0, contacts), lanes_select(touches, lanes_select(lanes_at_most(most_contacts, _s0), K(2.0), K(-1.0)), lanes_select(ends, lanes_select(lanes_at_most(miss, K(0.0)), K(0.0), K(1.0)), K(3.0))) };
 }
 
 /* Where an event changes the ball, or its errors are asked for.
@@ -707,7 +657,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_meeting_out)
 LANES(hoop_meeting)(V claims, M ends, M touches)
 {
-    return (LANES(hoop_meeting_out)){ touches | (ends & (K(0.0) < claims)) };
+    return (LANES(hoop_meeting_out)){ lanes_either(touches, lanes_both(ends, lanes_less(K(0.0), claims))) };
 }
 
 /* Whether the event is on a surface.
@@ -719,7 +669,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_here_out)
 LANES(hoop_here)(V index, V which)
 {
-    return (LANES(hoop_here_out)){ which == index };
+    return (LANES(hoop_here_out)){ lanes_equal(which, index) };
 }
 
 /* One more contact.
@@ -731,7 +681,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_counted_out)
 LANES(hoop_counted)(V count)
 {
-    return (LANES(hoop_counted_out)){ K(1.0) + count };
+    return (LANES(hoop_counted_out)){ lanes_add(K(1.0), count) };
 }
 
 /* A ball that meets another surface.
@@ -755,7 +705,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_again_out)
 LANES(hoop_again)(V index, V last, V which)
 {
-    return (LANES(hoop_again_out)){ (which == index) & (last == which) };
+    return (LANES(hoop_again_out)){ lanes_both(lanes_equal(which, index), lanes_equal(last, which)) };
 }
 
 /* The error of the event's time.
@@ -767,7 +717,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_delayed_out)
 LANES(hoop_delayed)(V clock_error, V delay)
 {
-    return (LANES(hoop_delayed_out)){ clock_error + delay };
+    return (LANES(hoop_delayed_out)){ lanes_add(clock_error, delay) };
 }
 
 /* Errors of the position at the end, not below what one flight can make.
@@ -781,7 +731,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_floored_out)
 LANES(hoop_floored)(V dx, V dy, V dz, V shift)
 {
-    return (LANES(hoop_floored_out)){ lanes_select((lanes_abs(dx) < shift), shift, dx), lanes_select((lanes_abs(dy) < shift), shift, dy), lanes_select((lanes_abs(dz) < shift), shift, dz) };
+    return (LANES(hoop_floored_out)){ lanes_select(lanes_less(lanes_abs(dx), shift), shift, dx), lanes_select(lanes_less(lanes_abs(dy), shift), shift, dy), lanes_select(lanes_less(lanes_abs(dz), shift), shift, dz) };
 }
 
 /* A normal without error.
@@ -809,7 +759,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_touched_out)
 LANES(hoop_touched)(V body, V first, V which)
 {
-    return (LANES(hoop_touched_out)){ lanes_select((first < K(0.0)), body, first), which };
+    return (LANES(hoop_touched_out)){ lanes_select(lanes_less(first, K(0.0)), body, first), which };
 }
 
 /* Where a shot has ended whose errors are asked for.
@@ -821,7 +771,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_closing_out)
 LANES(hoop_closing)(V claims, V outcome)
 {
-    return (LANES(hoop_closing_out)){ (K(0.0) < claims) & (K(0.0) <= outcome) };
+    return (LANES(hoop_closing_out)){ lanes_both(lanes_less(K(0.0), claims), lanes_at_most(K(0.0), outcome)) };
 }
 
 /* The body that the event is on.
@@ -850,14 +800,14 @@ typedef struct {
 LANES_INLINE LANES(hoop_impact_out)
 LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ball_radius, V p_restitution)
 {
-    const V _s0 = K(0.4) * p_ball_radius;
-    const V _s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
-    const V _s2 = (_s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * _s1)));
-    const V _s3 = (_s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * _s1)));
-    const V _s4 = (_s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * _s1)));
-    const V _s5 = ((nx * wx) + (ny * wy)) + (nz * wz);
-    const V _s6 = K(1.0) / p_ball_radius;
-    return (LANES(hoop_impact_out)){ _s2 - ((nx * p_restitution) * _s1), _s3 - ((ny * p_restitution) * _s1), _s4 - ((nz * p_restitution) * _s1), (nx * _s5) + (_s6 * ((ny * _s4) - (nz * _s3))), (ny * _s5) + (_s6 * ((nz * _s2) - (nx * _s4))), (nz * _s5) + (_s6 * ((nx * _s3) - (ny * _s2))) };
+    const V _s0 = lanes_mul(K(0.4), p_ball_radius);
+    const V _s1 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s2 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))), lanes_mul(K(0.6), lanes_sub(vx, lanes_mul(nx, _s1))));
+    const V _s3 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, _s1))));
+    const V _s4 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, _s1))));
+    const V _s5 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
+    const V _s6 = lanes_div(K(1.0), p_ball_radius);
+    return (LANES(hoop_impact_out)){ lanes_sub(_s2, lanes_mul(lanes_mul(nx, p_restitution), _s1)), lanes_sub(_s3, lanes_mul(lanes_mul(ny, p_restitution), _s1)), lanes_sub(_s4, lanes_mul(lanes_mul(nz, p_restitution), _s1)), lanes_add(lanes_mul(nx, _s5), lanes_mul(_s6, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s3)))), lanes_add(lanes_mul(ny, _s5), lanes_mul(_s6, lanes_sub(lanes_mul(nz, _s2), lanes_mul(nx, _s4)))), lanes_add(lanes_mul(nz, _s5), lanes_mul(_s6, lanes_sub(lanes_mul(nx, _s3), lanes_mul(ny, _s2)))) };
 }
 
 /* Errors of velocity and spin after a contact, from those before it.
@@ -874,51 +824,43 @@ typedef struct {
 LANES_INLINE LANES(hoop_carry_impact_out)
 LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V p_ball_radius, V p_restitution)
 {
-    const V _s0 = K(0.4) * p_ball_radius;
-    const V _s1 = ((nx * vx) + (ny * vy)) + (nz * vz);
-    const V _s2 = (((((dnx * vx) + (dny * vy)) + (dnz * vz)) + (dvx * nx)) + (dvy * ny)) + (dvz * nz);
-    const V _s3 = (_s0 * ((((dnz * wy) + (dwy * nz)) - (dny * wz)) - (dwz * ny))) + (K(0.6) * ((dvx - (dnx * _s1)) - (nx * _s2)));
-    const V _s4 = (_s3 - ((dnx * p_restitution) * _s1)) - ((nx * p_restitution) * _s2);
-    const V _s5 = ((p_ball_radius * ((lanes_abs(wx) + lanes_abs(wy)) + lanes_abs(wz))) + lanes_abs(vx)) + lanes_abs(vy);
-    const V _s6 = _s5 + lanes_abs(vz);
-    const V _s7 = K(2.220446049250313e-16) * _s6;
-    const V _s8 = -_s7;
-    const V _s9 = _s4 + lanes_select((_s4 < K(0.0)), _s8, _s7);
-    const V _s10 = K(8.0) + (K(8.0) * contacts);
-    const V _s11 = lanes_abs(dwx);
-    const V _s12 = lanes_abs(dwy);
-    const V _s13 = lanes_select((_s11 < _s12), _s12, _s11);
-    const V _s14 = lanes_abs(dwz);
-    const V _s15 = lanes_abs(dvx);
-    const V _s16 = lanes_abs(dvy);
-    const V _s17 = lanes_select((_s15 < _s16), _s16, _s15);
-    const V _s18 = lanes_abs(dvz);
-    const V _s19 = ((p_ball_radius * lanes_select((_s13 < _s14), _s14, _s13)) + (turn * _s6)) + lanes_select((_s17 < _s18), _s18, _s17);
-    const V _s20 = _s19 / _s10;
-    const V _s21 = -_s20;
-    const V _s22 = (_s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (K(0.6) * ((dvy - (dny * _s1)) - (ny * _s2)));
-    const V _s23 = (_s22 - ((dny * p_restitution) * _s1)) - ((ny * p_restitution) * _s2);
-    const V _s24 = _s23 + lanes_select((_s23 < K(0.0)), _s8, _s7);
-    const V _s25 = (_s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (K(0.6) * ((dvz - (dnz * _s1)) - (nz * _s2)));
-    const V _s26 = (_s25 - ((dnz * p_restitution) * _s1)) - ((nz * p_restitution) * _s2);
-    const V _s27 = _s26 + lanes_select((_s26 < K(0.0)), _s8, _s7);
-    const V _s28 = ((nx * wx) + (ny * wy)) + (nz * wz);
-    const V _s29 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz);
-    const V _s30 = K(1.0) / p_ball_radius;
-    const V _s31 = (_s0 * ((ny * wx) - (nx * wy))) + (K(0.6) * (vz - (nz * _s1)));
-    const V _s32 = (_s0 * ((nx * wz) - (nz * wx))) + (K(0.6) * (vy - (ny * _s1)));
-    const V _s33 = ((dnx * _s28) + (nx * _s29)) + (_s30 * ((((dny * _s31) + (ny * _s25)) - (dnz * _s32)) - (nz * _s22)));
-    const V _s34 = _s7 / p_ball_radius;
-    const V _s35 = -_s34;
-    const V _s36 = _s33 + lanes_select((_s33 < K(0.0)), _s35, _s34);
-    const V _s37 = _s19 / (p_ball_radius * _s10);
-    const V _s38 = -_s37;
-    const V _s39 = (_s0 * ((nz * wy) - (ny * wz))) + (K(0.6) * (vx - (nx * _s1)));
-    const V _s40 = ((dny * _s28) + (ny * _s29)) + (_s30 * ((((dnz * _s39) + (nz * _s3)) - (dnx * _s31)) - (nx * _s25)));
-    const V _s41 = _s40 + lanes_select((_s40 < K(0.0)), _s35, _s34);
-    const V _s42 = ((dnz * _s28) + (nz * _s29)) + (_s30 * ((((dnx * _s32) + (nx * _s22)) - (dny * _s39)) - (ny * _s3)));
-    const V _s43 = _s42 + lanes_select((_s42 < K(0.0)), _s35, _s34);
-    return (LANES(hoop_carry_impact_out)){ lanes_select((lanes_abs(_s9) < _s20), lanes_select((_s9 < K(0.0)), _s21, _s20), _s9), lanes_select((lanes_abs(_s24) < _s20), lanes_select((_s24 < K(0.0)), _s21, _s20), _s24), lanes_select((lanes_abs(_s27) < _s20), lanes_select((_s27 < K(0.0)), _s21, _s20), _s27), lanes_select((lanes_abs(_s36) < _s37), lanes_select((_s36 < K(0.0)), _s38, _s37), _s36), lanes_select((lanes_abs(_s41) < _s37), lanes_select((_s41 < K(0.0)), _s38, _s37), _s41), lanes_select((lanes_abs(_s43) < _s37), lanes_select((_s43 < K(0.0)), _s38, _s37), _s43) };
+    const V _s0 = lanes_mul(K(0.4), p_ball_radius);
+    const V _s1 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
+    const V _s3 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvx, lanes_mul(dnx, _s1)), lanes_mul(nx, _s2))));
+    const V _s4 = lanes_sub(lanes_sub(_s3, lanes_mul(lanes_mul(dnx, p_restitution), _s1)), lanes_mul(lanes_mul(nx, p_restitution), _s2));
+    const V _s5 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s6 = lanes_add(_s5, lanes_abs(vz));
+    const V _s7 = lanes_mul(K(2.220446049250313e-16), _s6);
+    const V _s8 = lanes_neg(_s7);
+    const V _s9 = lanes_add(_s4, lanes_select(lanes_less(_s4, K(0.0)), _s8, _s7));
+    const V _s10 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
+    const V _s11 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(lanes_max(lanes_abs(dwx), lanes_abs(dwy)), lanes_abs(dwz))), lanes_mul(turn, _s6)), lanes_max(lanes_max(lanes_abs(dvx), lanes_abs(dvy)), lanes_abs(dvz)));
+    const V _s12 = lanes_div(_s11, _s10);
+    const V _s13 = lanes_neg(_s12);
+    const V _s14 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s1)), lanes_mul(ny, _s2))));
+    const V _s15 = lanes_sub(lanes_sub(_s14, lanes_mul(lanes_mul(dny, p_restitution), _s1)), lanes_mul(lanes_mul(ny, p_restitution), _s2));
+    const V _s16 = lanes_add(_s15, lanes_select(lanes_less(_s15, K(0.0)), _s8, _s7));
+    const V _s17 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s1)), lanes_mul(nz, _s2))));
+    const V _s18 = lanes_sub(lanes_sub(_s17, lanes_mul(lanes_mul(dnz, p_restitution), _s1)), lanes_mul(lanes_mul(nz, p_restitution), _s2));
+    const V _s19 = lanes_add(_s18, lanes_select(lanes_less(_s18, K(0.0)), _s8, _s7));
+    const V _s20 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
+    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, wx), lanes_mul(dny, wy)), lanes_mul(dnz, wz)), lanes_mul(dwx, nx)), lanes_mul(dwy, ny)), lanes_mul(dwz, nz));
+    const V _s22 = lanes_div(K(1.0), p_ball_radius);
+    const V _s23 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, _s1))));
+    const V _s24 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, _s1))));
+    const V _s25 = lanes_add(lanes_add(lanes_mul(dnx, _s20), lanes_mul(nx, _s21)), lanes_mul(_s22, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s23), lanes_mul(ny, _s17)), lanes_mul(dnz, _s24)), lanes_mul(nz, _s14))));
+    const V _s26 = lanes_div(_s7, p_ball_radius);
+    const V _s27 = lanes_neg(_s26);
+    const V _s28 = lanes_add(_s25, lanes_select(lanes_less(_s25, K(0.0)), _s27, _s26));
+    const V _s29 = lanes_div(_s11, lanes_mul(p_ball_radius, _s10));
+    const V _s30 = lanes_neg(_s29);
+    const V _s31 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))), lanes_mul(K(0.6), lanes_sub(vx, lanes_mul(nx, _s1))));
+    const V _s32 = lanes_add(lanes_add(lanes_mul(dny, _s20), lanes_mul(ny, _s21)), lanes_mul(_s22, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s31), lanes_mul(nz, _s3)), lanes_mul(dnx, _s23)), lanes_mul(nx, _s17))));
+    const V _s33 = lanes_add(_s32, lanes_select(lanes_less(_s32, K(0.0)), _s27, _s26));
+    const V _s34 = lanes_add(lanes_add(lanes_mul(dnz, _s20), lanes_mul(nz, _s21)), lanes_mul(_s22, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s24), lanes_mul(nx, _s14)), lanes_mul(dny, _s31)), lanes_mul(ny, _s3))));
+    const V _s35 = lanes_add(_s34, lanes_select(lanes_less(_s34, K(0.0)), _s27, _s26));
+    return (LANES(hoop_carry_impact_out)){ lanes_select(lanes_less(lanes_abs(_s9), _s12), lanes_select(lanes_less(_s9, K(0.0)), _s13, _s12), _s9), lanes_select(lanes_less(lanes_abs(_s16), _s12), lanes_select(lanes_less(_s16, K(0.0)), _s13, _s12), _s16), lanes_select(lanes_less(lanes_abs(_s19), _s12), lanes_select(lanes_less(_s19, K(0.0)), _s13, _s12), _s19), lanes_select(lanes_less(lanes_abs(_s28), _s29), lanes_select(lanes_less(_s28, K(0.0)), _s30, _s29), _s28), lanes_select(lanes_less(lanes_abs(_s33), _s29), lanes_select(lanes_less(_s33, K(0.0)), _s30, _s29), _s33), lanes_select(lanes_less(lanes_abs(_s35), _s29), lanes_select(lanes_less(_s35, K(0.0)), _s30, _s29), _s35) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -932,10 +874,10 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_normal_out)
 LANES(hoop_ring_normal)(V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius)
 {
-    const V _s0 = K(1.0) / (p_ball_radius + p_wire_radius);
-    const V _s1 = lanes_sqrt(((x * x) + (y * y)));
-    const V _s2 = (_s0 * (_s1 - p_ring_radius)) * (K(1.0) / _s1);
-    return (LANES(hoop_ring_normal_out)){ x * _s2, y * _s2, z * _s0 };
+    const V _s0 = lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius));
+    const V _s1 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s2 = lanes_mul(lanes_mul(_s0, lanes_sub(_s1, p_ring_radius)), lanes_div(K(1.0), _s1));
+    return (LANES(hoop_ring_normal_out)){ lanes_mul(x, _s2), lanes_mul(y, _s2), lanes_mul(z, _s0) };
 }
 
 /* Bound on the rate at which the normal turns along the contact surface.
@@ -947,9 +889,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_curvature_out)
 LANES(hoop_ring_curvature)(V p_ball_radius, V p_ring_radius, V p_wire_radius)
 {
-    const V _s0 = (p_ring_radius - p_ball_radius) - p_wire_radius;
-    const V _s1 = p_ball_radius + p_wire_radius;
-    return (LANES(hoop_ring_curvature_out)){ K(1.0) / lanes_select((_s0 < _s1), _s0, _s1) };
+    return (LANES(hoop_ring_curvature_out)){ lanes_div(K(1.0), lanes_min(lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius), lanes_add(p_ball_radius, p_wire_radius))) };
 }
 
 /* Error of the normal, from that of the position.
@@ -964,16 +904,15 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_carry_normal_out)
 LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V p_ball_radius, V p_ring_radius, V p_wire_radius)
 {
-    const V _s0 = p_ball_radius + p_wire_radius;
-    const V _s1 = K(1.0) / _s0;
-    const V _s2 = lanes_sqrt(((x * x) + (y * y)));
-    const V _s3 = _s2 - p_ring_radius;
-    const V _s4 = K(1.0) / _s2;
-    const V _s5 = (_s1 * _s3) * _s4;
-    const V _s6 = (K(0.5) * (((K(2.0) * dx) * x) + ((K(2.0) * dy) * y))) / _s2;
-    const V _s7 = ((_s6 * _s1) * _s4) + (((-(_s6 * (_s4 * _s4))) * _s1) * _s3);
-    const V _s8 = (p_ring_radius - p_ball_radius) - p_wire_radius;
-    return (LANES(hoop_ring_carry_normal_out)){ (dx * _s5) + (x * _s7), (dy * _s5) + (y * _s7), dz * _s1, shift * (K(1.0) / lanes_select((_s8 < _s0), _s8, _s0)) };
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_div(K(1.0), _s0);
+    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s3 = lanes_sub(_s2, p_ring_radius);
+    const V _s4 = lanes_div(K(1.0), _s2);
+    const V _s5 = lanes_mul(lanes_mul(_s1, _s3), _s4);
+    const V _s6 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), dx), x), lanes_mul(lanes_mul(K(2.0), dy), y))), _s2);
+    const V _s7 = lanes_add(lanes_mul(lanes_mul(_s6, _s1), _s4), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s6, lanes_mul(_s4, _s4))), _s1), _s3));
+    return (LANES(hoop_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, _s5), lanes_mul(x, _s7)), lanes_add(lanes_mul(dy, _s5), lanes_mul(y, _s7)), lanes_mul(dz, _s1), lanes_mul(shift, lanes_div(K(1.0), lanes_min(lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius), _s0))) };
 }
 
 /* Positive if there certainly is no contact before the horizon.
@@ -985,48 +924,45 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_clear_out)
 LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
-    const V _s0 = p_ball_radius + p_wire_radius;
-    const V _s1 = (K(0.000244140625) * p_ring_radius) - (p_ring_radius - _s0);
-    const V _s2 = position_error + (horizon * velocity_error);
-    const V _s3 = (_s2 - (K(1.52587890625e-05) * p_ball_radius)) - (K(1.52587890625e-05) * p_wire_radius);
-    const V _s4 = K(1.00006103515625) * _s0;
-    const V _s5 = p_ring_radius + _s4;
-    const V _s6 = vz * vz;
-    const V _s7 = _s6 + ((K(2.0) * p_gravity) * (z - _s4));
-    const V _s8 = K(1.0) / p_gravity;
-    const V _s9 = lanes_sqrt(_s7);
-    const V _s10 = _s8 * (vz - _s9);
-    const V _s11 = _s8 * (vz + _s9);
-    const V _s12 = x + (vx * _s11);
-    const V _s13 = y + (vy * _s11);
-    const V _s14 = (_s12 * _s12) + (_s13 * _s13);
-    const V _s15 = lanes_sqrt(_s14);
-    const V _s16 = _s15 - p_ring_radius;
-    const V _s17 = z + ((vz - ((K(0.5) * p_gravity) * _s11)) * _s11);
-    const V _s18 = _s5 * _s5;
-    const V _s19 = K(9.313225746154785e-10) * _s18;
-    const V _s20 = (((_s16 * _s16) + (_s17 * _s17)) - (_s0 * _s0)) - _s19;
-    const V _s21 = (vx * vx) + (vy * vy);
-    const V _s22 = p_ring_radius - _s4;
-    const V _s23 = K(0.0001220703125) * p_ring_radius;
-    const V _s24 = lanes_select((_s22 < _s23), _s23, _s22);
-    const V _s25 = _s24 * _s24;
-    const V _s26 = _s24 * _s25;
-    const V _s27 = ((((K(2.0) * _s6) + ((K(4.0) * p_gravity) * z)) + (K(2.0) * _s21)) - ((K(6.0003662109375) * p_gravity) * _s0)) * _s26;
-    const V _s28 = (vy * x) - (vx * y);
-    const V _s29 = _s28 * _s28;
-    const V _s30 = _s27 - ((K(2.0) * p_ring_radius) * _s29);
-    const V _s31 = (_s16 * ((vx * _s12) + (vy * _s13))) + ((_s17 * (vz - (p_gravity * _s11))) * _s15);
-    const V _s32 = x + (horizon * vx);
-    const V _s33 = y + (horizon * vy);
-    const V _s34 = lanes_select(((((_s19 + (_s32 * _s32)) + (_s33 * _s33)) - _s25) < K(0.0)), K(1.0), lanes_select((((_s21 * (_s19 + _s25)) - _s29) < K(0.0)), K(1.0), K(0.0)));
-    const V _s35 = lanes_select(((((K(4.0) * (_s31 * _s31)) * _s26) - (((K(2.0) * _s30) * _s14) * _s20)) < K(0.0)), _s34, K(0.0));
-    const V _s36 = lanes_select((horizon < (_s11 - (K(9.313225746154785e-10) * horizon))), K(1.0), lanes_select((K(0.0) < _s20), lanes_select((K(0.0) < _s30), _s35, K(0.0)), K(0.0)));
-    const V _s37 = (vx * x) + (vy * y);
-    const V _s38 = (_s10 * _s21) + _s37;
-    const V _s39 = lanes_select((_s38 < K(0.0)), lanes_select((_s18 < ((_s10 * (_s37 + _s38)) + ((x * x) + (y * y)))), _s36, K(0.0)), K(0.0));
-    const V _s40 = lanes_select(((extent + (horizon * (speed + (p_gravity * horizon)))) < (K(65536.0) * _s5)), lanes_select((K(0.0) < _s7), lanes_select((_s10 < K(0.0)), _s36, _s39), K(0.0)), K(0.0));
-    return (LANES(hoop_ring_clear_out)){ lanes_select((K(0.0) < lanes_select((_s1 < _s3), _s3, _s1)), K(0.0), lanes_select((_s2 < (K(5.820766091346741e-11) * _s5)), _s40, K(0.0))) };
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_add(position_error, lanes_mul(horizon, velocity_error));
+    const V _s2 = lanes_mul(K(1.00006103515625), _s0);
+    const V _s3 = lanes_add(p_ring_radius, _s2);
+    const V _s4 = lanes_mul(vz, vz);
+    const V _s5 = lanes_add(_s4, lanes_mul(lanes_mul(K(2.0), p_gravity), lanes_sub(z, _s2)));
+    const V _s6 = lanes_div(K(1.0), p_gravity);
+    const V _s7 = lanes_sqrt(_s5);
+    const V _s8 = lanes_mul(_s6, lanes_sub(vz, _s7));
+    const V _s9 = lanes_mul(_s6, lanes_add(vz, _s7));
+    const V _s10 = lanes_add(x, lanes_mul(vx, _s9));
+    const V _s11 = lanes_add(y, lanes_mul(vy, _s9));
+    const V _s12 = lanes_add(lanes_mul(_s10, _s10), lanes_mul(_s11, _s11));
+    const V _s13 = lanes_sqrt(_s12);
+    const V _s14 = lanes_sub(_s13, p_ring_radius);
+    const V _s15 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), _s9)), _s9));
+    const V _s16 = lanes_mul(_s3, _s3);
+    const V _s17 = lanes_mul(K(9.313225746154785e-10), _s16);
+    const V _s18 = lanes_sub(lanes_sub(lanes_add(lanes_mul(_s14, _s14), lanes_mul(_s15, _s15)), lanes_mul(_s0, _s0)), _s17);
+    const V _s19 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
+    const V _s20 = lanes_max(lanes_sub(p_ring_radius, _s2), lanes_mul(K(0.0001220703125), p_ring_radius));
+    const V _s21 = lanes_mul(_s20, _s20);
+    const V _s22 = lanes_mul(_s20, _s21);
+    const V _s23 = lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), _s4), lanes_mul(lanes_mul(K(4.0), p_gravity), z)), lanes_mul(K(2.0), _s19)), lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0)), _s22);
+    const V _s24 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V _s25 = lanes_mul(_s24, _s24);
+    const V _s26 = lanes_sub(_s23, lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s25));
+    const V _s27 = lanes_add(lanes_mul(_s14, lanes_add(lanes_mul(vx, _s10), lanes_mul(vy, _s11))), lanes_mul(lanes_mul(_s15, lanes_sub(vz, lanes_mul(p_gravity, _s9))), _s13));
+    const V _s28 = lanes_add(x, lanes_mul(horizon, vx));
+    const V _s29 = lanes_add(y, lanes_mul(horizon, vy));
+    const V _s30 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(_s17, lanes_mul(_s28, _s28)), lanes_mul(_s29, _s29)), _s21), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(_s19, lanes_add(_s17, _s21)), _s25), K(0.0)), K(1.0), K(0.0)));
+    const V _s31 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s27, _s27)), _s22), lanes_mul(lanes_mul(lanes_mul(K(2.0), _s26), _s12), _s18)), K(0.0)), _s30, K(0.0));
+    const V _s32 = lanes_select(lanes_less(horizon, lanes_sub(_s9, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), _s18), lanes_select(lanes_less(K(0.0), _s26), _s31, K(0.0)), K(0.0)));
+    const V _s33 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s34 = lanes_add(lanes_mul(_s8, _s19), _s33);
+    const V _s35 = lanes_select(lanes_less(_s34, K(0.0)), lanes_select(lanes_less(_s16, lanes_add(lanes_mul(_s8, lanes_add(_s33, _s34)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), _s32, K(0.0)), K(0.0));
+    const V _s36 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon)))), lanes_mul(K(65536.0), _s3)), lanes_select(lanes_less(K(0.0), _s5), lanes_select(lanes_less(_s8, K(0.0)), _s32, _s35), K(0.0)), K(0.0));
+    const V _s37 = lanes_select(lanes_less(K(0.0), lanes_max(lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)), lanes_sub(lanes_sub(_s1, lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius)))), K(0.0), lanes_select(lanes_less(_s1, lanes_mul(K(5.820766091346741e-11), _s3)), _s36, K(0.0)));
+    return (LANES(hoop_ring_clear_out)){ _s37 };
 }
 
 /* Constants and windows of the search along a flight, and the errors it allows for.
@@ -1049,67 +985,55 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_prepare_out)
 LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
-    const V _s0 = vz * vz;
-    const V _s1 = (vx * vx) + (vy * vy);
-    const V _s2 = ((K(2.0) * _s0) + ((K(4.0) * p_gravity) * z)) + (K(2.0) * _s1);
-    const V _s3 = (vy * x) - (vx * y);
-    const V _s4 = _s3 * _s3;
-    const V _s5 = (K(2.0) * p_ring_radius) * _s4;
-    const V _s6 = (x * x) + (y * y);
-    const V _s7 = p_ball_radius + p_wire_radius;
-    const V _s8 = K(1.00006103515625) * _s7;
-    const V _s9 = K(2.0) * p_gravity;
-    const V _s10 = K(8.881784197001252e-16) * (_s0 + (_s9 * (lanes_abs(z) + _s8)));
-    const V _s11 = (_s0 + (_s9 * (z + _s8))) + _s10;
-    const V _s12 = K(1.0) / p_gravity;
+    const V _s0 = lanes_mul(vz, vz);
+    const V _s1 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
+    const V _s2 = lanes_add(lanes_add(lanes_mul(K(2.0), _s0), lanes_mul(lanes_mul(K(4.0), p_gravity), z)), lanes_mul(K(2.0), _s1));
+    const V _s3 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V _s4 = lanes_mul(_s3, _s3);
+    const V _s5 = lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s4);
+    const V _s6 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
+    const V _s7 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s8 = lanes_mul(K(1.00006103515625), _s7);
+    const V _s9 = lanes_mul(K(2.0), p_gravity);
+    const V _s10 = lanes_mul(K(8.881784197001252e-16), lanes_add(_s0, lanes_mul(_s9, lanes_add(lanes_abs(z), _s8))));
+    const V _s11 = lanes_add(lanes_add(_s0, lanes_mul(_s9, lanes_add(z, _s8))), _s10);
+    const V _s12 = lanes_div(K(1.0), p_gravity);
     const V _s13 = lanes_sqrt(_s11);
-    const V _s14 = K(1.7763568394002505e-15) * (lanes_abs(vz) + _s13);
-    const M _s15 = K(0.0) <= _s11;
-    const V _s16 = lanes_select(_s15, (_s12 * ((vz - _s13) - _s14)), K(INFINITY));
-    const V _s17 = p_ring_radius + _s8;
-    const V _s18 = _s17 * _s17;
-    const V _s19 = (K(1.7763568394002505e-15) * _s1) * (_s18 + _s6);
-    const V _s20 = ((_s18 * _s1) + _s19) - _s4;
-    const V _s21 = (vx * x) + (vy * y);
+    const V _s14 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_abs(vz), _s13));
+    const M _s15 = lanes_at_most(K(0.0), _s11);
+    const V _s16 = lanes_select(_s15, lanes_mul(_s12, lanes_sub(lanes_sub(vz, _s13), _s14)), K(INFINITY));
+    const V _s17 = lanes_add(p_ring_radius, _s8);
+    const V _s18 = lanes_mul(_s17, _s17);
+    const V _s19 = lanes_mul(lanes_mul(K(1.7763568394002505e-15), _s1), lanes_add(_s18, _s6));
+    const V _s20 = lanes_sub(lanes_add(lanes_mul(_s18, _s1), _s19), _s4);
+    const V _s21 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
     const V _s22 = lanes_sqrt(_s20);
-    const V _s23 = K(1.7763568394002505e-15) * ((lanes_abs(_s21) + lanes_abs(_s3)) + _s22);
-    const V _s24 = K(1.0) / _s1;
-    const M _s25 = K(0.0) <= _s20;
-    const M _s26 = K(2.409919865102884e-181) < _s1;
-    const V _s27 = lanes_select(_s26, lanes_select(_s25, ((-((_s21 + _s22) + _s23)) * _s24), K(INFINITY)), (-K(INFINITY)));
-    const V _s28 = lanes_select((_s16 < _s27), _s27, _s16);
-    const V _s29 = p_ring_radius - _s8;
-    const V _s30 = K(0.0001220703125) * p_ring_radius;
-    const V _s31 = lanes_select((_s29 < _s30), _s30, _s29);
-    const V _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4;
-    const V _s33 = lanes_sqrt(lanes_select((_s32 < K(0.0)), K(0.0), _s32));
-    const V _s34 = lanes_select(_s26, lanes_select(_s25, (((_s22 + _s23) - _s21) * _s24), (-K(INFINITY))), K(INFINITY));
-    const M _s35 = K(0.0) < lanes_select(_s26, _s32, K(0.0));
-    const V _s36 = lanes_select(_s35, (((_s23 - _s21) - _s33) * _s24), _s34);
-    const V _s37 = (_s0 + (_s9 * (z - _s8))) - _s10;
-    const V _s38 = lanes_sqrt(lanes_select((_s37 < K(0.0)), K(0.0), _s37));
-    const V _s39 = lanes_select(_s15, (_s12 * ((vz + _s13) + _s14)), (-K(INFINITY)));
-    const M _s40 = K(0.0) < _s37;
-    const V _s41 = lanes_select(_s40, (_s12 * ((vz + _s14) - _s38)), _s39);
-    const V _s42 = lanes_select((_s36 < _s41), _s36, _s41);
-    const V _s43 = lanes_select(_s35, (((_s33 - _s21) - _s23) * _s24), K(INFINITY));
-    const V _s44 = lanes_select((_s43 < _s36), _s36, _s43);
-    const V _s45 = lanes_select((_s16 < _s44), _s44, _s16);
-    const V _s46 = lanes_select((_s34 < _s41), _s34, _s41);
-    const V _s47 = lanes_select(_s40, (_s12 * ((vz + _s38) - _s14)), K(INFINITY));
-    const V _s48 = lanes_select((_s47 < _s41), _s41, _s47);
-    const M _s49 = _s45 <= _s46;
-    const V _s50 = lanes_select(_s49, _s45, lanes_select((_s48 < _s27), _s27, _s48));
-    const V _s51 = lanes_select(_s49, _s46, lanes_select((_s36 < _s39), _s36, _s39));
-    const V _s52 = lanes_select((_s48 < _s44), _s44, _s48);
-    const V _s53 = lanes_select((_s34 < _s39), _s34, _s39);
-    const V _s54 = K(1.0) / _s31;
-    const V _s55 = lanes_select((K(0.0) < _s42), _s42, K(0.0));
-    const V _s56 = lanes_select((_s55 < _s51), _s51, _s55);
-    const V _s57 = lanes_select((_s56 < _s53), _s53, _s56);
-    const V _s58 = (K(0.000244140625) * p_ring_radius) - (p_ring_radius - _s7);
-    const V _s59 = ((position_error + (horizon * velocity_error)) - (K(1.52587890625e-05) * p_ball_radius)) - (K(1.52587890625e-05) * p_wire_radius);
-    return (LANES(hoop_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_select((K(0.0) < _s28), _s28, K(0.0)), lanes_select((_s42 < horizon), _s42, horizon), lanes_select((K(0.0) < _s50), _s50, K(0.0)), lanes_select((_s51 < horizon), _s51, horizon), lanes_select((K(0.0) < _s52), _s52, K(0.0)), lanes_select((_s53 < horizon), _s53, horizon), (((K(6.0003662109375) * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + lanes_abs(_s2), lanes_select((_s57 < horizon), _s57, horizon), lanes_select((_s58 < _s59), _s59, _s58) };
+    const V _s23 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_abs(_s21), lanes_abs(_s3)), _s22));
+    const V _s24 = lanes_div(K(1.0), _s1);
+    const M _s25 = lanes_at_most(K(0.0), _s20);
+    const M _s26 = lanes_less(K(2.409919865102884e-181), _s1);
+    const V _s27 = lanes_select(_s26, lanes_select(_s25, lanes_mul(lanes_neg(lanes_add(lanes_add(_s21, _s22), _s23)), _s24), K(INFINITY)), K(-INFINITY));
+    const V _s28 = lanes_max(lanes_sub(p_ring_radius, _s8), lanes_mul(K(0.0001220703125), p_ring_radius));
+    const V _s29 = lanes_sub(lanes_sub(lanes_mul(_s1, lanes_mul(_s28, _s28)), _s19), _s4);
+    const V _s30 = lanes_sqrt(lanes_max(_s29, K(0.0)));
+    const V _s31 = lanes_select(_s26, lanes_select(_s25, lanes_mul(lanes_sub(lanes_add(_s22, _s23), _s21), _s24), K(-INFINITY)), K(INFINITY));
+    const M _s32 = lanes_less(K(0.0), lanes_select(_s26, _s29, K(0.0)));
+    const V _s33 = lanes_select(_s32, lanes_mul(lanes_sub(lanes_sub(_s23, _s21), _s30), _s24), _s31);
+    const V _s34 = lanes_sub(lanes_add(_s0, lanes_mul(_s9, lanes_sub(z, _s8))), _s10);
+    const V _s35 = lanes_sqrt(lanes_max(_s34, K(0.0)));
+    const V _s36 = lanes_select(_s15, lanes_mul(_s12, lanes_add(lanes_add(vz, _s13), _s14)), K(-INFINITY));
+    const M _s37 = lanes_less(K(0.0), _s34);
+    const V _s38 = lanes_select(_s37, lanes_mul(_s12, lanes_sub(lanes_add(vz, _s14), _s35)), _s36);
+    const V _s39 = lanes_min(_s33, _s38);
+    const V _s40 = lanes_max(lanes_select(_s32, lanes_mul(lanes_sub(lanes_sub(_s30, _s21), _s23), _s24), K(INFINITY)), _s33);
+    const V _s41 = lanes_max(_s16, _s40);
+    const V _s42 = lanes_min(_s31, _s38);
+    const V _s43 = lanes_max(lanes_select(_s37, lanes_mul(_s12, lanes_sub(lanes_add(vz, _s35), _s14)), K(INFINITY)), _s38);
+    const M _s44 = lanes_at_most(_s41, _s42);
+    const V _s45 = lanes_select(_s44, _s42, lanes_min(_s33, _s36));
+    const V _s46 = lanes_min(_s31, _s36);
+    const V _s47 = lanes_div(K(1.0), _s28);
+    return (LANES(hoop_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_max(K(0.0), lanes_max(_s16, _s27)), lanes_min(_s39, horizon), lanes_max(K(0.0), lanes_select(_s44, _s41, lanes_max(_s43, _s27))), lanes_min(_s45, horizon), lanes_max(K(0.0), lanes_max(_s43, _s40)), lanes_min(_s46, horizon), lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s7), lanes_mul(_s5, lanes_mul(_s47, lanes_mul(_s47, _s47)))), lanes_abs(_s2)), lanes_min(lanes_max(lanes_max(lanes_max(K(0.0), _s39), _s45), _s46), horizon), lanes_max(lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s7)), lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius))) };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
@@ -1123,20 +1047,17 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_margins_out)
 LANES(hoop_ring_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
-    const V _s0 = p_ball_radius + p_wire_radius;
-    const V _s1 = speed + (p_gravity * horizon);
-    const V _s2 = K(1.00006103515625) * _s0;
-    const V _s3 = _s2 * _s1;
-    const V _s4 = p_ring_radius + _s2;
-    const V _s5 = extent + (horizon * _s1);
-    const V _s6 = (position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * _s5);
-    const V _s7 = p_ring_radius - _s2;
-    const V _s8 = K(0.0001220703125) * p_ring_radius;
-    const V _s9 = _s2 / lanes_select((_s7 < _s8), _s8, _s7);
-    const V _s10 = lanes_select((K(1.0) < _s9), _s9, K(1.0));
-    const V _s11 = K(5.0) * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (K(2.220446049250313e-16) * _s1))));
-    const V _s12 = K(1.0009765625) * ((((K(3.552713678800501e-15) * _s1) * ((_s5 * _s10) + _s4)) + (K(4.440892098500626e-16) * _s3)) + _s11);
-    return (LANES(hoop_ring_margins_out)){ K(1.0009765625) * ((((K(4.440892098500626e-16) * horizon) * _s3) + ((K(1.3323489447131243e-15) * _s0) * _s4)) + ((K(5.00030517578125) * _s0) * _s6)), _s12, K(1.0009765625) * ((K(3.552713678800501e-15) * (_s4 * _s1)) + _s11) };
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s2 = lanes_mul(K(1.00006103515625), _s0);
+    const V _s3 = lanes_mul(_s2, _s1);
+    const V _s4 = lanes_add(p_ring_radius, _s2);
+    const V _s5 = lanes_add(extent, lanes_mul(horizon, _s1));
+    const V _s6 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s5));
+    const V _s7 = lanes_max(K(1.0), lanes_div(_s2, lanes_max(lanes_sub(p_ring_radius, _s2), lanes_mul(K(0.0001220703125), p_ring_radius))));
+    const V _s8 = lanes_mul(K(5.0), lanes_add(lanes_mul(lanes_mul(_s1, _s7), _s6), lanes_mul(_s2, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s1)))));
+    const V _s9 = lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(3.552713678800501e-15), _s1), lanes_add(lanes_mul(_s5, _s7), _s4)), lanes_mul(K(4.440892098500626e-16), _s3)), _s8));
+    return (LANES(hoop_ring_margins_out)){ lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(4.440892098500626e-16), horizon), _s3), lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s4)), lanes_mul(lanes_mul(K(5.00030517578125), _s0), _s6))), _s9, lanes_mul(K(1.0009765625), lanes_add(lanes_mul(K(3.552713678800501e-15), lanes_mul(_s4, _s1)), _s8)) };
 }
 
 /* Newton's next value of a root near t, and the rate there.
@@ -1149,19 +1070,19 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_refine_out)
 LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_start, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
-    const V _s0 = x + (t * vx);
-    const V _s1 = y + (t * vy);
-    const V _s2 = lanes_sqrt(((_s0 * _s0) + (_s1 * _s1)));
-    const V _s3 = rho_start + _s2;
-    const V _s4 = K(1.0) / (_s3 * _s2);
-    const V _s5 = _s2 - p_ring_radius;
-    const V _s6 = vz - ((K(0.5) * p_gravity) * t);
-    const V _s7 = z + (t * _s6);
-    const V _s8 = K(2.0) * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + ((vz - (p_gravity * t)) * _s7));
-    const V _s9 = (((t * ((vx * vx) + (vy * vy))) + (K(2.0) * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4);
-    const V _s10 = p_ball_radius + p_wire_radius;
-    const V _s11 = lanes_select((K(0.0) < leaving), (t * (_s9 + ((z + _s7) * _s6))), (((_s5 * _s5) + (_s7 * _s7)) - (_s10 * _s10))) / _s8;
-    return (LANES(hoop_ring_refine_out)){ t - _s11, _s8 };
+    const V _s0 = lanes_add(x, lanes_mul(t, vx));
+    const V _s1 = lanes_add(y, lanes_mul(t, vy));
+    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(_s0, _s0), lanes_mul(_s1, _s1)));
+    const V _s3 = lanes_add(rho_start, _s2);
+    const V _s4 = lanes_div(K(1.0), lanes_mul(_s3, _s2));
+    const V _s5 = lanes_sub(_s2, p_ring_radius);
+    const V _s6 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s7 = lanes_add(z, lanes_mul(t, _s6));
+    const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(lanes_mul(_s3, _s4), lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1))), _s5), lanes_mul(lanes_sub(vz, lanes_mul(p_gravity, t)), _s7)));
+    const V _s9 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, p_ring_radius), _s5)), lanes_mul(_s2, _s4));
+    const V _s10 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s11 = lanes_div(lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s9, lanes_mul(lanes_add(z, _s7), _s6))), lanes_sub(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s7, _s7)), lanes_mul(_s10, _s10))), _s8);
+    return (LANES(hoop_ring_refine_out)){ lanes_sub(t, _s11), _s8 };
 }
 
 /* Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
@@ -1179,50 +1100,41 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_advance_out)
 LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
-    const V _s0 = x + (t * vx);
-    const V _s1 = y + (t * vy);
-    const V _s2 = lanes_sqrt(((_s0 * _s0) + (_s1 * _s1)));
-    const V _s3 = _s2 - p_ring_radius;
-    const V _s4 = rho_start + _s2;
-    const V _s5 = K(1.0) / (_s4 * _s2);
-    const V _s6 = (((t * ((vx * vx) + (vy * vy))) + (K(2.0) * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5);
-    const V _s7 = vz - ((K(0.5) * p_gravity) * t);
-    const V _s8 = z + (t * _s7);
-    const V _s9 = p_ball_radius + p_wire_radius;
-    const V _s10 = lanes_select((K(0.0) < leaving), (t * (_s6 + ((z + _s8) * _s7))), (((_s3 * _s3) + (_s8 * _s8)) - (_s9 * _s9)));
-    const V _s11 = _s4 * _s5;
-    const V _s12 = _s11 * ((vx * _s0) + (vy * _s1));
-    const V _s13 = vz - (p_gravity * t);
-    const V _s14 = (_s12 * _s3) + (_s13 * _s8);
-    const V _s15 = K(2.0) * _s14;
-    const V _s16 = K(6.0) * p_gravity;
-    const V _s17 = _s16 * _s8;
-    const V _s18 = swing * (_s11 * (_s11 * _s11));
-    const V _s19 = K(1.00006103515625) * _s9;
-    const V _s20 = _s15 - rate_margin;
-    const V _s21 = _s10 - margin;
-    const V _s22 = lanes_select((_s21 < K(0.0)), K(0.0), _s21);
-    const V _s23 = (_s17 + _s18) - steady;
-    const M _s24 = _s20 < K(0.0);
-    const V _s25 = K(2.0) * _s22;
-    const V _s26 = lanes_select((K(0.0) < lanes_select((K(0.0) <= _s20), _s22, K(0.0))), K(INFINITY), (lanes_select(_s24, _s25, (K(4.0) * _s20)) / lanes_select(_s24, (-_s20), lanes_select((K(0.0) < _s23), _s23, K(0.0)))));
-    const V _s27 = end - t;
-    const V _s28 = lanes_select((_s26 < _s27), _s26, _s27);
-    const V _s29 = (_s28 * lanes_select((_s13 < K(0.0)), K(0.0), _s13)) + _s8;
-    const V _s30 = _s16 * lanes_select((_s19 < _s29), _s19, _s29);
-    const V _s31 = ((_s28 * lanes_select((K(0.0) < _s12), K(0.0), _s12)) + _s2) - (K(9.094947017729282e-13) * (p_ring_radius + _s19));
-    const V _s32 = p_ring_radius - _s19;
-    const V _s33 = K(0.0001220703125) * p_ring_radius;
-    const V _s34 = lanes_select((_s32 < _s33), _s33, _s32);
-    const V _s35 = K(1.0) / lanes_select((_s31 < _s34), _s34, _s31);
-    const V _s36 = swing * (_s35 * (_s35 * _s35));
-    const V _s37 = ((_s30 + _s36) + (K(9.094947017729282e-13) * ((_s36 + lanes_abs(steady)) + lanes_abs(_s30)))) - steady;
-    const V _s38 = ((K(2.0) * _s37) * _s22) + (_s20 * _s20);
-    const V _s39 = lanes_sqrt(_s38);
-    const V _s40 = lanes_select((K(0.0) <= _s38), (lanes_select(_s24, _s25, (_s20 + _s39)) / lanes_select(_s24, (_s39 - _s20), lanes_select((K(0.0) < _s37), _s37, K(0.0)))), K(INFINITY));
-    const V _s41 = lanes_select((_s40 < _s28), _s40, _s28);
-    const V _s42 = -(rate_margin + _s15);
-    return (LANES(hoop_ring_advance_out)){ _s10, _s15, (steady - _s17) - _s18, _s41, t + _s41, t - ((K(0.5) * _s10) / _s14), lanes_select((K(0.0) < _s42), ((_s42 * _s42) - ((K(8.0) * ceiling) * (margin + (K(32.0) * _s22)))), _s42) };
+    const V _s0 = lanes_add(x, lanes_mul(t, vx));
+    const V _s1 = lanes_add(y, lanes_mul(t, vy));
+    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(_s0, _s0), lanes_mul(_s1, _s1)));
+    const V _s3 = lanes_sub(_s2, p_ring_radius);
+    const V _s4 = lanes_add(rho_start, _s2);
+    const V _s5 = lanes_div(K(1.0), lanes_mul(_s4, _s2));
+    const V _s6 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, p_ring_radius), _s3)), lanes_mul(_s2, _s5));
+    const V _s7 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s8 = lanes_add(z, lanes_mul(t, _s7));
+    const V _s9 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s10 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s6, lanes_mul(lanes_add(z, _s8), _s7))), lanes_sub(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s8, _s8)), lanes_mul(_s9, _s9)));
+    const V _s11 = lanes_mul(_s4, _s5);
+    const V _s12 = lanes_mul(_s11, lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1)));
+    const V _s13 = lanes_sub(vz, lanes_mul(p_gravity, t));
+    const V _s14 = lanes_add(lanes_mul(_s12, _s3), lanes_mul(_s13, _s8));
+    const V _s15 = lanes_mul(K(2.0), _s14);
+    const V _s16 = lanes_mul(K(6.0), p_gravity);
+    const V _s17 = lanes_mul(_s16, _s8);
+    const V _s18 = lanes_mul(swing, lanes_mul(_s11, lanes_mul(_s11, _s11)));
+    const V _s19 = lanes_mul(K(1.00006103515625), _s9);
+    const V _s20 = lanes_sub(_s15, rate_margin);
+    const V _s21 = lanes_max(lanes_sub(_s10, margin), K(0.0));
+    const M _s22 = lanes_less(_s20, K(0.0));
+    const V _s23 = lanes_mul(K(2.0), _s21);
+    const V _s24 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s20), _s21, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s22, _s23, lanes_mul(K(4.0), _s20)), lanes_select(_s22, lanes_neg(_s20), lanes_max(K(0.0), lanes_sub(lanes_add(_s17, _s18), steady)))));
+    const V _s25 = lanes_min(_s24, lanes_sub(end, t));
+    const V _s26 = lanes_mul(_s16, lanes_min(_s19, lanes_add(lanes_mul(_s25, lanes_max(_s13, K(0.0))), _s8)));
+    const V _s27 = lanes_div(K(1.0), lanes_max(lanes_sub(lanes_add(lanes_mul(_s25, lanes_min(K(0.0), _s12)), _s2), lanes_mul(K(9.094947017729282e-13), lanes_add(p_ring_radius, _s19))), lanes_max(lanes_sub(p_ring_radius, _s19), lanes_mul(K(0.0001220703125), p_ring_radius))));
+    const V _s28 = lanes_mul(swing, lanes_mul(_s27, lanes_mul(_s27, _s27)));
+    const V _s29 = lanes_sub(lanes_add(lanes_add(_s26, _s28), lanes_mul(K(9.094947017729282e-13), lanes_add(lanes_add(_s28, lanes_abs(steady)), lanes_abs(_s26)))), steady);
+    const V _s30 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s29), _s21), lanes_mul(_s20, _s20));
+    const V _s31 = lanes_sqrt(_s30);
+    const V _s32 = lanes_min(lanes_select(lanes_at_most(K(0.0), _s30), lanes_div(lanes_select(_s22, _s23, lanes_add(_s20, _s31)), lanes_select(_s22, lanes_sub(_s31, _s20), lanes_max(K(0.0), _s29))), K(INFINITY)), _s25);
+    const V _s33 = lanes_neg(lanes_add(rate_margin, _s15));
+    return (LANES(hoop_ring_advance_out)){ _s10, _s15, lanes_sub(lanes_sub(steady, _s17), _s18), _s32, lanes_add(t, _s32), lanes_sub(t, lanes_div(lanes_mul(K(0.5), _s10), _s14)), lanes_select(lanes_less(K(0.0), _s33), lanes_sub(lanes_mul(_s33, _s33), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, lanes_mul(K(32.0), _s21)))), _s33) };
 }
 
 /* The first window that begins no earlier than a time, if there is one.
@@ -1236,10 +1148,10 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_enter_out)
 LANES(hoop_ring_enter)(V after, V end, V high0, V high1, V high2, V low0, V low1, V low2, V t)
 {
-    const M _s0 = (low0 < high0) & (after <= low0);
-    const M _s1 = (low1 < high1) & (after <= low1);
-    const M _s2 = (low2 < high2) & (after <= low2);
-    return (LANES(hoop_ring_enter_out)){ lanes_select(_s0, low0, lanes_select(_s1, low1, lanes_select(_s2, low2, t))), lanes_select(_s0, high0, lanes_select(_s1, high1, lanes_select(_s2, high2, end))), ((NOWHERE | _s2) | _s1) | _s0 };
+    const M _s0 = lanes_both(lanes_less(low0, high0), lanes_at_most(after, low0));
+    const M _s1 = lanes_both(lanes_less(low1, high1), lanes_at_most(after, low1));
+    const M _s2 = lanes_both(lanes_less(low2, high2), lanes_at_most(after, low2));
+    return (LANES(hoop_ring_enter_out)){ lanes_select(_s0, low0, lanes_select(_s1, low1, lanes_select(_s2, low2, t))), lanes_select(_s0, high0, lanes_select(_s1, high1, lanes_select(_s2, high2, end))), lanes_either(lanes_either(lanes_either(lanes_nowhere(), _s2), _s1), _s0) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1280,7 +1192,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_backboard_bounds_out)
 LANES(hoop_backboard_bounds)(V y, V z, V p_board_half_width, V p_board_bottom, V p_board_top)
 {
-    return (LANES(hoop_backboard_bounds_out)){ -(p_board_half_width + y), y - p_board_half_width, p_board_bottom - z, z - p_board_top };
+    return (LANES(hoop_backboard_bounds_out)){ lanes_neg(lanes_add(p_board_half_width, y)), lanes_sub(y, p_board_half_width), lanes_sub(p_board_bottom, z), lanes_sub(z, p_board_top) };
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
@@ -1296,8 +1208,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_backboard_arrival_out)
 LANES(hoop_backboard_arrival)(V leaving, V x, V vx, V p_ball_radius, V p_board_distance)
 {
-    const V _s0 = lanes_select((K(0.0) < leaving), K(0.0), (x - (p_ball_radius - p_board_distance)));
-    return (LANES(hoop_backboard_arrival_out)){ -(_s0 / vx), vx, K(0.0), lanes_select((lanes_abs(vx) <= K(0.0)), K(0.0), K(-1.0)), _s0 };
+    const V _s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(x, lanes_sub(p_ball_radius, p_board_distance)));
+    return (LANES(hoop_backboard_arrival_out)){ lanes_neg(lanes_div(_s0, vx)), vx, K(0.0), lanes_select(lanes_at_most(lanes_abs(vx), K(0.0)), K(0.0), K(-1.0)), _s0 };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -1309,8 +1221,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_backboard_margin_out)
 LANES(hoop_backboard_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_board_distance, V p_gravity)
 {
-    const V _s0 = extent + (horizon * (speed + (p_gravity * horizon)));
-    return (LANES(hoop_backboard_margin_out)){ (((K(6.667843360785852e-16) * p_ball_radius) + (K(8.890457814381136e-16) * p_board_distance)) + (K(2.222614453595284e-16) * _s0)) + (K(2.001953125) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * _s0))) };
+    const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))));
+    return (LANES(hoop_backboard_margin_out)){ lanes_add(lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), p_ball_radius), lanes_mul(K(8.890457814381136e-16), p_board_distance)), lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
 }
 
 /* The point of the contact plane nearest to a position.
@@ -1324,7 +1236,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_backboard_place_out)
 LANES(hoop_backboard_place)(V y, V z, V p_ball_radius, V p_board_distance)
 {
-    return (LANES(hoop_backboard_place_out)){ p_ball_radius - p_board_distance, y, z };
+    return (LANES(hoop_backboard_place_out)){ lanes_sub(p_ball_radius, p_board_distance), y, z };
 }
 
 /* Where a contact counts (Eq. 2).
@@ -1336,7 +1248,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_backboard_within_out)
 LANES(hoop_backboard_within)(V g0, V g1, V g2, V g3)
 {
-    return (LANES(hoop_backboard_within_out)){ (((g0 <= K(0.0)) & (g1 <= K(0.0))) & (g2 <= K(0.0))) & (g3 <= K(0.0)) };
+    return (LANES(hoop_backboard_within_out)){ lanes_both(lanes_both(lanes_both(lanes_at_most(g0, K(0.0)), lanes_at_most(g1, K(0.0))), lanes_at_most(g2, K(0.0))), lanes_at_most(g3, K(0.0))) };
 }
 
 /* Where that, or the crossing, lies within its error.
@@ -1348,9 +1260,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_backboard_edges_out)
 LANES(hoop_backboard_edges)(V clearance, V g0, V g1, V g2, V g3, V slack)
 {
-    const V _s0 = -slack;
-    const M _s1 = NOT((((((g0 < _s0) & (g1 < _s0)) & (g2 < _s0)) & (g3 < _s0)) & (K(0.0) < clearance)));
-    return (LANES(hoop_backboard_edges_out)){ ((((g0 <= slack) & (g1 <= slack)) & (g2 <= slack)) & (g3 <= slack)) & _s1 };
+    const V _s0 = lanes_neg(slack);
+    const M _s1 = lanes_not(lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(g0, _s0), lanes_less(g1, _s0)), lanes_less(g2, _s0)), lanes_less(g3, _s0)), lanes_less(K(0.0), clearance)));
+    return (LANES(hoop_backboard_edges_out)){ lanes_both(lanes_both(lanes_both(lanes_both(lanes_at_most(g0, slack), lanes_at_most(g1, slack)), lanes_at_most(g2, slack)), lanes_at_most(g3, slack)), _s1) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1392,7 +1304,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_bridge_bounds_out)
 LANES(hoop_bridge_bounds)(V x, V y, V p_ring_radius, V p_board_distance, V p_bridge_half_width)
 {
-    return (LANES(hoop_bridge_bounds_out)){ -(p_bridge_half_width + y), y - p_bridge_half_width, p_ring_radius - lanes_sqrt(((x * x) + (y * y))), x, -(p_board_distance + x) };
+    return (LANES(hoop_bridge_bounds_out)){ lanes_neg(lanes_add(p_bridge_half_width, y)), lanes_sub(y, p_bridge_half_width), lanes_sub(p_ring_radius, lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), x, lanes_neg(lanes_add(p_board_distance, x)) };
 }
 
 /* Time of the only arrival, the gap's rate there and its bend.
@@ -1408,12 +1320,12 @@ typedef struct {
 LANES_INLINE LANES(hoop_bridge_arrival_out)
 LANES(hoop_bridge_arrival)(V leaving, V z, V vz, V p_ball_radius, V p_wire_radius, V p_gravity)
 {
-    const V _s0 = lanes_select((K(0.0) < leaving), K(0.0), (z - (p_ball_radius + p_wire_radius)));
-    const V _s1 = (vz * vz) + ((K(2.0) * p_gravity) * _s0);
+    const V _s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(z, lanes_add(p_ball_radius, p_wire_radius)));
+    const V _s1 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), p_gravity), _s0));
     const V _s2 = lanes_sqrt(_s1);
-    const M _s3 = vz < K(0.0);
-    const V _s4 = -(K(1.0) / p_gravity);
-    return (LANES(hoop_bridge_arrival_out)){ lanes_select(_s3, (K(2.0) * _s0), (vz + _s2)) / lanes_select(_s3, (_s2 - vz), p_gravity), -_s2, -p_gravity, -(vz * _s4), -((K(0.5) * _s4) * _s1) };
+    const M _s3 = lanes_less(vz, K(0.0));
+    const V _s4 = lanes_neg(lanes_div(K(1.0), p_gravity));
+    return (LANES(hoop_bridge_arrival_out)){ lanes_div(lanes_select(_s3, lanes_mul(K(2.0), _s0), lanes_add(vz, _s2)), lanes_select(_s3, lanes_sub(_s2, vz), p_gravity)), lanes_neg(_s2), lanes_neg(p_gravity), lanes_neg(lanes_mul(vz, _s4)), lanes_neg(lanes_mul(lanes_mul(K(0.5), _s4), _s1)) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -1425,8 +1337,8 @@ typedef struct {
 LANES_INLINE LANES(hoop_bridge_margin_out)
 LANES(hoop_bridge_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_wire_radius, V p_gravity)
 {
-    const V _s0 = extent + (horizon * (speed + (p_gravity * horizon)));
-    return (LANES(hoop_bridge_margin_out)){ (((K(6.667843360785852e-16) * p_ball_radius) + (K(6.667843360785852e-16) * p_wire_radius)) + (K(2.222614453595284e-16) * _s0)) + (K(2.001953125) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * _s0))) };
+    const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))));
+    return (LANES(hoop_bridge_margin_out)){ lanes_add(lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), p_ball_radius), lanes_mul(K(6.667843360785852e-16), p_wire_radius)), lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
 }
 
 /* The point of the contact plane nearest to a position.
@@ -1440,7 +1352,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_bridge_place_out)
 LANES(hoop_bridge_place)(V x, V y, V p_ball_radius, V p_wire_radius)
 {
-    return (LANES(hoop_bridge_place_out)){ x, y, p_ball_radius + p_wire_radius };
+    return (LANES(hoop_bridge_place_out)){ x, y, lanes_add(p_ball_radius, p_wire_radius) };
 }
 
 /* Where a contact counts (Eq. 2).
@@ -1452,7 +1364,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_bridge_within_out)
 LANES(hoop_bridge_within)(V g0, V g1, V g2, V g3, V g4)
 {
-    return (LANES(hoop_bridge_within_out)){ ((((g0 <= K(0.0)) & (g1 <= K(0.0))) & (g2 <= K(0.0))) & (g3 <= K(0.0))) & (g4 <= K(0.0)) };
+    return (LANES(hoop_bridge_within_out)){ lanes_both(lanes_both(lanes_both(lanes_both(lanes_at_most(g0, K(0.0)), lanes_at_most(g1, K(0.0))), lanes_at_most(g2, K(0.0))), lanes_at_most(g3, K(0.0))), lanes_at_most(g4, K(0.0))) };
 }
 
 /* Where that, or the crossing, lies within its error.
@@ -1464,9 +1376,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_bridge_edges_out)
 LANES(hoop_bridge_edges)(V clearance, V g0, V g1, V g2, V g3, V g4, V slack)
 {
-    const V _s0 = -slack;
-    const M _s1 = (((((g0 < _s0) & (g1 < _s0)) & (g2 < _s0)) & (g3 < _s0)) & (g4 < _s0)) & (K(0.0) < clearance);
-    const M _s2 = (((((g0 <= slack) & (g1 <= slack)) & (g2 <= slack)) & (g3 <= slack)) & (g4 <= slack)) & NOT(_s1);
+    const V _s0 = lanes_neg(slack);
+    const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(g0, _s0), lanes_less(g1, _s0)), lanes_less(g2, _s0)), lanes_less(g3, _s0)), lanes_less(g4, _s0)), lanes_less(K(0.0), clearance));
+    const M _s2 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_both(lanes_at_most(g0, slack), lanes_at_most(g1, slack)), lanes_at_most(g2, slack)), lanes_at_most(g3, slack)), lanes_at_most(g4, slack)), lanes_not(_s1));
     return (LANES(hoop_bridge_edges_out)){ _s2 };
 }
 
@@ -1497,12 +1409,12 @@ typedef struct {
 LANES_INLINE LANES(hoop_end_arrival_out)
 LANES(hoop_end_arrival)(V leaving, V z, V vz, V p_gravity, V p_end_depth)
 {
-    const V _s0 = lanes_select((K(0.0) < leaving), K(0.0), (z - (-p_end_depth)));
-    const V _s1 = (vz * vz) + ((K(2.0) * p_gravity) * _s0);
+    const V _s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(z, lanes_neg(p_end_depth)));
+    const V _s1 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), p_gravity), _s0));
     const V _s2 = lanes_sqrt(_s1);
-    const M _s3 = vz < K(0.0);
-    const V _s4 = -(K(1.0) / p_gravity);
-    return (LANES(hoop_end_arrival_out)){ lanes_select(_s3, (K(2.0) * _s0), (vz + _s2)) / lanes_select(_s3, (_s2 - vz), p_gravity), -_s2, -p_gravity, -(vz * _s4), -((K(0.5) * _s4) * _s1) };
+    const M _s3 = lanes_less(vz, K(0.0));
+    const V _s4 = lanes_neg(lanes_div(K(1.0), p_gravity));
+    return (LANES(hoop_end_arrival_out)){ lanes_div(lanes_select(_s3, lanes_mul(K(2.0), _s0), lanes_add(vz, _s2)), lanes_select(_s3, lanes_sub(_s2, vz), p_gravity)), lanes_neg(_s2), lanes_neg(p_gravity), lanes_neg(lanes_mul(vz, _s4)), lanes_neg(lanes_mul(lanes_mul(K(0.5), _s4), _s1)) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -1514,7 +1426,7 @@ typedef struct {
 LANES_INLINE LANES(hoop_end_margin_out)
 LANES(hoop_end_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_gravity, V p_end_depth)
 {
-    const V _s0 = extent + (horizon * (speed + (p_gravity * horizon)));
-    return (LANES(hoop_end_margin_out)){ ((K(6.667843360785852e-16) * p_end_depth) + (K(2.222614453595284e-16) * _s0)) + (K(2.001953125) * ((position_error + (horizon * velocity_error)) + (K(4.440892098500626e-16) * _s0))) };
+    const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))));
+    return (LANES(hoop_end_margin_out)){ lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), p_end_depth), lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
 }
 

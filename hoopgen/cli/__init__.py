@@ -1,22 +1,25 @@
 """The command line: ``hoopgen paper``, ``hoopgen shot`` and their kin.
 
-Every error is one line on stderr and exit status 2. What a command needs is imported when it runs,
-so that help is quick.
+Every error is one line on stderr and exit status 2; 70 where it is hoopgen's own. What a command
+needs is imported when it runs, so that help is quick.
 """
 
 from __future__ import annotations
 
 import io
+import os
 import sys
+import traceback
 from collections import UserDict
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from importlib import import_module
 from typing import Any
 
 import click
 
+from hoopgen.cli.errors import NOT_FORESEEN, OWN_ERROR, TRACEBACK, foreseen, in_words
 from hoopgen.cli.examples import examples
-from hoopgen.installed import explained
+from hoopgen.printable import printable
 
 __all__ = ["main"]
 
@@ -56,10 +59,6 @@ class _Commands(UserDict[str, click.Command]):
         return name in _COMMANDS
 
 
-# What the library raises when it is asked for something wrong, or something is not there.
-_EXPECTED = (click.ClickException, ImportError, LookupError, OSError, RuntimeError, ValueError)
-
-
 class _Tour(click.Group):
     """A group that reports every error in one line."""
 
@@ -75,14 +74,25 @@ class _Tour(click.Group):
         except click.Abort:
             _complain("interrupted")
             result = 130
-        except _EXPECTED as error:
+        except Exception as error:
             if not standalone:
                 raise
-            _complain(_in_words(error))
-            result = 2
+            result = self._failed(error, args[0] if args else kwargs.get("args"))
         if standalone:
             sys.exit(result if isinstance(result, int) else 0)
         return result
+
+    def _failed(self, error: Exception, arguments: Sequence[str] | None) -> int:
+        """Say an error in a line, and return the exit status."""
+        if os.environ.get(TRACEBACK) == "1":
+            traceback.print_exception(error)
+        if foreseen(error):
+            _complain(in_words(error))
+            return 2
+        words = sys.argv[1:] if arguments is None else arguments
+        command = next((word for word in words if word in self.commands), "")
+        _complain(f"hoopgen {command}: {in_words(error)} ({NOT_FORESEEN})")
+        return OWN_ERROR
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """List the commands in the order of a first visit, not of the alphabet."""
@@ -97,21 +107,7 @@ def _write_what_can_be_written() -> None:
 
 
 def _complain(text: str) -> None:
-    click.echo(f"hoopgen: error: {' '.join(text.split())}", err=True)
-
-
-def _in_words(error: Exception) -> str:
-    if isinstance(error, click.UsageError) and error.ctx is not None:
-        return f"{error.format_message()} (see {error.ctx.command_path} --help)"
-    if isinstance(error, click.ClickException):
-        return error.format_message()
-    if isinstance(error, ImportError):
-        return str(explained(error))
-    if isinstance(error, OSError) and error.filename is not None:
-        return f"{error.filename}: {error.strerror}"
-    if isinstance(error, KeyError) and error.args:
-        return str(error.args[0])  # str() of a KeyError is a repr
-    return str(error)
+    click.echo(f"hoopgen: error: {printable(' '.join(text.split()))}", err=True)
 
 
 @click.group(
@@ -121,9 +117,9 @@ def _in_words(error: Exception) -> str:
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
     epilog=examples(
         "hoopgen paper --out figures",
-        "hoopgen shot --speed 7.17 --elevation 51 --distance 13.75ft --height 7ft",
-        "hoopgen estimate --aim 5cm --elevation 52 --distance 13.75ft --height 7ft \\",
-        "    --scatter speed=0.07 --scatter elevation=1.3 --scatter azimuth=1",
+        "hoopgen shot --speed 7.17 --elevation 51deg --distance 13.75ft --height 7ft",
+        "hoopgen estimate --aim 5cm --elevation 52deg --distance 13.75ft --height 7ft \\",
+        "    --scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg",
         "hoopgen estimate --help",
     ),
 )
@@ -134,6 +130,9 @@ def main(ctx: click.Context) -> None:
 
     The ball flies until it meets the ring, the backboard or the bridge, bounces, and flies on,
     until it falls through the plane below the ring. No time steps, no missed contacts.
+
+    Exit status: 0; 1 where a command says so; 2 for an error; 70 for one of hoopgen's own, of
+    which HOOPGEN_TRACEBACK=1 in the environment shows more; 130 when interrupted.
     """
     if ctx.invoked_subcommand is None:
         click.echo(ctx.get_help())

@@ -14,12 +14,17 @@ from hoopgen.cli.options import (
     UNITS_IN_WORDS,
     by_option,
     examples,
+    folder_option,
     scene_options,
+    scheduler_option,
+    threads_option,
+    units_option,
     variable_option,
 )
-from hoopgen.cli.table import table
 from hoopgen.cli.types import OUT, Parsed, quantity
-from hoopgen.units import parse_quantity
+from hoopgen.layout import table
+from hoopgen.study.told import say_scene
+from hoopgen.units import parse_quantity, shown
 
 if TYPE_CHECKING:
     import numpy as np
@@ -46,10 +51,14 @@ def _distances(text: str) -> tuple[float, ...]:
     """Read a length; several, ``3m,4m,5m``; or a range with its step or count, ``1m:7m:0.5m``."""
     parts = text.split(":")
     if len(parts) == 1:
-        return tuple(parse_quantity(part, "length") for part in text.split(","))
-    if len(parts) != 3:
+        found = tuple(parse_quantity(part, "length") for part in text.split(","))
+    elif len(parts) == 3:
+        found = _range(*parts)
+    else:
         raise ValueError(f"{brief(text)} is not from:to:step, such as 1m:7m:0.5m")
-    return _range(*parts)
+    if min(found) < 0.0:
+        raise ValueError(f"distance: expected 0 m or more, got {min(found):.6g} m")
+    return found
 
 
 def _range(first: str, last: str, by: str) -> tuple[float, ...]:
@@ -60,7 +69,8 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
         step = (high - low) / (count - 1) if count > 1 else 0.0
     else:
         step = parse_quantity(by, "length")
-        count = 1 + math.floor((high - low) / step + _ENOUGH) if step > 0.0 else 0
+        steps = (high - low) / step if step > 0.0 else -1.0  # more than any number is infinite
+        count = 1 + math.floor(min(steps, _MOST) + _ENOUGH)
     if not (low < high and step > 0.0 and 2 <= count <= _MOST):
         raise ValueError(
             f"{first}:{last}:{by}: expected from below to, and a step (with its unit) or a count "
@@ -75,7 +85,7 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
         "hoopgen aim --distance 13.75ft --height 7ft",
         "hoopgen aim --distance 13.75ft --height 7ft --entry 45deg --backspin 3Hz --depth 2in",
         "hoopgen aim --distance 1m:7m:0.5m --height 0.6m --speed 9.5 --csv table.csv",
-        "hoopgen aim --distance 12ft --height 7ft --elevation 55 --set ball_radius=11.9cm",
+        "hoopgen aim --distance 12ft --height 7ft --elevation 55deg --set ball_radius=11.9cm",
     )
 )
 @variable_option(
@@ -106,13 +116,20 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
 @variable_option("sidespin", default=0.0)
 @by_option
 @scene_options
+@threads_option
+@folder_option
+@scheduler_option
 @click.option("--csv", "file", type=OUT, help="Write the table: m, m/s, degrees, Hz, s.")
+@units_option
 def aim(
     distance: tuple[float, ...],
     arc: Arc,
     by: By,
     parameters: Mapping[str, float],
     file: Path | None,
+    threads: int | None,
+    folder: Path | None,
+    scheduler: str | None,
     **wanted: Any,
 ) -> None:
     """Aim: the release that goes through the centre of the ring, and how far it may be off.
@@ -120,6 +137,7 @@ def aim(
     The slowest one, or one with a wanted entry angle, elevation or speed. How far off each of
     speed, elevation and azimuth alone may be is found by simulation.
     """
+    from hoopgen.cli.progress import shown
     from hoopgen.study.aim import aim as aimed
     from hoopgen.study.aim import aim_table, write_csv
 
@@ -127,14 +145,18 @@ def aim(
     if len(distance) == 1:
         # Of one number it says why there is no such release.
         aimed(distance=distance[0], arc=arc, parameters=parameters, **wanted)
-    columns = aim_table(distance, arc=arc, by=by, parameters=parameters, **spins, **wanted)
+    work: dict[str, Any] = {"threads": threads, "folder": folder, "scheduler": scheduler}
+    with shown() as progress:
+        options = {**spins, **wanted, **work, "progress": progress}
+        columns = aim_table(distance, arc=arc, by=by, parameters=parameters, **options)
     if len(distance) == 1:
         shot = {name: float(column[0]) for name, column in columns.items()}
         click.echo(_one(shot, wanted, by))
     else:
         click.echo(_many(columns))
+    click.echo(f"\nscene   {say_scene(parameters)}")
     if file is not None:
-        write_csv(file, columns)
+        write_csv(file, columns, parameters)
 
 
 def _one(shot: Mapping[str, float], wanted: Mapping[str, float], by: str) -> str:
@@ -172,6 +194,7 @@ def _signed(name: str, value: float) -> str:
 
 def _many(columns: Columns) -> str:
     """Lay out a table of releases."""
+    from hoopgen.study.variables import VARIABLES
     from hoopgen.study.words import say
 
     def cell(name: str, value: float) -> str:
@@ -188,6 +211,9 @@ def _many(columns: Columns) -> str:
         [cell(kind, columns[name][row]) for name, kind in kinds.items()]
         for row in range(len(columns["distance"]))
     ]
-    head = ["dist. m", "speed m/s", "elev. °", "entry °", *["from", "to"] * len(_OFF)]
+    symbols = {kind: shown(kind).symbol for kind in ("length", "speed", "angle")}
+    head = [f"dist. ({symbols['length']})", f"speed ({symbols['speed']})"]
+    head += [f"elev. ({symbols['angle']})", f"entry ({symbols['angle']})"]
+    head += [word for name in _OFF for word in (f"from ({symbols[VARIABLES[name].kind]})", "to")]
     groups = [(4 + 2 * k, 5 + 2 * k, name) for k, name in enumerate(_OFF)]
     return table(head, rows, right=range(len(head)), groups=groups)

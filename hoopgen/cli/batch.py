@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -9,13 +10,16 @@ import click
 
 from hoopgen.cli.options import examples, scheduler_option, table_options, threads_option
 from hoopgen.cli.types import OUT
+from hoopgen.phrases import counted
+from hoopgen.printable import printable
 
 __all__ = ["batch"]
 
 _COLUMNS = """\b
-Columns are named like variables, with the unit after them; SI and radians without:
+Columns are named like variables, with the unit after them. A length or a speed without is SI, m or
+m/s; an angle or a spin needs its unit:
   releases    speed_mph elevation_deg azimuth_deg backspin_hz height_ft distance ...
-  or states   x y z vx vy vz wx wy wz, x_ft, vx_ft_s, wy_rpm ...
+  or states   x y z vx vy vz wx_rad_s wy_rad_s wz_rad_s, x_ft, vx_ft_s, wy_rpm ...
   and         ring_radius_in restitution ..., which change the scene of that row
 All others are kept as they are. A row with no number where one is needed is invalid.
 
@@ -48,7 +52,7 @@ All others are kept as they are. A row with no number where one is needed is inv
 @click.option("--prefix", default="", help="Of the names of the results.")
 @threads_option
 @scheduler_option
-def batch(file: Path, out: Path, release: tuple[tuple[str, float], ...], **options: Any) -> None:
+def batch(file: Path, out: Path, release: Mapping[str, float], **options: Any) -> None:
     """Simulate the releases of a table, and write it with the results.
 
     FILE is CSV, Parquet or Arrow, and may be larger than the memory. The same command goes on
@@ -58,6 +62,8 @@ def batch(file: Path, out: Path, release: tuple[tuple[str, float], ...], **optio
     from hoopgen.cli.progress import shown
 
     with shown() as progress:
-        outcomes = hoopgen.batch(file, out, release=dict(release), progress=progress, **options)
+        outcomes = hoopgen.batch(file, out, release=release, progress=progress, **options)
     counts = [f"{count:,} {name}" for name, count in outcomes.items()]
-    click.echo(f"{sum(outcomes.values()):,} shots: {', '.join(counts)}; in {out}")
+    said = f"{counted(sum(outcomes.values()), 'shot')}: {', '.join(counts)}; in {out}"
+    click.echo(printable(said))
+    click.echo(f"scene: {outcomes.scene}")

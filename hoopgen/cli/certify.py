@@ -19,8 +19,9 @@ from hoopgen.cli.options import (
     preset_options,
     scene,
 )
-from hoopgen.cli.table import table
-from hoopgen.cli.types import FILE
+from hoopgen.cli.types import FILE, whole
+from hoopgen.layout import table
+from hoopgen.study.told import say_scene
 
 if TYPE_CHECKING:
     from hoopgen.judge import Proof
@@ -31,8 +32,8 @@ __all__ = ["certify"]
 @click.command(
     epilog=UNITS_IN_WORDS
     + examples(
-        "hoopgen certify --speed 7.17 --elevation 51 --distance 13.75ft --height 7ft",
-        "hoopgen shot --speed 7.3 --elevation 51 --distance 4.2 --height 2.1 --json > shot.json",
+        "hoopgen certify --speed 7.17 --elevation 51deg --distance 13.75ft --height 7ft",
+        "hoopgen shot --speed 7.3 --elevation 51deg --distance 4.2 --height 2.1 --json > shot.json",
         "hoopgen certify shot.json",
     ),
 )
@@ -42,7 +43,7 @@ __all__ = ["certify"]
 @max_contacts_option
 @click.option(
     "--max-bits",
-    type=click.IntRange(min=128),
+    type=whole(128),
     default=4096,
     show_default=True,
     help="Precision at which to give up.",
@@ -54,7 +55,7 @@ def certify(
     /,
     file: Path | None,
     preset: str,
-    settings: tuple[tuple[str, float], ...],
+    settings: Mapping[str, float],
     max_contacts: int,
     max_bits: int,
     as_json: bool,
@@ -67,14 +68,19 @@ def certify(
     if one cannot be: two contacts at once, an exact touch, an exact edge.
     """
     from hoopgen.judge import certify as prove
+    from hoopgen.study.named import in_units
 
     if file is None:
         state, parameters = _released(release), scene(preset, settings)
     else:
         state, written = _read(file)
-        parameters = written | dict(settings)
+        parameters = {**written, **settings}
     proof = prove(state, parameters, max_contacts=max_contacts, max_bits=max_bits, record=True)[0]
-    click.echo(_record(proof) if as_json else _summary(proof))
+    scene_told = say_scene(parameters)
+    if as_json:
+        click.echo(json.dumps({**in_units(_record(proof)), "scene": scene_told}, indent=2))
+    else:
+        click.echo(f"{_summary(proof)}\nscene      {scene_told}")
     if not proof.decided:
         ctx.exit(1)
 
@@ -91,9 +97,11 @@ def _released(release: Mapping[str, float | None]) -> list[float]:
 
 
 def _read(file: Path) -> tuple[list[float], dict[str, float]]:
+    from hoopgen.study.named import parameters_named
+
     try:
         record = json.loads(file.read_text(encoding="utf-8"))
-        return list(record["release"]), dict(record["parameters"])
+        return list(record["release"]), parameters_named(dict(record["parameters"]))
     except (ValueError, KeyError, TypeError):
         raise click.ClickException(
             f"{file}: expected what `hoopgen shot --json` writes, with release and parameters"
@@ -123,8 +131,9 @@ def _summary(proof: Proof) -> str:
     return "\n".join(lines)
 
 
-def _record(proof: Proof) -> str:
+def _record(proof: Proof) -> dict[str, Any]:
     from hoopgen.cli.report import surface_name
+    from hoopgen.study.named import COMPONENTS
 
     events: list[dict[str, Any]] = [
         {
@@ -135,10 +144,10 @@ def _record(proof: Proof) -> str:
         }
         for event in proof.events
     ]
-    record = {
+    return {
         "outcome": _outcome(proof),
         "bits": proof.bits,
         "question": proof.question,
         "events": events,
+        "components": COMPONENTS,
     }
-    return json.dumps(record, indent=2)

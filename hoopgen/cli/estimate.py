@@ -4,45 +4,37 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
-from hoopgen.cli.options import UNITS_IN_WORDS, examples, json_option
-from hoopgen.cli.releasing import Releasing, release_options, work_options
-from hoopgen.cli.types import ASSIGNMENT, COUNT, FILE
-
-if TYPE_CHECKING:
-    from hoopgen.study.models import ReleaseModel
+from hoopgen.cli.options import UNITS_IN_WORDS, examples, json_option, units_option
+from hoopgen.cli.releasing import Releasing, from_option, release_options, work_options
+from hoopgen.cli.types import ASSIGNMENT, COUNT, once
 
 __all__ = ["estimate"]
 
-_PLAYER = "--scatter speed=0.07 --scatter elevation=1.3 --scatter azimuth=1"
+_PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg"
 
 
 @click.command(
     epilog=UNITS_IN_WORDS
     + examples(
-        "hoopgen estimate --speed 7.17 --elevation 52 --backspin 3Hz --height 7ft \\",
+        "hoopgen estimate --speed 7.17 --elevation 52deg --backspin 3Hz --height 7ft \\",
         f"    --distance 13.75ft {_PLAYER}",
-        "hoopgen estimate --aim 5cm --elevation 52 --backspin 3Hz --height 7ft \\",
+        "hoopgen estimate --aim 5cm --elevation 52deg --backspin 3Hz --height 7ft \\",
         f"    --distance 13.75ft {_PLAYER} \\",
         "    --preset nba --precision 0.001 --versus backspin=0",
         "hoopgen estimate --from releases.csv --height 7ft --distance 13.75ft --json",
     )
 )
 @release_options
-@click.option(
-    "--from",
-    "file",
-    type=FILE,
-    help="Draw from measured releases, .csv, .parquet or .arrow; the options above fill in.",
-)
+@from_option
 @click.option(
     "--versus",
     type=ASSIGNMENT,
     multiple=True,
+    callback=once,
     help="Compare with this variable changed, over the same random numbers; may be repeated.",
 )
 @click.option(
@@ -54,11 +46,11 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3 --scatter azimuth=1"
     help="Stop when half the interval is no wider: 0.001 is a tenth of a point.",
 )
 @work_options
+@units_option
 @json_option
 def estimate(
     releasing: Releasing,
-    file: Path | None,
-    versus: tuple[tuple[str, float], ...],
+    versus: Mapping[str, float],
     precision: float | None,
     as_json: bool,
     **work: Any,
@@ -70,55 +62,24 @@ def estimate(
     """
     import hoopgen
     from hoopgen.cli.progress import shown
+    from hoopgen.study.named import in_units
     from hoopgen.study.words import say
 
-    measured = {} if file is None else _measured(file, releasing)
-    setting = _setting(releasing, measured, {})
+    setting = releasing.model()
     with shown() as progress:
         options = {"precision": precision, "progress": progress, **work}
         if versus:
-            changed = _setting(releasing, measured, dict(versus))
+            changed = releasing.model(versus)
             result: Any = hoopgen.compare(setting, changed, **options)
         else:
             result = hoopgen.estimate(*setting, **options)
     if as_json:
-        click.echo(json.dumps(result.as_dict(), indent=2, allow_nan=False))
+        click.echo(json.dumps(in_units(result.as_dict()), indent=2, allow_nan=False))
     else:
         if versus:
-            click.echo(f"versus      {', '.join(f'{name} {say(name, to)}' for name, to in versus)}")
+            click.echo(
+                f"versus      {', '.join(f'{name} {say(name, to)}' for name, to in versus.items())}"
+            )
         click.echo(result)
     if precision is not None and result.half_width > precision:
         click.echo("hoopgen: the precision was not reached; more --shots", err=True)
-
-
-def _measured(file: Path, releasing: Releasing) -> Mapping[str, Any]:
-    """Return the columns of the file that say something, without those that are given."""
-    import pyarrow as pa
-
-    from hoopgen.study.tables import Source
-
-    if releasing.sd:
-        raise click.UsageError("--scatter is about a release, and --from has many; leave one out")
-    source = Source(file)
-    columns = source.columns(given=releasing.values)
-    return source.values(pa.concat_tables(source.tables(_ROWS)), columns)
-
-
-_ROWS = 1 << 20
-"""Read at a time."""
-
-
-def _setting(
-    releasing: Releasing, measured: Mapping[str, Any], changes: Mapping[str, float]
-) -> tuple[ReleaseModel, Mapping[str, float]]:
-    """Return the release model and the scene, with some variables changed."""
-    from hoopgen.parameters import NAMES
-    from hoopgen.study.models import Resample, Scatter
-    from hoopgen.study.variables import change_variables
-
-    values = change_variables({**measured, **releasing.values}, changes)
-    scene = dict(releasing.parameters)
-    scene |= {name: values.pop(name) for name in NAMES if name in changes}
-    if measured:
-        return Resample(values), scene
-    return Scatter(values, releasing.sd, releasing.correlation), scene

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterator
+import json
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,9 +12,10 @@ import click
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.cli.options import UNITS_IN_WORDS, examples, picture_option
-from hoopgen.cli.releasing import Releasing, release_options, work_options
-from hoopgen.cli.types import AXIS, COUNT, OUT
+from hoopgen.cli.options import UNITS_IN_WORDS, examples, picture_option, units_option
+from hoopgen.cli.releasing import Releasing, from_option, release_options, work_options
+from hoopgen.cli.types import AXIS, COUNT, MAP, once
+from hoopgen.outputs import write, written_text
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -21,34 +23,40 @@ if TYPE_CHECKING:
 __all__ = ["map_"]
 
 _FREE_THROW = "--backspin 3Hz --height 7ft --distance 13.75ft"
-_FORMATS = (".nc", ".csv")
 
 
 @click.command(
     "map",
     epilog=UNITS_IN_WORDS
     + examples(
-        "hoopgen map --over elevation=45:60:61 --over speed=6.8:7.6:81 --picture map.svg \\",
+        "hoopgen map --over elevation=45deg:60deg:61 --over speed=6.8:7.6:81 --picture map.svg \\",
         f"    {_FREE_THROW}",
-        "hoopgen map --over elevation=45:60:31 --over aim=-10cm:20cm:31 --out map.nc \\",
+        "hoopgen map --over elevation=45deg:60deg:31 --over aim=-10cm:20cm:31 --out map.nc \\",
         f"    {_FREE_THROW} \\",
-        "    --scatter speed=0.07 --scatter elevation=1.3 --scatter azimuth=1 --shots 1e5",
+        "    --scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg --shots 1e5",
     ),
 )
 @click.option(
     "--over",
     type=AXIS,
     multiple=True,
+    callback=once,
     required=True,
     help="A variable and its values, from:to:count or one,two,three; may be repeated.",
 )
 @release_options
-@click.option("--shots", type=COUNT, help="Of each cell, with --scatter.  [default: 10,000]")
-@click.option("--out", type=OUT, help="Write the map: .nc (netCDF, for xarray) or .csv; SI units.")
+@from_option
+@click.option(
+    "--shots", type=COUNT, help="Of each cell, with --scatter or --from.  [default: 10,000]"
+)
+@click.option(
+    "--out", type=MAP, help="Write the map: .nc (netCDF, for xarray) or .csv; SI, with the units."
+)
 @picture_option("map")
 @work_options
+@units_option
 def map_(
-    over: tuple[tuple[str, NDArray[np.float64]], ...],
+    over: Mapping[str, NDArray[np.float64]],
     releasing: Releasing,
     out: Path | None,
     picture: Path | None,
@@ -56,27 +64,16 @@ def map_(
 ) -> None:
     """Map a shot over any of its variables.
 
-    Each cell is one shot; with --scatter, the probability that it is made. The variables that are
-    not mapped over are given as for `hoopgen shot`.
+    Each cell is one shot; with --scatter or --from, the probability that it is made. The variables
+    that are not mapped over are given as for `hoopgen shot`.
     """
     import hoopgen
     from hoopgen.cli.progress import shown
+    from hoopgen.study.told import footer, told_by
 
-    if out is not None and out.suffix.lower() not in _FORMATS:
-        raise click.UsageError(f"--out: {out} ends in none of {', '.join(_FORMATS)}")
-    twice = [name for place, (name, _) in enumerate(over) if name in dict(over[:place])]
-    if twice:
-        raise click.UsageError(f"--over: {twice[0]} is given twice")
+    model, scene = releasing.model()
     with shown() as progress:
-        dataset = hoopgen.map(
-            dict(over),
-            releasing.values,
-            releasing.sd,
-            releasing.correlation,
-            releasing.parameters,
-            progress=progress,
-            **work,
-        )
+        dataset = hoopgen.map(model, over, scene, progress=progress, **work)
     if out is not None:
         _write(dataset, out)
     if picture is not None:
@@ -84,14 +81,15 @@ def map_(
 
         plots.save(plots.plot_map(dataset), picture)
     click.echo(_summary(dataset))
+    click.echo(f"\n{footer(9, told_by(dataset))}")
 
 
 def _write(dataset: xr.Dataset, file: Path) -> None:
     if file.suffix.lower() == ".nc":
-        dataset.to_netcdf(file, engine="scipy")
+        write(file, bytes(dataset.to_netcdf(engine="scipy")))
         return
     columns = dict(_columns(dataset))
-    with file.open("w", newline="", encoding="utf-8") as out:
+    with written_text(file) as out:
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(columns)
         writer.writerows(
@@ -102,17 +100,21 @@ def _write(dataset: xr.Dataset, file: Path) -> None:
 def _columns(dataset: xr.Dataset) -> Iterator[tuple[str, NDArray[Any]]]:
     """Yield names and cells of the columns: what was mapped over, what was given, what came out.
 
-    The names of the variables are those that `hoopgen batch` reads.
+    The names of the variables are those that `hoopgen batch` reads, with their units.
     """
+    from hoopgen.study.named import named
+
     axes = [str(name) for name in dataset.dims if name != "kind"]
     shape = tuple(dataset.sizes[name] for name in axes)
     for name, values in zip(
         axes, np.meshgrid(*(dataset[n] for n in axes), indexing="ij"), strict=True
     ):
-        yield name, values
+        yield named(name), values
     for label, coordinate in dataset.coords.items():
         if not coordinate.dims:
-            yield str(label), np.broadcast_to(coordinate.values, shape)
+            yield named(str(label)), np.broadcast_to(coordinate.values, shape)
+    for name, value in _shared(dataset).items():
+        yield name, np.broadcast_to(value, shape)
     for label, variable in dataset.items():
         name = str(label)
         if "kind" in variable.dims:
@@ -124,9 +126,24 @@ def _columns(dataset: xr.Dataset) -> Iterator[tuple[str, NDArray[Any]]]:
             yield name, variable.values
 
 
+def _shared(dataset: xr.Dataset) -> dict[str, Any]:
+    """Return what else is the same in all cells: scene, scatter, seed, and what computed."""
+    told = dataset.attrs
+    scene = json.loads(told["parameters"])
+    sd = json.loads(told.get("sd", "{}"))
+    pairs = json.loads(told.get("correlation", "[]"))
+    return {
+        **{name: value for name, value in scene.items() if name not in dataset.coords},
+        **{f"sd_{name}": value for name, value in sd.items()},
+        **{f"correlation_{one}_{other}": value for one, other, value in pairs},
+        **{name: told[name] for name in ("max_contacts", "seed", "source") if name in told},
+    }
+
+
 def _summary(dataset: xr.Dataset) -> str:
     """Say how large the map is, and its best cell or the shares of its outcomes."""
-    from hoopgen.study.words import percent, say
+    from hoopgen.phrases import counted, interval, percent
+    from hoopgen.study.words import say
 
     axes = [str(name) for name in dataset.dims if name != "kind"]
     cells = " × ".join(f"{dataset.sizes[name]} {name}" for name in axes)
@@ -137,11 +154,11 @@ def _summary(dataset: xr.Dataset) -> str:
             f"{percent(share)} {name}" for name, share in zip(names, shares, strict=True) if share
         ]
         return f"map    {cells}, one shot each\nshots  {', '.join(said)}"
-    shots = f"map    {cells}, {dataset['shots'].values.max():,} shots each"
+    shots = f"map    {cells}, {counted(dataset['shots'].values.max(), 'shot')} each"
     probability = dataset["probability"]
     if probability.isnull().all():
         return f"{shots}\nbest   none: no cell can be simulated"
     best = dataset.isel(probability.argmax(...))
     where = ", ".join(f"{name} {say(name, best[name].item())}" for name in axes)
     made, low, high = (best[name].item() for name in ("probability", "low", "high"))
-    return f"{shots}\nbest   {percent(made)} made ({percent(low)} to {percent(high)}) at {where}"
+    return f"{shots}\nbest   {percent(made)} made ({interval(low, high)}) at {where}"

@@ -10,7 +10,20 @@ from typing import Any
 import click
 
 from hoopgen.cli.examples import examples
-from hoopgen.cli.types import ASSIGNMENT, FILE, FOLDER, OUT, SETTING, variable_type
+from hoopgen.cli.flown import flown
+from hoopgen.cli.types import (
+    ASSIGNMENT,
+    COUNT,
+    FILE,
+    FOLDER,
+    PICTURE,
+    SETTING,
+    once,
+    variable_type,
+    whole,
+)
+from hoopgen.parameters import PRESETS
+from hoopgen.units import System, showing
 
 __all__ = [
     "NEEDED",
@@ -25,6 +38,7 @@ __all__ = [
     "folder_option",
     "json_option",
     "max_contacts_option",
+    "override_option",
     "picture_option",
     "preset_options",
     "scene",
@@ -34,16 +48,17 @@ __all__ = [
     "table_options",
     "threads_option",
     "together",
+    "units_option",
     "variable_option",
 ]
 
 Decorator = Callable[[Any], Any]
 
 UNITS_IN_WORDS = """\b
-Units are written in words, with or without a blank between:
-  length  m cm mm ft in, 6ft8in too     speed  m/s ft/s km/h mph
-  angle   deg rad                       spin   rad/s deg/s Hz rev/s rpm
-A bare number is in the unit in brackets: SI, but degrees for an angle.
+Units are written in words, with or without a blank between, feet as well as ft:
+  length  m cm mm ft in, 6ft8in too     speed  m/s cm/s ft/s km/h mph
+  angle   deg rad                       spin   Hz rev/s rpm rad/s deg/s
+A bare length or speed is SI, m or m/s; an angle or a spin other than 0 needs its unit.
 
 """
 """For the end of a command's help."""
@@ -106,28 +121,26 @@ def argument_options(*, required: bool) -> Decorator:
 preset_options = together(
     click.option(
         "--preset",
-        type=click.Choice(["paper", "nba", "fiba"], case_sensitive=False),
+        type=click.Choice(list(PRESETS), case_sensitive=False),
         default="paper",
         show_default=True,
-        help="Ball, ring, board and restitution.",
+        help="Ball, ring, board and restitution; a file of results names its own.",
     ),
     click.option(
         "--set",
         "settings",
         type=SETTING,
         multiple=True,
+        callback=once,
         help="Change one parameter of the preset; may be repeated.",
     ),
 )
 """``--preset`` and ``--set``."""
 
 
-def scene(preset: str, settings: tuple[tuple[str, float], ...]) -> Mapping[str, float]:
+def scene(preset: str, settings: Mapping[str, float]) -> Mapping[str, float]:
     """Merge a preset with what is set."""
-    import hoopgen
-
-    presets = {"paper": hoopgen.PAPER, "nba": hoopgen.NBA, "fiba": hoopgen.FIBA}
-    return presets[preset] | dict(settings)
+    return PRESETS[preset] | dict(settings)
 
 
 def scene_options(command: Callable[..., Any]) -> Callable[..., Any]:
@@ -146,7 +159,7 @@ def scene_options(command: Callable[..., Any]) -> Callable[..., Any]:
 
 max_contacts_option = click.option(
     "--max-contacts",
-    type=click.IntRange(min=1),
+    type=whole(most=2**31 - 1),
     default=40,
     show_default=True,
     help="Contacts after which a shot is given up as capped.",
@@ -160,9 +173,7 @@ backend_option = click.option(
     help="What computes; all give the same bits.",
 )
 
-threads_option = click.option(
-    "--threads", type=click.IntRange(min=1), help="As many as there are, by default."
-)
+threads_option = click.option("--threads", type=COUNT, help="As many as there are, by default.")
 
 scheduler_option = click.option(
     "--scheduler",
@@ -176,7 +187,7 @@ folder_option = click.option(
 
 seed_option = click.option(
     "--seed",
-    type=click.IntRange(min=0),
+    type=whole(0, 2**64 - 1, "NUMBER"),
     default=0,
     show_default=True,
     help="Of the random numbers.",
@@ -203,15 +214,23 @@ by_option = click.option(
 
 # -------------------------------------------------------------------------------------- in and out
 
-table_options = together(
+override_option = click.option(
+    "--override",
+    is_flag=True,
+    help="Fly the shots of a file of results as the options say, though the file says otherwise.",
+)
+
+_TABLE = together(
     click.argument("file", type=FILE),
     click.option(
         "--release",
         type=ASSIGNMENT,
         multiple=True,
+        callback=once,
         help="A variable that all rows share, in place of a column; may be repeated.",
     ),
-    scene_options,
+    preset_options,
+    override_option,
     max_contacts_option,
     click.option(
         "--format",
@@ -225,13 +244,47 @@ table_options = together(
         help="A column that is not to be read, though it is named like a variable.",
     ),
 )
-"""FILE, a table of releases, and what goes with it."""
+
+
+def table_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Add FILE, a table of releases, and what goes with it.
+
+    The command is given `parameters` and `max_contacts`, None for what FILE says.
+    """
+
+    @functools.wraps(command)
+    def collected(*arguments: Any, preset: str, settings: Any, **options: Any) -> Any:
+        asked, assumed = flown(options["file"], options["format"] or "", options["own"])
+        result = command(*arguments, **(options | asked))
+        if assumed:
+            click.echo(assumed, err=True)
+        return result
+
+    decorated: Callable[..., Any] = _TABLE(collected)
+    return decorated
+
 
 json_option = click.option(
     "--json", "as_json", is_flag=True, help="Write everything as JSON; SI units, numbers in full."
 )
 
 
+def _show(ctx: click.Context, _: click.Parameter, system: System) -> None:
+    ctx.with_resource(showing(system))
+
+
+units_option = click.option(
+    "--units",
+    type=click.Choice(["si", "us"], case_sensitive=False),
+    default="si",
+    show_default=True,
+    expose_value=False,
+    callback=_show,
+    help="Of text and pictures: metres and m/s, or feet, inches and mph. Files keep theirs.",
+)
+"""``--units``; it holds for as long as the command runs."""
+
+
 def picture_option(what: str) -> Decorator:
     """Return ``--picture``, which draws the shot or the map."""
-    return click.option("--picture", type=OUT, help=f"Draw the {what}: .png, .svg or .pdf.")
+    return click.option("--picture", type=PICTURE, help=f"Draw the {what}: .png, .svg or .pdf.")

@@ -10,8 +10,9 @@ import click
 
 from hoopgen.brief import brief
 from hoopgen.cli.options import backend_option, examples
-from hoopgen.cli.table import NO_BREAK, table
 from hoopgen.cli.types import FOLDER
+from hoopgen.layout import NO_BREAK, table
+from hoopgen.printable import printable
 
 if TYPE_CHECKING:
     from hoopgen.paper import Result
@@ -50,15 +51,19 @@ def paper(
     shot does not do what the article's figure shows.
     """
     from hoopgen.paper import run
+    from hoopgen.study.told import say_scene
 
     suffixes = [] if out is None else _suffixes(formats)
+    if out is not None:
+        out.mkdir(parents=True, exist_ok=True)
     results = run(backend=backend)
     click.echo(_overview(results))
+    click.echo(f"\nScene: {say_scene(results[0].parameters)}; releases: Table 3")
     click.echo(_notes(results))
     if events:
         click.echo(_logs(results))
     if out is not None:
-        click.echo(f"\n{_draw(results, out, suffixes)} pictures in {out}")
+        click.echo(printable(f"\n{_draw(results, out, suffixes)} pictures in {out}"))
     wrong = [result.case.name for result in results if not result.agrees]
     if wrong:
         click.echo(f"\nNot as in the article: {'; '.join(wrong)}", err=True)
@@ -123,7 +128,6 @@ def _draw(results: tuple[Result, ...], folder: Path, suffixes: list[str]) -> int
     """Write the pictures and count them."""
     from hoopgen import plots
 
-    folder.mkdir(parents=True, exist_ok=True)
     count = 0
     for result in results:
         figure = plots.plot_trajectory(

@@ -9,6 +9,8 @@ from contextlib import contextmanager
 
 import click
 
+from hoopgen.printable import printable
+
 __all__ = ["shown"]
 
 
@@ -36,5 +38,5 @@ def shown() -> Iterator[Callable[[int, int | None], None]]:
             yield show
     except KeyboardInterrupt as error:
         for note in getattr(error, "__notes__", ()):
-            click.echo(f"hoopgen: {note}", err=True)
+            click.echo(f"hoopgen: {printable(note)}", err=True)
         raise

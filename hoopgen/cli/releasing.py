@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import Any
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
 
 import click
 
+from hoopgen.cli.flown import flown
 from hoopgen.cli.options import (
     VARIABLE_HELP,
     backend_option,
     confidence_option,
     folder_option,
     max_contacts_option,
+    override_option,
     scene_options,
     scheduler_option,
     seed_option,
@@ -22,9 +26,12 @@ from hoopgen.cli.options import (
     together,
     variable_option,
 )
-from hoopgen.cli.types import ASSIGNMENT, CORRELATION
+from hoopgen.cli.types import ASSIGNMENT, CORRELATION, FILE, once
 
-__all__ = ["Releasing", "release_options", "work_options"]
+if TYPE_CHECKING:
+    from hoopgen.study.models import Resample, Scatter
+
+__all__ = ["Releasing", "from_option", "release_options", "work_options"]
 
 
 @dataclass(frozen=True)
@@ -41,12 +48,95 @@ class Releasing:
         Of pairs of those.
     parameters
         Of the scene.
+    measured
+        Columns of measured releases, ``--from``; empty without.
     """
 
     values: Mapping[str, float]
     sd: Mapping[str, float]
     correlation: Mapping[tuple[str, str], float]
     parameters: Mapping[str, float]
+    measured: Mapping[str, Any] = field(default_factory=dict)
+
+    def model(
+        self, changes: Mapping[str, float] = MappingProxyType({})
+    ) -> tuple[Scatter | Resample, Mapping[str, float]]:
+        """Return the release model, of measured releases where there are some, and the scene.
+
+        Of some variables changed, the scene's parameters among them.
+        """
+        from hoopgen.parameters import NAMES
+        from hoopgen.study.models import Resample, Scatter
+        from hoopgen.study.variables import change_variables
+
+        values = change_variables({**self.measured, **self.values}, changes)
+        scene = dict(self.parameters)
+        scene |= {name: values.pop(name) for name in NAMES if name in changes}
+        if self.measured:
+            return Resample(values), scene
+        return Scatter(values, self.sd, self.correlation), scene
+
+    def read(self, file: Path, asked: Mapping[str, Any], override: bool) -> tuple[Releasing, int]:
+        """Return this with what a file says of releases and their scene; and its contacts."""
+        import pyarrow as pa
+
+        from hoopgen.study.origin import settle
+        from hoopgen.study.tables import Source
+
+        if self.sd:
+            raise click.UsageError(
+                "--scatter is about a release, and --from has many; leave one out"
+            )
+        source = Source(file)
+        origin = settle(source, release=self.values, **asked, override=override)
+        columns = source.columns(origin.own, origin.release)
+        measured = source.values(pa.concat_tables(source.tables(_ROWS)), columns)
+        scene, values = origin.parameters, origin.release
+        found = replace(self, values=values, parameters=scene, measured=measured)
+        return found, origin.max_contacts
+
+
+_ROWS = 1 << 20
+"""Read at a time."""
+
+
+_FROM = together(
+    click.option(
+        "--from",
+        "file",
+        type=FILE,
+        help="Draw from measured releases, .csv, .parquet or .arrow; the options above fill in.",
+    ),
+    override_option,
+)
+
+
+def from_option(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Add ``--from``, measured releases in place of scatter; below `release_options`.
+
+    Results are flown in their own scene, to as many contacts as they were, where the command has
+    an option of those.
+    """
+
+    @functools.wraps(command)
+    def collected(
+        *arguments: Any, releasing: Releasing, file: Path | None, override: bool, **options: Any
+    ) -> Any:
+        if file is None:
+            if override:
+                raise click.UsageError("--override: there is no file of results; leave it out")
+            return command(*arguments, releasing=releasing, **options)
+        asked, assumed = flown(file)
+        releasing, contacts = releasing.read(file, asked, override)
+        if "max_contacts" in options:
+            options["max_contacts"] = contacts
+        result = command(*arguments, releasing=releasing, **options)
+        if assumed:
+            click.echo(assumed, err=True)
+        return result
+
+    decorated: Callable[..., Any] = _FROM(collected)
+    return decorated
 
 
 def release_options(command: Callable[..., Any]) -> Callable[..., Any]:
@@ -57,8 +147,8 @@ def release_options(command: Callable[..., Any]) -> Callable[..., Any]:
         given = {name: options.pop(name) for name in VARIABLE_HELP}
         releasing = Releasing(
             values={name: value for name, value in given.items() if value is not None},
-            sd=dict(options.pop("scatter")),
-            correlation=dict(options.pop("correlation")),
+            sd=options.pop("scatter"),
+            correlation=options.pop("correlation"),
             parameters=parameters,
         )
         return command(*arguments, releasing=releasing, **options)
@@ -73,12 +163,14 @@ _SCATTER = (
         "--scatter",
         type=ASSIGNMENT,
         multiple=True,
+        callback=once,
         help="Standard deviation of a variable, speed=0.07, elevation=1.3deg; may be repeated.",
     ),
     click.option(
         "--correlation",
         type=CORRELATION,
         multiple=True,
+        callback=once,
         help="Of two that scatter, speed,elevation=-0.3; may be repeated.",
     ),
 )

@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 import hoopgen
-from hoopgen.cli.table import NO_BREAK, table
+from hoopgen.layout import NO_BREAK, table
+from hoopgen.units import shown
 
 __all__ = ["event_table", "story", "surface_name"]
 
@@ -42,9 +43,17 @@ def _runs(events: NDArray[Any]) -> Iterable[str]:
 
 
 def event_table(release: NDArray[np.float64], events: NDArray[Any]) -> str:
-    """Lay out a shot's events, the release first, in m, m/s and s."""
-    headers = ["#", "time", "surface", "x", "y", "z", "vx", "vy", "vz", "vx", "vy", "vz"]
-    first = ["", _time(0.0), "release", *_numbers(release[:3]), *[""] * 3, *_numbers(release[3:6])]
+    """Lay out a shot's events, the release first, with times in s."""
+    unit, speed = shown("length"), shown("speed")
+
+    def places(state: NDArray[np.float64]) -> list[str]:
+        return _numbers(state[:3] / unit.size)
+
+    def speeds(state: NDArray[np.float64]) -> list[str]:
+        return _numbers(state[3:6] / speed.size)
+
+    headers = ["#", "time (s)", "surface", "x", "y", "z", "vx", "vy", "vz", "vx", "vy", "vz"]
+    first = ["", _time(0.0), "release", *places(release), *[""] * 3, *speeds(release)]
     rows = [first]
     for number, event in enumerate(events, 1):
         before, after = event["before"], event["after"]
@@ -55,12 +64,13 @@ def event_table(release: NDArray[np.float64], events: NDArray[Any]) -> str:
                 "" if ended else str(number),
                 _time(float(event["time"])),
                 surface_name(surface),
-                *_numbers(before[:3]),
-                *_numbers(before[3:6]),
-                *([""] * 3 if ended else _numbers(after[3:6])),
+                *places(before),
+                *speeds(before),
+                *([""] * 3 if ended else speeds(after)),
             ]
         )
-    groups = [(3, 5, "position (m)"), (6, 8, "before (m/s)"), (9, 11, "after (m/s)")]
+    groups = [(3, 5, f"position ({unit.symbol})")]
+    groups += [(6, 8, f"before ({speed.symbol})"), (9, 11, f"after ({speed.symbol})")]
     return table(headers, rows, right=[0, 1, *range(3, 12)], groups=groups)
 
 

@@ -20,8 +20,11 @@ from hoopgen.cli.options import (
     picture_option,
     preset_options,
     scene,
+    units_option,
 )
-from hoopgen.cli.types import OUT
+from hoopgen.cli.types import PAGE
+from hoopgen.phrases import counted
+from hoopgen.study.told import say_scene
 
 if TYPE_CHECKING:
     import numpy as np
@@ -35,11 +38,11 @@ __all__ = ["shot"]
 @click.command(
     epilog=UNITS_IN_WORDS
     + examples(
-        "hoopgen shot --speed 7.17 --elevation 51 --distance 13.75ft --height 7ft",
+        "hoopgen shot --speed 7.17 --elevation 51deg --distance 13.75ft --height 7ft",
         "hoopgen shot --speed 16mph --elevation 0.9rad --distance 4.2 --height 2.1 --backspin 3Hz",
-        "hoopgen shot --speed 9.2 --elevation 48 --distance 22ft --height 7ft --angle 90deg",
-        "hoopgen shot --speed 7.2 --elevation 52 --distance 13.75ft --height 7ft --preset nba \\",
-        "    --set restitution=0.75 --picture shot.svg --view shot.html",
+        "hoopgen shot --speed 9.2 --elevation 48deg --distance 22ft --height 7ft --angle 90deg",
+        "hoopgen shot --speed 7.2 --elevation 52deg --distance 13.75ft --height 7ft \\",
+        "    --preset nba --set restitution=0.75 --picture shot.svg --view shot.html",
     )
 )
 @argument_options(required=True)
@@ -50,13 +53,14 @@ __all__ = ["shot"]
 @click.option(
     "--view",
     "page",
-    type=OUT,
+    type=PAGE,
     help="Show the shot in motion in space, on a page: .html, one file that needs no network.",
 )
+@units_option
 @json_option
 def shot(
     preset: str,
-    settings: tuple[tuple[str, float], ...],
+    settings: Mapping[str, float],
     max_contacts: int,
     backend: Literal["auto", "c", "numpy"],
     picture: Path | None,
@@ -86,15 +90,16 @@ def shot(
             "or a size or gravity is not above zero"
         )
     if picture is not None:
-        _draw(shots, parameters, _title(shots, preset, settings), picture)
+        _draw(shots, parameters, picture)
     if page is not None:
         from hoopgen.viewer import view
 
-        view(shots, parameters, page, title=_title(shots, preset, settings))
+        view(shots, parameters, page)
     if as_json:
         click.echo(json.dumps(_record(shots, state, parameters), indent=2, allow_nan=False))
     else:
         click.echo(_summary(shots, state))
+        click.echo(f"scene      {say_scene(parameters)}")
 
 
 def _summary(shots: hoopgen.Shots, state: NDArray[np.float64]) -> str:
@@ -117,30 +122,26 @@ def _summary(shots: hoopgen.Shots, state: NDArray[np.float64]) -> str:
 def _outcome_text(shots: hoopgen.Shots) -> str:
     """Say the outcome, and when and where the ball met the end plane."""
     import hoopgen
+    from hoopgen.units import shown
 
     outcome = hoopgen.Outcome(int(shots.outcome[0]))
     said = outcome.name.lower()
     if outcome == hoopgen.Outcome.CAPPED:
-        return f"{said}: {shots.contacts[0]} contacts, and not yet at the end plane"
+        return f"{said}: {counted(shots.contacts[0], 'contact')}, and not yet at the end plane"
     if outcome == hoopgen.Outcome.SHORT:
         return f"{said}: the ball never comes down through the end plane"
     off_centre = math.hypot(shots.state[0, 0], shots.state[0, 1])
-    return f"{said}, {off_centre:.3f} m from the centre of the ring after {shots.time[0]:.3f} s"
+    unit = shown("length")
+    far = f"{off_centre / unit.size:.{unit.decimals}f} {unit.symbol}"
+    return f"{said}, {far} from the centre of the ring after {shots.time[0]:.3f} s"
 
 
-def _title(shots: hoopgen.Shots, preset: str, settings: tuple[tuple[str, float], ...]) -> str:
-    import hoopgen
-
-    outcome = hoopgen.Outcome(int(shots.outcome[0])).name.capitalize()
-    changed = "".join(f", {name.replace('_', ' ')} {value:.6g}" for name, value in settings)
-    return f"{outcome} ({preset.upper()} preset{changed})"
-
-
-def _draw(shots: hoopgen.Shots, parameters: Mapping[str, float], title: str, picture: Path) -> None:
+def _draw(shots: hoopgen.Shots, parameters: Mapping[str, float], picture: Path) -> None:
     import hoopgen
     from hoopgen import plots
 
     outcome = hoopgen.Outcome(int(shots.outcome[0]))
+    title = outcome.name.capitalize()
     figure = plots.plot_trajectory(shots.trajectory(0), parameters, outcome=outcome, title=title)
     plots.save(figure, picture)
 
@@ -151,9 +152,10 @@ def _record(
     """Collect everything about the shot in types that JSON knows."""
     import hoopgen
     from hoopgen.cli.report import surface_name
+    from hoopgen.study.named import COMPONENTS, in_units
 
     first = int(shots.first[0])
-    return {
+    record = {
         "outcome": hoopgen.Outcome(int(shots.outcome[0])).name.lower(),
         "uncertain": bool(shots.uncertain[0]),
         "contacts": int(shots.contacts[0]),
@@ -162,6 +164,7 @@ def _record(
         "time": float(shots.time[0]),
         "state": shots.state[0].tolist(),
         "release": state.tolist(),
+        "scene": say_scene(parameters),
         "parameters": {name: float(value) for name, value in parameters.items()},
         "events": [
             {
@@ -172,4 +175,6 @@ def _record(
             }
             for event in shots.trajectory(0).events
         ],
+        "components": COMPONENTS,
     }
+    return dict(in_units(record))

@@ -10,7 +10,11 @@ from typing import Any
 
 import click
 
-from hoopgen.cli.options import examples
+from hoopgen.cli.errors import OwnError, foreseen, in_words
+from hoopgen.cli.options import examples, scheduler_option, threads_option
+from hoopgen.cli.types import FILE, FOLDER
+from hoopgen.phrases import counted
+from hoopgen.printable import printable
 
 __all__ = ["study"]
 
@@ -32,18 +36,14 @@ def _print_reference(ctx: click.Context, _: click.Parameter, wanted: bool) -> No
         "hoopgen study --reference",
     )
 )
-@click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path))
+@click.argument("file", type=FILE)
 @click.option(
     "--out",
-    type=click.Path(file_okay=False, path_type=Path),
+    type=FOLDER,
     help="Folder of the results; by default beside FILE, <its name>-results.",
 )
-@click.option("--threads", type=click.IntRange(min=1), help="As many as there are, by default.")
-@click.option(
-    "--scheduler",
-    metavar="ADDRESS",
-    help="Of a Dask scheduler whose workers compute, tcp://host:8786.",
-)
+@threads_option
+@scheduler_option
 @click.option("--check", is_flag=True, help="Say what is wrong with FILE, and compute nothing.")
 @click.option(
     "--reference",
@@ -69,28 +69,31 @@ def study(
         if check:
             questions = check_study(file)
             names = ", ".join(asked.question.name for asked in questions)
-            click.echo(f"{file}: {len(questions)} questions, {names}")
+            click.echo(printable(f"{file}: {counted(len(questions), 'question')}, {names}"))
             return
         with _shown() as progress:
             answers = run_study(file, out, threads=threads, scheduler=scheduler, progress=progress)
     except StudyError as error:
         raise _failed(error.complaints) from None
     except ExceptionGroup as group:
-        said = [f"{': '.join(error.__notes__)}: {error}" for error in group.exceptions]
-        raise _failed([*said, group.message]) from None
+        said = [f"{': '.join(error.__notes__)}: {in_words(error)}" for error in group.exceptions]
+        kind = click.ClickException if all(map(foreseen, group.exceptions)) else OwnError
+        raise _failed([*said, group.message], kind) from group
     width = max(map(len, answers))
     for name, answer in answers.items():
         click.echo(f"{name:{width}}  {answer.line}")
     folder = out if out is not None else file.with_name(f"{file.stem}-results")
-    click.echo(f"{'report':{width}}  {folder / 'report.md'}")
+    click.echo(printable(f"{'report':{width}}  {folder / 'report.md'}"))
 
 
-def _failed(complaints: Any) -> click.ClickException:
+def _failed(
+    complaints: Any, kind: type[click.ClickException] = click.ClickException
+) -> click.ClickException:
     """Say all complaints but the last, a line each; that one is the error."""
     *others, last = (" ".join(complaint.split()) for complaint in complaints)
     for complaint in others:
-        click.echo(f"hoopgen: error: {complaint}", err=True)
-    return click.ClickException(last)
+        click.echo(f"hoopgen: error: {printable(complaint)}", err=True)
+    return kind(last)
 
 
 @contextmanager

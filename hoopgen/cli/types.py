@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from decimal import Decimal, InvalidOperation
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
@@ -11,9 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
+from hoopgen.outputs import MAPS, PAGES, PICTURES, check_folder, check_output
 from hoopgen.parameters import PAPER
+from hoopgen.sizes import evenly
 from hoopgen.study.variables import VARIABLES, Variable
-from hoopgen.units import UNITS, Kind, parse_quantity
+from hoopgen.units import NO_BARE, UNITS, Kind, parse_quantity
 
 __all__ = [
     "ASSIGNMENT",
@@ -23,11 +26,17 @@ __all__ = [
     "COUNT",
     "FILE",
     "FOLDER",
+    "MAP",
     "OUT",
+    "PAGE",
+    "PICTURE",
     "SETTING",
+    "Checked",
     "Parsed",
     "quantity",
+    "once",
     "variable_type",
+    "whole",
 ]
 
 Value = TypeVar("Value")
@@ -72,32 +81,58 @@ class Parsed(_Type[Value]):
         return self.name
 
 
-def quantity(kind: Kind, bare: str | None = None) -> Parsed[float]:
+class Checked(_Type[Path]):
+    """A path that is looked at before any work for it.
+
+    Parameters
+    ----------
+    check
+        Says with a ValueError or OSError what is wrong with it.
+    path
+        The type of the path alone.
+    """
+
+    def __init__(self, check: Callable[[Path], Path], path: click.Path) -> None:
+        self.check, self.path = check, path
+        self.name = path.name
+
+    def convert(
+        self, value: str | Path, param: click.Parameter | None, ctx: click.Context | None
+    ) -> Path:
+        """Return the path, if it can be written."""
+        try:
+            return self.check(Path(str(self.path.convert(value, param, ctx))))
+        except OSError as error:
+            self.fail(f"{error.filename}: {error.strerror}", param, ctx)
+        except ValueError as error:
+            self.fail(str(error), param, ctx)
+
+
+def _ending(suffixes: Sequence[str]) -> Checked:
+    """Return the type of a file to be written whose name ends in one of these."""
+    return Checked(lambda path: check_output(path, suffixes), _Path(dir_okay=False, path_type=Path))
+
+
+def quantity(kind: Kind) -> Parsed[float]:
     """Return the type of a number with a unit, given to the command in SI.
 
     Parameters
     ----------
     kind
         What is measured; see `hoopgen.units.UNITS`.
-    bare
-        The unit of a bare number; the SI unit by default.
     """
-    unit = bare or next(iter(UNITS[kind]))
-    return Parsed(lambda text: parse_quantity(text, kind, bare=bare), f"{kind.upper()} [{unit}]")
+    units = "|".join(NO_BARE.get(kind, tuple(UNITS[kind])[:1])[:2])
+    return Parsed(lambda text: parse_quantity(text, kind), f"{kind.upper()} [{units}]")
 
 
 def variable_type(name: str) -> Parsed[float]:
-    """Return the type of a variable's value; bare angles are in degrees."""
-    return quantity(VARIABLES[name].kind, _bare(VARIABLES[name]))
-
-
-def _bare(variable: Variable) -> str | None:
-    return "deg" if variable.kind == "angle" else None
+    """Return the type of a variable's value."""
+    return quantity(VARIABLES[name].kind)
 
 
 def _read(text: str, variable: Variable) -> float:
     try:
-        return parse_quantity(text, variable.kind, bare=_bare(variable))
+        return parse_quantity(text, variable.kind)
     except ValueError as error:
         raise ValueError(f"{variable.name}: {error}") from None
 
@@ -131,7 +166,7 @@ def _axis(text: str) -> tuple[str, NDArray[np.float64]]:
             "nor values with commas between"
         )
     first, last = (_read(part, variable) for part in parts[:2])
-    return variable.name, np.linspace(first, last, int(parts[2]))
+    return variable.name, evenly(variable.name, first, last, int(parts[2]))
 
 
 def _bounds(text: str) -> tuple[str, tuple[float, float] | None]:
@@ -152,14 +187,35 @@ def _correlation(text: str) -> tuple[tuple[str, str], float]:
     return (first, second), parse_quantity(value, "number")
 
 
-def _count(text: str) -> int:
-    try:
-        number = float(text)
-    except ValueError:
-        number = 0.0
-    if not 1 <= number < 2**63 or number != int(number):
-        raise ValueError(f"{brief(text)} is not a whole number from 1")
-    return int(number)
+_MOST = 2**63 - 1
+
+
+def whole(least: int = 1, most: int = _MOST, metavar: str = "COUNT") -> Parsed[int]:
+    """Return the type of a whole number from `least` to `most`; ``1e6`` is one too."""
+
+    def read(text: str) -> int:
+        try:
+            number = Decimal(text)
+        except InvalidOperation:
+            number = Decimal("nan")
+        # In this order nothing is made a whole number that would fill the memory.
+        if not number.is_finite() or not least <= number <= most or number != int(number):
+            below = "" if most == _MOST else f" to {most}"
+            raise ValueError(f"{brief(text)} is not a whole number from {least}{below}")
+        return int(number)
+
+    return Parsed(read, metavar)
+
+
+def once(ctx: click.Context, option: click.Parameter, given: Iterable[tuple[Any, Value]]) -> Any:
+    """Give the command what a repeated option says, by name; each may be said once."""
+    said: dict[Any, Value] = {}
+    for name, value in given:
+        if name in said:
+            words = name if isinstance(name, str) else ",".join(name)
+            raise click.BadParameter(f"{words} is given twice", ctx, option)
+        said[name] = value
+    return said
 
 
 ASSIGNMENT = Parsed(_assignment, "NAME=VALUE")
@@ -169,22 +225,42 @@ SETTING = Parsed(lambda text: _assignment(text, PAPER), "NAME=VALUE")
 """A parameter of the scene and its value, ``restitution=0.75``."""
 
 AXIS = Parsed(_axis, "NAME=FROM:TO:COUNT")
-"""A variable and its values, ``elevation=45:60:61`` or ``restitution=0.6,0.7,0.8``."""
+"""A variable and its values, ``elevation=45deg:60deg:61`` or ``restitution=0.6,0.7,0.8``."""
 
 BOUNDS = Parsed(_bounds, "NAME=LOW:HIGH")
-"""A variable and where to search, ``elevation=45:60``; or its name alone."""
+"""A variable and where to search, ``elevation=45deg:60deg``; or its name alone."""
 
 CORRELATION = Parsed(_correlation, "NAME,NAME=VALUE")
 """Two variables and their correlation, ``speed,elevation=-0.3``."""
 
-COUNT = Parsed(_count, "COUNT")
+COUNT = whole()
 """A whole number from 1, ``1e6`` too."""
 
-FILE = click.Path(exists=True, dir_okay=False, path_type=Path)
+
+class _Path(click.Path):
+    """A path; one without a name would be the folder that the command is given in."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return the path."""
+        if value == "":
+            self.fail("expected a name, got ''", param, ctx)
+        return super().convert(value, param, ctx)
+
+
+FILE = _Path(exists=True, dir_okay=False, path_type=Path)
 """A file to be read."""
 
-OUT = click.Path(dir_okay=False, path_type=Path)
+OUT = Checked(check_output, _Path(dir_okay=False, path_type=Path))
 """A file to be written."""
 
-FOLDER = click.Path(file_okay=False, path_type=Path)
+PICTURE = _ending(PICTURES)
+"""A picture to be written."""
+
+PAGE = _ending(PAGES)
+"""A page to be written."""
+
+MAP = _ending(MAPS)
+"""A map to be written."""
+
+FOLDER = Checked(check_folder, _Path(file_okay=False, path_type=Path))
 """A folder to be written."""

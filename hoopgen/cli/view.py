@@ -9,12 +9,11 @@ from typing import TYPE_CHECKING
 import click
 
 from hoopgen.cli.options import backend_option, examples, seed_option, table_options
-from hoopgen.cli.types import OUT
+from hoopgen.cli.types import PAGE, whole
+from hoopgen.printable import printable
 
 if TYPE_CHECKING:
     from typing import Literal
-
-    from hoopgen.viewer.sample import Sample
 
 __all__ = ["view"]
 
@@ -27,12 +26,12 @@ __all__ = ["view"]
     )
 )
 @click.option(
-    "--out", type=OUT, required=True, help="The page, .html: one file that needs no network."
+    "--out", type=PAGE, required=True, help="The page, .html: one file that needs no network."
 )
 @click.option(
     "--sample",
     "count",
-    type=click.IntRange(1, 2000),
+    type=whole(most=2000),
     default=50,
     show_default=True,
     help="Shots on the page, chosen at random.",
@@ -47,9 +46,10 @@ def view(
     count: int,
     seed: int,
     title: str,
-    release: tuple[tuple[str, float], ...],
-    parameters: Mapping[str, float],
-    max_contacts: int,
+    release: Mapping[str, float],
+    parameters: Mapping[str, float] | None,
+    max_contacts: int | None,
+    override: bool,
     format: str | None,
     own: tuple[str, ...],
     backend: Literal["auto", "c", "numpy"],
@@ -57,29 +57,23 @@ def view(
     """Show a sample of a table of releases in space, in motion.
 
     FILE is a table as `hoopgen batch` reads it, or the results that it writes: CSV, Parquet or
-    Arrow, one release a row, with the units in the columns' names.
+    Arrow, one release a row, with the units in the columns' names. Results are flown in their own
+    scene.
     """
-    import numpy as np
+    from hoopgen.viewer.table import view_table
 
-    import hoopgen
-    from hoopgen import viewer
-    from hoopgen.viewer.sample import sample
-
-    chosen = sample(file, count, seed, parameters, release=dict(release), format=format, own=own)
-    states, given = chosen.releases.states, chosen.releases.parameters
-    shots = hoopgen.simulate(states, given, max_contacts=max_contacts, backend=backend, record=True)
-    invalid = int(np.count_nonzero(shots.outcome == hoopgen.Outcome.INVALID))
-    labels = [f"Row {row + 1}" for row in chosen.rows]
-    about = _about(file, chosen, seed, invalid)
-    viewer.view(shots, given, out, title=title, about=about, labels=labels)
-    click.echo(f"{out}: {about}")
-
-
-def _about(file: Path, chosen: Sample, seed: int, invalid: int) -> str:
-    """Say which rows are shown."""
-    count = len(chosen.rows)
-    if count == chosen.total:
-        text = f"all {count} rows of {file.name}"
-    else:
-        text = f"{count} of {chosen.total} rows of {file.name}, chosen at random (seed {seed})"
-    return f"{text}; {invalid} invalid, left out" if invalid else text
+    page = view_table(
+        file,
+        out,
+        count=count,
+        seed=seed,
+        title=title,
+        parameters=parameters,
+        release=release,
+        max_contacts=max_contacts,
+        override=override,
+        format=format,
+        own=own,
+        backend=backend,
+    )
+    click.echo(printable(f"{out}: {page.about}"))

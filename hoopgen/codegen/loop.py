@@ -11,7 +11,17 @@ from dataclasses import dataclass, field
 
 from hoopgen.derive.follow.fields import Field
 from hoopgen.derive.follow.loop import Loop
-from hoopgen.derive.ground.tree import Do, Guard, Node, Repeat, needed, reads, writes
+from hoopgen.derive.ground.tree import (
+    Do,
+    Guard,
+    Node,
+    Repeat,
+    live_before,
+    live_in_body,
+    needed,
+    reads,
+    writes,
+)
 
 from .printers import NUMPY, C, Spelling, constant
 
@@ -39,29 +49,6 @@ class Scope:
     takes: tuple[str, ...]
     gives: tuple[str, ...]
     keeps: tuple[str, ...]
-
-
-def live_before(nodes: Sequence[Node], after: Iterable[str]) -> set[str]:
-    """Return the variables whose values are needed before the nodes, given those needed after."""
-    live = set(after)
-    for node in reversed(nodes):
-        if isinstance(node, Do):
-            live -= set(node.assigned.values())
-            live |= reads([node])
-        else:
-            live |= live_in_body(node, live) | {node.truth}
-    return live
-
-
-def live_in_body(node: Guard | Repeat, after: Iterable[str]) -> set[str]:
-    """Return the variables whose values are needed where a guarded body begins."""
-    live = live_before(node.body, after)
-    while isinstance(node, Repeat):
-        more = live_before(node.body, live | set(after) | {node.truth})
-        if more <= live:
-            break
-        live |= more
-    return live
 
 
 def scope(node: Guard | Repeat, after: Iterable[str]) -> Scope:
@@ -139,7 +126,7 @@ class CLoop(_Printer):
                 inside.pop(name, None)
             if isinstance(node, Repeat):
                 self.lines.append(f"{indent}for (int _turn = 0; _turn < {node.limit}; _turn++) {{")
-                self.lines.append(f"{inner}const M {truth} = {mask} & {node.truth};")
+                self.lines.append(f"{inner}const M {truth} = lanes_both({mask}, {node.truth});")
                 self.lines.append(f"{inner}if (!lanes_any({truth}))")
                 self.lines.append(f"{inner}    break;")
                 self._body(
@@ -147,7 +134,7 @@ class CLoop(_Printer):
                 )
                 self.lines.append(f"{indent}}}")
                 continue
-            self.lines.append(f"{indent}const M {truth} = {mask} & {node.truth};")
+            self.lines.append(f"{indent}const M {truth} = lanes_both({mask}, {node.truth});")
             skip = "" if self.cheap(node) else f"if (lanes_any({truth})) "
             self.lines.append(f"{indent}{skip}{{")
             self._body(node.body, inside, shared, truth, inner, later)
@@ -367,8 +354,8 @@ def _after(loop: Loop, names: Sequence[str]) -> dict[str, tuple[tuple[Node, ...]
     """Return each stage's nodes, and the variables that are needed after it."""
     wanted = {*names, "body"}
     found: dict[str, tuple[tuple[Node, ...], set[str]]] = {}
-    for stage, nodes in reversed(loop.stages.items()):
+    for stage, nodes in reversed(list(loop.stages.items())):
         kept = needed(nodes, wanted)
         found[stage] = (kept, set(wanted))
-        wanted |= reads(kept)
+        wanted = set(names) | live_before(kept, wanted)
     return dict(reversed(found.items()))

@@ -31,6 +31,8 @@ NUMPY = Spelling(
     | {
         "sqrt": "_sqrt({0})",
         "abs": "_absolute({0})",
+        "max": "_where({0} < {1}, {1}, {0})",
+        "min": "_where({0} < {1}, {0}, {1})",
         "less": "({0} < {1})",
         "at_most": "({0} <= {1})",
         "equal": "({0} == {1})",
@@ -46,17 +48,23 @@ NUMPY = Spelling(
 )
 
 C = Spelling(
-    operations=_INFIX
-    | {
+    operations={
+        "add": "lanes_add({0}, {1})",
+        "sub": "lanes_sub({0}, {1})",
+        "mul": "lanes_mul({0}, {1})",
+        "div": "lanes_div({0}, {1})",
+        "neg": "lanes_neg({0})",
         "sqrt": "lanes_sqrt({0})",
         "abs": "lanes_abs({0})",
-        "less": "({0} < {1})",
-        "at_most": "({0} <= {1})",
-        "equal": "({0} == {1})",
-        "both": "({0} & {1})",
-        "either": "({0} | {1})",
-        "not": "NOT({0})",
-        "nowhere": "NOWHERE",
+        "max": "lanes_max({0}, {1})",
+        "min": "lanes_min({0}, {1})",
+        "less": "lanes_less({0}, {1})",
+        "at_most": "lanes_at_most({0}, {1})",
+        "equal": "lanes_equal({0}, {1})",
+        "both": "lanes_both({0}, {1})",
+        "either": "lanes_either({0}, {1})",
+        "not": "lanes_not({0})",
+        "nowhere": "lanes_nowhere()",
         "select": "lanes_select({0}, {1}, {2})",
     },
     constant="K({0})",
@@ -70,6 +78,8 @@ JS = Spelling(
     | {
         "sqrt": "Math.sqrt({0})",
         "abs": "Math.abs({0})",
+        "max": "({0} < {1} ? {1} : {0})",
+        "min": "({0} < {1} ? {0} : {1})",
         "less": "({0} < {1})",
         "at_most": "({0} <= {1})",
         "equal": "({0} === {1})",
@@ -96,8 +106,14 @@ class Body:
 def constant(value: float, spelling: Spelling) -> str:
     """Return a double so that it reads back to the same bits."""
     if math.isinf(value):
-        return spelling.infinity if value > 0 else f"(-{spelling.infinity})"
+        return spelling.infinity if value > 0 else _negative(spelling)
     return spelling.constant.format(repr(value))
+
+
+def _negative(spelling: Spelling) -> str:
+    """Return minus infinity, within the brackets of a constant if it has some."""
+    opening, bracket, rest = spelling.infinity.partition("(")
+    return f"{opening}(-{rest}" if bracket else f"(-{spelling.infinity})"
 
 
 def print_program(program: Program, spelling: Spelling) -> Body:

@@ -52,7 +52,7 @@ class Operation:
     """One operation: its name, and its operands as indices of earlier operations.
 
     Names: argument, truth (an argument that holds or does not), constant, add, sub, mul, div, neg,
-    sqrt, abs, select, and those of `CONDITIONS`.
+    sqrt, abs, max, min, select, and those of `CONDITIONS`.
     """
 
     name: str
@@ -93,8 +93,13 @@ class Program:
 
     @property
     def cost(self) -> Counter[str]:
-        """How many of each operation one evaluation takes; inputs and constants are free."""
-        return Counter(o.name for o in self.operations if not o.is_free)
+        """How many of each operation one evaluation takes; inputs and constants are free.
+
+        A maximum or minimum, which some targets have as one, is a comparison and a selection.
+        """
+        names = (o.name for o in self.operations if not o.is_free)
+        parts = ((("less", "select") if n in ("max", "min") else (n,)) for n in names)
+        return Counter(part for several in parts for part in several)
 
     def _add(self, name: str, *operands: int, symbol: str = "", value: float = 0.0) -> int:
         operation = Operation(name, operands, symbol, value)
@@ -128,6 +133,8 @@ class Program:
             return self._add("abs", self.lower(expression.args[0]))
         if isinstance(expression, IfLess | IfAtMost):
             left, right, then, other = (self.lower(a) for a in expression.args)
+            if isinstance(expression, IfLess) and {then, other} == {left, right}:
+                return self._add("max" if then == right else "min", left, right)
             name = "less" if isinstance(expression, IfLess) else "at_most"
             return self._add("select", self._add(name, left, right), then, other)
         if isinstance(expression, Choose):

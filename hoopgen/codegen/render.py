@@ -20,6 +20,7 @@ from hoopgen.derive.ground.symbols import STATE
 from hoopgen.derive.model import Model, build
 from hoopgen.derive.scenes import SCENES
 from hoopgen.derive.scenes.scene import Scene
+from hoopgen.outputs import write
 
 from .derivation import derivation_context
 from .loop import local, loop_view, weighted
@@ -30,6 +31,7 @@ from .program import Program, lower
 OUTPUTS = {
     "numpy/kernels.py.j2": "numpy/{scene}.py",
     "c/kernels.h.j2": "c/{scene}_kernels.h",
+    "c/lanes.h.j2": "c/{scene}_lanes.h",
     "c/engine.h.j2": "c/{scene}_engine.h",
     "c/exact.h.j2": "c/{scene}_exact.h",
     "c/scene.h.j2": "c/{scene}.h",
@@ -243,7 +245,7 @@ def generate(root: Path) -> list[Path]:
         path = folder / name
         if not path.exists() or path.read_text(encoding="utf-8") != text:
             path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, encoding="utf-8", newline="\n")
+            write(path, text)
             changed.append(path)
     for name in _extra(folder, files):
         (folder / name).unlink()

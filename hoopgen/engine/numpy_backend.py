@@ -60,7 +60,7 @@ class Flights:
         fresh |= {name: given[name] for name in self._kept if name not in self._starts}
         self._permit(fresh, shots)
         self._admit(fresh, shots)
-        over = fresh["outcome"] >= 0.0
+        over = np.asarray(fresh["outcome"] >= 0.0)
         _finish(self._results, self._invalid, fresh, row, over, out)
         begun = np.flatnonzero(~over)
         for name in self._kept:

@@ -22,7 +22,7 @@ from . import arithmetic, numpy_backend, raw
 
 __all__ = ["WIDTHS", "differences", "trusted"]
 
-WIDTHS = (1, 2, 4, 8)
+WIDTHS = (1, 4, 8, 16)
 """Vector widths that the source can be built for; which there are depends on the processor."""
 
 EACH = 32

@@ -6,8 +6,11 @@ from collections.abc import Sequence
 
 from flint import arb, arb_poly, arb_series, ctx
 
+from hoopgen.derive.scenes import HOOP
+from hoopgen.derive.scenes.scene import Scene
+
 from .flight import arrival_at
-from .formulas import SurfaceFormulas, formulas
+from .formulas import Formulas, SurfaceFormulas, formulas
 from .roots import positive_within
 
 AUDIT_BITS = 128
@@ -17,7 +20,11 @@ TOLERANCE = 1e-17
 
 
 def deepest(
-    state: Sequence[float], duration: float, parameters: Sequence[float], leaving: int = -1
+    state: Sequence[float],
+    duration: float,
+    parameters: Sequence[float],
+    leaving: int = -1,
+    scene: Scene = HOOP,
 ) -> tuple[float, ...]:
     """Bound how deep the ball goes into each surface during a flight.
 
@@ -34,6 +41,8 @@ def deepest(
         In calling order.
     leaving
         The surface that the ball is on at the start, -1 for none.
+    scene
+        Of derive/.
 
     Returns
     -------
@@ -42,24 +51,32 @@ def deepest(
     """
     with ctx.workprec(AUDIT_BITS):
         start, values = [arb(c) for c in state], [arb(p) for p in parameters]
-        places = range(len(formulas().surfaces) - 1)
-        return tuple(_depth(k, start, arb(duration), values, k == leaving) for k in places)
+        own, end = formulas(scene), arb(duration)
+        places = range(len(own.surfaces) - 1)
+        return tuple(_depth(own, k, start, end, values, k == leaving) for k in places)
 
 
-def _depth(place: int, start: list[arb], duration: arb, values: list[arb], leaving: bool) -> float:
-    surface = formulas().surfaces[place]
-    if surface.axis < 0:
-        return _deepest(surface, start, arb(0), duration, values)
+def _depth(
+    own: Formulas, place: int, start: list[arb], duration: arb, values: list[arb], leaving: bool
+) -> float:
+    surface = own.surfaces[place]
+    if not surface.bounded:
+        return _deepest(own, surface, start, arb(0), duration, values)
     depth = -surface.distance(start, values)[0] if leaving else arb(0)
-    arrival = arrival_at(formulas(), place, start, values, 0, arb.pos_inf())
+    arrival = arrival_at(own, place, start, values, 0, arb.pos_inf())
     behind = 0.0
     if arrival is not None and not arrival.time > duration:
-        behind = _deepest(surface, start, arrival.time.lower().max(0), duration, values)
+        behind = _deepest(own, surface, start, arrival.time.lower().max(0), duration, values)
     return max(behind, float(depth.upper()), 0.0)
 
 
 def _deepest(
-    surface: SurfaceFormulas, start: list[arb], begin: arb, end: arb, values: list[arb]
+    own: Formulas,
+    surface: SurfaceFormulas,
+    start: list[arb],
+    begin: arb,
+    end: arb,
+    values: list[arb],
 ) -> float:
     """Split the flight until each part is outside, or no deeper than is known already."""
     coefficients = surface.coefficients(start, values)
@@ -71,27 +88,32 @@ def _deepest(
         low, high = parts.pop()
         if positive_within(polynomial, len(coefficients) - 1, low, high - low):
             continue
-        around = _along(start, values, low.union(high))
+        around = _along(own, start, values, low.union(high))
         if any(part >= 0 for part in surface.inside(around, values)):
             continue
-        depth = -_least_distance(surface, start, values, low, high)
+        depth = -_least_distance(own, surface, start, values, low, high)
         if depth <= reached or high - low < narrowest:
             bound = max(bound, float(depth.upper()))
             continue
         middle = ((low + high) / 2).mid()
-        here = _along(start, values, middle)
+        here = _along(own, start, values, middle)
         if all(part < 0 for part in surface.inside(here, values)):
             reached = reached.max(-surface.distance(here, values)[0].lower())
         parts += [(middle, high), (low, middle)]
     return bound
 
 
-def _along(start: list[arb], values: list[arb], time: arb) -> list[arb]:
-    return formulas().flight(start, values, (time,))
+def _along(own: Formulas, start: list[arb], values: list[arb], time: arb) -> list[arb]:
+    return own.flight(start, values, (time,))
 
 
 def _least_distance(
-    surface: SurfaceFormulas, start: list[arb], values: list[arb], low: arb, high: arb
+    own: Formulas,
+    surface: SurfaceFormulas,
+    start: list[arb],
+    values: list[arb],
+    low: arb,
+    high: arb,
 ) -> arb:
     """Return a lower bound of the distance from `low` to `high`.
 
@@ -99,22 +121,24 @@ def _least_distance(
     theorem about the middle.
     """
     middle = ((low + high) / 2).mid()
-    everywhere = _taylor(surface, start, values, low.union(high))
+    everywhere = _taylor(own, surface, start, values, low.union(high))
     rate = everywhere[1]
     if rate >= 0:
-        return _taylor(surface, start, values, low)[0].lower()
+        return _taylor(own, surface, start, values, low)[0].lower()
     if rate <= 0:
-        return _taylor(surface, start, values, high)[0].lower()
-    distance, slope, _ = _taylor(surface, start, values, middle)
+        return _taylor(own, surface, start, values, high)[0].lower()
+    distance, slope, _ = _taylor(own, surface, start, values, middle)
     away = low.union(high) - middle
     bounds = [distance + away * slope + away * away * everywhere[2], everywhere[0]]
     finite = [bound.lower() for bound in bounds if bound.is_finite()]
     return max(finite, key=float) if finite else arb.neg_inf()
 
 
-def _taylor(surface: SurfaceFormulas, start: list[arb], values: list[arb], time: arb) -> list[arb]:
+def _taylor(
+    own: Formulas, surface: SurfaceFormulas, start: list[arb], values: list[arb], time: arb
+) -> list[arb]:
     """Return the distance's Taylor coefficients about each of the times, to the second."""
     along = arb_series([time, 1], prec=3)
-    moving = formulas().flight([arb_series([c], prec=3) for c in start], values, (along,))
+    moving = own.flight([arb_series([c], prec=3) for c in start], values, (along,))
     distance = surface.distance(moving, values)[0]
     return [distance[k] for k in range(3)]

@@ -16,8 +16,9 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.brief import brief
-from hoopgen.inputs import check_contacts, check_leaving, check_states, is_whole
+from hoopgen.derive.scenes import HOOP
+from hoopgen.derive.scenes.scene import Scene
+from hoopgen.inputs import check_contacts, check_count, check_leaving, check_states
 from hoopgen.parameters import PAPER, resolve
 from hoopgen.results import Outcome
 
@@ -76,21 +77,40 @@ def certify(
         If an argument is not as described; the message says what is.
     """
     releases = check_states(states)
-    values = np.stack(
-        [np.broadcast_to(p, len(releases)) for p in resolve(parameters, len(releases))], axis=-1
-    )
-    most = check_contacts(max_contacts)
-    if not is_whole(max_bits) or max_bits < FIRST_BITS:
-        raise ValueError(
-            f"max_bits: expected a whole number from {FIRST_BITS}, got {brief(max_bits)}"
-        )
-    formulas()  # compiled here, once for all processes that are forked
-    task = _Task(most, int(max_bits), record)
+    values = resolve(parameters, len(releases))
     left = check_leaving(leaving, len(releases))
-    left = np.full(len(releases), -1, np.int8) if left is None else left
+    most = check_contacts(max_contacts)
+    bits = check_count("max_bits", max_bits, least=FIRST_BITS)
+    return prove(HOOP, releases, values, left, most, bits, record, processes)
+
+
+def prove(
+    scene: Scene,
+    states: NDArray[np.float64],
+    parameters: Sequence[NDArray[np.float64] | float],
+    leaving: NDArray[np.int8] | None,
+    max_contacts: int,
+    max_bits: int = MAX_BITS,
+    record: bool = False,
+    processes: int | None = None,
+) -> Certificate:
+    """Prove what shots do in a scene; arguments as of `certify`, checked.
+
+    Parameters
+    ----------
+    scene
+        Of derive/.
+    parameters
+        Each a number or (n,), in the scene's order.
+    """
+    formulas(scene)  # compiled here, once for all processes that are forked
+    task = _Task(scene, max_contacts, max_bits, record)
+    columns = [np.broadcast_to(p, len(states)) for p in parameters]
+    values = np.stack(columns, axis=-1)
+    left = np.full(len(states), -1, np.int8) if leaving is None else leaving
     chunks = [
-        (releases[k : k + CHUNK], values[k : k + CHUNK], left[k : k + CHUNK])
-        for k in range(0, len(releases), CHUNK)
+        (states[k : k + CHUNK], values[k : k + CHUNK], left[k : k + CHUNK])
+        for k in range(0, len(states), CHUNK)
     ]
     workers = min(_processes(processes), len(chunks))
     if workers < 2:
@@ -100,17 +120,13 @@ def certify(
             # Of other threads' locks held at the fork; what the forked processes do takes none.
             warnings.simplefilter("ignore", DeprecationWarning)
             parts = list(pool.map(task, chunks))
-    return Certificate([proof for part in parts for proof in part])
+    return Certificate([proof for part in parts for proof in part], len(scene.bodies))
 
 
 def _processes(processes: int | None) -> int:
     if processes is None:
         return len(os.sched_getaffinity(0)) if _FORKS else 1
-    if not is_whole(processes) or processes < 1:
-        raise ValueError(
-            f"processes: expected a whole number from 1, or None, got {brief(processes)}"
-        )
-    return int(processes)
+    return check_count("processes", processes, expected="a whole number from 1, or None")
 
 
 def _context() -> multiprocessing.context.BaseContext:
@@ -119,6 +135,7 @@ def _context() -> multiprocessing.context.BaseContext:
 
 @dataclass(frozen=True)
 class _Task:
+    scene: Scene
     max_contacts: int
     max_bits: int
     record: bool
@@ -134,7 +151,7 @@ class _Task:
             with ctx.workprec(bits):
                 question = ""
                 try:
-                    flown = fly(formulas(), state, parameters, self.max_contacts, leaving)
+                    flown = fly(formulas(self.scene), state, parameters, self.max_contacts, leaving)
                 except Undecided as undecided:
                     question, flown = undecided.args
                 last = 2 * bits > self.max_bits

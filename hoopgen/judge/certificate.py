@@ -11,7 +11,7 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
 
-from hoopgen.results import SURFACES
+from hoopgen.phrases import counted
 
 UNDECIDED = 255
 """In `Certificate.outcome`: none was proved."""
@@ -130,20 +130,20 @@ class Certificate:
         float64 (n, 9), likewise.
     """
 
-    def __init__(self, proofs: Sequence[Proof]) -> None:
+    def __init__(self, proofs: Sequence[Proof], bodies: int) -> None:
         self.proofs = tuple(proofs)
         shots = len(proofs)
         outcome = np.array([p.outcome for p in proofs], np.uint8)
         self.outcome: NDArray[np.uint8] = outcome
         self.decided: NDArray[np.bool_] = outcome != UNDECIDED
         self.bits: NDArray[np.int32] = np.array([p.bits for p in proofs], np.int32)
-        counts = np.zeros((shots, len(SURFACES) + 1), np.int32)
+        counts = np.zeros((shots, bodies + 1), np.int32)
         for row, proof in zip(counts, proofs, strict=True):
             row[:] = np.bincount(proof.surfaces, minlength=len(row)) if proof.surfaces else 0
         self.counts: NDArray[np.int32] = np.ascontiguousarray(counts[:, :-1])
         self.contacts: NDArray[np.int32] = self.counts.sum(axis=1, dtype=np.int32)
         first = [p.surfaces[0] if p.surfaces else -1 for p in proofs]
-        self.first = np.array([-1 if k == len(SURFACES) else k for k in first], np.int8)
+        self.first = np.array([-1 if k == bodies else k for k in first], np.int8)
         self.time: NDArray[np.float64] = np.array([p.time for p in proofs], float)
         self.time_radius: NDArray[np.float64] = np.array([p.time_radius for p in proofs], float)
         states = [p.state for p in proofs], [p.state_radii for p in proofs]
@@ -156,4 +156,4 @@ class Certificate:
         return self.proofs[shot]
 
     def __repr__(self) -> str:
-        return f"Certificate({len(self)} shots, {int(self.decided.sum())} decided)"
+        return f"Certificate({counted(len(self), 'shot')}, {int(self.decided.sum()):,} decided)"

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from flint import arb
+from flint import arb, arb_poly, ctx
 
 from hoopgen.results import Outcome
 
@@ -78,11 +78,10 @@ def _follow(
 ) -> None:
     """Add event after event."""
     end = len(formulas.surfaces) - 1
-    still = values[formulas.restitution].is_zero()
     while True:
         start = flown.state
         # How many low coefficients of the event polynomial of the last surface vanish.
-        vanishing = 2 if still and flown.events else 1
+        vanishing = 2 if flown.events and _stops(formulas.surfaces[last], values) else 1
         found = _next(formulas, start, values, last, vanishing)
         if found is None:
             flown.outcome = Outcome.SHORT
@@ -93,14 +92,19 @@ def _follow(
         if last == end:
             flown.state = before
             flown.outcome = _made(formulas, before, values)
-            flown.events.append(Event(last, flown.time, before, before))
+            flown.events.append(Event(formulas.surfaces[last].body, flown.time, before, before))
             return
-        after = _bounce(formulas, formulas.surfaces[last], before, values)
+        after = _bounce(formulas.surfaces[last], before, values)
         flown.state = after
-        flown.events.append(Event(last, flown.time, before, after))
+        flown.events.append(Event(formulas.surfaces[last].body, flown.time, before, after))
         if len(flown.events) >= max_contacts:
             flown.outcome = Outcome.CAPPED
             return
+
+
+def _stops(surface: SurfaceFormulas, values: list[arb]) -> bool:
+    """Return whether a ball leaves a surface with no velocity along the normal."""
+    return surface.restitution is not None and surface.restitution(values)[0].is_zero()
 
 
 def _made(formulas: Formulas, state: list[arb], values: list[arb]) -> int:
@@ -191,22 +195,66 @@ def arrival_at(
     if moving is None and (zeros or surface.axis < 0):
         return possible_from(arb(0))
     if moving == -1 and zeros:
-        return _bounded(formulas, surface, state, values, Arrival(arb(0)))
-    if moving == -1 and surface.axis < 0:
-        raise AssertionError(f"the ball is inside the {surface.name}")
+        entering = _bounded(formulas, surface, state, values, Arrival(arb(0)))
+        if entering is not None or surface.axis >= 0:
+            return entering
     if surface.axis >= 0:
         arrival = _descent(rest, moving)
-    else:
-        arrival = _first(rest, latest)
-    return None if arrival is None else _bounded(formulas, surface, state, values, arrival)
+        return None if arrival is None else _bounded(formulas, surface, state, values, arrival)
+    if moving == -1 and not surface.bounded:
+        raise AssertionError(f"the ball is inside the {surface.name}")
+    return _first(formulas, surface, state, values, rest, moving == -1, latest)
 
 
-def _first(coefficients: list[arb], latest: arb) -> Arrival | None:
-    """Return the first arrival of a curved surface up to `latest`, or a little later."""
+def _first(
+    formulas: Formulas,
+    surface: SurfaceFormulas,
+    state: list[arb],
+    values: list[arb],
+    coefficients: list[arb],
+    inside: bool,
+    latest: arb,
+) -> Arrival | None:
+    """Return the first arrival on a curved surface up to `latest`, or a little later.
+
+    What lies out of bounds is passed, and so is the way out behind it.
+    """
     end = latest if latest.is_finite() else root_bound(coefficients)
     if end is None:
         return possible_from(arb(0))
-    return first_arrival(coefficients, (end * (1 + arb(2) ** -20)).upper())
+    end = (end * (1 + arb(2) ** -20)).upper()
+    start = arb(0)
+    while start < end:
+        local = arb_poly(coefficients)(arb_poly([start, 1])).coeffs()
+        root = first_arrival([-c for c in local] if inside else local, end - start)
+        if root is None:
+            return None
+        found = Arrival(start + root.time, root.certain, root.onwards)
+        if not root.certain:
+            return found
+        if not inside:
+            arrival = _bounded(formulas, surface, state, values, found)
+            if arrival is not None:
+                return arrival
+        behind = _behind(coefficients, found.time, inside)
+        if behind is None:
+            return possible_from(found.time)
+        inside, start = not inside, behind
+    return None
+
+
+def _behind(coefficients: list[arb], root: arb, inside: bool) -> arb | None:
+    """Return a time behind a simple root, before the next one; None if none can be shown."""
+    polynomial, wanted = arb_poly(coefficients), 1 if inside else -1
+    slope = polynomial.derivative()
+    width = root.rad() + abs(root).upper() * arb(2) ** -(ctx.prec // 2)
+    for _ in range(ctx.prec // 4):
+        time = (root.upper() + width).mid()
+        # Monotone up to there: no other root lies between.
+        if sign(slope(root.union(time))) == wanted and sign(polynomial(time)) == wanted:
+            return time
+        width = width * 2
+    return None
 
 
 def _descent(coefficients: list[arb], moving: int | None) -> Arrival | None:
@@ -264,13 +312,12 @@ def _bounded(
     return Arrival(arrival.time, arrival.certain and None not in sides)
 
 
-def _bounce(
-    formulas: Formulas, surface: SurfaceFormulas, before: list[arb], values: list[arb]
-) -> list[arb]:
+def _bounce(surface: SurfaceFormulas, before: list[arb], values: list[arb]) -> list[arb]:
     """Return the state after a contact, what is exact by construction kept so."""
-    after = before[:3] + formulas.impact(before, values, surface.normal(before, values))
+    assert surface.impact is not None
+    assert surface.restitution is not None
+    after = before[:3] + surface.impact(before, values, surface.normal(before, values))
     if surface.axis >= 0:
         after[surface.axis] = surface.offset(values)[0]
-        restitution = values[formulas.restitution]
-        after[3 + surface.axis] = -restitution * before[3 + surface.axis]
+        after[3 + surface.axis] = -surface.restitution(values)[0] * before[3 + surface.axis]
     return after

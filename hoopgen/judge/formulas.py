@@ -138,6 +138,14 @@ class SurfaceFormulas:
         Expressions that are all negative exactly when the ball overlaps the body.
     distance
         Signed distance, as a list of one.
+    body
+        The body that it belongs to.
+    bounded
+        Whether it has bounds; a plane without is the end.
+    impact
+        (state, parameters, normal) to velocity and spin; None at the end.
+    restitution
+        (parameters,): of its law, as a list of one.
     axis, offset
         Of a plane: the coordinate that its normal points along, and that coordinate at contact,
         as a list of one, from the parameters alone. For any other surface the axis is -1.
@@ -149,8 +157,12 @@ class SurfaceFormulas:
     normal: Function
     inside: Function
     distance: Function
+    body: int
+    bounded: bool
     axis: int
     offset: Function
+    impact: Function | None
+    restitution: Function | None
 
 
 @dataclass(frozen=True)
@@ -165,38 +177,38 @@ class Formulas:
         In which they are searched: planes first, whose arrivals then limit the others' search.
     flight
         (state, parameters, (time,)) to position and velocity.
-    impact
-        (state, parameters, normal) to velocity and spin.
     target
         (state, parameters): not positive where made.
     requirements
         (parameters,): each must be positive.
     names, signs, uppers
         Of the parameters, in order: name, allowed sign, largest value or None.
-    restitution
-        The parameter's place.
     """
 
     surfaces: tuple[SurfaceFormulas, ...]
     order: tuple[int, ...]
     flight: Function
-    impact: Function
     target: Function
     requirements: Function
     names: tuple[str, ...]
     signs: tuple[str, ...]
     uppers: tuple[float | None, ...]
-    restitution: int
 
 
-def _surface(surface: Surface, scene: Scene) -> SurfaceFormulas:
+def _surface(surface: Surface, body: int, scene: Scene) -> SurfaceFormulas:
     place, motion = (*POSITION, *VELOCITY), scene.symbols
     axis, offset = -1, sp.Integer(0)
     if isinstance(surface, Plane):
         axis = next(k for k, component in enumerate(surface.direction) if component)
         offset = surface.offset * surface.direction[axis]  # its square is 1
-    elif surface.bounds:
-        raise ValueError(f"surface {surface.name}: only a plane can have bounds")
+
+    impact = restitution = None
+    if body < len(scene.bodies):
+        law = scene.bodies[body].law
+        after = law.after(normal, velocity, spin, scene.ball_radius)
+        state = (*POSITION, *VELOCITY, *SPIN)
+        impact = compiled([e for vector in after for e in vector], state, motion, NORMAL)
+        restitution = compiled([law.restitution], motion)
 
     def by_state(expressions: Sequence[sp.Expr]) -> Function:
         return compiled(expressions, place, motion)
@@ -208,8 +220,12 @@ def _surface(surface: Surface, scene: Scene) -> SurfaceFormulas:
         by_state(list(surface.normal)),
         by_state(surface.inside),
         by_state([surface.distance]),
+        body,
+        bool(surface.bounds),
         axis,
         compiled([offset], motion),
+        impact,
+        restitution,
     )
 
 
@@ -218,19 +234,16 @@ def formulas(scene: Scene = HOOP) -> Formulas:
     """Return the scene's formulas, compiled once."""
     state = (*POSITION, *VELOCITY, *SPIN)
     parameters = scene.symbols
-    (law,) = scene.laws
-    after = law.after(normal, velocity, spin, scene.ball_radius)
     there = flight(scene.gravity)
-    surfaces = tuple(_surface(surface, scene) for surface in (*scene.surfaces, scene.finish))
+    faces = zip((*scene.surfaces, scene.finish), (*scene.faces, len(scene.bodies)), strict=True)
+    surfaces = tuple(_surface(surface, body, scene) for surface, body in faces)
     return Formulas(
         surfaces,
         tuple(sorted(range(len(surfaces)), key=lambda k: surfaces[k].axis < 0)),
         compiled([e for vector in there for e in vector], state, parameters, (t,)),
-        compiled([e for vector in after for e in vector], state, parameters, NORMAL),
         compiled([scene.target], state, parameters),
         compiled(scene.requirements, parameters),
         tuple(p.name for p in scene.parameters),
         tuple(p.sign for p in scene.parameters),
         tuple(p.upper for p in scene.parameters),
-        parameters.index(law.restitution),
     )

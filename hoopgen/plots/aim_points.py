@@ -22,6 +22,7 @@ from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scene import draw_hoop, scene_corners
 from hoopgen.plots.style import PAGE, style
 from hoopgen.plots.views import View
+from hoopgen.study.told import in_a_note, say_scene, told_by
 from hoopgen.units import UNITS
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ Column = NDArray[np.float64]
 
 INCH = UNITS["length"]["in"]
 
-FRONT = View("front view", (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), ("y (m)", "above the ring (m)"))
+FRONT = View("front view", (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), ("y", "above the ring"))
 
 _NEEDED = ("x", "y", "touch_y", "touch_z", "sight_y", "difference_low", "difference_high")
 
@@ -64,6 +65,7 @@ def plot_aim_points(
     *,
     court: str = ...,
     title: str = ...,
+    note: str | None = ...,
     width: float = ...,
     ax: None = None,
 ) -> Figure: ...
@@ -76,6 +78,7 @@ def plot_aim_points(
     *,
     court: str = ...,
     title: str = ...,
+    note: str | None = ...,
     width: float = ...,
     ax: Axes,
 ) -> Axes: ...
@@ -87,6 +90,7 @@ def plot_aim_points(
     *,
     court: str = "NBA",
     title: str = "",
+    note: str | None = None,
     width: float = PAGE,
     ax: Axes | None = None,
 ) -> Figure | Axes:
@@ -106,6 +110,9 @@ def plot_aim_points(
         Whose lines are drawn, of `hoopgen.plots.court.COURTS`.
     title
         Above the picture.
+    note
+        Said below it, after what colours and lines are; by default the scene, and release, scatter
+        and seed as far as the dataset says them.
     width
         Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
     ax
@@ -134,10 +141,11 @@ def plot_aim_points(
     if not there.any():
         raise ValueError("dataset: expected a bank shot from one place at least, got none")
     aims = _Aims(**{name: column[there] for name, column in columns.items()})
+    told = _told(dataset, parameters) if note is None else note
     with style():
         if ax is not None:
-            return _draw_on(check_axes(ax), aims, parameters, title)
-        return _draw(aims, parameters, lines, title, width)
+            return _draw_on(check_axes(ax), aims, parameters, title, told)
+        return _draw(aims, parameters, lines, title, told, width)
 
 
 @dataclass(frozen=True)
@@ -165,13 +173,24 @@ class _Aims:
         return np.where(self.difference_low > 0.0, 0, np.where(self.difference_high < 0.0, 2, 1))
 
 
+def _told(dataset: xr.Dataset, parameters: Mapping[str, Any]) -> str:
+    return in_a_note({**told_by(dataset), "scene": say_scene(parameters)}, scene=True)
+
+
 def _draw(
-    aims: _Aims, parameters: Mapping[str, float], court: Court, title: str, width: float
+    aims: _Aims,
+    parameters: Mapping[str, float],
+    court: Court,
+    title: str,
+    note: str,
+    width: float,
 ) -> Figure:
     """Draw the board and the floor, one beside or above the other."""
     board, floor = _arrange(aims, parameters, width)
     top = max(panel.bottom + panel.height for panel in (board, floor))
-    figure = new_page(width, top + _ABOVE - _LEGEND, title=title, note=_NOTE, foot=_LEGEND)
+    figure = new_page(
+        width, top + _ABOVE - _LEGEND, title=title, note=f"{_NOTE} {note}", foot=_LEGEND
+    )
     front = add_view(figure, board)
     _draw_board(front, board, aims, parameters)
     plan = add_floor(figure, floor, court, parameters)
@@ -191,10 +210,12 @@ def _draw(
     return figure
 
 
-def _draw_on(axes: Axes, aims: _Aims, parameters: Mapping[str, float], title: str) -> Axes:
+def _draw_on(
+    axes: Axes, aims: _Aims, parameters: Mapping[str, float], title: str, note: str
+) -> Axes:
     """Draw the board on axes that there are."""
     _draw_board(axes, fit_view(axes, FRONT, _board(parameters)), aims, parameters)
-    add_title(axes, title, _NOTE.partition(". ")[0] + ".")
+    add_title(axes, title, f"{_NOTE.partition('. ')[0]}. {note}")
     add_key(axes, _said(axes, aims))
     return axes
 

@@ -11,8 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
+from hoopgen.parameters import NAMES
+from hoopgen.phrases import counted, interval, percent
 from hoopgen.plots.key import classify
-from hoopgen.study.words import Quantity, percent_in_picture, quantity
+from hoopgen.study.told import told_by
+from hoopgen.study.words import Quantity, quantity
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -73,6 +76,8 @@ class Cells:
         Of the interval, if it is known.
     note
         What is the same in all cells.
+    scene
+        The scene alone, a sentence; empty if the dataset does not say it.
     """
 
     of: str
@@ -81,6 +86,7 @@ class Cells:
     interval: tuple[Numbers, Numbers] | None
     confidence: float | None
     note: str
+    scene: str
 
     def panels(self) -> list[Cells]:
         """Return the map for each value of the third variable, if there is one."""
@@ -115,9 +121,9 @@ class Cells:
         )
         between = ""
         if self.interval is not None:
-            low, high = (100.0 * float(bound[place]) for bound in self.interval)
-            between = f" ({low:.1f}\N{EN DASH}{high:.1f})"
-        return f"{percent_in_picture(float(self.values[place]))}{between} at {where}"
+            low, high = (float(bound[place]) for bound in self.interval)
+            between = f" ({interval(low, high)})"
+        return f"{percent(float(self.values[place]))}{between} at {where}"
 
 
 def read_cells(dataset: xr.Dataset, of: str | None = None) -> Cells:
@@ -147,6 +153,7 @@ def read_cells(dataset: xr.Dataset, of: str | None = None) -> Cells:
         else None,
         confidence=None if confidence is None else float(confidence),
         note=_note(dataset),
+        scene=_scene(dataset),
     )
 
 
@@ -177,19 +184,34 @@ def _axis(dataset: xr.Dataset, name: Hashable) -> Axis:
 
 def _note(dataset: xr.Dataset) -> str:
     """Say what is the same in all cells, and what probabilities rest on."""
+    told = dataset.attrs
+    scene = _scene(dataset)
     same = [
         _say(str(name), float(column), column.attrs)
         for name, column in dataset.coords.items()
         if column.ndim == 0 and np.issubdtype(column.dtype, np.number)
+        if not (scene and name in NAMES)  # those are the scene's
     ]
-    told = dataset.attrs
     scatter = [_say(name, sd) for name, sd in json.loads(told.get("sd", "{}")).items()]
+    scatter += [
+        f"correlation of {one} and {other} {Quantity('', '').say(value)}"
+        for one, other, value in json.loads(told.get("correlation", "[]"))
+        if value
+    ]
     shots = set(np.unique(dataset["shots"]).tolist()) if "shots" in dataset else set()
-    rest = [f"{number} shots a cell" for number in shots if len(shots) == 1]
+    rest = [f"{counted(number, 'shot')} a cell" for number in shots if len(shots) == 1]
     rest += [f"seed {told['seed']}"] if "seed" in told else []
     spread = f"standard deviations: {', '.join(scatter)}" if scatter else ""
+    if "columns" in told:
+        spread = f"measured releases: {', '.join(json.loads(told['columns']))}"
     sentences = (", ".join(same), spread, ", ".join(rest))
-    return " ".join(f"{said[0].upper()}{said[1:]}." for said in sentences if said)
+    told_of_all = [f"{said[0].upper()}{said[1:]}." for said in sentences if said]
+    return " ".join([scene, *told_of_all]).strip()
+
+
+def _scene(dataset: xr.Dataset) -> str:
+    scene = told_by(dataset).get("scene", "")
+    return f"Scene: {scene}." if scene else ""
 
 
 def _say(name: str, value: float, attributes: Mapping[Any, Any] | None = None) -> str:

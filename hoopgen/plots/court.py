@@ -15,13 +15,13 @@ from hoopgen.brief import brief
 from hoopgen.plots.page import add_view
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.scene import draw_hoop
+from hoopgen.plots.ticks import number
 from hoopgen.plots.views import View
-from hoopgen.study.words import MINUS
-from hoopgen.units import FOOT
+from hoopgen.units import FOOT, shown
 
 __all__ = ["COURTS", "FLOOR", "Court", "add_floor", "draw_floor", "find_court", "on_floor"]
 
-FLOOR = View("floor plan", (0.0, 1.0, 0.0), (-1.0, 0.0, 0.0), ("y (m)", "x (m)"))
+FLOOR = View("floor plan", (0.0, 1.0, 0.0), (-1.0, 0.0, 0.0), ("y", "x"))
 """As the shooter sees it: the board at the top, +y to the right."""
 
 
@@ -103,7 +103,8 @@ def add_floor(figure: Figure, panel: Panel, court: Court, parameters: Mapping[st
 
 def draw_floor(axes: Axes, panel: Panel, court: Court, parameters: Mapping[str, float]) -> None:
     """Draw a floor plan on axes that show it."""
-    axes.yaxis.set_major_formatter(lambda value, _: f"{-value + 0.0:g}".replace("-", MINUS))
+    metres = shown("length").size
+    axes.yaxis.set_major_formatter(lambda value, _: number(-value / metres))
     front, half = -parameters["board_distance"], court.lane / 2.0
     baseline, line = front - court.baseline, front + court.free_throw
     lane = [(baseline, -half), (line, -half), (line, half), (baseline, half)]

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 import hoopgen
 from hoopgen.brief import brief
+from hoopgen.phrases import counted, percent
 from hoopgen.plots.key import CLASSES, Class, classify, draw_key, key_height
 from hoopgen.plots.page import add_view, new_page
 from hoopgen.plots.panels import Panel
@@ -25,7 +26,7 @@ from hoopgen.plots.scene import draw_hoop, scene_corners
 from hoopgen.plots.style import MISSED_LINES, PAGE, style
 from hoopgen.plots.views import View
 from hoopgen.study.measures import kinds
-from hoopgen.study.words import percent_in_picture
+from hoopgen.study.told import say_scene
 
 __all__ = ["Fan", "draw_fan", "gather_fan", "plot_fan"]
 
@@ -48,6 +49,7 @@ def plot_fan(
     *,
     paths: int = ...,
     title: str = ...,
+    note: str = ...,
     width: float = ...,
     ax: None = None,
 ) -> Figure: ...
@@ -60,6 +62,7 @@ def plot_fan(
     *,
     paths: int = ...,
     title: str = ...,
+    note: str = ...,
     width: float = ...,
     ax: Axes,
 ) -> Axes: ...
@@ -71,6 +74,7 @@ def plot_fan(
     *,
     paths: int = 150,
     title: str = "",
+    note: str = "",
     width: float = PAGE,
     ax: Axes | None = None,
 ) -> Figure | Axes:
@@ -87,6 +91,8 @@ def plot_fan(
         all.
     title
         Above the picture.
+    note
+        Said below it, after what the picture says itself: how many there are, and their scene.
     width
         Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
     ax
@@ -115,12 +121,14 @@ def plot_fan(
         _as_line(CLASSES[one]): float(np.mean(place == one)) for one in np.unique(place).tolist()
     }
     fan = gather_fan(shots, parameters, range(min(paths, len(shots))))
-    made = percent_in_picture(float(np.mean(shots.outcome == hoopgen.Outcome.MADE)))
-    note = f"{len(shots)} shots, {made} made; {len(fan.curves)} are drawn."
+    made = percent(float(np.mean(shots.outcome == hoopgen.Outcome.MADE)))
+    drawn = f"{len(fan.curves)} {'is' if len(fan.curves) == 1 else 'are'}"
+    said = f"{counted(len(shots), 'shot')}, {made} made; {drawn} drawn."
+    told = f"{said} Scene: {say_scene(parameters)}. {note}"
     with style():
         if ax is not None:
-            return _draw_on(check_axes(ax), fan, shares, title, note)
-        return _draw(fan, shares, title, note, width)
+            return _draw_on(check_axes(ax), fan, shares, title, told)
+        return _draw(fan, shares, title, told, width)
 
 
 def gather_fan(shots: hoopgen.Shots, parameters: Mapping[str, Any], drawn: Iterable[int]) -> Fan:
@@ -183,7 +191,7 @@ def _from_the_side(releases: list[NDArray[np.float64]]) -> View:
     x, y = np.mean([release[:2] for release in releases], axis=0)
     angle = np.arctan2(y, x)
     right = (float(np.cos(angle)), float(np.sin(angle)), 0.0)
-    labels = ("from the ring's centre (m)", "above the ring (m)")
+    labels = ("from the ring's centre", "above the ring")
     return View("side view", right, (0.0, 0.0, 1.0), labels)
 
 
@@ -217,7 +225,7 @@ def _draw_on(axes: Axes, fan: Fan, shares: Mapping[Class, float], title: str, no
     """Draw all of it on axes that there are."""
     draw_fan(axes, fit_view(axes, fan.view, fan.limits()), fan)
     add_title(axes, title, note)
-    said = {one: f"{one.words} {percent_in_picture(share)}" for one, share in shares.items()}
+    said = {one: f"{one.words} {percent(share)}" for one, share in shares.items()}
     add_key(axes, [Line2D([], [], color=one.colour, label=text) for one, text in said.items()])
     return axes
 

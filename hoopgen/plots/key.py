@@ -12,10 +12,10 @@ from matplotlib.patches import Rectangle
 from numpy.typing import ArrayLike, NDArray
 
 import hoopgen
+from hoopgen.phrases import percent
 from hoopgen.plots.page import add_axes
 from hoopgen.plots.style import MADE, MISSED, NEITHER
 from hoopgen.study.measures import Kind
-from hoopgen.study.words import percent_in_picture
 
 __all__ = ["CLASSES", "Class", "classify", "draw_key", "key_height"]
 
@@ -185,7 +185,7 @@ def draw_key(
         x, y = table.place(lines[one.kind or one.outcome], rows.get(one.outcome, 0.5))
         _draw_swatch(axes, left + x, top + y, one.colour)
         if share is not None:
-            write((x + _SWATCH + 0.04, y), percent_in_picture(share))
+            write((x + _SWATCH + 0.04, y), percent(share))
     return axes
 
 

@@ -16,12 +16,14 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.inputs import doubles
+from hoopgen.phrases import percent
 from hoopgen.plots.court import FLOOR, Court, add_floor, draw_floor, find_court, on_floor
 from hoopgen.plots.page import add_axes, new_page
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import add_title, check_axes, fit_view
 from hoopgen.plots.style import COLOURS, PAGE, SHADES, style
-from hoopgen.study.words import percent_in_picture
+from hoopgen.study.told import say_scene
+from hoopgen.units import shown
 
 __all__ = ["plot_landings"]
 
@@ -39,8 +41,11 @@ _WITHIN = (0.5, 0.9)
 _LABELLED = np.radians(-35.0)  # on the circle, from the middle of the court
 _SHOWN = 0.995  # of the balls; the few that go furthest do not set the limits
 _MARGIN = 0.3  # m
+_CELLS = 500  # along a side, at most
 
-_SHARE = "balls that land there (% per m²)"
+
+def _share() -> str:
+    return f"balls that land there (% per {shown('length').symbol}²)"
 
 
 @overload
@@ -52,6 +57,7 @@ def plot_landings(
     place: tuple[float, float] | None = ...,
     court: str = ...,
     title: str = ...,
+    note: str = ...,
     width: float = ...,
     ax: None = None,
 ) -> Figure: ...
@@ -66,6 +72,7 @@ def plot_landings(
     place: tuple[float, float] | None = ...,
     court: str = ...,
     title: str = ...,
+    note: str = ...,
     width: float = ...,
     ax: Axes,
 ) -> Axes: ...
@@ -79,6 +86,7 @@ def plot_landings(
     place: tuple[float, float] | None = None,
     court: str = "NBA",
     title: str = "",
+    note: str = "",
     width: float = PAGE,
     ax: Axes | None = None,
 ) -> Figure | Axes:
@@ -97,6 +105,8 @@ def plot_landings(
         Whose lines are drawn, of `hoopgen.plots.court.COURTS`.
     title
         Above the picture.
+    note
+        Said below it, after what the picture says itself: how many there are, and their scene.
     width
         Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
     ax
@@ -119,7 +129,8 @@ def plot_landings(
     points = _points(x, y)
     scene = {name: float(np.mean(value)) for name, value in parameters.items()}
     circles = {share: float(np.quantile(np.hypot(*points.T), share)) for share in _WITHIN}
-    places = _Places(points, circles, place, scene, lines)
+    told = f"n = {len(points)}. Scene: {say_scene(parameters)}. {note}"
+    places = _Places(points, circles, place, scene, lines, told)
     with style():
         if ax is not None:
             return _draw_on(check_axes(ax), places, title)
@@ -140,24 +151,20 @@ def _points(x: ArrayLike, y: ArrayLike) -> Points:
 
 @dataclass(frozen=True)
 class _Places:
-    """Where balls land: x and y, (n, 2); radii that hold shares of them; and what is around."""
+    """Where balls land: x and y, (n, 2); radii that hold shares; what is around, and said."""
 
     points: Points
     circles: Mapping[float, float]
     place: tuple[float, float] | None
     scene: Mapping[str, float]
     court: Court
+    note: str
 
     @property
     def limits(self) -> Limits:
         """Bound what is shown."""
         radius = max(self.circles.values())
         return _limits(self.points, radius, self.scene, self.place, self.court)
-
-    @property
-    def note(self) -> str:
-        """Say how many there are."""
-        return f"n = {len(self.points)}"
 
     def draw(self, axes: Axes, limits: Limits) -> PolyCollection:
         """Draw all but the floor, on a floor plan."""
@@ -183,7 +190,7 @@ def _draw(places: _Places, title: str, width: float) -> Figure:
     cells = places.draw(axes, limits)
     left_of_bar = panel.left + panel.width + _BAR_GAP
     bar = add_axes(figure, left_of_bar, panel.bottom, _BAR, panel.height, "bar")
-    figure.colorbar(cells, cax=bar, label=_SHARE)
+    figure.colorbar(cells, cax=bar, label=_share())
     bar.yaxis.set_major_locator(MaxNLocator(steps=[1, 2, 5, 10]))
     return figure
 
@@ -197,7 +204,7 @@ def _draw_on(axes: Axes, places: _Places, title: str) -> Axes:
     figure = axes.figure
     assert figure is not None
     ticks = MaxNLocator(steps=[1, 2, 5, 10])
-    figure.colorbar(cells, ax=axes, label=_SHARE, ticks=ticks)
+    figure.colorbar(cells, ax=axes, label=_share(), ticks=ticks)
     return axes
 
 
@@ -238,16 +245,16 @@ def _limits(
 
 
 def _draw_density(axes: Axes, points: Points, limits: Limits, finest: float) -> PolyCollection:
-    """Colour hexagons by the share of the balls in them, in percent of all per m²."""
+    """Colour hexagons by the share of the balls in them, in percent of all per m² or ft²."""
     # Scott's width in two dimensions, sd n^(-1/4), so that it shows neither noise nor too little;
     # cells smaller than a ball would only make a large file.
     spread = float(np.sqrt(points.var(axis=0).mean()))
-    wide = max(spread * len(points) ** -0.25, finest)
+    low, high = np.array(limits[::2]), np.array(limits[1::2])
+    wide = max(spread * len(points) ** -0.25, finest, float((high - low).max()) / _CELLS)
     step = np.array([wide, wide * np.sqrt(3.0)])
-    low = np.array(limits[::2])
-    count = np.ceil((np.array(limits[1::2]) - low) / step).astype(int)
+    count = np.ceil((high - low) / step).astype(int)
     high = low + count * step
-    share = 100.0 / len(points) / (step.prod() / 2.0)
+    share = 100.0 / len(points) / (step.prod() / 2.0) * shown("length").size ** 2
     inside = points[((points >= low) & (points <= high)).all(axis=1)]
     return axes.hexbin(
         inside[:, 0],
@@ -269,9 +276,10 @@ def _draw_circle(axes: Axes, radius: float, share: float) -> None:
     """Draw the circle about the point below the ring's centre that holds a share of the balls."""
     axes.add_patch(Circle((0.0, 0.0), radius, fill=False, ec="#222222", lw=0.8, ls=(0, (4, 2))))
     at = radius * np.sin(_LABELLED), -radius * np.cos(_LABELLED)
+    unit = shown("length")
     axes.text(
         *at,
-        f"{percent_in_picture(share, 0)} within {radius:.2f} m",
+        f"{percent(share, 0)} within {radius / unit.size:.2f} {unit.symbol}",
         ha="center",
         va="center",
         fontsize=7.0,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
@@ -16,12 +17,12 @@ from matplotlib.figure import Figure, FigureBase
 from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
+from hoopgen.phrases import percent
 from hoopgen.plots.cells import Cells, read_cells
 from hoopgen.plots.key import CLASSES, draw_key, key_height
 from hoopgen.plots.page import new_page
 from hoopgen.plots.picture import add_key, add_title, check_axes
 from hoopgen.plots.style import COLOURS, PAGE, SHADES, style
-from hoopgen.study.words import percent_in_picture
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -102,7 +103,7 @@ def plot_map(
         Above the picture.
     note
         Below the title; by default what is the same in all cells, the scatter, the number of shots
-        and the seed, but none on `ax`, where several maps may share one.
+        and the seed; on `ax`, where several maps may share one, the scene alone.
     width
         Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
     ax
@@ -128,7 +129,7 @@ def plot_map(
         shown = replace(shown, note=note)
     with style():
         if ax is not None:
-            return _draw_on(check_axes(ax), shown, title, note or "")
+            return _draw_on(check_axes(ax), shown, title, shown.scene if note is None else note)
         if shown.of == "probability" and len(shown.axes) == 1:
             return _plot_line(shown, title, width)
         return _plot_panels(shown, title, width)
@@ -155,9 +156,9 @@ def _draw_on(axes: Axes, shown: Cells, title: str, note: str) -> Axes:
     if panel.of == "probability" and len(panel.axes) == 1:
         _draw_line(axes, panel)
     else:
-        axes.set_xlabel(panel.axes[0].quantity.label)
+        axes.set_xlabel(panel.axes[0].quantity.label, parse_math=False)
         if len(panel.axes) > 1:
-            axes.set_ylabel(panel.axes[1].quantity.label)
+            axes.set_ylabel(panel.axes[1].quantity.label, parse_math=False)
         else:
             axes.set_yticks([])
     if panel.of == "kind":
@@ -177,14 +178,14 @@ def _draw_line(axes: Axes, shown: Cells) -> None:
     axis, top = shown.axes[0], shown.values
     if shown.interval is not None:
         low, top = shown.interval
-        share = f"{percent_in_picture(shown.confidence, 0)} " if shown.confidence else ""
+        share = f"{percent(shown.confidence, 0)} " if shown.confidence else ""
         axes.fill_between(axis.values, low, top, color=_BAND, lw=0, label=f"{share}interval")
     axes.plot(axis.values, shown.values, color=COLOURS["path"], lw=1.2, label="estimate")
     best = shown.best()
     if best is not None:
         _mark(axes, shown.at(best)[0], float(shown.values[best]))
         axes.set_title(f"{_BEST} {shown.say(best)}", loc="left", fontsize=_SMALL)
-    axes.set_xlabel(axis.quantity.label)
+    axes.set_xlabel(axis.quantity.label, parse_math=False)
     axes.set_ylabel(_MADE)
     axes.yaxis.set_major_formatter(FuncFormatter(_in_percent))
     axes.set_ylim(0.0, 1.08 * float(np.nanmax(top, initial=0.01)))
@@ -262,7 +263,7 @@ def _draw_probabilities(
             _mark(axes, *panel.at(best))
             said = f"{_BEST} {panel.say(best)}"
             if len(panels) > 1:
-                said = f"{panel.note}\n{_BEST} {percent_in_picture(float(panel.values[best]))}"
+                said = f"{panel.note}\n{_BEST} {percent(float(panel.values[best]))}"
             axes.set_title(said, loc="left", fontsize=_SMALL)
     bar = figure.colorbar(mesh, ax=list(places), label=_MADE, ticks=levels, pad=0.02)
     bar.ax.yaxis.set_major_formatter(FuncFormatter(_in_percent))
@@ -279,7 +280,8 @@ def _draw_contours(axes: Axes, panel: Cells, levels: list[float], norm: Normaliz
     lines = axes.contour(
         across.values, up.values, panel.values.T, levels, colors=colours, linewidths=0.6
     )
-    axes.clabel(lines, fmt=_with_percent, fontsize=6.5, inline_spacing=2, manual=_labels(lines))
+    said = partial(percent, digits=None)
+    axes.clabel(lines, fmt=said, fontsize=6.5, inline_spacing=2, manual=_labels(lines))
 
 
 def _labels(lines: QuadContourSet) -> list[tuple[float, float]]:
@@ -310,10 +312,6 @@ def _lightness(colour: tuple[float, float, float, float]) -> float:
 def _mark(axes: Axes, x: float, y: float) -> None:
     (mark,) = axes.plot([x], [y], marker="o", ms=5.0, zorder=5.0, clip_on=False, label="_best")
     mark.set(mfc=_LIGHT, mec=_DARK, mew=0.9)
-
-
-def _with_percent(value: float) -> str:
-    return f"{_in_percent(value)}%"
 
 
 def _in_percent(value: float, _: int | None = None) -> str:

@@ -25,6 +25,9 @@ KEY_ROW = 0.22
 _KEY_COLUMN = 1.68
 _TEXT_SIZE = 7.0
 _POINTS_PER_INCH = 72.0
+_MOST = 60
+"""Badges of contacts, at most; a shot of the article's has 40 contacts."""
+
 _HERE = 0.75  # ball radii: contacts nearer together than this share a badge
 _SHAPES = {"ring": "round,pad=0.3,rounding_size=0.75", "backboard": "square,pad=0.3"}
 _SHAPE = "round,pad=0.3,rounding_size=0.2"
@@ -58,8 +61,10 @@ def collect_marks(
     """Turn a shot's events into badges: release, contacts, and the end."""
     contacts = events[events["surface"] < len(hoopgen.SURFACES)]
     marks = [Mark("release", "release", "", release)]
-    for first, last in _groups(contacts, _HERE * ball_radius):
-        marks.append(_contact_mark(contacts, first, last))
+    groups = _groups(contacts, _HERE * ball_radius)
+    marks += [_contact_mark(contacts, first, last) for first, last in groups]
+    if groups and (more := len(contacts) - 1 - groups[-1][1]):
+        marks.append(Mark("", "end", f"and {more:,} contacts more", release))
     said = "" if outcome is None else f", {outcome.name.lower()}"
     if len(events) > len(contacts):
         end = events[-1]
@@ -77,7 +82,10 @@ def _unended(outcome: hoopgen.Outcome, contacts: int) -> str:
 
 
 def _groups(contacts: NDArray[Any], reach: float) -> list[tuple[int, int]]:
-    """Cut the contacts into runs on one surface within reach of the run's first one."""
+    """Cut the contacts into runs on one surface within reach of the run's first one.
+
+    There are no more than have room for a badge.
+    """
     groups: list[tuple[int, int]] = []
     for row in range(len(contacts)):
         if groups:
@@ -87,6 +95,8 @@ def _groups(contacts: NDArray[Any], reach: float) -> list[tuple[int, int]]:
             if same and np.linalg.norm(away) < reach:
                 groups[-1] = (first, row)
                 continue
+        if len(groups) == _MOST:
+            break
         groups.append((row, row))
     return groups
 

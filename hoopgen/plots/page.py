@@ -10,6 +10,8 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import Picture
+from hoopgen.plots.ticks import label_lengths
+from hoopgen.printable import printable
 
 __all__ = ["add_axes", "add_view", "new_page"]
 
@@ -45,6 +47,7 @@ def new_page(
     arrange
         Whether matplotlib arranges subplots in the body; else axes are added by `add_axes`.
     """
+    title, note = printable(title), printable(note)
     lines = textwrap.wrap(note, int((width - 2.0 * _MARGIN) / _LETTER))
     head = _TITLE * bool(title) + _NOTE * len(lines) + (_MARGIN if title or lines else 0.0)
     height = body + head + foot
@@ -80,7 +83,6 @@ def add_view(figure: Figure, panel: Panel) -> Axes:
     axes = add_axes(figure, panel.left, panel.bottom, panel.width, panel.height, view.name)
     axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
     if view.labels is not None:
-        axes.set_xlabel(view.labels[0])
-        axes.set_ylabel(view.labels[1])
+        label_lengths(axes, view.labels)
     axes.set_axisbelow(True)
     return axes

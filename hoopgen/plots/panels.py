@@ -14,18 +14,21 @@ from numpy.typing import NDArray
 from hoopgen.plots.marks import Mark, draw_badges
 from hoopgen.plots.scene import draw_ball, draw_hoop, draw_path, scene_points
 from hoopgen.plots.style import COLOURS
+from hoopgen.plots.ticks import label_lengths, number
 from hoopgen.plots.views import View
+from hoopgen.units import shown
 
-__all__ = ["Drawing", "Limits", "Panel", "Room", "draw_panel", "draw_view"]
+__all__ = ["Drawing", "Limits", "Panel", "Room", "draw_panel", "draw_view", "some"]
 
 Points = NDArray[np.float64]
 Limits = tuple[float, float, float, float]
 Place = Sequence[float]
 
-_STEPS = (0.25, 0.5, 1.0, 2.0, 5.0, 10.0)  # m between ticks, the first with room for its numbers
+_STEPS = (0.25, 0.5, 1.0, 2.0, 5.0, 10.0)  # between ticks, in the unit shown; with room for numbers
 _TICK_ROOM = 0.36  # inches
 _POINTS_PER_INCH = 72.0
 _FEW = 3  # ticks on an axis, at least
+_LEFT_VISIBLE = 5_000  # points of a path that badges stay clear of
 _CORNER = 0.3  # of a step: of two ticks at a corner of the room, one is left out
 
 
@@ -139,9 +142,16 @@ def draw_view(axes: Axes, panel: Panel, drawing: Drawing) -> None:
         if mark.label:
             draw_ball(axes, view, mark.position, radius, ghost=mark.kind == "release")
     _draw_dots(axes, view, drawing)
-    lines = np.vstack([drawing.path, scene_points(drawing.parameters)])
+    lines = np.vstack([some(drawing.path, _LEFT_VISIBLE), scene_points(drawing.parameters)])
     obstacles = np.vstack([view.flatten(lines), *written])
     draw_badges(axes, view, drawing.marks, obstacles, panel.limits, radius, panel.scale)
+
+
+def some(rows: Points, most: int) -> Points:
+    """Return so many of the rows at most, evenly, the first and the last among them."""
+    if len(rows) <= most:
+        return rows
+    return rows[np.linspace(0, len(rows) - 1, most).astype(np.intp)]
 
 
 def _add_axes(figure: Figure, panel: Panel) -> Axes:
@@ -164,12 +174,12 @@ def _dress_flat(axes: Axes, panel: Panel, drawing: Drawing) -> None:
     """Give a side or top view its labels, and the end plane where it is seen edge on."""
     view = panel.view
     assert view.labels is not None
-    axes.set_xlabel(view.labels[0])
-    axes.set_ylabel(view.labels[1])
+    label_lengths(axes, view.labels)
+    metres = shown("length").size
     left, right, bottom, top = panel.limits
     for axis, span in ((axes.xaxis, right - left), (axes.yaxis, top - bottom)):
         axis.set_major_locator(MultipleLocator(_step(span, panel.scale)))
-        axis.set_major_formatter(lambda value, _: _number(value))
+        axis.set_major_formatter(lambda value, _: number(value / metres))
     axes.grid(color="#ECECEC", lw=0.5)
     axes.set_axisbelow(True)
     if view.up[2] == 1.0:
@@ -224,11 +234,12 @@ def _dropped(points: Points, floor: float) -> Points:
 
 
 def _step(span: float, scale: float) -> float:
-    """Choose the distance of ticks on an axis of that many metres, so many inches each."""
-    fine = _STEPS if span < _FEW * _STEPS[1] else _STEPS[1:]
-    coarse = [float(f"{digit}e{k}") for k in range(1, 300) for digit in (2, 5, 10)]
+    """Choose the distance of ticks, m, on an axis of that many metres, so many inches each."""
+    metres = shown("length").size
+    fine = _STEPS if span < _FEW * _STEPS[1] * metres else _STEPS[1:]
+    coarse = [float(f"{digit}e{k}") for k in range(1, 308) for digit in (2, 5, 10)]
     steps: list[float] = [*fine, *coarse]
-    return next(step for step in steps if step * scale >= _TICK_ROOM)
+    return next(step * metres for step in steps if step * metres * scale >= _TICK_ROOM)
 
 
 def _ticks(low: float, high: float, step: float) -> list[float]:
@@ -264,20 +275,17 @@ def _name_edge(
     flat = view.flatten(along)
     across = np.array([flat[1], -flat[0]]) / np.hypot(*flat)
     outward = across * np.sign(across @ away)
-    notes = [(view.flatten(edge + tick * along), _number(tick)) for tick in ticks]
+    unit = shown("length")
+    notes = [(view.flatten(edge + tick * along), number(tick / unit.size)) for tick in ticks]
     offset = (12.0 if axis == 2 else 9.0) * outward
     for at, text in notes:
         _note(axes, at, offset, text, 7.5)
     turned = 90.0 if axis == 2 else 0.0
-    _note(axes, middle, 29.0 * outward, f"{'xyz'[axis]} (m)", 8.5, turned)
+    _note(axes, middle, 29.0 * outward, f"{'xyz'[axis]} ({unit.symbol})", 8.5, turned)
     point = 1.0 / (_POINTS_PER_INCH * panel.scale)  # in metres
     texts = [middle + 29.0 * point * outward, *(at + offset * point for at, _ in notes)]
     reach = 5.0 * point * np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]])
     return [text + reach for text in texts]
-
-
-def _number(value: float) -> str:
-    return f"{round(value, 6) + 0.0:g}".replace("-", "\N{MINUS SIGN}")
 
 
 def _note(

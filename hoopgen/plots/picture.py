@@ -13,7 +13,9 @@ from matplotlib.figure import Figure
 
 from hoopgen.plots.panels import Limits, Panel
 from hoopgen.plots.style import style
+from hoopgen.plots.ticks import label_lengths
 from hoopgen.plots.views import View
+from hoopgen.printable import printable
 
 __all__ = ["Picture", "add_key", "add_title", "check_axes", "fit_view"]
 
@@ -55,21 +57,31 @@ def fit_view(axes: Axes, view: View, limits: Limits) -> Panel:
     left, right, bottom, top = limits
     axes.set(xlim=(left, right), ylim=(bottom, top), aspect="equal")
     if view.labels is not None:
-        axes.set_xlabel(view.labels[0])
-        axes.set_ylabel(view.labels[1])
+        label_lengths(axes, view.labels)
     axes.set_axisbelow(True)
     axes.apply_aspect()
     scale = _width(axes) / (right - left)
     return Panel(view, limits, scale, 0.0, 0.0)
 
 
-def add_title(axes: Axes, title: str, *said: str) -> None:
-    """Write a title, in which nothing is mathematics, and what is said below it, broken to fit."""
+def add_title(axes: Axes, title: str, *said: str, formulas: bool = False) -> None:
+    """Write a title, in which nothing is mathematics, and what is said below it, broken to fit.
+
+    Parameters
+    ----------
+    axes
+        Above which it stands.
+    title, said
+        Texts of others too.
+    formulas
+        Whether there are some in what is said, which then is none of others'.
+    """
     wide = max(20, int(_width(axes) / _LETTER))
-    lines = [title.replace("$", r"\$")] if title else []
-    for text in said:
+    head = printable(title)
+    lines = [head.replace("$", r"\$") if formulas else head] if title else []
+    for text in map(printable, said):
         lines += [line for part in text.splitlines() for line in textwrap.wrap(part, wide)]
-    axes.set_title("\n".join(lines), loc="left", fontsize=_SMALL)
+    axes.set_title("\n".join(lines), loc="left", fontsize=_SMALL, parse_math=formulas)
 
 
 def add_key(axes: Axes, handles: Sequence[Artist]) -> None:

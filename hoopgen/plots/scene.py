@@ -24,6 +24,7 @@ GLASS = 0.0127
 _BEHIND = 4.0
 _RING_PIECES = 72
 _POINTS_PER_INCH = 72.0
+_PIECE, _PIECES = 4, 2_000  # points in a piece of a path, at least; pieces, at most
 
 
 def draw_hoop(axes: Axes, view: View, parameters: Mapping[str, float], scale: float) -> None:
@@ -51,8 +52,9 @@ def draw_hoop(axes: Axes, view: View, parameters: Mapping[str, float], scale: fl
         _draw_stroke(axes, view, wire[start : start + 2], COLOURS["ring"], stroke)
 
 
-def draw_path(axes: Axes, view: View, path: Points, piece: int = 4) -> None:
+def draw_path(axes: Axes, view: View, path: Points) -> None:
     """Draw a path of the ball's centre, shape (n, 3), cut into pieces that hide one another."""
+    piece = max(_PIECE, -(-len(path) // _PIECES))
     for start in range(0, len(path) - 1, piece):
         _draw_stroke(axes, view, path[start : start + piece + 1], COLOURS["path"], 1.1)
 

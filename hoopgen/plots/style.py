@@ -11,7 +11,8 @@ from typing import Any
 import matplotlib
 from matplotlib.figure import Figure
 
-from hoopgen.brief import brief
+from hoopgen.colours import COLOURS
+from hoopgen.outputs import PICTURES, check_output, written
 
 __all__ = [
     "COLOURS",
@@ -29,21 +30,6 @@ __all__ = [
 
 COLUMN, PAGE = 3.5, 7.1
 """Widths of a journal's column and of its page, inches."""
-
-# Okabe and Ito's palette: told apart by readers with any colour vision, and in grey.
-COLOURS: Mapping[str, str] = MappingProxyType(
-    {
-        "path": "#0072B2",
-        "ball": "#E69F00",
-        "ring": "#D55E00",
-        "backboard": "#333333",
-        "bridge": "#00795C",
-        "end": "#8C4A76",
-        "release": "#0072B2",
-        "faint": "#8A8A8A",
-        "paper": "#FFFFFF",
-    }
-)
 
 # The same hues, each kind of shot at a lightness of its own: made ones dark, missed ones pale. So
 # they are told apart in grey and by readers with any colour vision; tests/test_study_plots.py
@@ -89,7 +75,7 @@ NEITHER: Mapping[str, str] = MappingProxyType(
 SHADES = "YlGnBu"
 """Matplotlib's colours of a share: lightness falls evenly, in grey and with any colour vision."""
 
-FORMATS = ("png", "svg", "pdf")
+FORMATS = tuple(suffix.removeprefix(".") for suffix in PICTURES)
 
 _SETTINGS: Mapping[Any, Any] = {
     "font.family": "sans-serif",
@@ -105,6 +91,7 @@ _SETTINGS: Mapping[Any, Any] = {
     "xtick.major.size": 3.0,
     "ytick.major.size": 3.0,
     "axes.unicode_minus": True,
+    "text.parse_math": False,  # titles and names are others': "$5 off" is no formula
     "svg.hashsalt": "hoopgen",
     "svg.fonttype": "path",
     "pdf.fonttype": 42,
@@ -150,11 +137,11 @@ def save(figure: Figure, path: str | Path, *, dpi: int = 300) -> Path:
     ------
     ValueError
         The suffix is none of `FORMATS`.
+    OSError
+        The file cannot be written; what was there before stays.
     """
-    target = Path(path)
+    target = check_output(path, PICTURES)
     suffix = target.suffix.lower().lstrip(".")
-    if suffix not in FORMATS:
-        raise ValueError(f"{brief(target.name)}: a picture's name ends in .{', .'.join(FORMATS)}")
-    with style():
-        figure.savefig(target, format=suffix, dpi=dpi, metadata=_METADATA[suffix])
+    with style(), written(target) as file:
+        figure.savefig(file, format=suffix, dpi=dpi, metadata=_METADATA[suffix])
     return target

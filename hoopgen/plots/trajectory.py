@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import textwrap
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any, Protocol, overload
@@ -15,11 +16,15 @@ from numpy.typing import ArrayLike, NDArray
 
 import hoopgen
 from hoopgen.plots.marks import KEY_ROW, Mark, collect_marks, draw_key, key_rows
-from hoopgen.plots.panels import Drawing, Panel, Room, draw_panel, draw_view
+from hoopgen.plots.panels import Drawing, Panel, Room, draw_panel, draw_view, some
 from hoopgen.plots.picture import Picture, add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scene import scene_corners
 from hoopgen.plots.style import COLOURS, PAGE, style
 from hoopgen.plots.views import SIDE, TOP, View, oblique
+from hoopgen.printable import printable
+from hoopgen.releases import RING_HEIGHT
+from hoopgen.study.told import say_scene
+from hoopgen.units import shown, shown_system
 
 __all__ = ["plot_trajectory"]
 
@@ -38,10 +43,21 @@ class Path(Protocol):
 
 
 BEAT = 0.1
-"""Seconds between the dots on the path."""
+"""Seconds between the dots on the path; of a longer shot more, so that there are not too many."""
+
+_BEATS = 100
+
+_RATE = 160  # points of the path a second of flight
+_FLIGHT = 480
+"""Points of one flight, at most: a parabola cut into n is off by 1/n² of its height at most, here
+less than a hundredth of a pixel."""
+
+_PATH = 20_000
+"""Points of all flights, at most, and twice the contacts that are drawn: more than a page has."""
 
 # Inches around and between the panels, for their labels.
-_LEFT, _RIGHT, _BETWEEN, _BELOW, _ABOVE = 0.62, 0.15, 0.72, 0.5, 0.66
+_LEFT, _RIGHT, _BETWEEN, _BELOW, _ABOVE = 0.62, 0.15, 0.72, 0.5, 0.8
+_LINES, _LINE = 2, 0.14  # of what is said below the title, and one of them
 _TALLEST, _TALLEST_OVER = 5.6, 4.6  # of side and top views together; over a 3D view
 _NARROWEST = 5.3  # of a page, for the title and the key
 _WIDEST_BESIDE = 3.2  # of the side and top views, to have the 3D view beside them
@@ -49,7 +65,10 @@ _BOX_BELOW = 3.5
 _LABELS = 0.48  # around a 3D view
 _PAD = 0.06  # m
 _FLAT = 1e-6  # m
+_SMALL = 7.5  # points
+_LETTER = 0.56 * _SMALL / 72.0  # inches: the mean width of a letter in DejaVu Sans
 _ROUND = 0.25  # m: the room's sides
+_FAR = 1e290  # m: near the end of the doubles' range matplotlib computes with infinity
 _ELEVATION = np.radians(25.0)
 _ALONG, _ACROSS = np.radians(62.0), np.radians(36.0)  # azimuth, for a long and for a wide room
 
@@ -116,30 +135,36 @@ def plot_trajectory(
     TypeError
         If `ax` is not axes.
     ValueError
-        If a 3D view is asked for on `ax`.
+        If a 3D view is asked for on `ax`, or the path leads further than 1e290 m.
     """
     drawing = _collect(trajectory, parameters, outcome)
     if ax is not None:
         if three_d:
             raise ValueError("three_d: on ax there is the side view alone; leave out")
         with style():
-            return _draw_on(check_axes(ax), drawing, title, _release_text(trajectory))
+            return _draw_on(check_axes(ax), drawing, title, *_told(trajectory, parameters))
     if three_d is None:
         three_d = bool(np.abs(drawing.path[:, 1]).max() > _FLAT)
     with style():
         page = _arrange(drawing, three_d)
-        figure = Picture(figsize=(page.width, page.height))
+        told = [
+            line
+            for text in _told(trajectory, parameters)
+            for line in textwrap.wrap(text, int((page.width - _LEFT) / _LETTER))
+        ]
+        room = max(0, len(told) - _LINES) * _LINE
+        figure = Picture(figsize=(page.width, page.height + room))
         for panel in page.panels:
             draw_panel(figure, panel, drawing)
-        _draw_title(figure, title, _release_text(trajectory))
+        _draw_title(figure, title, told)
         draw_key(figure, drawing.marks, page.panels[0].left, 0.12)
     return figure
 
 
-def _draw_on(axes: Axes, drawing: Drawing, title: str, text: str) -> Axes:
+def _draw_on(axes: Axes, drawing: Drawing, title: str, *told: str) -> Axes:
     """Draw the side view on axes that there are."""
     draw_view(axes, fit_view(axes, SIDE, _flat_limits(drawing, SIDE)), drawing)
-    add_title(axes, title, text)
+    add_title(axes, title, *told, formulas=True)
     add_key(axes, [_key_of(mark) for mark in drawing.marks if mark.text])
     return axes
 
@@ -154,21 +179,34 @@ def _collect(
 ) -> Drawing:
     events, duration = trajectory.events, trajectory.duration
     path = trajectory.at(_times(events["time"], duration))[:, :3]
+    if not np.abs(path).max() < _FAR:
+        raise ValueError(f"trajectory: it leads further than can be drawn, {_FAR:g} m")
     beats = trajectory.at(_beats(duration))[:, :3]
+    dots = some(events["before"], _PATH // 2)[:, :3]
     marks = collect_marks(path[0], events, parameters["ball_radius"], outcome)
-    return Drawing(path, beats, events["before"][:, :3], marks, parameters, _room(path, parameters))
+    return Drawing(path, beats, dots, marks, parameters, _room(path, parameters))
 
 
 def _beats(duration: float) -> NDArray[np.float64]:
-    times = BEAT * np.arange(1.0, duration / BEAT + 1.0)
+    beat = _beat(duration)
+    times = beat * np.arange(1.0, duration / beat + 1.0)
     return times[times < duration]
+
+
+def _beat(duration: float) -> float:
+    """Return the time between dots: 0.1 s, or 0.2, 0.5, 1 ... where that would be too many."""
+    longer = (float(f"{digit}e{power}") for power in range(-1, 308) for digit in (2, 5, 10))
+    return next(beat for beat in (BEAT, *longer) if duration <= _BEATS * beat)
 
 
 def _times(contacts: NDArray[np.float64], duration: float) -> NDArray[np.float64]:
     """Choose times that show each flight as a smooth curve, its ends among them."""
-    corners = np.unique(np.concatenate([[0.0], contacts, [duration]]))
+    corners = some(np.unique(np.concatenate([[0.0], contacts, [duration]])), _PATH // 2)
+    most = min(_FLIGHT, _PATH // len(corners))
     flights = [
-        np.linspace(start, stop, max(2, int(160 * (stop - start))), endpoint=False)
+        np.linspace(
+            start, stop, max(2, int(_RATE * min(most / _RATE, stop - start))), endpoint=False
+        )
         for start, stop in pairwise(corners)
     ]
     return np.concatenate([*flights, [duration]])
@@ -241,20 +279,48 @@ def _space_panel(drawing: Drawing, box: tuple[float, float, float, float]) -> Pa
     return Panel(view, limits, float(scale), box[0], box[1])
 
 
-def _release_text(trajectory: Path) -> str:
-    """Say how the ball is released, in one line."""
-    _, _, _, vx, vy, vz, *spin = (float(value) for value in trajectory.at(np.zeros(1))[0])
+def _told(trajectory: Path, parameters: Mapping[str, float]) -> tuple[str, str]:
+    """Say how the ball is released, and in which scene."""
+    x, y, z, vx, vy, vz, *spin = (float(value) for value in trajectory.at(np.zeros(1))[0])
     speed = np.hypot(np.hypot(vx, vy), vz)
     angle = np.degrees(np.arctan2(vz, np.hypot(vx, vy)))
-    said = f"Released at {speed:.2f} m/s, {angle:.1f}\N{DEGREE SIGN} up"
-    turning = [
-        f"$\\omega_{axis} = {w:.4g}$ rad/s" for axis, w in zip("xyz", spin, strict=True) if w
+    unit, spins, length = shown("speed"), shown("spin"), shown("length")
+    # The article's figures say angular velocities, coaches turns a second.
+    us = shown_system() == "us"
+    sign, symbol, size = ("/2\\pi", spins.symbol, spins.size) if us else ("", "rad/s", 1.0)
+    up = f"{angle:.1f}\N{DEGREE SIGN} up{_aside(x, y, vx, vy)}"
+    said = f"Released at {speed / unit.size:.2f} {unit.symbol}, {up}"
+    turning = [  # no blanks in formulas: lines are broken there
+        f"$\\omega_{axis}{sign}={w / size:.4g}$ {symbol}"
+        for axis, w in zip("xyz", spin, strict=True)
+        if w
     ]
-    return f"{said}, {', '.join(turning) or 'no spin'}. Dots on the path every {BEAT} s."
+    away, high = (
+        f"{one / length.size:.3f} {length.symbol}" for one in (np.hypot(x, y), RING_HEIGHT + z)
+    )
+    place = f"{away} from the ring's centre, {high} high"
+    beat = _beat(trajectory.duration)
+    return (
+        f"{said}, {', '.join(turning) or 'no spin'}; {place}.",
+        f"Scene: {say_scene(parameters)}. Dots on the path every {beat:g} s.",
+    )
 
 
-def _draw_title(figure: Figure, title: str, text: str) -> None:
+def _aside(x: float, y: float, vx: float, vy: float) -> str:
+    """Say how far to a side the ball flies: the azimuth, nothing where it is none."""
+    if not ((x or y) and (vx or vy)):
+        return ""
+    azimuth = np.degrees(np.arctan2(y * vx - x * vy, -x * vx - y * vy))
+    if round(abs(azimuth), 1) == 0.0:
+        return ""
+    return f" and {abs(azimuth):.1f}\N{DEGREE SIGN} to the {'left' if azimuth > 0.0 else 'right'}"
+
+
+def _draw_title(figure: Figure, title: str, told: Sequence[str]) -> None:
     width, height = figure.get_size_inches()
     x = _LEFT / width
-    figure.text(x, 1.0 - 0.16 / height, title, fontsize=10, fontweight="bold", va="center")
-    figure.text(x, 1.0 - 0.35 / height, text, fontsize=7.5, color="#333333", va="center")
+    head = printable(title)
+    figure.text(x, 1.0 - 0.16 / height, head, fontsize=10, fontweight="bold", va="center")
+    for number, line in enumerate(told):
+        y = 1.0 - (0.34 + _LINE * number) / height
+        figure.text(x, y, line, fontsize=_SMALL, color="#333333", va="center", parse_math=True)

@@ -23,7 +23,7 @@ class View:
     right, up
         Unit vectors of the picture's axes, orthogonal.
     labels
-        Names of the picture's axes with units; None where they are no coordinate axes.
+        Names of the picture's axes; None where they are no coordinate axes.
     """
 
     name: str
@@ -45,8 +45,8 @@ class View:
         return np.asarray(np.asarray(points) @ self.towards)
 
 
-SIDE = View("side view", (1.0, 0.0, 0.0), (0.0, 0.0, 1.0), ("x (m)", "z (m)"))
-TOP = View("top view", (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), ("x (m)", "y (m)"))
+SIDE = View("side view", (1.0, 0.0, 0.0), (0.0, 0.0, 1.0), ("x", "z"))
+TOP = View("top view", (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), ("x", "y"))
 
 
 def oblique(azimuth: float, elevation: float) -> View:

@@ -7,25 +7,30 @@ from __future__ import annotations
 
 import csv
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from pathlib import Path
+from math import ceil
 from types import MappingProxyType
 from typing import Any, Literal
 
 import numpy as np
+import pyarrow as pa
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
-from hoopgen.inputs import doubles
+from hoopgen.inputs import check_angles, doubles
 from hoopgen.installed import need
 from hoopgen.notebook import ROWS, some_rows, table
+from hoopgen.outputs import written_text
 from hoopgen.parameters import PAPER
-from hoopgen.releases import RING_HEIGHT
+from hoopgen.releases import RING_HEIGHT, from_zero
+from hoopgen.units import column_name
 
-from .margins import margins
-from .player import By
+from .chunks import run
+from .margins import margins_about
+from .player import By, Player
+from .tallies import check_scene
 
 __all__ = ["TABLE", "Aim", "Arc", "aim", "aim_table", "write_csv"]
 
@@ -66,16 +71,15 @@ class Aim:
         return {name: getattr(self, name) for name in names}
 
     def to_pandas(self) -> Any:
-        """Return the releases as a pandas.DataFrame, a row each; their units are in its ``attrs``.
+        """Return the releases as a pandas.DataFrame, a row each, units in the columns' names.
 
         Raises
         ------
         ImportError
             If pandas is missing: what brings it.
         """
-        frame = need("pandas", "to_pandas").DataFrame(self._columns())
-        frame.attrs["units"] = {name: TABLE[name] for name in frame.columns}
-        return frame
+        columns = {column_name(name, TABLE[name]): one for name, one in self._columns().items()}
+        return need("pandas", "to_pandas").DataFrame(columns)
 
     def _columns(self) -> dict[str, NDArray[np.float64]]:
         """Return the releases, (n,) each."""
@@ -139,8 +143,8 @@ def aim(
     TypeError
         If an argument is not numbers.
     ValueError
-        If more than one of the three is given, shapes do not broadcast, or, where all arguments
-        are numbers, no release does it.
+        If more than one of the three is given, shapes do not broadcast, angles are degrees, or,
+        where all arguments are numbers, no release does it.
     """
     if arc not in ("high", "low"):
         raise ValueError(f"arc: expected 'high' or 'low', got {brief(arc)}")
@@ -155,6 +159,9 @@ def aim(
     given = {"height": height, "distance": distance, "angle": angle, "depth": depth}
     given |= {name: value for name, value in wanted.items() if value is not None}
     arrays = {name: doubles(name, value) for name, value in given.items()}
+    arrays["distance"] = from_zero(arrays["distance"])
+    angles = ("angle", "entry", "elevation")
+    check_angles("aim", {name: arrays[name] for name in angles if name in arrays})
     arrays["parameters['gravity']"] = doubles("parameters['gravity']", parameters["gravity"])
     try:
         shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
@@ -285,6 +292,10 @@ def aim_table(
     sidespin: ArrayLike = 0.0,
     by: By = "any",
     parameters: Mapping[str, Any] = PAPER,
+    threads: int | None = None,
+    folder: str | os.PathLike[str] | None = None,
+    scheduler: str | None = None,
+    progress: Callable[[int, int | None], None] | None = None,
 ) -> dict[str, NDArray[np.float64]]:
     """Return the release for each distance, and how far it may be off.
 
@@ -300,12 +311,14 @@ def aim_table(
         What counts: "any" shot made, "direct" if the board is not touched first, "bank" if it is.
     parameters
         Of the scene, one number each.
+    threads, folder, scheduler, progress
+        As for `hoopgen.estimate`.
 
     Returns
     -------
     dict
         The columns of `TABLE`, (n,) each. The ends of a tolerance are those of the connected
-        interval about the aim, found by simulation as `margins` does: looked for up to 25 % of the
+        interval about the aim, found by simulation as `margins` does: looked for up to 25% of the
         speed and 25° away, in steps of a 2000th of that, within which a gap may be overlooked, and
         then bisected. They are NaN where the aimed shot does not go in itself; speed, angles and
         time too where there is no such aim.
@@ -338,43 +351,84 @@ def aim_table(
     table = {name: np.full(count, np.nan) for name in TABLE}
     for name, column in columns.items():
         table[name][:] = column
-    for row in np.flatnonzero(np.isfinite(table["speed"])):
-        release = {name: table[name][row].item() for name in (*found.arguments, *_SPINS)}
-        aimed = {**release, "azimuth": 0.0}
-        for name, margin in margins(aimed, parameters, names=_OFF, by=by).items():
-            table[f"low_{name}"][row], table[f"high_{name}"][row] = margin.low, margin.high
+    scene = check_scene(parameters)
+    Player(parameters=scene, by=by)  # what is wrong shows before a folder is made
+    rows = np.flatnonzero(np.isfinite(table["speed"]))
+    job = _Rows({name: table[name][rows] for name in (*found.arguments, *_SPINS)}, scene, by)
+    done = run(job, folder, scheduler=scheduler, threads=threads, progress=progress)
+    for chunk, ends in enumerate(done):
+        some = rows[chunk * _TOGETHER : (chunk + 1) * _TOGETHER]
+        for name in ends.column_names:
+            table[name][some] = ends[name].to_numpy()
     return table
+
+
+_TOGETHER = 16
+"""Rows in a chunk: a small part of a second."""
+
+
+@dataclass(frozen=True)
+class _Rows:
+    """A job of `chunks.run`: how far the releases of a table may be off, some rows a chunk."""
+
+    releases: Mapping[str, NDArray[np.float64]]
+    parameters: Mapping[str, float]
+    by: By
+
+    @property
+    def chunks(self) -> int:
+        """How many."""
+        return ceil(len(self.releases["speed"]) / _TOGETHER)
+
+    def identity(self) -> dict[str, Any]:
+        """Return what the chunks depend on."""
+        releases = {name: column.tolist() for name, column in self.releases.items()}
+        return {"aim": releases, "parameters": dict(self.parameters), "by": self.by}
+
+    def compute(self, chunk: int) -> pa.Table:
+        """Return the ends of each row's tolerances, by the names of `TABLE`."""
+        start = chunk * _TOGETHER
+        some = {name: c[start : start + _TOGETHER] for name, c in self.releases.items()}
+        ends: dict[str, list[float]] = {f"{end}_{n}": [] for n in _OFF for end in ("low", "high")}
+        player = Player(parameters=self.parameters, by=self.by)
+        for row in range(len(some["speed"])):
+            aimed = {name: column[row].item() for name, column in some.items()} | {"azimuth": 0.0}
+            for name, margin in margins_about(aimed, _OFF, player, 1, 0, 0.5).items():
+                ends[f"low_{name}"].append(margin.low)
+                ends[f"high_{name}"].append(margin.high)
+        return pa.table(ends)
 
 
 _SPINS = ("backspin", "sidespin")
 
 _SHOWN: Mapping[str, tuple[str, float]] = MappingProxyType(
-    {
-        "m": ("m", 1.0),
-        "m/s": ("m_s", 1.0),
-        "rad": ("deg", np.pi / 180.0),
-        "rad/s": ("hz", 2.0 * np.pi),
-        "s": ("s", 1.0),
-    }
+    {"rad": ("deg", np.pi / 180.0), "rad/s": ("Hz", 2.0 * np.pi)}
 )
-"""In files: how a column's name says its unit, and that unit's size in SI."""
+"""In files, whose numbers are set on a machine: units in place of others, and their size."""
 
 
-def write_csv(path: str | os.PathLike[str], table: Mapping[str, NDArray[np.float64]]) -> None:
+def write_csv(
+    path: str | os.PathLike[str],
+    table: Mapping[str, NDArray[np.float64]],
+    parameters: Mapping[str, float] = PAPER,
+) -> None:
     """Write a table of `aim_table`: degrees and Hz, the unit in each column's name.
 
-    What is NaN is left empty.
+    What is NaN is left empty. The last columns are the parameters of the scene, so that
+    `hoopgen.batch` flies the releases in it; SI.
 
     Raises
     ------
     OSError
-        If the file cannot be written.
+        If the file cannot be written; what was there before stays.
     """
-    shown = {name: _SHOWN[TABLE[name]] for name in table}
+    shown = {name: _SHOWN.get(TABLE[name], (TABLE[name], 1.0)) for name in table}
     columns = [table[name] / size for name, (_, size) in shown.items()]
-    with Path(path).open("w", encoding="utf-8", newline="") as file:
+    with written_text(path) as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(f"{name}_{unit}" for name, (unit, _) in shown.items())
+        names = (column_name(name, unit) for name, (unit, _) in shown.items())
+        writer.writerow([*names, *parameters])
         for row in zip(*columns, strict=True):
             # Ten digits: more than a machine holds, and no traces of the conversion.
-            writer.writerow("" if np.isnan(cell) else f"{cell:.10g}" for cell in row)
+            cells = ["" if np.isnan(cell) else f"{cell:.10g}" for cell in row]
+            writer.writerow([*cells, *map(float, parameters.values())])

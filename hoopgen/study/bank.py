@@ -2,27 +2,33 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.inputs import doubles
+import hoopgen
+from hoopgen.inputs import check_count, doubles
 from hoopgen.parameters import NAMES, PAPER
 from hoopgen.releases import release as release_states
 from hoopgen.results import SURFACES
 from hoopgen.simulation import simulate
+from hoopgen.sizes import check_room
 
-from .draws import check_seed
+from .crew import crew
+from .draws import check_two_seeds
+from .models import Resample, Scatter, alike, scene_by_row
 from .optimum import paired, scattering
-from .player import By, Player, Thrown, arguments_of, one_each
+from .player import By, Player, Thrown, arguments_of
 from .search import Bounds, bounds_of, search
-from .tallies import check_count, check_share, wilson
-from .variables import ARGUMENTS, VARIABLES
+from .tallies import check_share, wilson
+from .told import model_told, say_scene
+from .variables import ARGUMENTS, VARIABLES, change_variables
 
 __all__ = ["WAYS", "Crossing", "bank_or_direct", "crossing", "on_board"]
 
@@ -33,14 +39,15 @@ _OVER = ("elevation", "aim", "azimuth")
 
 _BACKBOARD = SURFACES.index("backboard")
 
+_SHOT = 48
+"""Bytes that what became of a shot takes, both ways, until it is counted."""
+
 Floats = NDArray[np.float64]
 
 
 def bank_or_direct(
+    model: Scatter | Resample,
     places: ArrayLike,
-    release: Mapping[str, float],
-    sd: Mapping[str, float],
-    correlation: Mapping[tuple[str, str], float] | None = None,
     parameters: Mapping[str, Any] = PAPER,
     *,
     over: Mapping[str, Bounds | None] | Sequence[str] = _OVER,
@@ -53,11 +60,11 @@ def bank_or_direct(
 
     Parameters
     ----------
+    model
+        The player, as for `optimum`; the places take the place of its own.
     places
         x and y on the floor, (n, 2), m; the ring's centre at 0, 0, the board at negative x.
-    release
-        Variables of the release other than the place and those searched over: height above all.
-    sd, correlation, parameters, over, shots, seed, confidence, threads
+    parameters, over, shots, seed, confidence, threads
         As for `optimum`.
 
     Returns
@@ -81,18 +88,34 @@ def bank_or_direct(
     spots = doubles("places", places)
     if spots.ndim != 2 or spots.shape[1] != 2:
         raise ValueError(f"places: expected x and y, shape (n, 2), got shape {spots.shape}")
-    check_seed(check_seed(seed) + 1)
+    check_two_seeds(seed)
+    check_kept(shots)
+    over = over if isinstance(over, Mapping) else (over,) if isinstance(over, str) else tuple(over)
+    players = [scattering(model, over, parameters, way) for way in WAYS]
     question = _Question(
-        [scattering(sd, correlation, parameters, way, threads) for way in WAYS],
-        one_each("release", release),
-        over if isinstance(over, Mapping) else (over,) if isinstance(over, str) else tuple(over),
+        players,
+        model,
+        over,
         check_count("shots", shots),
         seed,
         check_share("confidence", confidence),
     )
-    answers = [question.answer(x, y) for x, y in spots.tolist()]
+    with crew({"bank": model.identity()}, threads=threads) as together:
+        question = replace(question, players=[replace(one, crew=together) for one in players])
+        answers = [question.answer(x, y) for x, y in spots.tolist()]
     columns = {name: np.stack([answer[name] for answer in answers], axis=-1) for name in answers[0]}
     return _dataset(spots, columns, question)
+
+
+def check_kept(shots: int) -> None:
+    """Refuse more shots than there is memory for: what became of each is kept, to pair them.
+
+    Raises
+    ------
+    ValueError
+        If there are too many, or `shots` is no whole number from 1.
+    """
+    check_room("shots", check_count("shots", shots), "shots", _SHOT)
 
 
 @dataclass(frozen=True)
@@ -100,7 +123,7 @@ class _Question:
     """What is asked at every place."""
 
     players: Sequence[Player]
-    fixed: Mapping[str, float]
+    model: Scatter | Resample
     over: Mapping[str, Bounds | None] | Sequence[str]
     shots: int
     seed: int
@@ -108,7 +131,7 @@ class _Question:
 
     def answer(self, x: float, y: float) -> dict[str, Floats]:
         """Return the results of one place, (2,) for both ways or ()."""
-        here = {**self.fixed, "distance": math.hypot(x, y), "angle": math.atan2(y, x)}
+        here = {"distance": math.hypot(x, y), "angle": math.atan2(y, x)}
         (direct, straight), (bank, banked) = (self._best(player, here) for player in self.players)
         both = Thrown(*np.array([[t.made.sum(), t.valid.sum()] for t in (straight, banked)]).T)
         low, high = wilson(both.made, both.valid, self.confidence)
@@ -127,17 +150,18 @@ class _Question:
 
     def _best(self, player: Player, here: Mapping[str, float]) -> tuple[dict[str, float], Thrown]:
         """Return arguments and scene of the best release, and what became of fresh shots."""
-        fixed = dict(here)
-        point = search(player, bounds_of(self.over, fixed, player), fixed, self.shots, self.seed)
+        fixed = {**self.model.apart()[0], **here}
+        centre = {**self.model.centre, **here}
+        point = search(player, bounds_of(self.over, centre, player), fixed, self.shots, self.seed)
         if point is None:
             nothing = np.zeros(self.shots, np.bool_)
             unknown = dict.fromkeys((*ARGUMENTS, *self.over), math.nan)
             return {**player.parameters, **unknown}, Thrown(nothing, ~nothing)
-        best = fixed | point
+        best = change_variables(centre, point)
         player = player.at(best)
         return (
             {**player.parameters, **arguments_of(best, player.parameters)},
-            player.scored(best, self.shots, self.seed + 1),
+            player.scored(fixed | point, self.shots, self.seed + 1),
         )
 
 
@@ -190,7 +214,19 @@ def _dataset(spots: Floats, columns: Mapping[str, Floats], question: _Question) 
     coordinates = {"way": list(WAYS)} | {
         name: ("place", spots[:, k], _attributes(*named[name])) for k, name in enumerate("xy")
     }
-    told = {"confidence": question.confidence, "shots": question.shots, "seed": question.seed}
+    same, by_row = alike(question.model), scene_by_row(question.model)
+    parameters = question.players[0].at(same).parameters
+    scene = {n: v for n, v in parameters.items() if n not in (*question.over, *by_row)}
+    told = {
+        "source": f"hoopgen {hoopgen.__version__}",
+        "scene": say_scene(scene, by_row),
+        "parameters": json.dumps(scene),
+        "release": json.dumps({n: v for n, v in same.items() if n not in NAMES}),
+        **model_told(question.model.identity()),
+        "confidence": question.confidence,
+        "shots": question.shots,
+        "seed": str(question.seed),
+    }
     return xr.Dataset(data, coordinates, told)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -18,21 +17,25 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
-import hoopgen
 from hoopgen.brief import listed
-from hoopgen.inputs import check_contacts, doubles
+from hoopgen.inputs import check_count, doubles
 from hoopgen.installed import need
 from hoopgen.notebook import table as rendered
-from hoopgen.parameters import PAPER, resolve
+from hoopgen.outputs import check_output, followed
+from hoopgen.parameters import resolve
+from hoopgen.phrases import counted
+from hoopgen.releases import from_zero
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
 
-from .chunks import opened, run, written
+from .chunks import check_workers, opened, run, written
 from .measures import MEASURES, Kind, kinds, measure
 from .models import from_columns
+from .named import UNIT_OF, named
+from .origin import settle
 from .tables import FORMATS, Column, Source, Stamp
-from .tallies import check_count
-from .variables import STATE, VARIABLES, check_names
+from .told import say_scene
+from .variables import STATE, VARIABLES, check_angles, check_names
 
 __all__ = ["ROWS", "Batch", "batch"]
 
@@ -44,14 +47,17 @@ class Batch(dict[str, int]):
     ----------
     path
         The file written.
+    scene
+        In words: the preset, what differs from it, and what is each row's own.
     """
 
-    def __init__(self, counts: Mapping[str, int], path: Path) -> None:
+    def __init__(self, counts: Mapping[str, int], path: Path, scene: str = "") -> None:
         super().__init__(counts)
         self.path = path
+        self.scene = scene
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (dict(self), self.path)
+        return type(self), (dict(self), self.path, self.scene)
 
     def to_pandas(self) -> Any:
         """Return the file's rows as a pandas.DataFrame.
@@ -65,7 +71,7 @@ class Batch(dict[str, int]):
         return pq.read_table(self.path, partitioning=None).to_pandas()
 
     def _repr_html_(self) -> str:
-        about = f"{sum(self.values()):,} shots in {self.path}"
+        about = f"{counted(sum(self.values()), 'shot')} in {self.path}; {self.scene}"
         rows = [(name, f"{count:,}") for name, count in self.items()]
         return rendered(about, ("outcome", "shots"), rows)
 
@@ -73,21 +79,16 @@ class Batch(dict[str, int]):
 ROWS = 1 << 16
 """Rows in a chunk: a small part of a second, and few megabytes."""
 
-_UNITS = {
-    "end_time": "s",
-    **{f"end_{name}": ("m", "m/s", "rad/s")[place // 3] for place, name in enumerate(STATE)},
-}
-"""Of the columns that every table of results has."""
-
 
 def batch(
     source: str | os.PathLike[str],
     out: str | os.PathLike[str],
     *,
-    parameters: Mapping[str, Any] = PAPER,
+    parameters: Mapping[str, Any] | None = None,
     release: Mapping[str, float] | None = None,
     measures: Sequence[str] = (),
-    max_contacts: int = 40,
+    max_contacts: int | None = None,
+    override: bool = False,
     format: str | None = None,
     own: Sequence[str] = (),
     prefix: str = "",
@@ -115,16 +116,20 @@ def batch(
         spreadsheet would take for a formula, such as ``=1+1``); and after them outcome,
         kind (see `hoopgen.study.measures.Kind`), contacts, contacts by surface, first surface
         touched, time and state at the end plane (NaN for a shot that does not come to it),
-        uncertain, and what is measured. Units are in the fields' metadata, settings in the
-        schema's, under "hoopgen".
+        uncertain, and what is measured. Units are in the columns' names, ``end_time_s``, and in the
+        fields' metadata; in the schema's, under "hoopgen", is what all shots share: scene, release,
+        max_contacts, and hoopgen's version.
     parameters
-        Of the scene; one number each.
+        Of the scene; one number each. By default those that `source` says, if it is such a file of
+        results, else `PAPER`.
     release
         Variables that all shots share, in place of columns; see `hoopgen.study.variables`.
     measures
         Names of `hoopgen.study.measures.MEASURES`, each a column.
     max_contacts
-        A shot with so many contacts ends as capped.
+        A shot with so many contacts ends as capped; by default as many as `source` says, else 40.
+    override
+        Whether parameters, release and max_contacts may contradict what `source` says.
     format
         "csv", "parquet" or "arrow"; by default as the suffix of `source` says.
     own
@@ -139,36 +144,45 @@ def batch(
     Returns
     -------
     Batch
-        Number of shots by outcome, a dict; the file is its ``path``.
+        Number of shots by outcome, a dict; the file is its ``path``, and its ``scene`` is said.
 
     Raises
     ------
     ValueError
-        If an argument, the table or one of its columns is not as described, chunks beside `out`
-        are of another source or other arguments, or `source` changes while it is read.
+        If an argument, the table or one of its columns is not as described, an argument
+        contradicts what `source` says, chunks beside `out` are of another source or other
+        arguments, or `source` changes while it is read.
     OSError
         If `source` cannot be read or `out` not written.
     """
     table, target = Source(Path(source), format or ""), Path(out)
     if target.suffix.lower() not in FORMATS["parquet"]:
         raise ValueError(f"out: expected a file {' or '.join(FORMATS['parquet'])}, got {target}")
+    target = followed(target)  # which the parts lie beside: on its file system
     if target.exists() and target.samefile(table.path):
         raise ValueError(f"out: {target} is the source")
     if not target.parent.is_dir():
         raise ValueError(f"out: there is no folder {target.parent}")
-    resolve(parameters, 1)  # all of them, and none else
+    check_output(target)
+    if target.exists() and not target.is_file():
+        raise ValueError(f"out: expected a file, which can be moved into its place; got {target}")
+    if parameters is not None:
+        resolve(parameters, 1)  # all of them, and none else
+        parameters = _numbers("parameters", parameters)
     check_names("release", release or {}, VARIABLES)
+    release = _numbers("release", release or {})
+    check_angles("release", release)
+    origin = settle(table, parameters, release, max_contacts, own, override=override)
     shots = _Shots(
-        _numbers("parameters", parameters),
-        _numbers("release", release or {}),
-        tuple(measures),
-        check_contacts(max_contacts),
+        dict(origin.parameters), dict(origin.release), tuple(measures), origin.max_contacts
     )
     check_names("measures", shots.measures, MEASURES)
+    check_workers(scheduler, threads)
     rows = check_count("rows", rows)
     stamp = table.stamp()
-    columns = table.columns(own, shots.release)
-    schema = _schema(table, shots, columns, prefix)
+    columns = table.columns(origin.own, shots.release)
+    scene = say_scene(origin.parameters, columns)
+    schema = _schema(table, shots, columns, prefix, origin.metadata(scene))
     digest, count = table.digest()
     work = _Rows(table, columns, shots, rows, digest, count, stamp)
     outcomes = np.zeros(len(Outcome), np.int64)
@@ -191,11 +205,13 @@ def batch(
             table.check_unchanged(stamp)  # its own columns were read until now
         folder.remove()
     counts = {outcome.name.lower(): int(outcomes[outcome]) for outcome in Outcome}
-    return Batch(counts, target)
+    return Batch(counts, target, scene)
 
 
 def _numbers(name: str, values: Mapping[str, Any]) -> dict[str, float]:
     arrays = {key: doubles(f"{name}[{key!r}]", value) for key, value in values.items()}
+    if "distance" in arrays:
+        from_zero(arrays["distance"])
     for key, array in arrays.items():
         if array.ndim:
             raise ValueError(
@@ -204,7 +220,13 @@ def _numbers(name: str, values: Mapping[str, Any]) -> dict[str, float]:
     return {key: float(array) for key, array in arrays.items()}
 
 
-def _schema(table: Source, shots: _Shots, columns: Mapping[str, Column], prefix: str) -> pa.Schema:
+def _schema(
+    table: Source,
+    shots: _Shots,
+    columns: Mapping[str, Column],
+    prefix: str,
+    about: Mapping[bytes, bytes],
+) -> pa.Schema:
     """Return that of the file of results; arguments that shots cannot have are refused here."""
     given = table.schema()
     read = pa.schema([given.field(column.name) for column in columns.values()])
@@ -217,13 +239,7 @@ def _schema(table: Source, shots: _Shots, columns: Mapping[str, Column], prefix:
         raise ValueError(
             f"{table.path}: has columns named like results: {listed(both)}; give a prefix"
         )
-    about = {
-        "version": hoopgen.__version__,
-        "parameters": shots.parameters,
-        "release": shots.release,
-        "max_contacts": shots.max_contacts,
-    }
-    return pa.schema([*given, *results], {**(given.metadata or {}), "hoopgen": json.dumps(about)})
+    return pa.schema([*given, *results], {**(given.metadata or {}), **about})
 
 
 @contextmanager
@@ -302,13 +318,16 @@ class _Shots:
         columns = _ends(shots)
         more = [name for name in self.measures if name not in columns]
         columns |= measure(states, shots, scene, more)
-        units = _UNITS | {name: MEASURES[name].unit for name in self.measures}
         cells = {name: pa.array(column) for name, column in columns.items()}
         schema = [
-            pa.field(name, array.type, metadata={"unit": units[name]} if name in units else None)
+            pa.field(
+                named(name),
+                array.type,
+                metadata={"unit": UNIT_OF[name]} if name in UNIT_OF else None,
+            )
             for name, array in cells.items()
         ]
-        return pa.table(cells, pa.schema(schema))
+        return pa.Table.from_arrays(list(cells.values()), schema=pa.schema(schema))
 
 
 def _ends(shots: Shots) -> dict[str, Any]:

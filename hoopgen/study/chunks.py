@@ -13,62 +13,41 @@ import json
 import os
 import sys
 from collections import deque
-from collections.abc import Callable, Generator, Iterable, Iterator, Mapping
-from concurrent.futures import CancelledError, Future, ThreadPoolExecutor
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from functools import partial
-from importlib import metadata
 from pathlib import Path
 from typing import IO, Any, Protocol, runtime_checkable
 
 import pyarrow as pa
 
-import hoopgen
-from hoopgen.inputs import check_threads
-from hoopgen.installed import need
+from hoopgen import outputs
+from hoopgen.printable import printable
 
-if sys.platform == "win32":
-    import msvcrt
-
-    def _take(file: IO[bytes]) -> None:
-        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
-
-    def _drop(file: IO[bytes], path: Path) -> None:
-        file.close()
-        path.unlink()  # fails where another has opened it: it stays theirs
-else:
-    import fcntl
-
-    def _take(file: IO[bytes]) -> None:
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-
-    def _drop(file: IO[bytes], path: Path) -> None:
-        with file:
-            path.unlink()  # while it is held: after that it may be another's
-
+from .lock import LOCK, held, read_file
+from .workers import Task, Workers, check_workers, hired, versions
 
 __all__ = [
     "Folder",
     "Job",
     "Stream",
+    "Task",
+    "check_workers",
     "differences",
     "flat",
+    "in_short",
     "opened",
+    "read_record",
     "run",
-    "sync",
     "versions",
     "written",
 ]
-
-Task = Callable[[], pa.Table]
-"""Computes one chunk; picklable."""
 
 AHEAD = 2
 """Chunks under way or waiting for their turn, for each that is computed at once."""
 
 _DIGEST = 32  # bytes
-_CONNECT = 10  # s
-_TRIES = 100  # to lock what others remove
 _TEMPORARY = ".tmp"
 _CHUNKS = "chunk-*.arrow"
 
@@ -99,24 +78,16 @@ class Stream(Protocol):
         """How many are expected, for the progress; None if that is not known."""
         ...
 
-    def tasks(self) -> Iterator[Task]:
-        """Read, and give what computes each chunk; also of those that are on disk already."""
+    def tasks(self) -> Iterator[Task | None]:
+        """Read, and give what computes each chunk; also of those that are on disk already.
+
+        None is no chunk: what comes next is asked for when all chunks before have been given.
+        """
         ...
 
     def identity(self) -> Mapping[str, Any]:
         """Return all that the chunks depend on, in types that JSON knows."""
         ...
-
-
-def versions() -> dict[str, str]:
-    """Return the versions, by name, of all that the bits of a chunk hang on.
-
-    Tangents and quantiles are those of NumPy and SciPy.
-    """
-    return {"hoopgen": hoopgen.__version__, **{name: metadata.version(name) for name in _MATHS}}
-
-
-_MATHS = ("numpy", "scipy")
 
 
 def run(
@@ -147,7 +118,8 @@ def run(
     progress
         Called with the number of chunks given and their total (None: not known).
     report
-        Called with a line of text when a chunk was damaged; by default it goes to stderr.
+        Called with a line of text when a chunk was damaged, and when it is waited for workers of
+        the scheduler; by default it goes to stderr.
 
     Yields
     ------
@@ -157,21 +129,23 @@ def run(
     Raises
     ------
     ValueError
-        If the folder holds another job; the message says what differs.
+        If the folder holds another job; the message says what differs. If threads, or the form of
+        the address, are not as described.
     RuntimeError
         If another process is at work in the folder, or the cluster cannot do the work.
     ConnectionError
-        If no scheduler answers.
+        If no scheduler answers, or it is gone. Chunks that are finished are kept.
     OSError
-        If a chunk cannot be written. Those before it are kept.
+        If the folder cannot be made or a chunk not be written. Those before it are kept.
     """
     note, report = progress or _ignore, report or _say
+    check_workers(scheduler, threads)  # before a folder is made
     with contextlib.ExitStack() as stack:
         if folder is None or isinstance(folder, Folder):
             kept = folder
         else:
             kept = stack.enter_context(opened(folder, job.identity()))
-        workers = stack.enter_context(_workers(scheduler, threads))
+        workers = stack.enter_context(hired(scheduler, threads, report))
         total, done = job.chunks, 0
         note(done, total)
         for table, damage in _in_order(_tasks(job), kept, workers):
@@ -187,10 +161,10 @@ def _ignore(done: int, total: int | None) -> None:
 
 
 def _say(line: str) -> None:
-    print(f"hoopgen: {line}", file=sys.stderr)
+    print(f"hoopgen: {printable(line)}", file=sys.stderr)
 
 
-def _tasks(job: Job | Stream) -> Iterator[Task]:
+def _tasks(job: Job | Stream) -> Iterator[Task | None]:
     if isinstance(job, Stream):
         return job.tasks()
     numbers = itertools.count() if job.chunks is None else iter(range(job.chunks))
@@ -198,27 +172,35 @@ def _tasks(job: Job | Stream) -> Iterator[Task]:
 
 
 def _in_order(
-    tasks: Iterator[Task], folder: Folder | None, workers: _Workers
+    tasks: Iterator[Task | None], folder: Folder | None, workers: Workers
 ) -> Iterator[tuple[pa.Table, str | None]]:
     """Give chunks, and what was wrong with those on disk, in the order of their tasks."""
     pending: deque[Future[tuple[pa.Table, str | None]]] = deque()
     ahead = AHEAD * workers.number
     pool = ThreadPoolExecutor(ahead if workers.remote else workers.number)
     try:
-        for chunk, task in enumerate(tasks):
-            pending.append(pool.submit(_fetch, folder, workers, chunk, task))
-            if len(pending) >= ahead:
-                yield pending.popleft().result()
-        while pending:
-            yield pending.popleft().result()
+        numbers = itertools.count()
+        for task in itertools.chain(tasks, [None]):
+            if task is not None:
+                pending.append(pool.submit(_fetch, folder, workers, next(numbers), task))
+            while pending and (task is None or len(pending) >= ahead):
+                yield _awaited(pending.popleft(), workers)
     finally:
         pool.shutdown(wait=False, cancel_futures=True)
         workers.stop()
         pool.shutdown()
 
 
+def _awaited(
+    chunk: Future[tuple[pa.Table, str | None]], workers: Workers
+) -> tuple[pa.Table, str | None]:
+    while not wait([chunk], workers.patience).done:
+        workers.look()
+    return chunk.result()
+
+
 def _fetch(
-    folder: Folder | None, workers: _Workers, chunk: int, task: Task
+    folder: Folder | None, workers: Workers, chunk: int, task: Task
 ) -> tuple[pa.Table, str | None]:
     """Return a chunk from disk, or computed and now on disk; and what was wrong with the file."""
     if folder is None:
@@ -228,109 +210,16 @@ def _fetch(
         return folder.read(chunk), None
     except FileNotFoundError:
         pass
+    except FileExistsError:
+        raise  # as no chunk of ours, however damaged
     except (OSError, ValueError) as error:
         damage = f"{folder.file(chunk)} is damaged ({error}); it is computed anew"
-    table = workers.compute(task)
+    try:
+        table = workers.compute(task)
+    except ConnectionError as error:
+        raise ConnectionError(f"{error}; {_KEPT}") from error
     folder.write(chunk, table)
     return table, damage
-
-
-# ------------------------------------------------------------------------------------ who computes
-
-
-@dataclass(frozen=True)
-class _Workers:
-    """Those who compute: how many, how, and what frees the threads that wait for them."""
-
-    number: int
-    compute: Callable[[Task], pa.Table]
-    stop: Callable[[], None] = lambda: None
-    remote: bool = False
-
-
-def _workers(
-    scheduler: str | None, threads: int | None
-) -> contextlib.AbstractContextManager[_Workers]:
-    if scheduler is None:
-        return contextlib.nullcontext(_Workers(check_threads(threads), lambda task: task()))
-    if threads is not None:
-        raise ValueError("threads: with a scheduler its workers say how many they have; leave out")
-    return _cluster(scheduler)
-
-
-@contextlib.contextmanager
-def _cluster(address: str) -> Iterator[_Workers]:
-    """Connect to a Dask scheduler; each waiting thread has one chunk on the cluster."""
-    distributed = need("distributed", "scheduler")
-    try:
-        client: Any = distributed.Client(address, set_as_default=False, timeout=_CONNECT)
-    except (OSError, ValueError) as error:
-        raise ConnectionError(
-            f"scheduler: no Dask scheduler answers at {address!r} ({error})"
-        ) from None
-    here = versions()
-    futures: set[Any] = set()
-    stopping = False
-
-    def compute(task: Task) -> pa.Table:
-        # With its task the scheduler can have a chunk computed again when a worker is lost.
-        future = client.submit(_on_worker, here, task, pure=False)
-        futures.add(future)
-        try:
-            if stopping:
-                future.cancel()
-            return future.result()
-        except distributed.scheduler.KilledWorker as error:
-            raise RuntimeError(
-                f"scheduler: a chunk was given up after {error.allowed_failures + 1} workers "
-                "were lost with it; is there memory enough?"
-            ) from None
-        except CancelledError as error:
-            if stopping:
-                raise
-            raise ConnectionError(f"scheduler: {address!r} is gone") from error
-        finally:
-            futures.discard(future)
-
-    def stop() -> None:
-        nonlocal stopping
-        stopping = True
-        with contextlib.suppress(OSError):
-            client.cancel(list(futures))
-
-    with client:
-        _await_workers(client, address)
-        _check_versions(client, here)
-        yield _Workers(sum(client.nthreads().values()), compute, stop, remote=True)
-
-
-def _await_workers(client: Any, address: str) -> None:
-    try:
-        client.wait_for_workers(1, timeout=_CONNECT)
-    except TimeoutError:
-        raise RuntimeError(f"scheduler: {address!r} has no workers") from None
-
-
-def _check_versions(client: Any, here: Mapping[str, str]) -> None:
-    """Refuse workers that would compute something else, or nothing."""
-    for name, version in here.items():
-        # A function of Python's own: a worker without hoopgen has none of ours.
-        for worker, there in client.run(metadata.version, name, on_error="return").items():
-            if there != version:
-                said = there if isinstance(there, str) else "none"
-                raise RuntimeError(
-                    f"scheduler: the worker {worker} has {name} {said}, and here it is {version}; "
-                    "install the same"
-                )
-
-
-def _on_worker(wanted: Mapping[str, str], task: Task) -> pa.Table:
-    """Compute a chunk, unless the worker, perhaps a late comer, has other versions."""
-    there = versions()
-    for name, version in wanted.items():
-        if there[name] != version:
-            raise RuntimeError(f"scheduler: a worker has {name} {there[name]}, not {version}")
-    return task()
 
 
 # ------------------------------------------------------------------------------------ on disk
@@ -358,10 +247,12 @@ class Folder:
         ------
         FileNotFoundError
             If it is not there.
+        FileExistsError
+            If what is there is no file.
         OSError, ValueError
             If it is damaged.
         """
-        content = memoryview(self.file(chunk).read_bytes())
+        content = memoryview(read_file(self.file(chunk)))
         stream, digest = content[:-_DIGEST], content[-_DIGEST:]
         if self._digest(chunk, stream) != digest:
             raise ValueError("its checksum is wrong")
@@ -396,13 +287,21 @@ class Folder:
             stream, digest_size=_DIGEST, key=self.key, salt=chunk.to_bytes(16, "little")
         ).digest()
 
+    def holds_chunks(self) -> bool:
+        """Tell whether there is a chunk."""
+        return any(self.path.glob(_CHUNKS))
 
-_IDENTITY, _LOCK = "identity.json", "lock"
+
+_IDENTITY = "identity.json"
+
+_KEPT = "finished chunks are kept, and the same call goes on from there"
 
 
 @contextlib.contextmanager
 def opened(path: str | os.PathLike[str], identity: Mapping[str, Any]) -> Iterator[Folder]:
     """Open the folder of a job, for one process at a time; make it if it is not there.
+
+    One that has no chunks at the end goes again, unless there is something else in it.
 
     Parameters
     ----------
@@ -414,62 +313,31 @@ def opened(path: str | os.PathLike[str], identity: Mapping[str, Any]) -> Iterato
     Raises
     ------
     ValueError
-        If the folder holds another job; the message says what differs.
+        If the folder has no name, or holds another job; the message says what differs.
     RuntimeError
         If another process is at work in it.
+    OSError
+        If it cannot be made or written, or has something else in the place of a file.
     """
+    if not os.fspath(path):
+        raise ValueError("folder: expected a name, got ''")
     folder = Path(path)
     here = flat({**versions(), **identity})
-    with _locked(folder):
+    with held(folder, _IDENTITY):
         for stale in folder.glob(f"*{_TEMPORARY}"):
             stale.unlink()
         _identify(folder, here)
         text = json.dumps(here, sort_keys=True).encode()
+        kept = Folder(folder, hashlib.blake2b(text, digest_size=_DIGEST).digest())
         try:
-            yield Folder(folder, hashlib.blake2b(text, digest_size=_DIGEST).digest())
+            yield kept
         except KeyboardInterrupt as error:
-            error.add_note(f"finished chunks are in {folder}: the same call goes on from there")
+            if {entry.name for entry in folder.iterdir()} - {_IDENTITY, LOCK}:
+                error.add_note(f"finished chunks are in {folder}: the same call goes on from there")
             raise
-
-
-@contextlib.contextmanager
-def _locked(folder: Path) -> Iterator[None]:
-    """Make the folder and hold it; the system lets go of it however the process ends.
-
-    One without an identity at the end is removed, if nothing else is in it.
-    """
-    file = _lock(folder)
-    try:
-        yield
-    finally:
-        if (folder / _IDENTITY).exists():
-            file.close()
-        else:
-            with contextlib.suppress(OSError):
-                _drop(file, folder / _LOCK)
-                folder.rmdir()
-
-
-def _lock(folder: Path) -> IO[bytes]:
-    """Return the lock of a folder, taken; another may be removing both meanwhile."""
-    for _ in range(_TRIES):
-        with contextlib.suppress(FileNotFoundError), contextlib.ExitStack() as stack:
-            try:
-                folder.mkdir(parents=True, exist_ok=True)
-            except FileExistsError:
-                if folder.is_file():
-                    raise
-                continue  # it was there, and is no more
-            file = stack.enter_context((folder / _LOCK).open("ab"))
-            try:
-                _take(file)
-            except (BlockingIOError, PermissionError):
-                break
-            # Else the lock is of a file that nobody will find any more.
-            if os.path.samestat(os.fstat(file.fileno()), (folder / _LOCK).stat()):
-                stack.pop_all()
-                return file
-    raise RuntimeError(f"{folder}: another process is at work in this folder")
+        finally:
+            if not kept.holds_chunks():
+                kept.remove()
 
 
 def _identify(folder: Path, here: dict[str, str]) -> None:
@@ -480,14 +348,35 @@ def _identify(folder: Path, here: dict[str, str]) -> None:
             out.write(json.dumps(here, indent=1).encode())
         return
     try:
-        there = json.loads(file.read_text(encoding="utf-8"))
+        there = read_record(file)
+        if not all(isinstance(value, str) for value in there.values()):
+            raise ValueError(f"{file}: expected text by name, as `flat` gives it")
     except (FileNotFoundError, ValueError):
         raise ValueError(f"{file} cannot be read; delete the folder to begin anew") from None
     if found := differences(there, here):
         raise ValueError(
-            f"{folder} holds another job: {'; '.join(found)}. Give the same job, "
+            f"{folder} holds another job: {in_short(found)}. Give the same job, "
             "or another folder; or delete this one to begin anew"
         )
+
+
+def read_record(file: Path) -> dict[str, Any]:
+    """Return what a file of JSON says, names and values.
+
+    Raises
+    ------
+    OSError
+        If it cannot be read.
+    ValueError
+        If it is not JSON, or says something else.
+    """
+    try:
+        record = json.loads(read_file(file).decode())
+    except RecursionError:
+        raise ValueError(f"{file}: nested too deep") from None
+    if not isinstance(record, dict):
+        raise ValueError(f"{file}: expected names and values")
+    return record
 
 
 def differences(there: Mapping[str, str], here: Mapping[str, str]) -> list[str]:
@@ -497,6 +386,16 @@ def differences(there: Mapping[str, str], here: Mapping[str, str]) -> list[str]:
         for name in dict.fromkeys((*here, *there))
         if there.get(name) != here.get(name)
     ]
+
+
+def in_short(found: Sequence[str]) -> str:
+    """Say the first few of what is not the same, and how many more there are."""
+    more = [f"and {len(found) - _FEW} more"] if len(found) > _FEW else []
+    return "; ".join([*found[:_FEW], *more])
+
+
+_FEW = 3
+"""Differences that are told."""
 
 
 def flat(values: Mapping[str, Any], prefix: str = "") -> dict[str, str]:
@@ -518,53 +417,15 @@ def _short(text: str | None) -> str:
 
 @contextlib.contextmanager
 def written(path: Path, temporary: Path | None = None) -> Iterator[IO[bytes]]:
-    """Write a file that is there wholly or not at all, also after a loss of power.
+    """Write a file of long work as `outputs.written` does; an error says what is not lost.
 
-    Parameters
-    ----------
-    path
-        The file.
-    temporary
-        Its name until it is whole, on the same file system; by default beside it.
-
-    Raises
-    ------
-    OSError
-        If it cannot be written. Nothing is left then, and what was there before stays.
+    Until it is whole it lies beside under a name that the next start removes, if this one is
+    killed, or under that of `temporary`.
     """
-    part = temporary or path.with_name(path.name + _TEMPORARY)
     try:
-        with _explained(path):
-            with part.open("wb") as file:
-                yield file
-                file.flush()
-                os.fsync(file.fileno())
-            part.replace(path)
-            sync({path.parent, part.parent})
-    finally:
-        part.unlink(missing_ok=True)
-
-
-@contextlib.contextmanager
-def _explained(path: Path) -> Iterator[None]:
-    """Name the file in an error of writing it, and say that the work before it is not lost."""
-    try:
-        yield
+        with outputs.written(path, temporary or path.with_name(path.name + _TEMPORARY)) as file:
+            yield file
     except OSError as error:
-        if error.filename is not None or isinstance(error, ConnectionError):
+        if error.filename != str(path):
             raise  # of something else
-        said = os.strerror(error.errno) if error.errno else str(error)
-        kept = "finished chunks are kept, and the same call goes on from there"
-        raise OSError(error.errno, f"{said}; {kept}", str(path)) from error
-
-
-def sync(folders: Iterable[Path]) -> None:
-    """Make new names last; a folder can be opened on POSIX systems alone."""
-    if sys.platform == "win32":
-        return
-    for folder in folders:
-        descriptor = os.open(folder, os.O_RDONLY)
-        try:
-            os.fsync(descriptor)
-        finally:
-            os.close(descriptor)
+        raise OSError(error.errno, f"{error.strerror}; {_KEPT}", str(path)) from error

@@ -11,10 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtri
 
-from hoopgen.brief import brief
-from hoopgen.inputs import is_whole
+from hoopgen.inputs import check_count
 
-__all__ = ["ROW_OF_RELEASES", "ROW_OF_SAMPLE", "check_seed", "normals", "uniforms"]
+__all__ = [
+    "ROW_OF_RELEASES",
+    "ROW_OF_SAMPLE",
+    "check_seed",
+    "check_two_seeds",
+    "normals",
+    "uniforms",
+]
 
 ROW_OF_RELEASES, ROW_OF_SAMPLE = 1 << 32, 2 << 32
 """Streams that choose rows, of measured releases and of a table to look at; those of variables are
@@ -63,6 +69,21 @@ def normals(seed: int, stream: int, start: int, stop: int) -> NDArray[np.float64
     return numbers
 
 
+def check_two_seeds(seed: int) -> int:
+    """Return a seed as an int: that of a search, after which there is one for fresh shots.
+
+    Raises
+    ------
+    ValueError
+        If it is not a whole number from 0 to 2^64 - 2.
+    """
+    if check_seed(seed) == 2**64 - 1:
+        raise ValueError(
+            f"seed: expected 2**64 - 2 at most, as the one after it is used too, got {seed}"
+        )
+    return int(seed)
+
+
 def check_seed(seed: int) -> int:
     """Return the seed as an int.
 
@@ -71,6 +92,6 @@ def check_seed(seed: int) -> int:
     ValueError
         If it is not a whole number from 0 to 2^64 - 1.
     """
-    if not is_whole(seed) or not 0 <= seed < 2**64:
-        raise ValueError(f"seed: expected a whole number from 0 to 2**64 - 1, got {brief(seed)}")
-    return int(seed)
+    return check_count(
+        "seed", seed, least=0, most=2**64 - 1, expected="a whole number from 0 to 2**64 - 1"
+    )

@@ -9,26 +9,31 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from contextlib import closing
 from dataclasses import asdict, dataclass
-from math import ceil, floor, inf, log10, nan, sqrt
+from fractions import Fraction
+from math import ceil, inf, nan, sqrt
 from os import PathLike
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
+from scipy.special import ndtri
 
 from hoopgen.brief import brief
-from hoopgen.inputs import check_contacts
+from hoopgen.inputs import check_contacts, check_count
 from hoopgen.notebook import Said
 from hoopgen.parameters import PAPER
+from hoopgen.phrases import decimals, doubtful, interval, percent, points
 from hoopgen.results import Outcome, Shots
 from hoopgen.simulation import simulate
+from hoopgen.sizes import in_short
 
 from .chunks import run
 from .draws import check_seed
 from .measures import Kind
 from .models import Grid, ReleaseModel
-from .tallies import COLUMNS, FIELDS, Tally, blocks, check_count, check_scene, check_share, wilson
+from .tallies import COLUMNS, FIELDS, Tally, blocks, check_scene, check_share, wilson
+from .told import footer, told_setting
 from .words import for_json
 
 __all__ = [
@@ -37,10 +42,9 @@ __all__ = [
     "Estimate",
     "Setting",
     "compare",
-    "decimals",
     "estimate",
-    "in_percent",
-    "in_points",
+    "least_shots",
+    "most_shots",
     "newcombe",
 ]
 
@@ -60,7 +64,7 @@ Backend = Literal["auto", "c", "numpy"]
 Progress = Callable[[int, int | None], None]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Estimate(Said):
     """How probably a shot is made.
 
@@ -81,6 +85,8 @@ class Estimate(Said):
         Of them, by outcome.
     uncertain
         With a decision within its rounding-error bound.
+    uncertain_capped
+        Capped ones among those.
     kinds, kinds_made
         Shots by the name of their `Kind`, all and made.
     seed
@@ -100,6 +106,7 @@ class Estimate(Said):
     short: int
     invalid: int
     uncertain: int
+    uncertain_capped: int
     kinds: Mapping[str, int]
     kinds_made: Mapping[str, int]
     seed: int
@@ -123,32 +130,34 @@ class Estimate(Said):
 
     def as_dict(self) -> dict[str, Any]:
         """Return everything, in types that JSON knows; None for what is not a number."""
-        more = {"with_capped": self.with_capped, "shares": self.shares}
+        more: dict[str, Any] = {"with_capped": self.with_capped, "shares": self.shares}
+        more["scene"] = told_setting(self.setting)["scene"]
         return {name: for_json(value) for name, value in (asdict(self) | more).items()}
 
     def __str__(self) -> str:
         digits = decimals(self.half_width)
-        others = ("missed", "capped", "short", "invalid", "uncertain")
-        counts = [f"{getattr(self, name):,} {name}" for name in ("made", *others)]
+        ended = (outcome.name.lower() for outcome in Outcome)
+        counts = [f"{getattr(self, name):,} {name}" for name in ended]
+        counts.append(doubtful(self.uncertain, self.uncertain_capped))
         lines = [
-            f"made     {in_percent(self.probability, digits)}, "
-            f"{in_percent(self.low, digits)} to {in_percent(self.high, digits)} "
-            f"(Wilson's {in_percent(self.confidence)} interval)",
+            f"made     {percent(self.probability, digits)}, "
+            f"{interval(self.low, self.high, digits)} "
+            f"(Wilson's {percent(self.confidence, None)} interval)",
             f"shots    {self.shots:,}: {', '.join(counts)}",
-            *([f"capped   {in_percent(self.with_capped, digits)} if made"] if self.capped else []),
+            *([f"capped   {percent(self.with_capped, digits)} if made"] if self.capped else []),
             "",
             "kind         share  of it made",
         ]
         lines += [
-            f"{name.replace('_', ', '):9}  {in_percent(self.shares[name], 1):>7}"
-            f"  {in_percent(self.kinds_made[name] / count, 1):>10}"
+            f"{name.replace('_', ', '):10}  {percent(self.shares[name]):>6}"
+            f"  {percent(self.kinds_made[name] / count):>10}"
             for name, count in self.kinds.items()
             if count
         ]
-        return "\n".join(lines)
+        return "\n".join([*lines, "", footer(_NAMES, _told(self))])
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Comparison(Said):
     """What the second of two settings adds to the first, over the same random numbers.
 
@@ -207,18 +216,20 @@ class Comparison(Said):
 
     def __str__(self) -> str:
         digits = decimals(self.half_width)
-        made = [in_percent(one.probability, digits) for one in (self.first, self.second)]
-        ends = f"{in_points(self.low, digits)} to {in_points(self.high, digits)}"
+        made = [percent(one.probability, digits) for one in (self.first, self.second)]
+        ends = f"{points(self.low, digits)} to {points(self.high, digits)}"
         return "\n".join(
             [
                 f"first       {made[0]} made",
                 f"second      {made[1]} made",
-                f"difference  {in_points(self.difference, digits)} points, {ends} "
-                f"(Newcombe's paired {in_percent(self.confidence)} interval)",
+                f"difference  {points(self.difference, digits)} points, {ends} "
+                f"(Newcombe's paired {percent(self.confidence, None)} interval)",
                 f"pairs       {self.pairs:,}: {self.both:,} both made, "
                 f"{self.only_first:,} the first only, {self.only_second:,} the second only, "
                 f"{self.neither:,} neither",
                 f"gain        worth {self.gain:.3g} times the shots without common random numbers",
+                "",
+                footer(_NAMES + 3, _told(self.first), _told(self.second)),
             ]
         )
 
@@ -274,7 +285,8 @@ def estimate(
     settings = (_setting(model, parameters),)
     level = check_share("confidence", confidence)
     contacts = check_contacts(max_contacts)
-    work = _Work(settings, _most(shots, precision), check_seed(seed), contacts, backend)
+    most = most_shots(shots, precision, level)
+    work = _Work(settings, most, check_seed(seed), contacts, backend)
     until = _Until(precision, lambda total: _estimate(work, total, 0, level).half_width, progress)
     total = until.total(work, folder, scheduler, threads)
     return _estimate(work, total, 0, level)
@@ -322,7 +334,8 @@ def compare(
     )
     level = check_share("confidence", confidence)
     contacts = check_contacts(max_contacts)
-    work = _Work(settings, _most(shots, precision), check_seed(seed), contacts, backend)
+    most = most_shots(shots, precision, level, paired=True)
+    work = _Work(settings, most, check_seed(seed), contacts, backend)
     until = _Until(precision, lambda total: _comparison(work, total, level).half_width, progress)
     total = until.total(work, folder, scheduler, threads)
     return _comparison(work, total, level)
@@ -355,7 +368,7 @@ class _Work:
     @property
     def chunks(self) -> int:
         """How many."""
-        return ceil(self.shots / CHUNK)
+        return -(-self.shots // CHUNK)
 
     def identity(self) -> dict[str, Any]:
         """Return what the chunks depend on."""
@@ -436,8 +449,13 @@ class _Until:
                 "they are not finite, start inside a surface, or have parameters out of range"
             )
         # The width falls with the square root of the shots.
-        ratio = self.half_width(total) / self.precision
-        return min(most, done if ratio <= 1.0 else max(done + 1, ceil(done * ratio**2)))
+        half_width = self.half_width(total)
+        if half_width <= self.precision:
+            return min(most, done)
+        # More than all: the quotient of doubles may be larger than any.
+        if half_width >= self.precision * sqrt(most / done):
+            return most
+        return min(most, max(done + 1, ceil(done * (half_width / self.precision) ** 2)))
 
 
 def _setting(model: ReleaseModel, parameters: Mapping[str, Any]) -> _Set:
@@ -449,15 +467,53 @@ def _setting(model: ReleaseModel, parameters: Mapping[str, Any]) -> _Set:
     return _Set(model, check_scene(parameters))
 
 
-def _most(shots: int | None, precision: float | None) -> int:
-    """Return the number of shots, or the most of them."""
+def most_shots(
+    shots: int | None, precision: float | None, level: float, *, paired: bool = False
+) -> int:
+    """Return the number of shots, or the most of them.
+
+    Raises
+    ------
+    ValueError
+        If one is not as described for `estimate`, or that precision cannot be reached.
+    """
     if precision is not None:
         check_share("precision", precision)
-    default = SHOTS if precision is None else MOST
-    return default if shots is None else check_count("shots", shots)
+    if shots is not None:
+        return check_count("shots", shots)
+    if precision is None:
+        return SHOTS
+    if (least := least_shots(precision, level, paired=paired)) > MOST:
+        raise ValueError(
+            f"precision: {precision} takes {in_short(least)} shots at least, whatever becomes of "
+            f"them, and no more than {in_short(MOST)} are thrown unless shots says so"
+        )
+    return MOST
+
+
+def least_shots(precision: float, confidence: float, *, paired: bool = False) -> int:
+    """Return a number of shots with fewer of which no interval is so narrow.
+
+    With z of the confidence, half of Wilson's interval is narrowest where all n shots end alike:
+    z² / (n + z²) / 2. In Newcombe's the correlation is at most 1 - 2 / n, so that half of it is no
+    less than that times √(2 / n).
+    """
+    square = float(ndtri(0.5 * (1.0 - confidence))) ** 2
+    if paired:
+        return int((square / sqrt(2.0)) ** (2 / 3) * precision ** (-2 / 3) - square)
+    # Exactly: the quotient may be larger than any double.
+    return int(Fraction(square) / Fraction(2.0 * precision) - Fraction(square))
 
 
 # ------------------------------------------------------------------------------------ what it says
+
+_NAMES = 9
+"""Letters of the column of names in what is printed."""
+
+
+def _told(found: Estimate) -> dict[str, str]:
+    """Say what an estimate rests on."""
+    return told_setting(found.setting) | {"seed": str(found.seed)}
 
 
 def _tally(total: NDArray[np.int64], which: int) -> Tally:
@@ -480,6 +536,7 @@ def _estimate(work: _Work, total: NDArray[np.int64], which: int, level: float) -
         shots=int(tally.shots),
         **ended,
         uncertain=int(tally.uncertain),
+        uncertain_capped=int(tally.uncertain_capped),
         kinds=dict(zip(names, tally.of_kind().tolist(), strict=True)),
         kinds_made=dict(zip(names, tally.table[:, Outcome.MADE].tolist(), strict=True)),
         seed=work.seed,
@@ -536,18 +593,3 @@ def newcombe(
         float(difference - combined(first - low_1, high_2 - second)),
         float(difference + combined(high_1 - first, second - low_2)),
     )
-
-
-def decimals(half_width: float) -> int:
-    """Return the decimals of percents at which two digits of half an interval are seen."""
-    return max(1, min(9, 1 - floor(log10(100.0 * half_width)))) if half_width > 0.0 else 1
-
-
-def in_percent(share: float, digits: int | None = None) -> str:
-    """Say a share with so many decimals; by default four digits of it."""
-    return f"{100.0 * share:.4g} %" if digits is None else f"{100.0 * share:.{digits}f} %"
-
-
-def in_points(difference: float, digits: int) -> str:
-    """Say a difference of shares in percentage points, with its sign."""
-    return f"{100.0 * difference:+.{digits}f}"

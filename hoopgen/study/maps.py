@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sized
 from dataclasses import dataclass
 from enum import IntEnum
-from math import ceil, prod
+from math import prod
 from os import PathLike
 from typing import Any, Literal, TypeAlias
 
@@ -17,30 +17,30 @@ from numpy.typing import ArrayLike, NDArray
 
 import hoopgen
 from hoopgen.brief import brief
-from hoopgen.inputs import check_contacts, doubles
-from hoopgen.parameters import NAMES, PAPER
-from hoopgen.releases import release as release_states
+from hoopgen.inputs import check_contacts, check_count, doubles
+from hoopgen.parameters import PAPER
+from hoopgen.phrases import percent
 from hoopgen.results import Outcome, Shots
 from hoopgen.simulation import simulate
+from hoopgen.sizes import check_room
 
 from .chunks import run
 from .draws import check_seed
 from .measures import Kind, kinds
-from .models import Scatter
-from .player import one_each
+from .models import Resample, Scatter, alike, check_thrown, scene_by_row
 from .tallies import (
     BLOCK,
     COLUMNS,
     FIELDS,
     Tally,
-    check_count,
     check_scene,
     check_share,
     wilson,
 )
-from .variables import STATE, VARIABLES, check_names, release_arguments
+from .told import model_told, say_scene
+from .variables import STANDS_FOR, VARIABLES, change_variables, check_angles, check_names
 
-__all__ = ["map"]
+__all__ = ["check_cells", "map"]
 
 SHOTS = 10_000
 """Of a cell, unless asked for otherwise."""
@@ -48,14 +48,15 @@ SHOTS = 10_000
 _CHUNK = 1 << 17
 """Shots in a chunk, at most."""
 
+_CELL, _TALLIED = 48, 720
+"""Bytes that a cell takes at the most, single or with scatter, until it is in a file."""
+
 Floats: TypeAlias = NDArray[np.float64]
 
 
 def map(
+    model: Scatter | Resample,
     over: Mapping[str, ArrayLike],
-    release: Mapping[str, float],
-    sd: Mapping[str, float] | None = None,
-    correlation: Mapping[tuple[str, str], float] | None = None,
     parameters: Mapping[str, Any] = PAPER,
     *,
     shots: int | None = None,
@@ -72,14 +73,15 @@ def map(
 
     Parameters
     ----------
+    model
+        The player. Of a `Scatter` the release says the variables that are not mapped over; without
+        deviations a cell is one shot. Of a `Resample` the columns are as they are, and one
+        that is mapped over, or stands for what is, has its mean moved and keeps how far the
+        measured releases are from it.
     over
         Variables, see `VARIABLES`, and the values that each takes; m, m/s, rad, rad/s.
-    release
-        The other variables of the release, one number each.
-    sd, correlation
-        Scatter about each cell's release, as of `Scatter`. Without it a cell is one shot.
     parameters
-        Of the scene, for those that neither `over` nor `release` names.
+        Of the scene, for those that neither `over` nor the model names.
     shots
         Of each cell; by default 10,000. All cells have the same random numbers.
     confidence
@@ -97,32 +99,45 @@ def map(
         Its dimensions are the names of `over`, in their order; coordinates, those of `release`
         too, have ``units`` and ``long_name``. With scatter there are `probability`, `low` and
         `high` (as of `Estimate`), numbers of shots `shots`, `made`, `capped`, `short`, `invalid`
-        and `uncertain`, and `share` by `kind`. Without, `outcome` and `kind` (codes, named in
-        ``flag_meanings``) and `uncertain`. A cell that cannot be simulated is INVALID, and its
-        probability NaN.
+        and `uncertain`, of those `uncertain_capped`, and `share` by `kind`. Without, `outcome` and
+        `kind` (codes, named in ``flag_meanings``) and `uncertain`. A cell that cannot be simulated
+        is INVALID, and its probability NaN.
 
     Raises
     ------
     TypeError, ValueError
         If an argument is not as described.
     """
-    if shots is not None and not sd:
-        raise ValueError("shots: without sd all shots of a cell are one; leave out")
+    scatters = check_thrown(model, over).scatters
+    if shots is not None and not scatters:
+        raise ValueError("shots: without scatter all shots of a cell are one; leave out")
     work = _Work(
         axes=_axes(over),
-        fixed=_fixed(release, over),
-        scatter=Scatter({}, sd or {}, correlation or {}),
+        model=model,
         parameters=check_scene(parameters),
-        shots=check_count("shots", SHOTS if shots is None else shots) if sd else 1,
+        shots=check_count("shots", SHOTS if shots is None else shots) if scatters else 1,
         seed=check_seed(seed),
         max_contacts=check_contacts(max_contacts),
         backend=backend,
     )
     level = check_share("confidence", confidence)
-    work.simulate(0, 1, 1, {})  # what is wrong shows before a folder is made
+    check_cells(work.axes, scatters=scatters)
+    work.simulate(0, 1, 1, model.noise(0, 1, seed))  # what is wrong shows before a folder is made
     tables = run(work, folder, scheduler=scheduler, threads=threads, progress=progress)
-    data = _shares(work, tables, level) if sd else _outcomes(work, tables)
+    data = _shares(work, tables, level) if scatters else _outcomes(work, tables)
     return xr.Dataset(data, _coordinates(work), _attributes(work, level))
+
+
+def check_cells(over: Mapping[str, Sized], *, scatters: bool) -> None:
+    """Refuse a map of more cells than there is memory for.
+
+    Raises
+    ------
+    ValueError
+        If there are too many; with what they would take.
+    """
+    cells = prod(len(values) for values in over.values())
+    check_room("over", cells, "cells", _TALLIED if scatters else _CELL)
 
 
 def _axes(over: Mapping[str, ArrayLike]) -> dict[str, Floats]:
@@ -133,14 +148,8 @@ def _axes(over: Mapping[str, ArrayLike]) -> dict[str, Floats]:
     for name, values in axes.items():
         if values.ndim != 1 or not values.size:
             raise ValueError(f"over[{name!r}]: expected a list of numbers, got {brief(over[name])}")
+    check_angles("over", axes)
     return axes
-
-
-def _fixed(release: Mapping[str, float], over: Mapping[str, ArrayLike]) -> dict[str, float]:
-    twice = [name for name in release if name in over]
-    if twice:
-        raise ValueError(f"release: {', '.join(twice)} is mapped over; leave out")
-    return one_each("release", release)
 
 
 # ------------------------------------------------------------------------------------ the work
@@ -155,8 +164,7 @@ class _Work:
     """
 
     axes: Mapping[str, Floats]
-    fixed: Mapping[str, float]
-    scatter: Scatter
+    model: Scatter | Resample
     parameters: Mapping[str, float]
     shots: int
     seed: int
@@ -176,7 +184,7 @@ class _Work:
     @property
     def _blocks(self) -> tuple[int, int]:
         cells, shots = self.together
-        return ceil(prod(self.shape) / cells), ceil(self.shots / shots)
+        return -(-prod(self.shape) // cells), -(-self.shots // shots)
 
     @property
     def chunks(self) -> int:
@@ -193,8 +201,7 @@ class _Work:
         """Return what the chunks depend on."""
         return {
             "over": {name: values.tolist() for name, values in self.axes.items()},
-            "release": dict(self.fixed),
-            "scatter": self.scatter.identity(),
+            "model": self.model.identity(),
             "parameters": dict(self.parameters),
             "shots": self.shots,
             "seed": self.seed,
@@ -206,14 +213,14 @@ class _Work:
         _, many = self.together
         start = chunk % self._blocks[1] * many
         stop = min(start + many, self.shots)
-        noise = self.scatter.noise(start, stop, self.seed)
+        noise = self.model.noise(start, stop, self.seed)
         few = max(1, BLOCK // (stop - start))
         low, high = self.cells(chunk)
         parts = []
         for cell in range(low, high, few):
             last = min(cell + few, high)
             shots = self.simulate(cell, last, stop - start, noise)
-            tallied = self.scatter.sd
+            tallied = self.model.scatters
             parts.append(Tally.of(shots, last - cell).row() if tallied else _row(shots))
         numbers = np.concatenate(parts)
         flat = pa.array(numbers.ravel())
@@ -222,19 +229,14 @@ class _Work:
     def simulate(self, start: int, stop: int, shots: int, noise: Mapping[str, Floats]) -> Shots:
         """Return so many shots of each of the cells `start` to `stop` - 1, cell by cell."""
         places = np.unravel_index(np.arange(start, stop), self.shape)
-        values: dict[str, Any] = {name: np.asarray(value) for name, value in self.fixed.items()}
-        for (name, axis), place in zip(self.axes.items(), places, strict=True):
-            values[name] = axis[place][:, None]
-        scene = {name: values.pop(name, self.parameters[name]) for name in NAMES}
-        values = {**scene, **release_arguments(values, scene["gravity"])}
-        for name, added in noise.items():
-            values[name] = values[name] + added
-        scene = {name: values.pop(name) for name in NAMES}
-        shape = (stop - start, shots)
-        states = np.broadcast_to(release_states(**values), (*shape, len(STATE)))
+        values = {
+            name: axis[place][:, None]
+            for (name, axis), place in zip(self.axes.items(), places, strict=True)
+        }
+        releases = self.model.around(values, noise, self.parameters, shots)
         return simulate(
-            states.reshape(-1, len(STATE)),
-            {n: np.broadcast_to(v, shape).ravel() if np.ndim(v) else v for n, v in scene.items()},
+            releases.states,
+            releases.parameters,
             max_contacts=self.max_contacts,
             backend=self.backend,
             threads=1,
@@ -273,11 +275,12 @@ def _shares(work: _Work, tables: Iterable[pa.Table], level: float) -> dict[str, 
         "shots": tally.shots,
         **{one: tally.ended(Outcome[one.upper()]) for one in _COUNTED},
         "uncertain": tally.uncertain,
+        "uncertain_capped": tally.uncertain_capped,
     }
     return {
         "probability": _variable(dims, probability, "probability of a made shot"),
-        "low": _variable(dims, low, f"lower end of its {100 * level:.4g} % interval (Wilson)"),
-        "high": _variable(dims, high, f"upper end of its {100 * level:.4g} % interval (Wilson)"),
+        "low": _variable(dims, low, f"lower end of its {percent(level, None)} interval (Wilson)"),
+        "high": _variable(dims, high, f"upper end of its {percent(level, None)} interval (Wilson)"),
         "share": _variable((*dims, "kind"), share, "share of the shots that are of a kind"),
         **{name: _variable(dims, n, _LABELS[name]) for name, n in counts.items()},
     }
@@ -292,6 +295,7 @@ _LABELS = {
     "short": "shots that never come down through the end plane",
     "invalid": "shots that cannot be simulated, and are no trials",
     "uncertain": "shots with a decision within its rounding-error bound",
+    "uncertain_capped": "those of them that were given up",
 }
 
 
@@ -332,12 +336,19 @@ def _coordinates(work: _Work) -> dict[str, xr.Variable]:
     coordinates = {
         name: xr.Variable((name,), values, _units(name)) for name, values in work.axes.items()
     }
-    for name, value in work.fixed.items():
+    for name, value in _same(work).items():
         coordinates[name] = xr.Variable((), value, _units(name))
-    if work.scatter.sd:
+    if work.model.scatters:
         names = [kind.name.lower() for kind in Kind]
         coordinates["kind"] = xr.Variable("kind", names, {"long_name": "kind of shot"})
     return coordinates
+
+
+def _same(work: _Work) -> dict[str, float]:
+    """Return the variables that are the same in all cells."""
+    gone = {*work.axes, *(other for name in work.axes for other in STANDS_FOR.get(name, ()))}
+    same = change_variables(alike(work.model), dict.fromkeys(work.axes))
+    return {name: value for name, value in same.items() if name not in gone}
 
 
 def _units(name: str) -> dict[str, str]:
@@ -347,20 +358,20 @@ def _units(name: str) -> dict[str, str]:
 
 def _attributes(work: _Work, level: float) -> dict[str, Any]:
     """Return what the map was made with; the mappings as JSON, which every file format takes."""
-    scatter = work.scatter.identity()
+    by_row = [name for name in scene_by_row(work.model) if name not in work.axes]
+    others = {n: v for n, v in work.parameters.items() if n not in (*work.axes, *by_row)}
+    scene = others | {n: v for n, v in alike(work.model).items() if n in others}
     return {
         "Conventions": "CF-1.11",
         "source": f"hoopgen {hoopgen.__version__}",
-        "parameters": json.dumps(
-            {n: work.fixed.get(n, v) for n, v in work.parameters.items() if n not in work.axes}
-        ),
+        "scene": say_scene(scene, by_row),
+        "parameters": json.dumps(scene),
         "max_contacts": work.max_contacts,
         **(
             {}
-            if not work.scatter.sd
+            if not work.model.scatters
             else {
-                "sd": json.dumps(scatter["sd"]),
-                "correlation": json.dumps(scatter["correlation"]),
+                **model_told(work.model.identity()),
                 "seed": str(work.seed),
                 "confidence": level,
             }

@@ -3,23 +3,29 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
+from os import PathLike
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.inputs import check_count
 from hoopgen.notebook import Said
 from hoopgen.parameters import PAPER
+from hoopgen.phrases import counted
 
+from .crew import crew
 from .draws import check_seed
+from .models import Resample, Scatter, check_thrown
 from .player import By, Player, arguments_of, one_each
-from .tallies import check_count, check_share
+from .tallies import check_share
+from .told import say_scene
 from .variables import VARIABLES, check_names
 from .words import between, for_json, say
 
-__all__ = ["MARGINS", "Margin", "margins"]
+__all__ = ["MARGINS", "Margin", "margins", "margins_about"]
 
 MARGINS = ("speed", "elevation", "azimuth", "backspin", "height", "distance")
 """Variables whose margins are given unless others are asked for."""
@@ -44,7 +50,7 @@ _ENDS: Mapping[str, Bounds] = {
 """Nothing is looked for beyond these, unless the release itself lies there."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Margin(Said):
     """How far one variable may be off, the others as they are.
 
@@ -64,6 +70,8 @@ class Margin(Said):
     steady
         Ends of the interval in which the probability with scatter stays within the tolerance of
         that at the release; None without scatter.
+    scene
+        In words: the preset, and what differs from it.
     """
 
     name: str
@@ -73,9 +81,16 @@ class Margin(Said):
     elsewhere: tuple[Bounds, ...]
     searched: Bounds
     steady: Bounds | None = None
+    scene: str = ""
 
     def __str__(self) -> str:
-        more = f", and in {len(self.elsewhere)} further intervals" if self.elsewhere else ""
+        return f"{self.line}; {self.scene}" if self.scene else self.line
+
+    @property
+    def line(self) -> str:
+        """What it forgives, without its scene."""
+        others = counted(len(self.elsewhere), "further interval")
+        more = f", and in {others}" if self.elsewhere else ""
         return f"{self.name} {self.said(self.low, self.high)}{more}"
 
     def as_dict(self) -> dict[str, Any]:
@@ -97,38 +112,38 @@ class Margin(Said):
 
 
 def margins(
-    release: Mapping[str, float],
+    model: Scatter | Resample,
     parameters: Mapping[str, Any] = PAPER,
     *,
     names: Sequence[str] = MARGINS,
     by: By = "any",
-    sd: Mapping[str, float] | None = None,
-    correlation: Mapping[tuple[str, str], float] | None = None,
     shots: int = 10_000,
     seed: int = 0,
     tolerance: float = 0.01,
     threads: int | None = None,
+    folder: str | PathLike[str] | None = None,
+    scheduler: str | None = None,
+    progress: Callable[[int, int | None], None] | None = None,
 ) -> dict[str, Margin]:
     """Return how far each variable of a release may be off, the others as they are.
 
     Parameters
     ----------
-    release
-        Variables, one number each. With `aim` among them it is the speed that stays as it is when
-        another variable is off, unless that is `aim` or `entry`.
+    model
+        The release, and a player's scatter about it for `Margin.steady`; of a `Resample` the
+        release is the mean of its columns. With `aim` in the release it is the speed that stays as
+        it is when another variable is off, unless that is `aim` or `entry`.
     parameters
         Of the scene, one number each.
     names
         Variables that are off.
     by
         What counts: "any" shot made, "direct" if the board is not touched first, "bank" if it is.
-    sd, correlation
-        A player's scatter, as for `Scatter`, for `Margin.steady`.
     shots, seed, tolerance
         Of the probability with scatter: shots for each trial, their random numbers, and how far it
         may fall.
-    threads
-        As for `hoopgen.simulate`.
+    threads, folder, scheduler, progress
+        As for `hoopgen.estimate`. How many chunks there will be is not known.
 
     Returns
     -------
@@ -144,21 +159,48 @@ def margins(
     check_count("shots", shots)
     check_seed(seed)
     check_share("tolerance", tolerance)
-    given = one_each("release", release)
-    exact = Player(parameters=parameters, by=by, threads=threads).at(given)
-    scattered = replace(exact, sd=sd or {}, correlation=correlation or {})
-    found = {}
+    given = one_each("release", check_thrown(model, ()).centre)
+    player = Player(model.apart()[1], parameters, by).at(given)
     for name in names:
-        values = _held(given, name, exact.parameters)
+        _held(given, name, player.parameters)  # what is wrong shows before a folder is made
+    identity = {
+        "margins": {"model": model.identity(), "parameters": dict(player.parameters)},
+        "names": list(names),
+        "by": by,
+        "shots": shots,
+        "seed": seed,
+        "tolerance": tolerance,
+    }
+    with crew(
+        identity, folder, scheduler=scheduler, threads=threads, progress=progress
+    ) as together:
+        player = replace(player, crew=together)
+        return margins_about(given, names, player, shots, seed, tolerance)
+
+
+def margins_about(
+    release: Mapping[str, float],
+    names: Sequence[str],
+    player: Player,
+    shots: int,
+    seed: int,
+    tolerance: float,
+) -> dict[str, Margin]:
+    """Return what `margins` does, for a player in the scene of a release."""
+    found = {}
+    exact = replace(player, model=Scatter({}))
+    for name in names:
+        values = _held(release, name, player.parameters)
         line = _Line(name, values, exact, 1, 1.0, 0)
         searched = _searched(name, values[name])
         (low, high), elsewhere = line.intervals(searched, *_EXACT)
         steady = None
-        if any(scattered.sd.values()):
-            least = scattered.thrown(values, shots, seed).share[0] - tolerance
-            line = _Line(name, values, scattered, shots, least, seed)
+        if not player.model.still:
+            least = player.thrown(values, shots, seed).share[0] - tolerance
+            line = _Line(name, values, player, shots, least, seed)
             steady, _ = line.intervals(searched, *_SMOOTH)
-        found[name] = Margin(name, values[name], low, high, elsewhere, searched, steady)
+        scene = say_scene({k: v for k, v in exact.parameters.items() if k != name})
+        found[name] = Margin(name, values[name], low, high, elsewhere, searched, steady, scene)
     return found
 
 

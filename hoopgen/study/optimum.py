@@ -7,25 +7,29 @@ many, and so a little too good.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass, fields, replace
+from os import PathLike
 from typing import TYPE_CHECKING, Any
 
+from hoopgen.inputs import check_count
 from hoopgen.notebook import Said
 from hoopgen.parameters import PAPER
 from hoopgen.simulation import simulate
 
-from .draws import check_seed
+from .advice import advice
+from .crew import crew
+from .draws import check_two_seeds
 from .estimate import newcombe
-from .margins import MARGINS, Margin
-from .margins import margins as margins_of
+from .margins import MARGINS, Margin, margins_about
 from .measures import measure
-from .models import Scatter
-from .player import BY, By, Player, Thrown, arguments_of, one_each
+from .models import Resample, Scatter, check_thrown
+from .player import By, Player, Thrown, arguments_of
 from .search import Bounds, bounds_of, flat_about, search
-from .tallies import check_count, check_scene, check_share, wilson
-from .variables import resolve_variables
-from .words import between, for_json, percent, say
+from .tallies import check_scene, check_share, wilson
+from .told import in_a_note, say_release, told_setting
+from .variables import VARIABLES, change_variables, check_names, resolve_variables
+from .words import between, for_json
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -37,7 +41,7 @@ _PLOTTED = 2_000
 """Shots whose shares are beside their paths."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Optimum(Said):
     """The release with the greatest probability of success.
 
@@ -71,8 +75,8 @@ class Optimum(Said):
         Where was searched.
     margins
         By variable.
-    sd, correlation
-        The scatter.
+    model
+        The player: where the shots about it come from.
     parameters
         Of the scene, those in `release` among them.
     """
@@ -94,8 +98,7 @@ class Optimum(Said):
     flat: Mapping[str, Bounds]
     bounds: Mapping[str, Bounds]
     margins: Mapping[str, Margin]
-    sd: Mapping[str, float]
-    correlation: Mapping[tuple[str, str], float]
+    model: Scatter | Resample
     parameters: Mapping[str, float]
 
     @property
@@ -121,10 +124,7 @@ class Optimum(Said):
         if (self.shots, self.seed) != (other.shots, other.seed):
             raise ValueError("other: expected an optimum of as many shots and the same seed")
         mine, others = (
-            Player(one.sd, one.correlation, one.parameters, one.by).scored(
-                one.release, one.shots, one.seed + 1
-            )
-            for one in (self, other)
+            one._player().scored(one.point, one.shots, one.seed + 1) for one in (self, other)
         )
         return paired(mine, others, self.confidence)
 
@@ -133,41 +133,52 @@ class Optimum(Said):
 
         The shares in the key are those of the first 2000 at most.
         """
-        player = Scatter(self.release, self.sd, self.correlation)
-        shots = player.draw(0, min(self.shots, _PLOTTED), self.seed + 1, self.parameters)
+        player, few = self._player(), min(self.shots, _PLOTTED)
+        noise = player.model.noise(0, few, self.seed + 1)
+        shots = player.model.around(self.point, noise, self.parameters, few)
+        options = {"note": in_a_note(self._drawn())} | options
         return simulate(shots.states, shots.parameters, record=True).plot(**options)
+
+    def told(self) -> dict[str, str]:
+        """Return what it rests on, in words, by what it is: scene, release, scatter, seed."""
+        setting = {**self.model.identity(), "parameters": self.parameters}
+        return {**told_setting(setting), "seed": str(self.seed)}
+
+    def _drawn(self) -> dict[str, str]:
+        """Return what its fresh shots rest on."""
+        told = self.told()
+        if isinstance(self.model, Scatter):
+            release = say_release(self.release)
+        else:
+            moved = say_release({name: self.release[name] for name in self.bounds})
+            release = f"{told['release']}, their means at {moved}"
+        return told | {"release": release, "seed": str(self.seed + 1)}
+
+    @property
+    def point(self) -> dict[str, float]:
+        """What its shots are thrown about: the release, but for what measured releases say."""
+        fixed, _ = self.model.apart()
+        return fixed | {name: self.release[name] for name in self.bounds}
+
+    def _player(self) -> Player:
+        return Player(self.model.apart()[1], self.parameters, self.by)
 
     def as_dict(self) -> dict[str, Any]:
         """Return everything in types that JSON knows; SI. What is not a number is None."""
-        plain = asdict(self)
-        plain["correlation"] = {",".join(pair): r for pair, r in self.correlation.items()}
+        plain = {one.name: getattr(self, one.name) for one in fields(self)}
+        plain["scene"] = self.told()["scene"]
+        plain["margins"] = {name: asdict(margin) for name, margin in self.margins.items()}
+        plain["model"] = self.model.identity()
         plain["at_bounds"] = list(self.at_bounds)
         return {name: for_json(value) for name, value in plain.items()}
 
     def __str__(self) -> str:
-        given = self.arguments
-        shot = [f"{say('speed', given['speed'])} at {say('elevation', given['elevation'])}"]
-        shot += [f"{name} {say(name, given[name])}" for name in ("azimuth", "backspin", "sidespin")]
-        flat = "; ".join(f"{name} {between(name, *ends)}" for name, ends in self.flat.items())
-        lines = [
-            f"release  {', '.join(shot)}",
-            f"flight   down at {say('entry', self.entry_angle)}, {say('aim', self.depth)} past the "
-            "centre",
-            f"success  {percent(self.probability)}, {100 * self.low:.1f} to {percent(self.high)} "
-            f"({self.confidence:.0%} of {self.shots:,} shots, seed {self.seed}): {BY[self.by]}",
-            *([f"invalid  {self.invalid:,} shots, not counted"] if self.invalid else []),
-            f"flat     {flat}: within {100 * self.tolerance:g} points of that",
-            *(f"bound    {name}: the best may lie beyond" for name in self.at_bounds),
-            *(f"margin   {margin}" for margin in self.margins.values()),
-        ]
-        return "\n".join(lines)
+        return advice(self)
 
 
 def optimum(
+    model: Scatter | Resample,
     over: Mapping[str, Bounds | None] | Sequence[str],
-    release: Mapping[str, float],
-    sd: Mapping[str, float],
-    correlation: Mapping[tuple[str, str], float] | None = None,
     parameters: Mapping[str, Any] = PAPER,
     *,
     by: By = "any",
@@ -177,20 +188,21 @@ def optimum(
     tolerance: float = 0.01,
     margins: Sequence[str] = MARGINS,
     threads: int | None = None,
+    folder: str | PathLike[str] | None = None,
+    scheduler: str | None = None,
+    progress: Callable[[int, int | None], None] | None = None,
 ) -> Optimum:
     """Return the release with the greatest probability of success for a player's scatter.
 
     Parameters
     ----------
+    model
+        The player. Of a `Scatter` the release says the variables that are not searched over: height
+        and place above all. Of a `Resample` the mean is moved, what is searched over and what that
+        stands for, and how far the measured releases are from it stays as it is.
     over
         Variables to search over and their bounds; None, or names alone, for the usual bounds.
         `aim` is searched more easily than `speed`, since it does not hang on the elevation.
-    release
-        The other variables, one number each: height and place above all.
-    sd
-        Standard deviations, as for `Scatter`.
-    correlation
-        Of pairs of names in `sd`.
     parameters
         Of the scene, one number each.
     by
@@ -205,37 +217,55 @@ def optimum(
         The fall in probability that is still called flat.
     margins
         Variables whose margins are wanted.
-    threads
-        As for `hoopgen.simulate`.
+    threads, folder, scheduler, progress
+        As for `hoopgen.estimate`. How many chunks there will be is not known.
 
     Returns
     -------
     Optimum
-        The same for the same arguments, whatever the threads.
+        The same for the same arguments, whoever computes.
 
     Raises
     ------
     TypeError, ValueError
         If an argument is not as described, or no release within the bounds succeeds.
     """
-    player = scattering(sd, correlation, parameters, by, threads)
-    fixed = one_each("release", release)
-    bounds = bounds_of(over, fixed, player)
+    over = over if isinstance(over, Mapping) else (over,) if isinstance(over, str) else tuple(over)
+    player = scattering(model, over, parameters, by)
+    fixed, centre = model.apart()[0], model.centre
+    bounds = bounds_of(over, centre, player)
     check_count("shots", shots)
     check_share("confidence", confidence)
     check_share("tolerance", tolerance)
-    check_seed(check_seed(seed) + 1)
-    point = search(player, bounds, fixed, shots, seed)
-    if point is None:
-        where = "; ".join(f"{name} {between(name, *ends)}" for name, ends in bounds.items())
-        raise ValueError(f"over: no release tried succeeds within {where}")
-    best = fixed | point
-    player = player.at(best)
-    thrown = player.thrown(best, shots, seed + 1)
+    check_two_seeds(seed)
+    margins = check_names("names", margins, VARIABLES)
+    lowest = {name: low for name, (low, _) in bounds.items()}
+    player.thrown(fixed | lowest, 1, seed)  # what is wrong shows before a folder is made
+    identity = {
+        "optimum": {"model": model.identity(), "over": bounds, "parameters": player.parameters},
+        "by": by,
+        "shots": shots,
+        "seed": seed,
+        "tolerance": tolerance,
+        "margins": list(margins),
+    }
+    with crew(
+        identity, folder, scheduler=scheduler, threads=threads, progress=progress
+    ) as together:
+        player = replace(player, crew=together)
+        point = search(player, bounds, fixed, shots, seed)
+        if point is None:
+            where = "; ".join(f"{name} {between(name, *ends)}" for name, ends in bounds.items())
+            raise ValueError(f"over: no release tried succeeds within {where}")
+        best = change_variables(centre, point)
+        player = player.at(best)
+        thrown = player.thrown(fixed | point, shots, seed + 1)
+        few = min(shots, max(10_000, shots // 10))
+        flat = flat_about(player, bounds, fixed, point, few, seed, tolerance)
+        forgiven = margins_about(best, margins, player, few, seed, tolerance)
     made, valid = int(thrown.made[0]), int(thrown.valid[0])
     low, high = map(float, wilson(made, valid, confidence))
     entry_angle, depth = _coming_down(best, player)
-    few = min(shots, max(10_000, shots // 10))
     return Optimum(
         release=best,
         arguments=arguments_of(best, player.parameters),
@@ -251,22 +281,10 @@ def optimum(
         confidence=confidence,
         seed=seed,
         tolerance=tolerance,
-        flat=flat_about(player, bounds, fixed, point, few, seed, tolerance),
+        flat=flat,
         bounds=bounds,
-        margins=margins_of(
-            best,
-            player.parameters,
-            names=margins,
-            by=by,
-            sd=sd,
-            correlation=correlation,
-            shots=few,
-            seed=seed,
-            tolerance=tolerance,
-            threads=threads,
-        ),
-        sd=player.sd,
-        correlation=player.correlation,
+        margins=forgiven,
+        model=model,
         parameters=player.parameters,
     )
 
@@ -286,11 +304,7 @@ def paired(mine: Thrown, others: Thrown, confidence: float) -> tuple[float, floa
 
 
 def scattering(
-    sd: Mapping[str, float],
-    correlation: Mapping[tuple[str, str], float] | None,
-    parameters: Mapping[str, Any],
-    by: By,
-    threads: int | None = None,
+    model: Scatter | Resample, over: Iterable[str], parameters: Mapping[str, Any], by: By
 ) -> Player:
     """Return a player who scatters.
 
@@ -299,8 +313,9 @@ def scattering(
     TypeError, ValueError
         If an argument is not as described for `optimum`.
     """
-    player = Player(dict(sd), dict(correlation or {}), check_scene(parameters), by, threads)
-    if not any(sd.values()):
+    names = (over,) if isinstance(over, str) else over
+    player = Player(check_thrown(model, names).apart()[1], check_scene(parameters), by)
+    if model.still:
         raise ValueError("sd: expected a deviation above 0; without scatter a shot succeeds or not")
     return player
 

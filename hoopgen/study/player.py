@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 from types import MappingProxyType
 from typing import Any, Literal
 
 import numpy as np
+import pyarrow as pa
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.brief import brief
 from hoopgen.inputs import doubles
 from hoopgen.parameters import NAMES, PAPER
-from hoopgen.releases import release
 from hoopgen.results import SURFACES, Outcome
 from hoopgen.simulation import simulate
 
-from .models import Scatter
+from .crew import Crew, alone
+from .models import Resample, Scatter
 from .tallies import check_scene
-from .variables import ARGUMENTS, VARIABLES, check_names, release_arguments
+from .variables import ARGUMENTS, VARIABLES, check_angles, check_names, release_arguments
 
 __all__ = ["BY", "By", "Player", "Thrown", "arguments_of", "one_each"]
 
@@ -36,8 +38,8 @@ BY: Mapping[str, str] = MappingProxyType(
 
 _BACKBOARD = SURFACES.index("backboard")
 
-_BLOCK = 1 << 17
-"""Shots made and simulated at a time: some 20 MB."""
+_TASK = 1 << 14
+"""Shots of a task: some hundredths of a second."""
 
 
 @dataclass(frozen=True)
@@ -69,14 +71,14 @@ class Player:
 
     Attributes
     ----------
-    sd, correlation
-        As for `Scatter`; none, and a candidate is one shot.
+    model
+        How shots lie about a candidate; without scatter it is one shot.
     parameters
         Of the scene, one number each.
     by
         One of `BY`.
-    threads
-        As for `hoopgen.simulate`; 1 where others work beside this one.
+    crew
+        Who throws.
 
     Raises
     ------
@@ -84,17 +86,15 @@ class Player:
         If one is not as described.
     """
 
-    sd: Mapping[str, float] = field(default_factory=dict)
-    correlation: Mapping[tuple[str, str], float] = field(default_factory=dict)
+    model: Scatter | Resample = field(default_factory=lambda: Scatter({}))
     parameters: Mapping[str, Any] = field(default_factory=lambda: PAPER)
     by: By = "any"
-    threads: int | None = None
+    crew: Crew = field(default=alone, compare=False)
 
     def __post_init__(self) -> None:
         if self.by not in BY:
             raise ValueError(f"by: expected {', '.join(BY)}, got {brief(self.by)}")
         check_scene(self.parameters)
-        Scatter({}, self.sd, self.correlation)
 
     def at(self, values: Mapping[str, float]) -> Player:
         """Return the player in the scene whose parameters are among the values, or as they were."""
@@ -112,65 +112,62 @@ class Player:
         Returns
         -------
         Thrown
-            Counts, (m,). The shots of each are those that `Scatter.draw` gives.
+            Counts, (m,). The shots of each are those that the model's `draw` gives.
         """
-        counts = [block.sum(axis=-1) for block in self._blocks(values, shots, seed)]
-        return Thrown(*np.array(counts).sum(axis=0))
+        given = {name: np.atleast_1d(doubles(name, value)) for name, value in values.items()}
+        names, columns = tuple(given), np.broadcast_arrays(*given.values())
+        count, many = columns[0].size, min(shots, _TASK)
+        few = _TASK // many
+        worker, work = replace(self, crew=alone), []
+        for low in range(0, count, few):
+            some = {n: c[low : low + few] for n, c in zip(names, columns, strict=True)}
+            work += [
+                partial(worker.count, some, start, min(start + many, shots), seed)
+                for start in range(0, shots, many)
+            ]
+        # One alone is done in less time than it takes to keep it.
+        tables = self.crew(work) if len(work) > 1 else alone(work)
+        total = np.zeros((2, count), np.int64)
+        blocks = len(range(0, shots, many))
+        for place, table in enumerate(tables):
+            low = place // blocks * few
+            counts = [table[name].to_numpy() for name in ("made", "valid")]
+            total[:, low : low + few] += np.stack(counts)
+        return Thrown(*total)
+
+    def count(
+        self, values: Mapping[str, NDArray[np.float64]], start: int, stop: int, seed: int
+    ) -> pa.Table:
+        """Return how many of shots `start` to `stop` - 1 of candidates (m,) succeed, are valid."""
+        made, valid = self._throw(values, start, stop, seed).sum(axis=-1)
+        return pa.table({"made": made, "valid": valid})
 
     def scored(self, values: Mapping[str, float], shots: int = 1, seed: int = 0) -> Thrown:
         """Return which shots of one candidate succeed, and which are valid, (shots,)."""
-        blocks = self._blocks(values, shots, seed)
-        return Thrown(*np.concatenate([block[:, 0] for block in blocks], axis=-1))
-
-    def _blocks(
-        self, values: Mapping[str, ArrayLike], shots: int, seed: int
-    ) -> Iterator[NDArray[np.bool_]]:
-        """Yield which succeed, and which are valid: (2, m, some shots) after (2, m, some shots)."""
-        means = self._means(values)
-        candidates = max(mean.size for mean in means.values())
-        scatter = Scatter({}, self.sd, self.correlation)
-        for start in range(0, shots, _BLOCK):
-            stop = min(start + _BLOCK, shots)
-            noise = scatter.noise(start, stop, seed)
-            few = _BLOCK // (stop - start)
-            parts = [
-                self._throw({n: mean[low : low + few] for n, mean in means.items()}, noise)
-                for low in range(0, candidates, few)
-            ]
-            yield np.concatenate(parts, axis=1)
-
-    def _means(self, values: Mapping[str, ArrayLike]) -> dict[str, NDArray[np.float64]]:
-        """Return the candidates' arguments, and the parameters that vary; (m,) each."""
-        given = {name: doubles(name, value) for name, value in values.items()}
-        scene = {
-            name: given.pop(name, doubles(name, self.parameters[name]))
-            for name in NAMES
-            if name in given or name in self.sd
-        }
-        gravity = scene.get("gravity", self.parameters["gravity"])
-        means = release_arguments(given, gravity) | scene
-        names, arrays = tuple(means), np.broadcast_arrays(*map(np.atleast_1d, means.values()))
-        return dict(zip(names, arrays, strict=True))
+        one = {name: np.atleast_1d(doubles(name, value)) for name, value in values.items()}
+        blocks = [
+            self._throw(one, start, min(start + _TASK, shots), seed)[:, 0]
+            for start in range(0, shots, _TASK)
+        ]
+        return Thrown(*np.concatenate(blocks, axis=-1))
 
     def _throw(
-        self, means: Mapping[str, NDArray[np.float64]], noise: Mapping[str, NDArray[np.float64]]
+        self, values: Mapping[str, NDArray[np.float64]], start: int, stop: int, seed: int
     ) -> NDArray[np.bool_]:
-        """Return which succeed, and which are valid, (2, candidates, shots)."""
-        columns = {name: mean[:, None] + noise.get(name, 0.0) for name, mean in means.items()}
-        scene = {name: columns.pop(name) for name in NAMES if name in columns}
-        states = release(**columns)
-        shape = np.broadcast_shapes(states.shape[:-1], *(value.shape for value in scene.values()))
-        varying = {name: np.broadcast_to(value, shape).ravel() for name, value in scene.items()}
+        """Return which shots succeed, and which are valid, (2, candidates, shots)."""
+        releases = self.model.around(
+            {name: value[:, None] for name, value in values.items()},
+            self.model.noise(start, stop, seed),
+            self.parameters,
+            stop - start,
+        )
         shots = simulate(
-            np.broadcast_to(states, (*shape, states.shape[-1])).reshape(-1, states.shape[-1]),
-            {**self.parameters, **varying},
-            threads=self.threads,
-            fields=("outcome", "first"),
+            releases.states, releases.parameters, threads=1, fields=("outcome", "first")
         )
         made = shots.outcome == Outcome.MADE
         if self.by != "any":
             made &= (shots.first == _BACKBOARD) == (self.by == "bank")
-        return np.stack([made, shots.outcome != Outcome.INVALID]).reshape(2, *shape)
+        return np.stack([made, shots.outcome != Outcome.INVALID]).reshape(2, -1, stop - start)
 
 
 def one_each(argument: str, values: Mapping[str, Any]) -> dict[str, float]:
@@ -179,7 +176,7 @@ def one_each(argument: str, values: Mapping[str, Any]) -> dict[str, float]:
     Raises
     ------
     TypeError, ValueError
-        If a name is unknown, or a value is not one number.
+        If a name is unknown, a value is not one number, or an angle is in degrees.
     """
     check_names(argument, values, VARIABLES)
     plain = {}
@@ -188,6 +185,7 @@ def one_each(argument: str, values: Mapping[str, Any]) -> dict[str, float]:
         if number.ndim:
             raise ValueError(f"{argument}[{name!r}]: expected one number, got {brief(value)}")
         plain[name] = float(number)
+    check_angles(argument, plain)
     return plain
 
 

@@ -23,7 +23,7 @@ from hoopgen.inputs import doubles
 from hoopgen.releases import RING_HEIGHT
 
 from .player import By, Player
-from .variables import VARIABLES, check_names
+from .variables import VARIABLES, check_angles, check_names
 
 __all__ = ["Bounds", "bounds_of", "flat_about", "search"]
 
@@ -35,9 +35,9 @@ Floats = NDArray[np.float64]
 
 
 def bounds_of(
-    over: Mapping[str, Bounds | None] | Sequence[str], fixed: Mapping[str, float], player: Player
+    over: Mapping[str, Bounds | None] | Sequence[str], centre: Mapping[str, float], player: Player
 ) -> dict[str, Bounds]:
-    """Return the bounds to search within: those given, or the usual ones.
+    """Return the bounds to search within: those given, or the usual ones about a release.
 
     Raises
     ------
@@ -48,17 +48,15 @@ def bounds_of(
     wanted = dict(over) if isinstance(over, Mapping) else dict.fromkeys(names)
     if not wanted:
         raise ValueError("over: expected at least one variable")
-    twice = [name for name in wanted if name in fixed]
-    if twice:
-        raise ValueError(f"release: {', '.join(twice)} already in over")
-    bounds, player = {}, player.at(fixed)
+    bounds, player = {}, player.at(centre)
     for name, ends in wanted.items():
-        given = doubles(f"over[{name!r}]", _usual(name, fixed, player) if ends is None else ends)
+        given = doubles(f"over[{name!r}]", _usual(name, centre, player) if ends is None else ends)
         if given.shape != (2,) or not np.all(np.isfinite(given)) or not given[0] < given[1]:
             raise ValueError(
                 f"over[{name!r}]: expected (low, high), low below high, got {brief(ends)}"
             )
         bounds[name] = (float(given[0]), float(given[1]))
+    check_angles("over", bounds)
     return bounds
 
 
@@ -69,7 +67,8 @@ def _usual(name: str, fixed: Mapping[str, float], player: Player) -> Bounds:
     if name in ("elevation", "speed") and away and "height" in fixed:
         # About the slowest release through the centre: an error of its angle hardly matters.
         rise, gravity = RING_HEIGHT - fixed["height"], player.parameters["gravity"]
-        slope, speed = hoop.least_speed(away, rise, gravity)
+        with np.errstate(all="ignore"):  # bounds that are not finite are refused
+            slope, speed = hoop.least_speed(away, rise, gravity)
         if name == "speed":
             return 0.95 * float(speed), (1.2 if direct else 1.4) * float(speed)
         easiest = math.atan(slope)

@@ -1,15 +1,16 @@
 """Tables of releases: which columns say what, in which units, and reading them in chunks.
 
-The unit is in the column's name: ``speed_mph``, ``elevation_deg``, ``height_ft``; SI and radians
-where none is. Reading is by pyarrow, and holds a few blocks in memory, whatever the file's size; of
-Arrow, record batches as they were written. What was read is validated before it is looked at.
+The unit is in the column's name: ``speed_mph``, ``elevation_deg``, ``height_ft``; SI where none is,
+but an angle or a spin has its unit there. Reading is by pyarrow, and holds a few blocks in memory,
+whatever the file's size; of Arrow, record batches as they were written. What was read is validated
+before it is looked at.
 """
 
 from __future__ import annotations
 
 import hashlib
+import json
 import os
-import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -27,13 +28,13 @@ from numpy.typing import NDArray
 
 from hoopgen.brief import brief, cut, listed
 from hoopgen.parameters import NAMES
-from hoopgen.units import UNITS, Kind
+from hoopgen.units import NO_BARE, UNITS, Kind, column_name, unit_size
 
 from .measures import MEASURES
 from .models import from_columns
 from .variables import STATE, VARIABLES, check_angles
 
-__all__ = ["FORMATS", "Column", "Source", "Stamp", "columns_of", "values", "variable_of"]
+__all__ = ["FORMATS", "NAMED", "Column", "Source", "Stamp", "columns_of", "values", "variable_of"]
 
 FORMATS: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
@@ -77,14 +78,6 @@ class Column:
     unit: float
 
 
-def _suffixes(kind: Kind) -> dict[str, float]:
-    """Return what a column's name may end in, and the unit that this is: ``_ft_s``, ft/s."""
-    plain = {
-        unit.lower().replace("/", "_").replace("^", ""): size for unit, size in UNITS[kind].items()
-    }
-    return {f"_{unit}": size for unit, size in plain.items() if re.fullmatch(r"[a-z_0-9]+", unit)}
-
-
 def _kinds() -> dict[str, Kind]:
     moving: dict[str, Kind] = {"v": "speed", "w": "spin"}
     state = {name: moving.get(name[0], "length") for name in STATE}
@@ -93,16 +86,13 @@ def _kinds() -> dict[str, Kind]:
 
 _KINDS = _kinds()
 
-_KNOWN = {
-    name + suffix: (name, size)
-    for name, kind in _KINDS.items()
-    for suffix, size in {"": 1.0, **_suffixes(kind)}.items()
-}
-"""Every name of a column that says something, what it says, and the size of its unit."""
+NAMED = "units in names"
+"""Of what "hoopgen" says in a file's metadata: that its columns keep to this. Files of older
+versions do not say it, and their bare angles and spins are SI, as they were then."""
 
 
 def columns_of(
-    names: Iterable[str], own: Iterable[str] = (), given: Iterable[str] = ()
+    table: pa.Schema | Iterable[str], own: Iterable[str] = (), given: Iterable[str] = ()
 ) -> dict[str, Column]:
     """Return where a table has the variables of its shots, or their states.
 
@@ -112,8 +102,9 @@ def columns_of(
 
     Parameters
     ----------
-    names
-        The table's columns.
+    table
+        Its columns: names; or its schema, which tells of files that older versions wrote, with bare
+        angles in radians and spins in rad/s.
     own
         Columns that are not to be read, though they are named like variables.
     given
@@ -127,42 +118,74 @@ def columns_of(
     Raises
     ------
     ValueError
-        If a column's unit is unknown, two say the same, states and releases are mixed, or
-        something is missing.
+        If a column's unit is unknown or needed and not there, two say the same, states and
+        releases are mixed, or something is missing.
     """
     found: dict[str, Column] = {}
-    names, own, given = list(names), list(own), list(given)
+    names = list(table.names if isinstance(table, pa.Schema) else table)
+    old = isinstance(table, pa.Schema) and _is_old(table)
+    own, given = list(own), list(given)
     absent = [name for name in own if name not in names]
     if absent:
         raise ValueError(f"own: no column {listed(absent)}; there are {listed(names)}")
     for column in names:
-        variable, unit = ("", 0.0) if column in own else variable_of(column)
+        variable, unit = ("", None) if column in own else variable_of(column)
         if variable in found:
             raise ValueError(
                 f"columns {found[variable].name} and {column} both say {variable}; "
                 "keep one, or list the other in own"
             )
         if variable and variable not in given:
-            found[variable] = Column(column, unit)
+            if unit is None and not old:
+                raise ValueError(_no_unit(column, variable))
+            found[variable] = Column(column, 1.0 if unit is None else unit)
     _check(found, given, names)
     return found
 
 
-def variable_of(column: str) -> tuple[str, float]:
-    """Return the variable and the unit that a column's name says; or none, if it is no such."""
+def variable_of(column: str) -> tuple[str, float | None]:
+    """Return the variable that a column's name says, or none, and the size of its unit in SI.
+
+    There is no size where there is no variable, or the unit is needed and not there.
+    """
     plain = column.strip().lower()
-    if plain in _KNOWN:
-        return _KNOWN[plain]
+    if plain in _KINDS:
+        return plain, None if _KINDS[plain] in NO_BARE else 1.0
+    longer = {
+        name: plain.removeprefix(f"{name}_") for name in _KINDS if plain.startswith(f"{name}_")
+    }
+    for name, unit in longer.items():
+        size = unit_size(unit.replace("_per_", "/").replace("_", "/"), _KINDS[name])
+        if size is not None:
+            return name, size
     if any(f"{plain}_".startswith(f"{measure}_") for measure in MEASURES):
-        return "", 0.0  # a result: entry_angle is no entry in angles
-    for name, kind in _KINDS.items():
-        if plain.startswith(f"{name}_"):
-            allowed = ", ".join(name + suffix for suffix in ("", *_suffixes(kind)))
-            raise ValueError(
-                f"column {column}: {plain.removeprefix(f'{name}_')} is no unit of {name}; "
-                f"expected {allowed}. If it is a column of your own, list it in own"
-            )
-    return "", 0.0
+        return "", None  # a result: entry_angle is no entry in angles
+    for name, unit in longer.items():
+        kind = _KINDS[name]
+        bare = [] if kind in NO_BARE else [name]
+        allowed = dict.fromkeys([*bare, *(column_name(name, one) for one in UNITS[kind])])
+        raise ValueError(
+            f"column {column}: {unit} is no unit of {name}; expected {', '.join(allowed)}. "
+            "If it is a column of your own, list it in own"
+        )
+    return "", None
+
+
+def _no_unit(column: str, variable: str) -> str:
+    *others, last = (column_name(variable, unit) for unit in NO_BARE[_KINDS[variable]])
+    return (
+        f"column {column} has no unit: name it {', '.join(others)} or {last}. "
+        "If it is a column of your own, list it in own"
+    )
+
+
+def _is_old(schema: pa.Schema) -> bool:
+    """Whether an older version wrote the file."""
+    told = (schema.metadata or {}).get(b"hoopgen")
+    try:
+        return told is not None and NAMED not in json.loads(told)
+    except ValueError:
+        return False
 
 
 def _check(found: Mapping[str, Column], given: Sequence[str], names: Sequence[str]) -> None:
@@ -277,9 +300,9 @@ class Source:
 
     def columns(self, own: Iterable[str] = (), given: Iterable[str] = ()) -> dict[str, Column]:
         """Return where the table has the variables of its shots; as `columns_of`."""
-        names = self.schema().names
+        schema = self.schema()
         with self._naming():
-            return columns_of(names, own, given)
+            return columns_of(schema, own, given)
 
     def values(
         self, table: pa.Table, columns: Mapping[str, Column]

@@ -25,7 +25,6 @@ __all__ = [
     "FIELDS",
     "Tally",
     "blocks",
-    "check_count",
     "check_scene",
     "check_share",
     "wilson",
@@ -40,7 +39,7 @@ BLOCK = 1 << 14
 _SHAPE = (len(Kind), len(Outcome))
 _CELLS = _SHAPE[0] * _SHAPE[1]
 
-COLUMNS = _CELLS + 1
+COLUMNS = _CELLS + 2
 """Of a row of numbers of a `Tally`."""
 
 
@@ -60,15 +59,18 @@ class Tally:
         int64 (..., kinds, outcomes).
     uncertain
         int64 (...), shots with a decision within its rounding-error bound.
+    uncertain_capped
+        int64 (...), those of them that are capped.
     """
 
     table: NDArray[np.int64]
     uncertain: NDArray[np.int64]
+    uncertain_capped: NDArray[np.int64]
 
     @classmethod
     def none(cls, *settings: int) -> Tally:
         """Return a tally of no shots, of settings in the given shape."""
-        return cls(np.zeros((*settings, *_SHAPE), np.int64), np.zeros(settings, np.int64))
+        return cls.read(np.zeros((*settings, COLUMNS), np.int64))
 
     @classmethod
     def of(cls, shots: Shots, settings: int) -> Tally:
@@ -77,23 +79,28 @@ class Tally:
         cell = kind * len(Outcome) + shots.outcome
         cell.reshape(settings, -1)[:] += np.arange(0, settings * _CELLS, _CELLS)[:, None]
         counted = np.bincount(cell, minlength=settings * _CELLS)
+        doubt = shots.uncertain.reshape(settings, -1)
+        capped = (shots.outcome == Outcome.CAPPED).reshape(settings, -1)
         return cls(
             counted.reshape(settings, *_SHAPE),
-            np.count_nonzero(shots.uncertain.reshape(settings, -1), axis=1),
+            np.count_nonzero(doubt, axis=1),
+            np.count_nonzero(doubt & capped, axis=1),
         )
 
     @classmethod
     def read(cls, row: NDArray[np.int64]) -> Tally:
         """Return what `row` gave, (..., columns)."""
-        return cls(row[..., :_CELLS].reshape(*row.shape[:-1], *_SHAPE), row[..., _CELLS])
+        table = row[..., :_CELLS].reshape(*row.shape[:-1], *_SHAPE)
+        return cls(table, row[..., _CELLS], row[..., _CELLS + 1])
 
     def row(self) -> NDArray[np.int64]:
         """Return all numbers side by side, (..., columns)."""
         flat = self.table.reshape(*self.uncertain.shape, _CELLS)
-        return np.concatenate([flat, self.uncertain[..., None]], axis=-1)
+        doubt = np.stack([self.uncertain, self.uncertain_capped], axis=-1)
+        return np.concatenate([flat, doubt], axis=-1)
 
     def __add__(self, other: Tally) -> Tally:
-        return Tally(self.table + other.table, self.uncertain + other.uncertain)
+        return Tally.read(self.row() + other.row())
 
     @property
     def shots(self) -> NDArray[np.int64]:
@@ -158,19 +165,6 @@ def check_scene(parameters: Mapping[str, Any]) -> dict[str, float]:
             "or the ball is too big for the ring"
         )
     return {name: float(value) for name, value in values.items()}
-
-
-def check_count(name: str, value: Any) -> int:
-    """Return a whole number from 1.
-
-    Raises
-    ------
-    ValueError
-        If it is none; the message begins with `name`.
-    """
-    if not is_whole(value) or isinstance(value, bool) or not 1 <= value < 2**63:
-        raise ValueError(f"{name}: expected a whole number from 1, got {brief(value)}")
-    return int(value)
 
 
 def check_share(name: str, value: Any) -> float:

@@ -12,13 +12,15 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.brief import listed
 from hoopgen.generated.numpy import hoop
+from hoopgen.inputs import check_angles as check_radians
 from hoopgen.inputs import doubles
 from hoopgen.parameters import NAMES, PAPER
-from hoopgen.releases import RING_HEIGHT, release
+from hoopgen.releases import RING_HEIGHT, released
 from hoopgen.units import UNITS, Kind
 
 __all__ = [
     "ARGUMENTS",
+    "STANDS_FOR",
     "STATE",
     "VARIABLES",
     "Releases",
@@ -81,7 +83,7 @@ _INSTEAD = _listed(
 """Those that stand for arguments: `aim` for speed, `entry` for elevation, `x` and `y` for distance
 and angle."""
 
-_PLACES: Mapping[str, tuple[str, ...]] = MappingProxyType(
+STANDS_FOR: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
         "aim": ("speed",),
         "entry": ("speed", "elevation"),
@@ -147,24 +149,15 @@ def check_names(name: str, given: Iterable[str], allowed: Iterable[str]) -> tupl
 
 
 def check_angles(name: str, values: Mapping[str, ArrayLike]) -> None:
-    """Refuse angles that are degrees, by their median: all are radians, and within a turn.
+    """Refuse those of some variables that are angles in degrees; see `hoopgen.inputs`.
 
     Raises
     ------
     ValueError
         The message begins with `name`.
     """
-    for variable, value in values.items():
-        if variable not in VARIABLES or VARIABLES[variable].kind != "angle":
-            continue
-        sizes = np.abs(doubles(f"{name}[{variable!r}]", value))
-        sizes = sizes[np.isfinite(sizes)]
-        if sizes.size and np.median(sizes) > 2 * np.pi:
-            raise ValueError(
-                f"{name}: {variable} is in radians, and these are more than a turn: "
-                f"{np.median(sizes):.6g}. Degrees would be np.radians(...), or in a table a column "
-                f"{variable}_deg"
-            )
+    angles = (one for one in values if one in VARIABLES and VARIABLES[one].kind == "angle")
+    check_radians(name, {one: values[one] for one in angles})
 
 
 def resolve_variables(
@@ -213,7 +206,7 @@ def make_releases(
 ) -> Releases:
     """Return so many shots of all arguments of `hoopgen.release`, each one number or (shots,)."""
     return Releases(
-        np.broadcast_to(release(**arguments), (shots, len(STATE))),
+        np.broadcast_to(released(arguments), (shots, len(STATE))),
         parameters,
         {name: np.broadcast_to(array, (shots,)) for name, array in arguments.items()},
     )
@@ -232,7 +225,7 @@ def release_arguments(
     ValueError
         If one is missing, or two stand for the same.
     """
-    for name, others in _PLACES.items():
+    for name, others in STANDS_FOR.items():
         both = [other for other in others if name in values and other in values]
         if both:
             raise ValueError(f"variables: {name} takes the place of {' and '.join(both)}; got both")
@@ -266,8 +259,8 @@ def change_variables(values: Mapping[str, Any], changes: Mapping[str, Any]) -> d
     A `speed` drops `aim` and `entry`, an `entry` drops `speed` and `elevation`, and so on.
     """
     release = ("aim", "entry")
-    dropped = {other for name in release if name in changes for other in _PLACES[name]}
-    dropped |= {name for name in release for other in _PLACES[name] if other in changes}
+    dropped = {other for name in release if name in changes for other in STANDS_FOR[name]}
+    dropped |= {name for name in release for other in STANDS_FOR[name] if other in changes}
     return {name: value for name, value in values.items() if name not in dropped} | dict(changes)
 
 

@@ -1,20 +1,22 @@
 """Values of variables in words and on axes, in the units that coaches use.
 
-The arrays hold SI units and radians; degrees, Hz and centimetres are for reading.
+The arrays hold SI units and radians; degrees, Hz and centimetres are for reading, and feet, inches
+and mph where `hoopgen.units.showing` says so.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from math import isfinite, pi
-from types import MappingProxyType
+from math import isfinite
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.units import Kind
+from hoopgen.parameters import NAMES
+from hoopgen.printable import printable
+from hoopgen.units import Shown, shown, shown_system
 
 from .variables import VARIABLES
 
@@ -23,27 +25,14 @@ __all__ = [
     "Quantity",
     "between",
     "for_json",
-    "percent",
-    "percent_in_picture",
     "quantity",
     "say",
 ]
 
 MINUS = "\N{MINUS SIGN}"
 
-_SHOWN: Mapping[Kind, tuple[str, float, int]] = MappingProxyType(
-    {
-        "length": ("m", 1.0, 3),
-        "speed": ("m/s", 1.0, 3),
-        "angle": ("°", pi / 180.0, 1),
-        "spin": ("Hz", 2.0 * pi, 2),
-        "acceleration": ("m/s²", 1.0, 3),
-        "number": ("", 1.0, 3),
-    }
-)
-"""The unit that each kind is shown in, its size in SI, and the decimals in text."""
-
-_AIM = ("cm", 0.01, 1)
+_IN_INCHES = ("aim", *NAMES)
+"""Of lengths, those that are shown in inches where others are in feet."""
 
 _DIGITS = 4
 """Significant, in pictures."""
@@ -54,21 +43,23 @@ _DIGITS = 4
 
 def say(name: str, value: float, *, unit: bool = True) -> str:
     """Say the value of a variable."""
-    symbol, size, decimals = _AIM if name == "aim" else _SHOWN[VARIABLES[name].kind]
-    text = f"{value / size:.{decimals}f}"
+    one = shown("short") if name == "aim" else _shown(name)
+    text = f"{value / one.size:.{one.decimals}f}"
     if float(text) == 0.0:
         text = text.removeprefix("-")
-    return _with(symbol, text) if unit else text
+    return _with(one.symbol, text) if unit else text
+
+
+def _shown(name: str) -> Shown:
+    """Return the unit that a variable is shown in, on axes too."""
+    kind = VARIABLES[name].kind
+    inches = kind == "length" and name in _IN_INCHES and shown_system() == "us"
+    return shown("short" if inches else kind)
 
 
 def between(name: str, low: float, high: float) -> str:
     """Say an interval of a variable, its unit once."""
     return f"{say(name, low, unit=False)} to {say(name, high)}"
-
-
-def percent(share: float) -> str:
-    """Say a share."""
-    return f"{100.0 * share:.1f} %"
 
 
 # ---------------------------------------------------------------------------------------- pictures
@@ -101,9 +92,9 @@ class Quantity:
         """Return values in the unit shown."""
         return np.asarray(values, dtype=np.float64) / self.size
 
-    def say(self, value: float) -> str:
+    def say(self, value: float, digits: int = _DIGITS) -> str:
         """Return a value, in the unit shown, in words."""
-        return _with(self.unit, f"{value:.{_DIGITS}g}".replace("-", MINUS))
+        return _with(self.unit, f"{value:.{digits}g}".replace("-", MINUS))
 
 
 def quantity(name: str, attributes: Mapping[str, object] | None = None) -> Quantity:
@@ -117,18 +108,11 @@ def quantity(name: str, attributes: Mapping[str, object] | None = None) -> Quant
         Of another one: ``long_name`` and ``units``, as xarray has them.
     """
     if name in VARIABLES:
-        unit, size, _ = _SHOWN[VARIABLES[name].kind]
-        return Quantity(VARIABLES[name].label, unit, size)
+        one = _shown(name)
+        return Quantity(VARIABLES[name].label, one.symbol, one.size)
     given = attributes or {}
-    return Quantity(str(given.get("long_name", name)), str(given.get("units", "")))
-
-
-def percent_in_picture(share: float, digits: int = 1) -> str:
-    """Return a share, set close; one that would be rounded to none is said to be less."""
-    least = 0.1**digits
-    if 0.0 < 100.0 * share < least / 2.0:
-        return f"<{least:.{digits}f}%"
-    return f"{100.0 * share:.{digits}f}%"
+    long_name, units = str(given.get("long_name", name)), str(given.get("units", ""))
+    return Quantity(printable(long_name), printable(units))
 
 
 def _with(unit: str, number: str) -> str:

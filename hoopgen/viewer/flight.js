@@ -27,13 +27,14 @@ const Flight = (() => {
     return along(flight, time - flight[0], shot.parameters.gravity);
   }
 
-  /** Return points that show a shot's path as smooth curves, contacts among them. */
-  function pathOf(shot, step = 0.02) {
+  /** Return points that show a shot's path as smooth curves, contacts among them. A parabola cut
+   * into n pieces is off by 1/n² of its height at most: a long flight needs no more than `most`. */
+  function pathOf(shot, step = 0.02, most = 200) {
     const { flights } = shot;
     const points = [flights[0].slice(1, 4)];
     for (let k = 0; k + 1 < flights.length; k++) {
       const lasts = flights[k + 1][0] - flights[k][0];
-      const pieces = Math.max(1, Math.ceil(lasts / step));
+      const pieces = Math.max(1, Math.min(most, Math.ceil(lasts / step)));
       for (let i = 1; i < pieces; i++) {
         points.push(along(flights[k], (lasts * i) / pieces, shot.parameters.gravity).slice(0, 3));
       }

@@ -34,7 +34,7 @@
   function outcomeWords(shot) {
     const [, x, y] = shot.flights.at(-1);
     const words = {
-      capped: `${shot.events.length} contacts, and not yet at the end plane`,
+      capped: `${shot.events.length} contact${shot.events.length === 1 ? "" : "s"}, and not yet at the end plane`,
       short: "never comes down through the end plane",
     };
     const away = `${Math.hypot(x, y).toFixed(3)} m from the ring’s centre`;
@@ -133,7 +133,7 @@
       ...page.surfaces.map((name) => [name, "", name]),
       ...(touched.has("end") ? [["end", "hoop", "end plane"]] : []),
     ];
-    entries.push([shots.length > 1 ? "" : "path", "dots", "every 0.1 s"]);
+    entries.push([shots.length > 1 ? "" : "path", "dots", `every ${Scene.beatOf(shots)} s`]);
     const items = entries.map(([name, form, words]) =>
       make("li", {}, make("span", { className: `swatch ${form} ${name}` }), words),
     );

@@ -12,7 +12,6 @@ import re
 from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib.resources import files
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -20,11 +19,16 @@ from numpy.typing import NDArray
 
 import hoopgen
 from hoopgen.brief import brief
+from hoopgen.colours import COLOURS
 from hoopgen.generated.numpy import hoop
+from hoopgen.outputs import PAGES, check_output, write
 from hoopgen.parameters import NAMES, Value, resolve
+from hoopgen.phrases import counted
+from hoopgen.printable import printable
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.study.measures import Kind, kinds
+from hoopgen.study.told import say_scene
 
 from .shown import Page
 
@@ -38,7 +42,7 @@ _SLOT = re.compile(r"\{\{(\w+)\}\}")
 
 
 def view(
-    shots: Shots,
+    shots: Shots | str | os.PathLike[str],
     parameters: Mapping[str, Any] | None = None,
     path: str | os.PathLike[str] | None = None,
     *,
@@ -55,15 +59,17 @@ def view(
     Parameters
     ----------
     shots
-        Of `hoopgen.simulate` with ``record=True``, all fields; `MOST` at most.
+        Of `hoopgen.simulate` with ``record=True``, all fields; `MOST` at most. Or a file, a table
+        of releases or the results of `hoopgen.batch`: 50 of its rows are flown, in their own scene.
     parameters
-        Of the scene, one number each or (n,); by default those they were simulated with.
+        Of the scene, one number each or (n,); by default those they were simulated with,
+        or that a file of results says, else `PAPER`.
     path
         Where to; ends in .html. Without, no file is written.
     title
         At the top; by default the outcome, or the number of shots.
     about
-        A line below it.
+        A line below it, after which the scene is said.
     labels
         What each shot is called, n words or lines; by default "Shot 1", "Shot 2", ...
 
@@ -80,15 +86,21 @@ def view(
         parameters are not as described.
     AttributeError
         If the shots were simulated without ``record=True``.
+    OSError
+        If the file cannot be written; what was there before stays.
     """
-    target = None if path is None else Path(path)
-    if target is not None and target.suffix.lower() not in (".html", ".htm"):
-        raise ValueError(f"path: a page's name ends in .html, got {brief(target.name)}")
+    target = None if path is None else check_output(path, PAGES)
+    if not isinstance(shots, Shots):
+        from .table import view_table
+
+        if about or labels is not None:
+            raise ValueError("about, labels: of a file they are its rows; leave out")
+        return view_table(shots, target, title=title, parameters=parameters)
     scene = shots.parameters if parameters is None else parameters
     text = page(shots, scene, title=title, about=about, labels=labels)
     if target is not None:
-        target.write_text(text, encoding="utf-8", newline="\n")
-    return Page(target, text)
+        write(target, text)
+    return Page(target, text, _about(about, scene))
 
 
 def page(
@@ -108,8 +120,8 @@ def page(
     touched = _touched(shots, values)
     words = [Kind(kind).name.lower() for kind in kinds(shots.outcome, shots.counts, shots.first)]
     data = {
-        "title": title or _title(shots, valid),
-        "about": about,
+        "title": printable(title) or _title(shots, valid),
+        "about": _about(about, parameters),
         "ring_height": RING_HEIGHT,
         "surfaces": SURFACES,
         "outcomes": [outcome.name.lower() for outcome in Outcome],
@@ -123,9 +135,13 @@ def page(
     return _fill(data)
 
 
+def _about(about: str, parameters: Mapping[str, Any]) -> str:
+    return f"{printable(about)}{'; s' if about else 'S'}cene {say_scene(parameters)}"
+
+
 def _title(shots: Shots, valid: NDArray[np.intp]) -> str:
     if len(valid) > 1:
-        return f"{len(valid)} shots"
+        return counted(len(valid), "shot")
     return Outcome(int(shots.outcome[valid[0]])).name.capitalize()
 
 
@@ -135,7 +151,7 @@ def _labels(labels: Sequence[str] | None, shots: int) -> list[str]:
     names = list(labels)
     if isinstance(labels, str) or len(names) != shots:
         raise ValueError(f"labels: expected {shots}, one a shot, got {brief(labels)}")
-    return [str(label) for label in names]
+    return [printable(str(label)) for label in names]
 
 
 def _shot(
@@ -190,7 +206,7 @@ def _touched(shots: Shots, values: Mapping[str, Value]) -> NDArray[np.float64]:
 
 def _fill(data: Mapping[str, Any]) -> str:
     """Put style, scripts and data into the page, and a policy that lets nothing else run."""
-    style, three = _read("page.css"), _read("three/three.js")
+    style, three = _palette() + _read("page.css"), _read("three/three.js")
     scripts = [_generated(), *(_read(name) for name in _SCRIPTS)]
     allowed = " ".join(_digest(text) for text in (three, *scripts))
     policy = f"default-src 'none'; img-src data:; script-src {allowed}; style-src {_digest(style)}"
@@ -219,6 +235,12 @@ def _digest(text: str) -> str:
 
 
 @cache
+def _palette() -> str:
+    """Return the colours that the page shares with pictures, as variables of its style."""
+    names = "".join(f"  --{name}: {colour};\n" for name, colour in COLOURS.items())
+    return f":root {{\n{names}}}\n"
+
+
 def _generated() -> str:
     return files("hoopgen.generated").joinpath("js/hoop.js").read_text(encoding="utf-8")
 

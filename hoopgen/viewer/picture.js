@@ -32,6 +32,7 @@ const Picture = (() => {
     Object.assign(controls, { minDistance: 0.3, maxDistance: 300 });
 
     const colour = Scene.colours();
+    const beat = Scene.beatOf(shots);
     const paths = shots.map((shot) => Flight.pathOf(shot));
     const things = {}; // what is in the scene, by what it is
     let chosen = shots[0];
@@ -61,7 +62,8 @@ const Picture = (() => {
       const path = paths[shots.indexOf(shot)];
       const ink = shots.length > 1 ? colour[shot.outcome] : colour.path;
       const parts = path.length > 1 ? strokes(path, ink) : [];
-      parts.push(Scene.beats(shot, ink, (shots.length > 1 ? 9 : 7) * renderer.getPixelRatio()));
+      const pixels = (shots.length > 1 ? 9 : 7) * renderer.getPixelRatio();
+      parts.push(Scene.beats(shot, beat, ink, pixels));
       parts.forEach((part, k) => (part.renderOrder = k + 1)); // over the others
       put("path", ...parts);
       things.path.userData.turned = Scene.orientations(shot);

@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
-from hoopgen.parameters import PAPER
 from hoopgen.study.draws import ROW_OF_SAMPLE, uniforms
 from hoopgen.study.models import from_columns
+from hoopgen.study.origin import settle
 from hoopgen.study.tables import Source
-from hoopgen.study.variables import Releases
+from hoopgen.study.variables import Releases, check_angles
 
 __all__ = ["Sample", "sample"]
 
@@ -35,20 +35,25 @@ class Sample:
         How many it has.
     releases
         What they say.
+    max_contacts
+        Contacts after which their shots end as capped.
     """
 
     rows: NDArray[np.int64]
     total: int
     releases: Releases
+    max_contacts: int
 
 
 def sample(
     source: str | Path,
     count: int,
     seed: int = 0,
-    parameters: Mapping[str, Any] = PAPER,
+    parameters: Mapping[str, Any] | None = None,
     *,
     release: Mapping[str, float] | None = None,
+    max_contacts: int | None = None,
+    override: bool = False,
     format: str | None = None,
     own: Sequence[str] = (),
 ) -> Sample:
@@ -65,9 +70,14 @@ def sample(
     seed
         From 0 to 2^64 - 1.
     parameters
-        Of the scene, where no column says otherwise.
+        Of the scene, where no column says otherwise; by default those that a file of results says,
+        else `PAPER`.
     release
         Variables that all shots share, in place of columns.
+    max_contacts
+        By default as many as a file of results says, else 40.
+    override
+        Whether those three may contradict what the file says.
     format
         "csv", "parquet" or "arrow"; by default as the suffix says.
     own
@@ -76,15 +86,18 @@ def sample(
     Raises
     ------
     ValueError
-        If the count is below 1, or the table is empty or not as described.
+        If the count is below 1, the table is empty or not as described, or an argument contradicts
+        what it says.
     OSError
         If it cannot be read.
     """
     if count < 1:
         raise ValueError(f"count: expected a whole number from 1, got {brief(count)}")
     table = Source(Path(source), format or "")
-    shared = dict(release or {})
-    columns = table.columns(own, shared)
+    check_angles("release", release or {})
+    origin = settle(table, parameters, release, max_contacts, own, override=override)
+    shared = origin.release
+    columns = table.columns(origin.own, shared)
     # Every row draws a number, and the lowest win: that does not hang on how the rows are read.
     kept = {"draw": np.empty(0), "row": np.empty(0), **{name: np.empty(0) for name in columns}}
     total = 0
@@ -105,5 +118,5 @@ def sample(
     order = np.argsort(kept["row"])
     rows = kept["row"][order].astype(np.int64)
     given = {name: kept[name][order] for name in columns}
-    given |= {name: np.full(len(rows), value) for name, value in shared.items()}
-    return Sample(rows, total, from_columns(given, parameters))
+    releases = from_columns({**given, **shared}, origin.parameters)
+    return Sample(rows, total, releases, origin.max_contacts)

@@ -4,7 +4,9 @@
 const Scene = (() => {
   const GLASS = 0.0127; // m, thickness of the board as drawn; the model knows its front only
   const TARGET = { halfWidth: 0.3048, height: 0.4572, stroke: 0.0508 }; // m, 24 in × 18 in
-  const BEAT = 0.1; // s between the dots on a path
+  const BEAT = 0.1; // s between the dots on a path; more where they would be too many
+  const BEATS = 100;
+  const LINES = 100; // of the floor's grid on each side of the middle
 
   /** Return the colours of page.css, by name. */
   function colours() {
@@ -185,11 +187,26 @@ const Scene = (() => {
     });
   }
 
-  /** Return dots on a shot's path, one every `BEAT` seconds, so many pixels wide. */
-  function beats(shot, colour, pixels) {
+  /** Return the least of 1, 2, 5, 10, 20, ... times a step with which `most` of them reach. */
+  function stepTo(reach, step, most) {
+    for (let power = 1; power < 1e300; power *= 10) {
+      for (const digit of [1, 2, 5]) {
+        if (digit * power * step * most >= reach) return digit * power * step;
+      }
+    }
+    return reach;
+  }
+
+  /** Return the seconds between the dots on the paths of shots. */
+  function beatOf(shots) {
+    return stepTo(shots.reduce((most, { duration }) => Math.max(most, duration), 0), BEAT, BEATS);
+  }
+
+  /** Return dots on a shot's path, one every `beat` seconds, so many pixels wide. */
+  function beats(shot, beat, colour, pixels) {
     const dots = [];
-    for (let k = 1; k * BEAT < shot.duration; k++) {
-      dots.push(new THREE.Vector3(...Flight.stateAt(shot, k * BEAT).slice(0, 3)));
+    for (let k = 1; k * beat < shot.duration; k++) {
+      dots.push(new THREE.Vector3(...Flight.stateAt(shot, k * beat).slice(0, 3)));
     }
     const material = new THREE.PointsMaterial({
       color: colour,
@@ -212,14 +229,15 @@ const Scene = (() => {
     return canvas;
   }
 
-  /** Return a grid of 1 m on the floor, under the hoop and all paths. */
+  /** Return a grid of 1 m, or more for a wide one, on the floor, under the hoop and all paths. */
   function floor(paths, level, colour) {
     const reach = paths
       .flat()
       .reduce((most, [x, y]) => Math.max(most, Math.abs(x), Math.abs(y)), 0);
-    const end = Math.ceil(reach) + 3;
+    const step = stepTo(reach, 1, LINES - 3);
+    const end = step * (Math.ceil(reach / step) + 3);
     const grid = [];
-    for (let k = -end; k <= end; k++) {
+    for (let k = -end; k <= end; k += step) {
       grid.push([[k, -end, level], [k, end, level]], [[-end, k, level], [end, k, level]]);
     }
     return lines(grid, { color: colour.floor, linewidth: 1 });
@@ -267,7 +285,7 @@ const Scene = (() => {
   }
 
   return {
-    ball, beats, colours, corners, dispose, floor, hoop, lights, line, lines, orientations,
+    ball, beatOf, beats, colours, corners, dispose, floor, hoop, lights, line, lines, orientations,
     outline, turn,
   };
 })();

@@ -24,10 +24,13 @@ class Page(os.PathLike[str]):
         The file written; None if there is none.
     text
         The page, HTML.
+    about
+        What is said below its title, the scene at the end.
     """
 
     path: Path | None
     text: str = field(repr=False)
+    about: str = field(default="", repr=False)
 
     def __fspath__(self) -> str:
         return os.fspath(self._file())

@@ -128,7 +128,7 @@ class Printer(LatexPrinter):  # type: ignore[misc]
 
     def _print_Not(self, condition: sp.Expr) -> str:
         (inner,) = condition.args
-        text = self._print(inner)
+        text: str = self._print(inner)
         return rf"\neg {text}" if isinstance(inner, Truth | Not) else rf"\neg \left({text}\right)"
 
     def _print_Nowhere(self, _: sp.Expr) -> str:

@@ -18,24 +18,34 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hoopgen import plots
+from hoopgen.inputs import check_contacts
+from hoopgen.outputs import write
+from hoopgen.parameters import NAMES
+from hoopgen.phrases import counted, decimals, interval, percent, points
 from hoopgen.results import Outcome, Shots
-from hoopgen.simulation import simulate
+from hoopgen.simulation import check_log, simulate
+from hoopgen.sizes import check_room
 from hoopgen.study.aim import aim, aim_table, write_csv
-from hoopgen.study.bank import bank_or_direct
+from hoopgen.study.bank import bank_or_direct, check_kept
 from hoopgen.study.batch import batch
 from hoopgen.study.chunks import run
-from hoopgen.study.estimate import compare, decimals, estimate, in_percent, in_points
+from hoopgen.study.draws import check_two_seeds
+from hoopgen.study.estimate import compare, estimate, most_shots
+from hoopgen.study.maps import check_cells
 from hoopgen.study.maps import map as mapped
 from hoopgen.study.measures import measure
-from hoopgen.study.models import Scatter
+from hoopgen.study.models import Resample, Scatter
+from hoopgen.study.named import in_units
 from hoopgen.study.optimum import optimum, scattering
+from hoopgen.study.origin import settle
 from hoopgen.study.search import bounds_of
 from hoopgen.study.tables import Source
-from hoopgen.study.variables import Releases, resolve_variables
-from hoopgen.study.words import between, percent, say
+from hoopgen.study.told import in_a_note, say_scene, told_setting
+from hoopgen.study.variables import Releases
+from hoopgen.study.words import between, say
 
 from .schema import Aim, Bank, Batch, Compare, Estimate, Given, Map, Optimum, Question, Study
-from .settings import Setting, given_without
+from .settings import Setting
 
 __all__ = ["Answer", "Asked", "Work", "answer", "check"]
 
@@ -121,6 +131,16 @@ class Asked:
         """Where its shots come from."""
         return Setting.of((self.given, self.question), self.folder)
 
+    @property
+    def scene(self) -> str:
+        """In words: the preset, and what differs from it."""
+        table = self.question if isinstance(self.question, Batch) else None
+        if table is not None:
+            source = Source(self.folder / table.file, table.format or "")
+            return say_scene(self.setting.parameters_of(source))
+        own = {n: v for n, v in self.setting.release.items() if n in NAMES}
+        return say_scene(self.setting.parameters | own)
+
     def changed(self, versus: Given) -> Setting:
         """Return the setting with changes."""
         return Setting.of((self.given, self.question, versus), self.folder)
@@ -135,7 +155,8 @@ class Asked:
         }
         if isinstance(question, Batch):
             source = Source(self.folder / question.file, question.format or "")
-            shared = {"release": question.release, "parameters": self.setting.parameters}
+            scene = self.setting.parameters_of(source)
+            shared = {"release": question.release, "parameters": scene}
             return identity | {"setting": shared, "table": source.digest()[0]}
         identity["setting"] = self.setting.identity()
         if isinstance(question, Compare):
@@ -156,6 +177,11 @@ def _check_estimate(asked: Asked, question: Estimate | Compare) -> None:
     settings += [asked.changed(question.versus)] if isinstance(question, Compare) else []
     for setting in settings:
         setting.model().draw(0, 1, 0, setting.parameters)
+    paired = isinstance(question, Compare)
+    most = most_shots(question.shots, question.precision, asked.study.confidence, paired=paired)
+    contacts = check_contacts(question.max_contacts)
+    if isinstance(question, Estimate) and "fan" in question.figures:
+        check_log(min(_FAN, most), contacts)
 
 
 def _estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
@@ -175,9 +201,11 @@ def _estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
     for name in question.figures:
         asked.draw(work, name, shooting.fan() if name == "fan" else shooting.landings())
     digits = decimals(found.half_width)
-    ends = f"{in_percent(found.low, digits)} to {in_percent(found.high, digits)}"
-    line = f"{in_percent(found.probability, digits)} made ({ends})"
-    return Answer(line + _short_of(question, found.half_width), _fenced(found), found.as_dict())
+    ends = interval(found.low, found.high, digits)
+    line = f"{percent(found.probability, digits)} made ({ends})"
+    return Answer(
+        line + _short_of(question, found.half_width), _fenced(found), in_units(found.as_dict())
+    )
 
 
 def _short_of(question: Estimate | Compare, half_width: float) -> str:
@@ -198,7 +226,8 @@ class _Shooting:
     def fan(self) -> Any:
         """Return the picture of paths."""
         released, shots = self._simulated(_FAN, record=True)
-        return plots.plot_fan(shots, released.parameters, title=self.question.title)
+        note = in_a_note(self._told)
+        return plots.plot_fan(shots, released.parameters, title=self.question.title, note=note)
 
     def landings(self) -> Any:
         """Return the picture of where misses reach the floor."""
@@ -208,7 +237,12 @@ class _Shooting:
         x, y = (floor[name][shots.outcome == Outcome.MISSED] for name in ("floor_x", "floor_y"))
         place = states[:, :2].mean(axis=0).tolist()
         title = f"{self.question.title}: where misses land" if self.question.title else ""
-        return plots.plot_landings(x, y, scene, place=tuple(place), title=title)
+        note = in_a_note(self._told)
+        return plots.plot_landings(x, y, scene, place=tuple(place), title=title, note=note)
+
+    @property
+    def _told(self) -> dict[str, str]:
+        return told_setting(self.asked.setting.identity()) | {"seed": str(self.asked.study.seed)}
 
     def _simulated(self, most: int, *, record: bool = False) -> tuple[Releases, Shots]:
         setting, seed = self.asked.setting, self.asked.study.seed
@@ -236,45 +270,43 @@ def _compare(asked: Asked, question: Compare, work: Work) -> Answer:
     )
     digits = decimals(found.half_width)
     line = (
-        f"{in_points(found.difference, digits)} points by the change "
-        f"({in_points(found.low, digits)} to {in_points(found.high, digits)})"
+        f"{points(found.difference, digits)} points by the change "
+        f"({points(found.low, digits)} to {points(found.high, digits)})"
     )
-    return Answer(line + _short_of(question, found.half_width), _fenced(found), found.as_dict())
+    return Answer(
+        line + _short_of(question, found.half_width), _fenced(found), in_units(found.as_dict())
+    )
 
 
 # --------------------------------------------------------------------------------------------- map
 
 
-def _fixed(asked: Asked, over: Iterable[str]) -> dict[str, float]:
-    """Return the variables that are not mapped or searched over."""
-    if asked.setting.releases is not None:
-        raise ValueError("releases: this question is about one release and its scatter; leave out")
-    return given_without(asked.setting.release, over)
+def _try(asked: Asked, model: Scatter | Resample, values: Mapping[str, float]) -> None:
+    """Look whether a release can be made of a model and what is varied."""
+    model.around(values, model.noise(0, 1, asked.study.seed), asked.setting.parameters)
 
 
 def _check_map(asked: Asked, question: Map) -> None:
-    one = {name: axis[0] for name, axis in question.over.items()}
-    resolve_variables({**_fixed(asked, question.over), **one}, asked.setting.parameters)
-    Scatter({}, asked.setting.sd, asked.setting.correlation)
-    if question.shots is not None and not asked.setting.scatters:
+    model = asked.setting.model(question.over)
+    _try(asked, model, {name: axis[0] for name, axis in question.over.items()})
+    check_cells(question.over, scatters=model.scatters)
+    check_contacts(question.max_contacts)
+    if question.shots is not None and not model.scatters:
         raise ValueError("shots: without scatter a cell is one shot; leave out")
 
 
 def _map(asked: Asked, question: Map, work: Work) -> Answer:
-    setting = asked.setting
     dataset = mapped(
+        asked.setting.model(question.over),
         question.over,
-        _fixed(asked, question.over),
-        setting.sd if setting.scatters else None,
-        setting.correlation if setting.scatters else None,
-        setting.parameters,
+        asked.setting.parameters,
         shots=question.shots,
         confidence=asked.study.confidence,
         seed=asked.study.seed,
         max_contacts=question.max_contacts,
         **work.options,
     )
-    dataset.to_netcdf(work.folder / "map.nc", engine="scipy")
+    write(work.folder / "map.nc", bytes(dataset.to_netcdf(engine="scipy")))
     for name in question.figures:
         asked.draw(work, name, plots.plot_map(dataset, title=question.title))
     cells = " × ".join(f"{len(values)} {name}" for name, values in question.over.items())
@@ -282,7 +314,7 @@ def _map(asked: Asked, question: Map, work: Work) -> Answer:
         shares = _outcomes(dataset)
         said = [f"{percent(share)} {name}" for name, share in shares.items() if share]
         return Answer(f"{cells}: {', '.join(said)}", "", {"shares": shares})
-    return _best_cell(dataset, f"{cells}, {dataset['shots'].values.max():,} shots each")
+    return _best_cell(dataset, f"{cells}, {counted(dataset['shots'].values.max(), 'shot')} each")
 
 
 def _outcomes(dataset: xr.Dataset) -> dict[str, float]:
@@ -299,20 +331,21 @@ def _best_cell(dataset: xr.Dataset, cells: str) -> Answer:
     at = {str(name): best[name].item() for name in probability.dims}
     made, low, high = (best[name].item() for name in ("probability", "low", "high"))
     where = ", ".join(f"{name} {say(name, value)}" for name, value in at.items())
-    line = f"at best {percent(made)} made ({percent(low)} to {percent(high)}), at {where}"
+    line = f"at best {percent(made)} made ({interval(low, high)}), at {where}"
     note = "The best of many cells is a little too good."
     numbers = {"best": {**at, "probability": made, "low": low, "high": high}}
-    return Answer(line, f"{cells}. {note}", numbers)
+    return Answer(line, f"{cells}. {note}", in_units(numbers))
 
 
 # ----------------------------------------------------------------------------------------- optimum
 
 
 def _check_optimum(asked: Asked, question: Optimum) -> None:
-    setting, fixed = asked.setting, _fixed(asked, question.over)
-    player = scattering(setting.sd, setting.correlation, setting.parameters, question.by)
-    ends = bounds_of(_ends(question.over), fixed, player)
-    resolve_variables(fixed | {name: low for name, (low, _) in ends.items()}, setting.parameters)
+    check_two_seeds(asked.study.seed)
+    setting, model = asked.setting, asked.setting.model(question.over)
+    player = scattering(model, question.over, setting.parameters, question.by)
+    ends = bounds_of(_ends(question.over), model.centre, player)
+    _try(asked, model, {name: low for name, (low, _) in ends.items()})
 
 
 def _ends(
@@ -322,30 +355,31 @@ def _ends(
 
 
 def _optimum(asked: Asked, question: Optimum, work: Work) -> Answer:
-    setting = asked.setting
-    work.progress(0, None)
     best = optimum(
+        asked.setting.model(question.over),
         _ends(question.over),
-        _fixed(asked, question.over),
-        setting.sd,
-        setting.correlation,
-        setting.parameters,
+        asked.setting.parameters,
         by=question.by,
         shots=question.shots,
         seed=asked.study.seed,
         confidence=asked.study.confidence,
         tolerance=question.tolerance,
         margins=question.margins,
+        **work.options,
     )
     given = best.arguments
     line = (
-        f"{percent(best.probability)} ({percent(best.low)} to {percent(best.high)}) from "
+        f"{percent(best.probability)} ({interval(best.low, best.high)}) from "
         f"{say('speed', given['speed'])} at {say('elevation', given['elevation'])}"
     )
-    return Answer(line, _fenced(best), best.as_dict())
+    return Answer(line, _fenced(best), in_units(best.as_dict()))
 
 
 # -------------------------------------------------------------------------------------------- bank
+
+
+_PLACE = 400
+"""Bytes that a place takes as one of a list."""
 
 
 def _places(question: Bank) -> NDArray[np.float64]:
@@ -355,23 +389,26 @@ def _places(question: Bank) -> NDArray[np.float64]:
         raise ValueError(f"places: expected distance and angle, or x and y; got {', '.join(names)}")
     axes = [question.places[name] for name in ("x", "y") if name in names]
     axes += [question.places[name] for name in ("distance", "angle") if name in names]
+    check_room("places", math.prod(map(len, axes)), "places", _PLACE)
     first, second = np.array(list(itertools.product(*axes))).T
     if "x" not in names:
         first, second = first * np.cos(second), first * np.sin(second)
     return np.stack([first, second], axis=-1)
 
 
-def _bank_release(asked: Asked, question: Bank) -> dict[str, float]:
-    return _fixed(asked, (*question.over, "distance", "angle", "x", "y"))
+def _bank_model(asked: Asked, question: Bank) -> Scatter | Resample:
+    return asked.setting.model((*question.over, "distance", "angle", "x", "y"))
 
 
 def _check_bank(asked: Asked, question: Bank) -> None:
-    setting, fixed = asked.setting, _bank_release(asked, question)
+    check_two_seeds(asked.study.seed)
+    model, parameters = _bank_model(asked, question), asked.setting.parameters
+    check_kept(question.shots)
     x, y = _places(question)[0].tolist()
-    player = scattering(setting.sd, setting.correlation, setting.parameters, "any")
-    here = fixed | {"distance": math.hypot(x, y), "angle": math.atan2(y, x)}
-    ends = bounds_of(_ends(question.over), here, player)
-    resolve_variables(here | {name: low for name, (low, _) in ends.items()}, setting.parameters)
+    here = {"distance": math.hypot(x, y), "angle": math.atan2(y, x)}
+    player = scattering(model, question.over, parameters, "any")
+    ends = bounds_of(_ends(question.over), model.centre | here, player)
+    _try(asked, model, here | {name: low for name, (low, _) in ends.items()})
 
 
 @dataclass(frozen=True)
@@ -379,7 +416,7 @@ class _Places:
     """A job of `chunks.run`: a chunk is a place."""
 
     places: tuple[tuple[float, float], ...]
-    release: Mapping[str, float]
+    model: Scatter | Resample
     setting: Setting
     question: Bank
     study: Study
@@ -393,8 +430,8 @@ class _Places:
         """Return what the chunks depend on."""
         return {
             "places": self.places,
-            "release": dict(self.release),
-            "setting": self.setting.identity(),
+            "model": self.model.identity(),
+            "parameters": self.setting.parameters,
             "over": self.question.over,
             "shots": self.question.shots,
             "seed": self.study.seed,
@@ -404,10 +441,8 @@ class _Places:
     def compute(self, chunk: int) -> pa.Table:
         """Return the dataset of a place, as the bytes of its netCDF file."""
         dataset = bank_or_direct(
+            self.model,
             [self.places[chunk]],
-            self.release,
-            self.setting.sd,
-            self.setting.correlation,
             self.setting.parameters,
             over=_ends(self.question.over),
             shots=self.question.shots,
@@ -415,31 +450,26 @@ class _Places:
             confidence=self.study.confidence,
             threads=1,
         )
-        dataset.attrs = {}
         return pa.table({"dataset": [bytes(dataset.to_netcdf(engine="scipy"))]})
 
 
 def _bank(asked: Asked, question: Bank, work: Work) -> Answer:
     places = [(x, y) for x, y in _places(question).tolist()]
-    job = _Places(
-        tuple(places), _bank_release(asked, question), asked.setting, question, asked.study
-    )
+    job = _Places(tuple(places), _bank_model(asked, question), asked.setting, question, asked.study)
     datasets = [_read(table) for table in run(job, **work.options)]
     dataset = xr.concat(
         datasets, "place", data_vars="all", coords="minimal", compat="override", join="exact"
     )
-    dataset.attrs = {
-        "confidence": asked.study.confidence,
-        "shots": question.shots,
-        "seed": str(asked.study.seed),
-    }
-    dataset.to_netcdf(work.folder / "bank.nc", engine="scipy")
+    write(work.folder / "bank.nc", bytes(dataset.to_netcdf(engine="scipy")))
     for name in question.figures:
         picture = plots.plot_aim_points(dataset, asked.setting.parameters, title=question.title)
         asked.draw(work, name, picture)
     better, worse = (dataset["difference_low"] > 0).values, (dataset["difference_high"] < 0).values
-    line = f"{len(places)} places: the bank shot is better from {better.sum()}, the direct one "
-    line += f"from {worse.sum()}, {len(places) - better.sum() - worse.sum()} undecided"
+    undecided = len(places) - better.sum() - worse.sum()
+    line = (
+        f"{counted(len(places), 'place')}: the bank shot is better from {better.sum()}, the direct "
+        f"one from {worse.sum()}, {undecided} undecided"
+    )
     return Answer(line, _bank_table(dataset), {"better": better.tolist(), "worse": worse.tolist()})
 
 
@@ -458,8 +488,8 @@ def _bank_table(dataset: xr.Dataset) -> str:
                 *(say(name, here[name].item()) for name in "xy"),
                 percent(direct),
                 percent(bank),
-                f"{in_points(here['difference'].item(), 1)} "
-                f"({' to '.join(in_points(end, 1) for end in ends)})",
+                f"{points(here['difference'].item(), 1)} "
+                f"({' to '.join(points(end, 1) for end in ends)})",
             ]
         )
     return _table(["x", "y", "direct", "bank", "bank less direct, points"], rows)
@@ -470,7 +500,9 @@ def _bank_table(dataset: xr.Dataset) -> str:
 
 def _wanted(asked: Asked, question: Aim) -> dict[str, Any]:
     """Return arguments of `aim`."""
-    release = _fixed(asked, ())
+    if asked.setting.releases is not None:
+        raise ValueError("releases: this question is about one release; leave out")
+    release = asked.setting.release
     names = ("entry", "elevation", "speed", "arc", "depth")
     wanted = {name: getattr(question, name) for name in names}
     if "height" not in release:
@@ -487,7 +519,6 @@ def _check_aim(asked: Asked, question: Aim) -> None:
 
 
 def _aim(asked: Asked, question: Aim, work: Work) -> Answer:
-    work.progress(0, None)
     release = asked.setting.release
     wanted = _wanted(asked, question)
     wanted |= {name: release[name] for name in ("backspin", "sidespin") if name in release}
@@ -496,8 +527,9 @@ def _aim(asked: Asked, question: Aim, work: Work) -> Answer:
         **wanted,
         by=question.by,
         parameters=asked.setting.parameters,
+        **work.options,
     )
-    write_csv(work.folder / "table.csv", columns)
+    write_csv(work.folder / "table.csv", columns, asked.setting.parameters)
     rows = [
         [
             *(_one_of(columns, name, row) for name in _AIMED),
@@ -506,9 +538,10 @@ def _aim(asked: Asked, question: Aim, work: Work) -> Answer:
         for row in range(len(columns["speed"]))
     ]
     good = int(np.isfinite(columns["low_speed"]).sum())
-    line = f"{len(rows)} distances, {good} of them with a release that goes in"
+    line = f"{counted(len(rows), 'distance')}, {good} of them with a release that goes in"
     table = _table([*_AIMED, *(f"goes in with {name}" for name in _OFF)], rows)
-    return Answer(line, table, {name: column.tolist() for name, column in columns.items()})
+    numbers = {name: column.tolist() for name, column in columns.items()}
+    return Answer(line, table, in_units(numbers))
 
 
 _AIMED = ("distance", "speed", "elevation")
@@ -530,17 +563,26 @@ def _ends_of(columns: Mapping[str, NDArray[np.float64]], name: str, row: int) ->
 
 def _check_batch(asked: Asked, question: Batch) -> None:
     source = Source(asked.folder / question.file, question.format or "")
-    source.columns(question.own, question.release)
+    origin = settle(source, None, question.release, None, question.own, override=True)
+    source.columns(origin.own, origin.release)
+    check_contacts(question.max_contacts)
+
+
+def _most_contacts(question: Batch) -> int | None:
+    """Return how many the study says; None where it leaves that to the table."""
+    return question.max_contacts if "max_contacts" in question.model_fields_set else None
 
 
 def _batch(asked: Asked, question: Batch, work: Work) -> Answer:
+    source = Source(asked.folder / question.file, question.format or "")
     counts = batch(
-        asked.folder / question.file,
+        source.path,
         work.folder / "results.parquet",
-        parameters=asked.setting.parameters,
+        parameters=asked.setting.parameters_of(source),
         release=question.release,
         measures=question.measures,
-        max_contacts=question.max_contacts,
+        max_contacts=_most_contacts(question),
+        override=True,  # what the study file says is said on purpose
         format=question.format,
         own=question.own,
         prefix=question.prefix,
@@ -549,7 +591,7 @@ def _batch(asked: Asked, question: Batch, work: Work) -> Answer:
         progress=work.progress,
     )
     said = ", ".join(f"{count:,} {name}" for name, count in counts.items() if count)
-    return Answer(f"{sum(counts.values()):,} shots: {said or 'none'}", "", counts)
+    return Answer(f"{counted(sum(counts.values()), 'shot')}: {said or 'none'}", "", counts)
 
 
 # --------------------------------------------------------------------------------------- in common

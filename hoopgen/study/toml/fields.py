@@ -9,12 +9,11 @@ import json
 import math
 import re
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from difflib import get_close_matches
 from types import MappingProxyType
 from typing import Annotated, Any
 
-import numpy as np
 from pydantic import (
     BaseModel,
     ConfigDict,
@@ -27,13 +26,16 @@ from pydantic import (
 from pydantic_core import CoreSchema, InitErrorDetails, PydanticCustomError, core_schema
 
 from hoopgen.brief import cut
-from hoopgen.units import Kind, parse_quantity
+from hoopgen.printable import printable
+from hoopgen.sizes import evenly
+from hoopgen.units import NO_BARE, Kind, parse_quantity, readings
 
 from .lines import Path
 
 __all__ = [
     "Ends",
     "Listed",
+    "Name",
     "Named",
     "OneOf",
     "Quantity",
@@ -58,9 +60,6 @@ _EXAMPLES: Mapping[Kind, tuple[str, str]] = MappingProxyType(
     }
 )
 """How quantities of each kind are written."""
-
-_NO_BARE = ("angle", "spin")
-"""Kinds whose SI unit is not the one that people think in."""
 
 
 def show(given: Any) -> str:
@@ -140,8 +139,9 @@ class Quantity(_Value):
             value = self._parsed(given)
         elif isinstance(given, bool) or not isinstance(given, int | float):
             raise self.refuse(given)
-        elif self.kind in _NO_BARE and given != 0:
-            raise self.refuse(given, " without a unit")
+        elif self.kind in NO_BARE and given != 0:
+            said = readings(show(given), self.kind, '"{} {}"')
+            raise self.refuse(given, f", which has no unit: write {said}")
         else:
             value = float(given) if abs(given) < 10**300 else math.inf
         if not math.isfinite(value) or not self.low <= value <= self.high:
@@ -149,19 +149,26 @@ class Quantity(_Value):
         return value
 
     def _parsed(self, given: str) -> float:
-        """Read text; a quantity has its unit there, else it would be a bare number."""
         try:
-            return parse_quantity(given, self.kind, bare=None if self.kind == "number" else "")
+            return parse_quantity(given, self.kind)
         except ValueError as error:
-            said = str(error).replace("'' is not a unit", "there is no unit")
-            raise ValueError(f"expected {self.words}; {said}") from None
+            raise ValueError(f"expected {self.words}; {error}") from None
 
 
 @dataclass(frozen=True)
 class Whole(_Value):
-    """A whole number; 1e6 is one too."""
+    """A whole number; 1e6 is one too.
+
+    Attributes
+    ----------
+    low
+        The least.
+    bits
+        It is below 2 to the power of this.
+    """
 
     low: int = 1
+    bits: int = 63
 
     @property
     def words(self) -> str:
@@ -169,9 +176,11 @@ class Whole(_Value):
         return f"a whole number from {self.low}"
 
     def read(self, given: Any) -> int:
-        """Return it; TOML's go up to 2^63 - 1."""
+        """Return it."""
         number = isinstance(given, int | float) and not isinstance(given, bool)
-        if not number or not self.low <= given < 2**63 or given != int(given):
+        if number and given >= 2**self.bits:
+            raise self.refuse(given, f", more than 2^{self.bits} - 1")
+        if not number or not given >= self.low or given != int(given):
             raise self.refuse(given)
         return int(given)
 
@@ -191,7 +200,7 @@ class Share(_Value):
 
 @dataclass(frozen=True)
 class Text(_Value):
-    """Text.
+    """Text without control characters, which no picture and no page can show.
 
     Attributes
     ----------
@@ -213,7 +222,29 @@ class Text(_Value):
         """Return it."""
         if not isinstance(given, str) or not re.fullmatch(self.pattern, given):
             raise self.refuse(given)
+        if printable(given) != given:
+            raise self.refuse(given, ", with control characters")
         return given
+
+
+@dataclass(frozen=True)
+class Name(Text):
+    """Text that names a folder.
+
+    Attributes
+    ----------
+    taken
+        What it may not be, and why.
+    """
+
+    taken: Mapping[str, str] = field(default_factory=dict)
+
+    def read(self, given: Any) -> str:
+        """Return it."""
+        name = super().read(given)
+        if name in self.taken:
+            raise ValueError(f"{show(name)} cannot be a name: {self.taken[name]}")
+        return name
 
 
 @dataclass(frozen=True)
@@ -328,7 +359,7 @@ class Values:
     def _listed(read: Any) -> list[float]:
         if isinstance(read, Table):
             ends: Any = read
-            values: list[float] = np.linspace(ends.start, ends.to, ends.count).tolist()
+            values: list[float] = evenly("count", ends.start, ends.to, ends.count).tolist()
             return values
         return read if isinstance(read, list) else [read]
 

@@ -10,6 +10,8 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from hoopgen.printable import printable
+
 from . import lines
 from .fields import show
 from .schema import StudyFile
@@ -23,11 +25,11 @@ class StudyError(ValueError):
     Attributes
     ----------
     complaints
-        A line each.
+        A line each, printable: a file's name and its keys may hold what acts on a terminal.
     """
 
     def __init__(self, complaints: Iterable[str]) -> None:
-        self.complaints = tuple(complaints)
+        self.complaints = tuple(map(printable, complaints))
         super().__init__("\n".join(self.complaints))
 
 

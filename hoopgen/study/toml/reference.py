@@ -8,12 +8,12 @@ from collections.abc import Container, Iterator
 
 from pydantic.fields import FieldInfo
 
-from hoopgen.parameters import NAMES
+from hoopgen.parameters import NAMES, PRESETS
 from hoopgen.study.variables import ARGUMENTS, VARIABLES
 from hoopgen.units import UNITS
 
 from .fields import Table
-from .schema import KINDS, PRESETS, Given, Question, Releases, Study
+from .schema import KINDS, Given, Question, Releases, Study
 
 __all__ = ["reference"]
 
@@ -62,7 +62,9 @@ By default `spin-results`, beside the file; `--out` names another.
 | `<name>/question.json` | all that it depends on |
 | `<name>/…` | its tables (`.nc`, `.csv`, `.parquet`) and figures |
 
-Numbers in files are SI and radians, where no unit is beside them.
+Numbers in files are SI; their units are in the names of columns and keys, `speed_m_s`,
+`elevation_rad`, and in a `.nc` file beside its variables. The `.csv` of an `aim` has degrees and
+Hz.
 
 Interrupted or killed, the same command goes on where it was: finished questions stay, and of the
 one at work the finished chunks, in `<name>.unfinished`. A question that fails leaves the others
@@ -71,8 +73,7 @@ the same bytes with the same versions; `versions.json` alone tells of the machin
 added to the file later. If one that is in the folder has changed, or is no longer asked, the folder
 is refused, and what differs is said.
 
-With `--scheduler tcp://…` the workers of a Dask cluster compute what is worked on in chunks: all
-but `optimum` and `aim`.
+With `--scheduler tcp://…` the workers of a Dask cluster compute the chunks.
 
 ## Where shots come from
 
@@ -85,7 +86,9 @@ they change for this question alone what they name.
 
 _QUANTITIES = """
 A quantity is text with its unit, or a bare number in SI. An angle or a spin needs its unit, but for
-0. Nothing in the file is evaluated.
+0: the rule of the command line and of columns' names. Units may be spelled in full, `feet`,
+`degrees`, `revolutions per minute`, in capital letters or small ones. Nothing in the file is
+evaluated.
 
 | quantity | units |
 |---|---|
@@ -97,7 +100,8 @@ _VARIABLES = """
 """
 
 _TABLES = {
-    "scene": 'Ball and hoop: `preset`, one of {presets} (by default "paper"), and parameters.',
+    "scene": "Ball and hoop: `preset`, one of {presets} (by default the scene that a file of "
+    'results says, else "paper"), and parameters.',
     "release": "The release aimed at: height, a place, an elevation or `entry`, a speed or `aim`.",
     "scatter": 'Standard deviations about it; `scatter = "none"` for none.',
     "correlation": "Of pairs that scatter: `speed.elevation = -0.3`.",

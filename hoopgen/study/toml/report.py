@@ -11,6 +11,8 @@ from types import MappingProxyType
 from typing import Any
 
 import hoopgen
+from hoopgen.phrases import percent
+from hoopgen.printable import printable
 
 from .answers import Answer, Asked
 
@@ -72,7 +74,7 @@ def _sections(
         yield _HTML.sub("&lt;", study.description.strip())
     yield (
         f"By hoopgen {hoopgen.__version__} from [study.toml](study.toml), seed {study.seed}; "
-        f"intervals of {100 * study.confidence:.4g} % confidence. "
+        f"intervals of {percent(study.confidence, None)} confidence. "
         "[versions.json](versions.json) says what computed."
     )
     rows = ["| question | answer |", "|---|---|"]
@@ -97,6 +99,7 @@ def _sections(
 
 def _answer(asked: Asked, answer: Answer, folder: Path) -> Iterator[str]:
     yield f"**{answer.line}**"
+    yield f"Scene: {asked.scene}."
     if answer.text:
         yield answer.text
     files = sorted(file.name for file in (folder / asked.question.name).iterdir())
@@ -137,5 +140,5 @@ def _keys(values: Mapping[str, Any], prefix: str = "") -> Iterator[str]:
 
 def _text(said: object) -> str:
     """Return what is no Markdown as a line of it that shows the same: no mark or tag counts."""
-    line = "".join(each for each in " ".join(str(said).split()) if each.isprintable())
+    line = printable(" ".join(str(said).split()))
     return _MARKS.sub(r"\\\g<0>", html.escape(line, quote=False))

@@ -7,6 +7,7 @@ gets its name when all of it is there, so what bears a name is finished. Nothing
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import platform
@@ -17,7 +18,18 @@ from pathlib import Path
 from typing import Any
 
 import hoopgen
-from hoopgen.study.chunks import differences, flat, opened, sync, versions, written
+from hoopgen.outputs import sync
+from hoopgen.phrases import counted
+from hoopgen.study.chunks import (
+    check_workers,
+    differences,
+    flat,
+    in_short,
+    opened,
+    read_record,
+    versions,
+    written,
+)
 from hoopgen.study.words import for_json
 
 from . import lines
@@ -86,7 +98,7 @@ def run_study(
         gets a copy of the file, the versions of what computed, a report, and a folder for each
         question with its answer, tables and figures.
     threads, scheduler
-        As for `hoopgen.estimate`; questions that are not worked on in chunks do not use them.
+        As for `hoopgen.estimate`.
     progress
         Called with the name of a question, what of it is done, and its total (None: not known).
 
@@ -100,7 +112,8 @@ def run_study(
     StudyError
         If the file is not as described: with all that is wrong, the lines and the keys.
     ValueError
-        If the folder holds another study, and what differs; or something else.
+        If the folder holds another study, and what differs; or something else. If `out`,
+        `threads` or the form of `scheduler` is not as described.
     ExceptionGroup
         If questions cannot be answered: their errors, each with a note that names it. The others
         are in the folder.
@@ -108,6 +121,9 @@ def run_study(
         If files cannot be read or written.
     """
     file = Path(path)
+    if out is not None and not os.fspath(out):
+        raise ValueError("out: expected the name of a folder, got ''")
+    check_workers(scheduler, threads)
     content, questions, document = _read(file)
     folder = Path(out) if out is not None else file.with_name(f"{file.stem}-results")
     identities = {asked.question.name: _identity(asked) for asked in questions}
@@ -134,8 +150,8 @@ def run_study(
             kept.remove()
     if errors:
         raise ExceptionGroup(
-            f"{len(errors)} of {len(questions)} questions could not be answered; the others are "
-            f"in {folder}",
+            f"{len(errors)} of {counted(len(questions), 'question')} could not be answered; "
+            f"the others are in {folder}",
             list(errors.values()),
         )
     return answers
@@ -201,7 +217,7 @@ def _refuse_changed(folder: Path, identities: Mapping[str, Mapping[str, Any]]) -
     for file in sorted(folder.glob(f"*/{_ASKED}")):
         name = file.parent.name.removesuffix(_UNFINISHED)
         try:
-            there = flat(json.loads(file.read_bytes()))
+            there = flat(read_record(file))
         except ValueError:
             raise ValueError(f"{file} cannot be read; delete {file.parent}") from None
         here = flat(identities[name]) if name in identities else None
@@ -209,10 +225,10 @@ def _refuse_changed(folder: Path, identities: Mapping[str, Mapping[str, Any]]) -
             found.append(f"it has the question {name}, which the study has not")
             continue
         if changed := differences(there, here):
-            found.append(f"question {name}: {'; '.join(changed)}")
+            found.append(f"question {name}: {in_short(changed)}")
     if found:
         raise ValueError(
-            f"{folder} holds another study: {'. '.join(found)}. Give another folder, or "
+            f"{folder} holds another study: {in_short(found)}. Give another folder, or "
             "delete the folders of those questions in it to ask them anew"
         )
 
@@ -224,6 +240,8 @@ def _noted(progress: Progress | None, name: str) -> Callable[[int, int | None], 
 def _answered(asked: Asked, identity: Mapping[str, Any], finished: Path, work: Work) -> Answer:
     """Return the answer that is in the folder, or find it and put it there."""
     if not finished.is_dir():
+        if os.path.lexists(finished):
+            raise FileExistsError(errno.EEXIST, "this is no folder; remove it", str(finished))
         work.folder.mkdir(exist_ok=True)
         for stale in work.folder.glob("*.tmp"):
             stale.unlink()
@@ -234,7 +252,19 @@ def _answered(asked: Asked, identity: Mapping[str, Any], finished: Path, work: W
         work.folder.rename(finished)
         sync({finished.parent})
     shutil.rmtree(finished / "chunks", ignore_errors=True)
-    return Answer(**json.loads((finished / _ANSWER).read_bytes()))
+    return _answer(finished / _ANSWER)
+
+
+def _answer(file: Path) -> Answer:
+    """Return the answer of a question that is finished."""
+    try:
+        record = read_record(file)
+        line, text, numbers = (record[name] for name in ("line", "text", "numbers"))
+        if not (isinstance(line, str) and isinstance(text, str) and isinstance(numbers, dict)):
+            raise ValueError("expected two texts, and numbers by name")
+    except (KeyError, ValueError):
+        raise ValueError(f"{file} cannot be read; delete {file.parent}") from None
+    return Answer(line, text, numbers)
 
 
 def _settle(folder: Path) -> None:

@@ -9,8 +9,9 @@ from typing import Annotated, Any, TypeAlias
 from pydantic import AfterValidator, Field, GetCoreSchemaHandler, ValidationError, model_validator
 from pydantic_core import CoreSchema, core_schema
 
-from hoopgen.parameters import FIBA, NAMES, NBA, PAPER
+from hoopgen.parameters import NAMES, PRESETS
 from hoopgen.study.aim import Arc
+from hoopgen.study.lock import LOCK
 from hoopgen.study.margins import MARGINS
 from hoopgen.study.measures import MEASURES
 from hoopgen.study.player import BY, By
@@ -20,6 +21,7 @@ from hoopgen.study.variables import ARGUMENTS, VARIABLES
 from .fields import (
     Ends,
     Listed,
+    Name,
     Named,
     OneOf,
     Quantity,
@@ -36,7 +38,6 @@ from .fields import (
 
 __all__ = [
     "KINDS",
-    "PRESETS",
     "Aim",
     "Bank",
     "Batch",
@@ -50,10 +51,6 @@ __all__ = [
     "Study",
     "StudyFile",
 ]
-
-PRESETS: Mapping[str, Mapping[str, float]] = MappingProxyType(
-    {"paper": PAPER, "nba": NBA, "fiba": FIBA}
-)
 
 _RELEASE = tuple(name for name in VARIABLES if name not in NAMES)
 _SCATTERED = (*ARGUMENTS, *NAMES)
@@ -89,6 +86,16 @@ def _scene(name: str) -> Any:
     return Word(tuple(PRESETS)) if name == "preset" else _quantity(name)
 
 
+_PORTS = (f"{port}{number}" for port in ("com", "lpt") for number in range(10))
+
+_TAKEN: Mapping[str, str] = MappingProxyType(
+    {
+        LOCK: "a file beside it has it",
+        **dict.fromkeys(("con", "prn", "aux", "nul", *_PORTS), "on Windows it is a device"),
+    }
+)
+"""What no question's folder can be called, and why; other names of ours have a dot in them."""
+
 _SEARCH = Named(tuple(VARIABLES), _ends, least=1)
 _SEARCHED = OneOf(Listed(Word(tuple(VARIABLES)), 1), _SEARCH)
 
@@ -114,7 +121,7 @@ class Study(Table):
     description: Annotated[str, Text(r"(?s:.*)", "text")] = Field(
         "", description="At the head of the report; Markdown, in which HTML is shown as text."
     )
-    seed: Annotated[int, Whole(0)] = Field(
+    seed: Annotated[int, Whole(0, 64)] = Field(
         0, description="Of all random numbers: the same study gives the same results."
     )
     confidence: Annotated[float, Share()] = Field(0.95, description="Of all intervals.")
@@ -125,6 +132,8 @@ class Study(Table):
 
 class Releases(Table):
     """Measured releases, whose rows are drawn at random.
+
+    A map and a search move the mean of a column; how far the rows are from it stays as it was.
 
     The columns take the place of what is given above; `release` beside this table, in the same
     place of the file, takes the place of columns.
@@ -168,7 +177,11 @@ class Question(Given):
     kind: Annotated[str, Text(said="a kind")] = Field(description="What is asked: those below.")
     name: Annotated[
         str,
-        Text(r"[a-z0-9][a-z0-9_-]{0,59}", "small letters, digits, - and _, at most 60"),
+        Name(
+            r"[a-z0-9][a-z0-9_-]{0,59}",
+            "small letters, digits, - and _, at most 60",
+            _TAKEN,
+        ),
     ] = Field(description="Of its folder in the results.")
     title: Annotated[str, Text(r".*")] = Field(
         "", description="In the report and above figures; by default the name."
@@ -333,7 +346,7 @@ class _OfKind:
     def _read(self, given: Any, handler: Callable[[Any], Any]) -> Any:
         if not isinstance(given, dict):
             raise ValueError(f"expected a table, [[question]]; got {show(given)}")
-        if given.get("kind") not in KINDS:
+        if given.get("kind") not in _KIND.allowed:  # a list could be no key
             # Of what kind its keys are is not known.
             said = f"missing; expected {_KIND.words}"
             if "kind" in given:

@@ -9,13 +9,16 @@ from functools import reduce
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pyarrow as pa
 
-from hoopgen.study.models import ReleaseModel, Resample, Scatter
+from hoopgen.parameters import PAPER, PRESETS
+from hoopgen.study.models import Resample, Scatter
+from hoopgen.study.origin import origin_of
 from hoopgen.study.tables import Source, variable_of
 from hoopgen.study.variables import STATE, change_variables
 
-from .schema import PRESETS, Given, Releases
+from .schema import Given, Releases
 
 __all__ = ["Setting", "given_without"]
 
@@ -89,17 +92,24 @@ class Setting:
 
     @property
     def parameters(self) -> dict[str, float]:
-        """Return those of the scene."""
+        """Return those of the scene; where no preset is named, that of a file of results."""
+        return self.parameters_of(None if self.releases is None else self._source(self.releases))
+
+    def parameters_of(self, source: Source | None) -> dict[str, float]:
+        """Return those of the scene of a table; what the study says comes before the table."""
         changed = {name: value for name, value in self.scene.items() if name != "preset"}
-        return {**PRESETS[self.scene.get("preset", "paper")], **changed}
+        if "preset" in self.scene:
+            return {**PRESETS[self.scene["preset"]], **changed}
+        origin = None if source is None else origin_of(source)
+        return {**(PAPER if origin is None else origin.parameters), **changed}
 
     @property
     def scatters(self) -> bool:
         """Whether a deviation is above 0."""
         return any(self.sd.values())
 
-    def model(self) -> ReleaseModel:
-        """Return the release model.
+    def model(self, over: Iterable[str] = ()) -> Scatter | Resample:
+        """Return the release model, without numbers that some variables take the place of.
 
         Raises
         ------
@@ -109,27 +119,42 @@ class Setting:
             If the file of measured releases cannot be read.
         """
         if self.releases is None:
-            return Scatter(self.release, self.sd, self.correlation)
+            release = given_without(self.release, over)
+            return (
+                Scatter(release, self.sd, self.correlation) if self.scatters else Scatter(release)
+            )
         if self.scatters:
             raise ValueError(
                 "scatter: it is about one release, and releases has many; leave one out, or give "
                 'scatter = "none"'
             )
-        return Resample(self._measured(self.releases))
+        measured = self._measured(self.releases)
+        alike = {name: value for name, value in measured.items() if not np.ndim(value)}
+        left = given_without(alike, over)
+        return Resample({n: v for n, v in measured.items() if n not in alike or n in left})
 
     def _measured(self, releases: Releases) -> dict[str, Any]:
         """Return the columns of measured releases, and what is the same for all."""
-        source = Source(self.folder / releases.file, releases.format or "")
+        source = self._source(releases)
+        origin = origin_of(source)
+        shared = {} if origin is None else origin.release
         names = source.schema().names
-        said = {name: variable_of(name)[0] for name in names if name not in releases.own}
+        own = {*releases.own, *(() if origin is None else origin.own)}
+        said = {name: variable_of(name)[0] for name in names if name not in own}
         said = {name: variable for name, variable in said.items() if variable}
-        kept = _change(dict.fromkeys(said.values(), math.nan), self.own)
+        kept = _change(dict.fromkeys(said.values(), math.nan) | dict(shared), self.own)
         passed = [name for name, one in said.items() if one in self.own or one not in kept]
         is_state = not set(STATE[2:]).isdisjoint(said.values())
-        given = {**({} if is_state else given_without(self.above, kept)), **self.own}
-        columns = source.columns([*releases.own, *passed], given)
-        table = pa.concat_tables(source.tables(_ROWS))
-        return {**source.values(table, columns), **given}
+        given = {
+            **({} if is_state else given_without(self.above, kept)),
+            **{name: value for name, value in shared.items() if name in kept},
+            **self.own,
+        }
+        columns = source.columns(sorted({*own, *passed}), given)
+        return {**source.values(pa.concat_tables(source.tables(_ROWS)), columns), **given}
+
+    def _source(self, releases: Releases) -> Source:
+        return Source(self.folder / releases.file, releases.format or "")
 
     def identity(self) -> dict[str, Any]:
         """Return what tells this setting from others, in types that JSON knows."""

@@ -1,0 +1,77 @@
+"""How the shots of a file are flown: what the options say, what the file says, what is assumed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+from click.core import ParameterSource
+
+from hoopgen.parameters import NAMES, PAPER, PRESETS
+from hoopgen.printable import printable
+
+__all__ = ["flown"]
+
+
+def flown(file: Path, format: str = "", own: Sequence[str] = ()) -> tuple[dict[str, Any], str]:
+    """Return `parameters` and `max_contacts` as the options of this command ask; None: the file's.
+
+    ``--set`` changes the scene of ``--preset``, or else that of the file. Where nobody names one,
+    a line says which is assumed, for stderr when the work is done; else it is empty.
+
+    Raises
+    ------
+    click.UsageError
+        If the options would change nothing, since columns say the scene.
+    ValueError, OSError
+        If the file cannot be read.
+    """
+    from hoopgen.study.origin import names_scene, origin_of
+    from hoopgen.study.tables import Source
+    from hoopgen.study.told import say_scene
+
+    context = click.get_current_context()
+    settings = dict(context.params["settings"])
+    preset = context.params["preset"] if _given("preset") else None
+    source = Source(file, format)
+    _refuse_columns(source, own, preset, settings)
+    said = origin_of(source)
+    usual = said.parameters if said else PAPER
+    base = PRESETS[preset] if preset else usual
+    parameters = {**base, **settings} if preset or settings else None
+    assumed = ""
+    if not preset and not names_scene(source, own):
+        scene = say_scene(parameters or PAPER)
+        said_of = f"{file.name} names no scene: {scene} is assumed; --preset names another"
+        assumed = f"hoopgen: {printable(said_of)}"
+    has_contacts = "max_contacts" in context.params
+    contacts = context.params["max_contacts"] if has_contacts and _given("max_contacts") else None
+    return {"parameters": parameters, "max_contacts": contacts}, assumed
+
+
+def _given(option: str) -> bool:
+    source = click.get_current_context().get_parameter_source(option)
+    return source not in (ParameterSource.DEFAULT, ParameterSource.DEFAULT_MAP)
+
+
+def _refuse_columns(
+    source: Any, own: Sequence[str], preset: str | None, settings: dict[str, float]
+) -> None:
+    """Refuse what columns of the table say in its place."""
+    from hoopgen.study.tables import variable_of
+
+    columns = [name for name in source.schema().names if name not in own]
+    said = {variable: name for name in columns if (variable := variable_of(name)[0]) in NAMES}
+    if preset and len(said) == len(NAMES):
+        raise click.UsageError(
+            f"--preset {preset}: columns of {source.path} say all of the scene; leave it out, or "
+            "list the columns with --own"
+        )
+    for name in settings:
+        if name in said:
+            raise click.UsageError(
+                f"--set {name}: the column {said[name]} of {source.path} says it; leave it out, "
+                f"or add --own {said[name]}"
+            )

@@ -1,0 +1,190 @@
+"""Files that are written: there wholly or not at all, and looked at before the work for them."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import io
+import os
+import secrets
+import sys
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+from typing import IO
+
+from .brief import brief
+
+__all__ = [
+    "MAPS",
+    "PAGES",
+    "PICTURES",
+    "check_folder",
+    "check_output",
+    "followed",
+    "sync",
+    "write",
+    "written",
+    "written_text",
+]
+
+PICTURES, PAGES, MAPS = (".png", ".svg", ".pdf"), (".html", ".htm"), (".nc", ".csv")
+"""What the names of such files end in."""
+
+_DEVICES = ("/dev/", "/proc/")
+"""Names here stand for what is open already, such as /dev/stdout, also where that is a file."""
+
+
+def check_output(path: str | os.PathLike[str], suffixes: Sequence[str] = ()) -> Path:
+    """Return the path of a file that can be written, as far as can be told before.
+
+    Parameters
+    ----------
+    path
+        The file.
+    suffixes
+        In one of which its name must end, ".csv"; none: in anything.
+
+    Raises
+    ------
+    ValueError
+        If its name ends in something else.
+    OSError
+        If it is a folder, its folder is not there, or it may not be written.
+    """
+    target = Path(path)
+    if suffixes and target.suffix.lower() not in suffixes:
+        raise ValueError(f"{brief(target.name)} ends in none of {', '.join(suffixes)}")
+    if target.is_dir():
+        raise _refused(errno.EISDIR, target)
+    folder = followed(target).parent
+    if not _straight(target):
+        if not folder.is_dir():
+            raise _refused(errno.ENOENT, folder)
+        if not os.access(folder, os.W_OK | os.X_OK):
+            raise _refused(errno.EACCES, folder)
+    if target.exists() and not os.access(target, os.W_OK):
+        raise _refused(errno.EACCES, target)
+    return target
+
+
+def check_folder(path: str | os.PathLike[str]) -> Path:
+    """Return the path of a folder that is there or can be made, as far as can be told before.
+
+    Raises
+    ------
+    OSError
+        If it or what it lies in is no folder, or may not be written.
+    """
+    target = Path(path)
+    there = next(one for one in (target, *target.absolute().parents) if one.exists())
+    if not there.is_dir():
+        raise _refused(errno.ENOTDIR, there)
+    if not os.access(there, os.W_OK | os.X_OK):
+        raise _refused(errno.EACCES, there)
+    return target
+
+
+def _refused(number: int, path: Path) -> OSError:
+    return OSError(number, os.strerror(number), str(path))
+
+
+@contextlib.contextmanager
+def written(path: str | os.PathLike[str], temporary: Path | None = None) -> Iterator[IO[bytes]]:
+    """Write a file that is there wholly or not at all, also after a loss of power.
+
+    It is written beside and moved: until it is whole, what was there before stays. A file that was
+    there keeps its permissions; a link stays and the file that it leads to is written. What is no
+    file, such as a pipe or /dev/stdout, is written as it is.
+
+    Parameters
+    ----------
+    path
+        The file.
+    temporary
+        Its name until it is whole, on the same file system; by default one of its own. It is moved
+        to the place of whatever is there, links and pipes too.
+
+    Raises
+    ------
+    OSError
+        If it cannot be written. Nothing is left then, and what was there before stays.
+    """
+    target = Path(path)
+    if temporary is None and _straight(target):
+        with _named(target), target.open("wb") as file:
+            yield file
+        return
+    place = target if temporary else followed(target)
+    part = temporary or place.with_name(f".hoopgen-{secrets.token_hex(8)}.tmp")
+    try:
+        with _named(target, part):
+            with part.open("wb") as file:
+                _take_after(place, part)
+                yield file
+                file.flush()
+                os.fsync(file.fileno())
+            part.replace(place)
+            sync({place.parent, part.parent})
+    finally:
+        with contextlib.suppress(OSError):  # that of writing is the one to be told
+            part.unlink()
+
+
+@contextlib.contextmanager
+def written_text(path: str | os.PathLike[str]) -> Iterator[IO[str]]:
+    """Write a file as `written` does: text in UTF-8, its line ends as they are given."""
+    with written(path) as file:
+        text = io.TextIOWrapper(file, encoding="utf-8", newline="")
+        yield text
+        text.flush()
+        text.detach()
+
+
+def write(path: str | os.PathLike[str], content: str | bytes) -> Path:
+    """Write all of a file as `written` does, and return its path; text in UTF-8."""
+    with written(path) as file:
+        file.write(content.encode() if isinstance(content, str) else content)
+    return Path(path)
+
+
+def followed(path: Path) -> Path:
+    """Return where a link leads to; of what is none, the path as it is."""
+    return Path(os.path.realpath(path)) if path.is_symlink() else path
+
+
+def _straight(path: Path) -> bool:
+    """Tell what cannot be written beside and moved."""
+    return path.absolute().as_posix().startswith(_DEVICES) or (path.exists() and not path.is_file())
+
+
+def _take_after(there: Path, part: Path) -> None:
+    """Give a new file the owner and the permissions of the one it replaces, as far as allowed."""
+    with contextlib.suppress(OSError):
+        before = there.stat()
+        if sys.platform != "win32":
+            os.chown(part, before.st_uid, before.st_gid)
+        part.chmod(before.st_mode & 0o7777)
+
+
+@contextlib.contextmanager
+def _named(target: Path, part: Path | None = None) -> Iterator[None]:
+    """Name the file in an error of writing it, which the system does not, or by its part."""
+    try:
+        yield
+    except OSError as error:
+        if error.filename not in (None, str(part)) or isinstance(error, ConnectionError):
+            raise  # of something else
+        said = os.strerror(error.errno) if error.errno else str(error)
+        raise OSError(error.errno, said, str(target)) from error
+
+
+def sync(folders: Iterable[Path]) -> None:
+    """Make new names last; a folder can be opened on POSIX systems alone."""
+    if sys.platform == "win32":
+        return
+    for folder in folders:
+        descriptor = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)

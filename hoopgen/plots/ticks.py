@@ -1,0 +1,38 @@
+"""Axes of lengths: the drawing is in metres, numbers and names are in the unit shown."""
+
+from __future__ import annotations
+
+from matplotlib.axes import Axes
+from matplotlib.ticker import FuncFormatter, MaxNLocator
+
+from hoopgen.units import shown
+
+__all__ = ["label_lengths", "number"]
+
+
+def label_lengths(axes: Axes, labels: tuple[str, str]) -> None:
+    """Name axes whose data are metres, with the unit shown, and set their ticks in it."""
+    unit = shown("length")
+    axes.set_xlabel(f"{labels[0]} ({unit.symbol})")
+    axes.set_ylabel(f"{labels[1]} ({unit.symbol})")
+    if unit.size != 1.0:
+        for axis in (axes.xaxis, axes.yaxis):
+            axis.set_major_locator(_Steps(unit.size))
+            axis.set_major_formatter(FuncFormatter(lambda value, _: number(value / unit.size)))
+
+
+def number(value: float) -> str:
+    """Write the number of a tick; never -0."""
+    return f"{round(value, 6) + 0.0:g}".replace("-", "\N{MINUS SIGN}")
+
+
+class _Steps(MaxNLocator):
+    """Ticks at round numbers of a unit, on an axis in metres."""
+
+    def __init__(self, size: float) -> None:
+        super().__init__(nbins="auto", steps=[1, 2, 5, 10])
+        self._size = size
+
+    def tick_values(self, vmin: float, vmax: float) -> list[float]:
+        ticks = super().tick_values(vmin / self._size, vmax / self._size)
+        return [tick * self._size for tick in ticks]

@@ -1,0 +1,153 @@
+"""A folder that one process holds at a time, and files that are opened only if they are files."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import os
+import stat
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import IO
+
+if sys.platform == "win32":
+    import msvcrt
+
+    def _take(file: IO[bytes]) -> None:
+        msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+
+    def _drop(file: IO[bytes], path: Path) -> None:
+        file.close()
+        path.unlink()  # fails where another has opened it: it stays theirs
+else:
+    import fcntl
+
+    def _take(file: IO[bytes]) -> None:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+
+    def _drop(file: IO[bytes], path: Path) -> None:
+        with file:
+            path.unlink()  # while it is held: after that it may be another's
+
+
+__all__ = ["LOCK", "held", "read_file"]
+
+LOCK = "lock"
+"""Name of the file that is locked."""
+
+_TRIES = 100  # to lock what others remove
+
+# A pipe is not waited for; Windows has neither, but does something to the ends of lines.
+_AT_ONCE = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0)
+_NO_LINK = getattr(os, "O_NOFOLLOW", 0)
+
+_NO_FILE = (errno.ELOOP, errno.EISDIR, errno.ENXIO)
+"""What the system says of links, folders and sockets in place of a file."""
+
+
+def read_file(path: Path) -> bytes:
+    """Return what a file holds.
+
+    Raises
+    ------
+    FileExistsError
+        If it is none, but a folder, a pipe, a device or a link without an end.
+    OSError
+        If it is not there, or cannot be read.
+    """
+    with _opened(path, os.O_RDONLY, "rb") as file:
+        return file.read()
+
+
+def _opened(path: Path, flags: int, mode: str) -> IO[bytes]:
+    """Open a file, and nothing else."""
+    try:
+        descriptor = os.open(path, flags | _AT_ONCE, 0o666)
+    except OSError as error:
+        if error.errno in _NO_FILE:
+            raise _no_file(path) from None
+        raise
+    if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+        os.close(descriptor)
+        raise _no_file(path)
+    file: IO[bytes] = os.fdopen(descriptor, mode)
+    return file
+
+
+def _no_file(path: Path) -> FileExistsError:
+    return FileExistsError(errno.EEXIST, "this is no file; remove it", str(path))
+
+
+@contextlib.contextmanager
+def held(folder: Path, stays: str) -> Iterator[None]:
+    """Make a folder and hold it; the system lets go of it however the process ends.
+
+    Parameters
+    ----------
+    folder
+        The folder.
+    stays
+        Name of a file. A folder without it at the end is removed, if nothing else is in it.
+
+    Raises
+    ------
+    RuntimeError
+        If another process holds it.
+    OSError
+        If it cannot be made or written, or is no folder.
+    """
+    file = _lock(folder)
+    try:
+        yield
+    finally:
+        if os.path.lexists(folder / stays):
+            file.close()
+        else:
+            with contextlib.suppress(OSError):
+                _drop(file, folder / LOCK)
+                folder.rmdir()
+
+
+def _lock(folder: Path) -> IO[bytes]:
+    """Return the lock of a folder, taken; another may be removing both meanwhile."""
+    refused: OSError | None = None
+    for _ in range(_TRIES):
+        with contextlib.ExitStack() as stack:
+            try:
+                _make(folder)
+                file = stack.enter_context(_lock_file(folder))
+            except (FileExistsError, FileNotFoundError) as error:
+                refused = error  # or it was there, and is no more
+                continue
+            try:
+                _take(file)
+            except (BlockingIOError, PermissionError):
+                raise RuntimeError(f"{folder}: another process is at work in this folder") from None
+            except OSError as error:
+                said = f"this folder cannot be locked ({error.strerror})"
+                raise OSError(error.errno, said, str(folder)) from None
+            # Else the lock is of a file that nobody will find any more.
+            with contextlib.suppress(FileNotFoundError):
+                if os.path.samestat(os.fstat(file.fileno()), (folder / LOCK).lstat()):
+                    stack.pop_all()
+                    return file
+            refused = None
+    if refused is None:
+        raise RuntimeError(f"{folder}: other processes make and remove this folder all the time")
+    if isinstance(refused, FileNotFoundError):
+        said = f"this folder cannot be made or written ({refused.strerror})"
+        raise FileNotFoundError(refused.errno, said, str(folder)) from None
+    raise refused
+
+
+def _make(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except FileExistsError as error:
+        raise FileExistsError(error.errno, "this is no folder", str(folder)) from None
+
+
+def _lock_file(folder: Path) -> IO[bytes]:
+    # Not where a link leads: there it would make a file, or lock one of somebody else.
+    return _opened(folder / LOCK, os.O_RDWR | os.O_CREAT | os.O_APPEND | _NO_LINK, "ab")

@@ -1,0 +1,71 @@
+"""Names with units: of the keys in JSON, and of columns; those that tables are read by."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any
+
+from hoopgen.parameters import NAMES
+from hoopgen.units import column_name
+
+from .measures import MEASURES
+from .variables import STATE, VARIABLES
+
+__all__ = ["COMPONENTS", "UNIT_OF", "in_units", "named", "parameters_named"]
+
+_COMPONENT_UNITS = dict(
+    zip(STATE, (unit for unit in ("m", "m/s", "rad/s") for _ in "xyz"), strict=True)
+)
+
+_VARIABLE_UNITS = {name: variable.unit for name, variable in VARIABLES.items()}
+
+UNIT_OF: Mapping[str, str] = MappingProxyType(
+    {
+        **_COMPONENT_UNITS,
+        **_VARIABLE_UNITS,
+        **{
+            f"{end}_{name}": unit
+            for end in ("low", "high")
+            for name, unit in _VARIABLE_UNITS.items()
+        },
+        **{name: measure.unit for name, measure in MEASURES.items()},
+        **{f"end_{name}": unit for name, unit in _COMPONENT_UNITS.items()},
+        "time": "s",
+        "end_time": "s",
+    }
+)
+"""By name: SI unit of what results hold."""
+
+
+def named(name: str) -> str:
+    """Return the name of a column with its unit, ``time_s``; other names are as they are."""
+    return column_name(name, UNIT_OF.get(name, ""))
+
+
+COMPONENTS = tuple(map(named, STATE))
+"""Of a state, in order, with their units."""
+
+
+def in_units(record: Any) -> Any:
+    """Return a record whose keys say the units of the numbers, and of lists of them, below.
+
+    A margin, whose variable is one of its values, gets a key ``unit``.
+    """
+    if isinstance(record, list | tuple):
+        return [in_units(one) for one in record]
+    if not isinstance(record, Mapping):
+        return record
+    told = {
+        name if isinstance(value, Mapping) else named(name): in_units(value)
+        for name, value in record.items()
+    }
+    if "value" in record and record.get("name") in VARIABLES:
+        told["unit"] = VARIABLES[record["name"]].unit
+    return told
+
+
+def parameters_named(record: Mapping[str, Any]) -> dict[str, Any]:
+    """Return parameters of the scene by name, of a record in which names may have units."""
+    plain = {named(name): name for name in NAMES}
+    return {plain.get(name, name): value for name, value in record.items()}

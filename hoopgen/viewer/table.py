@@ -1,0 +1,85 @@
+"""A page of some rows of a table of releases, or of results, which are flown in their own scene."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+
+from hoopgen.phrases import counted
+from hoopgen.results import Outcome
+from hoopgen.simulation import simulate
+
+from .page import view
+from .sample import Sample, sample
+from .shown import Page
+
+__all__ = ["SHOTS", "view_table"]
+
+SHOTS = 50
+"""On a page, unless asked for otherwise."""
+
+
+def view_table(
+    source: str | os.PathLike[str],
+    path: str | os.PathLike[str] | None = None,
+    *,
+    count: int = SHOTS,
+    seed: int = 0,
+    title: str = "",
+    parameters: Mapping[str, Any] | None = None,
+    release: Mapping[str, float] | None = None,
+    max_contacts: int | None = None,
+    override: bool = False,
+    format: str | None = None,
+    own: Sequence[str] = (),
+    backend: Literal["auto", "c", "numpy"] = "auto",
+) -> Page:
+    """Write a page on which a sample of a table is seen in motion; in a notebook, show it.
+
+    Parameters
+    ----------
+    source, count, seed, parameters, release, max_contacts, override, format, own
+        As for `hoopgen.viewer.sample.sample`.
+    path, title
+        As for `hoopgen.view`.
+    backend
+        As for `hoopgen.simulate`.
+
+    Raises
+    ------
+    ValueError, OSError
+        As of those.
+    """
+    file = Path(source)
+    chosen = sample(
+        file,
+        count,
+        seed,
+        parameters,
+        release=release,
+        max_contacts=max_contacts,
+        override=override,
+        format=format,
+        own=own,
+    )
+    states, scene = chosen.releases.states, chosen.releases.parameters
+    shots = simulate(states, scene, max_contacts=chosen.max_contacts, backend=backend, record=True)
+    invalid = int(np.count_nonzero(shots.outcome == Outcome.INVALID))
+    labels = [f"Row {row + 1}" for row in chosen.rows]
+    about = _about(file, chosen, seed, invalid)
+    return view(shots, scene, path, title=title, about=about, labels=labels)
+
+
+def _about(file: Path, chosen: Sample, seed: int, invalid: int) -> str:
+    """Say which rows are shown."""
+    count = len(chosen.rows)
+    if count == chosen.total:
+        text = f"{'all ' * (count > 1)}{counted(count, 'row')} of {file.name}"
+    else:
+        rows = f"{count:,} of {counted(chosen.total, 'row')} of {file.name}"
+        text = f"{rows}, chosen at random (seed {seed})"
+    return f"{text}; {invalid} invalid, left out" if invalid else text

@@ -1,0 +1,107 @@
+"""The event loop as a tree: a guard guards however it is printed, and the path needs no bounds."""
+
+from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from compiled import same_bits
+from conftest import Batch
+from hoopgen.derive.follow.loop import TEMPORARY_BOUNDS
+from hoopgen.derive.ground.tree import Do, Guard, reads, walk, writes
+from hoopgen.derive.model import Model, build
+from hoopgen.derive.scenes.hoop import HOOP
+from hoopgen.generated.numpy import hoop
+from mutants import Fault, Run, derived, numpy_engine, numpy_module
+
+from benchmarks.families import FAMILIES
+from hoopgen import PAPER
+from hoopgen.codegen import loop
+from hoopgen.engine.raw import RESULT, Raw, allocate, allocate_events
+
+# One worker: the derivation is made once.
+pytestmark = pytest.mark.xdist_group("codegen")
+
+MOST = 12
+PATH = tuple(name for name, result in RESULT.items() if not result.bounds)
+
+
+@cache
+def hoop_model() -> Model:
+    return build(HOOP)
+
+
+@cache
+def shots() -> Batch:
+    """Shots of every family, a parameter a column, rows that cannot start among them."""
+    made = [family.make(60) for family in FAMILIES]
+    states = np.concatenate([states for states, _ in made])
+    columns = {
+        name: np.concatenate([np.broadcast_to(p[name], len(s)) for s, p in made]) for name in PAPER
+    }
+    states[::97, 0] = np.nan
+    columns["gravity"][5::101] = -1.0
+    mixed = np.random.default_rng(3).permutation(len(states))
+    return Batch(states, columns).take(mixed)
+
+
+def flown(run: Run, fields: tuple[str, ...]) -> Raw:
+    given = shots()
+    # Blank: a row without an event leaves the log as it was.
+    room = allocate_events(len(given), MOST)
+    assert room.events is not None
+    room.events[:] = 0
+    out = allocate(len(given), len(HOOP.bodies), fields).joined(room)
+    run(given.states, list(given.parameters.values()), MOST, out)
+    return out
+
+
+def assert_same(one: Raw, other: Raw, fields: tuple[str, ...]) -> None:
+    for name in fields:
+        assert same_bits(one.arrays[name], other.arrays[name]).all(), name
+    assert np.array_equal(one.arrays["event_counts"], other.arrays["event_counts"])
+    for name in ("shot", "surface", "time", "before", "after"):
+        columns = (raw.arrays["events"][name] for raw in (one, other))
+        assert same_bits(*columns).all(), name
+
+
+@pytest.mark.parametrize("cheap", [-1, 10**9], ids=["rows taken", "all done, then chosen"])
+def test_a_guarded_body_changes_nothing_outside_its_guard(
+    cheap: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Taking the rows that a guard lets through, or choosing after all: the same bits."""
+    monkeypatch.setattr(loop, "CHEAP", cheap)
+    files = derived(Fault("none"))
+    text = files["numpy/hoop.py"]
+    guards = sum(isinstance(n, Guard) for s in hoop_model().loop.stages.values() for n in walk(s))
+    taken = text.partition("def reach_bounded")[2].count(" = _rows(")
+    assert taken == guards + 1 if cheap < 0 else taken < guards / 3  # the search repeats, too
+    fields = tuple(RESULT)
+    other = flown(numpy_engine(numpy_module(files, tmp_path)), fields)
+    assert_same(flown(numpy_engine(hoop), fields), other, fields)
+
+
+def test_the_plain_loop_reads_and_writes_nothing_that_bounds_errors() -> None:
+    """What only bounds errors is left out: a number stands for it where a kernel takes it."""
+    whole = hoop_model().loop
+    plain = whole.plain()
+    bounds = {field.name for field in whole.fields if field.bounds} | set(TEMPORARY_BOUNDS)
+    bounds |= {"position_error", "velocity_error", "claims"}
+    met = set()
+    for stage, nodes in plain.stages.items():
+        assert not reads(nodes) & bounds, stage
+        assert not set(writes(nodes)) & bounds, stage
+        met |= reads(whole.stages[stage]) & bounds
+    assert len(met) > 10  # they are there to be left out
+    names = {n.kernel.name for s in plain.stages.values() for n in walk(s) if isinstance(n, Do)}
+    assert not names & {"carry_flight", "carry_impact", "claimed_errors", "displacement", "tied"}
+
+
+def test_the_plain_loop_flies_the_path_of_the_bounded_one() -> None:
+    whole = flown(numpy_engine(hoop), tuple(RESULT))
+    plain = flown(numpy_engine(hoop), PATH)
+    assert whole.certified
+    assert not plain.certified
+    assert_same(whole, plain, PATH)
