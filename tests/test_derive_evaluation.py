@@ -42,6 +42,8 @@ OPERATIONS = {
     "neg": np.negative,
     "sqrt": np.sqrt,
     "abs": np.absolute,
+    "max": lambda a, b: np.where(a < b, b, a),
+    "min": lambda a, b: np.where(a < b, a, b),
     "less": np.less,
     "at_most": np.less_equal,
     "select": np.where,
@@ -147,7 +149,8 @@ def in_doubles(expressions: Mapping[str, sp.Expr | int], values: Values) -> dict
     with np.errstate(all="ignore"):
         for operation in lowered.operations:
             if operation.name == "argument":
-                done.append(np.asarray(values[operation.symbol], np.float64))
+                name = operation.symbol.removeprefix("p_")  # of a parameter
+                done.append(np.asarray(values[name], np.float64))
             elif operation.name == "constant":
                 done.append(np.float64(operation.value))
             else:

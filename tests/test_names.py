@@ -252,6 +252,13 @@ def test_two_things_of_one_name_are_refused() -> None:
         plank(ground="top")
 
 
+@pytest.mark.parametrize("latex", ["$x$", "x\n", "<b>", "a|b", "`", "\u202e", "x$$ <script>"])
+def test_latex_that_could_end_a_formula_is_refused(latex: str) -> None:
+    wild = [replace(p, latex=latex) for p in plank().parameters]
+    with pytest.raises(ValueError, match=r"^scene plank: parameter 'ball': its LaTeX .* has more "):
+        scene_with(parameters=tuple(wild))
+
+
 def test_a_law_that_would_name_another_kernel_is_refused() -> None:
     with pytest.raises(ValueError, match="scene plank: law 'flight': expected 'impact', or a name"):
         plank(law="flight")
@@ -367,6 +374,21 @@ def test_no_attack_becomes_code(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
         (tmp_path / Path(name).name).write_text(source, encoding="utf-8")
     flags = ("-std=c11", "-fsyntax-only", "-DPLANK_WIDEST=1")
     compiles(*setup_flags(), *WARNINGS, *flags, tmp_path / "plank.c")
+
+
+def test_a_page_has_texts_in_their_places(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One row a parameter, with as many cells as its head."""
+    for text in ("\n".join(ATTACKS[:7]), "\n".join(ATTACKS[7:])):
+        model = plank_model()
+        parameters = tuple(replace(p, unit=text, summary=text) for p in model.scene.parameters)
+        scene = replace(model.scene, parameters=parameters, axes=text, remarks=text)
+        monkeypatch.setattr(render, "build", lambda own: replace(plank_model(), scene=own))
+        page = render.render_scene(scene)["derivation_plank.md"]
+        rows = [line for line in page.splitlines() if re.match(r"\| \$[^$]*\$ \| `p?", line)]
+        own = [row for row in rows if any(f"`{p.name}`" in row for p in parameters)]
+        assert len(own) == len(parameters)
+        assert {len(re.findall(r"(?<!\\)\|", row)) for row in own} == {5}
+        assert page.count(names.markdown(text)) == 2 * len(parameters) + 2
 
 
 @pytest.mark.parametrize("text", ATTACKS, ids=repr)

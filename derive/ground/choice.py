@@ -7,7 +7,9 @@ number; both values are then real, or one of them infinite.
 
 from __future__ import annotations
 
-from functools import reduce
+from collections.abc import Sequence
+from functools import cache, reduce
+from typing import Any
 
 import sympy as sp
 
@@ -130,21 +132,41 @@ class Held(sp.Function):  # type: ignore[misc]
 
     nargs = 1
     is_extended_real = True
+    name = ""
+    """What it is called, in LaTeX; "" if it has no name."""
 
     @classmethod
     def eval(cls, quantity: sp.Expr) -> sp.Expr | None:
         """Hold whatever SymPy could spread something over or merge with its surroundings."""
+        if isinstance(quantity, Held) and cls.name:
+            return cls(quantity.args[0])
         return quantity if quantity.is_Atom or isinstance(quantity, Held) else None
 
-
-def hold(quantity: sp.Expr) -> sp.Expr:
-    """Return the quantity, held."""
-    return Held(quantity)
+    def __reduce_ex__(self, protocol: Any) -> tuple[Any, ...]:
+        return hold, (*self.args, self.name)
 
 
-def hold_all(vector: sp.Matrix) -> sp.Matrix:
+@cache
+def _held(name: str) -> type[Held]:
+    """Return what holds quantities of a name: a function of its own that sorts as `Held` does."""
+    kind: Any = type(Held)
+    named: type[Held] = kind("Held", (Held,), {"name": name, "nargs": 1}) if name else Held
+    return named
+
+
+def hold(quantity: sp.Expr, name: str = "") -> sp.Expr:
+    """Return the quantity, held; the name, in LaTeX, is for who reads of it and changes nothing.
+
+    A symbol or a number is what it is, and has its own name.
+    """
+    return _held(name)(quantity)
+
+
+def hold_all(vector: sp.Matrix, names: Sequence[str] = ()) -> sp.Matrix:
     """Return the vector, each component held."""
-    return vector.applyfunc(Held)
+    given = names or [""] * len(vector)
+    held = [hold(quantity, name) for quantity, name in zip(vector, given, strict=True)]
+    return vector._new(*vector.shape, held)
 
 
 def size(quantity: sp.Expr) -> sp.Expr:

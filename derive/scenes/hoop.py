@@ -10,17 +10,19 @@ from ..surfaces import Plane, Ring, body
 from .scene import Scene, parameter
 
 _PARAMETERS = (
-    parameter("ball_radius", "m", "R_B, radius of the ball", 0.12128),
-    parameter("ring_radius", "m", "R_H, radius of the wire's centre circle", 0.2350),
-    parameter("wire_radius", "m", "radius of the ring's wire", 0.0100),
-    parameter("board_distance", "m", "a_0, from the ring's centre to the backboard", 0.3810),
-    parameter("board_half_width", "m", "y_B, half the backboard's width", 0.9144),
-    parameter("board_bottom", "m", "z_B1, height of its lower edge", -0.14, "any"),
-    parameter("board_top", "m", "z_B2, height of its upper edge", 0.9268, "any"),
-    parameter("bridge_half_width", "m", "y_BR, half the bridge's width", 0.0762),
-    parameter("restitution", "1", "e, of every contact", 0.70, "nonnegative", 1),
-    parameter("gravity", "m/s²", "g", 9.81),
-    parameter("end_depth", "m", "H, of the end plane below the ring", 0.024256),
+    parameter("ball_radius", "m", "R_B, radius of the ball", 0.12128, latex="R_B"),
+    parameter("ring_radius", "m", "R_H, radius of the wire's centre circle", 0.2350, latex="R_H"),
+    parameter("wire_radius", "m", "radius of the ring's wire", 0.0100, latex="R_W"),
+    parameter(
+        "board_distance", "m", "a_0, from the ring's centre to the backboard", 0.3810, latex="a_0"
+    ),
+    parameter("board_half_width", "m", "y_B, half the backboard's width", 0.9144, latex="y_B"),
+    parameter("board_bottom", "m", "z_B1, height of its lower edge", -0.14, "any", latex="z_{B1}"),
+    parameter("board_top", "m", "z_B2, height of its upper edge", 0.9268, "any", latex="z_{B2}"),
+    parameter("bridge_half_width", "m", "y_BR, half the bridge's width", 0.0762, latex="y_{BR}"),
+    parameter("restitution", "1", "e, of every contact", 0.70, "nonnegative", 1, latex="e"),
+    parameter("gravity", "m/s²", "g", 9.81, latex="g"),
+    parameter("end_depth", "m", "H, of the end plane below the ring", 0.024256, latex="H"),
 )
 
 
@@ -70,6 +72,9 @@ def _hoop() -> Scene:
         ball_radius=ball_radius,
         gravity=by_name["gravity"],
         requirements=(ring_radius - reach,),
+        axes="The origin is the centre of the ring's wire circle, z points up, the backboard is at "
+        "negative x.",
+        remarks="The bridge ends at the backboard.",
     )
 
 

@@ -20,6 +20,9 @@ PUBLIC = re.compile(r"[a-z][a-z0-9_]*", re.ASCII)
 LAW = re.compile(r"(?:[a-z][a-z0-9_]*_)?impact", re.ASCII)
 """What the name of a law does: it is that of a kernel."""
 
+LATEX = re.compile(r"[A-Za-z0-9_^'{}\\ ]*", re.ASCII)
+"""What the LaTeX of a parameter matches as a whole: what ends no formula."""
+
 TAKEN = ("p", "float", "math", "stddef", "stdint", "string")
 """Names that no scene has: that before its parameters, and headers beside its own."""
 
@@ -43,6 +46,12 @@ def check(scene: Scene) -> None:
     for kind, names in given.items():
         _public(scene.name, kind, names)
         _once(scene.name, kind, names)
+    for parameter in scene.parameters:
+        if not LATEX.fullmatch(parameter.latex):
+            raise ValueError(
+                f"scene {scene.name}: parameter {parameter.name!r}: its LaTeX {parameter.latex!r} "
+                "has more than letters, digits and \\ _ ^ ' { }"
+            )
     laws = [law.name for law in scene.laws]
     for name in laws:
         if not LAW.fullmatch(name):

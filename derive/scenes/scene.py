@@ -30,6 +30,8 @@ class Parameter:
         Which values are allowed: "positive", "nonnegative" or "any".
     upper
         The largest value allowed, if there is one.
+    latex
+        How formulas write it; "": its name in words.
     """
 
     symbol: sp.Symbol
@@ -38,6 +40,7 @@ class Parameter:
     default: float
     sign: str = "positive"
     upper: float | None = None
+    latex: str = ""
 
     @property
     def name(self) -> str:
@@ -65,6 +68,8 @@ class Scene:
         The parameters that flight and contact use.
     requirements
         Expressions of the parameters that must be positive.
+    axes, remarks
+        For readers, in plain sentences: where origin and axes lie, and what else there is to say.
     """
 
     name: str
@@ -75,6 +80,8 @@ class Scene:
     ball_radius: sp.Symbol
     gravity: sp.Symbol
     requirements: tuple[sp.Expr, ...] = field(default=())
+    axes: str = ""
+    remarks: str = ""
 
     def __post_init__(self) -> None:
         names.check(self)
@@ -107,8 +114,9 @@ def parameter(
     default: float,
     sign: str = "positive",
     upper: float | None = None,
+    latex: str = "",
 ) -> Parameter:
     """Return a parameter with a symbol of its name, assumed to be of the sign allowed."""
     assumption = {"positive": "positive", "nonnegative": "nonnegative", "any": "real"}[sign]
     symbol = ParameterSymbol(name, **{assumption: True})
-    return Parameter(symbol, unit, summary, default, sign, upper)
+    return Parameter(symbol, unit, summary, default, sign, upper, latex)

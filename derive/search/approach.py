@@ -22,7 +22,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..ground.choice import IfAtMost, IfLess, hold, largest, smallest
+from ..flight.parabola import flight_named
+from ..ground.choice import Held, IfAtMost, IfLess, hold, largest, smallest
 from ..ground.symbols import t
 from .events import Window, ceiling, end, horizon, leaving, margin, rate_margin
 
@@ -42,6 +43,12 @@ class Approach(ABC):
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """The symbols of `constants`, in calling order."""
         return ()
+
+    @property
+    def named(self) -> dict[str, sp.Expr]:
+        """What formulas have names for, by its LaTeX, each after those that it uses."""
+        there, moving = flight_named(self.gravity)
+        return {e.name: e for e in (*there, *moving) if isinstance(e, Held)}
 
     @property
     @abstractmethod
@@ -101,10 +108,14 @@ class Approach(ABC):
         outputs |= {"ceiling": self.ceiling.subs(horizon, latest), "latest": latest}
         return outputs | {"lost": self.lost}
 
+    def _searched(self) -> sp.Expr:
+        """F in the form that is known better."""
+        return IfLess(0, leaving, hold(self.leaving_gap, r"F_\ell"), hold(self.gap, "F"))
+
     def refine(self) -> dict[str, sp.Expr]:
         """Return Newton's next value of a root near t, and the rate there."""
-        gap = IfLess(0, leaving, hold(self.leaving_gap), hold(self.gap))
-        rate_here = hold(self.rate)
+        gap = self._searched()
+        rate_here = hold(self.rate, "F'")
         return {"time": t - gap / rate_here, "rate": rate_here}
 
     def advance(self, side: sp.Expr = sp.Integer(1)) -> dict[str, sp.Expr]:
@@ -118,21 +129,21 @@ class Approach(ABC):
         Where a root may be out of bounds the search goes on behind it: with `side` -1 it looks for
         the way out, a root of -F, whose curvature the ceiling bounds.
         """
-        gap = IfLess(0, leaving, hold(self.leaving_gap), hold(self.gap))
-        rate, bend = self.rate, self.bend
-        if side != 1:
+        turned = side != 1
+        gap, rate, bend = self._searched(), self.rate, self.bend
+        if turned:
             gap, rate, bend = hold(side * gap), hold(side * rate), hold(side * bend)
         low_gap = hold(largest(hold(gap - margin), 0))
-        slope = hold(hold(rate) - rate_margin)
+        slope = hold(hold(rate, "" if turned else "F'") - rate_margin)
         numerator = IfLess(slope, 0, 2 * low_gap, 4 * slope)
         denominator = IfLess(slope, 0, -slope, _positive(hold(-bend)))
         rising = IfAtMost(0, slope, low_gap, 0)
         guess = IfLess(0, rising, sp.oo, numerator / hold(denominator))
-        width = hold(smallest(hold(end - t), guess))
+        width = hold(smallest(hold(end - t), guess), "w")
         curvature = self.curvature(width)
-        if side != 1:
+        if turned:
             curvature = IfLess(0, side, hold(curvature), ceiling)
-        step = _first_root(low_gap, slope, hold(curvature))
+        step = _first_root(low_gap, slope, hold(curvature, "M"))
         stride = smallest(width, step)
         least_fall = hold(-rate - rate_margin)
         enough = least_fall**2 - 8 * ceiling * hold(2**5 * low_gap + margin)

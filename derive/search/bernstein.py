@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..flight.parabola import flight
-from ..ground.choice import hold_all, largest
+from ..flight.parabola import flight_named
+from ..ground.choice import largest
 from ..ground.polynomials import Coefficients, bernstein, derivative, horner, taylor
 from ..ground.rounding import SAFETY, Rounded, flight_rounding, rounding, start_rounding
 from ..ground.symbols import POSITION, VELOCITY, t
@@ -27,8 +27,7 @@ class PolynomialApproach(Approach):
         return event_coefficients(self.surface, self.gravity)
 
     def _along(self, expression: sp.Expr) -> sp.Expr:
-        held = (hold_all(vector) for vector in flight(self.gravity))
-        there = [component for vector in held for component in vector]
+        there = [component for vector in flight_named(self.gravity) for component in vector]
         moved = dict(zip((*POSITION, *VELOCITY), there, strict=True))
         return expression.subs(moved, simultaneous=True)
 

@@ -120,7 +120,7 @@ def _allowing(common: Parts, own: Parts) -> Iterator[Node]:
     margins = given(
         own["margins"],
         horizon="latest",
-        position_error="level",
+        position_error="position_level",
         velocity_error="velocity_level",
     )
     renamed = {"margin": "flat", "leaving_margin": "tilt", "rate_margin": "rate_slack"}

@@ -97,7 +97,7 @@ def allowance(gravity: sp.Expr) -> dict[str, sp.Expr]:
     furthest, fastest = flight_size(gravity, horizon)
     level, velocity_level = hold(share * furthest), hold(share * fastest)
     return {
-        "level": level,
+        "position_level": level,
         "velocity_level": velocity_level,
         "excess": largest(hold(position_error - level), hold(velocity_error - velocity_level)),
     }

@@ -29,13 +29,13 @@ def plane_arrival(plane: Plane, gravity: sp.Expr) -> dict[str, sp.Expr]:
     not negative or not a number.
     """
     coefficients = event_coefficients(plane, gravity)
-    c = IfLess(0, leaving, 0, hold(coefficients[0]))
+    c = hold(IfLess(0, leaving, 0, hold(coefficients[0])), "c")
     b = coefficients[1] if len(coefficients) > 1 else sp.Integer(0)
     if len(coefficients) < 3:
         along = {"apex": IfAtMost(size(b), 0, 0, -1), "height": c}
         return {"time": c / -b, "rate": b, "bend": sp.Integer(0)} | along
     a = coefficients[2]
-    discriminant = hold(b**2 - 4 * a * c)
+    discriminant = hold(b**2 - 4 * a * c, "D")
     root = sp.sqrt(discriminant)
     numerator = IfLess(b, 0, 2 * c, b + root)
     denominator = IfLess(b, 0, root - b, -2 * a)

@@ -18,8 +18,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..flight.parabola import flight
-from ..ground.choice import IfAtMost, IfLess, hold, hold_all, largest, size, smallest
+from ..flight.parabola import flight_named
+from ..ground.choice import IfAtMost, IfLess, hold, largest, size, smallest
 from ..ground.rounding import (
     SAFETY,
     Rounded,
@@ -56,8 +56,12 @@ class RingApproach(Approach):
         """Return rho², x vx + y vy, V² and L of the state."""
         x, y, _ = POSITION
         vx, vy, _ = VELOCITY
-        polar = (x**2 + y**2, x * vx + y * vy, vx**2 + vy**2, x * vy - y * vx)
-        return tuple(map(hold, polar))
+        return (
+            hold(x**2 + y**2, r"\rho_0^2"),
+            hold(x * vx + y * vy, "q"),
+            hold(vx**2 + vy**2, "V^2"),
+            hold(x * vy - y * vx, "L"),
+        )
 
     @property
     def constants(self) -> dict[str, sp.Expr]:
@@ -75,6 +79,16 @@ class RingApproach(Approach):
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """Those of the head of this file."""
         return CONSTANTS
+
+    @property
+    def named(self) -> dict[str, sp.Expr]:
+        """The sizes of ring and windows, and the flight in polar coordinates."""
+        _, _, rho = self._here()
+        innermost, outermost = self.radii()
+        sizes = {"R": self.ring.reach, r"\hat R": self.reach}
+        radii = {r"\rho_-": innermost, outermost.name: outermost}
+        polar = {e.name: e for e in (*self.polar(), rho.base)}
+        return sizes | radii | super().named | polar | {r"\rho_t": rho}
 
     @property
     def windows(self) -> list[Window]:
@@ -95,18 +109,19 @@ class RingApproach(Approach):
     @property
     def reach(self) -> sp.Expr:
         """R, wider."""
-        return hold(self.ring.reach) * WIDER
+        return hold(self.ring.reach, "R") * WIDER
 
     def radii(self) -> tuple[sp.Expr, sp.Expr]:
         """Return the radii of the annulus in which the centre can be at a contact."""
         radius = self.ring.ring_radius
         least = sp.Rational(1, 2**13) * radius  # narrower than that, the ring is `lost`
-        return largest(hold(radius - self.reach), least), hold(radius + self.reach)
+        inner = largest(hold(radius - self.reach), least)
+        return inner, hold(radius + self.reach, r"\rho_+")
 
     @property
     def lost(self) -> sp.Expr:
         """A hole hardly wider than the ball, or errors near to what the windows are widened by."""
-        hole = hold(self.ring.ring_radius - hold(self.ring.reach))
+        hole = hold(self.ring.ring_radius - hold(self.ring.reach, "R"))
         narrow = hold(sp.Rational(1, 2**12) * self.ring.ring_radius - hole)
         moved = hold(position_error + velocity_error * horizon)
         return largest(narrow, hold(moved - sp.Rational(1, 2**16) * self.ring.reach))
@@ -124,14 +139,13 @@ class RingApproach(Approach):
         to_bottom = hold(vz**2 + 2 * g * hold(z + reach) + error)
         to_top = hold(vz**2 + 2 * g * hold(z - reach) - error)
         outer, inner = sp.sqrt(to_bottom), sp.sqrt(largest(to_top, 0))
-        pad = hold(16 * UNIT_ROUNDOFF * hold(sp.Abs(vz) + outer))
+        pad = hold(16 * UNIT_ROUNDOFF * hold(sp.Abs(vz) + outer), "p_Z")
         per_g = hold(1 / g)
         first = IfAtMost(0, to_bottom, hold(vz - outer - pad) * per_g, sp.oo)
-        last = hold(IfAtMost(0, to_bottom, hold(vz + outer + pad) * per_g, -sp.oo))
-        up = IfLess(0, to_top, hold(vz - inner + pad) * per_g, last)
+        last = IfAtMost(0, to_bottom, hold(vz + outer + pad) * per_g, -sp.oo)
+        up = IfLess(0, to_top, hold(vz - inner + pad) * per_g, hold(last, r"\overline Z_2"))
         down = IfLess(0, to_top, hold(vz + inner - pad) * per_g, sp.oo)
-        # The pads of two roots that nearly meet would make the second begin before the first ends.
-        return (first, up), (largest(down, up), last)
+        return _two(first, up, down, last, "Z")
 
     def _annulus_intervals(self) -> tuple[Window, Window]:
         """Return the inward and the outward interval of |rho - R_H| <= R.
@@ -146,7 +160,7 @@ class RingApproach(Approach):
         enters = hold(speed_squared * outermost**2 - moment**2 + error)
         passes = hold(speed_squared * innermost**2 - moment**2 - error)
         outer, inner = sp.sqrt(enters), sp.sqrt(largest(passes, 0))
-        pad = hold(16 * UNIT_ROUNDOFF * hold(size(q) + size(moment) + outer))
+        pad = hold(16 * UNIT_ROUNDOFF * hold(size(q) + size(moment) + outer), "p_A")
         per = hold(1 / speed_squared)
         hardly = sp.Rational(1, 2**600)
         first = IfAtMost(0, enters, hold(-q - outer - pad) * per, sp.oo)
@@ -154,14 +168,14 @@ class RingApproach(Approach):
         first = IfLess(hardly, speed_squared, first, -sp.oo)
         last = IfLess(hardly, speed_squared, last, sp.oo)
         through = IfLess(hardly, speed_squared, passes, 0)
-        inward = IfLess(0, through, hold(-q - inner + pad) * per, last)
+        inward = IfLess(0, through, hold(-q - inner + pad) * per, hold(last, r"\overline A_2"))
         outward = IfLess(0, through, hold(-q + inner - pad) * per, sp.oo)
-        return (first, inward), (largest(outward, inward), last)
+        return _two(first, inward, outward, last, "A")
 
     def _here(self) -> tuple[sp.Matrix, sp.Matrix, sp.Expr]:
         """Return position, velocity and rho at time t."""
-        there, moving = map(hold_all, flight(self.gravity))
-        return there, moving, sp.sqrt(hold(there[0] ** 2 + there[1] ** 2))
+        there, moving = flight_named(self.gravity)
+        return there, moving, sp.sqrt(hold(there[0] ** 2 + there[1] ** 2, r"\rho_t^2"))
 
     def _inverses(self, rho: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
         """Return 1/rho and 1/(rho + rho0) by one division."""
@@ -179,7 +193,8 @@ class RingApproach(Approach):
     def gap(self) -> sp.Expr:
         """F at the position at time t."""
         there, _, rho = self._here()
-        return hold(rho - self.ring.ring_radius) ** 2 + there[2] ** 2 - hold(self.ring.reach) ** 2
+        reach = hold(self.ring.reach, "R")
+        return hold(rho - self.ring.ring_radius) ** 2 + there[2] ** 2 - reach**2
 
     @property
     def leaving_gap(self) -> sp.Expr:
@@ -275,6 +290,20 @@ class RingApproach(Approach):
             "leaving_margin": SAFETY * hold(mean + time_rounding(steepest)),
             "rate_margin": SAFETY * hold(slope + 32 * u * hold(outermost * fastest)),
         }
+
+
+def _two(
+    first: sp.Expr, until: sp.Expr, again: sp.Expr, last: sp.Expr, name: str
+) -> tuple[Window, Window]:
+    """Return the intervals from `first` until `until` and from `again` until `last`, named.
+
+    The pads of two roots that nearly meet would make the second begin before the first ends.
+    """
+    end = hold(until, rf"\overline {name}_1")
+    return (
+        (hold(first, rf"\underline {name}_1"), end),
+        (hold(largest(again, end), rf"\underline {name}_2"), hold(last, rf"\overline {name}_2")),
+    )
 
 
 def _meet(left: Window, right: Window) -> Window:

@@ -72,7 +72,7 @@ def study_kernels(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
             "sighted",
             measures.sighted(),
             order,
-            "How far a point is past the ring's centre and to the left, seen from a place.",
+            "How far a point is past the origin and to the left, seen from a place.",
             "components along and across the line of sight",
         ),
         *(

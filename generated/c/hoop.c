@@ -1,6 +1,6 @@
 /* hoop: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene hoop, derivation 895d8ecb1ee1571f,
+   Generated from templates/c/scene.c.j2, scene hoop, derivation 8fe807011d58f5ca,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 

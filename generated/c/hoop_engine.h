@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 895d8ecb1ee1571f,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation 8fe807011d58f5ca,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -498,10 +498,10 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
             M certain = _o37.certain;
             const LANES(hoop_allowance_out) _o38 =
                 LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V level = _o38.level;
+            V position_level = _o38.position_level;
             V velocity_level = _o38.velocity_level;
             const LANES(hoop_ring_margins_out) _o39 =
-                LANES(hoop_ring_margins)(latest, extent, speed, level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             V flat = _o39.margin;
             V tilt = _o39.leaving_margin;
             V rate_slack = _o39.rate_margin;
@@ -539,10 +539,10 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
                     share = lanes_select(_m45, _o46.share, share);
                     const LANES(hoop_allowance_out) _o47 =
                         LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V level = _o47.level;
+                    V position_level = _o47.position_level;
                     V velocity_level = _o47.velocity_level;
                     const LANES(hoop_ring_margins_out) _o48 =
-                        LANES(hoop_ring_margins)(latest, extent, speed, level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
                     flat = lanes_select(_m45, _o48.margin, flat);
                     tilt = lanes_select(_m45, _o48.leaving_margin, tilt);
                     rate_slack = lanes_select(_m45, _o48.rate_margin, rate_slack);
@@ -1192,11 +1192,11 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             M certain = _o60.certain;
             const LANES(hoop_allowance_out) _o61 =
                 LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V level = _o61.level;
+            V position_level = _o61.position_level;
             V velocity_level = _o61.velocity_level;
             V excess = _o61.excess;
             const LANES(hoop_ring_margins_out) _o62 =
-                LANES(hoop_ring_margins)(latest, extent, speed, level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             V flat = _o62.margin;
             V tilt = _o62.leaving_margin;
             V rate_slack = _o62.rate_margin;
@@ -1237,11 +1237,11 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
                     share = lanes_select(_m69, _o70.share, share);
                     const LANES(hoop_allowance_out) _o71 =
                         LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V level = _o71.level;
+                    V position_level = _o71.position_level;
                     V velocity_level = _o71.velocity_level;
                     V excess = _o71.excess;
                     const LANES(hoop_ring_margins_out) _o72 =
-                        LANES(hoop_ring_margins)(latest, extent, speed, level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
                     flat = lanes_select(_m69, _o72.margin, flat);
                     tilt = lanes_select(_m69, _o72.leaving_margin, tilt);
                     rate_slack = lanes_select(_m69, _o72.rate_margin, rate_slack);

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 895d8ecb1ee1571f,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation 8fe807011d58f5ca,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -44,7 +44,7 @@ LANES(hoop_crossing)(V margin, V rate_margin, V rate, V ceiling)
 /* Errors of a state that a search allows for, and by how much the errors exceed them.
    a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection. */
 typedef struct {
-    V level;
+    V position_level;
     V velocity_level;
     V excess;
 } LANES(hoop_allowance_out);

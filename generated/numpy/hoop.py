@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 895d8ecb1ee1571f,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 8fe807011d58f5ca,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -153,7 +153,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "contact_frame": ("n11", "n12", "n13", "n21", "n22", "n23", "n31", "n32", "n33",),
     "impact_through_frame": ("vx", "vy", "vz", "wx", "wy", "wz",),
     "crossing": ("clearance", "delay",),
-    "allowance": ("level", "velocity_level", "excess",),
+    "allowance": ("position_level", "velocity_level", "excess",),
     "horizon": ("horizon", "pad",),
     "scale": ("extent", "speed", "excess",),
     "displacement": ("margin",),
@@ -334,7 +334,7 @@ def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error:
     """Errors of a state that a search allows for, and by how much the errors exceed them.
 
     a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection.
-    Returns level, velocity_level, excess.
+    Returns position_level, velocity_level, excess.
     """
     _s0 = speed + (p_gravity * horizon)
     _s1 = share * (extent + (horizon * _s0))
@@ -1563,7 +1563,7 @@ def apex(z: Any, vz: Any, p_gravity: Any) -> tuple[Any, ...]:
 
 
 def sighted(x: Any, y: Any, place_x: Any, place_y: Any) -> tuple[Any, ...]:
-    """How far a point is past the ring's centre and to the left, seen from a place.
+    """How far a point is past the origin and to the left, seen from a place.
 
     components along and across the line of sight. 13 operations: 2 additions, 1 subtraction, 6 multiplications, 2 divisions, 1 square root, 1 negation.
     Returns past, left.
@@ -1788,8 +1788,8 @@ def reach_plain(columns: dict[str, Any], shots: int) -> None:
         _z_1 = _take(_z_0, _rows3)
         _steady_1, _swing_1, _rho_start_1, _low0_1, _high0_1, _low1_1, _high1_1, _low2_1, _high2_1, _ceiling_1, _latest_1, *_ = ring_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, 0.0, 0.0, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
         _share_1, _arrival_1, _certain_1 = beginning()
-        _level_1, _velocity_level_1, *_ = allowance(_share_1, _latest_1, _extent_1, _speed_1, 0.0, 0.0, _p_gravity_1)
-        _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _position_level_1, _velocity_level_1, *_ = allowance(_share_1, _latest_1, _extent_1, _speed_1, 0.0, 0.0, _p_gravity_1)
+        _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
         _t_1, _end_1, _searching_1 = ring_enter(0.0, 0.0, _high0_1, _high1_1, _high2_1, _low0_1, _low1_1, _low2_1, 0.0)
         _rows5, _count6 = _rows(_searching_1, _count4)
         if _count6:
@@ -1845,8 +1845,8 @@ def reach_plain(columns: dict[str, Any], shots: int) -> None:
                     _share_3 = _take(_share_2, _rows7)
                     _speed_3 = _take(_speed_2, _rows7)
                     _share_3, = finer(_share_3)
-                    _level_3, _velocity_level_3, *_ = allowance(_share_3, _latest_3, _extent_3, _speed_3, 0.0, 0.0, _p_gravity_3)
-                    _flat_3, _tilt_3, _rate_slack_3 = ring_margins(_latest_3, _extent_3, _speed_3, _level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3)
+                    _position_level_3, _velocity_level_3, *_ = allowance(_share_3, _latest_3, _extent_3, _speed_3, 0.0, 0.0, _p_gravity_3)
+                    _flat_3, _tilt_3, _rate_slack_3 = ring_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3)
                     _flat_2 = _put(_flat_2, _rows7, _flat_3, _count6)
                     _rate_slack_2 = _put(_rate_slack_2, _rows7, _rate_slack_3, _count6)
                     _share_2 = _put(_share_2, _rows7, _share_3, _count6)
@@ -2302,8 +2302,8 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
         _z_1 = _take(_z_0, _rows5)
         _steady_1, _swing_1, _rho_start_1, _low0_1, _high0_1, _low1_1, _high1_1, _low2_1, _high2_1, _ceiling_1, _latest_1, _lost_1 = ring_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
         _share_1, _arrival_1, _certain_1 = beginning()
-        _level_1, _velocity_level_1, _excess_1 = allowance(_share_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1)
-        _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _position_level_1, _velocity_level_1, _excess_1 = allowance(_share_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1)
+        _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
         _doubt_1, = beyond(_doubt_1, _excess_1, _late_1, _lost_1, _pad_1)
         _t_1, _end_1, _searching_1 = ring_enter(0.0, 0.0, _high0_1, _high1_1, _high2_1, _low0_1, _low1_1, _low2_1, 0.0)
         _rows7, _count8 = _rows(_searching_1, _count6)
@@ -2370,8 +2370,8 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
                     _t_3 = _take(_t_2, _rows9)
                     _velocity_error_3 = _take(_velocity_error_2, _rows9)
                     _share_3, = finer(_share_3)
-                    _level_3, _velocity_level_3, _excess_3 = allowance(_share_3, _latest_3, _extent_3, _speed_3, _position_error_3, _velocity_error_3, _p_gravity_3)
-                    _flat_3, _tilt_3, _rate_slack_3 = ring_margins(_latest_3, _extent_3, _speed_3, _level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3)
+                    _position_level_3, _velocity_level_3, _excess_3 = allowance(_share_3, _latest_3, _extent_3, _speed_3, _position_error_3, _velocity_error_3, _p_gravity_3)
+                    _flat_3, _tilt_3, _rate_slack_3 = ring_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3)
                     _doubt_3, = exceeded(_doubt_3, _excess_3, _t_3)
                     _doubt_2 = _put(_doubt_2, _rows9, _doubt_3, _count8)
                     _flat_2 = _put(_flat_2, _rows9, _flat_3, _count8)

@@ -1,0 +1,207 @@
+"""LaTeX of formulas: numbers by powers of two, choices in rows, conditions with their signs."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+
+import sympy as sp
+from sympy.printing.latex import LatexPrinter
+
+from hoopgen.derive.ground.choice import (
+    Both,
+    Choose,
+    Condition,
+    Either,
+    Held,
+    IfAtMost,
+    IfLess,
+    Not,
+    Truth,
+    release,
+)
+from hoopgen.derive.ground.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
+
+from .letters import Letters
+
+Names = Mapping[sp.Basic, str]
+"""LaTeX of what has a name: symbols, and quantities that the reader knows."""
+
+
+class Printer(LatexPrinter):  # type: ignore[misc]
+    """LaTeX for GitHub: no bars, which would end a cell of a table, and no macros it forbids."""
+
+    def __init__(self, names: Names, letters: Letters) -> None:
+        super().__init__({"mat_delim": "("})
+        self._names, self._letters = names, letters
+
+    def doprint(self, expr: sp.Basic) -> str:
+        """Return the LaTeX, with room between words and what they are multiplied with."""
+        text = str(super().doprint(expr))
+        text = re.sub(r"(\\text\{[^}]*\}) (?=\\text|\\left|[A-Za-z0-9])", r"\1\\, ", text)
+        return re.sub(r"(?<![A-Za-z\\])([A-Za-z0-9]|_\{\w+\}) (?=\\text\{)", r"\1\\, ", text)
+
+    def _as_ordered_terms(self, expr: sp.Add, order: str | None = None) -> list[sp.Expr]:
+        """Return what is added before what is taken away, short products and coordinates first."""
+        moving = {*POSITION, *VELOCITY}
+        terms = super()._as_ordered_terms(expr, order)
+        return sorted(
+            terms,
+            key=lambda term: (
+                term.could_extract_minus_sign(),
+                _degree(term),
+                not term.free_symbols & moving,
+            ),
+        )
+
+    def _print_Symbol(self, symbol: sp.Symbol, style: str = "plain") -> str:
+        return self._names.get(symbol) or self._letters(symbol)
+
+    def _print_Pow(self, expr: sp.Pow) -> str:
+        """Return a power; a name with an exponent of its own stands in brackets."""
+        if expr.base.is_Symbol and expr.exp.is_Integer and expr.exp > 1:
+            name = self._print(expr.base)
+            if "^" in name or "'" in name:
+                return self._power(rf"\left({name}\right)", str(expr.exp))
+        return str(super()._print_Pow(expr))
+
+    def _power(self, text: str, exponent: str | None) -> str:
+        return text if exponent is None else f"{text}^{{{exponent}}}"
+
+    def _print_Held(self, held: Held, exp: str | None = None) -> str:
+        return self._power(rf"\left({self._print(held.args[0])}\right)", exp)
+
+    def _print_Abs(self, size: sp.Abs, exp: str | None = None) -> str:
+        return self._power(rf"\left\lvert {self._print(size.args[0])}\right\rvert", exp)
+
+    def _print_choice(self, choice: sp.Expr, exp: str | None = None) -> str:
+        found = extreme(choice)
+        if found is not None:
+            name, values = found
+            inner = ", ".join(self._print(value) for value in values)
+            text = rf"{name}\left({inner}\right)"
+            return text if exp is None else rf"\left({text}\right)^{{{exp}}}"
+        lines = []
+        for value, conditions in cases(choice):
+            when = r",\ ".join(self._print_condition(c) for c in conditions) or r"\text{else}"
+            formula = self._print(value).replace(r"\frac", r"\dfrac")
+            lines.append(f"{formula} & {when}")
+        body = r" \\ ".join(lines)
+        text = rf"\begin{{cases}} {body} \end{{cases}}"
+        return text if exp is None else rf"\left({text}\right)^{{{exp}}}"
+
+    _print_IfLess = _print_choice
+    _print_IfAtMost = _print_choice
+    _print_Choose = _print_choice
+
+    def _print_condition(self, choice: sp.Expr) -> str:
+        if isinstance(choice, Condition | Truth):
+            return str(self._print(choice))
+        return self._compared(choice, "<" if isinstance(choice, IfLess) else r"\le")
+
+    def _compared(self, condition: sp.Expr, sign: str) -> str:
+        return f"{self._print(condition.args[0])} {sign} {self._print(condition.args[1])}"
+
+    def _print_Less(self, condition: sp.Expr) -> str:
+        return self._compared(condition, "<")
+
+    def _print_AtMost(self, condition: sp.Expr) -> str:
+        return self._compared(condition, r"\le")
+
+    def _print_Equal(self, condition: sp.Expr) -> str:
+        return self._compared(condition, "=")
+
+    def _print_Both(self, condition: sp.Expr) -> str:
+        return self._joined(condition, r"\wedge")
+
+    def _print_Either(self, condition: sp.Expr) -> str:
+        return self._joined(condition, r"\vee")
+
+    def _joined(self, condition: sp.Expr, sign: str) -> str:
+        """Return two conditions, joined; what is joined otherwise stands in brackets."""
+        other = {Both: Either, Either: Both}[type(condition)]
+        parts = [
+            rf"\left({self._print(c)}\right)" if isinstance(c, other) else self._print(c)
+            for c in condition.args
+        ]
+        return f" {sign} ".join(parts)
+
+    def _print_Not(self, condition: sp.Expr) -> str:
+        (inner,) = condition.args
+        text: str = self._print(inner)
+        return rf"\neg {text}" if isinstance(inner, Truth | Not) else rf"\neg \left({text}\right)"
+
+    def _print_Nowhere(self, _: sp.Expr) -> str:
+        return r"\text{never}"
+
+
+def _degree(term: sp.Expr) -> int:
+    """Return how many factors a product has, powers counted as they are."""
+    powers = (factor.as_base_exp()[1] for factor in sp.Mul.make_args(term) if not factor.is_number)
+    return sum(int(p) if p.is_Integer and p > 0 else 1 for p in powers)
+
+
+def extreme(choice: sp.Expr) -> tuple[str, list[sp.Expr]] | None:
+    """Return the name and the operands of a choice that is the larger or smaller of two values."""
+    if not isinstance(choice, IfLess):
+        return None
+    left, right, then, other = choice.args
+    if (then, other) == (right, left):
+        name, first = r"\max", left
+    elif (then, other) == (left, right):
+        name, first = r"\min", right
+    else:
+        return None
+    inner = extreme(first)
+    firsts = inner[1] if inner is not None and inner[0] == name else [first]
+    return name, [*firsts, then if first is other else other]
+
+
+def cases(choice: sp.Expr) -> list[tuple[sp.Expr, list[sp.Expr]]]:
+    """Return values with the conditions under which they hold, the first that do hold in order."""
+    rows: list[tuple[sp.Expr, list[sp.Expr]]] = []
+
+    def visit(expression: sp.Expr, conditions: list[sp.Expr]) -> None:
+        if isinstance(expression, IfLess | IfAtMost) and extreme(expression) is None:
+            visit(expression.args[2], [*conditions, expression])
+            visit(expression.args[3], conditions)
+        elif isinstance(expression, Choose):
+            visit(expression.args[1], [*conditions, expression.args[0]])
+            visit(expression.args[2], conditions)
+        else:
+            rows.append((expression, conditions))
+
+    visit(choice, [])
+    # Rows at the end that say the same as the last need no conditions.
+    while len(rows) > 1 and rows[-2][0] == rows[-1][0]:
+        del rows[-2]
+    return rows
+
+
+def number(value: sp.Rational) -> str | None:
+    """Return the LaTeX of a positive number by powers of two, none if it is better as it is."""
+    if value.q == 1:
+        exponent = int(value.p).bit_length() - 1
+        return f"2^{{{exponent}}}" if exponent >= 16 and value == 2**exponent else None
+    if value.q & (value.q - 1):
+        return None
+    for k in range(8, 31):
+        slightly = 1 + sp.Rational(1, 2**k)
+        rest = value / slightly
+        if value.p % slightly.p == 0 and rest.p < 2**10:
+            factor = rf"\left(1 + 2^{{-{k}}}\right)"
+            return factor if rest == 1 else f"{number(rest) or show(rest)} {factor}"
+    if value.q < 2**10:
+        return None
+    units = value / UNIT_ROUNDOFF
+    if units.q == 1 and units < 2**10:
+        return "u" if units == 1 else f"{units} u"
+    power = rf"2^{{-{int(value.q).bit_length() - 1}}}"
+    return power if value.p == 1 else rf"{value.p} \cdot {power}"
+
+
+def show(
+    expression: sp.Expr | sp.Matrix, names: Names | None = None, letters: Letters | None = None
+) -> str:
+    """Return the LaTeX of an expression with nothing held."""
+    return str(Printer(names or {}, letters or Letters()).doprint(release(expression)))

@@ -1,0 +1,197 @@
+"""How symbols are written, and what they are; parameters are written as their scene says."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import NamedTuple
+
+import sympy as sp
+
+from hoopgen.derive.ground.symbols import ParameterSymbol
+from hoopgen.derive.scenes.scene import Scene
+
+AXES = "xyz"
+
+
+class Letter(NamedTuple):
+    """How an argument is written, and what it is."""
+
+    latex: str
+    meaning: str
+
+
+FLIGHTS = {
+    "t": Letter("t", "time since the last contact"),
+    "end": Letter(r"t_\mathrm{end}", "end of the window that is searched"),
+    "horizon": Letter("T", "no event later than this is wanted"),
+    "leaving": Letter(r"\ell", "1 if the flight starts on this very surface, else 0"),
+    "extent": Letter(
+        r"\lVert\mathbf{r}\rVert_1", "sum of the sizes of the coordinates at the start"
+    ),
+    "speed": Letter(r"\lVert\mathbf{v}\rVert_1", "sum of the sizes of the velocities at the start"),
+    "gap": Letter("F", "gap: how far the ball is from a contact, as the searched polynomial says"),
+    "rate": Letter("F'", "rate of the gap"),
+    "bend": Letter("F''", "bend of the gap"),
+    "margin": Letter("m", "bound on the error of a gap"),
+    "rate_margin": Letter("m'", "bound on the error of its rate"),
+    "flat": Letter("m_F", "bound on the error of the gap itself"),
+    "tilt": Letter(r"m_\ell", "bound on the error of the gap over t, on leaving"),
+    "leaving_margin": Letter(r"m_\ell", "the same"),
+    "ceiling": Letter("C", "bound on the size of $F''$"),
+    "steady": Letter("K", "first constant of $F''$ in the search of a ring"),
+    "swing": Letter("W", "second constant of $F''$ there"),
+    "rho_start": Letter(r"\rho_0", "distance from the axis at the start"),
+    "step": Letter(r"\Delta t", "step of a search, in which there is no root"),
+    "next": Letter("t_+", "time after that step"),
+    "root": Letter("t_N", "Newton's value of the root"),
+    "clearance": Letter(r"\chi", "positive where a root is certain"),
+    "clear": Letter(r"\chi_0", "positive where a surface is certainly missed"),
+    "arrival": Letter("t_r", "root that a search has found, infinite if none"),
+    "refined": Letter("t_R", "that root by one more step of Newton's method"),
+    "candidate": Letter("t_?", "root that counts if it lies within the bounds"),
+    "side": Letter(r"\pm", "1 outside the surface, -1 where its rest would be, beyond its bounds"),
+    "after": Letter("t_1", "time that a window begins no earlier than"),
+    "apex": Letter("t_a", "time at which a plane's gap is extreme"),
+    "height": Letter("F_a", "the gap then"),
+    "share": Letter(
+        r"\sigma", "error, relative to the size of the flight, that a search allows for"
+    ),
+    "pad": Letter("T_+", "how long the horizon is after the earliest arrival"),
+    "lost": Letter(r"\lambda", "positive where the search's bounds do not hold"),
+}
+"""Of one surface along one flight."""
+
+LOOP = {
+    "index": Letter("j", "index of the surface that is looked at"),
+    "last": Letter(r"j_\ell", "index of the surface that was touched last, -1: none"),
+    "time": Letter("t_j", "time of an arrival on a surface"),
+    "when": Letter(r"t^\ast", "time of the earliest arrival so far"),
+    "which": Letter(r"j^\ast", "its surface, -1: none"),
+    "delay": Letter(r"\delta", "bound on how far a computed arrival is from the true one"),
+    "late": Letter(r"\delta^\ast", "that of the earliest arrival"),
+    "doubt": Letter(
+        r"\theta",
+        "earliest time of a decision that lies within its error; of a release, positive if it is",
+    ),
+    "excess": Letter(r"\xi", "by how much errors or numbers exceed what is allowed for"),
+    "position_error": Letter(
+        r"\varepsilon_r", "bound on the error of each coordinate at the start"
+    ),
+    "velocity_error": Letter(r"\varepsilon_v", "bound on the error of each velocity at the start"),
+    "spin_error": Letter(r"\varepsilon_\omega", "bound on the error of each component of the spin"),
+    "time_error": Letter(r"\varepsilon_c", "bound on the error of the time since the release"),
+    "contacts": Letter("k", "how many contacts there were, this one too"),
+    "most_contacts": Letter(r"k_{\max}", "how many a shot may have"),
+    "count": Letter("k_b", "how many there were with a body"),
+    "body": Letter(r"b^\ast", "body of the event, -1: none"),
+    "first": Letter("b_1", "body that was touched first, -1: none"),
+    "clock": Letter("t_c", "time since the release"),
+    "clock_error": Letter(r"\varepsilon_t", "what the contacts' times are off by, summed"),
+    "curving": Letter(r"\kappa", "curvature of the surface, if it is met twice running"),
+    "shift": Letter(r"\varsigma", "error of the position at a contact, at worst after one flight"),
+    "turn": Letter(r"\tau", "error of the normal, at worst after one flight"),
+    "miss": Letter("d", "how far from the target a ball ends; not positive inside"),
+    "slack": Letter(r"\epsilon", "bound on the error of a length at a computed arrival"),
+    "outcome": Letter(r"\text{outcome}", "how the shot ended, -1: it has not"),
+    "uncertain": Letter(
+        r"\text{uncertain}", "1 if some decision of the shot lies within its error"
+    ),
+    "claims": Letter(r"\text{claims}", "positive where the errors at the end are asked for"),
+    "allowed": Letter(r"\text{allowed}", "positive where the parameters are allowed"),
+    "valid": Letter(r"\text{valid}", "positive where the ball overlaps no surface"),
+    "permitted": Letter(r"\text{permitted}", "the parameters are finite and allowed"),
+    "finite": Letter(r"\text{finite}", "every number of the state is finite"),
+    "arrives": Letter(r"\text{arrives}", "there is an arrival on the surface"),
+    "unsure": Letter(r"\text{unsure}", "a decision about it lies within its error"),
+    "hit": Letter(r"\text{hit}", "the search has come to a root"),
+    "sure": Letter(r"\text{sure}", "and that root is certain"),
+    "met": Letter(r"\text{met}", "it is a root at which the ball comes in"),
+    "sunk": Letter(r"\text{sunk}", "the ball is on the other side than the search took it to be"),
+    "vague": Letter(r"\text{vague}", "it is to be looked at with smaller errors allowed"),
+    "certain": Letter(r"\text{certain}", "what was found is certain"),
+    "ends": Letter(r"\text{ends}", "the event is on the plane that ends a shot"),
+    "touches": Letter(r"\text{touches}", "the event is a contact"),
+}
+"""Of the event loop; the last are truths."""
+
+STUDIES = {
+    "slope": Letter("s", "tangent of the angle of release above the horizontal"),
+    "entry": Letter(
+        r"s^\downarrow", "tangent of the angle below the horizontal at the wanted point"
+    ),
+    "release_speed": Letter("v", "speed at release"),
+    "reach": Letter("D", "horizontal distance from the release to the wanted point"),
+    "rise": Letter("h", "height of the wanted point above the release"),
+    "level": Letter(r"\bar z", "height above the origin"),
+    "half": Letter(r"\eta", "half the width of an interval of time"),
+    "place_x": Letter("x_p", "place on the floor plan, x"),
+    "place_y": Letter("y_p", "place on the floor plan, y"),
+    "restitution": Letter("e", "restitution of the impact through the contact frame"),
+}
+"""Of what studies and readers ask."""
+
+ARGUMENTS: dict[str, Letter] = FLIGHTS | LOOP | STUDIES
+"""Every argument of a kernel that is neither a parameter nor of a kind of `_structured`."""
+
+
+def latex_name(name: str, words: frozenset[str] = frozenset()) -> str:
+    r"""Return the LaTeX of a symbol's name, such as ``\omega_x`` of ``wx``.
+
+    Parameters
+    ----------
+    name
+        Of a symbol of derive/, or of a kernel's output.
+    words
+        Names that stand for something else here, and are written as words.
+    """
+    if name in ARGUMENTS and name not in words:
+        return ARGUMENTS[name].latex
+    return structured(name) or text(name)
+
+
+def structured(name: str) -> str | None:
+    """Return the LaTeX of what is told by its form: components, errors, windows, coefficients."""
+    if name.endswith("_after"):
+        stem = structured(name.removesuffix("_after"))
+        return f"{stem}^+" if stem else None
+    match = re.fullmatch(r"d([vwn]?[xyz])", name)
+    if match:
+        return rf"\delta_{{{structured(match[1])}}}"
+    match = re.fullmatch(r"([vwn])([xyz]|[123]{1,2})", name)
+    if match:
+        return f"{match[1].replace('w', chr(92) + 'omega')}_{{{match[2]}}}"
+    match = re.fullmatch(r"(low|high)(\d)", name)
+    if match:
+        return rf"\{'under' if match[1] == 'low' else 'over'}line t_{match[2]}"
+    match = re.fullmatch(r"([a-z])(\d+)", name)
+    if match:
+        return f"{match[1]}_{{{match[2]}}}"
+    return name if len(name) == 1 else None
+
+
+def text(name: str) -> str:
+    """Return a name as words in a formula."""
+    return rf"\text{{{' '.join(name.split('_')).strip()}}}"
+
+
+class Letters:
+    """How the symbols of a scene are written.
+
+    Parameters
+    ----------
+    scene
+        None: parameters are written as words.
+    """
+
+    def __init__(self, scene: Scene | None = None) -> None:
+        self._parameters: Mapping[str, str] = (
+            {} if scene is None else {p.name: p.latex or text(p.name) for p in scene.parameters}
+        )
+
+    def __call__(self, symbol: sp.Symbol) -> str:
+        """Return the LaTeX of a symbol."""
+        name = str(symbol.name)
+        if isinstance(symbol, ParameterSymbol):
+            return self._parameters.get(name) or text(name)
+        return latex_name(name)

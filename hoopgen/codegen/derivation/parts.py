@@ -1,0 +1,193 @@
+"""What the page says of each surface: its polynomial, its closed form or its search."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+from sympy.core.sorting import default_sort_key
+
+from hoopgen.derive.flight.parabola import flight_polynomials
+from hoopgen.derive.ground.choice import Held, hold, release
+from hoopgen.derive.ground.polynomials import compose
+from hoopgen.derive.ground.symbols import POSITION
+from hoopgen.derive.scenes.scene import Scene
+from hoopgen.derive.search import approach
+from hoopgen.derive.search.approach import Approach
+from hoopgen.derive.search.events import event_coefficients
+from hoopgen.derive.search.plane import plane_arrival
+from hoopgen.derive.surfaces import Plane, Ring, Surface
+
+from .explain import Formulas, Line, explain, plainly
+from .latex import show
+from .letters import Letters, latex_name
+
+rho, reach = sp.symbols("rho R", positive=True)
+"""What formulas are shorter with: the distance from the axis, and two radii together."""
+
+
+@dataclass(frozen=True)
+class SurfaceText:
+    """A surface, and its event polynomial with its inner polynomials named."""
+
+    name: str
+    is_plane: bool
+    is_ring: bool
+    distance: Line
+    condition: Line
+    normal: str
+    bounds: tuple[Line, ...]
+    degree: int
+    polynomials: tuple[Line, ...]
+    coefficients: Formulas
+    arrival: Formulas
+
+
+@dataclass(frozen=True)
+class SearchText:
+    """The search of a curved surface."""
+
+    name: str
+    is_ring: bool
+    radius: str
+    named: Formulas
+    gap: Formulas
+    windows: Formulas
+    curvature: Formulas
+    advance: Formulas
+    margins: Formulas
+
+
+class Brief:
+    """Expressions with R for two radii together and rho for the distance from the axis."""
+
+    def __init__(self, scene: Scene, letters: Letters) -> None:
+        x, y, _ = POSITION
+        self.letters = letters
+        self.names = {rho: r"\rho", reach: "R"}
+        self.definitions = [Line(r"\rho", (show(sp.sqrt(x**2 + y**2)),), sp.sqrt(x**2 + y**2))]
+        self.known: dict[sp.Basic, str] = {}
+        self._square = x**2 + y**2
+        self._other: dict[sp.Expr, sp.Expr] = {}
+        for surface in scene.surfaces:
+            radii = getattr(surface, "reach", None)
+            if isinstance(surface, Ring) and radii is not None and len(radii.args) == 2:
+                (other,) = radii.free_symbols - {scene.ball_radius}
+                self._other = {other: reach - scene.ball_radius}
+                self.definitions.append(Line("R", (show(radii, None, letters),), radii))
+        self.known |= {line.means: line.left for line in self.definitions}
+
+    def __call__(self, expression: sp.Expr) -> sp.Expr:
+        """Return the expression in brief."""
+        return expression.subs(self._other).subs(self._square, rho**2)
+
+    def show(self, expression: sp.Expr | sp.Matrix) -> str:
+        """Return the LaTeX of an expression in brief, with nothing held."""
+        return show(self(release(expression)), self.names, self.letters)
+
+    def line(self, left: str, expression: sp.Expr) -> Line:
+        """Return an equation in brief."""
+        return Line(left, (self.show(expression),), expression)
+
+
+def _inner_sums(condition: sp.Expr) -> list[sp.Expr]:
+    """Return the outermost sums within a condition that depend on the position."""
+    found: list[sp.Expr] = []
+
+    def visit(expression: sp.Expr) -> None:
+        for argument in sorted(expression.args, key=default_sort_key):
+            if argument.is_Add and argument.free_symbols & set(POSITION):
+                found.extend([argument] if argument not in found else [])
+            else:
+                visit(argument)
+
+    visit(condition)
+    return found
+
+
+def _polynomial(
+    surface: Surface, gravity: sp.Expr, brief: Brief
+) -> tuple[tuple[Line, ...], tuple[Line, ...], tuple[Line, ...]]:
+    """Return the inner polynomials of a condition, their coefficients, and its own in theirs."""
+    condition = release(surface.condition)
+    paths: dict[sp.Symbol, list[sp.Expr]] = dict(flight_polynomials(gravity))
+    named, inner, polynomials = {}, [], []
+    ordered = sorted(_inner_sums(condition), key=lambda e: -len(compose(e, paths)))
+    for letter, part in zip("SPQUV", ordered, strict=False):
+        coefficients = compose(part, paths)
+        named[part] = sp.Symbol(letter, real=True)
+        paths[named[part]] = [
+            sp.Symbol(f"{letter}{k}", real=True) for k in range(len(coefficients))
+        ]
+        polynomials.append(brief.line(f"{letter}(t)", part))
+        inner += [brief.line(f"{letter}_{{{k}}}", c) for k, c in enumerate(coefficients)]
+    rows = means = event_coefficients(surface, gravity)
+    if named:
+        rows = compose(condition.xreplace(named), paths)
+    parts = (symbol for letter in named.values() for symbol in paths[letter])
+    names = {symbol: f"{symbol.name[0]}_{{{symbol.name[1:]}}}" for symbol in parts}
+    lines = tuple(
+        Line(f"c_{{{k}}}", (show(brief(release(c)), brief.names | names, brief.letters),), means[k])
+        for k, c in enumerate(rows)
+    )
+    return tuple(polynomials), tuple(inner), lines
+
+
+def surface_text(surface: Surface, gravity: sp.Expr, brief: Brief) -> SurfaceText:
+    """Return what the page says of a surface."""
+    polynomials, inner, coefficients = _polynomial(surface, gravity, brief)
+    arrival = Formulas(())
+    if isinstance(surface, Plane):
+        outputs = {latex_name(name): e for name, e in plane_arrival(surface, gravity).items()}
+        arrival = explain(outputs, {}, brief.letters)
+    return SurfaceText(
+        surface.name,
+        isinstance(surface, Plane),
+        isinstance(surface, Ring),
+        brief.line("", surface.distance),
+        brief.line("", surface.condition),
+        brief.show(surface.normal.T),
+        tuple(brief.line("", bound) for bound in surface.bounds),
+        len(coefficients) - 1,
+        polynomials,
+        Formulas(coefficients, inner, brief.known),
+        arrival,
+    )
+
+
+def known(search: Approach) -> dict[sp.Basic, str]:
+    """Return the names of what the head of a search defines, held or not."""
+    names: dict[sp.Basic, str] = {}
+    for latex, e in search.named.items():
+        bare = e.args[0] if isinstance(e, Held) else e
+        names |= dict.fromkeys((e, hold(bare), hold(bare, latex)), latex)
+    return names
+
+
+def search_text(surface: Surface, gravity: sp.Expr, letters: Letters) -> SearchText:
+    """Return what the page says of the search of a curved surface."""
+    search: Approach = approach(surface, gravity)
+    names = known(search)
+    slopes = {"F": search.gap, "F'": search.rate, "F''": search.bend, r"F_\ell": search.leaving_gap}
+    slopes |= {latex_name(name): e for name, e in search.constants.items()}
+    windows: dict[str, sp.Basic] = {}
+    for k, (low, high) in enumerate(search.windows):
+        windows |= {latex_name(f"low{k}"): low, latex_name(f"high{k}"): high}
+    width = sp.Symbol("w", nonnegative=True)
+    advance = search.advance()
+    forms = {"F": search.gap, r"F_\ell": search.leaving_gap, "F'": search.rate}
+    gaps = {hold(e, latex): latex for latex, e in forms.items()}
+    margins = {latex_name(name): e for name, e in search.margins.items()}
+    bound = {"M(w)": search.curvature(width), "C": search.ceiling}
+    steps = {latex_name(name): advance[name] for name in ("step", "clearance")}
+    return SearchText(
+        surface.name,
+        isinstance(surface, Ring),
+        show(surface.ring_radius, None, letters) if isinstance(surface, Ring) else "",
+        explain(search.named, names, letters),
+        plainly(slopes, names, letters),
+        explain(windows, names, letters),
+        explain(bound, names, letters),
+        explain(steps, names | gaps, letters),
+        explain(margins, names, letters),
+    )
