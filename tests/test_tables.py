@@ -172,6 +172,47 @@ def test_what_is_measured_is_no_variable(measure: str, suffix: str) -> None:
     assert list(columns_of([*FREE_THROW, measure + suffix])) == RELEASE
 
 
+NEARLY = {
+    "azimut_deg": "azimuth",
+    "back_spin_hz": "backspin",
+    "Side Spin (rpm)": "sidespin",
+    "hight_ft": "height",
+    "azimuth [deg]": "azimuth",
+    "restitutoin": "restitution",
+    "ring_raduis_in": "ring_radius",
+    "release_azimuth_deg": "azimuth",
+    "v_x": "vx",
+}
+
+
+@pytest.mark.parametrize("name", NEARLY)
+def test_a_column_that_nearly_names_a_variable_is_asked_about(name: str) -> None:
+    variable = NEARLY[name]
+    others = [other for other in FREE_THROW if not other.startswith(variable)]
+    with pytest.raises(ValueError, match=r"nearly names \w+") as raised:
+        columns_of([*others, name])
+    said = str(raised.value)
+    assert f"column {name} nearly names {variable}: " in said
+    assert "--own " in said
+    if variable not in RELEASE:
+        assert list(columns_of([*FREE_THROW, name], own=[name])) == RELEASE
+
+
+@pytest.mark.parametrize(
+    "name",
+    "weight weight_lb player game_id shot_id made team time time_s date season quarter spin side "
+    "defender_distance_ft shooter_height_in shot_distance_ft arc angel sp eed aims high low shots "
+    "outcome first kind contacts end_x_m sd_speed_m_s correlation_speed_elevation seed source "
+    "probability release_time_s release_id ball ring note entry_angle_rad".split(),
+)
+def test_a_column_with_another_word_is_let_alone(name: str) -> None:
+    assert list(columns_of([*FREE_THROW, name])) == RELEASE
+
+
+def test_what_another_column_says_is_not_asked_about() -> None:
+    assert list(columns_of([*FREE_THROW, "hight_ft", "speed (mph)"])) == RELEASE
+
+
 def test_what_is_given_elsewhere_is_neither_read_nor_missed() -> None:
     found = columns_of(["speed", "elevation_deg", "height_ft"], given=["height", "distance"])
     assert list(found) == ["speed", "elevation"]

@@ -11,10 +11,11 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from shlex import quote
 from types import MappingProxyType
 from typing import TypeAlias
 
@@ -32,6 +33,7 @@ from hoopgen.units import NO_BARE, UNITS, Kind, column_name, unit_size
 
 from .measures import MEASURES
 from .models import from_columns
+from .near import near_variable
 from .variables import STATE, VARIABLES, check_angles
 
 __all__ = ["FORMATS", "NAMED", "Column", "Source", "Stamp", "columns_of", "values", "variable_of"]
@@ -119,7 +121,8 @@ def columns_of(
     ------
     ValueError
         If a column's unit is unknown or needed and not there, two say the same, states and
-        releases are mixed, or something is missing.
+        releases are mixed, something is missing, or a name is nearly that of a variable which no
+        column says.
     """
     found: dict[str, Column] = {}
     names = list(table.names if isinstance(table, pa.Schema) else table)
@@ -139,6 +142,7 @@ def columns_of(
             if unit is None and not old:
                 raise ValueError(_no_unit(column, variable))
             found[variable] = Column(column, 1.0 if unit is None else unit)
+    _ask(names, {*own, *(column.name for column in found.values())}, {*found, *given})
     _check(found, given, names)
     return found
 
@@ -177,6 +181,20 @@ def _no_unit(column: str, variable: str) -> str:
         f"column {column} has no unit: name it {', '.join(others)} or {last}. "
         "If it is a column of your own, list it in own"
     )
+
+
+def _ask(names: Sequence[str], clear: Container[str], said: Container[str]) -> None:
+    """Refuse a column that is likely meant for a variable which nothing else says."""
+    for column in names:
+        variable = "" if column in clear else near_variable(column, _KINDS)
+        if variable and variable not in said:
+            kind = _KINDS[variable]
+            spelled = column_name(variable, next(iter(NO_BARE.get(kind, UNITS[kind]))))
+            raise ValueError(
+                f"column {cut(column)} nearly names {variable}: is it meant? Name it with its "
+                f"unit, such as {spelled}; if it is a column of your own, list it in own "
+                f"(--own {quote(column)})"
+            )
 
 
 def _is_old(schema: pa.Schema) -> bool:
