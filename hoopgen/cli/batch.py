@@ -20,7 +20,8 @@ m/s; an angle or a spin needs its unit:
   releases    speed_mph elevation_deg azimuth_deg backspin_hz height_ft distance ...
   or states   x y z vx vy vz wx_rad_s wy_rad_s wz_rad_s, x_ft, vx_ft_s, wy_rpm ...
   and         ring_radius_in restitution ..., which change the scene of that row
-All others are kept as they are. A row with no number where one is needed is invalid.
+All others are kept as they are. A row with no number where one is needed is invalid. In CSV with
+semicolons or tabs, numbers may have decimal commas.
 
 """
 
@@ -49,6 +50,11 @@ All others are kept as they are. A row with no number where one is needed is inv
     help="Add a column: depth, entry_angle, apex ...; may be repeated.",
 )
 @click.option("--prefix", default="", help="Of the names of the results.")
+@click.option(
+    "--delimiter",
+    metavar="CHARACTER",
+    help="Between the cells of CSV, ; or tab; by default as its first line says.",
+)
 @threads_option
 @scheduler_option
 def batch(file: Path, out: Path, release: Mapping[str, float], **options: Any) -> None:

@@ -92,6 +92,7 @@ def batch(
     format: str | None = None,
     own: Sequence[str] = (),
     prefix: str = "",
+    delimiter: str | None = None,
     rows: int = ROWS,
     scheduler: str | None = None,
     threads: int | None = None,
@@ -112,8 +113,9 @@ def batch(
         or the states; and parameters of the scene, in place of those below. A row with no number
         where one is needed becomes INVALID.
     out
-        Parquet: the columns of `source` as they are, those of CSV as text (also text that a
-        spreadsheet would take for a formula, such as ``=1+1``); and after them outcome,
+        Parquet: the columns of `source` as they are; of CSV those that are read as numbers, null
+        where a cell is none, and others with the type that all of their cells have
+        (`hoopgen.study.tables.Source.typed`). After them outcome,
         kind (see `hoopgen.study.measures.Kind`), contacts, contacts by surface, first surface
         touched, time and state at the end plane (NaN for a shot that does not come to it),
         uncertain, and what is measured. Units are in the columns' names, ``end_time_s``, and in the
@@ -136,6 +138,9 @@ def batch(
         Columns of `source` that are not to be read, though they are named like variables.
     prefix
         Of the names of the results, where `source` has columns of the same name.
+    delimiter
+        Between the cells of CSV, ";" or "tab"; by default as its first line says. Where it is no
+        comma, numbers may have decimal commas.
     rows
         In a chunk.
     scheduler, threads, progress, report
@@ -155,7 +160,7 @@ def batch(
     OSError
         If `source` cannot be read or `out` not written.
     """
-    table, target = Source(Path(source), format or ""), Path(out)
+    table, target = Source(Path(source), format or "", delimiter or ""), Path(out)
     if target.suffix.lower() not in FORMATS["parquet"]:
         raise ValueError(f"out: expected a file {' or '.join(FORMATS['parquet'])}, got {target}")
     target = followed(target)  # which the parts lie beside: on its file system
@@ -181,7 +186,8 @@ def batch(
     stamp = table.stamp()
     columns = table.columns(origin.own, shots.release)
     scene = say_scene(origin.parameters, columns)
-    schema = _schema(table, shots, columns, prefix, origin.metadata(scene))
+    types = table.typed(columns)
+    schema = _schema(table, types, shots, columns, prefix, origin.metadata(scene))
     digest, count = table.digest()
     work = _Rows(table, columns, shots, rows, digest, count, stamp)
     outcomes = np.zeros(len(Outcome), np.int64)
@@ -198,7 +204,8 @@ def batch(
                 report=report,
             )
             for results in chunks:
-                cells = [*work.read.popleft().columns, *results.columns]
+                kept = table.cast(work.read.popleft(), types)
+                cells = [*kept.columns, *results.columns]
                 writer.write_table(pa.Table.from_arrays(cells, schema=schema), rows)
                 outcomes += _by_outcome(results["outcome"])
             table.check_unchanged(stamp)  # its own columns were read until now
@@ -221,13 +228,13 @@ def _numbers(name: str, values: Mapping[str, Any]) -> dict[str, float]:
 
 def _schema(
     table: Source,
+    given: pa.Schema,
     shots: _Shots,
     columns: Mapping[str, Column],
     prefix: str,
     about: Mapping[bytes, bytes],
 ) -> pa.Schema:
     """Return that of the file of results; arguments that shots cannot have are refused here."""
-    given = table.schema()
     read = pa.schema([given.field(column.name) for column in columns.values()])
     results = [
         column.with_name(prefix + column.name)
@@ -281,8 +288,9 @@ class _Rows:
 
     def identity(self) -> dict[str, Any]:
         """Return all that the results depend on."""
+        between = {"delimiter": self.table.between} if self.table.format == "csv" else {}
         return {
-            "source": {"digest": self.digest, "format": self.table.format},
+            "source": {"digest": self.digest, "format": self.table.format, **between},
             "columns": {name: column.name for name, column in self.columns.items()},
             "rows": self.rows,
             **asdict(self.shots),
