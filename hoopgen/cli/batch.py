@@ -32,6 +32,7 @@ semicolons or tabs, numbers may have decimal commas.
         "hoopgen batch releases.csv --out results.parquet",
         "hoopgen batch releases.csv --out results.parquet --release height=7ft \\",
         "    --release distance=13.75ft --preset nba --measure depth --measure entry_angle",
+        "hoopgen batch releases.csv --out results.csv --reason",
         "hoopgen batch states.arrow --out results.parquet --scheduler tcp://10.0.0.1:8786",
     )
 )
@@ -39,7 +40,7 @@ semicolons or tabs, numbers may have decimal commas.
     "--out",
     type=OUT,
     required=True,
-    help="Parquet: the table with its results, in the same order.",
+    help="Parquet or CSV: the table with its results, in the same order.",
 )
 @table_options
 @click.option(
@@ -55,6 +56,7 @@ semicolons or tabs, numbers may have decimal commas.
     metavar="CHARACTER",
     help="Between the cells of CSV, ; or tab; by default as its first line says.",
 )
+@click.option("--reason", is_flag=True, help="Add a column: why a row is invalid.")
 @threads_option
 @scheduler_option
 def batch(file: Path, out: Path, release: Mapping[str, float], **options: Any) -> None:
@@ -71,3 +73,9 @@ def batch(file: Path, out: Path, release: Mapping[str, float], **options: Any) -
     counts = [f"{count:,} {name}" for name, count in outcomes.items()]
     click.echo(f"{counted(sum(outcomes.values()), 'shot')}: {', '.join(counts)}; in {out}")
     click.echo(f"scene: {outcomes.scene}")
+    click.echo(f"read {outcomes.read}")
+    for row, reason in outcomes.invalid:
+        click.echo(f"invalid: row {row}: {reason}")
+    more = outcomes["invalid"] - len(outcomes.invalid)
+    if more:
+        click.echo(f"invalid: and {more:,} more; --reason writes why into a column")

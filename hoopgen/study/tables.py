@@ -2,8 +2,8 @@
 
 The unit is in the column's name: ``speed_mph``, ``elevation_deg``, ``height_ft``; SI where none is,
 but an angle or a spin has its unit there. CSV is read as `hoopgen.study.delimited` says. Reading is
-by pyarrow, and holds a few blocks in memory, whatever the file's size; of Arrow, record batches as they were written. What was read is validated
-before it is looked at.
+by pyarrow, and holds a few blocks in memory, whatever the file's size; of Arrow, record batches as
+they were written. What was read is validated before it is looked at.
 """
 
 from __future__ import annotations
@@ -191,7 +191,7 @@ def _ask(names: Sequence[str], clear: Container[str], said: Container[str]) -> N
             raise ValueError(
                 f"column {cut(column)} nearly names {variable}: is it meant? Name it with its "
                 f"unit, such as {spelled}; if it is a column of your own, list it in own "
-                f"(--own {quote(column)})"
+                f"(--own {quote(cut(column))})"
             )
 
 
@@ -276,6 +276,8 @@ class Source:
     delimiter
         Of CSV, one character; by default as its first line says. Where it is no comma, a comma in a
         number is a decimal one.
+    label
+        What errors call it; by default its path.
 
     Raises
     ------
@@ -286,6 +288,10 @@ class Source:
     path: Path
     format: str = ""
     delimiter: str = ""
+    label: str = ""
+
+    def __str__(self) -> str:
+        return self.label or str(self.path)
 
     def __post_init__(self) -> None:
         suffixes = {suffix: name for name, listed in FORMATS.items() for suffix in listed}
@@ -402,7 +408,7 @@ class Source:
         """
         if self.stamp() != stamp:
             raise ValueError(
-                f"{self.path}: changed while it was read; begin again when nobody writes to it"
+                f"{self}: changed while it was read; begin again when nobody writes to it"
             )
 
     @contextmanager
@@ -424,15 +430,15 @@ class Source:
             yield
         except OSError as error:
             if error.errno is None:  # Arrow's word for damage
-                raise ValueError(f"{self.path}: {cut(str(error), _SAID)}") from error
+                raise ValueError(f"{self}: {cut(str(error), _SAID)}") from error
             raise OSError(error.errno, os.strerror(error.errno), str(self.path)) from error
         except MemoryError as error:  # of a length that no file has, or of one that is too long
             said = f"damaged, or larger than the memory: {error or 'there is no more'}"
-            raise ValueError(f"{self.path}: {said}") from error
+            raise ValueError(f"{self}: {said}") from error
         except (pa.ArrowException, SystemError) as error:
-            raise ValueError(f"{self.path}: {cut(str(error), _SAID)}") from error
+            raise ValueError(f"{self}: {cut(str(error), _SAID)}") from error
         except ValueError as error:
-            raise ValueError(f"{self.path}: {error}") from error
+            raise ValueError(f"{self}: {error}") from error
 
 
 _Read: TypeAlias = tuple[pa.Schema, Iterable[pa.RecordBatch]]
