@@ -15,21 +15,17 @@ from typing import Any
 
 import numpy as np
 import pyarrow as pa
-import pyarrow.ipc
-import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
 from hoopgen.brief import listed
 from hoopgen.inputs import check_count, doubles
-from hoopgen.installed import need
-from hoopgen.notebook import table as rendered
 from hoopgen.outputs import check_output, followed
 from hoopgen.parameters import resolve
-from hoopgen.phrases import counted
 from hoopgen.releases import from_zero
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
 
+from .batched import Batch, in_memory
 from .chunks import opened, run, written
 from .frames import sourced
 from .measures import MEASURES, Kind, kinds, measure
@@ -43,76 +39,6 @@ from .told import say_scene
 from .variables import STATE, VARIABLES, Releases, check_angles, check_names
 
 __all__ = ["ROWS", "Batch", "batch"]
-
-
-class Batch(dict[str, int]):
-    """Number of shots by outcome, in lower case; and where the results are.
-
-    Attributes
-    ----------
-    path
-        The file written; None for results in memory.
-    scene
-        In words: the preset, what differs from it, and what is each row's own.
-    read
-        In words: which column was read as which variable.
-    invalid
-        The first five rows that are: their numbers, from 1 and without a header, and reasons.
-    """
-
-    def __init__(
-        self,
-        counts: Mapping[str, int],
-        path: Path | None,
-        scene: str = "",
-        read: str = "",
-        invalid: Sequence[tuple[int, str]] = (),
-        table: pa.Table | None = None,
-    ) -> None:
-        super().__init__(counts)
-        self.path = path
-        self.scene = scene
-        self.read = read
-        self.invalid = tuple(invalid)
-        self._table = table
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        about = (self.path, self.scene, self.read, self.invalid, self._table)
-        return type(self), (dict(self), *about)
-
-    def to_arrow(self) -> pa.Table:
-        """Return the rows with their results as a pyarrow.Table, which Polars takes too.
-
-        Raises
-        ------
-        OSError
-            If the file is not there any more.
-        """
-        if self._table is not None:
-            return self._table
-        assert self.path is not None  # the one or the other
-        if self.path.suffix.lower() == ".csv":
-            table = Source(self.path)
-            types = table.typed({})
-            return pa.concat_tables(table.cast(part, types) for part in table.tables(ROWS))
-        return pq.read_table(self.path, partitioning=None)
-
-    def to_pandas(self) -> Any:
-        """Return the rows with their results as a pandas.DataFrame.
-
-        Raises
-        ------
-        ImportError
-            If pandas is missing: what brings it.
-        """
-        need("pandas", "to_pandas")
-        return self.to_arrow().to_pandas()
-
-    def _repr_html_(self) -> str:
-        where = "memory" if self.path is None else self.path
-        about = f"{counted(sum(self.values()), 'shot')} in {where}; {self.scene}"
-        rows = [(name, f"{count:,}") for name, count in self.items()]
-        return rendered(about, ("outcome", "shots"), rows)
 
 
 SHOWN = 5
@@ -256,7 +182,7 @@ def batch(
             scene,
             read=told + (", with decimal commas" if table.comma else ""),
             invalid=tuple(results.invalid),
-            table=_in_memory(target) if out is None else None,
+            table=in_memory(target) if out is None else None,
         )
 
 
@@ -276,11 +202,6 @@ def _target(out: str | os.PathLike[str] | None, table: Source) -> Iterator[Path]
     if target.exists() and not target.is_file():
         raise ValueError(f"out: expected a file, which can be moved into its place; got {target}")
     yield target
-
-
-def _in_memory(file: Path) -> pa.Table:
-    with pa.OSFile(str(file)) as stream:
-        return pa.ipc.open_stream(stream).read_all()
 
 
 def _numbers(name: str, values: Mapping[str, Any]) -> dict[str, float]:
