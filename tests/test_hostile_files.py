@@ -240,8 +240,8 @@ def test_text_is_kept_as_it_is_and_is_in_no_csv_of_ours(tmp_path: Path) -> None:
     table = tmp_path / "ours.csv"
     placed = ["--height", "7ft", "--distance", "4m"]
     for command in (
-        ["map", "--over", "speed=6:8:2", "--over", "elevation=45:60:2", "--out", str(table)],
-        ["aim", "--entry", "45", "--backspin=-1Hz", "--csv", str(table)],
+        ["map", "--over", "speed=6:8:2", "--over", "elevation=45deg:60deg:2", "--out", str(table)],
+        ["aim", "--entry", "45deg", "--backspin=-1Hz", "--csv", str(table)],
     ):
         result = CliRunner().invoke(main, [*command, *placed])
         assert result.exit_code == 0, result.stderr

@@ -72,10 +72,10 @@ def batch(file: Path, out: Path, release: Mapping[str, float], **options: Any) -
         outcomes = hoopgen.batch(file, out, release=release, progress=progress, **options)
     counts = [f"{count:,} {name}" for name, count in outcomes.items()]
     click.echo(f"{counted(sum(outcomes.values()), 'shot')}: {', '.join(counts)}; in {out}")
-    click.echo(f"scene: {outcomes.scene}")
     click.echo(f"read {outcomes.read}")
     for row, reason in outcomes.invalid:
         click.echo(f"invalid: row {row}: {reason}")
     more = outcomes["invalid"] - len(outcomes.invalid)
     if more:
         click.echo(f"invalid: and {more:,} more; --reason writes why into a column")
+    click.echo(f"scene: {outcomes.scene}")

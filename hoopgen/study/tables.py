@@ -133,7 +133,7 @@ def columns_of(
         variable, unit = ("", None) if column in own else variable_of(column)
         if variable in found:
             raise ValueError(
-                f"columns {found[variable].name} and {column} both say {variable}; "
+                f"columns {cut(found[variable].name)} and {cut(column)} both say {variable}; "
                 "keep one, or list the other in own"
             )
         if variable and variable not in given:
@@ -167,7 +167,8 @@ def variable_of(column: str) -> tuple[str, float | None]:
         bare = [] if kind in NO_BARE else [name]
         allowed = dict.fromkeys([*bare, *(column_name(name, one) for one in UNITS[kind])])
         raise ValueError(
-            f"column {column}: {unit} is no unit of {name}; expected {', '.join(allowed)}. "
+            f"column {cut(column)}: {cut(unit)} is no unit of {name}; "
+            f"expected {', '.join(allowed)}. "
             "If it is a column of your own, list it in own"
         )
     return "", None
@@ -176,7 +177,7 @@ def variable_of(column: str) -> tuple[str, float | None]:
 def _no_unit(column: str, variable: str) -> str:
     *others, last = (column_name(variable, unit) for unit in NO_BARE[_KINDS[variable]])
     return (
-        f"column {column} has no unit: name it {', '.join(others)} or {last}. "
+        f"column {cut(column)} has no unit: name it {', '.join(others)} or {last}. "
         "If it is a column of your own, list it in own"
     )
 
