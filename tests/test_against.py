@@ -22,7 +22,7 @@ pytestmark = pytest.mark.xdist_group("against")  # HEAD is built once
 BY_KEY = {family.key: family for family in FAMILIES}
 
 ALTERED = """
-_simulate = simulate
+from hoopgen.simulation import simulate as _simulate
 
 
 def simulate(*arguments, backend, record, **options):
@@ -81,7 +81,7 @@ def test_one_bit_and_one_event_are_found(home: Path, tmp_path: Path) -> None:
 
 def test_a_width_that_is_not_there_is_not_among_the_engines(home: Path) -> None:
     with base.Process("base", home) as one:
-        assert "c 16" not in one.ask("engines")
+        assert "c 2" not in one.ask("engines")
 
 
 def test_a_contender_comes_from_its_own_folder(home: Path, tmp_path: Path) -> None:

@@ -137,9 +137,7 @@ def test_results_are_those_of_the_shots_row_by_row(source: Path, tmp_path: Path)
 
 
 @pytest.mark.parametrize("name", ["throws.csv", "throws.arrow"])
-def test_formats_differ_in_nothing_but_the_text_of_csv(
-    name: str, source: Path, tmp_path: Path
-) -> None:
+def test_formats_differ_in_nothing(name: str, source: Path, tmp_path: Path) -> None:
     table = pa.table(throws())
     if name.endswith("csv"):
         pa.csv.write_csv(table, tmp_path / name)
@@ -152,7 +150,8 @@ def test_formats_differ_in_nothing_but_the_text_of_csv(
     results = ours.column_names[len(table.column_names) :]
     same(theirs.select(results), ours.select(results))
     own = theirs.select(table.column_names)
-    assert own == (table.cast(own.schema) if name.endswith("csv") else table)
+    assert own.schema.types == table.schema.types
+    assert own == table
 
 
 def test_states_are_simulated_as_they_are(tmp_path: Path) -> None:
@@ -421,7 +420,7 @@ def test_a_full_disk_is_told_and_the_old_file_stays(
         ),
         ({"own": ["who"]}, "own: no column who"),
         ({"format": "xls"}, "format: expected one of csv, parquet, arrow"),
-        ({"out": "out.csv"}, r"out: expected a file \.parquet or \.pq, got .*out\.csv"),
+        ({"out": "out.nc"}, r"out: expected a file \.parquet or \.pq or \.csv, got .*out\.nc"),
         ({"out": "throws.parquet"}, r"out: .* is the source"),
         ({"out": "none/out.parquet"}, "out: there is no folder .*none"),
     ],
@@ -445,6 +444,150 @@ def test_columns_named_like_results_need_a_prefix(source: Path, tmp_path: Path) 
     result = read(out)
     assert result.select(table.column_names) == table
     assert {"hoopgen_outcome", "hoopgen_depth_m", "hoopgen_end_x_m"} < {*result.column_names}
+
+
+# Reasons
+
+WRONG = {
+    "speed,elevation_deg,restitution,height\n": "",
+    "7.1,52,0.7,2.1\n": "",
+    "fast,,0.7,2.1\n": "no number in speed: 'fast'; no value in elevation_deg",
+    "inf,52,0.7,2.1\n": "not finite: speed",
+    "7.1,52,1.5,2.1\n": "parameter not allowed: restitution 1.5",
+    "7.1,52,0.7,3.048\n": "inside the ring",
+    "7.1,52,,2.1\n": "no value in restitution",
+    "1e308,52,0.7,1e308\n": "",
+    "nan,52,0.7,2.1\n": "no value in speed",
+}
+RING = {"distance": float(hoopgen.PAPER["ring_radius"])}
+
+
+def test_rows_that_are_invalid_are_listed_and_say_why(tmp_path: Path) -> None:
+    (tmp_path / "t.csv").write_text("".join(WRONG), encoding="utf-8")
+    expected = list(WRONG.values())[1:]
+    for rows in (2, 100):
+        out = tmp_path / f"{rows}.parquet"
+        given: dict[str, Any] = {"release": RING, "rows": rows}
+        result = hoopgen.batch(tmp_path / "t.csv", out, reason=True, **given)
+        told = [text or "" for text in names(read(out)["reason"])]
+        invalid = [name == "invalid" for name in names(read(out)["outcome"])]
+        assert [bool(text) for text in told] == invalid
+        assert [text for text, known in zip(told, expected, strict=True) if known] == [
+            *filter(None, expected)
+        ]
+        listed = [(row, text) for row, text in enumerate(told, 1) if text]
+        assert result.invalid == tuple(listed[:5])
+        without = hoopgen.batch(tmp_path / "t.csv", out, **given)
+        assert without.invalid == result.invalid
+        assert "reason" not in read(out).column_names
+
+
+def test_an_aim_that_no_speed_reaches_is_a_reason() -> None:
+    table = pa.table({"aim": [0.0, -9.0], "elevation_deg": [52.0, 52.0]})
+    result = hoopgen.batch(table, release=PLACE, reason=True)
+    assert result.invalid == ((2, "no speed brings the ball down through the point aimed at"),)
+
+
+def test_the_command_says_what_was_read_and_what_is_invalid(tmp_path: Path) -> None:
+    (tmp_path / "t.csv").write_text(
+        "id;speed_mph;elevation_deg\n01;16,1;52\n" + "02;x;52\n" * 7, encoding="utf-8"
+    )
+    place = ["--release", "height=7ft", "--release", "distance=13.75ft"]
+    result = run(tmp_path / "t.csv", "--out", tmp_path / "out.csv", *place, "--reason")
+    assert result.exit_code == 0, result.output
+    lines = result.stdout.splitlines()[1:-1]
+    assert lines[0] == "read speed_mph as speed, elevation_deg as elevation, with decimal commas"
+    assert lines[1] == "invalid: row 2: no number in speed_mph: 'x'"
+    assert lines[5:] == [
+        "invalid: row 6: no number in speed_mph: 'x'",
+        "invalid: and 2 more; --reason writes why into a column",
+    ]
+
+
+# Tables in memory, and CSV out
+
+
+class Foreign:
+    """A table of which nothing is known but that it speaks Arrow, as Polars' do."""
+
+    def __init__(self, table: Any) -> None:
+        self._table = table
+
+    def __arrow_c_stream__(self, requested_schema: Any = None) -> Any:
+        return self._table.__arrow_c_stream__(requested_schema)
+
+
+@pytest.mark.parametrize("kind", ["pandas", "arrow", "foreign"])
+def test_tables_in_memory_give_what_files_do(kind: str, source: Path, tmp_path: Path) -> None:
+    hoopgen.batch(source, tmp_path / "a.parquet", release=PLACE, rows=60)
+    table = pa.table(throws())
+    if kind == "pandas":
+        pytest.importorskip("pandas")
+    words = table.schema.get_field_index("player")
+    viewed = table.set_column(words, "player", table["player"].cast(pa.string_view()))
+    given = {"arrow": lambda: table, "foreign": lambda: Foreign(viewed), "pandas": table.to_pandas}
+    result = hoopgen.batch(given[kind](), release=PLACE, rows=60)
+    assert result.path is None
+    same(result.to_arrow(), read(tmp_path / "a.parquet"))
+    written = hoopgen.batch(given[kind](), tmp_path / "b.parquet", release=PLACE)
+    assert dict(written) == dict(result)
+    same(read(tmp_path / "b.parquet"), read(tmp_path / "a.parquet"))
+    if kind == "pandas":
+        assert len(result.to_pandas()) == ROWS
+    assert {file.name for file in tmp_path.iterdir()} == {source.name, "a.parquet", "b.parquet"}
+
+
+def test_what_is_no_table_is_refused() -> None:
+    with pytest.raises(TypeError, match="source: expected a file, or a table of pandas"):
+        hoopgen.batch([1, 2], release=PLACE)
+    with pytest.raises(ValueError, match=r"^the table: variables: missing height"):
+        hoopgen.batch(pa.table({"speed": [7.0], "elevation_deg": [52.0]}))
+    with pytest.raises(ValueError, match="format, delimiter: a table in memory has none"):
+        hoopgen.batch(pa.table(throws(3)), release=PLACE, format="csv")
+
+
+def test_csv_of_results_can_be_read_again(source: Path, tmp_path: Path) -> None:
+    scene = hoopgen.NBA | {"gravity": 9.8}
+    given: dict[str, Any] = {"release": PLACE, "parameters": scene, "measures": list(MEASURES)}
+    hoopgen.batch(source, tmp_path / "a.parquet", rows=60, **given)
+    written = hoopgen.batch(source, tmp_path / "a.csv", rows=60, **given)
+    ours, theirs = read(tmp_path / "a.parquet"), written.to_arrow()
+    for name in ours.column_names:
+        if not pa.types.is_floating(ours[name].type):
+            wanted = [None if cell == "" else cell for cell in theirs[name].to_pylist()]
+            assert ours[name].to_pylist() == wanted
+        else:
+            numbers = theirs[name].to_numpy().astype(float)
+            np.testing.assert_array_equal(numbers, ours[name].to_numpy())
+    again = hoopgen.batch(tmp_path / "a.csv", prefix="again_")
+    assert dict(again) == dict(written)
+    table = again.to_arrow()
+    for name in ("kind", "contacts", "end_time_s", "end_wy_rad_s"):
+        theirs_again = [cell or None for cell in table[f"again_{name}"].to_pylist()]
+        if name in ("kind", "contacts"):
+            assert theirs_again == [cell or None for cell in ours[name].to_pylist()]
+        else:
+            # A constant in a column is the same double; so are the shots.
+            np.testing.assert_array_equal(table[f"again_{name}"].to_numpy(), ours[name].to_numpy())
+
+
+def test_csv_is_the_same_bytes_whatever_computes(source: Path, tmp_path: Path) -> None:
+    for name, threads in (("a", 1), ("b", 2)):
+        hoopgen.batch(source, tmp_path / f"{name}.csv", release=PLACE, threads=threads, rows=60)
+    assert (tmp_path / "a.csv").read_bytes() == (tmp_path / "b.csv").read_bytes()
+    assert len(list(tmp_path.iterdir())) == 3
+
+
+def test_what_csv_cannot_say_is_refused_before_the_work(tmp_path: Path) -> None:
+    lists = pa.table({**throws(3), "path": [[1.0], [], None]})
+    both = pa.table({**throws(3), "height_ft": [7.0] * 3})
+    for table, said in [
+        (lists, "the table: CSV has no such column: "),
+        (both, "out: CSV has what all rows share in columns, and the table has height_ft already"),
+    ]:
+        with pytest.raises(ValueError, match=said):
+            hoopgen.batch(table, tmp_path / "out.csv", release=PLACE)
+    assert not list(tmp_path.iterdir())
 
 
 # The command
@@ -504,6 +647,16 @@ def test_the_command_fails_in_one_line(source: Path, tmp_path: Path) -> None:
 class _Terminal(io.StringIO):
     def isatty(self) -> bool:
         return True
+
+
+def test_the_command_is_told_the_delimiter(tmp_path: Path) -> None:
+    (tmp_path / "t.csv").write_text("a;a;a|speed|elevation_deg\n007|7,1|52\n", encoding="utf-8")
+    out = tmp_path / "out.parquet"
+    assert "column" in run(tmp_path / "t.csv", "--out", out, *HERE).stderr
+    result = run(tmp_path / "t.csv", "--out", out, *HERE, "--delimiter", "|")
+    assert result.exit_code == 0, result.output
+    assert read(out).column_names[0] == "a;a;a"
+    assert read(out)["speed"].to_pylist() == [7.1]
 
 
 def test_progress_is_shown_on_a_terminal_and_there_alone(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -172,6 +172,86 @@ def test_what_is_measured_is_no_variable(measure: str, suffix: str) -> None:
     assert list(columns_of([*FREE_THROW, measure + suffix])) == RELEASE
 
 
+NEARLY = {
+    "azimut_deg": "azimuth",
+    "back_spin_hz": "backspin",
+    "Side Spin (rpm)": "sidespin",
+    "hight_ft": "height",
+    "azimuth [deg]": "azimuth",
+    "restitutoin": "restitution",
+    "ring_raduis_in": "ring_radius",
+    "release_azimuth_deg": "azimuth",
+    "v_x": "vx",
+}
+
+
+@pytest.mark.parametrize("name", NEARLY)
+def test_a_column_that_nearly_names_a_variable_is_asked_about(name: str) -> None:
+    variable = NEARLY[name]
+    others = [other for other in FREE_THROW if not other.startswith(variable)]
+    with pytest.raises(ValueError, match=r"nearly names \w+") as raised:
+        columns_of([*others, name])
+    said = str(raised.value)
+    assert f"column {name} nearly names {variable}: " in said
+    assert "--own " in said
+    if variable not in RELEASE:
+        assert list(columns_of([*FREE_THROW, name], own=[name])) == RELEASE
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "weight",
+        "weight_lb",
+        "player",
+        "game_id",
+        "shot_id",
+        "made",
+        "team",
+        "time",
+        "time_s",
+        "date",
+        "season",
+        "quarter",
+        "spin",
+        "side",
+        "defender_distance_ft",
+        "shooter_height_in",
+        "shot_distance_ft",
+        "arc",
+        "angel",
+        "sp",
+        "eed",
+        "aims",
+        "high",
+        "low",
+        "shots",
+        "outcome",
+        "first",
+        "kind",
+        "contacts",
+        "end_x_m",
+        "sd_speed_m_s",
+        "correlation_speed_elevation",
+        "seed",
+        "source",
+        "probability",
+        "release_time_s",
+        "release_id",
+        "ball",
+        "ring",
+        "note",
+        "entry_angle_rad",
+    ],
+)
+def test_a_column_with_another_word_is_let_alone(name: str) -> None:
+    assert list(columns_of([*FREE_THROW, name])) == RELEASE
+
+
+def test_what_another_column_says_is_not_asked_about() -> None:
+    assert list(columns_of([*FREE_THROW, "hight_ft", "speed (mph)"])) == RELEASE
+
+
 def test_what_is_given_elsewhere_is_neither_read_nor_missed() -> None:
     found = columns_of(["speed", "elevation_deg", "height_ft"], given=["height", "distance"])
     assert list(found) == ["speed", "elevation"]
@@ -292,7 +372,68 @@ def test_a_table_without_rows_is_one_table(name: str, tmp_path: Path) -> None:
     assert table.column_names == ["speed", "id", "note"]
 
 
-def test_csv_stays_text(tmp_path: Path) -> None:
+CELLS = {
+    "whole": (["7", "-12", ""], pa.int64(), [7, -12, None]),
+    "number": (["7", "-1.5", "1e-07"], pa.float64(), [7.0, -1.5, 1e-07]),
+    "truth": (["True", "", "False"], pa.bool_(), [True, None, False]),
+    "game": (["0022400001", "1", ""], pa.string(), ["0022400001", "1", ""]),
+    "long": (["1234567890123456", "1", "2"], pa.string(), ["1234567890123456", "1", "2"]),
+    "room": (["12E4", "12", "13"], pa.string(), ["12E4", "12", "13"]),
+    "late": (["1", "2", "x"], pa.string(), ["1", "2", "x"]),
+    "none": (["", "", ""], pa.string(), ["", "", ""]),
+    "formula": (["=1+1", "2", "+3"], pa.string(), ["=1+1", "2", "+3"]),
+}
+
+
+@pytest.mark.parametrize("block", [40, 1 << 20])
+@pytest.mark.parametrize("name", CELLS)
+def test_columns_of_csv_have_the_type_of_all_their_cells(
+    name: str, block: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(tables, "_BLOCK", block)
+    cells, kind, read = CELLS[name]
+    rows = zip(["7.0", "fast", ""], cells, strict=True)
+    source = csv(tmp_path, f"speed,{name}\n" + "".join(f"{a},{b}\n" for a, b in rows))
+    schema = source.typed({"speed": Column("speed", 1.0)})
+    assert schema == pa.schema([("speed", pa.float64()), (name, kind)])
+    whole = pa.concat_tables(source.cast(table, schema) for table in source.tables(2))
+    assert whole.to_pydict() == {"speed": [7.0, None, None], name: read}
+
+
+@pytest.mark.parametrize(
+    ("text", "between"),
+    [
+        ("speed,note\n7.5,a;b;c\n", ","),
+        ("speed;note\n7,5;a\n", ";"),
+        ("speed\tnote\r\n7,5\ta\r\n", "\t"),
+        ('\n"speed";"a,b,c"\n7,5;x\n', ";"),
+        ("speed\n7.5\n", ","),
+    ],
+)
+def test_delimiters_and_decimal_commas(text: str, between: str, tmp_path: Path) -> None:
+    for source in (csv(tmp_path, text), Source(csv(tmp_path, text).path, delimiter=between)):
+        assert source.between == between
+        (table,) = source.tables(10)
+        read = source.values(table, {"speed": Column(table.column_names[0], 2.0)})
+        assert read["speed"].tolist() == [15.0]
+
+
+def test_a_decimal_comma_is_one_only_where_commas_do_not_separate(tmp_path: Path) -> None:
+    for text in ('speed,k\n"7,5",1\n', "speed;k\n1.234,5;1\n"):
+        source = csv(tmp_path, text)
+        (table,) = source.tables(10)
+        assert math.isnan(source.values(table, {"speed": Column("speed", 1.0)})["speed"][0])
+
+
+@pytest.mark.parametrize("delimiter", ["; ", "a", '"', ".", "é", "\n"])
+def test_a_delimiter_that_is_none_is_refused(delimiter: str) -> None:
+    with pytest.raises(ValueError, match="delimiter: expected one character such as ; or ,"):
+        Source(Path("t.csv"), delimiter=delimiter)
+    with pytest.raises(ValueError, match=r"delimiter: t\.parquet is parquet; only CSV has one"):
+        Source(Path("t.parquet"), delimiter=";")
+
+
+def test_csv_is_read_as_text(tmp_path: Path) -> None:
     (table,) = csv(tmp_path, "\ufeffid,made\n007,NA\n1e3,true\n").tables(10)
     assert table.to_pydict() == {"id": ["007", "1e3"], "made": ["NA", "true"]}
 
@@ -338,7 +479,10 @@ def test_a_digest_changes_with_any_byte_and_rows_are_counted(name: str, tmp_path
         ("t.csv", b"", r"t\.csv: Empty CSV file"),
         ("t.csv", b"a,b\n1\n", r"t\.csv: .*Expected 2 columns, got 1"),
         ("t.csv", b"a,a\n1,2\n", r"t\.csv: two columns are named a$"),
-        ("t.csv", b"a\n\xff\n", r"t\.csv: .*invalid UTF8"),
+        ("t.csv", b"a\n\xff\n", r"t\.csv: is not in UTF-8 but, it seems, in Latin-1"),
+        ("t.csv", "tempo_é;speed\n".encode("latin-1"), r"t\.csv: is not in UTF-8 but"),
+        ("t.csv", "speed\n7\n".encode("utf-16"), r"t\.csv: is in UTF-16, it seems; save it as"),
+        ("t.csv", "speed\n7\n".encode("utf-16-be"), r"t\.csv: is in UTF-16"),
         ("t.parquet", b"speed\n7\n", r"t\.parquet: .*not a parquet file"),
         ("t.arrow", b"speed\n7\n", r"t\.arrow: "),
         ("t.txt", b"", r"t\.txt: the suffix is none of \.csv, \.parquet"),

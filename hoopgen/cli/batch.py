@@ -21,7 +21,8 @@ m/s; an angle or a spin needs its unit:
   releases    speed_mph elevation_deg azimuth_deg backspin_hz height_ft distance ...
   or states   x y z vx vy vz wx_rad_s wy_rad_s wz_rad_s, x_ft, vx_ft_s, wy_rpm ...
   and         ring_radius_in restitution ..., which change the scene of that row
-All others are kept as they are. A row with no number where one is needed is invalid.
+All others are kept as they are. A row with no number where one is needed is invalid. In CSV with
+semicolons or tabs, numbers may have decimal commas.
 
 """
 
@@ -32,6 +33,7 @@ All others are kept as they are. A row with no number where one is needed is inv
         "hoopgen batch releases.csv --out results.parquet",
         "hoopgen batch releases.csv --out results.parquet --release height=7ft \\",
         "    --release distance=13.75ft --preset nba --measure depth --measure entry_angle",
+        "hoopgen batch releases.csv --out results.csv --reason",
         "hoopgen batch states.arrow --out results.parquet --scheduler tcp://10.0.0.1:8786",
     )
 )
@@ -39,7 +41,7 @@ All others are kept as they are. A row with no number where one is needed is inv
     "--out",
     type=OUT,
     required=True,
-    help="Parquet: the table with its results, in the same order.",
+    help="Parquet or CSV: the table with its results, in the same order.",
 )
 @table_options
 @click.option(
@@ -50,6 +52,12 @@ All others are kept as they are. A row with no number where one is needed is inv
     help="Add a column: depth, entry_angle, apex ...; may be repeated.",
 )
 @click.option("--prefix", default="", help="Of the names of the results.")
+@click.option(
+    "--delimiter",
+    metavar="CHARACTER",
+    help="Between the cells of CSV, ; or tab; by default as its first line says.",
+)
+@click.option("--reason", is_flag=True, help="Add a column: why a row is invalid.")
 @threads_option
 @scheduler_option
 def batch(file: Path, out: Path, release: Mapping[str, float], **options: Any) -> None:
@@ -66,4 +74,10 @@ def batch(file: Path, out: Path, release: Mapping[str, float], **options: Any) -
     counts = [f"{count:,} {name}" for name, count in outcomes.items()]
     said = f"{counted(sum(outcomes.values()), 'shot')}: {', '.join(counts)}; in {out}"
     click.echo(printable(said))
+    click.echo(printable(f"read {outcomes.read}"))
+    for row, reason in outcomes.invalid:
+        click.echo(printable(f"invalid: row {row}: {reason}"))
+    more = outcomes["invalid"] - len(outcomes.invalid)
+    if more:
+        click.echo(f"invalid: and {more:,} more; --reason writes why into a column")
     click.echo(f"scene: {outcomes.scene}")

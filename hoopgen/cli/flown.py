@@ -15,7 +15,9 @@ from hoopgen.printable import printable
 __all__ = ["flown"]
 
 
-def flown(file: Path, format: str = "", own: Sequence[str] = ()) -> tuple[dict[str, Any], str]:
+def flown(
+    file: Path, format: str = "", own: Sequence[str] = (), delimiter: str = ""
+) -> tuple[dict[str, Any], str]:
     """Return `parameters` and `max_contacts` as the options of this command ask; None: the file's.
 
     ``--set`` changes the scene of ``--preset``, or else that of the file. Where nobody names one,
@@ -35,7 +37,7 @@ def flown(file: Path, format: str = "", own: Sequence[str] = ()) -> tuple[dict[s
     context = click.get_current_context()
     settings = dict(context.params["settings"])
     preset = context.params["preset"] if _given("preset") else None
-    source = Source(file, format)
+    source = Source(file, format, delimiter)
     _refuse_columns(source, own, preset, settings)
     said = origin_of(source)
     usual = said.parameters if said else PAPER

@@ -254,7 +254,10 @@ def table_options(command: Callable[..., Any]) -> Callable[..., Any]:
 
     @functools.wraps(command)
     def collected(*arguments: Any, preset: str, settings: Any, **options: Any) -> Any:
-        asked, assumed = flown(options["file"], options["format"] or "", options["own"])
+        asked, assumed = flown(
+            *(options["file"], options["format"] or "", options["own"]),
+            options.get("delimiter") or "",
+        )
         result = command(*arguments, **(options | asked))
         if assumed:
             click.echo(assumed, err=True)

@@ -206,6 +206,8 @@ class Program:
     def named(self) -> set[int]:
         """Return the operations that are worth a line of their own."""
         uses = Counter(operand for o in self.operations for operand in o.operands)
+        # A target without maxima and minima writes their operands twice.
+        uses.update(k for o in self.operations if o.name in ("max", "min") for k in o.operands)
         uses.update(self.outputs)
         depth: list[int] = []
         named: set[int] = set()

@@ -1,4 +1,4 @@
-"""A table of releases in, a Parquet file of results out: the same rows in the same order."""
+"""A table of releases in, a table of results out: the same rows in the same order."""
 
 from __future__ import annotations
 
@@ -10,79 +10,47 @@ from dataclasses import asdict, dataclass, field
 from functools import partial
 from math import ceil
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
 import pyarrow as pa
-import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
 from hoopgen.brief import listed
 from hoopgen.inputs import check_count, doubles
-from hoopgen.installed import need
-from hoopgen.notebook import table as rendered
 from hoopgen.outputs import check_output, followed
 from hoopgen.parameters import resolve
-from hoopgen.phrases import counted
 from hoopgen.releases import from_zero
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
 
+from .batched import Batch, in_memory
 from .chunks import check_workers, opened, run, written
+from .frames import sourced
 from .measures import MEASURES, Kind, kinds, measure
 from .models import from_columns
 from .named import UNIT_OF, named
 from .origin import settle
-from .tables import FORMATS, Column, Source, Stamp
+from .reasons import reasons
+from .sinks import RESULTS, check_sink, sink
+from .tables import Column, Source, Stamp, variable_of
 from .told import say_scene
-from .variables import STATE, VARIABLES, check_angles, check_names
+from .variables import STATE, VARIABLES, Releases, check_angles, check_names
 
 __all__ = ["ROWS", "Batch", "batch"]
 
 
-class Batch(dict[str, int]):
-    """Number of shots by outcome, in lower case; and where the results are.
-
-    Attributes
-    ----------
-    path
-        The file written.
-    scene
-        In words: the preset, what differs from it, and what is each row's own.
-    """
-
-    def __init__(self, counts: Mapping[str, int], path: Path, scene: str = "") -> None:
-        super().__init__(counts)
-        self.path = path
-        self.scene = scene
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return type(self), (dict(self), self.path, self.scene)
-
-    def to_pandas(self) -> Any:
-        """Return the file's rows as a pandas.DataFrame.
-
-        Raises
-        ------
-        ImportError
-            If pandas is missing: what brings it.
-        """
-        need("pandas", "to_pandas")
-        return pq.read_table(self.path, partitioning=None).to_pandas()
-
-    def _repr_html_(self) -> str:
-        about = f"{counted(sum(self.values()), 'shot')} in {self.path}; {self.scene}"
-        rows = [(name, f"{count:,}") for name, count in self.items()]
-        return rendered(about, ("outcome", "shots"), rows)
-
+SHOWN = 5
+"""Invalid rows that are listed."""
 
 ROWS = 1 << 16
 """Rows in a chunk: a small part of a second, and few megabytes."""
 
 
 def batch(
-    source: str | os.PathLike[str],
-    out: str | os.PathLike[str],
+    source: Any,
+    out: str | os.PathLike[str] | None = None,
     *,
     parameters: Mapping[str, Any] | None = None,
     release: Mapping[str, float] | None = None,
@@ -92,6 +60,8 @@ def batch(
     format: str | None = None,
     own: Sequence[str] = (),
     prefix: str = "",
+    delimiter: str | None = None,
+    reason: bool = False,
     rows: int = ROWS,
     scheduler: str | None = None,
     threads: int | None = None,
@@ -108,17 +78,21 @@ def batch(
     Parameters
     ----------
     source
-        CSV, Parquet or Arrow; see `hoopgen.study.tables` for its columns. They say the releases,
+        CSV, Parquet or Arrow; or a table in memory of pandas (from 2.2), Polars, or whatever has
+        ``__arrow_c_stream__``. See `hoopgen.study.tables` for its columns. They say the releases,
         or the states; and parameters of the scene, in place of those below. A row with no number
         where one is needed becomes INVALID.
     out
-        Parquet: the columns of `source` as they are, those of CSV as text (also text that a
-        spreadsheet would take for a formula, such as ``=1+1``); and after them outcome,
+        Parquet or CSV, as the suffix says; None keeps the results in memory. There are the columns
+        of `source` as they are; of CSV those that are read as numbers, null where a cell is none,
+        and others with the type that all of their cells have (`hoopgen.study.tables.Source.typed`);
+        also text that a spreadsheet would take for a formula, such as ``=1+1``. After them outcome,
         kind (see `hoopgen.study.measures.Kind`), contacts, contacts by surface, first surface
         touched, time and state at the end plane (NaN for a shot that does not come to it),
         uncertain, and what is measured. Units are in the columns' names, ``end_time_s``, and in the
         fields' metadata; in the schema's, under "hoopgen", is what all shots share: scene, release,
-        max_contacts, and hoopgen's version.
+        max_contacts, and hoopgen's version. CSV has what all shots share in columns after the
+        others, so that it can be read again, and a number that is none is empty.
     parameters
         Of the scene; one number each. By default those that `source` says, if it is such a file of
         results, else `PAPER`.
@@ -136,6 +110,11 @@ def batch(
         Columns of `source` that are not to be read, though they are named like variables.
     prefix
         Of the names of the results, where `source` has columns of the same name.
+    delimiter
+        Between the cells of CSV, ";" or "tab"; by default as its first line says. Where it is no
+        comma, numbers may have decimal commas.
+    reason
+        Whether there is a column that says why a row is invalid.
     rows
         In a chunk.
     scheduler, threads, progress, report
@@ -144,10 +123,13 @@ def batch(
     Returns
     -------
     Batch
-        Number of shots by outcome, a dict; the file is its ``path``, and its ``scene`` is said.
+        Number of shots by outcome, a dict; the file is its ``path``, or `Batch.to_arrow` gives the
+        results; what was read and which rows are invalid is said.
 
     Raises
     ------
+    TypeError
+        If `source` is neither a path nor a table.
     ValueError
         If an argument, the table or one of its columns is not as described, an argument
         contradicts what `source` says, chunks beside `out` are of another source or other
@@ -155,10 +137,64 @@ def batch(
     OSError
         If `source` cannot be read or `out` not written.
     """
-    table, target = Source(Path(source), format or ""), Path(out)
-    if target.suffix.lower() not in FORMATS["parquet"]:
-        raise ValueError(f"out: expected a file {' or '.join(FORMATS['parquet'])}, got {target}")
-    target = followed(target)  # which the parts lie beside: on its file system
+    if out is not None and Path(out).suffix.lower() not in RESULTS:
+        raise ValueError(f"out: expected a file {' or '.join(RESULTS)}, got {out}")
+    if parameters is not None:
+        resolve(parameters, 1)  # all of them, and none else
+        parameters = _numbers("parameters", parameters)
+    check_names("release", release or {}, VARIABLES)
+    release = _numbers("release", release or {})
+    check_angles("release", release)
+    check_workers(scheduler, threads)
+    rows = check_count("rows", rows)
+    computed = partial(run, scheduler=scheduler, threads=threads, progress=progress, report=report)
+    with sourced(source, format or "", delimiter or "") as table, _target(out, table) as target:
+        origin = settle(table, parameters, release, max_contacts, own, override=override)
+        shots = _Shots(
+            dict(origin.parameters), dict(origin.release), tuple(measures), origin.max_contacts
+        )
+        check_names("measures", shots.measures, MEASURES)
+        stamp = table.stamp()
+        columns = table.columns(origin.own, shots.release)
+        scene = say_scene(origin.parameters, columns)
+        results = _Results(table, columns, table.typed(columns), shots, prefix, reason)
+        schema = results.schema(origin.metadata(scene))
+        format = target.suffix.lower()
+        check_sink(format, schema, table)
+        shared = results.shared() if format == ".csv" else {}
+        digest, count = table.digest()
+        work = _Rows(table, columns, shots, rows, digest, count, stamp)
+        with opened(target.with_name(f"{target.name}.parts"), work.identity()) as folder:
+            # In the folder, where the next start removes what was left unfinished.
+            unfinished = folder.path / f"{target.name}.tmp"
+            with (
+                written(target, unfinished),
+                sink(unfinished, format, schema, rows, shared, table) as write,
+            ):
+                for chunk in computed(work, folder):
+                    write(results.table(work.read.popleft(), chunk, schema))
+                table.check_unchanged(stamp)  # its own columns were read until now
+            folder.remove()
+        counts = {o.name.lower(): int(results.outcomes[o]) for o in Outcome}
+        told = ", ".join(f"{column.name} as {name}" for name, column in columns.items())
+        return Batch(
+            counts,
+            None if out is None else target,
+            scene,
+            read=told + (", with decimal commas" if table.comma else ""),
+            invalid=tuple(results.invalid),
+            table=in_memory(target) if out is None else None,
+        )
+
+
+@contextmanager
+def _target(out: str | os.PathLike[str] | None, table: Source) -> Iterator[Path]:
+    """Give the file of results, looked at; where none is wanted, one for as long as needed."""
+    if out is None:
+        with TemporaryDirectory(prefix="hoopgen-") as folder:
+            yield Path(folder, "results.arrow")
+        return
+    target = followed(Path(out))  # which the parts lie beside: on its file system
     if target.exists() and target.samefile(table.path):
         raise ValueError(f"out: {target} is the source")
     if not target.parent.is_dir():
@@ -166,46 +202,7 @@ def batch(
     check_output(target)
     if target.exists() and not target.is_file():
         raise ValueError(f"out: expected a file, which can be moved into its place; got {target}")
-    if parameters is not None:
-        resolve(parameters, 1)  # all of them, and none else
-        parameters = _numbers("parameters", parameters)
-    check_names("release", release or {}, VARIABLES)
-    release = _numbers("release", release or {})
-    check_angles("release", release)
-    origin = settle(table, parameters, release, max_contacts, own, override=override)
-    shots = _Shots(
-        dict(origin.parameters), dict(origin.release), tuple(measures), origin.max_contacts
-    )
-    check_names("measures", shots.measures, MEASURES)
-    check_workers(scheduler, threads)
-    rows = check_count("rows", rows)
-    stamp = table.stamp()
-    columns = table.columns(origin.own, shots.release)
-    scene = say_scene(origin.parameters, columns)
-    schema = _schema(table, shots, columns, prefix, origin.metadata(scene))
-    digest, count = table.digest()
-    work = _Rows(table, columns, shots, rows, digest, count, stamp)
-    outcomes = np.zeros(len(Outcome), np.int64)
-    with opened(target.with_name(f"{target.name}.parts"), work.identity()) as folder:
-        # In the folder, where the next start removes what was left unfinished.
-        unfinished = folder.path / f"{target.name}.tmp"
-        with written(target, unfinished), _writer(unfinished, schema, table) as writer:
-            chunks = run(
-                work,
-                folder,
-                scheduler=scheduler,
-                threads=threads,
-                progress=progress,
-                report=report,
-            )
-            for results in chunks:
-                cells = [*work.read.popleft().columns, *results.columns]
-                writer.write_table(pa.Table.from_arrays(cells, schema=schema), rows)
-                outcomes += _by_outcome(results["outcome"])
-            table.check_unchanged(stamp)  # its own columns were read until now
-        folder.remove()
-    counts = {outcome.name.lower(): int(outcomes[outcome]) for outcome in Outcome}
-    return Batch(counts, target, scene)
+    yield target
 
 
 def _numbers(name: str, values: Mapping[str, Any]) -> dict[str, float]:
@@ -220,45 +217,94 @@ def _numbers(name: str, values: Mapping[str, Any]) -> dict[str, float]:
     return {key: float(array) for key, array in arrays.items()}
 
 
-def _schema(
-    table: Source,
-    shots: _Shots,
-    columns: Mapping[str, Column],
-    prefix: str,
-    about: Mapping[bytes, bytes],
-) -> pa.Schema:
-    """Return that of the file of results; arguments that shots cannot have are refused here."""
-    given = table.schema()
-    read = pa.schema([given.field(column.name) for column in columns.values()])
-    results = [
-        column.with_name(prefix + column.name)
-        for column in shots.results(table.values(read.empty_table(), columns)).schema
-    ]
-    both = [column.name for column in results if column.name in given.names]
-    if both:
-        raise ValueError(
-            f"{table.path}: has columns named like results: {listed(both)}; give a prefix"
-        )
-    return pa.schema([*given, *results], {**(given.metadata or {}), **about})
+@dataclass
+class _Results:
+    """What is written: the rows of a table, and what became of them."""
+
+    source: Source
+    columns: Mapping[str, Column]
+    types: pa.Schema
+    shots: _Shots
+    prefix: str
+    reason: bool
+    outcomes: NDArray[np.int64] = field(default_factory=lambda: np.zeros(len(Outcome), np.int64))
+    """Counts of the rows that were written."""
+    invalid: list[tuple[int, str]] = field(default_factory=list)
+    """Rows, from 1, and reasons; the first ones."""
+
+    def schema(self, about: Mapping[bytes, bytes]) -> pa.Schema:
+        """Return that of the results; arguments that shots cannot have are refused here."""
+        given = self.types
+        read = pa.schema([given.field(column.name) for column in self.columns.values()])
+        empty = self.source.values(read.empty_table(), self.columns)
+        results = list(self.shots.results(empty).schema)
+        if self.reason:
+            results.append(pa.field("reason", pa.string()))
+        results = [column.with_name(self.prefix + column.name) for column in results]
+        both = [column.name for column in results if column.name in given.names]
+        if both:
+            raise ValueError(
+                f"{self.source}: has columns named like results: {listed(both)}; give a prefix"
+            )
+        return pa.schema([*given, *results], {**(given.metadata or {}), **about})
+
+    def shared(self) -> dict[str, float]:
+        """Return columns of what all shots share, with which CSV can be read again.
+
+        Raises
+        ------
+        ValueError
+            If columns that are not read have the names of such variables.
+        """
+        scene = {n: v for n, v in self.shots.parameters.items() if n not in self.columns}
+        variables = {**self.shots.release, **scene}
+        contacts = f"{self.prefix}max_contacts"
+        for name in self.types.names:
+            if name == contacts or _variable(name) in variables:
+                raise ValueError(
+                    f"out: CSV has what all rows share in columns, and {self.source} has "
+                    f"{name} already; write .parquet, or rename it"
+                )
+        shared = {named(name): value for name, value in variables.items()}
+        return {**shared, contacts: self.shots.max_contacts}
+
+    def table(self, read: pa.Table, results: pa.Table, schema: pa.Schema) -> pa.Table:
+        """Return the next rows, with their results, and count them."""
+        outcomes = _codes(results["outcome"])
+        rows = np.flatnonzero(outcomes == Outcome.INVALID)
+        wanted = rows if self.reason else rows[: max(0, SHOWN - len(self.invalid))]
+        why = self._reasons(read, wanted)
+        before = int(self.outcomes.sum())
+        first = zip(wanted[: SHOWN - len(self.invalid)], why, strict=False)
+        self.invalid += [(before + int(row) + 1, said) for row, said in first]
+        self.outcomes += np.bincount(outcomes, minlength=len(Outcome))
+        cells = [*self.source.cast(read, self.types).columns, *results.columns]
+        if self.reason:
+            told: NDArray[np.object_] = np.full(read.num_rows, None)
+            told[rows] = why
+            cells.append(pa.array(told, pa.string()))
+        return pa.Table.from_arrays(cells, schema=schema)
+
+    def _reasons(self, read: pa.Table, rows: NDArray[np.int64]) -> list[str]:
+        if not len(rows):
+            return []
+        taken = read.take(rows)
+        given = self.source.values(taken, self.columns)
+        return reasons(taken, self.columns, given, self.shots.releases(given))
 
 
-@contextmanager
-def _writer(file: Path, schema: pa.Schema, table: Source) -> Iterator[pq.ParquetWriter]:
-    # A dictionary of doubles that hardly repeat is larger and slower than they are.
-    repeat = [column.name for column in schema if not pa.types.is_floating(column.type)]
-    # By its name: every write of a Python file would wait for the interpreter's lock.
+def _variable(column: str) -> str:
+    """Return the variable that a column would be read as, or nothing."""
     try:
-        with pq.ParquetWriter(str(file), schema, compression="zstd", use_dictionary=repeat) as new:
-            yield new
-    except pa.ArrowNotImplementedError as error:  # of reading it is none: that names the file
-        raise ValueError(f"{table.path}: Parquet has no such column: {error}") from error
+        return variable_of(column)[0]
+    except ValueError:  # of a column that is not read
+        return ""
 
 
-def _by_outcome(column: pa.ChunkedArray) -> NDArray[np.int64]:
-    counts = np.zeros(len(Outcome), np.int64)
-    for part in column.chunks:
-        counts += np.bincount(part.indices, minlength=len(Outcome))
-    return counts
+def _codes(column: pa.ChunkedArray) -> NDArray[np.int64]:
+    """Return the outcomes of rows as numbers."""
+    parts = [part.indices.to_numpy(zero_copy_only=False) for part in column.chunks]
+    return np.concatenate([np.empty(0, np.int64), *parts])
 
 
 @dataclass(frozen=True)
@@ -282,8 +328,9 @@ class _Rows:
 
     def identity(self) -> dict[str, Any]:
         """Return all that the results depend on."""
+        between = {"delimiter": self.table.between} if self.table.format == "csv" else {}
         return {
-            "source": {"digest": self.digest, "format": self.table.format},
+            "source": {"digest": self.digest, "format": self.table.format, **between},
             "columns": {name: column.name for name, column in self.columns.items()},
             "rows": self.rows,
             **asdict(self.shots),
@@ -308,11 +355,15 @@ class _Shots:
     measures: tuple[str, ...]
     max_contacts: int
 
-    def results(self, given: Mapping[str, NDArray[np.float64]]) -> pa.Table:
-        """Return the results of releases or states, a column each, with their units."""
+    def releases(self, given: Mapping[str, NDArray[np.float64]]) -> Releases:
+        """Return the shots of columns, and of what they share."""
         number = len(next(iter(given.values())))
         shared = {name: np.full(number, value) for name, value in self.release.items()}
-        releases = from_columns({**given, **shared}, self.parameters)
+        return from_columns({**given, **shared}, self.parameters)
+
+    def results(self, given: Mapping[str, NDArray[np.float64]]) -> pa.Table:
+        """Return the results of releases or states, a column each, with their units."""
+        releases = self.releases(given)
         states, scene = releases.states, releases.parameters
         shots = simulate(states, scene, max_contacts=self.max_contacts, threads=1)
         columns = _ends(shots)

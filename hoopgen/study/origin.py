@@ -87,7 +87,7 @@ def origin_of(table: Source) -> Origin | None:
         )
     except (AttributeError, KeyError, TypeError, ValueError) as error:
         raise ValueError(
-            f"{table.path}: its metadata hoopgen, which says the scene of the shots, cannot be "
+            f"{table}: its metadata hoopgen, which says the scene of the shots, cannot be "
             f"understood ({error}); remove it from the file, and name the scene"
         ) from None
 
@@ -138,7 +138,7 @@ def settle(
     )
     if not override and replace(wanted, own=said.own) != said:
         raise ValueError(
-            f"{table.path}: its shots were flown otherwise than is asked now: "
+            f"{table}: its shots were flown otherwise than is asked now: "
             f"{'; '.join(_differences(said, wanted))}. Leave that out, or override what the file "
             "says (override=True, --override)"
         )

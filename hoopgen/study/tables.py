@@ -1,9 +1,9 @@
 """Tables of releases: which columns say what, in which units, and reading them in chunks.
 
 The unit is in the column's name: ``speed_mph``, ``elevation_deg``, ``height_ft``; SI where none is,
-but an angle or a spin has its unit there. Reading is by pyarrow, and holds a few blocks in memory,
-whatever the file's size; of Arrow, record batches as they were written. What was read is validated
-before it is looked at.
+but an angle or a spin has its unit there. CSV is read as `hoopgen.study.delimited` says. Reading is
+by pyarrow, and holds a few blocks in memory, whatever the file's size; of Arrow, record batches as
+they were written. What was read is validated before it is looked at.
 """
 
 from __future__ import annotations
@@ -11,17 +11,17 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
+from shlex import quote
 from types import MappingProxyType
 from typing import TypeAlias
 
 import numpy as np
 import pyarrow as pa
-import pyarrow.compute as pc
-import pyarrow.csv
 import pyarrow.ipc
 import pyarrow.parquet as pq
 from numpy.typing import NDArray
@@ -30,8 +30,10 @@ from hoopgen.brief import brief, cut, listed
 from hoopgen.parameters import NAMES
 from hoopgen.units import NO_BARE, UNITS, Kind, column_name, unit_size
 
+from .delimited import check_delimiter, delimiter_of, parsed, read, survey
 from .measures import MEASURES
 from .models import from_columns
+from .near import near_variable
 from .variables import STATE, VARIABLES, check_angles
 
 __all__ = ["FORMATS", "NAMED", "Column", "Source", "Stamp", "columns_of", "values", "variable_of"]
@@ -55,8 +57,6 @@ _SAID = 300
 """Characters of what Arrow says of a file, which may be in the words of that file."""
 
 _ARROW_FILE = b"ARROW1"
-
-_NUMBER = r"^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$"
 
 
 # ------------------------------------------------------------------------------------ columns
@@ -119,7 +119,8 @@ def columns_of(
     ------
     ValueError
         If a column's unit is unknown or needed and not there, two say the same, states and
-        releases are mixed, or something is missing.
+        releases are mixed, something is missing, or a name is nearly that of a variable which no
+        column says.
     """
     found: dict[str, Column] = {}
     names = list(table.names if isinstance(table, pa.Schema) else table)
@@ -132,13 +133,14 @@ def columns_of(
         variable, unit = ("", None) if column in own else variable_of(column)
         if variable in found:
             raise ValueError(
-                f"columns {found[variable].name} and {column} both say {variable}; "
+                f"columns {cut(found[variable].name)} and {cut(column)} both say {variable}; "
                 "keep one, or list the other in own"
             )
         if variable and variable not in given:
             if unit is None and not old:
                 raise ValueError(_no_unit(column, variable))
             found[variable] = Column(column, 1.0 if unit is None else unit)
+    _ask(names, {*own, *(column.name for column in found.values())}, {*found, *given})
     _check(found, given, names)
     return found
 
@@ -165,7 +167,8 @@ def variable_of(column: str) -> tuple[str, float | None]:
         bare = [] if kind in NO_BARE else [name]
         allowed = dict.fromkeys([*bare, *(column_name(name, one) for one in UNITS[kind])])
         raise ValueError(
-            f"column {column}: {unit} is no unit of {name}; expected {', '.join(allowed)}. "
+            f"column {cut(column)}: {cut(unit)} is no unit of {name}; "
+            f"expected {', '.join(allowed)}. "
             "If it is a column of your own, list it in own"
         )
     return "", None
@@ -174,9 +177,23 @@ def variable_of(column: str) -> tuple[str, float | None]:
 def _no_unit(column: str, variable: str) -> str:
     *others, last = (column_name(variable, unit) for unit in NO_BARE[_KINDS[variable]])
     return (
-        f"column {column} has no unit: name it {', '.join(others)} or {last}. "
+        f"column {cut(column)} has no unit: name it {', '.join(others)} or {last}. "
         "If it is a column of your own, list it in own"
     )
+
+
+def _ask(names: Sequence[str], clear: Container[str], said: Container[str]) -> None:
+    """Refuse a column that is likely meant for a variable which nothing else says."""
+    for column in names:
+        variable = "" if column in clear else near_variable(column, _KINDS)
+        if variable and variable not in said:
+            kind = _KINDS[variable]
+            spelled = column_name(variable, next(iter(NO_BARE.get(kind, UNITS[kind]))))
+            raise ValueError(
+                f"column {cut(column)} nearly names {variable}: is it meant? Name it with its "
+                f"unit, such as {spelled}; if it is a column of your own, list it in own "
+                f"(--own {quote(cut(column))})"
+            )
 
 
 def _is_old(schema: pa.Schema) -> bool:
@@ -206,8 +223,10 @@ def _check(found: Mapping[str, Column], given: Sequence[str], names: Sequence[st
         raise ValueError(f"{error}. The columns are {listed(names)}") from None
 
 
-def values(table: pa.Table, columns: Mapping[str, Column]) -> dict[str, NDArray[np.float64]]:
-    """Return the numbers of a table's columns, in SI.
+def values(
+    table: pa.Table, columns: Mapping[str, Column], comma: bool = False
+) -> dict[str, NDArray[np.float64]]:
+    """Return the numbers of a table's columns, in SI; text may have decimal commas.
 
     Returns
     -------
@@ -219,18 +238,18 @@ def values(table: pa.Table, columns: Mapping[str, Column]) -> dict[str, NDArray[
     ValueError
         If a column can hold no numbers, or angles in radians are degrees.
     """
-    numbers = {name: _numbers(table, column) for name, column in columns.items()}
+    numbers = {name: _numbers(table, column, comma) for name, column in columns.items()}
     check_angles("columns", numbers)
     return numbers
 
 
-def _numbers(table: pa.Table, column: Column) -> NDArray[np.float64]:
+def _numbers(table: pa.Table, column: Column, comma: bool) -> NDArray[np.float64]:
     cells = table[column.name]
     if pa.types.is_dictionary(cells.type):
         cells = cells.cast(cells.type.value_type)
     kind = cells.type
     if pa.types.is_string(kind) or pa.types.is_large_string(kind):
-        cells = _parsed(cells)
+        cells = parsed(cells, pa.float64(), comma)
     elif not (
         pa.types.is_integer(kind)
         or pa.types.is_floating(kind)
@@ -240,16 +259,6 @@ def _numbers(table: pa.Table, column: Column) -> NDArray[np.float64]:
         raise ValueError(f"column {column.name}: expected numbers, got {kind}")
     numbers = cells.cast(pa.float64(), safe=False).to_numpy() * column.unit
     return np.where(np.isfinite(numbers), numbers, np.nan)
-
-
-def _parsed(cells: pa.ChunkedArray) -> pa.ChunkedArray:
-    """Return text as numbers; null where it is none."""
-    try:
-        return cells.cast(pa.float64())
-    except pa.ArrowInvalid:
-        plain = pc.utf8_trim_whitespace(cells)
-        number = pc.match_substring_regex(plain, _NUMBER)
-        return pc.if_else(number, plain, None).cast(pa.float64())
 
 
 # ------------------------------------------------------------------------------------ reading
@@ -264,17 +273,26 @@ class Source:
     path
         The file.
     format
-        One of `FORMATS`; by default as the suffix says. All cells of CSV are text, so that none is
-        changed and no type hangs on what comes first.
+        One of `FORMATS`; by default as the suffix says. All cells of CSV are text; see `typed`.
+    delimiter
+        Of CSV, one character; by default as its first line says. Where it is no comma, a comma in a
+        number is a decimal one.
+    label
+        What errors call it; by default its path.
 
     Raises
     ------
     ValueError
-        If the format is none of them.
+        If the format is none of them, or the delimiter no such character.
     """
 
     path: Path
     format: str = ""
+    delimiter: str = ""
+    label: str = ""
+
+    def __str__(self) -> str:
+        return self.label or str(self.path)
 
     def __post_init__(self) -> None:
         suffixes = {suffix: name for name, listed in FORMATS.items() for suffix in listed}
@@ -286,6 +304,20 @@ class Source:
         if found not in FORMATS:
             raise ValueError(f"format: expected one of {', '.join(FORMATS)}, got {brief(found)}")
         object.__setattr__(self, "format", found)
+        if self.delimiter:
+            if found != "csv":
+                raise ValueError(f"delimiter: {self.path} is {found}; only CSV has one")
+            object.__setattr__(self, "delimiter", check_delimiter(self.delimiter))
+
+    @cached_property
+    def between(self) -> str:
+        """What stands between the cells of CSV."""
+        return self.delimiter or delimiter_of(self.path)
+
+    @property
+    def comma(self) -> bool:
+        """Whether numbers in text have decimal commas."""
+        return self.format == "csv" and self.between != ","
 
     def schema(self) -> pa.Schema:
         """Return the names and types of the columns.
@@ -309,7 +341,7 @@ class Source:
     ) -> dict[str, NDArray[np.float64]]:
         """Return the numbers of the columns of a part of the table; as `values`."""
         with self._naming():
-            return values(table, columns)
+            return values(table, columns, self.comma)
 
     def tables(self, rows: int) -> Iterator[pa.Table]:
         """Read the rows in order, lazily, so many in each table; the last has what is left.
@@ -323,6 +355,31 @@ class Source:
         """
         with self._opened() as (schema, batches):
             yield from _regrouped(schema, map(_validated, batches), rows)
+
+    def typed(self, columns: Mapping[str, Column]) -> pa.Schema:
+        """Return the schema with the types that columns of CSV have, once all of it was read.
+
+        Of `columns` they are doubles. Others are whole numbers, numbers or truths if all of their
+        cells are; identifiers, with leading zeros or more than 15 digits, are text.
+        """
+        if self.format != "csv":
+            return self.schema()
+        numbers = {column.name for column in columns.values()}
+        with self._opened() as (schema, batches):
+            others = [name for name in schema.names if name not in numbers]
+            types = survey(batches, others, self.comma) if others else {}
+            return pa.schema([(name, types.get(name, pa.float64())) for name in schema.names])
+
+    def cast(self, table: pa.Table, schema: pa.Schema) -> pa.Table:
+        """Return a part of the table with the types of `typed`; no number is null."""
+        if self.format != "csv":
+            return table
+        with self._naming():
+            cells = [
+                parsed(column, field.type, self.comma)
+                for column, field in zip(table.columns, schema, strict=True)
+            ]
+            return pa.Table.from_arrays(cells, schema=schema)
 
     def digest(self) -> tuple[str, int | None]:
         """Read the whole file, and return a digest of it and the rows that it seems to have."""
@@ -352,17 +409,20 @@ class Source:
         """
         if self.stamp() != stamp:
             raise ValueError(
-                f"{self.path}: changed while it was read; begin again when nobody writes to it"
+                f"{self}: changed while it was read; begin again when nobody writes to it"
             )
 
     @contextmanager
     def _opened(self) -> Iterator[tuple[pa.Schema, Iterable[pa.RecordBatch]]]:
-        openers = {"csv": _csv, "parquet": _parquet, "arrow": _arrow}
+        openers = {"csv": self._csv, "parquet": _parquet, "arrow": _arrow}
         with self._naming(), openers[self.format](self.path) as (schema, batches):
             twice = sorted({name for name in schema.names if schema.names.count(name) > 1})
             if twice:
                 raise ValueError(f"two columns are named {listed(twice)}")
             yield schema, batches
+
+    def _csv(self, path: Path) -> AbstractContextManager[_Read]:
+        return read(path, self.between, _BLOCK)
 
     @contextmanager
     def _naming(self) -> Iterator[None]:
@@ -371,28 +431,19 @@ class Source:
             yield
         except OSError as error:
             if error.errno is None:  # Arrow's word for damage
-                raise ValueError(f"{self.path}: {cut(str(error), _SAID)}") from error
+                raise ValueError(f"{self}: {cut(str(error), _SAID)}") from error
             raise OSError(error.errno, os.strerror(error.errno), str(self.path)) from error
         except MemoryError as error:  # of a length that no file has, or of one that is too long
             said = f"damaged, or larger than the memory: {error or 'there is no more'}"
-            raise ValueError(f"{self.path}: {said}") from error
+            raise ValueError(f"{self}: {said}") from error
         except (pa.ArrowException, SystemError) as error:
-            raise ValueError(f"{self.path}: {cut(str(error), _SAID)}") from error
+            raise ValueError(f"{self}: {cut(str(error), _SAID)}") from error
         except ValueError as error:
-            raise ValueError(f"{self.path}: {cut(str(error), 10 * _SAID)}") from error
+            raise ValueError(f"{self}: {cut(str(error), 10 * _SAID)}") from error
 
 
-_Opened = Iterator[tuple[pa.Schema, Iterable[pa.RecordBatch]]]
-
-
-@contextmanager
-def _csv(path: Path) -> _Opened:
-    blocks = pa.csv.ReadOptions(block_size=_BLOCK)
-    with pa.csv.open_csv(path, blocks) as reader:
-        text = dict.fromkeys(reader.schema.names, pa.string())
-    layout = pa.csv.ParseOptions(newlines_in_values=True)
-    with pa.csv.open_csv(path, blocks, layout, pa.csv.ConvertOptions(column_types=text)) as reader:
-        yield reader.schema, reader
+_Read: TypeAlias = tuple[pa.Schema, Iterable[pa.RecordBatch]]
+_Opened = Iterator[_Read]
 
 
 @contextmanager

@@ -1,0 +1,98 @@
+"""What a batch gives back: counts, where the results are, and what was read."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import pyarrow as pa
+import pyarrow.ipc
+import pyarrow.parquet as pq
+
+from hoopgen.installed import need
+from hoopgen.notebook import table as rendered
+from hoopgen.phrases import counted
+
+from .tables import Source
+
+__all__ = ["Batch", "in_memory"]
+
+_ROWS = 1 << 16
+"""Of CSV that are read at a time."""
+
+
+class Batch(dict[str, int]):
+    """Number of shots by outcome, in lower case; and where the results are.
+
+    Attributes
+    ----------
+    path
+        The file written; None for results in memory.
+    scene
+        In words: the preset, what differs from it, and what is each row's own.
+    read
+        In words: which column was read as which variable.
+    invalid
+        The first five rows that are: their numbers, from 1 and without a header, and reasons.
+    """
+
+    def __init__(
+        self,
+        counts: Mapping[str, int],
+        path: Path | None,
+        scene: str = "",
+        read: str = "",
+        invalid: Sequence[tuple[int, str]] = (),
+        table: pa.Table | None = None,
+    ) -> None:
+        super().__init__(counts)
+        self.path = path
+        self.scene = scene
+        self.read = read
+        self.invalid = tuple(invalid)
+        self._table = table
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        about = (self.path, self.scene, self.read, self.invalid, self._table)
+        return type(self), (dict(self), *about)
+
+    def to_arrow(self) -> pa.Table:
+        """Return the rows with their results as a pyarrow.Table, which Polars takes too.
+
+        Raises
+        ------
+        OSError
+            If the file is not there any more.
+        """
+        if self._table is not None:
+            return self._table
+        assert self.path is not None  # the one or the other
+        if self.path.suffix.lower() == ".csv":
+            table = Source(self.path)
+            types = table.typed({})
+            return pa.concat_tables(table.cast(part, types) for part in table.tables(_ROWS))
+        return pq.read_table(self.path, partitioning=None)
+
+    def to_pandas(self) -> Any:
+        """Return the rows with their results as a pandas.DataFrame.
+
+        Raises
+        ------
+        ImportError
+            If pandas is missing: what brings it.
+        """
+        need("pandas", "to_pandas")
+        return self.to_arrow().to_pandas()
+
+    def _repr_html_(self) -> str:
+        where = "memory" if self.path is None else self.path
+        about = f"{counted(sum(self.values()), 'shot')} in {where}; {self.scene}"
+        rows = [(name, f"{count:,}") for name, count in self.items()]
+        return rendered(about, ("outcome", "shots"), rows)
+
+
+def in_memory(file: Path) -> pa.Table:
+    """Return a stream of Arrow in a file as a table that does not hang on it."""
+    with pa.OSFile(str(file)) as stream:
+        return pa.ipc.open_stream(stream).read_all()
