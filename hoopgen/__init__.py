@@ -59,7 +59,7 @@ _LATER = {
     "aim": "study.aim",
     "measure": "study.measures",
     "batch": "study.batch",
-    "run_study": "study.toml",
+    "run_study": "studyfile",
     "view": "viewer",
 }
 """Imported when first asked for, and from where: some stand on the extras, and all but `release` on

@@ -22,7 +22,7 @@ from hoopgen.study import aim as aims  # noqa: E402
 from hoopgen.study import player as players  # noqa: E402
 from hoopgen.study.aim import aim_table  # noqa: E402
 from hoopgen.study.crew import alone, crew  # noqa: E402
-from hoopgen.study.toml import answers, run_study  # noqa: E402
+from hoopgen.studyfile import answers, run_study  # noqa: E402
 
 PLACE = {"height": 2.1336, "distance": 4.191, "backspin": 6 * np.pi}
 SD = {"speed": 0.07, "elevation": np.radians(1.3), "azimuth": np.radians(1)}

@@ -29,12 +29,12 @@ from hoopgen.cli import main  # noqa: E402
 from hoopgen.study.bank import bank_or_direct  # noqa: E402
 from hoopgen.study.chunks import versions  # noqa: E402
 from hoopgen.study.named import in_units, named  # noqa: E402
-from hoopgen.study.toml import answers, check_study, run_study  # noqa: E402
-from hoopgen.study.toml import lines as toml_lines  # noqa: E402
-from hoopgen.study.toml.reading import StudyError, parse  # noqa: E402
-from hoopgen.study.toml.reference import reference  # noqa: E402
-from hoopgen.study.toml.report import _text as report_text  # noqa: E402
-from hoopgen.study.toml.schema import KINDS  # noqa: E402
+from hoopgen.studyfile import answers, check_study, run_study  # noqa: E402
+from hoopgen.studyfile import lines as toml_lines  # noqa: E402
+from hoopgen.studyfile.reading import StudyError, parse  # noqa: E402
+from hoopgen.studyfile.reference import reference  # noqa: E402
+from hoopgen.studyfile.report import _text as report_text  # noqa: E402
+from hoopgen.studyfile.schema import KINDS  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[1]
 DEGREE = np.pi / 180
@@ -834,7 +834,7 @@ def fsync(descriptor):
     sync(descriptor)
 
 os.fsync = fsync
-from hoopgen.study.toml import run_study
+from hoopgen.studyfile import run_study
 run_study(sys.argv[1], sys.argv[2], threads=1)
 print(int(sys.argv[3]) - left[0])
 """
@@ -898,7 +898,7 @@ def test_answers_by_other_versions_are_another_study(
     file = written(tmp_path, HEAD + ESTIMATE)
     run_study(file)
     others = {**versions(), package: "9.9"}
-    monkeypatch.setattr("hoopgen.study.toml.run.versions", lambda: others)
+    monkeypatch.setattr("hoopgen.studyfile.run.versions", lambda: others)
     with pytest.raises(ValueError, match=rf'probability: {package} is "[^"]*" there and "9\.9" h'):
         run_study(file)
 
@@ -931,7 +931,7 @@ def test_questions_may_be_added_and_words_changed(
         asked.append(one.question.name)
         return answer(one, work)
 
-    monkeypatch.setattr("hoopgen.study.toml.run.answer", noted)
+    monkeypatch.setattr("hoopgen.studyfile.run.answer", noted)
     again = run_study(file)
     assert asked == ["more"]
     assert list(again) == ["more", "probability"]
@@ -972,7 +972,7 @@ def test_an_error_that_was_not_foreseen_is_told_with_its_type(
         raise KeyError("wrong")
 
     file = written(tmp_path, HEAD + ESTIMATE)
-    monkeypatch.setattr("hoopgen.study.toml.run.answer", broken)
+    monkeypatch.setattr("hoopgen.studyfile.run.answer", broken)
     result = run(file)
     assert result.exit_code == 70
     first, second = result.stderr.splitlines()

@@ -43,7 +43,7 @@ _CONTEXT.set_forkserver_preload(
         "hoopgen.study.estimate",
         "hoopgen.study.maps",
         "hoopgen.study.optimum",
-        "hoopgen.study.toml",
+        "hoopgen.studyfile",
         "matplotlib.pyplot",
         "scipy.optimize",
         "scipy.stats",

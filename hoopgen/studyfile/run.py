@@ -68,7 +68,7 @@ def check_study(path: str | os.PathLike[str]) -> list[Asked]:
     Raises
     ------
     StudyError
-        If it is not as `hoopgen.study.toml.schema` describes: with all that is wrong, the lines
+        If it is not as `hoopgen.studyfile.schema` describes: with all that is wrong, the lines
         and the keys.
     OSError
         If it cannot be read.
