@@ -51,7 +51,7 @@ _LATER = {
     "Resample": "study.models",
     "Grid": "study.models",
     "estimate": "study.estimate",
-    "compare": "study.estimate",
+    "compare": "study.compare",
     "map": "study.maps",
     "optimum": "study.optimum",
     "margins": "study.margins",

@@ -40,6 +40,7 @@ _CONTEXT.set_forkserver_preload(
         "hoopgen.judge",
         "hoopgen.plots",
         "hoopgen.study.batch",
+        "hoopgen.study.compare",
         "hoopgen.study.estimate",
         "hoopgen.study.maps",
         "hoopgen.study.optimum",

@@ -29,8 +29,9 @@ from hoopgen.study.aim import aim, aim_table, write_csv
 from hoopgen.study.bank import bank_or_direct, check_kept
 from hoopgen.study.batch import batch
 from hoopgen.study.chunks import run
+from hoopgen.study.compare import compare
 from hoopgen.study.draws import check_two_seeds
-from hoopgen.study.estimate import compare, estimate, most_shots
+from hoopgen.study.estimate import estimate
 from hoopgen.study.maps import check_cells
 from hoopgen.study.maps import map as mapped
 from hoopgen.study.measures import measure
@@ -40,6 +41,7 @@ from hoopgen.study.optimum import optimum, scattering
 from hoopgen.study.origin import settle
 from hoopgen.study.search import bounds_of
 from hoopgen.study.tables import Source
+from hoopgen.study.throws import most_shots
 from hoopgen.study.told import in_a_note, say_scene, told_setting
 from hoopgen.study.variables import Releases
 from hoopgen.study.words import between, say
