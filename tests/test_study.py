@@ -29,8 +29,9 @@ from hoopgen.cli import main  # noqa: E402
 from hoopgen.study.bank import bank_or_direct  # noqa: E402
 from hoopgen.study.chunks import versions  # noqa: E402
 from hoopgen.study.named import in_units, named  # noqa: E402
-from hoopgen.studyfile import answers, check_study, run_study  # noqa: E402
+from hoopgen.studyfile import answers, check_study, run_study, varied  # noqa: E402
 from hoopgen.studyfile import lines as toml_lines  # noqa: E402
+from hoopgen.studyfile.asked import Answer, Asked, Work  # noqa: E402
 from hoopgen.studyfile.reading import StudyError, parse  # noqa: E402
 from hoopgen.studyfile.reference import reference  # noqa: E402
 from hoopgen.studyfile.report import _text as report_text  # noqa: E402
@@ -571,7 +572,7 @@ def test_nothing_that_is_written_is_evaluated(
 # Where shots come from
 
 
-def setting(tmp_path: Path, text: str, which: int = 0) -> answers.Asked:
+def setting(tmp_path: Path, text: str, which: int = 0) -> Asked:
     return check_study(written(tmp_path, text))[which]
 
 
@@ -781,7 +782,7 @@ def test_a_report_holds_titles_as_text_and_a_description_as_markdown(tmp_path: P
 def test_the_report_holds_errors_as_text(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     lost = "[[question]]\nkind = 'optimum'\nname = 'lost'\nshots = 100\nover.elevation = {}\n"
     file = written(tmp_path, HEAD + lost.format("['1 deg', '2 deg']") + ESTIMATE)
-    monkeypatch.setattr(answers, "optimum", _fails)
+    monkeypatch.setattr(varied, "optimum", _fails)
     with pytest.raises(ExceptionGroup):
         run_study(file)
     report = (tmp_path / "study-results" / "report.md").read_text(encoding="utf-8")
@@ -927,7 +928,7 @@ def test_questions_may_be_added_and_words_changed(
     asked = []
     answer = answers.answer
 
-    def noted(one: answers.Asked, work: answers.Work) -> answers.Answer:
+    def noted(one: Asked, work: Work) -> Answer:
         asked.append(one.question.name)
         return answer(one, work)
 
@@ -1064,7 +1065,7 @@ def test_progress_is_told_of_each_question(tmp_path: Path) -> None:
 def test_work_goes_to_a_scheduler_in_pieces_that_travel(tmp_path: Path) -> None:
     asked = setting(tmp_path, ALL, 4)
     assert isinstance(asked.question, KINDS["bank"])
-    job = answers._Places(((1.5, 1.0),), {}, asked.setting, asked.question, asked.study)
+    job = varied._Places(((1.5, 1.0),), {}, asked.setting, asked.question, asked.study)
     assert pickle.loads(pickle.dumps(job)) == job
 
 

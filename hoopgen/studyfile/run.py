@@ -33,7 +33,8 @@ from hoopgen.study.chunks import (
 from hoopgen.study.words import for_json
 
 from . import lines
-from .answers import Answer, Asked, Work, answer, check
+from .answers import answer, check
+from .asked import Answer, Asked, Work
 from .reading import complain, parse
 from .report import report
 from .schema import Batch, Compare, StudyFile
