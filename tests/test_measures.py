@@ -24,6 +24,7 @@ import hoopgen
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.study import measures
 from hoopgen.study.measures import MEASURES, Kind, kinds, measure
+from hoopgen.study.nearest import nearest
 
 Floats = NDArray[np.float64]
 EPS = float(np.finfo(np.float64).eps)
@@ -174,9 +175,9 @@ def test_the_nearest_place_of_a_flight_is_the_nearest_of_all() -> None:
     durations = np.delete(durations, np.s_[1::10])
     states = np.hstack([flights, np.zeros((len(flights), 3))])
     with np.errstate(all="ignore"):
-        found = measures._nearest(states, durations, dict(hoopgen.PAPER))
-    for row, nearest in enumerate(found.tolist()):
-        assert abs(nearest - _exactly_nearest(flights[row], durations[row])) < 1e-12
+        found = nearest(states, durations, dict(hoopgen.PAPER))
+    for row, least in enumerate(found.tolist()):
+        assert abs(least - _exactly_nearest(flights[row], durations[row])) < 1e-12
 
 
 @pytest.mark.parametrize(
@@ -198,7 +199,7 @@ def test_flights_on_which_bounds_are_infinite(
     reach = sizes["ball_radius"] + sizes["wire_radius"]
     expected = {"axis": sizes["ring_radius"], "wire": 0.0, "start": 1.0 - sizes["ring_radius"]}
     with np.errstate(all="ignore"):
-        found = measures._nearest(np.array([[*state, 0, 0, 0]]), np.array([duration]), sizes)
+        found = nearest(np.array([[*state, 0, 0, 0]]), np.array([duration]), sizes)
     assert found[0] == pytest.approx(expected[nearest] - reach, abs=1e-13)
 
 
