@@ -18,8 +18,9 @@ import xarray as xr  # noqa: E402
 
 import hoopgen  # noqa: E402
 from hoopgen.cli import main  # noqa: E402
-from hoopgen.study.models import Resample, Scatter  # noqa: E402
 from hoopgen.study.player import Player  # noqa: E402
+from hoopgen.study.resample import Resample  # noqa: E402
+from hoopgen.study.scatter import Scatter  # noqa: E402
 from hoopgen.study.variables import STATE  # noqa: E402
 from hoopgen.studyfile import check_study, run_study  # noqa: E402
 from hoopgen.studyfile.reading import StudyError  # noqa: E402

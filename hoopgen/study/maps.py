@@ -28,7 +28,9 @@ from .chunks import run
 from .draws import check_seed
 from .intervals import wilson
 from .measures import Kind, kinds
-from .models import Resample, Scatter, alike, check_thrown, scene_by_row
+from .resample import Resample
+from .scatter import Scatter
+from .scattering import alike, check_thrown, scene_by_row
 from .tallies import (
     BLOCK,
     COLUMNS,

@@ -23,8 +23,10 @@ from .draws import check_two_seeds
 from .intervals import newcombe, wilson
 from .margins import MARGINS, Margin, margins_about
 from .measures import measure
-from .models import Resample, Scatter, check_thrown
 from .player import By, Player, Thrown, arguments_of
+from .resample import Resample
+from .scatter import Scatter
+from .scattering import check_thrown
 from .search import Bounds, bounds_of, flat_about, search
 from .tallies import check_scene, check_share
 from .told import in_a_note, say_release, told_setting

@@ -20,8 +20,9 @@ from hoopgen.simulation import simulate
 from hoopgen.sizes import in_short
 
 from .chunks import run
+from .grid import Grid
 from .intervals import least_shots
-from .models import Grid, ReleaseModel
+from .models import ReleaseModel
 from .tallies import COLUMNS, FIELDS, Tally, blocks, check_scene, check_share
 
 __all__ = [

@@ -25,9 +25,10 @@ from hoopgen.study.chunks import run
 from hoopgen.study.draws import check_two_seeds
 from hoopgen.study.maps import check_cells
 from hoopgen.study.maps import map as mapped
-from hoopgen.study.models import Resample, Scatter
 from hoopgen.study.named import in_units
 from hoopgen.study.optimum import optimum, scattering
+from hoopgen.study.resample import Resample
+from hoopgen.study.scatter import Scatter
 from hoopgen.study.search import bounds_of
 from hoopgen.study.words import between, say
 
