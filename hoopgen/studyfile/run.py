@@ -20,16 +20,8 @@ from typing import Any
 import hoopgen
 from hoopgen.outputs import sync
 from hoopgen.phrases import counted
-from hoopgen.study.chunks import (
-    check_workers,
-    differences,
-    flat,
-    in_short,
-    opened,
-    read_record,
-    versions,
-    written,
-)
+from hoopgen.study.chunks import check_workers, versions
+from hoopgen.study.folders import differences, flat, in_short, opened, read_record, written
 from hoopgen.study.words import for_json
 
 from . import lines
