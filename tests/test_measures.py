@@ -181,7 +181,7 @@ def test_the_nearest_place_of_a_flight_is_the_nearest_of_all() -> None:
 
 
 @pytest.mark.parametrize(
-    ("state", "duration", "nearest"),
+    ("state", "duration", "where"),
     [
         # All along the axis the wire is R_H away at the least, when the ball is at its height.
         ([0, 0, 1, 0, 0, 0], 1.0, "axis"),
@@ -193,14 +193,14 @@ def test_the_nearest_place_of_a_flight_is_the_nearest_of_all() -> None:
     ],
 )
 def test_flights_on_which_bounds_are_infinite(
-    state: list[float], duration: float, nearest: str
+    state: list[float], duration: float, where: str
 ) -> None:
     sizes = hoopgen.PAPER
     reach = sizes["ball_radius"] + sizes["wire_radius"]
     expected = {"axis": sizes["ring_radius"], "wire": 0.0, "start": 1.0 - sizes["ring_radius"]}
     with np.errstate(all="ignore"):
         found = nearest(np.array([[*state, 0, 0, 0]]), np.array([duration]), sizes)
-    assert found[0] == pytest.approx(expected[nearest] - reach, abs=1e-13)
+    assert found[0] == pytest.approx(expected[where] - reach, abs=1e-13)
 
 
 # Kinds
