@@ -27,7 +27,7 @@ from benchmarks.attack import compilers, files, kills, lines, rows  # noqa: E402
 from benchmarks.attack.cases import Attack, Attempt, Result, Tally, attacked  # noqa: E402
 from benchmarks.attack.processes import Ended, Entry, hoopgen, run, wrong  # noqa: E402
 from benchmarks.attack.report import page, summary  # noqa: E402
-from hoopgen.study import chunks  # noqa: E402
+from hoopgen.study import folders  # noqa: E402
 
 # One worker: what is prepared is prepared once.
 pytestmark = pytest.mark.xdist_group("attack")
@@ -218,24 +218,24 @@ def test_flags_that_change_results_and_nobody_says_so_are_found(kind: Any, tmp_p
 
 def killed(arguments: list[str]) -> None:
     """The command line, which is killed once, when it has kept two chunks."""
-    write, done = chunks.Folder.write, []
+    write, done = folders.Folder.write, []
     marked = Path.cwd().with_name("was killed")
 
-    def last(folder: chunks.Folder, chunk: int, table: object) -> None:
+    def last(folder: folders.Folder, chunk: int, table: object) -> None:
         write(folder, chunk, table)
         done.append(chunk)
         if len(done) == 2 and not marked.exists():
             marked.touch()
             os.kill(os.getpid(), signal.SIGKILL)
 
-    chunks.Folder.write = last  # type: ignore[method-assign]
+    folders.Folder.write = last  # type: ignore[method-assign]
     hoopgen(arguments)
 
 
 def loses_a_chunk(arguments: list[str]) -> None:
     """The like, and what it goes on with is its first chunk, twice."""
-    read = chunks.Folder.read
-    chunks.Folder.read = lambda folder, chunk: read(folder, 0)  # type: ignore[method-assign]
+    read = folders.Folder.read
+    folders.Folder.read = lambda folder, chunk: read(folder, 0)  # type: ignore[method-assign]
     killed(arguments)
 
 

@@ -19,7 +19,7 @@ import pytest
 
 pa = pytest.importorskip("pyarrow")
 
-from hoopgen.study import chunks, lock  # noqa: E402
+from hoopgen.study import chunks, folders, lock  # noqa: E402
 
 CHUNKS = 7
 
@@ -200,7 +200,7 @@ def test_chunks_of_other_versions_are_not_taken(
 ) -> None:
     list(chunks.run(Numbers(), tmp_path))
     others = {**chunks.versions(), package: "9.9"}
-    monkeypatch.setattr(chunks, "versions", lambda: others)
+    monkeypatch.setattr(folders, "versions", lambda: others)
     with pytest.raises(ValueError, match=rf'another job: {package} is "[^"]*" there and "9\.9" h'):
         next(chunks.run(Numbers(), tmp_path))
 
@@ -224,12 +224,12 @@ def test_what_was_left_unfinished_is_removed(tmp_path: Path, whole: dict[str, by
 
 
 def test_a_folder_is_removed_but_for_what_others_put_there(tmp_path: Path) -> None:
-    with chunks.opened(tmp_path / "parts", Numbers().identity()) as folder:
+    with folders.opened(tmp_path / "parts", Numbers().identity()) as folder:
         list(chunks.run(Numbers(), folder))
         (tmp_path / "parts" / "notes.txt").touch()
         folder.remove()
     assert [*contents(tmp_path / "parts")] == ["notes.txt"]
-    with chunks.opened(tmp_path / "more", {}) as folder:
+    with folders.opened(tmp_path / "more", {}) as folder:
         folder.remove()
     assert not (tmp_path / "more").exists()
 
@@ -245,7 +245,7 @@ def script(body: str, *arguments: str) -> list[str]:
 
 
 HOLD = """
-with chunks.opened(sys.argv[1], Numbers().identity()):
+with folders.opened(sys.argv[1], Numbers().identity()):
     print("open", flush=True)
     sys.stdin.read()
 """
@@ -265,17 +265,17 @@ def test_a_folder_is_for_one_process_until_it_ends_however_it_does(tmp_path: Pat
 
 def test_nor_for_two_runs_of_one_process(tmp_path: Path) -> None:
     with (
-        chunks.opened(tmp_path, {}),
+        folders.opened(tmp_path, {}),
         pytest.raises(RuntimeError, match="another process"),
-        chunks.opened(tmp_path, {}),
+        folders.opened(tmp_path, {}),
     ):
         pass
 
 
 def test_a_folder_that_is_removed_is_held_until_then(tmp_path: Path) -> None:
-    with chunks.opened(tmp_path / "parts", {}) as folder:
+    with folders.opened(tmp_path / "parts", {}) as folder:
         folder.remove()
-        with pytest.raises(RuntimeError, match="another process"), chunks.opened(folder.path, {}):
+        with pytest.raises(RuntimeError, match="another process"), folders.opened(folder.path, {}):
             pass
     assert not folder.path.exists()
 
@@ -289,13 +289,13 @@ def test_a_lock_is_removed_while_it_is_held(
 
     def tried(file: Path, missing_ok: bool = False) -> None:
         if file.name == "lock":
-            with pytest.raises(RuntimeError, match="another process"), chunks.opened(tmp_path, {}):
+            with pytest.raises(RuntimeError, match="another process"), folders.opened(tmp_path, {}):
                 pass
             refused.append(file)
         unlink(file, missing_ok)
 
     monkeypatch.setattr(Path, "unlink", tried)
-    with chunks.opened(tmp_path, {}) as folder:
+    with folders.opened(tmp_path, {}) as folder:
         folder.remove()
     assert refused == [tmp_path / "lock"]
 
@@ -310,22 +310,22 @@ def test_who_opens_a_folder_that_is_being_removed_holds_a_lock_that_others_see(
     name = "_lock_file" if point == "before it opens the lock" else "_take"
     step = getattr(lock, name)
     with contextlib.ExitStack() as first, contextlib.ExitStack() as third:
-        first.enter_context(chunks.opened(path, {})).remove()
+        first.enter_context(folders.opened(path, {})).remove()
 
         def meanwhile(given: Any) -> Any:
             monkeypatch.setattr(lock, name, step)
             first.close()
             if again:
-                third.enter_context(chunks.opened(path, {}))
+                third.enter_context(folders.opened(path, {}))
             return step(given)
 
         monkeypatch.setattr(lock, name, meanwhile)
         if again:
-            with pytest.raises(RuntimeError, match="another process"), chunks.opened(path, {}):
+            with pytest.raises(RuntimeError, match="another process"), folders.opened(path, {}):
                 pass
             return
-        with chunks.opened(path, {}):
-            with pytest.raises(RuntimeError, match="another process"), chunks.opened(path, {}):
+        with folders.opened(path, {}):
+            with pytest.raises(RuntimeError, match="another process"), folders.opened(path, {}):
                 pass
             assert {"lock", "identity.json"} == {*contents(path)}
 
@@ -338,7 +338,7 @@ for turn in range(100):
     while True:
         assert time.monotonic() < end
         try:
-            with chunks.opened(path, {}) as folder:
+            with folders.opened(path, {}) as folder:
                 os.close(os.open(f"{path}.held", os.O_CREAT | os.O_EXCL))
                 os.unlink(f"{path}.held")
                 folder.remove()
@@ -350,7 +350,7 @@ for turn in range(100):
 
 def test_a_file_is_no_folder(tmp_path: Path) -> None:
     (tmp_path / "parts").touch()
-    with pytest.raises(FileExistsError), chunks.opened(tmp_path / "parts", {}):
+    with pytest.raises(FileExistsError), folders.opened(tmp_path / "parts", {}):
         pass
 
 
@@ -467,7 +467,7 @@ def pass_by():
         if left[0] == 0:
             os.kill(os.getpid(), signal.SIGKILL)
 
-left, sync, written = [count], os.fsync, chunks.written
+left, sync, written = [count], os.fsync, folders.written
 
 def fsync(descriptor):
     pass_by()
@@ -487,7 +487,7 @@ def half(path):
 if point == "sync":
     os.fsync = fsync
 else:
-    chunks.written = half
+    folders.written = half
 for table in chunks.run(Numbers(), folder, threads=2):
     pass
 """
@@ -528,7 +528,7 @@ class Slow(Numbers):
         return super().compute(chunk)
 
 job = Slow(chunks=None)
-with chunks.opened(sys.argv[1], job.identity()) as folder:
+with folders.opened(sys.argv[1], job.identity()) as folder:
     for table in chunks.run(job, folder, threads=2):
         print("chunk", flush=True)
 """

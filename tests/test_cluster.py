@@ -23,7 +23,7 @@ pytest.importorskip("pyarrow.parquet")
 distributed = pytest.importorskip("distributed")
 
 import hoopgen  # noqa: E402
-from hoopgen.study import aim, chunks, models, workers  # noqa: E402
+from hoopgen.study import aim, chunks, scatter, workers  # noqa: E402
 
 pytestmark = pytest.mark.xdist_group("cluster")
 
@@ -38,7 +38,7 @@ class Free:
     def compute(self, chunk: int) -> Any:
         time.sleep(self.pause)
         mean = {"speed": 7.17, "elevation": 0.9, "height": 2.13, "distance": 4.19}
-        model = models.Scatter(mean, {"speed": 0.07, "azimuth": 0.02, "restitution": 0.02})
+        model = scatter.Scatter(mean, {"speed": 0.07, "azimuth": 0.02, "restitution": 0.02})
         shots = model.draw(200 * chunk, 200 * (chunk + 1), 5)
         results = hoopgen.simulate(shots.states, shots.parameters, threads=1)
         return pa.table({"time": results.time, "x": results.state[:, 0], "n": results.contacts})

@@ -22,7 +22,7 @@ from hoopgen.study import aim as aims  # noqa: E402
 from hoopgen.study import player as players  # noqa: E402
 from hoopgen.study.aim import aim_table  # noqa: E402
 from hoopgen.study.crew import alone, crew  # noqa: E402
-from hoopgen.study.toml import answers, run_study  # noqa: E402
+from hoopgen.studyfile import run_study, varied  # noqa: E402
 
 PLACE = {"height": 2.1336, "distance": 4.191, "backspin": 6 * np.pi}
 SD = {"speed": 0.07, "elevation": np.radians(1.3), "azimuth": np.radians(1)}
@@ -213,13 +213,13 @@ def test_a_study_s_searches_are_told_who_works(
 ) -> None:
     told: dict[str, Any] = {}
     for name in ("optimum", "aim_table"):
-        plain = getattr(answers, name)
+        plain = getattr(varied, name)
 
         def spy(*arguments: Any, _name: str = name, _plain: Any = plain, **options: Any) -> Any:
             told[_name] = (options["threads"], options["folder"].name)
             return _plain(*arguments, **options)
 
-        monkeypatch.setattr(answers, name, spy)
+        monkeypatch.setattr(varied, name, spy)
     (tmp_path / "study.toml").write_text(STUDY)
     found = run_study(tmp_path / "study.toml", tmp_path / "out", threads=2)
     assert told == dict.fromkeys(("optimum", "aim_table"), (2, "chunks"))

@@ -19,11 +19,13 @@ from scipy.stats import binomtest
 import hoopgen
 from hoopgen import Outcome, Scatter, compare, estimate
 from hoopgen.cli import main
-from hoopgen.study import estimate as module
-from hoopgen.study.estimate import Comparison, Estimate, newcombe
+from hoopgen.study import throws
+from hoopgen.study.compare import Comparison
+from hoopgen.study.estimate import Estimate
+from hoopgen.study.intervals import newcombe, wilson
 from hoopgen.study.measures import Kind, kinds
 from hoopgen.study.named import in_units
-from hoopgen.study.tallies import Tally, wilson
+from hoopgen.study.tallies import Tally
 from hoopgen.study.variables import Releases, change_variables
 
 DEGREE = math.pi / 180
@@ -37,7 +39,7 @@ SCENE = hoopgen.NBA | {"restitution": 0.75}
 @pytest.fixture(autouse=True)
 def small_chunks(monkeypatch: pytest.MonkeyPatch) -> None:
     """Many chunks of few blocks, so that few shots go through all of it."""
-    monkeypatch.setattr(module, "CHUNK", 1000)
+    monkeypatch.setattr(throws, "CHUNK", 1000)
     monkeypatch.setattr("hoopgen.study.tallies.BLOCK", 300)
 
 
@@ -212,7 +214,7 @@ def test_threads_and_backends_change_nothing(threads: int, backend: Any) -> None
 
 
 def test_a_chunk_may_be_computed_by_another_process() -> None:
-    work = module._Work((module._setting(PLAYER, SCENE),) * 2, 2500, 3, 40, "auto")
+    work = throws.Work((throws.setting_of(PLAYER, SCENE),) * 2, 2500, 3, 40, "auto")
     there = pickle.loads(pickle.dumps(work))
     assert there.compute(2).equals(work.compute(2))
     assert there.identity() == work.identity() == json.loads(json.dumps(work.identity()))
@@ -220,7 +222,7 @@ def test_a_chunk_may_be_computed_by_another_process() -> None:
 
 def test_chunks_and_blocks_change_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     wanted = estimate(PLAYER, SCENE, shots=2500)
-    monkeypatch.setattr(module, "CHUNK", 777)
+    monkeypatch.setattr(throws, "CHUNK", 777)
     monkeypatch.setattr("hoopgen.study.tallies.BLOCK", 64)
     assert estimate(PLAYER, SCENE, shots=2500) == wanted
 
@@ -237,9 +239,9 @@ def test_a_folder_keeps_chunks_and_is_gone_on_from(
     (lost,) = tmp_path.glob("chunk-*1.arrow")
     lost.unlink()
     asked = []
-    compute = module._Work.compute
+    compute = throws.Work.compute
     monkeypatch.setattr(
-        module._Work, "compute", lambda work, chunk: (asked.append(chunk), compute(work, chunk))[1]
+        throws.Work, "compute", lambda work, chunk: (asked.append(chunk), compute(work, chunk))[1]
     )
     assert estimate(PLAYER, SCENE, shots=2500, folder=tmp_path) == wanted
     assert asked == [1]

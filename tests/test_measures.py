@@ -24,6 +24,7 @@ import hoopgen
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.study import measures
 from hoopgen.study.measures import MEASURES, Kind, kinds, measure
+from hoopgen.study.nearest import nearest
 
 Floats = NDArray[np.float64]
 EPS = float(np.finfo(np.float64).eps)
@@ -174,13 +175,13 @@ def test_the_nearest_place_of_a_flight_is_the_nearest_of_all() -> None:
     durations = np.delete(durations, np.s_[1::10])
     states = np.hstack([flights, np.zeros((len(flights), 3))])
     with np.errstate(all="ignore"):
-        found = measures._nearest(states, durations, dict(hoopgen.PAPER))
-    for row, nearest in enumerate(found.tolist()):
-        assert abs(nearest - _exactly_nearest(flights[row], durations[row])) < 1e-12
+        found = nearest(states, durations, dict(hoopgen.PAPER))
+    for row, least in enumerate(found.tolist()):
+        assert abs(least - _exactly_nearest(flights[row], durations[row])) < 1e-12
 
 
 @pytest.mark.parametrize(
-    ("state", "duration", "nearest"),
+    ("state", "duration", "where"),
     [
         # All along the axis the wire is R_H away at the least, when the ball is at its height.
         ([0, 0, 1, 0, 0, 0], 1.0, "axis"),
@@ -192,14 +193,14 @@ def test_the_nearest_place_of_a_flight_is_the_nearest_of_all() -> None:
     ],
 )
 def test_flights_on_which_bounds_are_infinite(
-    state: list[float], duration: float, nearest: str
+    state: list[float], duration: float, where: str
 ) -> None:
     sizes = hoopgen.PAPER
     reach = sizes["ball_radius"] + sizes["wire_radius"]
     expected = {"axis": sizes["ring_radius"], "wire": 0.0, "start": 1.0 - sizes["ring_radius"]}
     with np.errstate(all="ignore"):
-        found = measures._nearest(np.array([[*state, 0, 0, 0]]), np.array([duration]), sizes)
-    assert found[0] == pytest.approx(expected[nearest] - reach, abs=1e-13)
+        found = nearest(np.array([[*state, 0, 0, 0]]), np.array([duration]), sizes)
+    assert found[0] == pytest.approx(expected[where] - reach, abs=1e-13)
 
 
 # Kinds

@@ -475,7 +475,7 @@ def test_the_greatest_number_draws_the_last_row(
 ) -> None:
     """A product that were rounded up to the number of rows would be out of range."""
     extremes = np.array([2.0**-53, 1 - 2.0**-53])
-    monkeypatch.setattr("hoopgen.study.models.uniforms", lambda *_: extremes)
+    monkeypatch.setattr("hoopgen.study.resample.uniforms", lambda *_: extremes)
     model = Resample({"speed": np.arange(number), "elevation": 0.9, "height": 2, "distance": 4})
     assert model.rows == number
     assert model.draw(0, 2).columns["speed"].tolist() == [0, number - 1]

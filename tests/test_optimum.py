@@ -20,13 +20,13 @@ import hoopgen
 from hoopgen.cli import main
 from hoopgen.study.bank import bank_or_direct, crossing, on_board
 from hoopgen.study.crew import crew
+from hoopgen.study.intervals import wilson
 from hoopgen.study.margins import _SMOOTH, Margin, margins
-from hoopgen.study.models import Scatter
 from hoopgen.study.named import in_units
 from hoopgen.study.optimum import Optimum, optimum
 from hoopgen.study.player import Player
+from hoopgen.study.scatter import Scatter
 from hoopgen.study.search import bounds_of
-from hoopgen.study.tallies import wilson
 from hoopgen.study.variables import ARGUMENTS
 
 DEGREE = np.pi / 180

@@ -185,19 +185,18 @@ def test_with_shots_said_any_precision_ends() -> None:
 
 
 def test_no_interval_is_narrower_than_its_least_shots_allow() -> None:
-    estimates = pytest.importorskip("hoopgen.study.estimate")
-    tallies = pytest.importorskip("hoopgen.study.tallies")
+    intervals = pytest.importorskip("hoopgen.study.intervals")
     random = np.random.default_rng(1)
     for _ in range(2_000):
         shots, level = int(random.choice([1, 2, 3, 10, 1_000])), float(random.choice([0.5, 0.999]))
         cuts = np.sort(random.choice([0, shots, shots // 2, random.integers(shots + 1)], 3))
         parts = random.permutation(np.diff(cuts, prepend=0, append=shots)).tolist()
         # Half a width is known within some eps of 1, of which it is a difference.
-        low, high = estimates.newcombe(*parts, level)
+        low, high = intervals.newcombe(*parts, level)
         half = math.nextafter(min(0.5 * (high - low) + 1e-15, 0.99), 1.0)
-        assert estimates.least_shots(half, level, paired=True) <= shots
-        low, high = tallies.wilson(parts[0], shots, level)
-        assert estimates.least_shots(0.5 * float(high - low) + 1e-15, level) <= shots
+        assert intervals.least_shots(half, level, paired=True) <= shots
+        low, high = intervals.wilson(parts[0], shots, level)
+        assert intervals.least_shots(0.5 * float(high - low) + 1e-15, level) <= shots
 
 
 # On the command line

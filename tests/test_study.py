@@ -29,12 +29,13 @@ from hoopgen.cli import main  # noqa: E402
 from hoopgen.study.bank import bank_or_direct  # noqa: E402
 from hoopgen.study.chunks import versions  # noqa: E402
 from hoopgen.study.named import in_units, named  # noqa: E402
-from hoopgen.study.toml import answers, check_study, run_study  # noqa: E402
-from hoopgen.study.toml import lines as toml_lines  # noqa: E402
-from hoopgen.study.toml.reading import StudyError, parse  # noqa: E402
-from hoopgen.study.toml.reference import reference  # noqa: E402
-from hoopgen.study.toml.report import _text as report_text  # noqa: E402
-from hoopgen.study.toml.schema import KINDS  # noqa: E402
+from hoopgen.studyfile import answers, check_study, run_study, varied  # noqa: E402
+from hoopgen.studyfile import lines as toml_lines  # noqa: E402
+from hoopgen.studyfile.asked import Answer, Asked, Work  # noqa: E402
+from hoopgen.studyfile.reading import StudyError, parse  # noqa: E402
+from hoopgen.studyfile.reference import reference  # noqa: E402
+from hoopgen.studyfile.report import _text as report_text  # noqa: E402
+from hoopgen.studyfile.schema import KINDS  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[1]
 DEGREE = np.pi / 180
@@ -571,7 +572,7 @@ def test_nothing_that_is_written_is_evaluated(
 # Where shots come from
 
 
-def setting(tmp_path: Path, text: str, which: int = 0) -> answers.Asked:
+def setting(tmp_path: Path, text: str, which: int = 0) -> Asked:
     return check_study(written(tmp_path, text))[which]
 
 
@@ -781,7 +782,7 @@ def test_a_report_holds_titles_as_text_and_a_description_as_markdown(tmp_path: P
 def test_the_report_holds_errors_as_text(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     lost = "[[question]]\nkind = 'optimum'\nname = 'lost'\nshots = 100\nover.elevation = {}\n"
     file = written(tmp_path, HEAD + lost.format("['1 deg', '2 deg']") + ESTIMATE)
-    monkeypatch.setattr(answers, "optimum", _fails)
+    monkeypatch.setattr(varied, "optimum", _fails)
     with pytest.raises(ExceptionGroup):
         run_study(file)
     report = (tmp_path / "study-results" / "report.md").read_text(encoding="utf-8")
@@ -834,7 +835,7 @@ def fsync(descriptor):
     sync(descriptor)
 
 os.fsync = fsync
-from hoopgen.study.toml import run_study
+from hoopgen.studyfile import run_study
 run_study(sys.argv[1], sys.argv[2], threads=1)
 print(int(sys.argv[3]) - left[0])
 """
@@ -898,7 +899,7 @@ def test_answers_by_other_versions_are_another_study(
     file = written(tmp_path, HEAD + ESTIMATE)
     run_study(file)
     others = {**versions(), package: "9.9"}
-    monkeypatch.setattr("hoopgen.study.toml.run.versions", lambda: others)
+    monkeypatch.setattr("hoopgen.studyfile.run.versions", lambda: others)
     with pytest.raises(ValueError, match=rf'probability: {package} is "[^"]*" there and "9\.9" h'):
         run_study(file)
 
@@ -927,11 +928,11 @@ def test_questions_may_be_added_and_words_changed(
     asked = []
     answer = answers.answer
 
-    def noted(one: answers.Asked, work: answers.Work) -> answers.Answer:
+    def noted(one: Asked, work: Work) -> Answer:
         asked.append(one.question.name)
         return answer(one, work)
 
-    monkeypatch.setattr("hoopgen.study.toml.run.answer", noted)
+    monkeypatch.setattr("hoopgen.studyfile.run.answer", noted)
     again = run_study(file)
     assert asked == ["more"]
     assert list(again) == ["more", "probability"]
@@ -972,7 +973,7 @@ def test_an_error_that_was_not_foreseen_is_told_with_its_type(
         raise KeyError("wrong")
 
     file = written(tmp_path, HEAD + ESTIMATE)
-    monkeypatch.setattr("hoopgen.study.toml.run.answer", broken)
+    monkeypatch.setattr("hoopgen.studyfile.run.answer", broken)
     result = run(file)
     assert result.exit_code == 70
     first, second = result.stderr.splitlines()
@@ -1064,7 +1065,7 @@ def test_progress_is_told_of_each_question(tmp_path: Path) -> None:
 def test_work_goes_to_a_scheduler_in_pieces_that_travel(tmp_path: Path) -> None:
     asked = setting(tmp_path, ALL, 4)
     assert isinstance(asked.question, KINDS["bank"])
-    job = answers._Places(((1.5, 1.0),), {}, asked.setting, asked.question, asked.study)
+    job = varied._Places(((1.5, 1.0),), {}, asked.setting, asked.question, asked.study)
     assert pickle.loads(pickle.dumps(job)) == job
 
 

@@ -19,7 +19,7 @@ import hoopgen  # noqa: E402
 from hoopgen.cli import main  # noqa: E402
 from hoopgen.phrases import counted, doubtful, interval, percent, points  # noqa: E402
 from hoopgen.study.advice import advice  # noqa: E402
-from hoopgen.study.chunks import opened  # noqa: E402
+from hoopgen.study.folders import opened  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[1]
 PLACE = {"height": 2.1336, "distance": 4.191, "backspin": 6 * np.pi}

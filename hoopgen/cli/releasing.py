@@ -29,7 +29,8 @@ from hoopgen.cli.options import (
 from hoopgen.cli.types import ASSIGNMENT, CORRELATION, FILE, once
 
 if TYPE_CHECKING:
-    from hoopgen.study.models import Resample, Scatter
+    from hoopgen.study.resample import Resample
+    from hoopgen.study.scatter import Scatter
 
 __all__ = ["Releasing", "from_option", "release_options", "work_options"]
 
@@ -66,7 +67,8 @@ class Releasing:
         Of some variables changed, the scene's parameters among them.
         """
         from hoopgen.parameters import NAMES
-        from hoopgen.study.models import Resample, Scatter
+        from hoopgen.study.resample import Resample
+        from hoopgen.study.scatter import Scatter
         from hoopgen.study.variables import change_variables
 
         values = change_variables({**self.measured, **self.values}, changes)

@@ -22,7 +22,7 @@ __all__ = ["study"]
 def _print_reference(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
     if not wanted:
         return
-    from hoopgen.study.toml.reference import reference
+    from hoopgen.studyfile.reference import reference
 
     click.echo(reference(), nl=False)
     ctx.exit()
@@ -62,8 +62,8 @@ def study(
     a report, the file itself and the versions of all that computed, so that they can be published.
     An interrupted run goes on where it was.
     """
-    from hoopgen.study.toml import check_study, run_study
-    from hoopgen.study.toml.reading import StudyError
+    from hoopgen.studyfile import check_study, run_study
+    from hoopgen.studyfile.reading import StudyError
 
     try:
         if check:

@@ -22,11 +22,14 @@ from hoopgen.sizes import check_room
 
 from .crew import crew
 from .draws import check_two_seeds
-from .models import Resample, Scatter, alike, scene_by_row
+from .intervals import wilson
 from .optimum import paired, scattering
 from .player import By, Player, Thrown, arguments_of
+from .resample import Resample
+from .scatter import Scatter
+from .scattering import alike, scene_by_row
 from .search import Bounds, bounds_of, search
-from .tallies import check_share, wilson
+from .tallies import check_share
 from .told import model_told, say_scene
 from .variables import ARGUMENTS, VARIABLES, change_variables
 

@@ -26,8 +26,11 @@ from hoopgen.sizes import check_room
 
 from .chunks import run
 from .draws import check_seed
+from .intervals import wilson
 from .measures import Kind, kinds
-from .models import Resample, Scatter, alike, check_thrown, scene_by_row
+from .resample import Resample
+from .scatter import Scatter
+from .scattering import alike, check_thrown, scene_by_row
 from .tallies import (
     BLOCK,
     COLUMNS,
@@ -35,7 +38,6 @@ from .tallies import (
     Tally,
     check_scene,
     check_share,
-    wilson,
 )
 from .told import model_told, say_scene
 from .variables import STANDS_FOR, VARIABLES, change_variables, check_angles, check_names

@@ -18,8 +18,10 @@ from hoopgen.phrases import counted
 
 from .crew import crew
 from .draws import check_seed
-from .models import Resample, Scatter, check_thrown
 from .player import By, Player, arguments_of, one_each
+from .resample import Resample
+from .scatter import Scatter
+from .scattering import check_thrown
 from .tallies import check_share
 from .told import say_scene
 from .variables import VARIABLES, check_names

@@ -18,12 +18,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.generated.numpy import hoop
 from hoopgen.inputs import check_states
-from hoopgen.installed import need
 from hoopgen.parameters import NAMES, PAPER, Value, resolve
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
 
+from .nearest import nearest, rows_of
 from .variables import check_names
 
 __all__ = ["MEASURES", "Kind", "Measure", "kinds", "measure"]
@@ -34,9 +34,6 @@ _RING, _BOARD, _BRIDGE = (SURFACES.index(name) for name in ("ring", "backboard",
 
 _BLOCK = 1 << 14
 """Shots measured at a time; their columns fit a processor's cache."""
-
-_HALVINGS = 50
-"""Of a flight's time in the search for the wire: then a cell is shorter than the resolution."""
 
 
 # ------------------------------------------------------------------------------------------- kinds
@@ -144,7 +141,7 @@ def measure(
         block = _Block(
             releases[rows],
             {name: result[rows] for name, result in results.items()},
-            dict(zip(NAMES, (_rows(value, rows) for value in values), strict=True)),
+            dict(zip(NAMES, (rows_of(value, rows) for value in values), strict=True)),
         )
         with np.errstate(all="ignore"):  # what is out of range there is NaN
             for group in groups:
@@ -152,10 +149,6 @@ def measure(
                     if name in columns:
                         columns[name][rows] = np.where(block.valid, column, np.nan)
     return columns
-
-
-def _rows(value: Value, rows: slice | NDArray[np.intp]) -> Value:
-    return value if isinstance(value, float) else value[rows]
 
 
 @dataclass(frozen=True)
@@ -182,7 +175,7 @@ class _Block:
 
     def of(self, rows: NDArray[np.intp]) -> dict[str, Value]:
         """Return the parameters of some of the shots."""
-        return {name: _rows(value, rows) for name, value in self.parameters.items()}
+        return {name: rows_of(value, rows) for name, value in self.parameters.items()}
 
     def again(self, rows: NDArray[np.intp], max_contacts: int, **options: Any) -> Shots:
         """Simulate some of the shots up to so many contacts."""
@@ -268,12 +261,12 @@ def _past_the_wire(block: _Block) -> dict[str, Floats]:
     ends = block.results["time"] + np.where(short, fall, 0.0)
     clearance = np.zeros(len(block))
     free = np.flatnonzero(missed_it & (contacts == 0))
-    clearance[free] = _nearest(block.states[free], ends[free], block.of(free))
+    clearance[free] = nearest(block.states[free], ends[free], block.of(free))
     around = np.flatnonzero(missed_it & (contacts > 0))
     if len(around):
         owner, states, durations = _flights(block, around, ends)
         clearance[around] = np.inf
-        np.minimum.at(clearance, owner, _nearest(states, durations, block.of(owner)))
+        np.minimum.at(clearance, owner, nearest(states, durations, block.of(owner)))
     return {"clearance": np.maximum(clearance, 0.0)}
 
 
@@ -295,70 +288,6 @@ def _flights(
     last = np.append(owner[1:] != owner[:-1], True)
     until = np.where(last, ends[owner], np.append(starts[1:], np.nan))
     return owner, states, until - starts
-
-
-def _nearest(states: Floats, durations: Floats, parameters: Mapping[str, Value]) -> Floats:
-    """Return the least distance of ball and wire along flights, within their resolution.
-
-    Branch and bound: a cell of time is left where the kernel's bound shows that no place in it is
-    nearer than the nearest one known, and halved until the distance has at most one minimum in it.
-    """
-
-    def near(rows: NDArray[np.intp], t: Floats, half: Floats) -> Any:
-        sizes = (_rows(parameters[name], rows) for name in _SIZES)
-        arguments = [t, *states[rows].T[:6], half, *sizes]
-        return hoop.ring_nearness(*arguments)
-
-    def note(rows: NDArray[np.intp], t: Floats) -> Any:
-        gap, rate, *_ = near(rows, t, np.zeros_like(t))
-        np.minimum.at(best, rows, gap)
-        return rate
-
-    rows = np.arange(len(states))
-    best = np.full(len(states), np.inf)
-    note(rows, np.zeros(len(states)))
-    note(rows, durations)
-    t = half = durations / 2
-    for _ in range(_HALVINGS):
-        gap, _, lower, concavity, resolution = near(rows, t, half)
-        np.minimum.at(best, rows, gap)
-        open_ = lower < best[rows] - resolution
-        single = open_ & (concavity < 0.0)
-        _bottom(near, note, rows[single], t[single], half[single])
-        # What was found there may leave less to do.
-        split = open_ & ~single & (lower < best[rows] - resolution)
-        rows, half = np.repeat(rows[split], 2), np.repeat(half[split] / 2, 2)
-        t = np.repeat(t[split], 2) + half * np.tile([-1.0, 1.0], len(t[split]))
-        if not len(rows):
-            break
-    return best
-
-
-_SIZES = ("ball_radius", "ring_radius", "wire_radius", "gravity")
-
-
-def _bottom(
-    near: Callable[..., Any],
-    note: Callable[..., Any],
-    rows: NDArray[np.intp],
-    t: Floats,
-    half: Floats,
-) -> None:
-    """Note the least distance in cells in which its rate rises throughout."""
-    # Here, since a picture that needs a `Kind` need not have SciPy.
-    elementwise = need("scipy.optimize.elementwise", "this measure")
-
-    begin, end = t - half, t + half
-    falls, rises = note(rows, begin) < 0.0, note(rows, end) > 0.0
-    inside = falls & rises
-    if np.any(inside):
-        ends = (begin[inside], end[inside])
-        found = elementwise.find_root(
-            lambda at, row: near(row.astype(np.intp), at, np.zeros_like(at))[1],
-            ends,
-            args=(rows[inside],),
-        )
-        note(rows[inside], found.x)
 
 
 # ----------------------------------------------------------------------------------- what there is

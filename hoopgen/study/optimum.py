@@ -20,13 +20,15 @@ from hoopgen.simulation import simulate
 from .advice import advice
 from .crew import crew
 from .draws import check_two_seeds
-from .estimate import newcombe
+from .intervals import newcombe, wilson
 from .margins import MARGINS, Margin, margins_about
 from .measures import measure
-from .models import Resample, Scatter, check_thrown
 from .player import By, Player, Thrown, arguments_of
+from .resample import Resample
+from .scatter import Scatter
+from .scattering import check_thrown
 from .search import Bounds, bounds_of, flat_about, search
-from .tallies import check_scene, check_share, wilson
+from .tallies import check_scene, check_share
 from .told import in_a_note, say_release, told_setting
 from .variables import VARIABLES, change_variables, check_names, resolve_variables
 from .words import between, for_json

@@ -19,7 +19,8 @@ from hoopgen.results import SURFACES, Outcome
 from hoopgen.simulation import simulate
 
 from .crew import Crew, alone
-from .models import Resample, Scatter
+from .resample import Resample
+from .scatter import Scatter
 from .tallies import check_scene
 from .variables import ARGUMENTS, VARIABLES, check_angles, check_names, release_arguments
 

@@ -8,8 +8,7 @@ from inspect import signature
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
-from scipy.special import ndtri
+from numpy.typing import NDArray
 
 from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
@@ -27,7 +26,6 @@ __all__ = [
     "blocks",
     "check_scene",
     "check_share",
-    "wilson",
 ]
 
 FIELDS = ("outcome", "counts", "first", "uncertain")
@@ -122,28 +120,6 @@ class Tally:
 
 
 _ALLOWED = tuple(signature(hoop.allowed).parameters)
-
-
-def wilson(
-    made: ArrayLike, shots: ArrayLike, confidence: float
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the ends of Wilson's score interval (1927) of a probability.
-
-    Parameters
-    ----------
-    made, shots
-        Whole numbers that broadcast. Of no shots nothing is known: from 0 to 1.
-    confidence
-        Within 0 and 1.
-    """
-    n, k = np.asarray(shots, dtype=np.float64), np.asarray(made, dtype=np.float64)
-    z = -float(ndtri(0.5 * (1.0 - confidence)))  # near 1 this keeps its digits
-    with np.errstate(invalid="ignore"):
-        half = z * np.sqrt(k * (n - k) / n + 0.25 * z * z)
-    middle, whole = k + 0.5 * z * z, n + z * z
-    low = np.where(k > 0, (middle - half) / whole, 0.0)
-    high = np.where(k < n, (middle + half) / whole, 1.0)
-    return low, high
 
 
 def check_scene(parameters: Mapping[str, Any]) -> dict[str, float]:

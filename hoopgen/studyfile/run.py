@@ -20,20 +20,13 @@ from typing import Any
 import hoopgen
 from hoopgen.outputs import sync
 from hoopgen.phrases import counted
-from hoopgen.study.chunks import (
-    check_workers,
-    differences,
-    flat,
-    in_short,
-    opened,
-    read_record,
-    versions,
-    written,
-)
+from hoopgen.study.chunks import check_workers, versions
+from hoopgen.study.folders import differences, flat, in_short, opened, read_record, written
 from hoopgen.study.words import for_json
 
 from . import lines
-from .answers import Answer, Asked, Work, answer, check
+from .answers import answer, check
+from .asked import Answer, Asked, Work
 from .reading import complain, parse
 from .report import report
 from .schema import Batch, Compare, StudyFile
@@ -68,7 +61,7 @@ def check_study(path: str | os.PathLike[str]) -> list[Asked]:
     Raises
     ------
     StudyError
-        If it is not as `hoopgen.study.toml.schema` describes: with all that is wrong, the lines
+        If it is not as `hoopgen.studyfile.schema` describes: with all that is wrong, the lines
         and the keys.
     OSError
         If it cannot be read.

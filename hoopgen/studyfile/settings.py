@@ -13,8 +13,9 @@ import numpy as np
 import pyarrow as pa
 
 from hoopgen.parameters import PAPER, PRESETS
-from hoopgen.study.models import Resample, Scatter
 from hoopgen.study.origin import origin_of
+from hoopgen.study.resample import Resample
+from hoopgen.study.scatter import Scatter
 from hoopgen.study.tables import Source, variable_of
 from hoopgen.study.variables import STATE, change_variables
 

@@ -18,23 +18,8 @@ from hoopgen.study.player import BY, By
 from hoopgen.study.tables import FORMATS
 from hoopgen.study.variables import ARGUMENTS, VARIABLES
 
-from .fields import (
-    Ends,
-    Listed,
-    Name,
-    Named,
-    OneOf,
-    Quantity,
-    Share,
-    Table,
-    Text,
-    Values,
-    Whole,
-    Word,
-    meant,
-    show,
-    wrong,
-)
+from .fields import Ends, Listed, Named, OneOf, Table, Values
+from .single import Name, Quantity, Share, Text, Whole, Word, meant, show, wrong
 
 __all__ = [
     "KINDS",

@@ -13,8 +13,8 @@ from pydantic import ValidationError
 from hoopgen.printable import printable
 
 from . import lines
-from .fields import show
 from .schema import StudyFile
+from .single import show
 
 __all__ = ["StudyError", "complain", "parse"]
 

@@ -14,7 +14,7 @@ import hoopgen
 from hoopgen.phrases import percent
 from hoopgen.printable import printable
 
-from .answers import Answer, Asked
+from .asked import Answer, Asked
 
 __all__ = ["report"]
 

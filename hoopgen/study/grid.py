@@ -1,0 +1,96 @@
+"""`Grid`: every combination of values."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from math import prod
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hoopgen.brief import brief
+from hoopgen.inputs import doubles
+from hoopgen.parameters import PAPER
+
+from .models import check_drawn, from_columns
+from .variables import (
+    Releases,
+    check_angles,
+)
+
+__all__ = ["Grid"]
+
+
+@dataclass(frozen=True)
+class Grid:
+    """Every combination of values; the last axis varies fastest.
+
+    Attributes
+    ----------
+    axes
+        Variables, or components of a state, and the values they take, in order.
+    fixed
+        The others, one number each.
+
+    Raises
+    ------
+    ValueError
+        If a name is unknown or twice there, an axis is not (m,), or angles are degrees: by their
+        median, more than a turn.
+    """
+
+    axes: Mapping[str, Sequence[float] | NDArray[np.float64]]
+    fixed: Mapping[str, float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        twice = [name for name in self.axes if name in self.fixed]
+        if twice:
+            raise ValueError(f"fixed: {', '.join(twice)} already among the axes")
+        for name, values in self.axes.items():
+            if doubles(f"axes[{name!r}]", values).ndim != 1 or not np.size(values):
+                raise ValueError(f"axes[{name!r}]: expected a list of numbers, got {brief(values)}")
+        check_angles("axes", self.axes)
+        check_angles("fixed", self.fixed)
+        self.draw(0, 1)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Number of values on each axis."""
+        return tuple(len(values) for values in self.axes.values())
+
+    @property
+    def shots(self) -> int:
+        """Number of combinations."""
+        return prod(self.shape)
+
+    def draw(
+        self, start: int, stop: int, seed: int = 0, parameters: Mapping[str, Any] = PAPER
+    ) -> Releases:
+        """Return combinations `start` to `stop` - 1; nothing is random.
+
+        Raises
+        ------
+        IndexError
+            If there are not so many.
+        """
+        if not 0 <= start <= stop <= self.shots:
+            raise IndexError(f"grid: shots {start} to {stop} of {self.shots}")
+        check_drawn(start, stop)
+        places = np.unravel_index(np.arange(start, stop), self.shape) if self.axes else ()
+        columns = {
+            name: doubles(name, values)[place]
+            for (name, values), place in zip(self.axes.items(), places, strict=True)
+        }
+        # One axis at the least is a column; without any, the single shot has none.
+        fixed = {name: doubles(name, value) for name, value in self.fixed.items()}
+        return from_columns({**columns, **fixed}, parameters)
+
+    def identity(self) -> dict[str, Any]:
+        """Return what tells this model from others, in types that JSON knows."""
+        return {
+            "model": "grid",
+            "axes": {name: doubles(name, values).tolist() for name, values in self.axes.items()},
+            "fixed": {name: float(value) for name, value in self.fixed.items()},
+        }

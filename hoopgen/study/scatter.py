@@ -1,0 +1,186 @@
+"""`Scatter`: a player's scatter about a mean release."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hoopgen.brief import brief
+from hoopgen.inputs import doubles
+from hoopgen.parameters import NAMES, PAPER
+from hoopgen.releases import released
+
+from .draws import normals
+from .models import Floats, Given, Scene, check_drawn, spread
+from .variables import (
+    ARGUMENTS,
+    VARIABLES,
+    Releases,
+    check_angles,
+    check_names,
+    make_releases,
+    release_arguments,
+)
+
+__all__ = ["Scatter"]
+
+_SCATTERED = (*ARGUMENTS, *NAMES)
+"""What may scatter; its index is the stream of its random numbers."""
+
+
+@dataclass(frozen=True)
+class Scatter:
+    """A player's scatter: normal about a mean release.
+
+    Attributes
+    ----------
+    release
+        Variables of the release aimed at, one number each; m, m/s, rad, rad/s. See `VARIABLES`.
+    sd
+        Standard deviations of arguments of `hoopgen.release`, or of parameters of the scene. The
+        noise is added to that release, where `aim` and `entry` have become speed and elevation.
+    correlation
+        Of pairs of names in `sd`; 0 where none is given.
+
+    Raises
+    ------
+    ValueError
+        If a name is unknown, a deviation is negative or not finite, an angle is in degrees, or the
+        correlations are not within -1 and 1, given twice, or no distribution has all of them.
+    """
+
+    release: Mapping[str, float]
+    sd: Mapping[str, float] = field(default_factory=dict)
+    correlation: Mapping[tuple[str, str], float] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        check_names("release", self.release, VARIABLES)
+        check_names("sd", self.sd, _SCATTERED)
+        for name, value in self.release.items():
+            if doubles(f"release[{name!r}]", value).ndim:
+                raise ValueError(f"release[{name!r}]: expected one number, got {brief(value)}")
+        check_angles("release", self.release)
+        for name, value in self.sd.items():
+            deviation = doubles(f"sd[{name!r}]", value)
+            if deviation.ndim or not 0.0 <= deviation < np.inf:
+                raise ValueError(f"sd[{name!r}]: expected a number from 0, got {brief(value)}")
+        check_angles("sd", self.sd)
+        self._mix()
+
+    def noise(self, start: int, stop: int, seed: int = 0) -> dict[str, NDArray[np.float64]]:
+        """Return what is added in shots `start` to `stop` - 1, by name, (n,) each."""
+        check_drawn(start, stop)
+        names = self._scattered()
+        draws = [normals(seed, _SCATTERED.index(name), start, stop) for name in names]
+        mixed = {}
+        for name, row in zip(names, self._mix(), strict=True):
+            # A sum in a fixed order: a matrix product's could depend on the number of shots.
+            parts = [weight * z for weight, z in zip(row, draws, strict=False) if weight]
+            with np.errstate(over="ignore"):  # it is an invalid shot
+                mixed[name] = self.sd[name] * sum(parts[1:], parts[0])
+        return mixed
+
+    def draw(
+        self, start: int, stop: int, seed: int = 0, parameters: Mapping[str, Any] = PAPER
+    ) -> Releases:
+        """Return shots `start` to `stop` - 1.
+
+        Parameters
+        ----------
+        start, stop
+            Indices of shots.
+        seed
+            From 0 to 2^64 - 1.
+        parameters
+            Of the scene, for those that neither `release` nor `sd` names.
+        """
+        values, scene = self._about(self.release, self.noise(start, stop, seed), parameters)
+        return make_releases(values, scene, stop - start)
+
+    @property
+    def scatters(self) -> bool:
+        """Whether there are deviations, be they 0."""
+        return bool(self.sd)
+
+    @property
+    def still(self) -> bool:
+        """Whether none is above 0."""
+        return not any(self.sd.values())
+
+    @property
+    def centre(self) -> dict[str, float]:
+        """Variables of the release aimed at."""
+        return {name: float(value) for name, value in self.release.items()}
+
+    def apart(self) -> tuple[dict[str, float], Scatter]:
+        """Return the release aimed at, and the scatter alone."""
+        return self.centre, Scatter({}, self.sd, self.correlation)
+
+    def around(self, values: Given, noise: Given, parameters: Scene, shots: int = 1) -> Releases:
+        """Return shots about other releases, the scatter as it is.
+
+        Parameters
+        ----------
+        values
+            Variables, one number or (m, 1).
+        noise
+            What `noise` gave, (shots,) each.
+        parameters
+            Of the scene, for those that are not among the values.
+        shots
+            Of each of the m releases; one comes after the other.
+        """
+        columns, scene = self._about({**self.release, **values}, noise, parameters)
+        return spread(released(columns), scene, shots)
+
+    def _about(
+        self, values: Given, noise: Given, parameters: Scene
+    ) -> tuple[dict[str, Floats], dict[str, Any]]:
+        """Return arguments of `hoopgen.release` and the scene, the noise added."""
+        scene = dict(parameters) | {name: v for name, v in values.items() if name in NAMES}
+        means = {name: doubles(name, v) for name, v in values.items() if name not in NAMES}
+        added: dict[str, Any] = {**scene, **release_arguments(means, scene["gravity"])}
+        for name, one in noise.items():
+            added[name] = added[name] + one
+        scene = {name: added.pop(name) for name in scene}
+        return added, scene
+
+    def identity(self) -> dict[str, Any]:
+        """Return what tells this model from others, in types that JSON knows."""
+        return {
+            "model": "scatter",
+            "release": self.centre,
+            "sd": {name: float(value) for name, value in self.sd.items()},
+            "correlation": [[a, b, float(value)] for (a, b), value in self.correlation.items()],
+        }
+
+    def _scattered(self) -> list[str]:
+        return [name for name in _SCATTERED if self.sd.get(name)]
+
+    def _mix(self) -> list[NDArray[np.float64]]:
+        """Return the rows of the lower triangular factor of the correlation matrix."""
+        names = self._scattered()
+        matrix = np.eye(len(names))
+        for (a, b), value in self.correlation.items():
+            if a == b or a not in self.sd or b not in self.sd:
+                known = ", ".join(self.sd) or "none"
+                raise ValueError(f"correlation: ({brief(a)}, {brief(b)}) is no pair of {known}")
+            if (b, a) in self.correlation:
+                raise ValueError(f"correlation: {a} and {b} are given twice")
+            pair = f"correlation: {a} and {b}"
+            if not -1.0 < doubles(pair, value) < 1.0:
+                raise ValueError(f"{pair}: expected a number within -1 and 1, got {brief(value)}")
+            if a in names and b in names:
+                i, j = names.index(a), names.index(b)
+                matrix[i, j] = matrix[j, i] = value
+        try:
+            factor = np.linalg.cholesky(matrix)
+        except np.linalg.LinAlgError:
+            raise ValueError(
+                f"correlation: no distribution has all of these: {brief(dict(self.correlation))}"
+            ) from None
+        return [row[: i + 1] for i, row in enumerate(factor)]

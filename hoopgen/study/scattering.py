@@ -1,0 +1,49 @@
+"""What is asked of models of a player, whose release can be varied."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from hoopgen.parameters import NAMES
+
+from .resample import Resample
+from .scatter import Scatter
+from .variables import (
+    VARIABLES,
+)
+
+__all__ = ["alike", "check_thrown", "scene_by_row"]
+
+
+def check_thrown(model: object, over: Iterable[str]) -> Scatter | Resample:
+    """Return a model whose release is varied over some variables.
+
+    Raises
+    ------
+    TypeError
+        If it is none that can be.
+    ValueError
+        If what is varied is given in its release too.
+    """
+    if not isinstance(model, Scatter | Resample):
+        raise TypeError(f"model: expected a Scatter or a Resample, got {model!r}")
+    twice = [name for name in over if isinstance(model, Scatter) and name in model.release]
+    if twice:
+        raise ValueError(f"release: {', '.join(twice)} already in over; leave out of one")
+    return model
+
+
+def alike(model: Scatter | Resample) -> dict[str, float]:
+    """Return the variables that are the same in all shots, be it for the scatter."""
+    if isinstance(model, Scatter):
+        return model.centre
+    same = (name for name, column in model.columns.items() if not np.ndim(column))
+    return {name: model.centre[name] for name in same if name in VARIABLES}
+
+
+def scene_by_row(model: Scatter | Resample) -> list[str]:
+    """Return the parameters of the scene that were measured with each release."""
+    columns = {} if isinstance(model, Scatter) else model.columns
+    return [name for name in NAMES if np.ndim(columns.get(name, 0.0))]

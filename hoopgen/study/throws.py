@@ -1,0 +1,207 @@
+"""Shots thrown in one setting or in two: tallied in chunks, until their number or a precision."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from contextlib import closing
+from dataclasses import dataclass
+from math import ceil, sqrt
+from os import PathLike
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+import pyarrow as pa
+from numpy.typing import NDArray
+
+from hoopgen.brief import brief
+from hoopgen.inputs import check_count
+from hoopgen.results import Outcome, Shots
+from hoopgen.simulation import simulate
+from hoopgen.sizes import in_short
+
+from .chunks import run
+from .grid import Grid
+from .intervals import least_shots
+from .models import ReleaseModel
+from .tallies import COLUMNS, FIELDS, Tally, blocks, check_scene, check_share
+
+__all__ = [
+    "CHUNK",
+    "Backend",
+    "Progress",
+    "Setting",
+    "Until",
+    "Work",
+    "most_shots",
+    "setting_of",
+    "tally_of",
+]
+
+CHUNK = 1 << 17
+"""Shots in a chunk: after each one the precision is looked at, and a folder has one file."""
+
+SHOTS = 100_000
+"""Without a precision."""
+
+MOST = 1_000_000_000
+"""With a precision."""
+
+Setting: TypeAlias = ReleaseModel | tuple[ReleaseModel, Mapping[str, Any]]
+"""A release model in the article's scene, or with parameters of its own."""
+
+Backend = Literal["auto", "c", "numpy"]
+Progress = Callable[[int, int | None], None]
+
+
+@dataclass(frozen=True)
+class _Set:
+    """A release model and the parameters of its scene."""
+
+    model: ReleaseModel
+    parameters: Mapping[str, float]
+
+    def identity(self) -> dict[str, Any]:
+        return {**self.model.identity(), "parameters": dict(self.parameters)}
+
+
+@dataclass(frozen=True)
+class Work:
+    """A job of `chunks.run`: the tallies of one or two settings, and how their shots pair."""
+
+    settings: tuple[_Set, ...]
+    shots: int
+    seed: int
+    max_contacts: int
+    backend: Backend
+
+    @property
+    def chunks(self) -> int:
+        """How many."""
+        return -(-self.shots // CHUNK)
+
+    def identity(self) -> dict[str, Any]:
+        """Return what the chunks depend on."""
+        return {
+            "settings": [setting.identity() for setting in self.settings],
+            "shots": self.shots,
+            "seed": self.seed,
+            "max_contacts": self.max_contacts,
+        }
+
+    def compute(self, chunk: int) -> pa.Table:
+        """Return the numbers of a chunk: one row."""
+        start = chunk * CHUNK
+        stop = min(start + CHUNK, self.shots)
+        total = np.sum([self.count(*block) for block in blocks(start, stop)], axis=0)
+        return pa.table({"numbers": pa.array([total], pa.list_(pa.int64()))})
+
+    def count(self, start: int, stop: int) -> NDArray[np.int64]:
+        """Return the tally of each setting, and of two the pairs, of some shots."""
+        results = [self._simulate(setting, start, stop) for setting in self.settings]
+        rows = [Tally.of(shots, 1).row()[0] for shots in results]
+        return np.concatenate([*rows, *([_pairs(*results)] if len(results) == 2 else [])])
+
+    def _simulate(self, setting: _Set, start: int, stop: int) -> Shots:
+        releases = setting.model.draw(start, stop, self.seed, setting.parameters)
+        return simulate(
+            releases.states,
+            releases.parameters,
+            max_contacts=self.max_contacts,
+            backend=self.backend,
+            threads=1,
+            fields=FIELDS,
+        )
+
+
+def _pairs(first: Shots, second: Shots) -> NDArray[np.int64]:
+    """Return how many pairs are both made, the first only, the second only, neither."""
+    outcomes = np.stack([first.outcome, second.outcome])
+    missed = (outcomes != Outcome.MADE)[:, (outcomes != Outcome.INVALID).all(axis=0)]
+    return np.bincount(2 * missed[0] + missed[1], minlength=4)
+
+
+@dataclass(frozen=True)
+class Until:
+    """Sums chunks in their order until the precision is reached."""
+
+    precision: float | None
+    half_width: Callable[[NDArray[np.int64]], float]
+    progress: Progress | None
+
+    def total(
+        self,
+        work: Work,
+        folder: str | PathLike[str] | None,
+        scheduler: str | None,
+        threads: int | None,
+    ) -> NDArray[np.int64]:
+        """Return the sum of as many chunks as it takes."""
+        total = work.count(0, 1) * 0  # what is wrong shows before a folder is made
+        note = self.progress or (lambda done, of: None)
+        note(0, None if self.precision else work.chunks)
+        tables = run(work, folder, scheduler=scheduler, threads=threads)
+        with closing(tables):
+            for done, table in enumerate(tables, 1):
+                total += table["numbers"][0].values.to_numpy()
+                needed = self._needed(done, total, work.chunks, len(work.settings))
+                note(done, needed)
+                if done == needed:
+                    break
+        return total
+
+    def _needed(self, done: int, total: NDArray[np.int64], most: int, settings: int) -> int:
+        """Return how many chunks it will take, as far as can be told."""
+        if self.precision is None:
+            return most
+        if done == 1 and not all(tally_of(total, which).valid for which in range(settings)):
+            raise ValueError(
+                f"model: none of the first {CHUNK:,} shots is valid, so no precision is reached: "
+                "they are not finite, start inside a surface, or have parameters out of range"
+            )
+        # The width falls with the square root of the shots.
+        half_width = self.half_width(total)
+        if half_width <= self.precision:
+            return min(most, done)
+        # More than all: the quotient of doubles may be larger than any.
+        if half_width >= self.precision * sqrt(most / done):
+            return most
+        return min(most, max(done + 1, ceil(done * (half_width / self.precision) ** 2)))
+
+
+def tally_of(total: NDArray[np.int64], which: int) -> Tally:
+    """Return the tally of one setting."""
+    return Tally.read(total[which * COLUMNS : (which + 1) * COLUMNS])
+
+
+def setting_of(model: ReleaseModel, parameters: Mapping[str, Any]) -> _Set:
+    """Return a setting; refuse a model that does not draw at random."""
+    if isinstance(model, Grid) or not isinstance(model, ReleaseModel):
+        raise TypeError(
+            "model: expected a Scatter, a Resample, or what else draws at random (it has draw and "
+            f"identity; a grid is for hoopgen.map), got {brief(model)}"
+        )
+    return _Set(model, check_scene(parameters))
+
+
+def most_shots(
+    shots: int | None, precision: float | None, level: float, *, paired: bool = False
+) -> int:
+    """Return the number of shots, or the most of them.
+
+    Raises
+    ------
+    ValueError
+        If one is not as described for `estimate`, or that precision cannot be reached.
+    """
+    if precision is not None:
+        check_share("precision", precision)
+    if shots is not None:
+        return check_count("shots", shots)
+    if precision is None:
+        return SHOTS
+    if (least := least_shots(precision, level, paired=paired)) > MOST:
+        raise ValueError(
+            f"precision: {precision} takes {in_short(least)} shots at least, whatever becomes of "
+            f"them, and no more than {in_short(MOST)} are thrown unless shots says so"
+        )
+    return MOST

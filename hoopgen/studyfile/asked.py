@@ -1,0 +1,137 @@
+"""A question as it is asked, who works on it, and what an answer is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+from hoopgen import plots
+from hoopgen.parameters import NAMES
+from hoopgen.study.tables import Source
+from hoopgen.study.told import say_scene
+
+from .schema import Batch, Compare, Given, Question, Study
+from .settings import Setting
+
+__all__ = ["Answer", "Asked", "Work", "fenced"]
+
+
+@dataclass(frozen=True)
+class Work:
+    """Who works on a question, and where.
+
+    Attributes
+    ----------
+    folder
+        For files of the answer, and for finished chunks.
+    threads, scheduler
+        As for `hoopgen.study.chunks.run`.
+    progress
+        Called with what is done and its total, as far as that is known.
+    """
+
+    folder: Path
+    threads: int | None
+    scheduler: str | None
+    progress: Callable[[int, int | None], None]
+
+    @property
+    def options(self) -> dict[str, Any]:
+        """Return what functions that work in chunks are told."""
+        return {
+            "folder": self.folder / "chunks",
+            "threads": self.threads,
+            "scheduler": self.scheduler,
+            "progress": self.progress,
+        }
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What came out.
+
+    Attributes
+    ----------
+    line
+        In one line.
+    text
+        In more, Markdown.
+    numbers
+        In types that JSON knows; SI.
+    """
+
+    line: str
+    text: str
+    numbers: Mapping[str, Any]
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A question with what the study says beside it.
+
+    Attributes
+    ----------
+    study
+        What all questions have in common.
+    given
+        The tables above the questions.
+    question
+        The question itself.
+    folder
+        Of the study file.
+    """
+
+    study: Study
+    given: Given
+    question: Question
+    folder: Path
+
+    @cached_property
+    def setting(self) -> Setting:
+        """Where its shots come from."""
+        return Setting.of((self.given, self.question), self.folder)
+
+    @property
+    def scene(self) -> str:
+        """In words: the preset, and what differs from it."""
+        table = self.question if isinstance(self.question, Batch) else None
+        if table is not None:
+            source = Source(self.folder / table.file, table.format or "")
+            return say_scene(self.setting.parameters_of(source))
+        own = {n: v for n, v in self.setting.release.items() if n in NAMES}
+        return say_scene(self.setting.parameters | own)
+
+    def changed(self, versus: Given) -> Setting:
+        """Return the setting with changes."""
+        return Setting.of((self.given, self.question, versus), self.folder)
+
+    def identity(self) -> dict[str, Any]:
+        """Return all that the answer depends on, in types that JSON knows."""
+        question = self.question
+        apart = {*Given.model_fields, "versus"}
+        identity: dict[str, Any] = {
+            **{name: getattr(self.study, name) for name in ("seed", "confidence", "formats")},
+            **{name: value for name, value in question if name not in apart},
+        }
+        if isinstance(question, Batch):
+            source = Source(self.folder / question.file, question.format or "")
+            scene = self.setting.parameters_of(source)
+            shared = {"release": question.release, "parameters": scene}
+            return identity | {"setting": shared, "table": source.digest()[0]}
+        identity["setting"] = self.setting.identity()
+        if isinstance(question, Compare):
+            identity["versus"] = self.changed(question.versus).identity()
+        return identity
+
+    def draw(self, work: Work, name: str, figure: Any) -> None:
+        """Write a figure in the formats wanted."""
+        for format in self.study.formats:
+            plots.save(figure, work.folder / f"{name}.{format}")
+
+
+def fenced(found: object) -> str:
+    """Return what is printed of a result, as Markdown that keeps its columns."""
+    return f"```text\n{found}\n```"

@@ -1,0 +1,174 @@
+"""Answers about shots that are thrown: how many are made, what a change adds, a table's."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from hoopgen import plots
+from hoopgen.inputs import check_contacts
+from hoopgen.phrases import counted, decimals, interval, percent, points
+from hoopgen.results import Outcome, Shots
+from hoopgen.simulation import check_log, simulate
+from hoopgen.study.batch import batch
+from hoopgen.study.compare import compare
+from hoopgen.study.estimate import estimate
+from hoopgen.study.measures import measure
+from hoopgen.study.named import in_units
+from hoopgen.study.origin import settle
+from hoopgen.study.tables import Source
+from hoopgen.study.throws import most_shots
+from hoopgen.study.told import in_a_note, told_setting
+from hoopgen.study.variables import Releases
+
+from .asked import Answer, Asked, Work, fenced
+from .schema import Batch, Compare, Estimate
+
+__all__ = ["answer_batch", "answer_compare", "answer_estimate", "check_batch", "check_throws"]
+
+_FAN = 2_000
+"""Shots whose shares are beside the fan; it shows the first of them."""
+
+_LANDINGS = 200_000
+"""Shots whose misses are shown."""
+
+
+def check_throws(asked: Asked, question: Estimate | Compare) -> None:
+    """Look for what is wrong with an estimate or a comparison."""
+    settings = [asked.setting]
+    settings += [asked.changed(question.versus)] if isinstance(question, Compare) else []
+    for setting in settings:
+        setting.model().draw(0, 1, 0, setting.parameters)
+    paired = isinstance(question, Compare)
+    most = most_shots(question.shots, question.precision, asked.study.confidence, paired=paired)
+    contacts = check_contacts(question.max_contacts)
+    if isinstance(question, Estimate) and "fan" in question.figures:
+        check_log(min(_FAN, most), contacts)
+
+
+def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
+    """Return how probably a shot is made, and draw its figures."""
+    setting = asked.setting
+    model = setting.model()
+    found = estimate(
+        model,
+        setting.parameters,
+        shots=question.shots,
+        precision=question.precision,
+        confidence=asked.study.confidence,
+        seed=asked.study.seed,
+        max_contacts=question.max_contacts,
+        **work.options,
+    )
+    shooting = _Shooting(asked, question, found.shots)
+    for name in question.figures:
+        asked.draw(work, name, shooting.fan() if name == "fan" else shooting.landings())
+    digits = decimals(found.half_width)
+    ends = interval(found.low, found.high, digits)
+    line = f"{percent(found.probability, digits)} made ({ends})"
+    return Answer(
+        line + _short_of(question, found.half_width), fenced(found), in_units(found.as_dict())
+    )
+
+
+def _short_of(question: Estimate | Compare, half_width: float) -> str:
+    """Say that a precision was not reached."""
+    if question.precision is None or half_width <= question.precision:
+        return ""
+    return "; the precision was not reached: more shots"
+
+
+@dataclass(frozen=True)
+class _Shooting:
+    """The first shots of an estimate, for figures."""
+
+    asked: Asked
+    question: Estimate
+    shots: int
+
+    def fan(self) -> Any:
+        """Return the picture of paths."""
+        released, shots = self._simulated(_FAN, record=True)
+        note = in_a_note(self._told)
+        return plots.plot_fan(shots, released.parameters, title=self.question.title, note=note)
+
+    def landings(self) -> Any:
+        """Return the picture of where misses reach the floor."""
+        released, shots = self._simulated(_LANDINGS)
+        states, scene = released.states, released.parameters
+        floor = measure(states, shots, scene, ("floor_x", "floor_y"))
+        x, y = (floor[name][shots.outcome == Outcome.MISSED] for name in ("floor_x", "floor_y"))
+        place = states[:, :2].mean(axis=0).tolist()
+        title = f"{self.question.title}: where misses land" if self.question.title else ""
+        note = in_a_note(self._told)
+        return plots.plot_landings(x, y, scene, place=tuple(place), title=title, note=note)
+
+    @property
+    def _told(self) -> dict[str, str]:
+        return told_setting(self.asked.setting.identity()) | {"seed": str(self.asked.study.seed)}
+
+    def _simulated(self, most: int, *, record: bool = False) -> tuple[Releases, Shots]:
+        setting, seed = self.asked.setting, self.asked.study.seed
+        released = setting.model().draw(0, min(most, self.shots), seed, setting.parameters)
+        most_contacts = self.question.max_contacts
+        return released, simulate(
+            released.states, released.parameters, max_contacts=most_contacts, record=record
+        )
+
+
+def answer_compare(asked: Asked, question: Compare, work: Work) -> Answer:
+    """Return what a change adds."""
+    first, second = asked.setting, asked.changed(question.versus)
+    found = compare(
+        (first.model(), first.parameters),
+        (second.model(), second.parameters),
+        shots=question.shots,
+        precision=question.precision,
+        confidence=asked.study.confidence,
+        seed=asked.study.seed,
+        max_contacts=question.max_contacts,
+        **work.options,
+    )
+    digits = decimals(found.half_width)
+    line = (
+        f"{points(found.difference, digits)} points by the change "
+        f"({points(found.low, digits)} to {points(found.high, digits)})"
+    )
+    return Answer(
+        line + _short_of(question, found.half_width), fenced(found), in_units(found.as_dict())
+    )
+
+
+def check_batch(asked: Asked, question: Batch) -> None:
+    """Look for what is wrong with a batch."""
+    source = Source(asked.folder / question.file, question.format or "")
+    origin = settle(source, None, question.release, None, question.own, override=True)
+    source.columns(origin.own, origin.release)
+    check_contacts(question.max_contacts)
+
+
+def _most_contacts(question: Batch) -> int | None:
+    """Return how many the study says; None where it leaves that to the table."""
+    return question.max_contacts if "max_contacts" in question.model_fields_set else None
+
+
+def answer_batch(asked: Asked, question: Batch, work: Work) -> Answer:
+    """Return how the shots of a table end, each in the table of results."""
+    source = Source(asked.folder / question.file, question.format or "")
+    counts = batch(
+        source.path,
+        work.folder / "results.parquet",
+        parameters=asked.setting.parameters_of(source),
+        release=question.release,
+        measures=question.measures,
+        max_contacts=_most_contacts(question),
+        override=True,  # what the study file says is said on purpose
+        format=question.format,
+        own=question.own,
+        prefix=question.prefix,
+        scheduler=work.scheduler,
+        threads=work.threads,
+        progress=work.progress,
+    )
+    said = ", ".join(f"{count:,} {name}" for name, count in counts.items() if count)
+    return Answer(f"{counted(sum(counts.values()), 'shot')}: {said or 'none'}", "", counts)
