@@ -55,7 +55,9 @@ LANES(hoop_allowance)(V share, V horizon, V extent, V speed, V position_error, V
     const V _s0 = lanes_add(speed, lanes_mul(p_gravity, horizon));
     const V _s1 = lanes_mul(share, lanes_add(extent, lanes_mul(horizon, _s0)));
     const V _s2 = lanes_mul(share, _s0);
-    return (LANES(hoop_allowance_out)){ _s1, _s2, lanes_max(lanes_sub(position_error, _s1), lanes_sub(velocity_error, _s2)) };
+    const V _s3 = lanes_sub(position_error, _s1);
+    const V _s4 = lanes_sub(velocity_error, _s2);
+    return (LANES(hoop_allowance_out)){ _s1, _s2, lanes_max(_s3, _s4) };
 }
 
 /* A time after which no event is wanted, and how long that is after t.
@@ -89,8 +91,13 @@ LANES(hoop_scale)(V x, V y, V z, V vx, V vy, V vz, V p_gravity)
     const V _s3 = lanes_abs(vx);
     const V _s4 = lanes_abs(vy);
     const V _s5 = lanes_abs(vz);
-    const V _s6 = lanes_max(lanes_max(lanes_max(lanes_max(lanes_max(lanes_div(K(1.0), p_gravity), _s0), _s1), _s2), _s3), _s4);
-    return (LANES(hoop_scale_out)){ lanes_add(lanes_add(_s0, _s1), _s2), lanes_add(lanes_add(_s3, _s4), _s5), lanes_sub(lanes_max(_s6, _s5), K(2.9073548971824276e+135)) };
+    const V _s6 = lanes_div(K(1.0), p_gravity);
+    const V _s7 = lanes_max(_s6, _s0);
+    const V _s8 = lanes_max(_s7, _s1);
+    const V _s9 = lanes_max(_s8, _s2);
+    const V _s10 = lanes_max(_s9, _s3);
+    const V _s11 = lanes_max(_s10, _s4);
+    return (LANES(hoop_scale_out)){ lanes_add(lanes_add(_s0, _s1), _s2), lanes_add(lanes_add(_s3, _s4), _s5), lanes_sub(lanes_max(_s11, _s5), K(2.9073548971824276e+135)) };
 }
 
 /* Bound on the error of a length at a computed arrival.
@@ -141,16 +148,28 @@ LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz,
     const V _s13 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
     const V _s14 = lanes_div(lanes_neg(lanes_add(lanes_add(lanes_mul(nx, _s4), lanes_mul(ny, _s8)), lanes_mul(nz, _s12))), _s13);
     const V _s15 = lanes_add(lanes_mul(vx, _s14), _s4);
-    const V _s16 = lanes_max(lanes_max(_s1, _s6), _s10);
-    const V _s17 = lanes_max(lanes_max(lanes_abs(dx), lanes_abs(dy)), lanes_abs(dz));
-    const V _s18 = lanes_add(lanes_mul(t, lanes_max(lanes_max(lanes_abs(dvx), lanes_abs(dvy)), lanes_abs(dvz))), lanes_max(lanes_max(_s3, _s7), _s11));
-    const V _s19 = lanes_mul(lanes_div(_s16, lanes_abs(_s13)), lanes_add(lanes_mul(_s17, lanes_min(lanes_mul(curving, lanes_mul(t, _s16)), K(1.0))), _s18));
-    const V _s20 = lanes_add(_s19, lanes_add(_s18, _s17));
-    const V _s21 = lanes_div(_s20, lanes_add(K(8.0), lanes_mul(K(8.0), contacts)));
-    const V _s22 = lanes_neg(_s21);
-    const V _s23 = lanes_add(lanes_mul(vy, _s14), _s8);
-    const V _s24 = lanes_add(lanes_mul(vz, _s14), _s12);
-    return (LANES(hoop_carry_flight_out)){ lanes_select(lanes_less(lanes_abs(_s15), _s21), lanes_select(lanes_less(_s15, K(0.0)), _s22, _s21), _s15), lanes_select(lanes_less(lanes_abs(_s23), _s21), lanes_select(lanes_less(_s23, K(0.0)), _s22, _s21), _s23), lanes_select(lanes_less(lanes_abs(_s24), _s21), lanes_select(lanes_less(_s24, K(0.0)), _s22, _s21), _s24), dvx, dvy, lanes_sub(dvz, lanes_mul(p_gravity, _s14)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(lanes_abs(_s14), lanes_mul(K(0.0625), late))), _s20 };
+    const V _s16 = lanes_max(_s1, _s6);
+    const V _s17 = lanes_max(_s16, _s10);
+    const V _s18 = lanes_abs(dx);
+    const V _s19 = lanes_abs(dy);
+    const V _s20 = lanes_max(_s18, _s19);
+    const V _s21 = lanes_abs(dz);
+    const V _s22 = lanes_max(_s20, _s21);
+    const V _s23 = lanes_mul(curving, lanes_mul(t, _s17));
+    const V _s24 = lanes_abs(dvx);
+    const V _s25 = lanes_abs(dvy);
+    const V _s26 = lanes_max(_s24, _s25);
+    const V _s27 = lanes_abs(dvz);
+    const V _s28 = lanes_max(_s3, _s7);
+    const V _s29 = lanes_add(lanes_mul(t, lanes_max(_s26, _s27)), lanes_max(_s28, _s11));
+    const V _s30 = lanes_add(lanes_mul(lanes_div(_s17, lanes_abs(_s13)), lanes_add(lanes_mul(_s22, lanes_min(_s23, K(1.0))), _s29)), lanes_add(_s29, _s22));
+    const V _s31 = lanes_div(_s30, lanes_add(K(8.0), lanes_mul(K(8.0), contacts)));
+    const V _s32 = lanes_neg(_s31);
+    const V _s33 = lanes_add(lanes_mul(vy, _s14), _s8);
+    const V _s34 = lanes_add(lanes_mul(vz, _s14), _s12);
+    const V _s35 = lanes_abs(_s14);
+    const V _s36 = lanes_mul(K(0.0625), late);
+    return (LANES(hoop_carry_flight_out)){ lanes_select(lanes_less(lanes_abs(_s15), _s31), lanes_select(lanes_less(_s15, K(0.0)), _s32, _s31), _s15), lanes_select(lanes_less(lanes_abs(_s33), _s31), lanes_select(lanes_less(_s33, K(0.0)), _s32, _s31), _s33), lanes_select(lanes_less(lanes_abs(_s34), _s31), lanes_select(lanes_less(_s34, K(0.0)), _s32, _s31), _s34), dvx, dvy, lanes_sub(dvz, lanes_mul(p_gravity, _s14)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(_s35, _s36)), _s30 };
 }
 
 /* Bounds on the errors of a state and its time that decisions allow for.
@@ -165,7 +184,19 @@ typedef struct {
 LANES_INLINE LANES(hoop_error_bounds_out)
 LANES(hoop_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
 {
-    return (LANES(hoop_error_bounds_out)){ lanes_mul(K(16.0), lanes_max(lanes_max(lanes_abs(dx), lanes_abs(dy)), lanes_abs(dz))), lanes_mul(K(16.0), lanes_max(lanes_max(lanes_abs(dvx), lanes_abs(dvy)), lanes_abs(dvz))), lanes_mul(K(16.0), lanes_max(lanes_max(lanes_abs(dwx), lanes_abs(dwy)), lanes_abs(dwz))), lanes_mul(K(16.0), clock_error) };
+    const V _s0 = lanes_abs(dx);
+    const V _s1 = lanes_abs(dy);
+    const V _s2 = lanes_max(_s0, _s1);
+    const V _s3 = lanes_abs(dz);
+    const V _s4 = lanes_abs(dvx);
+    const V _s5 = lanes_abs(dvy);
+    const V _s6 = lanes_max(_s4, _s5);
+    const V _s7 = lanes_abs(dvz);
+    const V _s8 = lanes_abs(dwx);
+    const V _s9 = lanes_abs(dwy);
+    const V _s10 = lanes_max(_s8, _s9);
+    const V _s11 = lanes_abs(dwz);
+    return (LANES(hoop_error_bounds_out)){ lanes_mul(K(16.0), lanes_max(_s2, _s3)), lanes_mul(K(16.0), lanes_max(_s6, _s7)), lanes_mul(K(16.0), lanes_max(_s10, _s11)), lanes_mul(K(16.0), clock_error) };
 }
 
 /* Bounds on the errors of a state and its time that a shot claims.
@@ -180,7 +211,19 @@ typedef struct {
 LANES_INLINE LANES(hoop_claimed_errors_out)
 LANES(hoop_claimed_errors)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
 {
-    return (LANES(hoop_claimed_errors_out)){ lanes_mul(K(64.0), lanes_max(lanes_max(lanes_abs(dx), lanes_abs(dy)), lanes_abs(dz))), lanes_mul(K(64.0), lanes_max(lanes_max(lanes_abs(dvx), lanes_abs(dvy)), lanes_abs(dvz))), lanes_mul(K(64.0), lanes_max(lanes_max(lanes_abs(dwx), lanes_abs(dwy)), lanes_abs(dwz))), lanes_mul(K(64.0), clock_error) };
+    const V _s0 = lanes_abs(dx);
+    const V _s1 = lanes_abs(dy);
+    const V _s2 = lanes_max(_s0, _s1);
+    const V _s3 = lanes_abs(dz);
+    const V _s4 = lanes_abs(dvx);
+    const V _s5 = lanes_abs(dvy);
+    const V _s6 = lanes_max(_s4, _s5);
+    const V _s7 = lanes_abs(dvz);
+    const V _s8 = lanes_abs(dwx);
+    const V _s9 = lanes_abs(dwy);
+    const V _s10 = lanes_max(_s8, _s9);
+    const V _s11 = lanes_abs(dwz);
+    return (LANES(hoop_claimed_errors_out)){ lanes_mul(K(64.0), lanes_max(_s2, _s3)), lanes_mul(K(64.0), lanes_max(_s6, _s7)), lanes_mul(K(64.0), lanes_max(_s10, _s11)), lanes_mul(K(64.0), clock_error) };
 }
 
 /* 1 where finite parameters are allowed.
@@ -228,20 +271,39 @@ LANES(hoop_valid)(V last, V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_w
     const M _s4 = lanes_less(lanes_abs(last), K(0.5));
     const V _s5 = lanes_select(_s4, K(1.0), lanes_select(lanes_at_most(K(0.0), _s3), K(1.0), K(0.0)));
     const V _s6 = lanes_sub(p_ball_radius, p_board_distance);
-    const V _s7 = lanes_mul(K(2.0), p_ball_radius);
-    const V _s8 = lanes_max(lanes_max(lanes_max(lanes_max(lanes_sub(x, _s6), lanes_sub(lanes_sub(_s6, _s7), x)), lanes_neg(lanes_add(p_board_half_width, y))), lanes_sub(y, p_board_half_width)), lanes_sub(p_board_bottom, z));
-    const V _s9 = lanes_max(_s8, lanes_sub(z, p_board_top));
-    const M _s10 = lanes_less(lanes_abs(lanes_sub(last, K(1.0))), K(0.5));
-    const V _s11 = lanes_select(_s10, _s5, lanes_select(lanes_at_most(K(0.0), _s9), _s5, K(0.0)));
-    const V _s12 = lanes_max(lanes_max(lanes_max(lanes_sub(z, _s2), lanes_sub(lanes_sub(lanes_sub(_s2, _s7), lanes_mul(K(2.0), p_wire_radius)), z)), lanes_neg(lanes_add(p_bridge_half_width, y))), lanes_sub(y, p_bridge_half_width));
-    const V _s13 = lanes_max(lanes_max(lanes_max(_s12, lanes_sub(p_ring_radius, _s0)), x), lanes_neg(lanes_add(p_board_distance, x)));
-    const M _s14 = lanes_less(lanes_abs(lanes_sub(last, K(2.0))), K(0.5));
-    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_top)), lanes_abs(p_bridge_half_width));
-    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s15, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)), lanes_abs(x)), lanes_abs(y));
-    const V _s17 = lanes_mul(K(1.7763568394002505e-15), lanes_add(_s16, lanes_abs(z)));
-    const V _s18 = lanes_select(_s4, K(0.0), lanes_select(lanes_at_most(lanes_abs(_s3), lanes_mul(lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)), _s17)), K(1.0), K(0.0)));
-    const V _s19 = lanes_select(_s10, _s18, lanes_select(lanes_at_most(lanes_abs(_s9), _s17), K(1.0), _s18));
-    return (LANES(hoop_valid_out)){ lanes_select(_s14, _s11, lanes_select(lanes_at_most(K(0.0), _s13), _s11, K(0.0))), lanes_select(_s14, _s19, lanes_select(lanes_at_most(lanes_abs(_s13), _s17), K(1.0), _s19)) };
+    const V _s7 = lanes_sub(x, _s6);
+    const V _s8 = lanes_mul(K(2.0), p_ball_radius);
+    const V _s9 = lanes_sub(lanes_sub(_s6, _s8), x);
+    const V _s10 = lanes_max(_s7, _s9);
+    const V _s11 = lanes_neg(lanes_add(p_board_half_width, y));
+    const V _s12 = lanes_max(_s10, _s11);
+    const V _s13 = lanes_sub(y, p_board_half_width);
+    const V _s14 = lanes_max(_s12, _s13);
+    const V _s15 = lanes_sub(p_board_bottom, z);
+    const V _s16 = lanes_max(_s14, _s15);
+    const V _s17 = lanes_sub(z, p_board_top);
+    const V _s18 = lanes_max(_s16, _s17);
+    const M _s19 = lanes_less(lanes_abs(lanes_sub(last, K(1.0))), K(0.5));
+    const V _s20 = lanes_select(_s19, _s5, lanes_select(lanes_at_most(K(0.0), _s18), _s5, K(0.0)));
+    const V _s21 = lanes_sub(z, _s2);
+    const V _s22 = lanes_sub(lanes_sub(lanes_sub(_s2, _s8), lanes_mul(K(2.0), p_wire_radius)), z);
+    const V _s23 = lanes_max(_s21, _s22);
+    const V _s24 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s25 = lanes_max(_s23, _s24);
+    const V _s26 = lanes_sub(y, p_bridge_half_width);
+    const V _s27 = lanes_max(_s25, _s26);
+    const V _s28 = lanes_sub(p_ring_radius, _s0);
+    const V _s29 = lanes_max(_s27, _s28);
+    const V _s30 = lanes_max(_s29, x);
+    const V _s31 = lanes_neg(lanes_add(p_board_distance, x));
+    const V _s32 = lanes_max(_s30, _s31);
+    const M _s33 = lanes_less(lanes_abs(lanes_sub(last, K(2.0))), K(0.5));
+    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_top)), lanes_abs(p_bridge_half_width));
+    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s34, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)), lanes_abs(x)), lanes_abs(y));
+    const V _s36 = lanes_mul(K(1.7763568394002505e-15), lanes_add(_s35, lanes_abs(z)));
+    const V _s37 = lanes_select(_s4, K(0.0), lanes_select(lanes_at_most(lanes_abs(_s3), lanes_mul(lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)), _s36)), K(1.0), K(0.0)));
+    const V _s38 = lanes_select(_s19, _s37, lanes_select(lanes_at_most(lanes_abs(_s18), _s36), K(1.0), _s37));
+    return (LANES(hoop_valid_out)){ lanes_select(_s33, _s20, lanes_select(lanes_at_most(K(0.0), _s32), _s20, K(0.0))), lanes_select(_s33, _s38, lanes_select(lanes_at_most(lanes_abs(_s32), _s36), K(1.0), _s38)) };
 }
 
 /* Not positive where a crossing of the end plane is made.
@@ -835,32 +897,40 @@ LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V
     const V _s8 = lanes_neg(_s7);
     const V _s9 = lanes_add(_s4, lanes_select(lanes_less(_s4, K(0.0)), _s8, _s7));
     const V _s10 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
-    const V _s11 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(lanes_max(lanes_abs(dwx), lanes_abs(dwy)), lanes_abs(dwz))), lanes_mul(turn, _s6)), lanes_max(lanes_max(lanes_abs(dvx), lanes_abs(dvy)), lanes_abs(dvz)));
-    const V _s12 = lanes_div(_s11, _s10);
-    const V _s13 = lanes_neg(_s12);
-    const V _s14 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s1)), lanes_mul(ny, _s2))));
-    const V _s15 = lanes_sub(lanes_sub(_s14, lanes_mul(lanes_mul(dny, p_restitution), _s1)), lanes_mul(lanes_mul(ny, p_restitution), _s2));
-    const V _s16 = lanes_add(_s15, lanes_select(lanes_less(_s15, K(0.0)), _s8, _s7));
-    const V _s17 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s1)), lanes_mul(nz, _s2))));
-    const V _s18 = lanes_sub(lanes_sub(_s17, lanes_mul(lanes_mul(dnz, p_restitution), _s1)), lanes_mul(lanes_mul(nz, p_restitution), _s2));
-    const V _s19 = lanes_add(_s18, lanes_select(lanes_less(_s18, K(0.0)), _s8, _s7));
-    const V _s20 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
-    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, wx), lanes_mul(dny, wy)), lanes_mul(dnz, wz)), lanes_mul(dwx, nx)), lanes_mul(dwy, ny)), lanes_mul(dwz, nz));
-    const V _s22 = lanes_div(K(1.0), p_ball_radius);
-    const V _s23 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, _s1))));
-    const V _s24 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, _s1))));
-    const V _s25 = lanes_add(lanes_add(lanes_mul(dnx, _s20), lanes_mul(nx, _s21)), lanes_mul(_s22, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s23), lanes_mul(ny, _s17)), lanes_mul(dnz, _s24)), lanes_mul(nz, _s14))));
-    const V _s26 = lanes_div(_s7, p_ball_radius);
-    const V _s27 = lanes_neg(_s26);
-    const V _s28 = lanes_add(_s25, lanes_select(lanes_less(_s25, K(0.0)), _s27, _s26));
-    const V _s29 = lanes_div(_s11, lanes_mul(p_ball_radius, _s10));
-    const V _s30 = lanes_neg(_s29);
-    const V _s31 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))), lanes_mul(K(0.6), lanes_sub(vx, lanes_mul(nx, _s1))));
-    const V _s32 = lanes_add(lanes_add(lanes_mul(dny, _s20), lanes_mul(ny, _s21)), lanes_mul(_s22, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s31), lanes_mul(nz, _s3)), lanes_mul(dnx, _s23)), lanes_mul(nx, _s17))));
-    const V _s33 = lanes_add(_s32, lanes_select(lanes_less(_s32, K(0.0)), _s27, _s26));
-    const V _s34 = lanes_add(lanes_add(lanes_mul(dnz, _s20), lanes_mul(nz, _s21)), lanes_mul(_s22, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s24), lanes_mul(nx, _s14)), lanes_mul(dny, _s31)), lanes_mul(ny, _s3))));
-    const V _s35 = lanes_add(_s34, lanes_select(lanes_less(_s34, K(0.0)), _s27, _s26));
-    return (LANES(hoop_carry_impact_out)){ lanes_select(lanes_less(lanes_abs(_s9), _s12), lanes_select(lanes_less(_s9, K(0.0)), _s13, _s12), _s9), lanes_select(lanes_less(lanes_abs(_s16), _s12), lanes_select(lanes_less(_s16, K(0.0)), _s13, _s12), _s16), lanes_select(lanes_less(lanes_abs(_s19), _s12), lanes_select(lanes_less(_s19, K(0.0)), _s13, _s12), _s19), lanes_select(lanes_less(lanes_abs(_s28), _s29), lanes_select(lanes_less(_s28, K(0.0)), _s30, _s29), _s28), lanes_select(lanes_less(lanes_abs(_s33), _s29), lanes_select(lanes_less(_s33, K(0.0)), _s30, _s29), _s33), lanes_select(lanes_less(lanes_abs(_s35), _s29), lanes_select(lanes_less(_s35, K(0.0)), _s30, _s29), _s35) };
+    const V _s11 = lanes_abs(dwx);
+    const V _s12 = lanes_abs(dwy);
+    const V _s13 = lanes_max(_s11, _s12);
+    const V _s14 = lanes_abs(dwz);
+    const V _s15 = lanes_abs(dvx);
+    const V _s16 = lanes_abs(dvy);
+    const V _s17 = lanes_max(_s15, _s16);
+    const V _s18 = lanes_abs(dvz);
+    const V _s19 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s13, _s14)), lanes_mul(turn, _s6)), lanes_max(_s17, _s18));
+    const V _s20 = lanes_div(_s19, _s10);
+    const V _s21 = lanes_neg(_s20);
+    const V _s22 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s1)), lanes_mul(ny, _s2))));
+    const V _s23 = lanes_sub(lanes_sub(_s22, lanes_mul(lanes_mul(dny, p_restitution), _s1)), lanes_mul(lanes_mul(ny, p_restitution), _s2));
+    const V _s24 = lanes_add(_s23, lanes_select(lanes_less(_s23, K(0.0)), _s8, _s7));
+    const V _s25 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))), lanes_mul(K(0.6), lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s1)), lanes_mul(nz, _s2))));
+    const V _s26 = lanes_sub(lanes_sub(_s25, lanes_mul(lanes_mul(dnz, p_restitution), _s1)), lanes_mul(lanes_mul(nz, p_restitution), _s2));
+    const V _s27 = lanes_add(_s26, lanes_select(lanes_less(_s26, K(0.0)), _s8, _s7));
+    const V _s28 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
+    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, wx), lanes_mul(dny, wy)), lanes_mul(dnz, wz)), lanes_mul(dwx, nx)), lanes_mul(dwy, ny)), lanes_mul(dwz, nz));
+    const V _s30 = lanes_div(K(1.0), p_ball_radius);
+    const V _s31 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, _s1))));
+    const V _s32 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, _s1))));
+    const V _s33 = lanes_add(lanes_add(lanes_mul(dnx, _s28), lanes_mul(nx, _s29)), lanes_mul(_s30, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s31), lanes_mul(ny, _s25)), lanes_mul(dnz, _s32)), lanes_mul(nz, _s22))));
+    const V _s34 = lanes_div(_s7, p_ball_radius);
+    const V _s35 = lanes_neg(_s34);
+    const V _s36 = lanes_add(_s33, lanes_select(lanes_less(_s33, K(0.0)), _s35, _s34));
+    const V _s37 = lanes_div(_s19, lanes_mul(p_ball_radius, _s10));
+    const V _s38 = lanes_neg(_s37);
+    const V _s39 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))), lanes_mul(K(0.6), lanes_sub(vx, lanes_mul(nx, _s1))));
+    const V _s40 = lanes_add(lanes_add(lanes_mul(dny, _s28), lanes_mul(ny, _s29)), lanes_mul(_s30, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s39), lanes_mul(nz, _s3)), lanes_mul(dnx, _s31)), lanes_mul(nx, _s25))));
+    const V _s41 = lanes_add(_s40, lanes_select(lanes_less(_s40, K(0.0)), _s35, _s34));
+    const V _s42 = lanes_add(lanes_add(lanes_mul(dnz, _s28), lanes_mul(nz, _s29)), lanes_mul(_s30, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s32), lanes_mul(nx, _s22)), lanes_mul(dny, _s39)), lanes_mul(ny, _s3))));
+    const V _s43 = lanes_add(_s42, lanes_select(lanes_less(_s42, K(0.0)), _s35, _s34));
+    return (LANES(hoop_carry_impact_out)){ lanes_select(lanes_less(lanes_abs(_s9), _s20), lanes_select(lanes_less(_s9, K(0.0)), _s21, _s20), _s9), lanes_select(lanes_less(lanes_abs(_s24), _s20), lanes_select(lanes_less(_s24, K(0.0)), _s21, _s20), _s24), lanes_select(lanes_less(lanes_abs(_s27), _s20), lanes_select(lanes_less(_s27, K(0.0)), _s21, _s20), _s27), lanes_select(lanes_less(lanes_abs(_s36), _s37), lanes_select(lanes_less(_s36, K(0.0)), _s38, _s37), _s36), lanes_select(lanes_less(lanes_abs(_s41), _s37), lanes_select(lanes_less(_s41, K(0.0)), _s38, _s37), _s41), lanes_select(lanes_less(lanes_abs(_s43), _s37), lanes_select(lanes_less(_s43, K(0.0)), _s38, _s37), _s43) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -889,7 +959,9 @@ typedef struct {
 LANES_INLINE LANES(hoop_ring_curvature_out)
 LANES(hoop_ring_curvature)(V p_ball_radius, V p_ring_radius, V p_wire_radius)
 {
-    return (LANES(hoop_ring_curvature_out)){ lanes_div(K(1.0), lanes_min(lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius), lanes_add(p_ball_radius, p_wire_radius))) };
+    const V _s0 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+    const V _s1 = lanes_add(p_ball_radius, p_wire_radius);
+    return (LANES(hoop_ring_curvature_out)){ lanes_div(K(1.0), lanes_min(_s0, _s1)) };
 }
 
 /* Error of the normal, from that of the position.
@@ -912,7 +984,8 @@ LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V p_ball_radi
     const V _s5 = lanes_mul(lanes_mul(_s1, _s3), _s4);
     const V _s6 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), dx), x), lanes_mul(lanes_mul(K(2.0), dy), y))), _s2);
     const V _s7 = lanes_add(lanes_mul(lanes_mul(_s6, _s1), _s4), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s6, lanes_mul(_s4, _s4))), _s1), _s3));
-    return (LANES(hoop_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, _s5), lanes_mul(x, _s7)), lanes_add(lanes_mul(dy, _s5), lanes_mul(y, _s7)), lanes_mul(dz, _s1), lanes_mul(shift, lanes_div(K(1.0), lanes_min(lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius), _s0))) };
+    const V _s8 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+    return (LANES(hoop_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, _s5), lanes_mul(x, _s7)), lanes_add(lanes_mul(dy, _s5), lanes_mul(y, _s7)), lanes_mul(dz, _s1), lanes_mul(shift, lanes_div(K(1.0), lanes_min(_s8, _s0))) };
 }
 
 /* Positive if there certainly is no contact before the horizon.
@@ -925,44 +998,47 @@ LANES_INLINE LANES(hoop_ring_clear_out)
 LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
     const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s1 = lanes_add(position_error, lanes_mul(horizon, velocity_error));
-    const V _s2 = lanes_mul(K(1.00006103515625), _s0);
-    const V _s3 = lanes_add(p_ring_radius, _s2);
-    const V _s4 = lanes_mul(vz, vz);
-    const V _s5 = lanes_add(_s4, lanes_mul(lanes_mul(K(2.0), p_gravity), lanes_sub(z, _s2)));
-    const V _s6 = lanes_div(K(1.0), p_gravity);
-    const V _s7 = lanes_sqrt(_s5);
-    const V _s8 = lanes_mul(_s6, lanes_sub(vz, _s7));
-    const V _s9 = lanes_mul(_s6, lanes_add(vz, _s7));
-    const V _s10 = lanes_add(x, lanes_mul(vx, _s9));
-    const V _s11 = lanes_add(y, lanes_mul(vy, _s9));
-    const V _s12 = lanes_add(lanes_mul(_s10, _s10), lanes_mul(_s11, _s11));
-    const V _s13 = lanes_sqrt(_s12);
-    const V _s14 = lanes_sub(_s13, p_ring_radius);
-    const V _s15 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), _s9)), _s9));
-    const V _s16 = lanes_mul(_s3, _s3);
-    const V _s17 = lanes_mul(K(9.313225746154785e-10), _s16);
-    const V _s18 = lanes_sub(lanes_sub(lanes_add(lanes_mul(_s14, _s14), lanes_mul(_s15, _s15)), lanes_mul(_s0, _s0)), _s17);
-    const V _s19 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
-    const V _s20 = lanes_max(lanes_sub(p_ring_radius, _s2), lanes_mul(K(0.0001220703125), p_ring_radius));
-    const V _s21 = lanes_mul(_s20, _s20);
-    const V _s22 = lanes_mul(_s20, _s21);
-    const V _s23 = lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), _s4), lanes_mul(lanes_mul(K(4.0), p_gravity), z)), lanes_mul(K(2.0), _s19)), lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0)), _s22);
-    const V _s24 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V _s1 = lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0));
+    const V _s2 = lanes_add(position_error, lanes_mul(horizon, velocity_error));
+    const V _s3 = lanes_sub(lanes_sub(_s2, lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
+    const V _s4 = lanes_mul(K(1.00006103515625), _s0);
+    const V _s5 = lanes_add(p_ring_radius, _s4);
+    const V _s6 = lanes_mul(vz, vz);
+    const V _s7 = lanes_add(_s6, lanes_mul(lanes_mul(K(2.0), p_gravity), lanes_sub(z, _s4)));
+    const V _s8 = lanes_div(K(1.0), p_gravity);
+    const V _s9 = lanes_sqrt(_s7);
+    const V _s10 = lanes_mul(_s8, lanes_sub(vz, _s9));
+    const V _s11 = lanes_mul(_s8, lanes_add(vz, _s9));
+    const V _s12 = lanes_add(x, lanes_mul(vx, _s11));
+    const V _s13 = lanes_add(y, lanes_mul(vy, _s11));
+    const V _s14 = lanes_add(lanes_mul(_s12, _s12), lanes_mul(_s13, _s13));
+    const V _s15 = lanes_sqrt(_s14);
+    const V _s16 = lanes_sub(_s15, p_ring_radius);
+    const V _s17 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), _s11)), _s11));
+    const V _s18 = lanes_mul(_s5, _s5);
+    const V _s19 = lanes_mul(K(9.313225746154785e-10), _s18);
+    const V _s20 = lanes_sub(lanes_sub(lanes_add(lanes_mul(_s16, _s16), lanes_mul(_s17, _s17)), lanes_mul(_s0, _s0)), _s19);
+    const V _s21 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
+    const V _s22 = lanes_sub(p_ring_radius, _s4);
+    const V _s23 = lanes_mul(K(0.0001220703125), p_ring_radius);
+    const V _s24 = lanes_max(_s22, _s23);
     const V _s25 = lanes_mul(_s24, _s24);
-    const V _s26 = lanes_sub(_s23, lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s25));
-    const V _s27 = lanes_add(lanes_mul(_s14, lanes_add(lanes_mul(vx, _s10), lanes_mul(vy, _s11))), lanes_mul(lanes_mul(_s15, lanes_sub(vz, lanes_mul(p_gravity, _s9))), _s13));
-    const V _s28 = lanes_add(x, lanes_mul(horizon, vx));
-    const V _s29 = lanes_add(y, lanes_mul(horizon, vy));
-    const V _s30 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(_s17, lanes_mul(_s28, _s28)), lanes_mul(_s29, _s29)), _s21), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(_s19, lanes_add(_s17, _s21)), _s25), K(0.0)), K(1.0), K(0.0)));
-    const V _s31 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s27, _s27)), _s22), lanes_mul(lanes_mul(lanes_mul(K(2.0), _s26), _s12), _s18)), K(0.0)), _s30, K(0.0));
-    const V _s32 = lanes_select(lanes_less(horizon, lanes_sub(_s9, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), _s18), lanes_select(lanes_less(K(0.0), _s26), _s31, K(0.0)), K(0.0)));
-    const V _s33 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
-    const V _s34 = lanes_add(lanes_mul(_s8, _s19), _s33);
-    const V _s35 = lanes_select(lanes_less(_s34, K(0.0)), lanes_select(lanes_less(_s16, lanes_add(lanes_mul(_s8, lanes_add(_s33, _s34)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), _s32, K(0.0)), K(0.0));
-    const V _s36 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon)))), lanes_mul(K(65536.0), _s3)), lanes_select(lanes_less(K(0.0), _s5), lanes_select(lanes_less(_s8, K(0.0)), _s32, _s35), K(0.0)), K(0.0));
-    const V _s37 = lanes_select(lanes_less(K(0.0), lanes_max(lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0)), lanes_sub(lanes_sub(_s1, lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius)))), K(0.0), lanes_select(lanes_less(_s1, lanes_mul(K(5.820766091346741e-11), _s3)), _s36, K(0.0)));
-    return (LANES(hoop_ring_clear_out)){ _s37 };
+    const V _s26 = lanes_mul(_s24, _s25);
+    const V _s27 = lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), _s6), lanes_mul(lanes_mul(K(4.0), p_gravity), z)), lanes_mul(K(2.0), _s21)), lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0)), _s26);
+    const V _s28 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V _s29 = lanes_mul(_s28, _s28);
+    const V _s30 = lanes_sub(_s27, lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s29));
+    const V _s31 = lanes_add(lanes_mul(_s16, lanes_add(lanes_mul(vx, _s12), lanes_mul(vy, _s13))), lanes_mul(lanes_mul(_s17, lanes_sub(vz, lanes_mul(p_gravity, _s11))), _s15));
+    const V _s32 = lanes_add(x, lanes_mul(horizon, vx));
+    const V _s33 = lanes_add(y, lanes_mul(horizon, vy));
+    const V _s34 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(_s19, lanes_mul(_s32, _s32)), lanes_mul(_s33, _s33)), _s25), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(_s21, lanes_add(_s19, _s25)), _s29), K(0.0)), K(1.0), K(0.0)));
+    const V _s35 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s31, _s31)), _s26), lanes_mul(lanes_mul(lanes_mul(K(2.0), _s30), _s14), _s20)), K(0.0)), _s34, K(0.0));
+    const V _s36 = lanes_select(lanes_less(horizon, lanes_sub(_s11, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), _s20), lanes_select(lanes_less(K(0.0), _s30), _s35, K(0.0)), K(0.0)));
+    const V _s37 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s38 = lanes_add(lanes_mul(_s10, _s21), _s37);
+    const V _s39 = lanes_select(lanes_less(_s38, K(0.0)), lanes_select(lanes_less(_s18, lanes_add(lanes_mul(_s10, lanes_add(_s37, _s38)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), _s36, K(0.0)), K(0.0));
+    const V _s40 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon)))), lanes_mul(K(65536.0), _s5)), lanes_select(lanes_less(K(0.0), _s7), lanes_select(lanes_less(_s10, K(0.0)), _s36, _s39), K(0.0)), K(0.0));
+    return (LANES(hoop_ring_clear_out)){ lanes_select(lanes_less(K(0.0), lanes_max(_s1, _s3)), K(0.0), lanes_select(lanes_less(_s2, lanes_mul(K(5.820766091346741e-11), _s5)), _s40, K(0.0))) };
 }
 
 /* Constants and windows of the search along a flight, and the errors it allows for.
@@ -1013,27 +1089,39 @@ LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_
     const M _s25 = lanes_at_most(K(0.0), _s20);
     const M _s26 = lanes_less(K(2.409919865102884e-181), _s1);
     const V _s27 = lanes_select(_s26, lanes_select(_s25, lanes_mul(lanes_neg(lanes_add(lanes_add(_s21, _s22), _s23)), _s24), K(INFINITY)), K(-INFINITY));
-    const V _s28 = lanes_max(lanes_sub(p_ring_radius, _s8), lanes_mul(K(0.0001220703125), p_ring_radius));
-    const V _s29 = lanes_sub(lanes_sub(lanes_mul(_s1, lanes_mul(_s28, _s28)), _s19), _s4);
-    const V _s30 = lanes_sqrt(lanes_max(_s29, K(0.0)));
-    const V _s31 = lanes_select(_s26, lanes_select(_s25, lanes_mul(lanes_sub(lanes_add(_s22, _s23), _s21), _s24), K(-INFINITY)), K(INFINITY));
-    const M _s32 = lanes_less(K(0.0), lanes_select(_s26, _s29, K(0.0)));
-    const V _s33 = lanes_select(_s32, lanes_mul(lanes_sub(lanes_sub(_s23, _s21), _s30), _s24), _s31);
-    const V _s34 = lanes_sub(lanes_add(_s0, lanes_mul(_s9, lanes_sub(z, _s8))), _s10);
-    const V _s35 = lanes_sqrt(lanes_max(_s34, K(0.0)));
-    const V _s36 = lanes_select(_s15, lanes_mul(_s12, lanes_add(lanes_add(vz, _s13), _s14)), K(-INFINITY));
-    const M _s37 = lanes_less(K(0.0), _s34);
-    const V _s38 = lanes_select(_s37, lanes_mul(_s12, lanes_sub(lanes_add(vz, _s14), _s35)), _s36);
-    const V _s39 = lanes_min(_s33, _s38);
-    const V _s40 = lanes_max(lanes_select(_s32, lanes_mul(lanes_sub(lanes_sub(_s30, _s21), _s23), _s24), K(INFINITY)), _s33);
-    const V _s41 = lanes_max(_s16, _s40);
-    const V _s42 = lanes_min(_s31, _s38);
-    const V _s43 = lanes_max(lanes_select(_s37, lanes_mul(_s12, lanes_sub(lanes_add(vz, _s35), _s14)), K(INFINITY)), _s38);
-    const M _s44 = lanes_at_most(_s41, _s42);
-    const V _s45 = lanes_select(_s44, _s42, lanes_min(_s33, _s36));
-    const V _s46 = lanes_min(_s31, _s36);
-    const V _s47 = lanes_div(K(1.0), _s28);
-    return (LANES(hoop_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_max(K(0.0), lanes_max(_s16, _s27)), lanes_min(_s39, horizon), lanes_max(K(0.0), lanes_select(_s44, _s41, lanes_max(_s43, _s27))), lanes_min(_s45, horizon), lanes_max(K(0.0), lanes_max(_s43, _s40)), lanes_min(_s46, horizon), lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s7), lanes_mul(_s5, lanes_mul(_s47, lanes_mul(_s47, _s47)))), lanes_abs(_s2)), lanes_min(lanes_max(lanes_max(lanes_max(K(0.0), _s39), _s45), _s46), horizon), lanes_max(lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s7)), lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius))) };
+    const V _s28 = lanes_max(_s16, _s27);
+    const V _s29 = lanes_sub(p_ring_radius, _s8);
+    const V _s30 = lanes_mul(K(0.0001220703125), p_ring_radius);
+    const V _s31 = lanes_max(_s29, _s30);
+    const V _s32 = lanes_sub(lanes_sub(lanes_mul(_s1, lanes_mul(_s31, _s31)), _s19), _s4);
+    const V _s33 = lanes_sqrt(lanes_max(_s32, K(0.0)));
+    const V _s34 = lanes_select(_s26, lanes_select(_s25, lanes_mul(lanes_sub(lanes_add(_s22, _s23), _s21), _s24), K(-INFINITY)), K(INFINITY));
+    const M _s35 = lanes_less(K(0.0), lanes_select(_s26, _s32, K(0.0)));
+    const V _s36 = lanes_select(_s35, lanes_mul(lanes_sub(lanes_sub(_s23, _s21), _s33), _s24), _s34);
+    const V _s37 = lanes_sub(lanes_add(_s0, lanes_mul(_s9, lanes_sub(z, _s8))), _s10);
+    const V _s38 = lanes_sqrt(lanes_max(_s37, K(0.0)));
+    const V _s39 = lanes_select(_s15, lanes_mul(_s12, lanes_add(lanes_add(vz, _s13), _s14)), K(-INFINITY));
+    const M _s40 = lanes_less(K(0.0), _s37);
+    const V _s41 = lanes_select(_s40, lanes_mul(_s12, lanes_sub(lanes_add(vz, _s14), _s38)), _s39);
+    const V _s42 = lanes_min(_s36, _s41);
+    const V _s43 = lanes_select(_s35, lanes_mul(lanes_sub(lanes_sub(_s33, _s21), _s23), _s24), K(INFINITY));
+    const V _s44 = lanes_max(_s43, _s36);
+    const V _s45 = lanes_max(_s16, _s44);
+    const V _s46 = lanes_min(_s34, _s41);
+    const V _s47 = lanes_select(_s40, lanes_mul(_s12, lanes_sub(lanes_add(vz, _s38), _s14)), K(INFINITY));
+    const V _s48 = lanes_max(_s47, _s41);
+    const M _s49 = lanes_at_most(_s45, _s46);
+    const V _s50 = lanes_select(_s49, _s45, lanes_max(_s48, _s27));
+    const V _s51 = lanes_select(_s49, _s46, lanes_min(_s36, _s39));
+    const V _s52 = lanes_max(_s48, _s44);
+    const V _s53 = lanes_min(_s34, _s39);
+    const V _s54 = lanes_div(K(1.0), _s31);
+    const V _s55 = lanes_max(K(0.0), _s42);
+    const V _s56 = lanes_max(_s55, _s51);
+    const V _s57 = lanes_max(_s56, _s53);
+    const V _s58 = lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s7));
+    const V _s59 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
+    return (LANES(hoop_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_max(K(0.0), _s28), lanes_min(_s42, horizon), lanes_max(K(0.0), _s50), lanes_min(_s51, horizon), lanes_max(K(0.0), _s52), lanes_min(_s53, horizon), lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s7), lanes_mul(_s5, lanes_mul(_s54, lanes_mul(_s54, _s54)))), lanes_abs(_s2)), lanes_min(_s57, horizon), lanes_max(_s58, _s59) };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
@@ -1054,10 +1142,13 @@ LANES(hoop_ring_margins)(V horizon, V extent, V speed, V position_error, V veloc
     const V _s4 = lanes_add(p_ring_radius, _s2);
     const V _s5 = lanes_add(extent, lanes_mul(horizon, _s1));
     const V _s6 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s5));
-    const V _s7 = lanes_max(K(1.0), lanes_div(_s2, lanes_max(lanes_sub(p_ring_radius, _s2), lanes_mul(K(0.0001220703125), p_ring_radius))));
-    const V _s8 = lanes_mul(K(5.0), lanes_add(lanes_mul(lanes_mul(_s1, _s7), _s6), lanes_mul(_s2, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s1)))));
-    const V _s9 = lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(3.552713678800501e-15), _s1), lanes_add(lanes_mul(_s5, _s7), _s4)), lanes_mul(K(4.440892098500626e-16), _s3)), _s8));
-    return (LANES(hoop_ring_margins_out)){ lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(4.440892098500626e-16), horizon), _s3), lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s4)), lanes_mul(lanes_mul(K(5.00030517578125), _s0), _s6))), _s9, lanes_mul(K(1.0009765625), lanes_add(lanes_mul(K(3.552713678800501e-15), lanes_mul(_s4, _s1)), _s8)) };
+    const V _s7 = lanes_sub(p_ring_radius, _s2);
+    const V _s8 = lanes_mul(K(0.0001220703125), p_ring_radius);
+    const V _s9 = lanes_div(_s2, lanes_max(_s7, _s8));
+    const V _s10 = lanes_max(K(1.0), _s9);
+    const V _s11 = lanes_mul(K(5.0), lanes_add(lanes_mul(lanes_mul(_s1, _s10), _s6), lanes_mul(_s2, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s1)))));
+    const V _s12 = lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(3.552713678800501e-15), _s1), lanes_add(lanes_mul(_s5, _s10), _s4)), lanes_mul(K(4.440892098500626e-16), _s3)), _s11));
+    return (LANES(hoop_ring_margins_out)){ lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(4.440892098500626e-16), horizon), _s3), lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s4)), lanes_mul(lanes_mul(K(5.00030517578125), _s0), _s6))), _s12, lanes_mul(K(1.0009765625), lanes_add(lanes_mul(K(3.552713678800501e-15), lanes_mul(_s4, _s1)), _s11)) };
 }
 
 /* Newton's next value of a root near t, and the rate there.
@@ -1121,20 +1212,29 @@ LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceili
     const V _s18 = lanes_mul(swing, lanes_mul(_s11, lanes_mul(_s11, _s11)));
     const V _s19 = lanes_mul(K(1.00006103515625), _s9);
     const V _s20 = lanes_sub(_s15, rate_margin);
-    const V _s21 = lanes_max(lanes_sub(_s10, margin), K(0.0));
-    const M _s22 = lanes_less(_s20, K(0.0));
-    const V _s23 = lanes_mul(K(2.0), _s21);
-    const V _s24 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s20), _s21, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s22, _s23, lanes_mul(K(4.0), _s20)), lanes_select(_s22, lanes_neg(_s20), lanes_max(K(0.0), lanes_sub(lanes_add(_s17, _s18), steady)))));
-    const V _s25 = lanes_min(_s24, lanes_sub(end, t));
-    const V _s26 = lanes_mul(_s16, lanes_min(_s19, lanes_add(lanes_mul(_s25, lanes_max(_s13, K(0.0))), _s8)));
-    const V _s27 = lanes_div(K(1.0), lanes_max(lanes_sub(lanes_add(lanes_mul(_s25, lanes_min(K(0.0), _s12)), _s2), lanes_mul(K(9.094947017729282e-13), lanes_add(p_ring_radius, _s19))), lanes_max(lanes_sub(p_ring_radius, _s19), lanes_mul(K(0.0001220703125), p_ring_radius))));
-    const V _s28 = lanes_mul(swing, lanes_mul(_s27, lanes_mul(_s27, _s27)));
-    const V _s29 = lanes_sub(lanes_add(lanes_add(_s26, _s28), lanes_mul(K(9.094947017729282e-13), lanes_add(lanes_add(_s28, lanes_abs(steady)), lanes_abs(_s26)))), steady);
-    const V _s30 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s29), _s21), lanes_mul(_s20, _s20));
-    const V _s31 = lanes_sqrt(_s30);
-    const V _s32 = lanes_min(lanes_select(lanes_at_most(K(0.0), _s30), lanes_div(lanes_select(_s22, _s23, lanes_add(_s20, _s31)), lanes_select(_s22, lanes_sub(_s31, _s20), lanes_max(K(0.0), _s29))), K(INFINITY)), _s25);
-    const V _s33 = lanes_neg(lanes_add(rate_margin, _s15));
-    return (LANES(hoop_ring_advance_out)){ _s10, _s15, lanes_sub(lanes_sub(steady, _s17), _s18), _s32, lanes_add(t, _s32), lanes_sub(t, lanes_div(lanes_mul(K(0.5), _s10), _s14)), lanes_select(lanes_less(K(0.0), _s33), lanes_sub(lanes_mul(_s33, _s33), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, lanes_mul(K(32.0), _s21)))), _s33) };
+    const V _s21 = lanes_sub(_s10, margin);
+    const V _s22 = lanes_max(_s21, K(0.0));
+    const V _s23 = lanes_sub(lanes_add(_s17, _s18), steady);
+    const M _s24 = lanes_less(_s20, K(0.0));
+    const V _s25 = lanes_mul(K(2.0), _s22);
+    const V _s26 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s20), _s22, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s24, _s25, lanes_mul(K(4.0), _s20)), lanes_select(_s24, lanes_neg(_s20), lanes_max(K(0.0), _s23))));
+    const V _s27 = lanes_sub(end, t);
+    const V _s28 = lanes_min(_s26, _s27);
+    const V _s29 = lanes_add(lanes_mul(_s28, lanes_max(_s13, K(0.0))), _s8);
+    const V _s30 = lanes_mul(_s16, lanes_min(_s19, _s29));
+    const V _s31 = lanes_sub(lanes_add(lanes_mul(_s28, lanes_min(K(0.0), _s12)), _s2), lanes_mul(K(9.094947017729282e-13), lanes_add(p_ring_radius, _s19)));
+    const V _s32 = lanes_sub(p_ring_radius, _s19);
+    const V _s33 = lanes_mul(K(0.0001220703125), p_ring_radius);
+    const V _s34 = lanes_max(_s32, _s33);
+    const V _s35 = lanes_div(K(1.0), lanes_max(_s31, _s34));
+    const V _s36 = lanes_mul(swing, lanes_mul(_s35, lanes_mul(_s35, _s35)));
+    const V _s37 = lanes_sub(lanes_add(lanes_add(_s30, _s36), lanes_mul(K(9.094947017729282e-13), lanes_add(lanes_add(_s36, lanes_abs(steady)), lanes_abs(_s30)))), steady);
+    const V _s38 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s37), _s22), lanes_mul(_s20, _s20));
+    const V _s39 = lanes_sqrt(_s38);
+    const V _s40 = lanes_select(lanes_at_most(K(0.0), _s38), lanes_div(lanes_select(_s24, _s25, lanes_add(_s20, _s39)), lanes_select(_s24, lanes_sub(_s39, _s20), lanes_max(K(0.0), _s37))), K(INFINITY));
+    const V _s41 = lanes_min(_s40, _s28);
+    const V _s42 = lanes_neg(lanes_add(rate_margin, _s15));
+    return (LANES(hoop_ring_advance_out)){ _s10, _s15, lanes_sub(lanes_sub(steady, _s17), _s18), _s41, lanes_add(t, _s41), lanes_sub(t, lanes_div(lanes_mul(K(0.5), _s10), _s14)), lanes_select(lanes_less(K(0.0), _s42), lanes_sub(lanes_mul(_s42, _s42), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, lanes_mul(K(32.0), _s22)))), _s42) };
 }
 
 /* The first window that begins no earlier than a time, if there is one.

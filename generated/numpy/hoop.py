@@ -339,7 +339,9 @@ def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error:
     _s0 = speed + (p_gravity * horizon)
     _s1 = share * (extent + (horizon * _s0))
     _s2 = share * _s0
-    return _s1, _s2, _where((position_error - _s1) < (velocity_error - _s2), (velocity_error - _s2), (position_error - _s1))
+    _s3 = position_error - _s1
+    _s4 = velocity_error - _s2
+    return _s1, _s2, _where(_s3 < _s4, _s4, _s3)
 
 
 def horizon(t: Any, speed: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -364,8 +366,13 @@ def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any) -> 
     _s3 = _absolute(vx)
     _s4 = _absolute(vy)
     _s5 = _absolute(vz)
-    _s6 = _where(_where(_where(_where(_where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)) < _s1, _s1, _where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity))) < _s2, _s2, _where(_where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)) < _s1, _s1, _where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)))) < _s3, _s3, _where(_where(_where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)) < _s1, _s1, _where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity))) < _s2, _s2, _where(_where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)) < _s1, _s1, _where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity))))) < _s4, _s4, _where(_where(_where(_where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)) < _s1, _s1, _where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity))) < _s2, _s2, _where(_where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)) < _s1, _s1, _where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)))) < _s3, _s3, _where(_where(_where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)) < _s1, _s1, _where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity))) < _s2, _s2, _where(_where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity)) < _s1, _s1, _where((1.0 / p_gravity) < _s0, _s0, (1.0 / p_gravity))))))
-    return (_s0 + _s1) + _s2, (_s3 + _s4) + _s5, _where(_s6 < _s5, _s5, _s6) - 2.9073548971824276e+135
+    _s6 = 1.0 / p_gravity
+    _s7 = _where(_s6 < _s0, _s0, _s6)
+    _s8 = _where(_s7 < _s1, _s1, _s7)
+    _s9 = _where(_s8 < _s2, _s2, _s8)
+    _s10 = _where(_s9 < _s3, _s3, _s9)
+    _s11 = _where(_s10 < _s4, _s4, _s10)
+    return (_s0 + _s1) + _s2, (_s3 + _s4) + _s5, _where(_s11 < _s5, _s5, _s11) - 2.9073548971824276e+135
 
 
 def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -403,16 +410,28 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     _s13 = ((nx * vx) + (ny * vy)) + (nz * vz)
     _s14 = (-(((nx * _s4) + (ny * _s8)) + (nz * _s12))) / _s13
     _s15 = (vx * _s14) + _s4
-    _s16 = _where(_where(_s1 < _s6, _s6, _s1) < _s10, _s10, _where(_s1 < _s6, _s6, _s1))
-    _s17 = _where(_where(_absolute(dx) < _absolute(dy), _absolute(dy), _absolute(dx)) < _absolute(dz), _absolute(dz), _where(_absolute(dx) < _absolute(dy), _absolute(dy), _absolute(dx)))
-    _s18 = (t * _where(_where(_absolute(dvx) < _absolute(dvy), _absolute(dvy), _absolute(dvx)) < _absolute(dvz), _absolute(dvz), _where(_absolute(dvx) < _absolute(dvy), _absolute(dvy), _absolute(dvx)))) + _where(_where(_s3 < _s7, _s7, _s3) < _s11, _s11, _where(_s3 < _s7, _s7, _s3))
-    _s19 = (_s16 / _absolute(_s13)) * ((_s17 * _where((curving * (t * _s16)) < 1.0, (curving * (t * _s16)), 1.0)) + _s18)
-    _s20 = _s19 + (_s18 + _s17)
-    _s21 = _s20 / (8.0 + (8.0 * contacts))
-    _s22 = -_s21
-    _s23 = (vy * _s14) + _s8
-    _s24 = (vz * _s14) + _s12
-    return _where((_absolute(_s15) < _s21), _where((_s15 < 0.0), _s22, _s21), _s15), _where((_absolute(_s23) < _s21), _where((_s23 < 0.0), _s22, _s21), _s23), _where((_absolute(_s24) < _s21), _where((_s24 < 0.0), _s22, _s21), _s24), dvx, dvy, dvz - (p_gravity * _s14), (4.440892098500626e-16 * (clock + t)) + _where(_absolute(_s14) < (0.0625 * late), (0.0625 * late), _absolute(_s14)), _s20
+    _s16 = _where(_s1 < _s6, _s6, _s1)
+    _s17 = _where(_s16 < _s10, _s10, _s16)
+    _s18 = _absolute(dx)
+    _s19 = _absolute(dy)
+    _s20 = _where(_s18 < _s19, _s19, _s18)
+    _s21 = _absolute(dz)
+    _s22 = _where(_s20 < _s21, _s21, _s20)
+    _s23 = curving * (t * _s17)
+    _s24 = _absolute(dvx)
+    _s25 = _absolute(dvy)
+    _s26 = _where(_s24 < _s25, _s25, _s24)
+    _s27 = _absolute(dvz)
+    _s28 = _where(_s3 < _s7, _s7, _s3)
+    _s29 = (t * _where(_s26 < _s27, _s27, _s26)) + _where(_s28 < _s11, _s11, _s28)
+    _s30 = ((_s17 / _absolute(_s13)) * ((_s22 * _where(_s23 < 1.0, _s23, 1.0)) + _s29)) + (_s29 + _s22)
+    _s31 = _s30 / (8.0 + (8.0 * contacts))
+    _s32 = -_s31
+    _s33 = (vy * _s14) + _s8
+    _s34 = (vz * _s14) + _s12
+    _s35 = _absolute(_s14)
+    _s36 = 0.0625 * late
+    return _where((_absolute(_s15) < _s31), _where((_s15 < 0.0), _s32, _s31), _s15), _where((_absolute(_s33) < _s31), _where((_s33 < 0.0), _s32, _s31), _s33), _where((_absolute(_s34) < _s31), _where((_s34 < 0.0), _s32, _s31), _s34), dvx, dvy, dvz - (p_gravity * _s14), (4.440892098500626e-16 * (clock + t)) + _where(_s35 < _s36, _s36, _s35), _s30
 
 
 def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
@@ -421,7 +440,19 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
     the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     Returns position_error, velocity_error, spin_error, time_error.
     """
-    return 16.0 * _where(_where(_absolute(dx) < _absolute(dy), _absolute(dy), _absolute(dx)) < _absolute(dz), _absolute(dz), _where(_absolute(dx) < _absolute(dy), _absolute(dy), _absolute(dx))), 16.0 * _where(_where(_absolute(dvx) < _absolute(dvy), _absolute(dvy), _absolute(dvx)) < _absolute(dvz), _absolute(dvz), _where(_absolute(dvx) < _absolute(dvy), _absolute(dvy), _absolute(dvx))), 16.0 * _where(_where(_absolute(dwx) < _absolute(dwy), _absolute(dwy), _absolute(dwx)) < _absolute(dwz), _absolute(dwz), _where(_absolute(dwx) < _absolute(dwy), _absolute(dwy), _absolute(dwx))), 16.0 * clock_error
+    _s0 = _absolute(dx)
+    _s1 = _absolute(dy)
+    _s2 = _where(_s0 < _s1, _s1, _s0)
+    _s3 = _absolute(dz)
+    _s4 = _absolute(dvx)
+    _s5 = _absolute(dvy)
+    _s6 = _where(_s4 < _s5, _s5, _s4)
+    _s7 = _absolute(dvz)
+    _s8 = _absolute(dwx)
+    _s9 = _absolute(dwy)
+    _s10 = _where(_s8 < _s9, _s9, _s8)
+    _s11 = _absolute(dwz)
+    return 16.0 * _where(_s2 < _s3, _s3, _s2), 16.0 * _where(_s6 < _s7, _s7, _s6), 16.0 * _where(_s10 < _s11, _s11, _s10), 16.0 * clock_error
 
 
 def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
@@ -430,7 +461,19 @@ def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: A
     the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     Returns position_error, velocity_error, spin_error, time_error.
     """
-    return 64.0 * _where(_where(_absolute(dx) < _absolute(dy), _absolute(dy), _absolute(dx)) < _absolute(dz), _absolute(dz), _where(_absolute(dx) < _absolute(dy), _absolute(dy), _absolute(dx))), 64.0 * _where(_where(_absolute(dvx) < _absolute(dvy), _absolute(dvy), _absolute(dvx)) < _absolute(dvz), _absolute(dvz), _where(_absolute(dvx) < _absolute(dvy), _absolute(dvy), _absolute(dvx))), 64.0 * _where(_where(_absolute(dwx) < _absolute(dwy), _absolute(dwy), _absolute(dwx)) < _absolute(dwz), _absolute(dwz), _where(_absolute(dwx) < _absolute(dwy), _absolute(dwy), _absolute(dwx))), 64.0 * clock_error
+    _s0 = _absolute(dx)
+    _s1 = _absolute(dy)
+    _s2 = _where(_s0 < _s1, _s1, _s0)
+    _s3 = _absolute(dz)
+    _s4 = _absolute(dvx)
+    _s5 = _absolute(dvy)
+    _s6 = _where(_s4 < _s5, _s5, _s4)
+    _s7 = _absolute(dvz)
+    _s8 = _absolute(dwx)
+    _s9 = _absolute(dwy)
+    _s10 = _where(_s8 < _s9, _s9, _s8)
+    _s11 = _absolute(dwz)
+    return 64.0 * _where(_s2 < _s3, _s3, _s2), 64.0 * _where(_s6 < _s7, _s7, _s6), 64.0 * _where(_s10 < _s11, _s11, _s10), 64.0 * clock_error
 
 
 def allowed(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_bridge_half_width: Any, p_restitution: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -468,20 +511,39 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s4 = _absolute(last) < 0.5
     _s5 = _where(_s4, 1.0, _where((0.0 <= _s3), 1.0, 0.0))
     _s6 = p_ball_radius - p_board_distance
-    _s7 = 2.0 * p_ball_radius
-    _s8 = _where(_where(_where(_where((x - _s6) < ((_s6 - _s7) - x), ((_s6 - _s7) - x), (x - _s6)) < (-(p_board_half_width + y)), (-(p_board_half_width + y)), _where((x - _s6) < ((_s6 - _s7) - x), ((_s6 - _s7) - x), (x - _s6))) < (y - p_board_half_width), (y - p_board_half_width), _where(_where((x - _s6) < ((_s6 - _s7) - x), ((_s6 - _s7) - x), (x - _s6)) < (-(p_board_half_width + y)), (-(p_board_half_width + y)), _where((x - _s6) < ((_s6 - _s7) - x), ((_s6 - _s7) - x), (x - _s6)))) < (p_board_bottom - z), (p_board_bottom - z), _where(_where(_where((x - _s6) < ((_s6 - _s7) - x), ((_s6 - _s7) - x), (x - _s6)) < (-(p_board_half_width + y)), (-(p_board_half_width + y)), _where((x - _s6) < ((_s6 - _s7) - x), ((_s6 - _s7) - x), (x - _s6))) < (y - p_board_half_width), (y - p_board_half_width), _where(_where((x - _s6) < ((_s6 - _s7) - x), ((_s6 - _s7) - x), (x - _s6)) < (-(p_board_half_width + y)), (-(p_board_half_width + y)), _where((x - _s6) < ((_s6 - _s7) - x), ((_s6 - _s7) - x), (x - _s6)))))
-    _s9 = _where(_s8 < (z - p_board_top), (z - p_board_top), _s8)
-    _s10 = _absolute((last - 1.0)) < 0.5
-    _s11 = _where(_s10, _s5, _where((0.0 <= _s9), _s5, 0.0))
-    _s12 = _where(_where(_where((z - _s2) < (((_s2 - _s7) - (2.0 * p_wire_radius)) - z), (((_s2 - _s7) - (2.0 * p_wire_radius)) - z), (z - _s2)) < (-(p_bridge_half_width + y)), (-(p_bridge_half_width + y)), _where((z - _s2) < (((_s2 - _s7) - (2.0 * p_wire_radius)) - z), (((_s2 - _s7) - (2.0 * p_wire_radius)) - z), (z - _s2))) < (y - p_bridge_half_width), (y - p_bridge_half_width), _where(_where((z - _s2) < (((_s2 - _s7) - (2.0 * p_wire_radius)) - z), (((_s2 - _s7) - (2.0 * p_wire_radius)) - z), (z - _s2)) < (-(p_bridge_half_width + y)), (-(p_bridge_half_width + y)), _where((z - _s2) < (((_s2 - _s7) - (2.0 * p_wire_radius)) - z), (((_s2 - _s7) - (2.0 * p_wire_radius)) - z), (z - _s2))))
-    _s13 = _where(_where(_where(_s12 < (p_ring_radius - _s0), (p_ring_radius - _s0), _s12) < x, x, _where(_s12 < (p_ring_radius - _s0), (p_ring_radius - _s0), _s12)) < (-(p_board_distance + x)), (-(p_board_distance + x)), _where(_where(_s12 < (p_ring_radius - _s0), (p_ring_radius - _s0), _s12) < x, x, _where(_s12 < (p_ring_radius - _s0), (p_ring_radius - _s0), _s12)))
-    _s14 = _absolute((last - 2.0)) < 0.5
-    _s15 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_top)) + _absolute(p_bridge_half_width)
-    _s16 = ((((_s15 + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)) + _absolute(x)) + _absolute(y)
-    _s17 = 1.7763568394002505e-15 * (_s16 + _absolute(z))
-    _s18 = _where(_s4, 0.0, _where((_absolute(_s3) <= (((4.0 * p_ball_radius) + (4.0 * p_wire_radius)) * _s17)), 1.0, 0.0))
-    _s19 = _where(_s10, _s18, _where((_absolute(_s9) <= _s17), 1.0, _s18))
-    return _where(_s14, _s11, _where((0.0 <= _s13), _s11, 0.0)), _where(_s14, _s19, _where((_absolute(_s13) <= _s17), 1.0, _s19))
+    _s7 = x - _s6
+    _s8 = 2.0 * p_ball_radius
+    _s9 = (_s6 - _s8) - x
+    _s10 = _where(_s7 < _s9, _s9, _s7)
+    _s11 = -(p_board_half_width + y)
+    _s12 = _where(_s10 < _s11, _s11, _s10)
+    _s13 = y - p_board_half_width
+    _s14 = _where(_s12 < _s13, _s13, _s12)
+    _s15 = p_board_bottom - z
+    _s16 = _where(_s14 < _s15, _s15, _s14)
+    _s17 = z - p_board_top
+    _s18 = _where(_s16 < _s17, _s17, _s16)
+    _s19 = _absolute((last - 1.0)) < 0.5
+    _s20 = _where(_s19, _s5, _where((0.0 <= _s18), _s5, 0.0))
+    _s21 = z - _s2
+    _s22 = ((_s2 - _s8) - (2.0 * p_wire_radius)) - z
+    _s23 = _where(_s21 < _s22, _s22, _s21)
+    _s24 = -(p_bridge_half_width + y)
+    _s25 = _where(_s23 < _s24, _s24, _s23)
+    _s26 = y - p_bridge_half_width
+    _s27 = _where(_s25 < _s26, _s26, _s25)
+    _s28 = p_ring_radius - _s0
+    _s29 = _where(_s27 < _s28, _s28, _s27)
+    _s30 = _where(_s29 < x, x, _s29)
+    _s31 = -(p_board_distance + x)
+    _s32 = _where(_s30 < _s31, _s31, _s30)
+    _s33 = _absolute((last - 2.0)) < 0.5
+    _s34 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_top)) + _absolute(p_bridge_half_width)
+    _s35 = ((((_s34 + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)) + _absolute(x)) + _absolute(y)
+    _s36 = 1.7763568394002505e-15 * (_s35 + _absolute(z))
+    _s37 = _where(_s4, 0.0, _where((_absolute(_s3) <= (((4.0 * p_ball_radius) + (4.0 * p_wire_radius)) * _s36)), 1.0, 0.0))
+    _s38 = _where(_s19, _s37, _where((_absolute(_s18) <= _s36), 1.0, _s37))
+    return _where(_s33, _s20, _where((0.0 <= _s32), _s20, 0.0)), _where(_s33, _s38, _where((_absolute(_s32) <= _s36), 1.0, _s38))
 
 
 def target(x: Any, y: Any, p_ring_radius: Any) -> tuple[Any, ...]:
@@ -909,32 +971,40 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
     _s8 = -_s7
     _s9 = _s4 + _where((_s4 < 0.0), _s8, _s7)
     _s10 = 8.0 + (8.0 * contacts)
-    _s11 = ((p_ball_radius * _where(_where(_absolute(dwx) < _absolute(dwy), _absolute(dwy), _absolute(dwx)) < _absolute(dwz), _absolute(dwz), _where(_absolute(dwx) < _absolute(dwy), _absolute(dwy), _absolute(dwx)))) + (turn * _s6)) + _where(_where(_absolute(dvx) < _absolute(dvy), _absolute(dvy), _absolute(dvx)) < _absolute(dvz), _absolute(dvz), _where(_absolute(dvx) < _absolute(dvy), _absolute(dvy), _absolute(dvx)))
-    _s12 = _s11 / _s10
-    _s13 = -_s12
-    _s14 = (_s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (0.6 * ((dvy - (dny * _s1)) - (ny * _s2)))
-    _s15 = (_s14 - ((dny * p_restitution) * _s1)) - ((ny * p_restitution) * _s2)
-    _s16 = _s15 + _where((_s15 < 0.0), _s8, _s7)
-    _s17 = (_s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (0.6 * ((dvz - (dnz * _s1)) - (nz * _s2)))
-    _s18 = (_s17 - ((dnz * p_restitution) * _s1)) - ((nz * p_restitution) * _s2)
-    _s19 = _s18 + _where((_s18 < 0.0), _s8, _s7)
-    _s20 = ((nx * wx) + (ny * wy)) + (nz * wz)
-    _s21 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz)
-    _s22 = 1.0 / p_ball_radius
-    _s23 = (_s0 * ((ny * wx) - (nx * wy))) + (0.6 * (vz - (nz * _s1)))
-    _s24 = (_s0 * ((nx * wz) - (nz * wx))) + (0.6 * (vy - (ny * _s1)))
-    _s25 = ((dnx * _s20) + (nx * _s21)) + (_s22 * ((((dny * _s23) + (ny * _s17)) - (dnz * _s24)) - (nz * _s14)))
-    _s26 = _s7 / p_ball_radius
-    _s27 = -_s26
-    _s28 = _s25 + _where((_s25 < 0.0), _s27, _s26)
-    _s29 = _s11 / (p_ball_radius * _s10)
-    _s30 = -_s29
-    _s31 = (_s0 * ((nz * wy) - (ny * wz))) + (0.6 * (vx - (nx * _s1)))
-    _s32 = ((dny * _s20) + (ny * _s21)) + (_s22 * ((((dnz * _s31) + (nz * _s3)) - (dnx * _s23)) - (nx * _s17)))
-    _s33 = _s32 + _where((_s32 < 0.0), _s27, _s26)
-    _s34 = ((dnz * _s20) + (nz * _s21)) + (_s22 * ((((dnx * _s24) + (nx * _s14)) - (dny * _s31)) - (ny * _s3)))
-    _s35 = _s34 + _where((_s34 < 0.0), _s27, _s26)
-    return _where((_absolute(_s9) < _s12), _where((_s9 < 0.0), _s13, _s12), _s9), _where((_absolute(_s16) < _s12), _where((_s16 < 0.0), _s13, _s12), _s16), _where((_absolute(_s19) < _s12), _where((_s19 < 0.0), _s13, _s12), _s19), _where((_absolute(_s28) < _s29), _where((_s28 < 0.0), _s30, _s29), _s28), _where((_absolute(_s33) < _s29), _where((_s33 < 0.0), _s30, _s29), _s33), _where((_absolute(_s35) < _s29), _where((_s35 < 0.0), _s30, _s29), _s35)
+    _s11 = _absolute(dwx)
+    _s12 = _absolute(dwy)
+    _s13 = _where(_s11 < _s12, _s12, _s11)
+    _s14 = _absolute(dwz)
+    _s15 = _absolute(dvx)
+    _s16 = _absolute(dvy)
+    _s17 = _where(_s15 < _s16, _s16, _s15)
+    _s18 = _absolute(dvz)
+    _s19 = ((p_ball_radius * _where(_s13 < _s14, _s14, _s13)) + (turn * _s6)) + _where(_s17 < _s18, _s18, _s17)
+    _s20 = _s19 / _s10
+    _s21 = -_s20
+    _s22 = (_s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (0.6 * ((dvy - (dny * _s1)) - (ny * _s2)))
+    _s23 = (_s22 - ((dny * p_restitution) * _s1)) - ((ny * p_restitution) * _s2)
+    _s24 = _s23 + _where((_s23 < 0.0), _s8, _s7)
+    _s25 = (_s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (0.6 * ((dvz - (dnz * _s1)) - (nz * _s2)))
+    _s26 = (_s25 - ((dnz * p_restitution) * _s1)) - ((nz * p_restitution) * _s2)
+    _s27 = _s26 + _where((_s26 < 0.0), _s8, _s7)
+    _s28 = ((nx * wx) + (ny * wy)) + (nz * wz)
+    _s29 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz)
+    _s30 = 1.0 / p_ball_radius
+    _s31 = (_s0 * ((ny * wx) - (nx * wy))) + (0.6 * (vz - (nz * _s1)))
+    _s32 = (_s0 * ((nx * wz) - (nz * wx))) + (0.6 * (vy - (ny * _s1)))
+    _s33 = ((dnx * _s28) + (nx * _s29)) + (_s30 * ((((dny * _s31) + (ny * _s25)) - (dnz * _s32)) - (nz * _s22)))
+    _s34 = _s7 / p_ball_radius
+    _s35 = -_s34
+    _s36 = _s33 + _where((_s33 < 0.0), _s35, _s34)
+    _s37 = _s19 / (p_ball_radius * _s10)
+    _s38 = -_s37
+    _s39 = (_s0 * ((nz * wy) - (ny * wz))) + (0.6 * (vx - (nx * _s1)))
+    _s40 = ((dny * _s28) + (ny * _s29)) + (_s30 * ((((dnz * _s39) + (nz * _s3)) - (dnx * _s31)) - (nx * _s25)))
+    _s41 = _s40 + _where((_s40 < 0.0), _s35, _s34)
+    _s42 = ((dnz * _s28) + (nz * _s29)) + (_s30 * ((((dnx * _s32) + (nx * _s22)) - (dny * _s39)) - (ny * _s3)))
+    _s43 = _s42 + _where((_s42 < 0.0), _s35, _s34)
+    return _where((_absolute(_s9) < _s20), _where((_s9 < 0.0), _s21, _s20), _s9), _where((_absolute(_s24) < _s20), _where((_s24 < 0.0), _s21, _s20), _s24), _where((_absolute(_s27) < _s20), _where((_s27 < 0.0), _s21, _s20), _s27), _where((_absolute(_s36) < _s37), _where((_s36 < 0.0), _s38, _s37), _s36), _where((_absolute(_s41) < _s37), _where((_s41 < 0.0), _s38, _s37), _s41), _where((_absolute(_s43) < _s37), _where((_s43 < 0.0), _s38, _s37), _s43)
 
 
 def ring_coefficients(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -1001,7 +1071,9 @@ def ring_curvature(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -
     Table 2. 6 operations: 1 addition, 2 subtractions, 1 division, 1 comparison, 1 selection.
     Returns curvature.
     """
-    return 1.0 / _where(((p_ring_radius - p_ball_radius) - p_wire_radius) < (p_ball_radius + p_wire_radius), ((p_ring_radius - p_ball_radius) - p_wire_radius), (p_ball_radius + p_wire_radius)),
+    _s0 = (p_ring_radius - p_ball_radius) - p_wire_radius
+    _s1 = p_ball_radius + p_wire_radius
+    return 1.0 / _where(_s0 < _s1, _s0, _s1),
 
 
 def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -1018,7 +1090,8 @@ def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_b
     _s5 = (_s1 * _s3) * _s4
     _s6 = (0.5 * (((2.0 * dx) * x) + ((2.0 * dy) * y))) / _s2
     _s7 = ((_s6 * _s1) * _s4) + (((-(_s6 * (_s4 * _s4))) * _s1) * _s3)
-    return (dx * _s5) + (x * _s7), (dy * _s5) + (y * _s7), dz * _s1, shift * (1.0 / _where(((p_ring_radius - p_ball_radius) - p_wire_radius) < _s0, ((p_ring_radius - p_ball_radius) - p_wire_radius), _s0))
+    _s8 = (p_ring_radius - p_ball_radius) - p_wire_radius
+    return (dx * _s5) + (x * _s7), (dy * _s5) + (y * _s7), dz * _s1, shift * (1.0 / _where(_s8 < _s0, _s8, _s0))
 
 
 def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -1028,44 +1101,47 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     Returns clear.
     """
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = position_error + (horizon * velocity_error)
-    _s2 = 1.00006103515625 * _s0
-    _s3 = p_ring_radius + _s2
-    _s4 = vz * vz
-    _s5 = _s4 + ((2.0 * p_gravity) * (z - _s2))
-    _s6 = 1.0 / p_gravity
-    _s7 = _sqrt(_s5)
-    _s8 = _s6 * (vz - _s7)
-    _s9 = _s6 * (vz + _s7)
-    _s10 = x + (vx * _s9)
-    _s11 = y + (vy * _s9)
-    _s12 = (_s10 * _s10) + (_s11 * _s11)
-    _s13 = _sqrt(_s12)
-    _s14 = _s13 - p_ring_radius
-    _s15 = z + ((vz - ((0.5 * p_gravity) * _s9)) * _s9)
-    _s16 = _s3 * _s3
-    _s17 = 9.313225746154785e-10 * _s16
-    _s18 = (((_s14 * _s14) + (_s15 * _s15)) - (_s0 * _s0)) - _s17
-    _s19 = (vx * vx) + (vy * vy)
-    _s20 = _where((p_ring_radius - _s2) < (0.0001220703125 * p_ring_radius), (0.0001220703125 * p_ring_radius), (p_ring_radius - _s2))
-    _s21 = _s20 * _s20
-    _s22 = _s20 * _s21
-    _s23 = ((((2.0 * _s4) + ((4.0 * p_gravity) * z)) + (2.0 * _s19)) - ((6.0003662109375 * p_gravity) * _s0)) * _s22
-    _s24 = (vy * x) - (vx * y)
+    _s1 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s0)
+    _s2 = position_error + (horizon * velocity_error)
+    _s3 = (_s2 - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)
+    _s4 = 1.00006103515625 * _s0
+    _s5 = p_ring_radius + _s4
+    _s6 = vz * vz
+    _s7 = _s6 + ((2.0 * p_gravity) * (z - _s4))
+    _s8 = 1.0 / p_gravity
+    _s9 = _sqrt(_s7)
+    _s10 = _s8 * (vz - _s9)
+    _s11 = _s8 * (vz + _s9)
+    _s12 = x + (vx * _s11)
+    _s13 = y + (vy * _s11)
+    _s14 = (_s12 * _s12) + (_s13 * _s13)
+    _s15 = _sqrt(_s14)
+    _s16 = _s15 - p_ring_radius
+    _s17 = z + ((vz - ((0.5 * p_gravity) * _s11)) * _s11)
+    _s18 = _s5 * _s5
+    _s19 = 9.313225746154785e-10 * _s18
+    _s20 = (((_s16 * _s16) + (_s17 * _s17)) - (_s0 * _s0)) - _s19
+    _s21 = (vx * vx) + (vy * vy)
+    _s22 = p_ring_radius - _s4
+    _s23 = 0.0001220703125 * p_ring_radius
+    _s24 = _where(_s22 < _s23, _s23, _s22)
     _s25 = _s24 * _s24
-    _s26 = _s23 - ((2.0 * p_ring_radius) * _s25)
-    _s27 = (_s14 * ((vx * _s10) + (vy * _s11))) + ((_s15 * (vz - (p_gravity * _s9))) * _s13)
-    _s28 = x + (horizon * vx)
-    _s29 = y + (horizon * vy)
-    _s30 = _where(((((_s17 + (_s28 * _s28)) + (_s29 * _s29)) - _s21) < 0.0), 1.0, _where((((_s19 * (_s17 + _s21)) - _s25) < 0.0), 1.0, 0.0))
-    _s31 = _where(((((4.0 * (_s27 * _s27)) * _s22) - (((2.0 * _s26) * _s12) * _s18)) < 0.0), _s30, 0.0)
-    _s32 = _where((horizon < (_s9 - (9.313225746154785e-10 * horizon))), 1.0, _where((0.0 < _s18), _where((0.0 < _s26), _s31, 0.0), 0.0))
-    _s33 = (vx * x) + (vy * y)
-    _s34 = (_s8 * _s19) + _s33
-    _s35 = _where((_s34 < 0.0), _where((_s16 < ((_s8 * (_s33 + _s34)) + ((x * x) + (y * y)))), _s32, 0.0), 0.0)
-    _s36 = _where(((extent + (horizon * (speed + (p_gravity * horizon)))) < (65536.0 * _s3)), _where((0.0 < _s5), _where((_s8 < 0.0), _s32, _s35), 0.0), 0.0)
-    _s37 = _where((0.0 < _where(((0.000244140625 * p_ring_radius) - (p_ring_radius - _s0)) < ((_s1 - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)), ((_s1 - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)), ((0.000244140625 * p_ring_radius) - (p_ring_radius - _s0)))), 0.0, _where((_s1 < (5.820766091346741e-11 * _s3)), _s36, 0.0))
-    return _s37,
+    _s26 = _s24 * _s25
+    _s27 = ((((2.0 * _s6) + ((4.0 * p_gravity) * z)) + (2.0 * _s21)) - ((6.0003662109375 * p_gravity) * _s0)) * _s26
+    _s28 = (vy * x) - (vx * y)
+    _s29 = _s28 * _s28
+    _s30 = _s27 - ((2.0 * p_ring_radius) * _s29)
+    _s31 = (_s16 * ((vx * _s12) + (vy * _s13))) + ((_s17 * (vz - (p_gravity * _s11))) * _s15)
+    _s32 = x + (horizon * vx)
+    _s33 = y + (horizon * vy)
+    _s34 = _where(((((_s19 + (_s32 * _s32)) + (_s33 * _s33)) - _s25) < 0.0), 1.0, _where((((_s21 * (_s19 + _s25)) - _s29) < 0.0), 1.0, 0.0))
+    _s35 = _where(((((4.0 * (_s31 * _s31)) * _s26) - (((2.0 * _s30) * _s14) * _s20)) < 0.0), _s34, 0.0)
+    _s36 = _where((horizon < (_s11 - (9.313225746154785e-10 * horizon))), 1.0, _where((0.0 < _s20), _where((0.0 < _s30), _s35, 0.0), 0.0))
+    _s37 = (vx * x) + (vy * y)
+    _s38 = (_s10 * _s21) + _s37
+    _s39 = _where((_s38 < 0.0), _where((_s18 < ((_s10 * (_s37 + _s38)) + ((x * x) + (y * y)))), _s36, 0.0), 0.0)
+    _s40 = _where(((extent + (horizon * (speed + (p_gravity * horizon)))) < (65536.0 * _s5)), _where((0.0 < _s7), _where((_s10 < 0.0), _s36, _s39), 0.0), 0.0)
+    return _where((0.0 < _where(_s1 < _s3, _s3, _s1)), 0.0, _where((_s2 < (5.820766091346741e-11 * _s5)), _s40, 0.0)),
 
 
 def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -1102,27 +1178,39 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s25 = 0.0 <= _s20
     _s26 = 2.409919865102884e-181 < _s1
     _s27 = _where(_s26, _where(_s25, ((-((_s21 + _s22) + _s23)) * _s24), _inf), (-_inf))
-    _s28 = _where((p_ring_radius - _s8) < (0.0001220703125 * p_ring_radius), (0.0001220703125 * p_ring_radius), (p_ring_radius - _s8))
-    _s29 = ((_s1 * (_s28 * _s28)) - _s19) - _s4
-    _s30 = _sqrt(_where(_s29 < 0.0, 0.0, _s29))
-    _s31 = _where(_s26, _where(_s25, (((_s22 + _s23) - _s21) * _s24), (-_inf)), _inf)
-    _s32 = 0.0 < _where(_s26, _s29, 0.0)
-    _s33 = _where(_s32, (((_s23 - _s21) - _s30) * _s24), _s31)
-    _s34 = (_s0 + (_s9 * (z - _s8))) - _s10
-    _s35 = _sqrt(_where(_s34 < 0.0, 0.0, _s34))
-    _s36 = _where(_s15, (_s12 * ((vz + _s13) + _s14)), (-_inf))
-    _s37 = 0.0 < _s34
-    _s38 = _where(_s37, (_s12 * ((vz + _s14) - _s35)), _s36)
-    _s39 = _where(_s33 < _s38, _s33, _s38)
-    _s40 = _where(_where(_s32, (((_s30 - _s21) - _s23) * _s24), _inf) < _s33, _s33, _where(_s32, (((_s30 - _s21) - _s23) * _s24), _inf))
-    _s41 = _where(_s16 < _s40, _s40, _s16)
-    _s42 = _where(_s31 < _s38, _s31, _s38)
-    _s43 = _where(_where(_s37, (_s12 * ((vz + _s35) - _s14)), _inf) < _s38, _s38, _where(_s37, (_s12 * ((vz + _s35) - _s14)), _inf))
-    _s44 = _s41 <= _s42
-    _s45 = _where(_s44, _s42, _where(_s33 < _s36, _s33, _s36))
-    _s46 = _where(_s31 < _s36, _s31, _s36)
-    _s47 = 1.0 / _s28
-    return _s2, _s5, _sqrt(_s6), _where(0.0 < _where(_s16 < _s27, _s27, _s16), _where(_s16 < _s27, _s27, _s16), 0.0), _where(_s39 < horizon, _s39, horizon), _where(0.0 < _where(_s44, _s41, _where(_s43 < _s27, _s27, _s43)), _where(_s44, _s41, _where(_s43 < _s27, _s27, _s43)), 0.0), _where(_s45 < horizon, _s45, horizon), _where(0.0 < _where(_s43 < _s40, _s40, _s43), _where(_s43 < _s40, _s40, _s43), 0.0), _where(_s46 < horizon, _s46, horizon), (((6.0003662109375 * p_gravity) * _s7) + (_s5 * (_s47 * (_s47 * _s47)))) + _absolute(_s2), _where(_where(_where(_where(0.0 < _s39, _s39, 0.0) < _s45, _s45, _where(0.0 < _s39, _s39, 0.0)) < _s46, _s46, _where(_where(0.0 < _s39, _s39, 0.0) < _s45, _s45, _where(0.0 < _s39, _s39, 0.0))) < horizon, _where(_where(_where(0.0 < _s39, _s39, 0.0) < _s45, _s45, _where(0.0 < _s39, _s39, 0.0)) < _s46, _s46, _where(_where(0.0 < _s39, _s39, 0.0) < _s45, _s45, _where(0.0 < _s39, _s39, 0.0))), horizon), _where(((0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)) < (((position_error + (horizon * velocity_error)) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)), (((position_error + (horizon * velocity_error)) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)), ((0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)))
+    _s28 = _where(_s16 < _s27, _s27, _s16)
+    _s29 = p_ring_radius - _s8
+    _s30 = 0.0001220703125 * p_ring_radius
+    _s31 = _where(_s29 < _s30, _s30, _s29)
+    _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
+    _s33 = _sqrt(_where(_s32 < 0.0, 0.0, _s32))
+    _s34 = _where(_s26, _where(_s25, (((_s22 + _s23) - _s21) * _s24), (-_inf)), _inf)
+    _s35 = 0.0 < _where(_s26, _s32, 0.0)
+    _s36 = _where(_s35, (((_s23 - _s21) - _s33) * _s24), _s34)
+    _s37 = (_s0 + (_s9 * (z - _s8))) - _s10
+    _s38 = _sqrt(_where(_s37 < 0.0, 0.0, _s37))
+    _s39 = _where(_s15, (_s12 * ((vz + _s13) + _s14)), (-_inf))
+    _s40 = 0.0 < _s37
+    _s41 = _where(_s40, (_s12 * ((vz + _s14) - _s38)), _s39)
+    _s42 = _where(_s36 < _s41, _s36, _s41)
+    _s43 = _where(_s35, (((_s33 - _s21) - _s23) * _s24), _inf)
+    _s44 = _where(_s43 < _s36, _s36, _s43)
+    _s45 = _where(_s16 < _s44, _s44, _s16)
+    _s46 = _where(_s34 < _s41, _s34, _s41)
+    _s47 = _where(_s40, (_s12 * ((vz + _s38) - _s14)), _inf)
+    _s48 = _where(_s47 < _s41, _s41, _s47)
+    _s49 = _s45 <= _s46
+    _s50 = _where(_s49, _s45, _where(_s48 < _s27, _s27, _s48))
+    _s51 = _where(_s49, _s46, _where(_s36 < _s39, _s36, _s39))
+    _s52 = _where(_s48 < _s44, _s44, _s48)
+    _s53 = _where(_s34 < _s39, _s34, _s39)
+    _s54 = 1.0 / _s31
+    _s55 = _where(0.0 < _s42, _s42, 0.0)
+    _s56 = _where(_s55 < _s51, _s51, _s55)
+    _s57 = _where(_s56 < _s53, _s53, _s56)
+    _s58 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)
+    _s59 = ((position_error + (horizon * velocity_error)) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)
+    return _s2, _s5, _sqrt(_s6), _where(0.0 < _s28, _s28, 0.0), _where(_s42 < horizon, _s42, horizon), _where(0.0 < _s50, _s50, 0.0), _where(_s51 < horizon, _s51, horizon), _where(0.0 < _s52, _s52, 0.0), _where(_s53 < horizon, _s53, horizon), (((6.0003662109375 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + _absolute(_s2), _where(_s57 < horizon, _s57, horizon), _where(_s58 < _s59, _s59, _s58)
 
 
 def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -1138,10 +1226,13 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     _s4 = p_ring_radius + _s2
     _s5 = extent + (horizon * _s1)
     _s6 = (position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s5)
-    _s7 = _where(1.0 < (_s2 / _where((p_ring_radius - _s2) < (0.0001220703125 * p_ring_radius), (0.0001220703125 * p_ring_radius), (p_ring_radius - _s2))), (_s2 / _where((p_ring_radius - _s2) < (0.0001220703125 * p_ring_radius), (0.0001220703125 * p_ring_radius), (p_ring_radius - _s2))), 1.0)
-    _s8 = 5.0 * (((_s1 * _s7) * _s6) + (_s2 * (velocity_error + (2.220446049250313e-16 * _s1))))
-    _s9 = 1.0009765625 * ((((3.552713678800501e-15 * _s1) * ((_s5 * _s7) + _s4)) + (4.440892098500626e-16 * _s3)) + _s8)
-    return 1.0009765625 * ((((4.440892098500626e-16 * horizon) * _s3) + ((1.3323489447131243e-15 * _s0) * _s4)) + ((5.00030517578125 * _s0) * _s6)), _s9, 1.0009765625 * ((3.552713678800501e-15 * (_s4 * _s1)) + _s8)
+    _s7 = p_ring_radius - _s2
+    _s8 = 0.0001220703125 * p_ring_radius
+    _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
+    _s10 = _where(1.0 < _s9, _s9, 1.0)
+    _s11 = 5.0 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (2.220446049250313e-16 * _s1))))
+    _s12 = 1.0009765625 * ((((3.552713678800501e-15 * _s1) * ((_s5 * _s10) + _s4)) + (4.440892098500626e-16 * _s3)) + _s11)
+    return 1.0009765625 * ((((4.440892098500626e-16 * horizon) * _s3) + ((1.3323489447131243e-15 * _s0) * _s4)) + ((5.00030517578125 * _s0) * _s6)), _s12, 1.0009765625 * ((3.552713678800501e-15 * (_s4 * _s1)) + _s11)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -1192,20 +1283,29 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s18 = swing * (_s11 * (_s11 * _s11))
     _s19 = 1.00006103515625 * _s9
     _s20 = _s15 - rate_margin
-    _s21 = _where((_s10 - margin) < 0.0, 0.0, (_s10 - margin))
-    _s22 = _s20 < 0.0
-    _s23 = 2.0 * _s21
-    _s24 = _where((0.0 < _where((0.0 <= _s20), _s21, 0.0)), _inf, (_where(_s22, _s23, (4.0 * _s20)) / _where(_s22, (-_s20), _where(0.0 < ((_s17 + _s18) - steady), ((_s17 + _s18) - steady), 0.0))))
-    _s25 = _where(_s24 < (end - t), _s24, (end - t))
-    _s26 = _s16 * _where(_s19 < ((_s25 * _where(_s13 < 0.0, 0.0, _s13)) + _s8), _s19, ((_s25 * _where(_s13 < 0.0, 0.0, _s13)) + _s8))
-    _s27 = 1.0 / _where((((_s25 * _where(0.0 < _s12, 0.0, _s12)) + _s2) - (9.094947017729282e-13 * (p_ring_radius + _s19))) < _where((p_ring_radius - _s19) < (0.0001220703125 * p_ring_radius), (0.0001220703125 * p_ring_radius), (p_ring_radius - _s19)), _where((p_ring_radius - _s19) < (0.0001220703125 * p_ring_radius), (0.0001220703125 * p_ring_radius), (p_ring_radius - _s19)), (((_s25 * _where(0.0 < _s12, 0.0, _s12)) + _s2) - (9.094947017729282e-13 * (p_ring_radius + _s19))))
-    _s28 = swing * (_s27 * (_s27 * _s27))
-    _s29 = ((_s26 + _s28) + (9.094947017729282e-13 * ((_s28 + _absolute(steady)) + _absolute(_s26)))) - steady
-    _s30 = ((2.0 * _s29) * _s21) + (_s20 * _s20)
-    _s31 = _sqrt(_s30)
-    _s32 = _where(_where((0.0 <= _s30), (_where(_s22, _s23, (_s20 + _s31)) / _where(_s22, (_s31 - _s20), _where(0.0 < _s29, _s29, 0.0))), _inf) < _s25, _where((0.0 <= _s30), (_where(_s22, _s23, (_s20 + _s31)) / _where(_s22, (_s31 - _s20), _where(0.0 < _s29, _s29, 0.0))), _inf), _s25)
-    _s33 = -(rate_margin + _s15)
-    return _s10, _s15, (steady - _s17) - _s18, _s32, t + _s32, t - ((0.5 * _s10) / _s14), _where((0.0 < _s33), ((_s33 * _s33) - ((8.0 * ceiling) * (margin + (32.0 * _s21)))), _s33)
+    _s21 = _s10 - margin
+    _s22 = _where(_s21 < 0.0, 0.0, _s21)
+    _s23 = (_s17 + _s18) - steady
+    _s24 = _s20 < 0.0
+    _s25 = 2.0 * _s22
+    _s26 = _where((0.0 < _where((0.0 <= _s20), _s22, 0.0)), _inf, (_where(_s24, _s25, (4.0 * _s20)) / _where(_s24, (-_s20), _where(0.0 < _s23, _s23, 0.0))))
+    _s27 = end - t
+    _s28 = _where(_s26 < _s27, _s26, _s27)
+    _s29 = (_s28 * _where(_s13 < 0.0, 0.0, _s13)) + _s8
+    _s30 = _s16 * _where(_s19 < _s29, _s19, _s29)
+    _s31 = ((_s28 * _where(0.0 < _s12, 0.0, _s12)) + _s2) - (9.094947017729282e-13 * (p_ring_radius + _s19))
+    _s32 = p_ring_radius - _s19
+    _s33 = 0.0001220703125 * p_ring_radius
+    _s34 = _where(_s32 < _s33, _s33, _s32)
+    _s35 = 1.0 / _where(_s31 < _s34, _s34, _s31)
+    _s36 = swing * (_s35 * (_s35 * _s35))
+    _s37 = ((_s30 + _s36) + (9.094947017729282e-13 * ((_s36 + _absolute(steady)) + _absolute(_s30)))) - steady
+    _s38 = ((2.0 * _s37) * _s22) + (_s20 * _s20)
+    _s39 = _sqrt(_s38)
+    _s40 = _where((0.0 <= _s38), (_where(_s24, _s25, (_s20 + _s39)) / _where(_s24, (_s39 - _s20), _where(0.0 < _s37, _s37, 0.0))), _inf)
+    _s41 = _where(_s40 < _s28, _s40, _s28)
+    _s42 = -(rate_margin + _s15)
+    return _s10, _s15, (steady - _s17) - _s18, _s41, t + _s41, t - ((0.5 * _s10) / _s14), _where((0.0 < _s42), ((_s42 * _s42) - ((8.0 * ceiling) * (margin + (32.0 * _s22)))), _s42)
 
 
 def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any) -> tuple[Any, ...]:
@@ -1589,28 +1689,42 @@ def ring_nearness(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, hal
     _s8 = 2.0 * (((((vx * _s0) + (vy * _s1)) / _s2) * _s3) + ((vz - (p_gravity * t)) * _s5))
     _s9 = t - half
     _s10 = (vx * vx) + (vy * vy)
-    _s11 = half + t
-    _s12 = _where(_s9 < _where((-(((vx * x) + (vy * y)) / _s10)) < _s11, (-(((vx * x) + (vy * y)) / _s10)), _s11), _where((-(((vx * x) + (vy * y)) / _s10)) < _s11, (-(((vx * x) + (vy * y)) / _s10)), _s11), _s9)
-    _s13 = x + (vx * _s12)
-    _s14 = y + (vy * _s12)
-    _s15 = _sqrt(((_s13 * _s13) + (_s14 * _s14)))
-    _s16 = x + (vx * _s9)
-    _s17 = y + (vy * _s9)
-    _s18 = x + (vx * _s11)
-    _s19 = y + (vy * _s11)
-    _s20 = _where(_where(0.0 < (_s15 - p_ring_radius), (_s15 - p_ring_radius), 0.0) < (p_ring_radius - _where(_sqrt(((_s16 * _s16) + (_s17 * _s17))) < _sqrt(((_s18 * _s18) + (_s19 * _s19))), _sqrt(((_s18 * _s18) + (_s19 * _s19))), _sqrt(((_s16 * _s16) + (_s17 * _s17))))), (p_ring_radius - _where(_sqrt(((_s16 * _s16) + (_s17 * _s17))) < _sqrt(((_s18 * _s18) + (_s19 * _s19))), _sqrt(((_s18 * _s18) + (_s19 * _s19))), _sqrt(((_s16 * _s16) + (_s17 * _s17))))), _where(0.0 < (_s15 - p_ring_radius), (_s15 - p_ring_radius), 0.0))
-    _s21 = _where(0.0 < _where((z + ((vz - (_s4 * _s11)) * _s11)) < (z + ((vz - (_s4 * _s9)) * _s9)), (z + ((vz - (_s4 * _s11)) * _s11)), (z + ((vz - (_s4 * _s9)) * _s9))), _where((z + ((vz - (_s4 * _s11)) * _s11)) < (z + ((vz - (_s4 * _s9)) * _s9)), (z + ((vz - (_s4 * _s11)) * _s11)), (z + ((vz - (_s4 * _s9)) * _s9))), 0.0)
-    _s22 = _where(_s9 < _where((vz / p_gravity) < _s11, (vz / p_gravity), _s11), _where((vz / p_gravity) < _s11, (vz / p_gravity), _s11), _s9)
-    _s23 = z + ((vz - (_s4 * _s22)) * _s22)
-    _s24 = _where(_s21 < (-_s23), (-_s23), _s21)
-    _s25 = (_s11 * ((((p_gravity * _s11) + _absolute(vx)) + _absolute(vy)) + _absolute(vz))) + _absolute(x)
-    _s26 = 7.105427357601002e-15 * (p_ring_radius + ((_s25 + _absolute(y)) + _absolute(z)))
-    _s27 = _s15 - _s26
-    _s28 = (vy * x) - (vx * y)
-    _s29 = (((2.0 * p_ring_radius) * (_s28 * _s28)) / (_s27 * (_s27 * _s27))) + (((6.0 * p_gravity) * _s23) - (2.0 * (((2.0 * p_gravity) * z) + ((vz * vz) + _s10))))
-    _s30 = _where((0.0 < _s27), _s29, _inf)
-    _s31 = _where(((_s20 * _s20) + (_s24 * _s24)) < (_s6 - (half * (((0.5 * half) * _where(0.0 < _s30, _s30, 0.0)) + _absolute(_s8)))), (_s6 - (half * (((0.5 * half) * _where(0.0 < _s30, _s30, 0.0)) + _absolute(_s8)))), ((_s20 * _s20) + (_s24 * _s24)))
-    return _sqrt(_s6) - _s7, _s8, _sqrt(_s31) - _s7, _s30, _s26
+    _s11 = -(((vx * x) + (vy * y)) / _s10)
+    _s12 = half + t
+    _s13 = _where(_s11 < _s12, _s11, _s12)
+    _s14 = _where(_s9 < _s13, _s13, _s9)
+    _s15 = x + (vx * _s14)
+    _s16 = y + (vy * _s14)
+    _s17 = _sqrt(((_s15 * _s15) + (_s16 * _s16)))
+    _s18 = _s17 - p_ring_radius
+    _s19 = _where(0.0 < _s18, _s18, 0.0)
+    _s20 = x + (vx * _s9)
+    _s21 = y + (vy * _s9)
+    _s22 = _sqrt(((_s20 * _s20) + (_s21 * _s21)))
+    _s23 = x + (vx * _s12)
+    _s24 = y + (vy * _s12)
+    _s25 = _sqrt(((_s23 * _s23) + (_s24 * _s24)))
+    _s26 = p_ring_radius - _where(_s22 < _s25, _s25, _s22)
+    _s27 = _where(_s19 < _s26, _s26, _s19)
+    _s28 = z + ((vz - (_s4 * _s12)) * _s12)
+    _s29 = z + ((vz - (_s4 * _s9)) * _s9)
+    _s30 = _where(_s28 < _s29, _s28, _s29)
+    _s31 = _where(0.0 < _s30, _s30, 0.0)
+    _s32 = vz / p_gravity
+    _s33 = _where(_s32 < _s12, _s32, _s12)
+    _s34 = _where(_s9 < _s33, _s33, _s9)
+    _s35 = z + ((vz - (_s4 * _s34)) * _s34)
+    _s36 = -_s35
+    _s37 = _where(_s31 < _s36, _s36, _s31)
+    _s38 = (_s27 * _s27) + (_s37 * _s37)
+    _s39 = (_s12 * ((((p_gravity * _s12) + _absolute(vx)) + _absolute(vy)) + _absolute(vz))) + _absolute(x)
+    _s40 = 7.105427357601002e-15 * (p_ring_radius + ((_s39 + _absolute(y)) + _absolute(z)))
+    _s41 = _s17 - _s40
+    _s42 = (vy * x) - (vx * y)
+    _s43 = (((2.0 * p_ring_radius) * (_s42 * _s42)) / (_s41 * (_s41 * _s41))) + (((6.0 * p_gravity) * _s35) - (2.0 * (((2.0 * p_gravity) * z) + ((vz * vz) + _s10))))
+    _s44 = _where((0.0 < _s41), _s43, _inf)
+    _s45 = _s6 - (half * (((0.5 * half) * _where(0.0 < _s44, _s44, 0.0)) + _absolute(_s8)))
+    return _sqrt(_s6) - _s7, _s8, _sqrt(_where(_s38 < _s45, _s45, _s38)) - _s7, _s44, _s40
 
 
 # The event loop, one function for each stage: it reads and writes the columns of the shots.
