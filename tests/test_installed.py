@@ -161,11 +161,11 @@ def test_in_a_checkout_its_folder_is_named_with_the_extra(monkeypatch: pytest.Mo
 
 
 def test_an_editable_installation_stays_one(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(installed, "checkout", lambda: Path("/work/hoopgen"))
+    monkeypatch.setattr(installed, "checkout", lambda: Path("/home/ann/hoopgen"))
     monkeypatch.setattr(installed, "distribution", lambda name: Away)
-    told = '{"url": "file:///work/hoopgen", "dir_info": {"editable": true}}'
+    told = '{"url": "file:///home/ann/hoopgen", "dir_info": {"editable": true}}'
     monkeypatch.setattr(Away, "read_text", lambda name: told)
-    assert hint("flint") == ["pip", "install", "-e", "/work/hoopgen[certify]"]
+    assert hint("flint") == ["pip", "install", "-e", "/home/ann/hoopgen[certify]"]
 
 
 def test_other_import_errors_stay_as_they_are() -> None:
