@@ -122,9 +122,12 @@ def test_a_pipe_is_written_as_it_is(tmp_path: Path) -> None:
     pipe = tmp_path / "pipe.csv"
     os.mkfifo(pipe)
     with subprocess.Popen(["cat", str(pipe)], stdout=subprocess.PIPE) as reader:
-        result = run(*MAP, "--out", str(pipe))
-        assert result.exit_code == 0, result.output
-        read, _ = reader.communicate(timeout=60)
+        try:
+            result = run(*MAP, "--out", str(pipe))
+            assert result.exit_code == 0, result.output
+            read, _ = reader.communicate(timeout=60)
+        finally:
+            reader.kill()
     assert read.startswith(b"elevation_rad,speed_m_s,")
     assert stat.S_ISFIFO(pipe.stat().st_mode)
 
