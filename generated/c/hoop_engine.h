@@ -3,52 +3,15 @@
    Generated from templates/c/engine.h.j2, scene hoop, derivation 8fe807011d58f5ca,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
-   Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
-   its place. No lane's result depends on its neighbours. */
+   Included by hoop.c once for every width. The shots in flight fill the first rows of the lists;
+   when one ends, the last takes its row. Stages go over all rows, and over those of a list of their
+   own where only some shots need them. No shot's result depends on its neighbours. */
 
 #include "hoop_lanes.h"
 #include "hoop_kernels.h"
 
-/* Shots in flight, a row of lanes for each quantity. */
-typedef struct {
-    double x[LANES_WIDTH]; /* of the state */
-    double y[LANES_WIDTH]; /* of the state */
-    double z[LANES_WIDTH]; /* of the state */
-    double vx[LANES_WIDTH]; /* of the state */
-    double vy[LANES_WIDTH]; /* of the state */
-    double vz[LANES_WIDTH]; /* of the state */
-    double wx[LANES_WIDTH]; /* of the state */
-    double wy[LANES_WIDTH]; /* of the state */
-    double wz[LANES_WIDTH]; /* of the state */
-    double dx[LANES_WIDTH]; /* carried error of x */
-    double dy[LANES_WIDTH]; /* carried error of y */
-    double dz[LANES_WIDTH]; /* carried error of z */
-    double dvx[LANES_WIDTH]; /* carried error of vx */
-    double dvy[LANES_WIDTH]; /* carried error of vy */
-    double dvz[LANES_WIDTH]; /* carried error of vz */
-    double dwx[LANES_WIDTH]; /* carried error of wx */
-    double dwy[LANES_WIDTH]; /* carried error of wy */
-    double dwz[LANES_WIDTH]; /* carried error of wz */
-    double clock[LANES_WIDTH]; /* time of the last event, s since the release */
-    double clock_error[LANES_WIDTH]; /* what the contacts' times were off by, summed */
-    double last[LANES_WIDTH]; /* surface that was touched last, -1: none */
-    double first[LANES_WIDTH]; /* body that was touched first, -1: none */
-    double contacts[LANES_WIDTH]; /* how many contacts there were */
-    double count_0[LANES_WIDTH]; /* contacts with ring */
-    double count_1[LANES_WIDTH]; /* contacts with backboard */
-    double count_2[LANES_WIDTH]; /* contacts with bridge */
-    double uncertain[LANES_WIDTH]; /* 1: a decision lies within its rounding-error bound */
-    double position_claim[LANES_WIDTH]; /* bound on the error at the end */
-    double velocity_claim[LANES_WIDTH]; /* bound on the error at the end */
-    double spin_claim[LANES_WIDTH]; /* bound on the error at the end */
-    double time_claim[LANES_WIDTH]; /* bound on the error at the end */
-    double outcome[LANES_WIDTH]; /* how it ended, -1: in flight */
-    double p_ball_radius[LANES_WIDTH], p_ring_radius[LANES_WIDTH], p_wire_radius[LANES_WIDTH], p_board_distance[LANES_WIDTH], p_board_half_width[LANES_WIDTH], p_board_bottom[LANES_WIDTH], p_board_top[LANES_WIDTH], p_bridge_half_width[LANES_WIDTH], p_restitution[LANES_WIDTH], p_gravity[LANES_WIDTH], p_end_depth[LANES_WIDTH];
-    double from[LANES_WIDTH];     /* surface that the shot starts on, -1: none */
-    double occupied[LANES_WIDTH]; /* 1: holds a shot */
-    double fresh[LANES_WIDTH];    /* 1: and has not been looked at */
-    size_t shot[LANES_WIDTH];
-} LANES(hoop_pool);
+/* A column, with room for a whole row of lanes behind its end. */
+typedef double LANES(hoop_column)[LANES_SHOTS + LANES_WIDTH];
 
 /* Where the parameters are finite and allowed. */
 LANES_INLINE M LANES(hoop_permit)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_restitution, V p_gravity, V p_end_depth)
@@ -62,1572 +25,2735 @@ LANES_INLINE M LANES(hoop_permit)(V p_ball_radius, V p_ring_radius, V p_wire_rad
     return permitted;
 }
 
-/* Put the next shot into a lane; all that has a start of its own is set when it is first looked at. */
-LANES_INLINE void LANES(hoop_begin)(LANES(hoop_pool) *pool, int lane, const hoop_job *job, size_t shot)
-{
-    const double *state = job->states + HOOP_STATE * shot;
-    pool->x[lane] = state[0];
-    pool->y[lane] = state[1];
-    pool->z[lane] = state[2];
-    pool->vx[lane] = state[3];
-    pool->vy[lane] = state[4];
-    pool->vz[lane] = state[5];
-    pool->wx[lane] = state[6];
-    pool->wy[lane] = state[7];
-    pool->wz[lane] = state[8];
-    if (job->varying) {
-        pool->p_ball_radius[lane] = job->parameters[0][job->strides[0] * (int64_t)shot];
-        pool->p_ring_radius[lane] = job->parameters[1][job->strides[1] * (int64_t)shot];
-        pool->p_wire_radius[lane] = job->parameters[2][job->strides[2] * (int64_t)shot];
-        pool->p_board_distance[lane] = job->parameters[3][job->strides[3] * (int64_t)shot];
-        pool->p_board_half_width[lane] = job->parameters[4][job->strides[4] * (int64_t)shot];
-        pool->p_board_bottom[lane] = job->parameters[5][job->strides[5] * (int64_t)shot];
-        pool->p_board_top[lane] = job->parameters[6][job->strides[6] * (int64_t)shot];
-        pool->p_bridge_half_width[lane] = job->parameters[7][job->strides[7] * (int64_t)shot];
-        pool->p_restitution[lane] = job->parameters[8][job->strides[8] * (int64_t)shot];
-        pool->p_gravity[lane] = job->parameters[9][job->strides[9] * (int64_t)shot];
-        pool->p_end_depth[lane] = job->parameters[10][job->strides[10] * (int64_t)shot];
-    }
-    pool->from[lane] = job->leaving ? (double)job->leaving[shot] : -1.0;
-    pool->occupied[lane] = 1.0;
-    pool->fresh[lane] = 1.0;
-    pool->shot[lane] = shot;
-}
+/* Shots in flight, a column for each quantity, and the lists of those that need a longer look. */
+typedef struct {
+    size_t shot[LANES_SHOTS];
+    LANES(hoop_column) x; /* of the state */
+    LANES(hoop_column) y; /* of the state */
+    LANES(hoop_column) z; /* of the state */
+    LANES(hoop_column) vx; /* of the state */
+    LANES(hoop_column) vy; /* of the state */
+    LANES(hoop_column) vz; /* of the state */
+    LANES(hoop_column) wx; /* of the state */
+    LANES(hoop_column) wy; /* of the state */
+    LANES(hoop_column) wz; /* of the state */
+    LANES(hoop_column) clock; /* time of the last event, s since the release */
+    LANES(hoop_column) last; /* surface that was touched last, -1: none */
+    LANES(hoop_column) first; /* body that was touched first, -1: none */
+    LANES(hoop_column) contacts; /* how many contacts there were */
+    LANES(hoop_column) count_0; /* contacts with ring */
+    LANES(hoop_column) count_1; /* contacts with backboard */
+    LANES(hoop_column) count_2; /* contacts with bridge */
+    LANES(hoop_column) outcome; /* how it ended, -1: in flight */
+    LANES(hoop_column) p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth;
+    LANES(hoop_column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
+    LANES(hoop_column) body;
+    LANES(hoop_column) when;
+    LANES(hoop_column) which;
+    LANES(hoop_column) open_row;
+    LANES(hoop_column) open_extent;
+    LANES(hoop_column) open_last;
+    LANES(hoop_column) open_p_ball_radius;
+    LANES(hoop_column) open_p_gravity;
+    LANES(hoop_column) open_p_ring_radius;
+    LANES(hoop_column) open_p_wire_radius;
+    LANES(hoop_column) open_speed;
+    LANES(hoop_column) open_until;
+    LANES(hoop_column) open_vx;
+    LANES(hoop_column) open_vy;
+    LANES(hoop_column) open_vz;
+    LANES(hoop_column) open_when;
+    LANES(hoop_column) open_which;
+    LANES(hoop_column) open_x;
+    LANES(hoop_column) open_y;
+    LANES(hoop_column) open_z;
+    LANES(hoop_column) open_arrival;
+    LANES(hoop_column) open_certain;
+    LANES(hoop_column) open_flat;
+    LANES(hoop_column) open_rho_start;
+    LANES(hoop_column) open_tilt;
+    LANES(hoop_column) open_searching_row;
+    LANES(hoop_column) open_searching_arrival;
+    LANES(hoop_column) open_searching_ceiling;
+    LANES(hoop_column) open_searching_certain;
+    LANES(hoop_column) open_searching_end;
+    LANES(hoop_column) open_searching_extent;
+    LANES(hoop_column) open_searching_flat;
+    LANES(hoop_column) open_searching_high0;
+    LANES(hoop_column) open_searching_high1;
+    LANES(hoop_column) open_searching_high2;
+    LANES(hoop_column) open_searching_last;
+    LANES(hoop_column) open_searching_latest;
+    LANES(hoop_column) open_searching_low0;
+    LANES(hoop_column) open_searching_low1;
+    LANES(hoop_column) open_searching_low2;
+    LANES(hoop_column) open_searching_p_ball_radius;
+    LANES(hoop_column) open_searching_p_gravity;
+    LANES(hoop_column) open_searching_p_ring_radius;
+    LANES(hoop_column) open_searching_p_wire_radius;
+    LANES(hoop_column) open_searching_rate_slack;
+    LANES(hoop_column) open_searching_rho_start;
+    LANES(hoop_column) open_searching_searching;
+    LANES(hoop_column) open_searching_share;
+    LANES(hoop_column) open_searching_speed;
+    LANES(hoop_column) open_searching_steady;
+    LANES(hoop_column) open_searching_swing;
+    LANES(hoop_column) open_searching_t;
+    LANES(hoop_column) open_searching_tilt;
+    LANES(hoop_column) open_searching_vx;
+    LANES(hoop_column) open_searching_vy;
+    LANES(hoop_column) open_searching_vz;
+    LANES(hoop_column) open_searching_x;
+    LANES(hoop_column) open_searching_y;
+    LANES(hoop_column) open_searching_z;
+} LANES(hoop_plain_lists);
 
-/* Put the next shots into all lanes. Whole rows are stored: a load of a row that was stored in
-   pieces would wait for them. */
-LANES_INLINE void LANES(hoop_begin_all)(LANES(hoop_pool) *pool, const hoop_job *job, size_t first)
+/* Put the next shots into rows, from one on. */
+LANES_INLINE void LANES(hoop_plain_begin)(LANES(hoop_plain_lists) *lists, size_t row, size_t count, const hoop_job *job, size_t first)
 {
     const double *state = job->states + HOOP_STATE * first;
-#ifdef __GNUC__
-    for (int line = 0; line < HOOP_STATE * LANES_WIDTH; line += 8)
-        __builtin_prefetch(state + 4 * HOOP_STATE * LANES_WIDTH + line);
-#endif
-    lanes_store(pool->x, lanes_gather(state + 0, HOOP_STATE));
-    lanes_store(pool->y, lanes_gather(state + 1, HOOP_STATE));
-    lanes_store(pool->z, lanes_gather(state + 2, HOOP_STATE));
-    lanes_store(pool->vx, lanes_gather(state + 3, HOOP_STATE));
-    lanes_store(pool->vy, lanes_gather(state + 4, HOOP_STATE));
-    lanes_store(pool->vz, lanes_gather(state + 5, HOOP_STATE));
-    lanes_store(pool->wx, lanes_gather(state + 6, HOOP_STATE));
-    lanes_store(pool->wy, lanes_gather(state + 7, HOOP_STATE));
-    lanes_store(pool->wz, lanes_gather(state + 8, HOOP_STATE));
-    if (job->varying) {
-        lanes_store(pool->p_ball_radius, lanes_gather(job->parameters[0] + job->strides[0] * (int64_t)first, job->strides[0]));
-        lanes_store(pool->p_ring_radius, lanes_gather(job->parameters[1] + job->strides[1] * (int64_t)first, job->strides[1]));
-        lanes_store(pool->p_wire_radius, lanes_gather(job->parameters[2] + job->strides[2] * (int64_t)first, job->strides[2]));
-        lanes_store(pool->p_board_distance, lanes_gather(job->parameters[3] + job->strides[3] * (int64_t)first, job->strides[3]));
-        lanes_store(pool->p_board_half_width, lanes_gather(job->parameters[4] + job->strides[4] * (int64_t)first, job->strides[4]));
-        lanes_store(pool->p_board_bottom, lanes_gather(job->parameters[5] + job->strides[5] * (int64_t)first, job->strides[5]));
-        lanes_store(pool->p_board_top, lanes_gather(job->parameters[6] + job->strides[6] * (int64_t)first, job->strides[6]));
-        lanes_store(pool->p_bridge_half_width, lanes_gather(job->parameters[7] + job->strides[7] * (int64_t)first, job->strides[7]));
-        lanes_store(pool->p_restitution, lanes_gather(job->parameters[8] + job->strides[8] * (int64_t)first, job->strides[8]));
-        lanes_store(pool->p_gravity, lanes_gather(job->parameters[9] + job->strides[9] * (int64_t)first, job->strides[9]));
-        lanes_store(pool->p_end_depth, lanes_gather(job->parameters[10] + job->strides[10] * (int64_t)first, job->strides[10]));
+    size_t k = 0;
+    for (; k + LANES_WIDTH <= count; k += LANES_WIDTH) {
+        lanes_store(lists->x + row + k, lanes_gather(state + HOOP_STATE * k + 0, HOOP_STATE));
+        lanes_store(lists->y + row + k, lanes_gather(state + HOOP_STATE * k + 1, HOOP_STATE));
+        lanes_store(lists->z + row + k, lanes_gather(state + HOOP_STATE * k + 2, HOOP_STATE));
+        lanes_store(lists->vx + row + k, lanes_gather(state + HOOP_STATE * k + 3, HOOP_STATE));
+        lanes_store(lists->vy + row + k, lanes_gather(state + HOOP_STATE * k + 4, HOOP_STATE));
+        lanes_store(lists->vz + row + k, lanes_gather(state + HOOP_STATE * k + 5, HOOP_STATE));
+        lanes_store(lists->wx + row + k, lanes_gather(state + HOOP_STATE * k + 6, HOOP_STATE));
+        lanes_store(lists->wy + row + k, lanes_gather(state + HOOP_STATE * k + 7, HOOP_STATE));
+        lanes_store(lists->wz + row + k, lanes_gather(state + HOOP_STATE * k + 8, HOOP_STATE));
     }
-    for (int lane = 0; lane < LANES_WIDTH; lane++) {
-        pool->from[lane] = job->leaving ? (double)job->leaving[first + (size_t)lane] : -1.0;
-        pool->shot[lane] = first + (size_t)lane;
+    for (; k < count; k++) {
+        lists->x[row + k] = state[HOOP_STATE * k + 0];
+        lists->y[row + k] = state[HOOP_STATE * k + 1];
+        lists->z[row + k] = state[HOOP_STATE * k + 2];
+        lists->vx[row + k] = state[HOOP_STATE * k + 3];
+        lists->vy[row + k] = state[HOOP_STATE * k + 4];
+        lists->vz[row + k] = state[HOOP_STATE * k + 5];
+        lists->wx[row + k] = state[HOOP_STATE * k + 6];
+        lists->wy[row + k] = state[HOOP_STATE * k + 7];
+        lists->wz[row + k] = state[HOOP_STATE * k + 8];
     }
-    lanes_store(pool->occupied, K(1.0));
-    lanes_store(pool->fresh, K(1.0));
+    if (job->varying)
+        for (k = 0; k < count; k++) {
+            lists->p_ball_radius[row + k] = job->parameters[0][job->strides[0] * (int64_t)(first + k)];
+            lists->p_ring_radius[row + k] = job->parameters[1][job->strides[1] * (int64_t)(first + k)];
+            lists->p_wire_radius[row + k] = job->parameters[2][job->strides[2] * (int64_t)(first + k)];
+            lists->p_board_distance[row + k] = job->parameters[3][job->strides[3] * (int64_t)(first + k)];
+            lists->p_board_half_width[row + k] = job->parameters[4][job->strides[4] * (int64_t)(first + k)];
+            lists->p_board_bottom[row + k] = job->parameters[5][job->strides[5] * (int64_t)(first + k)];
+            lists->p_board_top[row + k] = job->parameters[6][job->strides[6] * (int64_t)(first + k)];
+            lists->p_bridge_half_width[row + k] = job->parameters[7][job->strides[7] * (int64_t)(first + k)];
+            lists->p_restitution[row + k] = job->parameters[8][job->strides[8] * (int64_t)(first + k)];
+            lists->p_gravity[row + k] = job->parameters[9][job->strides[9] * (int64_t)(first + k)];
+            lists->p_end_depth[row + k] = job->parameters[10][job->strides[10] * (int64_t)(first + k)];
+        }
+    for (k = 0; k < count; k++)
+        lists->shot[row + k] = first + k;
+    for (k = 0; k < count; k += LANES_WIDTH) {
+        lanes_store(lists->clock + row + k, K(0.0));
+        lanes_store(lists->first + row + k, K(-1.0));
+        lanes_store(lists->contacts + row + k, K(0.0));
+        lanes_store(lists->count_0 + row + k, K(0.0));
+        lanes_store(lists->count_1 + row + k, K(0.0));
+        lanes_store(lists->count_2 + row + k, K(0.0));
+        lanes_store(lists->outcome + row + k, K(-1.0));
+        lanes_store(lists->last + row + k, K(-1.0));
+    }
+    if (job->leaving)
+        for (k = 0; k < count; k++)
+            lists->last[row + k] = (double)job->leaving[first + k];
 }
 
-/* Write the results of the shot in a lane and free it. */
-LANES_INLINE void LANES(hoop_finish)(LANES(hoop_pool) *pool, int lane, const hoop_job *job)
+/* Write the results of the shots in rows that follow one another, none of them invalid. */
+LANES_INLINE void LANES(hoop_plain_finish_all)(const LANES(hoop_plain_lists) *lists, size_t count, const hoop_job *job)
 {
     const hoop_results *out = job->results;
-    const size_t shot = pool->shot[lane];
-    const int invalid = (int)pool->outcome[lane] == HOOP_INVALID;
-    if (out->outcome) {
-        out->outcome[shot] = (uint8_t)pool->outcome[lane];
-    }
-    if (out->contacts) {
-        out->contacts[shot] = (int32_t)pool->contacts[lane];
-    }
-    if (out->counts) {
-        out->counts[3 * shot + 0] = (int32_t)pool->count_0[lane];
-        out->counts[3 * shot + 1] = (int32_t)pool->count_1[lane];
-        out->counts[3 * shot + 2] = (int32_t)pool->count_2[lane];
-    }
-    if (out->first) {
-        out->first[shot] = (int8_t)pool->first[lane];
-    }
-    if (out->time) {
-        out->time[shot] = invalid ? NAN : pool->clock[lane];
-    }
-    if (out->state) {
-        out->state[9 * shot + 0] = invalid ? NAN : pool->x[lane];
-        out->state[9 * shot + 1] = invalid ? NAN : pool->y[lane];
-        out->state[9 * shot + 2] = invalid ? NAN : pool->z[lane];
-        out->state[9 * shot + 3] = invalid ? NAN : pool->vx[lane];
-        out->state[9 * shot + 4] = invalid ? NAN : pool->vy[lane];
-        out->state[9 * shot + 5] = invalid ? NAN : pool->vz[lane];
-        out->state[9 * shot + 6] = invalid ? NAN : pool->wx[lane];
-        out->state[9 * shot + 7] = invalid ? NAN : pool->wy[lane];
-        out->state[9 * shot + 8] = invalid ? NAN : pool->wz[lane];
-    }
-    if (out->time_error) {
-        out->time_error[shot] = invalid ? NAN : pool->time_claim[lane];
-    }
-    if (out->state_error) {
-        out->state_error[3 * shot + 0] = invalid ? NAN : pool->position_claim[lane];
-        out->state_error[3 * shot + 1] = invalid ? NAN : pool->velocity_claim[lane];
-        out->state_error[3 * shot + 2] = invalid ? NAN : pool->spin_claim[lane];
-    }
-    if (out->uncertain) {
-        out->uncertain[shot] = (uint8_t)pool->uncertain[lane];
-    }
-    pool->occupied[lane] = 0.0;
-}
-
-/* Write the results of the shots in all lanes, none of them invalid, which follow one another, and
-   free them. */
-LANES_INLINE void LANES(hoop_finish_all)(LANES(hoop_pool) *pool, const hoop_job *job)
-{
-    const hoop_results *out = job->results;
-    const size_t first = pool->shot[0];
+    const size_t first = lists->shot[0];
     if (out->outcome)
-        for (int lane = 0; lane < LANES_WIDTH; lane++) {
-            out->outcome[first + (size_t)lane] = (uint8_t)pool->outcome[lane];
+        for (size_t k = 0; k < count; k++) {
+            out->outcome[first + k] = (uint8_t)(int32_t)lists->outcome[k];
         }
     if (out->contacts)
-        for (int lane = 0; lane < LANES_WIDTH; lane++) {
-            out->contacts[first + (size_t)lane] = (int32_t)pool->contacts[lane];
+        for (size_t k = 0; k < count; k++) {
+            out->contacts[first + k] = (int32_t)(int32_t)lists->contacts[k];
         }
     if (out->counts)
-        for (int lane = 0; lane < LANES_WIDTH; lane++) {
-            out->counts[3 * (first + (size_t)lane) + 0] = (int32_t)pool->count_0[lane];
-            out->counts[3 * (first + (size_t)lane) + 1] = (int32_t)pool->count_1[lane];
-            out->counts[3 * (first + (size_t)lane) + 2] = (int32_t)pool->count_2[lane];
+        for (size_t k = 0; k < count; k++) {
+            out->counts[3 * (first + k) + 0] = (int32_t)(int32_t)lists->count_0[k];
+            out->counts[3 * (first + k) + 1] = (int32_t)(int32_t)lists->count_1[k];
+            out->counts[3 * (first + k) + 2] = (int32_t)(int32_t)lists->count_2[k];
         }
     if (out->first)
-        for (int lane = 0; lane < LANES_WIDTH; lane++) {
-            out->first[first + (size_t)lane] = (int8_t)pool->first[lane];
+        for (size_t k = 0; k < count; k++) {
+            out->first[first + k] = (int8_t)(int32_t)lists->first[k];
         }
     if (out->time)
-        for (int lane = 0; lane < LANES_WIDTH; lane++) {
-            out->time[first + (size_t)lane] = (double)pool->clock[lane];
+        for (size_t k = 0; k < count; k++) {
+            out->time[first + k] = (double)lists->clock[k];
         }
     if (out->state)
-        for (int lane = 0; lane < LANES_WIDTH; lane++) {
-            out->state[9 * (first + (size_t)lane) + 0] = (double)pool->x[lane];
-            out->state[9 * (first + (size_t)lane) + 1] = (double)pool->y[lane];
-            out->state[9 * (first + (size_t)lane) + 2] = (double)pool->z[lane];
-            out->state[9 * (first + (size_t)lane) + 3] = (double)pool->vx[lane];
-            out->state[9 * (first + (size_t)lane) + 4] = (double)pool->vy[lane];
-            out->state[9 * (first + (size_t)lane) + 5] = (double)pool->vz[lane];
-            out->state[9 * (first + (size_t)lane) + 6] = (double)pool->wx[lane];
-            out->state[9 * (first + (size_t)lane) + 7] = (double)pool->wy[lane];
-            out->state[9 * (first + (size_t)lane) + 8] = (double)pool->wz[lane];
+        for (size_t k = 0; k < count; k++) {
+            out->state[9 * (first + k) + 0] = (double)lists->x[k];
+            out->state[9 * (first + k) + 1] = (double)lists->y[k];
+            out->state[9 * (first + k) + 2] = (double)lists->z[k];
+            out->state[9 * (first + k) + 3] = (double)lists->vx[k];
+            out->state[9 * (first + k) + 4] = (double)lists->vy[k];
+            out->state[9 * (first + k) + 5] = (double)lists->vz[k];
+            out->state[9 * (first + k) + 6] = (double)lists->wx[k];
+            out->state[9 * (first + k) + 7] = (double)lists->wy[k];
+            out->state[9 * (first + k) + 8] = (double)lists->wz[k];
         }
-    if (out->time_error)
-        for (int lane = 0; lane < LANES_WIDTH; lane++) {
-            out->time_error[first + (size_t)lane] = (double)pool->time_claim[lane];
-        }
-    if (out->state_error)
-        for (int lane = 0; lane < LANES_WIDTH; lane++) {
-            out->state_error[3 * (first + (size_t)lane) + 0] = (double)pool->position_claim[lane];
-            out->state_error[3 * (first + (size_t)lane) + 1] = (double)pool->velocity_claim[lane];
-            out->state_error[3 * (first + (size_t)lane) + 2] = (double)pool->spin_claim[lane];
-        }
-    if (out->uncertain)
-        for (int lane = 0; lane < LANES_WIDTH; lane++) {
-            out->uncertain[first + (size_t)lane] = (uint8_t)pool->uncertain[lane];
-        }
-    lanes_store(pool->occupied, K(0.0));
 }
 
-/* Run the job: fill the lanes, take every lane to its next event, free those that ended.
-   No errors are bounded: the same path, with less work. */
-LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
+/* Write the results of the shot in a row; the last one takes the row. */
+LANES_INLINE void LANES(hoop_plain_finish)(LANES(hoop_plain_lists) *lists, size_t row, size_t last, const hoop_job *job)
 {
-    LANES(hoop_pool) pool;
-    memset(&pool, 0, sizeof pool);
-    const V zero = K(0.0);
-    const V most_contacts = K((double)job->max_contacts);
-    size_t begun = 0;
-
-    if (job->results->event_counts)
-        memset(job->results->event_counts, 0, job->shots * sizeof(int32_t));
-    if (!job->varying)
-        for (int lane = 0; lane < LANES_WIDTH; lane++) {
-            pool.p_ball_radius[lane] = *job->parameters[0];
-            pool.p_ring_radius[lane] = *job->parameters[1];
-            pool.p_wire_radius[lane] = *job->parameters[2];
-            pool.p_board_distance[lane] = *job->parameters[3];
-            pool.p_board_half_width[lane] = *job->parameters[4];
-            pool.p_board_bottom[lane] = *job->parameters[5];
-            pool.p_board_top[lane] = *job->parameters[6];
-            pool.p_bridge_half_width[lane] = *job->parameters[7];
-            pool.p_restitution[lane] = *job->parameters[8];
-            pool.p_gravity[lane] = *job->parameters[9];
-            pool.p_end_depth[lane] = *job->parameters[10];
-        }
-    M permitted = LANES(hoop_permit)(lanes_load(pool.p_ball_radius), lanes_load(pool.p_ring_radius), lanes_load(pool.p_wire_radius), lanes_load(pool.p_board_distance), lanes_load(pool.p_board_half_width), lanes_load(pool.p_board_bottom), lanes_load(pool.p_board_top), lanes_load(pool.p_bridge_half_width), lanes_load(pool.p_restitution), lanes_load(pool.p_gravity), lanes_load(pool.p_end_depth));
-    int following = 0; /* whether the lanes hold shots that follow one another */
-    for (int flights = 0;;) {
-        int refilled = 0;
-        if (job->stop && *job->stop)
-            return;
-        if (flights == 0 && job->shots - begun >= LANES_WIDTH) {
-            LANES(hoop_begin_all)(&pool, job, begun);
-            begun += LANES_WIDTH;
-            flights = LANES_WIDTH;
-            refilled = following = 1;
-        }
-        for (int lane = 0; flights < LANES_WIDTH && begun < job->shots; lane++)
-            if (pool.occupied[lane] == 0.0) {
-                LANES(hoop_begin)(&pool, lane, job, begun++);
-                flights++;
-                refilled = 1;
-                following = 0;
-            }
-        if (flights == 0)
-            return;
-
-        const V p_ball_radius = lanes_load(pool.p_ball_radius);
-        const V p_ring_radius = lanes_load(pool.p_ring_radius);
-        const V p_wire_radius = lanes_load(pool.p_wire_radius);
-        const V p_board_distance = lanes_load(pool.p_board_distance);
-        const V p_board_half_width = lanes_load(pool.p_board_half_width);
-        const V p_board_bottom = lanes_load(pool.p_board_bottom);
-        const V p_board_top = lanes_load(pool.p_board_top);
-        const V p_bridge_half_width = lanes_load(pool.p_bridge_half_width);
-        const V p_restitution = lanes_load(pool.p_restitution);
-        const V p_gravity = lanes_load(pool.p_gravity);
-        const V p_end_depth = lanes_load(pool.p_end_depth);
-        V x = lanes_load(pool.x);
-        V y = lanes_load(pool.y);
-        V z = lanes_load(pool.z);
-        V vx = lanes_load(pool.vx);
-        V vy = lanes_load(pool.vy);
-        V vz = lanes_load(pool.vz);
-        V wx = lanes_load(pool.wx);
-        V wy = lanes_load(pool.wy);
-        V wz = lanes_load(pool.wz);
-        V clock = lanes_load(pool.clock);
-        V last = lanes_load(pool.last);
-        V first = lanes_load(pool.first);
-        V contacts = lanes_load(pool.contacts);
-        V count_0 = lanes_load(pool.count_0);
-        V count_1 = lanes_load(pool.count_1);
-        V count_2 = lanes_load(pool.count_2);
-        V outcome = lanes_load(pool.outcome);
-        const M flying = lanes_less(zero, lanes_load(pool.occupied));
-
-        /* A new shot is looked at once; one that is not valid ends here. */
-        if (refilled) {
-            const M fresh = lanes_both(flying, lanes_less(zero, lanes_load(pool.fresh)));
-            clock = lanes_select(fresh, K(0.0), clock);
-            last = lanes_select(fresh, lanes_load(pool.from), last);
-            first = lanes_select(fresh, K(-1.0), first);
-            contacts = lanes_select(fresh, K(0.0), contacts);
-            count_0 = lanes_select(fresh, K(0.0), count_0);
-            count_1 = lanes_select(fresh, K(0.0), count_1);
-            count_2 = lanes_select(fresh, K(0.0), count_2);
-            outcome = lanes_select(fresh, K(-1.0), outcome);
-
-            if (job->varying)
-                permitted = LANES(hoop_permit)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth);
-            const LANES(hoop_finite_state_out) _o3 =
-                LANES(hoop_finite_state)(vx, vy, vz, wx, wy, wz, x, y, z);
-            M finite = _o3.finite;
-            const LANES(hoop_valid_out) _o4 =
-                LANES(hoop_valid)(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
-            V valid = _o4.valid;
-            const LANES(hoop_admitted_out) _o5 =
-                LANES(hoop_admitted)(K(INFINITY), finite, permitted, valid);
-            outcome = lanes_select(fresh, _o5.outcome, outcome);
-            lanes_store(pool.fresh, zero);
-            if (lanes_any(lanes_both(fresh, lanes_at_most(zero, outcome)))) {
-                lanes_store(pool.x, x);
-                lanes_store(pool.y, y);
-                lanes_store(pool.z, z);
-                lanes_store(pool.vx, vx);
-                lanes_store(pool.vy, vy);
-                lanes_store(pool.vz, vz);
-                lanes_store(pool.wx, wx);
-                lanes_store(pool.wy, wy);
-                lanes_store(pool.wz, wz);
-                lanes_store(pool.clock, clock);
-                lanes_store(pool.last, last);
-                lanes_store(pool.first, first);
-                lanes_store(pool.contacts, contacts);
-                lanes_store(pool.count_0, count_0);
-                lanes_store(pool.count_1, count_1);
-                lanes_store(pool.count_2, count_2);
-                lanes_store(pool.outcome, outcome);
-                for (int lane = 0; lane < LANES_WIDTH; lane++)
-                    if (pool.outcome[lane] >= 0.0 && pool.occupied[lane] != 0.0) {
-                        LANES(hoop_finish)(&pool, lane, job);
-                        flights--;
-                    }
-                continue;
-            }
-        }
-
-        /* To the next event. */
-        const LANES(hoop_scale_out) _o6 =
-            LANES(hoop_scale)(x, y, z, vx, vy, vz, p_gravity);
-        V extent = _o6.extent;
-        V speed = _o6.speed;
-        V excess = _o6.excess;
-        const LANES(hoop_opening_out) _o7 =
-            LANES(hoop_opening)(excess, K(0.0), K(0.0));
-        V when = _o7.when;
-        V which = _o7.which;
-        const LANES(hoop_left_out) _o8 =
-            LANES(hoop_left)(K(3.0), last);
-        V leaving = _o8.leaving;
-        const LANES(hoop_end_arrival_out) _o9 =
-            LANES(hoop_end_arrival)(leaving, z, vz, p_gravity, p_end_depth);
-        V time = _o9.time;
-        V rate = _o9.rate;
-        V bend = _o9.bend;
-        const LANES(hoop_meeting_plane_out) _o10 =
-            LANES(hoop_meeting_plane)(bend, rate, time);
-        M arrives = _o10.arrives;
-        const LANES(hoop_timely_out) _o11 =
-            LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-        M possible = _o11.possible;
-        const M _m12 = lanes_both(flying, possible);
-        {
-            const LANES(hoop_sooner_out) _o13 =
-                LANES(hoop_sooner)(arrives, K(3.0), time, when, which);
-            when = lanes_select(_m12, _o13.when, when);
-            which = lanes_select(_m12, _o13.which, which);
-        }
-        const LANES(hoop_left_out) _o14 =
-            LANES(hoop_left)(K(1.0), last);
-        leaving = _o14.leaving;
-        const LANES(hoop_backboard_arrival_out) _o15 =
-            LANES(hoop_backboard_arrival)(leaving, x, vx, p_ball_radius, p_board_distance);
-        time = _o15.time;
-        rate = _o15.rate;
-        bend = _o15.bend;
-        const LANES(hoop_meeting_plane_out) _o16 =
-            LANES(hoop_meeting_plane)(bend, rate, time);
-        arrives = _o16.arrives;
-        const LANES(hoop_timely_out) _o17 =
-            LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-        possible = _o17.possible;
-        const M _m18 = lanes_both(flying, possible);
-        {
-            const LANES(hoop_flight_out) _o19 =
-                LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-            V there_y = _o19.y;
-            V there_z = _o19.z;
-            const LANES(hoop_backboard_bounds_out) _o20 =
-                LANES(hoop_backboard_bounds)(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
-            V g0 = _o20.g0;
-            V g1 = _o20.g1;
-            V g2 = _o20.g2;
-            V g3 = _o20.g3;
-            const LANES(hoop_backboard_within_out) _o21 =
-                LANES(hoop_backboard_within)(g0, g1, g2, g3);
-            M arrives = _o21.arrives;
-            const LANES(hoop_sooner_out) _o22 =
-                LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
-            when = lanes_select(_m18, _o22.when, when);
-            which = lanes_select(_m18, _o22.which, which);
-        }
-        const LANES(hoop_left_out) _o23 =
-            LANES(hoop_left)(K(2.0), last);
-        leaving = _o23.leaving;
-        const LANES(hoop_bridge_arrival_out) _o24 =
-            LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
-        time = _o24.time;
-        rate = _o24.rate;
-        bend = _o24.bend;
-        const LANES(hoop_meeting_plane_out) _o25 =
-            LANES(hoop_meeting_plane)(bend, rate, time);
-        arrives = _o25.arrives;
-        const LANES(hoop_timely_out) _o26 =
-            LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-        possible = _o26.possible;
-        const M _m27 = lanes_both(flying, possible);
-        if (lanes_any(_m27)) {
-            const LANES(hoop_flight_out) _o28 =
-                LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-            V there_x = _o28.x;
-            V there_y = _o28.y;
-            const LANES(hoop_bridge_bounds_out) _o29 =
-                LANES(hoop_bridge_bounds)(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
-            V g0 = _o29.g0;
-            V g1 = _o29.g1;
-            V g2 = _o29.g2;
-            V g3 = _o29.g3;
-            V g4 = _o29.g4;
-            const LANES(hoop_bridge_within_out) _o30 =
-                LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
-            M arrives = _o30.arrives;
-            const LANES(hoop_sooner_out) _o31 =
-                LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
-            when = lanes_select(_m27, _o31.when, when);
-            which = lanes_select(_m27, _o31.which, which);
-        }
-        const LANES(hoop_horizon_out) _o32 =
-            LANES(hoop_horizon)(when, speed, p_gravity);
-        V until = _o32.horizon;
-        const LANES(hoop_ring_clear_out) _o33 =
-            LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-        V clear = _o33.clear;
-        const LANES(hoop_opens_out) _o34 =
-            LANES(hoop_opens)(clear);
-        M open = _o34.open;
-        const M _m35 = lanes_both(flying, open);
-        if (lanes_any(_m35)) {
-            const LANES(hoop_ring_prepare_out) _o36 =
-                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o36.steady;
-            V swing = _o36.swing;
-            V rho_start = _o36.rho_start;
-            V low0 = _o36.low0;
-            V high0 = _o36.high0;
-            V low1 = _o36.low1;
-            V high1 = _o36.high1;
-            V low2 = _o36.low2;
-            V high2 = _o36.high2;
-            V ceiling = _o36.ceiling;
-            V latest = _o36.latest;
-            const LANES(hoop_beginning_out) _o37 =
-                LANES(hoop_beginning)();
-            V share = _o37.share;
-            V arrival = _o37.arrival;
-            M certain = _o37.certain;
-            const LANES(hoop_allowance_out) _o38 =
-                LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o38.position_level;
-            V velocity_level = _o38.velocity_level;
-            const LANES(hoop_ring_margins_out) _o39 =
-                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o39.margin;
-            V tilt = _o39.leaving_margin;
-            V rate_slack = _o39.rate_margin;
-            const LANES(hoop_ring_enter_out) _o40 =
-                LANES(hoop_ring_enter)(K(0.0), K(0.0), high0, high1, high2, low0, low1, low2, K(0.0));
-            V t = _o40.t;
-            V end = _o40.end;
-            M searching = _o40.searching;
-            for (int _turn = 0; _turn < 201; _turn++) {
-                const M _m41 = lanes_both(_m35, searching);
-                if (!lanes_any(_m41))
-                    break;
-                const LANES(hoop_nearby_out) _o42 =
-                    LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o42.leaving;
-                V margin = _o42.margin;
-                const LANES(hoop_ring_advance_out) _o43 =
-                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o43.gap;
-                V rate = _o43.rate;
-                V bend = _o43.bend;
-                V step = _o43.step;
-                V next = _o43.next;
-                V root = _o43.root;
-                V clearance = _o43.clearance;
-                const LANES(hoop_struck_out) _o44 =
-                    LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o44.hit;
-                M sure = _o44.sure;
-                M vague = _o44.vague;
-                const M _m45 = lanes_both(_m41, vague);
-                if (lanes_any(_m45)) {
-                    const LANES(hoop_finer_out) _o46 =
-                        LANES(hoop_finer)(share);
-                    share = lanes_select(_m45, _o46.share, share);
-                    const LANES(hoop_allowance_out) _o47 =
-                        LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o47.position_level;
-                    V velocity_level = _o47.velocity_level;
-                    const LANES(hoop_ring_margins_out) _o48 =
-                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m45, _o48.margin, flat);
-                    tilt = lanes_select(_m45, _o48.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m45, _o48.rate_margin, rate_slack);
-                }
-                const LANES(hoop_advanced_out) _o49 =
-                    LANES(hoop_advanced)(arrival, certain, end, hit, next, root, step, sure, t, vague);
-                arrival = lanes_select(_m41, _o49.arrival, arrival);
-                certain = lanes_choose(_m41, _o49.certain, certain);
-                M exhausted = _o49.exhausted;
-                searching = lanes_choose(_m41, _o49.searching, searching);
-                t = lanes_select(_m41, _o49.t, t);
-                const M _m50 = lanes_both(_m41, exhausted);
-                {
-                    const LANES(hoop_ring_enter_out) _o51 =
-                        LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m50, _o51.t, t);
-                    end = lanes_select(_m50, _o51.end, end);
-                    searching = lanes_choose(_m50, _o51.searching, searching);
-                }
-            }
-            const LANES(hoop_found_out) _o52 =
-                LANES(hoop_found)(arrival);
-            M arrives = _o52.arrives;
-            const LANES(hoop_nearby_out) _o53 =
-                LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o53.leaving;
-            const LANES(hoop_ring_refine_out) _o54 =
-                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V refined = _o54.time;
-            const LANES(hoop_polished_out) _o55 =
-                LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o55.arrival;
-            const LANES(hoop_ring_refine_out) _o56 =
-                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            refined = _o56.time;
-            const LANES(hoop_polished_out) _o57 =
-                LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o57.arrival;
-            const LANES(hoop_landed_out) _o58 =
-                LANES(hoop_landed)(arrival);
-            V time = _o58.time;
-            const LANES(hoop_sooner_out) _o59 =
-                LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = lanes_select(_m35, _o59.when, when);
-            which = lanes_select(_m35, _o59.which, which);
-        }
-        const LANES(hoop_departed_out) _o60 =
-            LANES(hoop_departed)(K(3.0), which);
-        M moves = _o60.moves;
-        M ends = _o60.ends;
-        M touches = _o60.touches;
-        const LANES(hoop_body_of_out) _o61 =
-            LANES(hoop_body_of)(which);
-        V body = _o61.body;
-        const M _m62 = lanes_both(flying, moves);
-        {
-            const LANES(hoop_flight_out) _o63 =
-                LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-            x = lanes_select(_m62, _o63.x, x);
-            y = lanes_select(_m62, _o63.y, y);
-            z = lanes_select(_m62, _o63.z, z);
-            vx = lanes_select(_m62, _o63.vx, vx);
-            vy = lanes_select(_m62, _o63.vy, vy);
-            vz = lanes_select(_m62, _o63.vz, vz);
-            const LANES(hoop_ticked_out) _o64 =
-                LANES(hoop_ticked)(clock, when);
-            clock = lanes_select(_m62, _o64.clock, clock);
-        }
-        const LANES(hoop_target_out) _o65 =
-            LANES(hoop_target)(x, y, p_ring_radius);
-        V miss = _o65.target;
-        const LANES(hoop_accounted_out) _o66 =
-            LANES(hoop_accounted)(contacts, ends, miss, most_contacts, touches);
-        contacts = _o66.contacts;
-        outcome = _o66.outcome;
-        const V x_before = x;
-        const V y_before = y;
-        const V z_before = z;
-        const V vx_before = vx;
-        const V vy_before = vy;
-        const V vz_before = vz;
-        const V wx_before = wx;
-        const V wy_before = wy;
-        const V wz_before = wz;
-
-        /* What the event does to the ball. */
-        const LANES(hoop_meeting_out) _o67 =
-            LANES(hoop_meeting)(K(0.0), ends, touches);
-        M meeting = _o67.meeting;
-        const M _m68 = lanes_both(flying, meeting);
-        if (lanes_any(_m68)) {
-            const LANES(hoop_end_normal_out) _o69 =
-                LANES(hoop_end_normal)();
-            V nx = _o69.nx;
-            V ny = _o69.ny;
-            V nz = _o69.nz;
-            const LANES(hoop_here_out) _o70 =
-                LANES(hoop_here)(K(0.0), which);
-            M here = _o70.here;
-            const M _m71 = lanes_both(_m68, here);
-            {
-                const LANES(hoop_ring_normal_out) _o72 =
-                    LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = lanes_select(_m71, _o72.nx, nx);
-                ny = lanes_select(_m71, _o72.ny, ny);
-                nz = lanes_select(_m71, _o72.nz, nz);
-                const LANES(hoop_counted_out) _o73 =
-                    LANES(hoop_counted)(count_0);
-                count_0 = lanes_select(_m71, _o73.count, count_0);
-            }
-            const LANES(hoop_here_out) _o74 =
-                LANES(hoop_here)(K(1.0), which);
-            here = _o74.here;
-            const M _m75 = lanes_both(_m68, here);
-            {
-                const LANES(hoop_backboard_normal_out) _o76 =
-                    LANES(hoop_backboard_normal)();
-                nx = lanes_select(_m75, _o76.nx, nx);
-                ny = lanes_select(_m75, _o76.ny, ny);
-                nz = lanes_select(_m75, _o76.nz, nz);
-                const LANES(hoop_counted_out) _o77 =
-                    LANES(hoop_counted)(count_1);
-                count_1 = lanes_select(_m75, _o77.count, count_1);
-            }
-            const LANES(hoop_here_out) _o78 =
-                LANES(hoop_here)(K(2.0), which);
-            here = _o78.here;
-            const M _m79 = lanes_both(_m68, here);
-            {
-                const LANES(hoop_bridge_normal_out) _o80 =
-                    LANES(hoop_bridge_normal)();
-                nx = lanes_select(_m79, _o80.nx, nx);
-                ny = lanes_select(_m79, _o80.ny, ny);
-                nz = lanes_select(_m79, _o80.nz, nz);
-                const LANES(hoop_counted_out) _o81 =
-                    LANES(hoop_counted)(count_2);
-                count_2 = lanes_select(_m79, _o81.count, count_2);
-            }
-            const M _m82 = lanes_both(_m68, touches);
-            if (lanes_any(_m82)) {
-                const LANES(hoop_impact_out) _o83 =
-                    LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                vx = lanes_select(_m82, _o83.vx, vx);
-                vy = lanes_select(_m82, _o83.vy, vy);
-                vz = lanes_select(_m82, _o83.vz, vz);
-                wx = lanes_select(_m82, _o83.wx, wx);
-                wy = lanes_select(_m82, _o83.wy, wy);
-                wz = lanes_select(_m82, _o83.wz, wz);
-            }
-            const LANES(hoop_here_out) _o84 =
-                LANES(hoop_here)(K(1.0), which);
-            here = _o84.here;
-            const M _m85 = lanes_both(_m68, here);
-            {
-                const LANES(hoop_backboard_place_out) _o86 =
-                    LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                x = lanes_select(_m85, _o86.x, x);
-                y = lanes_select(_m85, _o86.y, y);
-                z = lanes_select(_m85, _o86.z, z);
-            }
-            const LANES(hoop_here_out) _o87 =
-                LANES(hoop_here)(K(2.0), which);
-            here = _o87.here;
-            const M _m88 = lanes_both(_m68, here);
-            {
-                const LANES(hoop_bridge_place_out) _o89 =
-                    LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                x = lanes_select(_m88, _o89.x, x);
-                y = lanes_select(_m88, _o89.y, y);
-                z = lanes_select(_m88, _o89.z, z);
-            }
-            const M _m90 = lanes_both(_m68, touches);
-            {
-                const LANES(hoop_touched_out) _o91 =
-                    LANES(hoop_touched)(body, first, which);
-                first = lanes_select(_m90, _o91.first, first);
-                last = lanes_select(_m90, _o91.last, last);
-            }
-        }
-        lanes_store(pool.x, x);
-        lanes_store(pool.y, y);
-        lanes_store(pool.z, z);
-        lanes_store(pool.vx, vx);
-        lanes_store(pool.vy, vy);
-        lanes_store(pool.vz, vz);
-        lanes_store(pool.wx, wx);
-        lanes_store(pool.wy, wy);
-        lanes_store(pool.wz, wz);
-        lanes_store(pool.clock, clock);
-        lanes_store(pool.last, last);
-        lanes_store(pool.first, first);
-        lanes_store(pool.contacts, contacts);
-        lanes_store(pool.count_0, count_0);
-        lanes_store(pool.count_1, count_1);
-        lanes_store(pool.count_2, count_2);
-        lanes_store(pool.outcome, outcome);
-        if (job->results->events) {
-            double surface[LANES_WIDTH];
-            double before[HOOP_STATE][LANES_WIDTH];
-            lanes_store(surface, body);
-            lanes_store(before[0], x_before);
-            lanes_store(before[1], y_before);
-            lanes_store(before[2], z_before);
-            lanes_store(before[3], vx_before);
-            lanes_store(before[4], vy_before);
-            lanes_store(before[5], vz_before);
-            lanes_store(before[6], wx_before);
-            lanes_store(before[7], wy_before);
-            lanes_store(before[8], wz_before);
-            for (int lane = 0; lane < LANES_WIDTH; lane++) {
-                if (pool.occupied[lane] == 0.0 || surface[lane] < 0.0)
-                    continue;
-                const size_t shot = pool.shot[lane];
-                int32_t *used = job->results->event_counts + shot;
-                hoop_event *event = job->results->events + shot * ((size_t)job->max_contacts + 1) + (size_t)(*used)++;
-                event->shot = (int64_t)shot;
-                event->surface = (int64_t)surface[lane];
-                event->time = pool.clock[lane];
-                event->before[0] = before[0][lane];
-                event->after[0] = pool.x[lane];
-                event->before[1] = before[1][lane];
-                event->after[1] = pool.y[lane];
-                event->before[2] = before[2][lane];
-                event->after[2] = pool.z[lane];
-                event->before[3] = before[3][lane];
-                event->after[3] = pool.vx[lane];
-                event->before[4] = before[4][lane];
-                event->after[4] = pool.vy[lane];
-                event->before[5] = before[5][lane];
-                event->after[5] = pool.vz[lane];
-                event->before[6] = before[6][lane];
-                event->after[6] = pool.wx[lane];
-                event->before[7] = before[7][lane];
-                event->after[7] = pool.wy[lane];
-                event->before[8] = before[8][lane];
-                event->after[8] = pool.wz[lane];
-            }
-        }
-        const M going = lanes_less(outcome, zero);
-        if (following && flights == LANES_WIDTH && !lanes_any(going)) {
-            LANES(hoop_finish_all)(&pool, job);
-            flights = 0;
-            continue;
-        }
-        for (int lane = 0; lane < LANES_WIDTH; lane++)
-            if (pool.occupied[lane] != 0.0 && pool.outcome[lane] >= 0.0) {
-                LANES(hoop_finish)(&pool, lane, job);
-                flights--;
-            }
+    const hoop_results *out = job->results;
+    const size_t shot = lists->shot[row];
+    const int invalid = (int)lists->outcome[row] == HOOP_INVALID;
+    if (out->outcome) {
+        out->outcome[shot] = (uint8_t)lists->outcome[row];
+    }
+    if (out->contacts) {
+        out->contacts[shot] = (int32_t)lists->contacts[row];
+    }
+    if (out->counts) {
+        out->counts[3 * shot + 0] = (int32_t)lists->count_0[row];
+        out->counts[3 * shot + 1] = (int32_t)lists->count_1[row];
+        out->counts[3 * shot + 2] = (int32_t)lists->count_2[row];
+    }
+    if (out->first) {
+        out->first[shot] = (int8_t)lists->first[row];
+    }
+    if (out->time) {
+        out->time[shot] = invalid ? NAN : lists->clock[row];
+    }
+    if (out->state) {
+        out->state[9 * shot + 0] = invalid ? NAN : lists->x[row];
+        out->state[9 * shot + 1] = invalid ? NAN : lists->y[row];
+        out->state[9 * shot + 2] = invalid ? NAN : lists->z[row];
+        out->state[9 * shot + 3] = invalid ? NAN : lists->vx[row];
+        out->state[9 * shot + 4] = invalid ? NAN : lists->vy[row];
+        out->state[9 * shot + 5] = invalid ? NAN : lists->vz[row];
+        out->state[9 * shot + 6] = invalid ? NAN : lists->wx[row];
+        out->state[9 * shot + 7] = invalid ? NAN : lists->wy[row];
+        out->state[9 * shot + 8] = invalid ? NAN : lists->wz[row];
+    }
+    lists->shot[row] = lists->shot[last];
+    lists->x[row] = lists->x[last];
+    lists->y[row] = lists->y[last];
+    lists->z[row] = lists->z[last];
+    lists->vx[row] = lists->vx[last];
+    lists->vy[row] = lists->vy[last];
+    lists->vz[row] = lists->vz[last];
+    lists->wx[row] = lists->wx[last];
+    lists->wy[row] = lists->wy[last];
+    lists->wz[row] = lists->wz[last];
+    lists->clock[row] = lists->clock[last];
+    lists->last[row] = lists->last[last];
+    lists->first[row] = lists->first[last];
+    lists->contacts[row] = lists->contacts[last];
+    lists->count_0[row] = lists->count_0[last];
+    lists->count_1[row] = lists->count_1[last];
+    lists->count_2[row] = lists->count_2[last];
+    lists->outcome[row] = lists->outcome[last];
+    if (job->varying) {
+        lists->p_ball_radius[row] = lists->p_ball_radius[last];
+        lists->p_ring_radius[row] = lists->p_ring_radius[last];
+        lists->p_wire_radius[row] = lists->p_wire_radius[last];
+        lists->p_board_distance[row] = lists->p_board_distance[last];
+        lists->p_board_half_width[row] = lists->p_board_half_width[last];
+        lists->p_board_bottom[row] = lists->p_board_bottom[last];
+        lists->p_board_top[row] = lists->p_board_top[last];
+        lists->p_bridge_half_width[row] = lists->p_bridge_half_width[last];
+        lists->p_restitution[row] = lists->p_restitution[last];
+        lists->p_gravity[row] = lists->p_gravity[last];
+        lists->p_end_depth[row] = lists->p_end_depth[last];
     }
 }
 
-/* Run the job: fill the lanes, take every lane to its next event, free those that ended.
-   Errors are bounded. */
-LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
+/* Run the job: fill the rows, take every shot to its next event, make room of those that ended.
+   No errors are bounded: the same path, with less work. */
+static void LANES(hoop_plain)(const hoop_job *job)
 {
-    LANES(hoop_pool) pool;
-    memset(&pool, 0, sizeof pool);
-    const V zero = K(0.0);
+    LANES(hoop_plain_lists) all, *const lists = &all;
     const V most_contacts = K((double)job->max_contacts);
-    const V claims = K(job->results->time_error || job->results->state_error ? 1.0 : 0.0);
-    size_t begun = 0;
+    const size_t varying = job->varying ? ~(size_t)0 : 0;
+    const int recording = job->results->events != NULL;
+    size_t begun = 0, count = 0;
 
-    if (job->results->event_counts)
+    if (recording)
         memset(job->results->event_counts, 0, job->shots * sizeof(int32_t));
-    if (!job->varying)
-        for (int lane = 0; lane < LANES_WIDTH; lane++) {
-            pool.p_ball_radius[lane] = *job->parameters[0];
-            pool.p_ring_radius[lane] = *job->parameters[1];
-            pool.p_wire_radius[lane] = *job->parameters[2];
-            pool.p_board_distance[lane] = *job->parameters[3];
-            pool.p_board_half_width[lane] = *job->parameters[4];
-            pool.p_board_bottom[lane] = *job->parameters[5];
-            pool.p_board_top[lane] = *job->parameters[6];
-            pool.p_bridge_half_width[lane] = *job->parameters[7];
-            pool.p_restitution[lane] = *job->parameters[8];
-            pool.p_gravity[lane] = *job->parameters[9];
-            pool.p_end_depth[lane] = *job->parameters[10];
-        }
-    M permitted = LANES(hoop_permit)(lanes_load(pool.p_ball_radius), lanes_load(pool.p_ring_radius), lanes_load(pool.p_wire_radius), lanes_load(pool.p_board_distance), lanes_load(pool.p_board_half_width), lanes_load(pool.p_board_bottom), lanes_load(pool.p_board_top), lanes_load(pool.p_bridge_half_width), lanes_load(pool.p_restitution), lanes_load(pool.p_gravity), lanes_load(pool.p_end_depth));
-    int following = 0; /* whether the lanes hold shots that follow one another */
-    for (int flights = 0;;) {
-        int refilled = 0;
+    lanes_store(lists->p_ball_radius, K(*job->parameters[0]));
+    lanes_store(lists->p_ring_radius, K(*job->parameters[1]));
+    lanes_store(lists->p_wire_radius, K(*job->parameters[2]));
+    lanes_store(lists->p_board_distance, K(*job->parameters[3]));
+    lanes_store(lists->p_board_half_width, K(*job->parameters[4]));
+    lanes_store(lists->p_board_bottom, K(*job->parameters[5]));
+    lanes_store(lists->p_board_top, K(*job->parameters[6]));
+    lanes_store(lists->p_bridge_half_width, K(*job->parameters[7]));
+    lanes_store(lists->p_restitution, K(*job->parameters[8]));
+    lanes_store(lists->p_gravity, K(*job->parameters[9]));
+    lanes_store(lists->p_end_depth, K(*job->parameters[10]));
+    const M all_permitted = LANES(hoop_permit)(lanes_load(lists->p_ball_radius), lanes_load(lists->p_ring_radius), lanes_load(lists->p_wire_radius), lanes_load(lists->p_board_distance), lanes_load(lists->p_board_half_width), lanes_load(lists->p_board_bottom), lanes_load(lists->p_board_top), lanes_load(lists->p_bridge_half_width), lanes_load(lists->p_restitution), lanes_load(lists->p_gravity), lanes_load(lists->p_end_depth));
+    for (;;) {
         if (job->stop && *job->stop)
             return;
-        if (flights == 0 && job->shots - begun >= LANES_WIDTH) {
-            LANES(hoop_begin_all)(&pool, job, begun);
-            begun += LANES_WIDTH;
-            flights = LANES_WIDTH;
-            refilled = following = 1;
+        int following = count == 0;
+        const size_t fresh = count;
+        if (begun < job->shots) {
+            const size_t room = LANES_SHOTS - count, left = job->shots - begun;
+            count += left < room ? left : room;
+            LANES(hoop_plain_begin)(lists, fresh, count - fresh, job, begun);
+            begun += count - fresh;
         }
-        for (int lane = 0; flights < LANES_WIDTH && begun < job->shots; lane++)
-            if (pool.occupied[lane] == 0.0) {
-                LANES(hoop_begin)(&pool, lane, job, begun++);
-                flights++;
-                refilled = 1;
-                following = 0;
-            }
-        if (flights == 0)
+        if (count == 0)
             return;
 
-        const V p_ball_radius = lanes_load(pool.p_ball_radius);
-        const V p_ring_radius = lanes_load(pool.p_ring_radius);
-        const V p_wire_radius = lanes_load(pool.p_wire_radius);
-        const V p_board_distance = lanes_load(pool.p_board_distance);
-        const V p_board_half_width = lanes_load(pool.p_board_half_width);
-        const V p_board_bottom = lanes_load(pool.p_board_bottom);
-        const V p_board_top = lanes_load(pool.p_board_top);
-        const V p_bridge_half_width = lanes_load(pool.p_bridge_half_width);
-        const V p_restitution = lanes_load(pool.p_restitution);
-        const V p_gravity = lanes_load(pool.p_gravity);
-        const V p_end_depth = lanes_load(pool.p_end_depth);
-        V x = lanes_load(pool.x);
-        V y = lanes_load(pool.y);
-        V z = lanes_load(pool.z);
-        V vx = lanes_load(pool.vx);
-        V vy = lanes_load(pool.vy);
-        V vz = lanes_load(pool.vz);
-        V wx = lanes_load(pool.wx);
-        V wy = lanes_load(pool.wy);
-        V wz = lanes_load(pool.wz);
-        V dx = lanes_load(pool.dx);
-        V dy = lanes_load(pool.dy);
-        V dz = lanes_load(pool.dz);
-        V dvx = lanes_load(pool.dvx);
-        V dvy = lanes_load(pool.dvy);
-        V dvz = lanes_load(pool.dvz);
-        V dwx = lanes_load(pool.dwx);
-        V dwy = lanes_load(pool.dwy);
-        V dwz = lanes_load(pool.dwz);
-        V clock = lanes_load(pool.clock);
-        V clock_error = lanes_load(pool.clock_error);
-        V last = lanes_load(pool.last);
-        V first = lanes_load(pool.first);
-        V contacts = lanes_load(pool.contacts);
-        V count_0 = lanes_load(pool.count_0);
-        V count_1 = lanes_load(pool.count_1);
-        V count_2 = lanes_load(pool.count_2);
-        V uncertain = lanes_load(pool.uncertain);
-        V position_claim = lanes_load(pool.position_claim);
-        V velocity_claim = lanes_load(pool.velocity_claim);
-        V spin_claim = lanes_load(pool.spin_claim);
-        V time_claim = lanes_load(pool.time_claim);
-        V outcome = lanes_load(pool.outcome);
-        const M flying = lanes_less(zero, lanes_load(pool.occupied));
-
-        /* A new shot is looked at once; one that is not valid ends here. */
-        if (refilled) {
-            const M fresh = lanes_both(flying, lanes_less(zero, lanes_load(pool.fresh)));
-            dx = lanes_select(fresh, K(0.0), dx);
-            dy = lanes_select(fresh, K(0.0), dy);
-            dz = lanes_select(fresh, K(0.0), dz);
-            dvx = lanes_select(fresh, K(0.0), dvx);
-            dvy = lanes_select(fresh, K(0.0), dvy);
-            dvz = lanes_select(fresh, K(0.0), dvz);
-            dwx = lanes_select(fresh, K(0.0), dwx);
-            dwy = lanes_select(fresh, K(0.0), dwy);
-            dwz = lanes_select(fresh, K(0.0), dwz);
-            clock = lanes_select(fresh, K(0.0), clock);
-            clock_error = lanes_select(fresh, K(0.0), clock_error);
-            last = lanes_select(fresh, lanes_load(pool.from), last);
-            first = lanes_select(fresh, K(-1.0), first);
-            contacts = lanes_select(fresh, K(0.0), contacts);
-            count_0 = lanes_select(fresh, K(0.0), count_0);
-            count_1 = lanes_select(fresh, K(0.0), count_1);
-            count_2 = lanes_select(fresh, K(0.0), count_2);
-            uncertain = lanes_select(fresh, K(0.0), uncertain);
-            position_claim = lanes_select(fresh, K(0.0), position_claim);
-            velocity_claim = lanes_select(fresh, K(0.0), velocity_claim);
-            spin_claim = lanes_select(fresh, K(0.0), spin_claim);
-            time_claim = lanes_select(fresh, K(0.0), time_claim);
-            outcome = lanes_select(fresh, K(-1.0), outcome);
-
-            if (job->varying)
+        /* A new shot is looked at once. */
+        for (size_t i = fresh; i < count; i += LANES_WIDTH) {
+            const M rows = lanes_first(count - i);
+            V last = lanes_load(lists->last + i);
+            const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
+            const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
+            const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
+            const V p_board_half_width = lanes_load(lists->p_board_half_width + (i & varying));
+            const V p_board_top = lanes_load(lists->p_board_top + (i & varying));
+            const V p_bridge_half_width = lanes_load(lists->p_bridge_half_width + (i & varying));
+            const V p_end_depth = lanes_load(lists->p_end_depth + (i & varying));
+            const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
+            const V p_restitution = lanes_load(lists->p_restitution + (i & varying));
+            const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
+            const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
+            V vx = lanes_load(lists->vx + i);
+            V vy = lanes_load(lists->vy + i);
+            V vz = lanes_load(lists->vz + i);
+            V wx = lanes_load(lists->wx + i);
+            V wy = lanes_load(lists->wy + i);
+            V wz = lanes_load(lists->wz + i);
+            V x = lanes_load(lists->x + i);
+            V y = lanes_load(lists->y + i);
+            V z = lanes_load(lists->z + i);
+            M permitted = all_permitted;
+            if (varying)
                 permitted = LANES(hoop_permit)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth);
-            const LANES(hoop_finite_state_out) _o3 =
+            const LANES(hoop_finite_state_out) _o1 =
                 LANES(hoop_finite_state)(vx, vy, vz, wx, wy, wz, x, y, z);
-            M finite = _o3.finite;
-            const LANES(hoop_valid_out) _o4 =
+            M finite = _o1.finite;
+            const LANES(hoop_valid_out) _o2 =
                 LANES(hoop_valid)(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
-            V valid = _o4.valid;
-            V doubt = _o4.doubt;
-            const LANES(hoop_admitted_out) _o5 =
-                LANES(hoop_admitted)(doubt, finite, permitted, valid);
-            outcome = lanes_select(fresh, _o5.outcome, outcome);
-            uncertain = lanes_select(fresh, _o5.uncertain, uncertain);
-            lanes_store(pool.fresh, zero);
-            if (lanes_any(lanes_both(fresh, lanes_at_most(zero, outcome)))) {
-                lanes_store(pool.x, x);
-                lanes_store(pool.y, y);
-                lanes_store(pool.z, z);
-                lanes_store(pool.vx, vx);
-                lanes_store(pool.vy, vy);
-                lanes_store(pool.vz, vz);
-                lanes_store(pool.wx, wx);
-                lanes_store(pool.wy, wy);
-                lanes_store(pool.wz, wz);
-                lanes_store(pool.dx, dx);
-                lanes_store(pool.dy, dy);
-                lanes_store(pool.dz, dz);
-                lanes_store(pool.dvx, dvx);
-                lanes_store(pool.dvy, dvy);
-                lanes_store(pool.dvz, dvz);
-                lanes_store(pool.dwx, dwx);
-                lanes_store(pool.dwy, dwy);
-                lanes_store(pool.dwz, dwz);
-                lanes_store(pool.clock, clock);
-                lanes_store(pool.clock_error, clock_error);
-                lanes_store(pool.last, last);
-                lanes_store(pool.first, first);
-                lanes_store(pool.contacts, contacts);
-                lanes_store(pool.count_0, count_0);
-                lanes_store(pool.count_1, count_1);
-                lanes_store(pool.count_2, count_2);
-                lanes_store(pool.uncertain, uncertain);
-                lanes_store(pool.position_claim, position_claim);
-                lanes_store(pool.velocity_claim, velocity_claim);
-                lanes_store(pool.spin_claim, spin_claim);
-                lanes_store(pool.time_claim, time_claim);
-                lanes_store(pool.outcome, outcome);
-                for (int lane = 0; lane < LANES_WIDTH; lane++)
-                    if (pool.outcome[lane] >= 0.0 && pool.occupied[lane] != 0.0) {
-                        LANES(hoop_finish)(&pool, lane, job);
-                        flights--;
-                    }
-                continue;
-            }
+            V valid = _o2.valid;
+            const LANES(hoop_admitted_out) _o3 =
+                LANES(hoop_admitted)(K(INFINITY), finite, permitted, valid);
+            V outcome = _o3.outcome;
+            lanes_store(lists->outcome + i, outcome);
         }
 
-        /* To the next event. */
-        const LANES(hoop_error_bounds_out) _o6 =
-            LANES(hoop_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-        V position_error = _o6.position_error;
-        V velocity_error = _o6.velocity_error;
-        const LANES(hoop_scale_out) _o7 =
-            LANES(hoop_scale)(x, y, z, vx, vy, vz, p_gravity);
-        V extent = _o7.extent;
-        V speed = _o7.speed;
-        V excess = _o7.excess;
-        const LANES(hoop_opening_out) _o8 =
-            LANES(hoop_opening)(excess, position_error, velocity_error);
-        V when = _o8.when;
-        V which = _o8.which;
-        V late = _o8.late;
-        V doubt = _o8.doubt;
-        const LANES(hoop_left_out) _o9 =
-            LANES(hoop_left)(K(3.0), last);
-        V leaving = _o9.leaving;
-        const LANES(hoop_end_arrival_out) _o10 =
-            LANES(hoop_end_arrival)(leaving, z, vz, p_gravity, p_end_depth);
-        V time = _o10.time;
-        V rate = _o10.rate;
-        V bend = _o10.bend;
-        V apex = _o10.apex;
-        V height = _o10.height;
-        const LANES(hoop_meeting_plane_out) _o11 =
-            LANES(hoop_meeting_plane)(bend, rate, time);
-        M arrives = _o11.arrives;
-        V ceiling = _o11.ceiling;
-        const LANES(hoop_end_margin_out) _o12 =
-            LANES(hoop_end_margin)(time, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
-        V margin = _o12.margin;
-        const LANES(hoop_crossing_out) _o13 =
-            LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-        V clearance = _o13.clearance;
-        V delay = _o13.delay;
-        const LANES(hoop_timely_out) _o14 =
-            LANES(hoop_timely)(arrives, delay, late, time, when);
-        M possible = _o14.possible;
-        const LANES(hoop_end_margin_out) _o15 =
-            LANES(hoop_end_margin)(apex, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
-        margin = _o15.margin;
-        const LANES(hoop_grazed_out) _o16 =
-            LANES(hoop_grazed)(apex, doubt, height, margin);
-        doubt = _o16.doubt;
-        const M _m17 = lanes_both(flying, possible);
-        {
-            const LANES(hoop_crossed_out) _o18 =
-                LANES(hoop_crossed)(arrives, clearance, doubt, time);
-            doubt = lanes_select(_m17, _o18.doubt, doubt);
-            const LANES(hoop_tied_out) _o19 =
-                LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = lanes_select(_m17, _o19.doubt, doubt);
-            late = lanes_select(_m17, _o19.late, late);
-            const LANES(hoop_sooner_out) _o20 =
-                LANES(hoop_sooner)(arrives, K(3.0), time, when, which);
-            when = lanes_select(_m17, _o20.when, when);
-            which = lanes_select(_m17, _o20.which, which);
+        M ended = lanes_nowhere();
+        for (size_t i = fresh; i < count; i += LANES_WIDTH)
+            ended = lanes_either(ended, lanes_both(lanes_first(count - i), lanes_at_most(K(0.0), lanes_load(lists->outcome + i))));
+        if (lanes_any(ended)) {
+            for (size_t k = count; k-- > fresh;)
+                if (lists->outcome[k] >= 0.0)
+                    LANES(hoop_plain_finish)(lists, k, --count, job);
+            following = 0;
         }
-        const LANES(hoop_left_out) _o21 =
-            LANES(hoop_left)(K(1.0), last);
-        leaving = _o21.leaving;
-        const LANES(hoop_backboard_arrival_out) _o22 =
-            LANES(hoop_backboard_arrival)(leaving, x, vx, p_ball_radius, p_board_distance);
-        time = _o22.time;
-        rate = _o22.rate;
-        bend = _o22.bend;
-        apex = _o22.apex;
-        height = _o22.height;
-        const LANES(hoop_meeting_plane_out) _o23 =
-            LANES(hoop_meeting_plane)(bend, rate, time);
-        arrives = _o23.arrives;
-        ceiling = _o23.ceiling;
-        const LANES(hoop_backboard_margin_out) _o24 =
-            LANES(hoop_backboard_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
-        margin = _o24.margin;
-        const LANES(hoop_crossing_out) _o25 =
-            LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-        clearance = _o25.clearance;
-        delay = _o25.delay;
-        const LANES(hoop_timely_out) _o26 =
-            LANES(hoop_timely)(arrives, delay, late, time, when);
-        possible = _o26.possible;
-        const LANES(hoop_backboard_margin_out) _o27 =
-            LANES(hoop_backboard_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
-        margin = _o27.margin;
-        const LANES(hoop_grazed_out) _o28 =
-            LANES(hoop_grazed)(apex, doubt, height, margin);
-        doubt = _o28.doubt;
-        const M _m29 = lanes_both(flying, possible);
-        if (lanes_any(_m29)) {
-            const LANES(hoop_flight_out) _o30 =
-                LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-            V there_y = _o30.y;
-            V there_z = _o30.z;
-            const LANES(hoop_backboard_bounds_out) _o31 =
-                LANES(hoop_backboard_bounds)(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
-            V g0 = _o31.g0;
-            V g1 = _o31.g1;
-            V g2 = _o31.g2;
-            V g3 = _o31.g3;
-            const LANES(hoop_displacement_out) _o32 =
-                LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-            V slack = _o32.margin;
-            const LANES(hoop_backboard_edges_out) _o33 =
-                LANES(hoop_backboard_edges)(clearance, g0, g1, g2, g3, slack);
-            M unsure = _o33.unsure;
-            const LANES(hoop_questioned_out) _o34 =
-                LANES(hoop_questioned)(doubt, time, unsure);
-            doubt = lanes_select(_m29, _o34.doubt, doubt);
-            const LANES(hoop_backboard_within_out) _o35 =
-                LANES(hoop_backboard_within)(g0, g1, g2, g3);
-            M arrives = _o35.arrives;
-            const LANES(hoop_tied_out) _o36 =
-                LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = lanes_select(_m29, _o36.doubt, doubt);
-            late = lanes_select(_m29, _o36.late, late);
-            const LANES(hoop_sooner_out) _o37 =
-                LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
-            when = lanes_select(_m29, _o37.when, when);
-            which = lanes_select(_m29, _o37.which, which);
+
+        /* To the next event, and what it does to the ball. */
+        size_t open_count = 0;
+        for (size_t i = 0; i < count; i += LANES_WIDTH) {
+            const M rows = lanes_first(count - i);
+            V last = lanes_load(lists->last + i);
+            const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
+            const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
+            const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
+            const V p_board_half_width = lanes_load(lists->p_board_half_width + (i & varying));
+            const V p_board_top = lanes_load(lists->p_board_top + (i & varying));
+            const V p_bridge_half_width = lanes_load(lists->p_bridge_half_width + (i & varying));
+            const V p_end_depth = lanes_load(lists->p_end_depth + (i & varying));
+            const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
+            const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
+            const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
+            V vx = lanes_load(lists->vx + i);
+            V vy = lanes_load(lists->vy + i);
+            V vz = lanes_load(lists->vz + i);
+            V x = lanes_load(lists->x + i);
+            V y = lanes_load(lists->y + i);
+            V z = lanes_load(lists->z + i);
+            const LANES(hoop_scale_out) _o4 =
+                LANES(hoop_scale)(x, y, z, vx, vy, vz, p_gravity);
+            V extent = _o4.extent;
+            V speed = _o4.speed;
+            V excess = _o4.excess;
+            const LANES(hoop_opening_out) _o5 =
+                LANES(hoop_opening)(excess, K(0.0), K(0.0));
+            V when = _o5.when;
+            V which = _o5.which;
+            const LANES(hoop_left_out) _o6 =
+                LANES(hoop_left)(K(3.0), last);
+            V leaving = _o6.leaving;
+            const LANES(hoop_end_arrival_out) _o7 =
+                LANES(hoop_end_arrival)(leaving, z, vz, p_gravity, p_end_depth);
+            V time = _o7.time;
+            V rate = _o7.rate;
+            V bend = _o7.bend;
+            const LANES(hoop_meeting_plane_out) _o8 =
+                LANES(hoop_meeting_plane)(bend, rate, time);
+            M arrives = _o8.arrives;
+            const LANES(hoop_timely_out) _o9 =
+                LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
+            M possible = _o9.possible;
+            const M _m10 = lanes_both(rows, possible);
+            {
+                const LANES(hoop_sooner_out) _o11 =
+                    LANES(hoop_sooner)(arrives, K(3.0), time, when, which);
+                when = lanes_select(_m10, _o11.when, when);
+                which = lanes_select(_m10, _o11.which, which);
+            }
+            const LANES(hoop_left_out) _o12 =
+                LANES(hoop_left)(K(1.0), last);
+            leaving = _o12.leaving;
+            const LANES(hoop_backboard_arrival_out) _o13 =
+                LANES(hoop_backboard_arrival)(leaving, x, vx, p_ball_radius, p_board_distance);
+            time = _o13.time;
+            rate = _o13.rate;
+            bend = _o13.bend;
+            const LANES(hoop_meeting_plane_out) _o14 =
+                LANES(hoop_meeting_plane)(bend, rate, time);
+            arrives = _o14.arrives;
+            const LANES(hoop_timely_out) _o15 =
+                LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
+            possible = _o15.possible;
+            const M _m16 = lanes_both(rows, possible);
+            {
+                const LANES(hoop_flight_out) _o17 =
+                    LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
+                V there_y = _o17.y;
+                V there_z = _o17.z;
+                const LANES(hoop_backboard_bounds_out) _o18 =
+                    LANES(hoop_backboard_bounds)(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
+                V g0 = _o18.g0;
+                V g1 = _o18.g1;
+                V g2 = _o18.g2;
+                V g3 = _o18.g3;
+                const LANES(hoop_backboard_within_out) _o19 =
+                    LANES(hoop_backboard_within)(g0, g1, g2, g3);
+                M arrives = _o19.arrives;
+                const LANES(hoop_sooner_out) _o20 =
+                    LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
+                when = lanes_select(_m16, _o20.when, when);
+                which = lanes_select(_m16, _o20.which, which);
+            }
+            const LANES(hoop_left_out) _o21 =
+                LANES(hoop_left)(K(2.0), last);
+            leaving = _o21.leaving;
+            const LANES(hoop_bridge_arrival_out) _o22 =
+                LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
+            time = _o22.time;
+            rate = _o22.rate;
+            bend = _o22.bend;
+            const LANES(hoop_meeting_plane_out) _o23 =
+                LANES(hoop_meeting_plane)(bend, rate, time);
+            arrives = _o23.arrives;
+            const LANES(hoop_timely_out) _o24 =
+                LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
+            possible = _o24.possible;
+            const M _m25 = lanes_both(rows, possible);
+            if (lanes_any(_m25)) {
+                const LANES(hoop_flight_out) _o26 =
+                    LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
+                V there_x = _o26.x;
+                V there_y = _o26.y;
+                const LANES(hoop_bridge_bounds_out) _o27 =
+                    LANES(hoop_bridge_bounds)(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
+                V g0 = _o27.g0;
+                V g1 = _o27.g1;
+                V g2 = _o27.g2;
+                V g3 = _o27.g3;
+                V g4 = _o27.g4;
+                const LANES(hoop_bridge_within_out) _o28 =
+                    LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
+                M arrives = _o28.arrives;
+                const LANES(hoop_sooner_out) _o29 =
+                    LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
+                when = lanes_select(_m25, _o29.when, when);
+                which = lanes_select(_m25, _o29.which, which);
+            }
+            const LANES(hoop_horizon_out) _o30 =
+                LANES(hoop_horizon)(when, speed, p_gravity);
+            V until = _o30.horizon;
+            const LANES(hoop_ring_clear_out) _o31 =
+                LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V clear = _o31.clear;
+            const LANES(hoop_opens_out) _o32 =
+                LANES(hoop_opens)(clear);
+            M open = _o32.open;
+            lanes_store(lists->when + i, when);
+            lanes_store(lists->which + i, which);
+            const M packed = lanes_both(rows, open);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->open_row + open_count, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->open_extent + open_count, packed, extent);
+                lanes_pack(lists->open_last + open_count, packed, last);
+                if (varying)
+                    lanes_pack(lists->open_p_ball_radius + open_count, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->open_p_gravity + open_count, packed, p_gravity);
+                if (varying)
+                    lanes_pack(lists->open_p_ring_radius + open_count, packed, p_ring_radius);
+                if (varying)
+                    lanes_pack(lists->open_p_wire_radius + open_count, packed, p_wire_radius);
+                lanes_pack(lists->open_speed + open_count, packed, speed);
+                lanes_pack(lists->open_until + open_count, packed, until);
+                lanes_pack(lists->open_vx + open_count, packed, vx);
+                lanes_pack(lists->open_vy + open_count, packed, vy);
+                lanes_pack(lists->open_vz + open_count, packed, vz);
+                lanes_pack(lists->open_when + open_count, packed, when);
+                lanes_pack(lists->open_which + open_count, packed, which);
+                lanes_pack(lists->open_x + open_count, packed, x);
+                lanes_pack(lists->open_y + open_count, packed, y);
+                lanes_pack(lists->open_z + open_count, packed, z);
+                open_count += lanes_many(packed);
+            }
         }
-        const LANES(hoop_left_out) _o38 =
-            LANES(hoop_left)(K(2.0), last);
-        leaving = _o38.leaving;
-        const LANES(hoop_bridge_arrival_out) _o39 =
-            LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
-        time = _o39.time;
-        rate = _o39.rate;
-        bend = _o39.bend;
-        apex = _o39.apex;
-        height = _o39.height;
-        const LANES(hoop_meeting_plane_out) _o40 =
-            LANES(hoop_meeting_plane)(bend, rate, time);
-        arrives = _o40.arrives;
-        ceiling = _o40.ceiling;
-        const LANES(hoop_bridge_margin_out) _o41 =
-            LANES(hoop_bridge_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
-        margin = _o41.margin;
-        const LANES(hoop_crossing_out) _o42 =
-            LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-        clearance = _o42.clearance;
-        delay = _o42.delay;
-        const LANES(hoop_timely_out) _o43 =
-            LANES(hoop_timely)(arrives, delay, late, time, when);
-        possible = _o43.possible;
-        const LANES(hoop_bridge_margin_out) _o44 =
-            LANES(hoop_bridge_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
-        margin = _o44.margin;
-        const LANES(hoop_grazed_out) _o45 =
-            LANES(hoop_grazed)(apex, doubt, height, margin);
-        doubt = _o45.doubt;
-        const M _m46 = lanes_both(flying, possible);
-        if (lanes_any(_m46)) {
-            const LANES(hoop_flight_out) _o47 =
-                LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-            V there_x = _o47.x;
-            V there_y = _o47.y;
-            const LANES(hoop_bridge_bounds_out) _o48 =
-                LANES(hoop_bridge_bounds)(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
-            V g0 = _o48.g0;
-            V g1 = _o48.g1;
-            V g2 = _o48.g2;
-            V g3 = _o48.g3;
-            V g4 = _o48.g4;
-            const LANES(hoop_displacement_out) _o49 =
-                LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-            V slack = _o49.margin;
-            const LANES(hoop_bridge_edges_out) _o50 =
-                LANES(hoop_bridge_edges)(clearance, g0, g1, g2, g3, g4, slack);
-            M unsure = _o50.unsure;
-            const LANES(hoop_questioned_out) _o51 =
-                LANES(hoop_questioned)(doubt, time, unsure);
-            doubt = lanes_select(_m46, _o51.doubt, doubt);
-            const LANES(hoop_bridge_within_out) _o52 =
-                LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
-            M arrives = _o52.arrives;
-            const LANES(hoop_tied_out) _o53 =
-                LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = lanes_select(_m46, _o53.doubt, doubt);
-            late = lanes_select(_m46, _o53.late, late);
-            const LANES(hoop_sooner_out) _o54 =
-                LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
-            when = lanes_select(_m46, _o54.when, when);
-            which = lanes_select(_m46, _o54.which, which);
-        }
-        const LANES(hoop_horizon_out) _o55 =
-            LANES(hoop_horizon)(when, speed, p_gravity);
-        V until = _o55.horizon;
-        V pad = _o55.pad;
-        const LANES(hoop_ring_clear_out) _o56 =
-            LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-        V clear = _o56.clear;
-        const LANES(hoop_opens_out) _o57 =
-            LANES(hoop_opens)(clear);
-        M open = _o57.open;
-        const M _m58 = lanes_both(flying, open);
-        if (lanes_any(_m58)) {
-            const LANES(hoop_ring_prepare_out) _o59 =
-                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o59.steady;
-            V swing = _o59.swing;
-            V rho_start = _o59.rho_start;
-            V low0 = _o59.low0;
-            V high0 = _o59.high0;
-            V low1 = _o59.low1;
-            V high1 = _o59.high1;
-            V low2 = _o59.low2;
-            V high2 = _o59.high2;
-            V ceiling = _o59.ceiling;
-            V latest = _o59.latest;
-            V lost = _o59.lost;
-            const LANES(hoop_beginning_out) _o60 =
+        size_t open_searching_count = 0;
+        for (size_t i = 0; i < open_count; i += LANES_WIDTH) {
+            const M rows = lanes_first(open_count - i);
+            V extent = lanes_load(lists->open_extent + i);
+            V last = lanes_load(lists->open_last + i);
+            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
+            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
+            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
+            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
+            V speed = lanes_load(lists->open_speed + i);
+            V until = lanes_load(lists->open_until + i);
+            V vx = lanes_load(lists->open_vx + i);
+            V vy = lanes_load(lists->open_vy + i);
+            V vz = lanes_load(lists->open_vz + i);
+            V x = lanes_load(lists->open_x + i);
+            V y = lanes_load(lists->open_y + i);
+            V z = lanes_load(lists->open_z + i);
+            const LANES(hoop_ring_prepare_out) _o33 =
+                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V steady = _o33.steady;
+            V swing = _o33.swing;
+            V rho_start = _o33.rho_start;
+            V low0 = _o33.low0;
+            V high0 = _o33.high0;
+            V low1 = _o33.low1;
+            V high1 = _o33.high1;
+            V low2 = _o33.low2;
+            V high2 = _o33.high2;
+            V ceiling = _o33.ceiling;
+            V latest = _o33.latest;
+            const LANES(hoop_beginning_out) _o34 =
                 LANES(hoop_beginning)();
-            V share = _o60.share;
-            V arrival = _o60.arrival;
-            M certain = _o60.certain;
-            const LANES(hoop_allowance_out) _o61 =
-                LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o61.position_level;
-            V velocity_level = _o61.velocity_level;
-            V excess = _o61.excess;
-            const LANES(hoop_ring_margins_out) _o62 =
+            V share = _o34.share;
+            V arrival = _o34.arrival;
+            M certain = _o34.certain;
+            const LANES(hoop_allowance_out) _o35 =
+                LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
+            V position_level = _o35.position_level;
+            V velocity_level = _o35.velocity_level;
+            const LANES(hoop_ring_margins_out) _o36 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o62.margin;
-            V tilt = _o62.leaving_margin;
-            V rate_slack = _o62.rate_margin;
-            const LANES(hoop_beyond_out) _o63 =
-                LANES(hoop_beyond)(doubt, excess, late, lost, pad);
-            doubt = lanes_select(_m58, _o63.doubt, doubt);
-            const LANES(hoop_ring_enter_out) _o64 =
+            V flat = _o36.margin;
+            V tilt = _o36.leaving_margin;
+            V rate_slack = _o36.rate_margin;
+            const LANES(hoop_ring_enter_out) _o37 =
                 LANES(hoop_ring_enter)(K(0.0), K(0.0), high0, high1, high2, low0, low1, low2, K(0.0));
-            V t = _o64.t;
-            V end = _o64.end;
-            M searching = _o64.searching;
-            for (int _turn = 0; _turn < 201; _turn++) {
-                const M _m65 = lanes_both(_m58, searching);
-                if (!lanes_any(_m65))
+            V t = _o37.t;
+            V end = _o37.end;
+            M searching = _o37.searching;
+            lanes_store(lists->open_arrival + i, arrival);
+            lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
+            lanes_store(lists->open_flat + i, flat);
+            lanes_store(lists->open_rho_start + i, rho_start);
+            lanes_store(lists->open_tilt + i, tilt);
+            const M packed = lanes_both(rows, searching);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->open_searching_row + open_searching_count, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->open_searching_arrival + open_searching_count, packed, arrival);
+                lanes_pack(lists->open_searching_ceiling + open_searching_count, packed, ceiling);
+                lanes_pack(lists->open_searching_certain + open_searching_count, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->open_searching_end + open_searching_count, packed, end);
+                lanes_pack(lists->open_searching_extent + open_searching_count, packed, extent);
+                lanes_pack(lists->open_searching_flat + open_searching_count, packed, flat);
+                lanes_pack(lists->open_searching_high0 + open_searching_count, packed, high0);
+                lanes_pack(lists->open_searching_high1 + open_searching_count, packed, high1);
+                lanes_pack(lists->open_searching_high2 + open_searching_count, packed, high2);
+                lanes_pack(lists->open_searching_last + open_searching_count, packed, last);
+                lanes_pack(lists->open_searching_latest + open_searching_count, packed, latest);
+                lanes_pack(lists->open_searching_low0 + open_searching_count, packed, low0);
+                lanes_pack(lists->open_searching_low1 + open_searching_count, packed, low1);
+                lanes_pack(lists->open_searching_low2 + open_searching_count, packed, low2);
+                if (varying)
+                    lanes_pack(lists->open_searching_p_ball_radius + open_searching_count, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->open_searching_p_gravity + open_searching_count, packed, p_gravity);
+                if (varying)
+                    lanes_pack(lists->open_searching_p_ring_radius + open_searching_count, packed, p_ring_radius);
+                if (varying)
+                    lanes_pack(lists->open_searching_p_wire_radius + open_searching_count, packed, p_wire_radius);
+                lanes_pack(lists->open_searching_rate_slack + open_searching_count, packed, rate_slack);
+                lanes_pack(lists->open_searching_rho_start + open_searching_count, packed, rho_start);
+                lanes_pack(lists->open_searching_share + open_searching_count, packed, share);
+                lanes_pack(lists->open_searching_speed + open_searching_count, packed, speed);
+                lanes_pack(lists->open_searching_steady + open_searching_count, packed, steady);
+                lanes_pack(lists->open_searching_swing + open_searching_count, packed, swing);
+                lanes_pack(lists->open_searching_t + open_searching_count, packed, t);
+                lanes_pack(lists->open_searching_tilt + open_searching_count, packed, tilt);
+                lanes_pack(lists->open_searching_vx + open_searching_count, packed, vx);
+                lanes_pack(lists->open_searching_vy + open_searching_count, packed, vy);
+                lanes_pack(lists->open_searching_vz + open_searching_count, packed, vz);
+                lanes_pack(lists->open_searching_x + open_searching_count, packed, x);
+                lanes_pack(lists->open_searching_y + open_searching_count, packed, y);
+                lanes_pack(lists->open_searching_z + open_searching_count, packed, z);
+                open_searching_count += lanes_many(packed);
+            }
+        }
+        {
+            size_t taken = 0, busy = 0;
+            M active = lanes_nowhere();
+            V row = K(0.0), turns = K(0.0);
+            V p_ball_radius = lanes_load(lists->p_ball_radius);
+            V p_gravity = lanes_load(lists->p_gravity);
+            V p_ring_radius = lanes_load(lists->p_ring_radius);
+            V p_wire_radius = lanes_load(lists->p_wire_radius);
+            V arrival = K(0.0);
+            V ceiling = K(0.0);
+            M certain = lanes_nowhere();
+            V end = K(0.0);
+            V extent = K(0.0);
+            V flat = K(0.0);
+            V high0 = K(0.0);
+            V high1 = K(0.0);
+            V high2 = K(0.0);
+            V last = K(0.0);
+            V latest = K(0.0);
+            V low0 = K(0.0);
+            V low1 = K(0.0);
+            V low2 = K(0.0);
+            V rate_slack = K(0.0);
+            V rho_start = K(0.0);
+            V share = K(0.0);
+            V speed = K(0.0);
+            V steady = K(0.0);
+            V swing = K(0.0);
+            V t = K(0.0);
+            V tilt = K(0.0);
+            V vx = K(0.0);
+            V vy = K(0.0);
+            V vz = K(0.0);
+            V x = K(0.0);
+            V y = K(0.0);
+            V z = K(0.0);
+            for (;;) {
+                if (taken < open_searching_count && busy + LANES_SPARE <= LANES_WIDTH) {
+                    const M idle = lanes_not(active);
+                    row = lanes_expand(lists->open_searching_row + taken, idle, row);
+                    turns = lanes_select(idle, K(0.0), turns);
+                    arrival = lanes_expand(lists->open_searching_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->open_searching_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->open_searching_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    end = lanes_expand(lists->open_searching_end + taken, idle, end);
+                    extent = lanes_expand(lists->open_searching_extent + taken, idle, extent);
+                    flat = lanes_expand(lists->open_searching_flat + taken, idle, flat);
+                    high0 = lanes_expand(lists->open_searching_high0 + taken, idle, high0);
+                    high1 = lanes_expand(lists->open_searching_high1 + taken, idle, high1);
+                    high2 = lanes_expand(lists->open_searching_high2 + taken, idle, high2);
+                    last = lanes_expand(lists->open_searching_last + taken, idle, last);
+                    latest = lanes_expand(lists->open_searching_latest + taken, idle, latest);
+                    low0 = lanes_expand(lists->open_searching_low0 + taken, idle, low0);
+                    low1 = lanes_expand(lists->open_searching_low1 + taken, idle, low1);
+                    low2 = lanes_expand(lists->open_searching_low2 + taken, idle, low2);
+                    rate_slack = lanes_expand(lists->open_searching_rate_slack + taken, idle, rate_slack);
+                    rho_start = lanes_expand(lists->open_searching_rho_start + taken, idle, rho_start);
+                    share = lanes_expand(lists->open_searching_share + taken, idle, share);
+                    speed = lanes_expand(lists->open_searching_speed + taken, idle, speed);
+                    steady = lanes_expand(lists->open_searching_steady + taken, idle, steady);
+                    swing = lanes_expand(lists->open_searching_swing + taken, idle, swing);
+                    t = lanes_expand(lists->open_searching_t + taken, idle, t);
+                    tilt = lanes_expand(lists->open_searching_tilt + taken, idle, tilt);
+                    vx = lanes_expand(lists->open_searching_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->open_searching_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->open_searching_vz + taken, idle, vz);
+                    x = lanes_expand(lists->open_searching_x + taken, idle, x);
+                    y = lanes_expand(lists->open_searching_y + taken, idle, y);
+                    z = lanes_expand(lists->open_searching_z + taken, idle, z);
+                    if (varying) {
+                        p_ball_radius = lanes_expand(lists->open_searching_p_ball_radius + taken, idle, p_ball_radius);
+                        p_gravity = lanes_expand(lists->open_searching_p_gravity + taken, idle, p_gravity);
+                        p_ring_radius = lanes_expand(lists->open_searching_p_ring_radius + taken, idle, p_ring_radius);
+                        p_wire_radius = lanes_expand(lists->open_searching_p_wire_radius + taken, idle, p_wire_radius);
+                    }
+                    const size_t room = LANES_WIDTH - busy, left = open_searching_count - taken;
+                    active = lanes_leading(idle, left, active);
+                    taken += left < room ? left : room;
+                    busy += left < room ? left : room;
+                }
+                if (busy == 0)
                     break;
-                const LANES(hoop_nearby_out) _o66 =
+                M searching = active;
+                const LANES(hoop_nearby_out) _o38 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o66.leaving;
-                V margin = _o66.margin;
-                const LANES(hoop_ring_advance_out) _o67 =
+                V leaving = _o38.leaving;
+                V margin = _o38.margin;
+                const LANES(hoop_ring_advance_out) _o39 =
                     LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o67.gap;
-                V rate = _o67.rate;
-                V bend = _o67.bend;
-                V step = _o67.step;
-                V next = _o67.next;
-                V root = _o67.root;
-                V clearance = _o67.clearance;
-                const LANES(hoop_struck_out) _o68 =
+                V gap = _o39.gap;
+                V rate = _o39.rate;
+                V bend = _o39.bend;
+                V step = _o39.step;
+                V next = _o39.next;
+                V root = _o39.root;
+                V clearance = _o39.clearance;
+                const LANES(hoop_struck_out) _o40 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o68.hit;
-                M sure = _o68.sure;
-                M vague = _o68.vague;
-                const M _m69 = lanes_both(_m65, vague);
-                if (lanes_any(_m69)) {
-                    const LANES(hoop_finer_out) _o70 =
+                M hit = _o40.hit;
+                M sure = _o40.sure;
+                M vague = _o40.vague;
+                const M _m41 = lanes_both(active, vague);
+                if (lanes_any(_m41)) {
+                    const LANES(hoop_finer_out) _o42 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m69, _o70.share, share);
-                    const LANES(hoop_allowance_out) _o71 =
-                        LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o71.position_level;
-                    V velocity_level = _o71.velocity_level;
-                    V excess = _o71.excess;
-                    const LANES(hoop_ring_margins_out) _o72 =
+                    share = lanes_select(_m41, _o42.share, share);
+                    const LANES(hoop_allowance_out) _o43 =
+                        LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
+                    V position_level = _o43.position_level;
+                    V velocity_level = _o43.velocity_level;
+                    const LANES(hoop_ring_margins_out) _o44 =
                         LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m69, _o72.margin, flat);
-                    tilt = lanes_select(_m69, _o72.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m69, _o72.rate_margin, rate_slack);
-                    const LANES(hoop_exceeded_out) _o73 =
-                        LANES(hoop_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m69, _o73.doubt, doubt);
+                    flat = lanes_select(_m41, _o44.margin, flat);
+                    tilt = lanes_select(_m41, _o44.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m41, _o44.rate_margin, rate_slack);
                 }
-                const LANES(hoop_advanced_out) _o74 =
+                const LANES(hoop_advanced_out) _o45 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, root, step, sure, t, vague);
-                arrival = lanes_select(_m65, _o74.arrival, arrival);
-                certain = lanes_choose(_m65, _o74.certain, certain);
-                M exhausted = _o74.exhausted;
-                searching = lanes_choose(_m65, _o74.searching, searching);
-                t = lanes_select(_m65, _o74.t, t);
-                const M _m75 = lanes_both(_m65, exhausted);
+                arrival = _o45.arrival;
+                certain = _o45.certain;
+                M exhausted = _o45.exhausted;
+                searching = _o45.searching;
+                t = _o45.t;
+                const M _m46 = lanes_both(active, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o76 =
+                    const LANES(hoop_ring_enter_out) _o47 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m75, _o76.t, t);
-                    end = lanes_select(_m75, _o76.end, end);
-                    searching = lanes_choose(_m75, _o76.searching, searching);
+                    t = lanes_select(_m46, _o47.t, t);
+                    end = lanes_select(_m46, _o47.end, end);
+                    searching = lanes_choose(_m46, _o47.searching, searching);
+                }
+                turns = lanes_add(turns, K(1.0));
+                const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
+                if (lanes_any(ended)) {
+                    double ended_row[LANES_WIDTH];
+                    lanes_store(ended_row, row);
+                    double ended_arrival[LANES_WIDTH];
+                    lanes_store(ended_arrival, arrival);
+                    double ended_certain[LANES_WIDTH];
+                    lanes_store(ended_certain, lanes_select(certain, K(1.0), K(0.0)));
+                    double ended_flat[LANES_WIDTH];
+                    lanes_store(ended_flat, flat);
+                    double ended_tilt[LANES_WIDTH];
+                    lanes_store(ended_tilt, tilt);
+                    for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
+                        const int lane = LANES_LOWEST(bits);
+                        const size_t k = (size_t)ended_row[lane];
+                        lists->open_arrival[k] = ended_arrival[lane];
+                        lists->open_certain[k] = ended_certain[lane];
+                        lists->open_flat[k] = ended_flat[lane];
+                        lists->open_tilt[k] = ended_tilt[lane];
+                    }
+                    busy -= lanes_many(ended);
+                    active = lanes_both(active, lanes_not(ended));
                 }
             }
-            const LANES(hoop_questioned_out) _o77 =
-                LANES(hoop_questioned)(doubt, t, searching);
-            doubt = lanes_select(_m58, _o77.doubt, doubt);
-            const LANES(hoop_found_out) _o78 =
+        }
+        for (size_t i = 0; i < open_count; i += LANES_WIDTH) {
+            const M rows = lanes_first(open_count - i);
+            V arrival = lanes_load(lists->open_arrival + i);
+            M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
+            V flat = lanes_load(lists->open_flat + i);
+            V last = lanes_load(lists->open_last + i);
+            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
+            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
+            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
+            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
+            V rho_start = lanes_load(lists->open_rho_start + i);
+            V tilt = lanes_load(lists->open_tilt + i);
+            V vx = lanes_load(lists->open_vx + i);
+            V vy = lanes_load(lists->open_vy + i);
+            V vz = lanes_load(lists->open_vz + i);
+            V when = lanes_load(lists->open_when + i);
+            V which = lanes_load(lists->open_which + i);
+            V x = lanes_load(lists->open_x + i);
+            V y = lanes_load(lists->open_y + i);
+            V z = lanes_load(lists->open_z + i);
+            const LANES(hoop_found_out) _o48 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o78.arrives;
-            const LANES(hoop_nearby_out) _o79 =
+            M arrives = _o48.arrives;
+            const LANES(hoop_nearby_out) _o49 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o79.leaving;
-            const LANES(hoop_ring_refine_out) _o80 =
+            V leaving = _o49.leaving;
+            const LANES(hoop_ring_refine_out) _o50 =
                 LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V refined = _o80.time;
-            const LANES(hoop_polished_out) _o81 =
+            V refined = _o50.time;
+            const LANES(hoop_polished_out) _o51 =
                 LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o81.arrival;
-            const LANES(hoop_ring_refine_out) _o82 =
+            arrival = _o51.arrival;
+            const LANES(hoop_ring_refine_out) _o52 =
                 LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            refined = _o82.time;
-            V rate = _o82.rate;
-            const LANES(hoop_polished_out) _o83 =
+            refined = _o52.time;
+            const LANES(hoop_polished_out) _o53 =
                 LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o83.arrival;
-            const LANES(hoop_ring_margins_out) _o84 =
-                LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            flat = _o84.margin;
-            tilt = _o84.leaving_margin;
-            V rate_margin = _o84.rate_margin;
-            const LANES(hoop_own_margin_out) _o85 =
-                LANES(hoop_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o85.margin;
-            const LANES(hoop_crossing_out) _o86 =
-                LANES(hoop_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o86.clearance;
-            V delay = _o86.delay;
-            const LANES(hoop_landed_out) _o87 =
+            arrival = _o53.arrival;
+            const LANES(hoop_landed_out) _o54 =
                 LANES(hoop_landed)(arrival);
-            V time = _o87.time;
-            const LANES(hoop_landed_surely_out) _o88 =
-                LANES(hoop_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o88.delay;
-            doubt = lanes_select(_m58, _o88.doubt, doubt);
-            const LANES(hoop_tied_out) _o89 =
-                LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = lanes_select(_m58, _o89.doubt, doubt);
-            late = lanes_select(_m58, _o89.late, late);
-            const LANES(hoop_sooner_out) _o90 =
+            V time = _o54.time;
+            const LANES(hoop_sooner_out) _o55 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = lanes_select(_m58, _o90.when, when);
-            which = lanes_select(_m58, _o90.which, which);
+            when = _o55.when;
+            which = _o55.which;
+            lanes_store(lists->open_when + i, when);
+            lanes_store(lists->open_which + i, which);
         }
-        const LANES(hoop_departed_out) _o91 =
-            LANES(hoop_departed)(K(3.0), which);
-        M moves = _o91.moves;
-        M ends = _o91.ends;
-        M touches = _o91.touches;
-        const LANES(hoop_body_of_out) _o92 =
-            LANES(hoop_body_of)(which);
-        V body = _o92.body;
-        const M _m93 = lanes_both(flying, moves);
-        {
-            const LANES(hoop_flight_out) _o94 =
-                LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-            x = lanes_select(_m93, _o94.x, x);
-            y = lanes_select(_m93, _o94.y, y);
-            z = lanes_select(_m93, _o94.z, z);
-            vx = lanes_select(_m93, _o94.vx, vx);
-            vy = lanes_select(_m93, _o94.vy, vy);
-            vz = lanes_select(_m93, _o94.vz, vz);
-            const LANES(hoop_ticked_out) _o95 =
-                LANES(hoop_ticked)(clock, when);
-            clock = lanes_select(_m93, _o95.clock, clock);
+        for (size_t k = 0; k < open_count; k++) {
+            const size_t row = (size_t)lists->open_row[k];
+            lists->when[row] = lists->open_when[k];
+            lists->which[row] = lists->open_which[k];
         }
-        const LANES(hoop_displacement_out) _o96 =
-            LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-        V slack = _o96.margin;
-        const LANES(hoop_target_out) _o97 =
-            LANES(hoop_target)(x, y, p_ring_radius);
-        V miss = _o97.target;
-        const LANES(hoop_doubted_out) _o98 =
-            LANES(hoop_doubted)(doubt, ends, late, miss, slack, uncertain, when);
-        uncertain = _o98.uncertain;
-        const LANES(hoop_accounted_out) _o99 =
-            LANES(hoop_accounted)(contacts, ends, miss, most_contacts, touches);
-        contacts = _o99.contacts;
-        outcome = _o99.outcome;
-        const V x_before = x;
-        const V y_before = y;
-        const V z_before = z;
-        const V vx_before = vx;
-        const V vy_before = vy;
-        const V vz_before = vz;
-        const V wx_before = wx;
-        const V wy_before = wy;
-        const V wz_before = wz;
-
-        /* What the event does to the ball. */
-        const LANES(hoop_meeting_out) _o100 =
-            LANES(hoop_meeting)(claims, ends, touches);
-        M meeting = _o100.meeting;
-        const M _m101 = lanes_both(flying, meeting);
-        if (lanes_any(_m101)) {
-            const LANES(hoop_end_normal_out) _o102 =
-                LANES(hoop_end_normal)();
-            V nx = _o102.nx;
-            V ny = _o102.ny;
-            V nz = _o102.nz;
-            const LANES(hoop_here_out) _o103 =
-                LANES(hoop_here)(K(0.0), which);
-            M here = _o103.here;
-            const M _m104 = lanes_both(_m101, here);
+        for (size_t i = 0; i < count; i += LANES_WIDTH) {
+            const M rows = lanes_first(count - i);
+            V clock = lanes_load(lists->clock + i);
+            V contacts = lanes_load(lists->contacts + i);
+            V count_0 = lanes_load(lists->count_0 + i);
+            V count_1 = lanes_load(lists->count_1 + i);
+            V count_2 = lanes_load(lists->count_2 + i);
+            V first = lanes_load(lists->first + i);
+            V last = lanes_load(lists->last + i);
+            const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
+            const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
+            const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
+            const V p_restitution = lanes_load(lists->p_restitution + (i & varying));
+            const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
+            const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
+            V vx = lanes_load(lists->vx + i);
+            V vy = lanes_load(lists->vy + i);
+            V vz = lanes_load(lists->vz + i);
+            V when = lanes_load(lists->when + i);
+            V which = lanes_load(lists->which + i);
+            V wx = lanes_load(lists->wx + i);
+            V wy = lanes_load(lists->wy + i);
+            V wz = lanes_load(lists->wz + i);
+            V x = lanes_load(lists->x + i);
+            V y = lanes_load(lists->y + i);
+            V z = lanes_load(lists->z + i);
+            const LANES(hoop_departed_out) _o56 =
+                LANES(hoop_departed)(K(3.0), which);
+            M moves = _o56.moves;
+            M ends = _o56.ends;
+            M touches = _o56.touches;
+            const LANES(hoop_body_of_out) _o57 =
+                LANES(hoop_body_of)(which);
+            V body = _o57.body;
+            const M _m58 = lanes_both(rows, moves);
             {
-                const LANES(hoop_ring_normal_out) _o105 =
-                    LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = lanes_select(_m104, _o105.nx, nx);
-                ny = lanes_select(_m104, _o105.ny, ny);
-                nz = lanes_select(_m104, _o105.nz, nz);
-                const LANES(hoop_counted_out) _o106 =
-                    LANES(hoop_counted)(count_0);
-                count_0 = lanes_select(_m104, _o106.count, count_0);
+                const LANES(hoop_flight_out) _o59 =
+                    LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
+                x = lanes_select(_m58, _o59.x, x);
+                y = lanes_select(_m58, _o59.y, y);
+                z = lanes_select(_m58, _o59.z, z);
+                vx = lanes_select(_m58, _o59.vx, vx);
+                vy = lanes_select(_m58, _o59.vy, vy);
+                vz = lanes_select(_m58, _o59.vz, vz);
+                const LANES(hoop_ticked_out) _o60 =
+                    LANES(hoop_ticked)(clock, when);
+                clock = lanes_select(_m58, _o60.clock, clock);
             }
-            const LANES(hoop_here_out) _o107 =
-                LANES(hoop_here)(K(1.0), which);
-            here = _o107.here;
-            const M _m108 = lanes_both(_m101, here);
-            {
-                const LANES(hoop_backboard_normal_out) _o109 =
-                    LANES(hoop_backboard_normal)();
-                nx = lanes_select(_m108, _o109.nx, nx);
-                ny = lanes_select(_m108, _o109.ny, ny);
-                nz = lanes_select(_m108, _o109.nz, nz);
-                const LANES(hoop_counted_out) _o110 =
-                    LANES(hoop_counted)(count_1);
-                count_1 = lanes_select(_m108, _o110.count, count_1);
+            const LANES(hoop_target_out) _o61 =
+                LANES(hoop_target)(x, y, p_ring_radius);
+            V miss = _o61.target;
+            const LANES(hoop_accounted_out) _o62 =
+                LANES(hoop_accounted)(contacts, ends, miss, most_contacts, touches);
+            contacts = _o62.contacts;
+            V outcome = _o62.outcome;
+            if (recording) {
+                lanes_store(lists->body + i, body);
+                lanes_store(lists->x_before + i, x);
+                lanes_store(lists->y_before + i, y);
+                lanes_store(lists->z_before + i, z);
+                lanes_store(lists->vx_before + i, vx);
+                lanes_store(lists->vy_before + i, vy);
+                lanes_store(lists->vz_before + i, vz);
+                lanes_store(lists->wx_before + i, wx);
+                lanes_store(lists->wy_before + i, wy);
+                lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_here_out) _o111 =
-                LANES(hoop_here)(K(2.0), which);
-            here = _o111.here;
-            const M _m112 = lanes_both(_m101, here);
-            {
-                const LANES(hoop_bridge_normal_out) _o113 =
-                    LANES(hoop_bridge_normal)();
-                nx = lanes_select(_m112, _o113.nx, nx);
-                ny = lanes_select(_m112, _o113.ny, ny);
-                nz = lanes_select(_m112, _o113.nz, nz);
-                const LANES(hoop_counted_out) _o114 =
-                    LANES(hoop_counted)(count_2);
-                count_2 = lanes_select(_m112, _o114.count, count_2);
+            const LANES(hoop_meeting_out) _o63 =
+                LANES(hoop_meeting)(K(0.0), ends, touches);
+            M meeting = _o63.meeting;
+            const M _m64 = lanes_both(rows, meeting);
+            if (lanes_any(_m64)) {
+                const LANES(hoop_end_normal_out) _o65 =
+                    LANES(hoop_end_normal)();
+                V nx = _o65.nx;
+                V ny = _o65.ny;
+                V nz = _o65.nz;
+                const LANES(hoop_here_out) _o66 =
+                    LANES(hoop_here)(K(0.0), which);
+                M here = _o66.here;
+                const M _m67 = lanes_both(_m64, here);
+                {
+                    const LANES(hoop_ring_normal_out) _o68 =
+                        LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                    nx = lanes_select(_m67, _o68.nx, nx);
+                    ny = lanes_select(_m67, _o68.ny, ny);
+                    nz = lanes_select(_m67, _o68.nz, nz);
+                    const LANES(hoop_counted_out) _o69 =
+                        LANES(hoop_counted)(count_0);
+                    count_0 = lanes_select(_m67, _o69.count, count_0);
+                }
+                const LANES(hoop_here_out) _o70 =
+                    LANES(hoop_here)(K(1.0), which);
+                here = _o70.here;
+                const M _m71 = lanes_both(_m64, here);
+                {
+                    const LANES(hoop_backboard_normal_out) _o72 =
+                        LANES(hoop_backboard_normal)();
+                    nx = lanes_select(_m71, _o72.nx, nx);
+                    ny = lanes_select(_m71, _o72.ny, ny);
+                    nz = lanes_select(_m71, _o72.nz, nz);
+                    const LANES(hoop_counted_out) _o73 =
+                        LANES(hoop_counted)(count_1);
+                    count_1 = lanes_select(_m71, _o73.count, count_1);
+                }
+                const LANES(hoop_here_out) _o74 =
+                    LANES(hoop_here)(K(2.0), which);
+                here = _o74.here;
+                const M _m75 = lanes_both(_m64, here);
+                {
+                    const LANES(hoop_bridge_normal_out) _o76 =
+                        LANES(hoop_bridge_normal)();
+                    nx = lanes_select(_m75, _o76.nx, nx);
+                    ny = lanes_select(_m75, _o76.ny, ny);
+                    nz = lanes_select(_m75, _o76.nz, nz);
+                    const LANES(hoop_counted_out) _o77 =
+                        LANES(hoop_counted)(count_2);
+                    count_2 = lanes_select(_m75, _o77.count, count_2);
+                }
+                const M _m78 = lanes_both(_m64, touches);
+                if (lanes_any(_m78)) {
+                    const LANES(hoop_impact_out) _o79 =
+                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
+                    vx = lanes_select(_m78, _o79.vx, vx);
+                    vy = lanes_select(_m78, _o79.vy, vy);
+                    vz = lanes_select(_m78, _o79.vz, vz);
+                    wx = lanes_select(_m78, _o79.wx, wx);
+                    wy = lanes_select(_m78, _o79.wy, wy);
+                    wz = lanes_select(_m78, _o79.wz, wz);
+                }
+                const LANES(hoop_here_out) _o80 =
+                    LANES(hoop_here)(K(1.0), which);
+                here = _o80.here;
+                const M _m81 = lanes_both(_m64, here);
+                {
+                    const LANES(hoop_backboard_place_out) _o82 =
+                        LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
+                    x = lanes_select(_m81, _o82.x, x);
+                    y = lanes_select(_m81, _o82.y, y);
+                    z = lanes_select(_m81, _o82.z, z);
+                }
+                const LANES(hoop_here_out) _o83 =
+                    LANES(hoop_here)(K(2.0), which);
+                here = _o83.here;
+                const M _m84 = lanes_both(_m64, here);
+                {
+                    const LANES(hoop_bridge_place_out) _o85 =
+                        LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
+                    x = lanes_select(_m84, _o85.x, x);
+                    y = lanes_select(_m84, _o85.y, y);
+                    z = lanes_select(_m84, _o85.z, z);
+                }
+                const M _m86 = lanes_both(_m64, touches);
+                {
+                    const LANES(hoop_touched_out) _o87 =
+                        LANES(hoop_touched)(body, first, which);
+                    first = lanes_select(_m86, _o87.first, first);
+                    last = lanes_select(_m86, _o87.last, last);
+                }
             }
-            const LANES(hoop_elsewhere_out) _o115 =
-                LANES(hoop_elsewhere)();
-            V curving = _o115.curving;
-            const LANES(hoop_again_out) _o116 =
-                LANES(hoop_again)(K(0.0), last, which);
-            M again = _o116.again;
-            const M _m117 = lanes_both(_m101, again);
-            {
-                const LANES(hoop_ring_curvature_out) _o118 =
-                    LANES(hoop_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                curving = lanes_select(_m117, _o118.curvature, curving);
-            }
-            const LANES(hoop_again_out) _o119 =
-                LANES(hoop_again)(K(1.0), last, which);
-            again = _o119.again;
-            const M _m120 = lanes_both(_m101, again);
-            {
-                const LANES(hoop_backboard_curvature_out) _o121 =
-                    LANES(hoop_backboard_curvature)();
-                curving = lanes_select(_m120, _o121.curvature, curving);
-            }
-            const LANES(hoop_again_out) _o122 =
-                LANES(hoop_again)(K(2.0), last, which);
-            again = _o122.again;
-            const M _m123 = lanes_both(_m101, again);
-            {
-                const LANES(hoop_bridge_curvature_out) _o124 =
-                    LANES(hoop_bridge_curvature)();
-                curving = lanes_select(_m123, _o124.curvature, curving);
-            }
-            const LANES(hoop_carry_flight_out) _o125 =
-                LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-            dx = lanes_select(_m101, _o125.dx, dx);
-            dy = lanes_select(_m101, _o125.dy, dy);
-            dz = lanes_select(_m101, _o125.dz, dz);
-            dvx = lanes_select(_m101, _o125.dvx, dvx);
-            dvy = lanes_select(_m101, _o125.dvy, dvy);
-            dvz = lanes_select(_m101, _o125.dvz, dvz);
-            V delay = _o125.delay;
-            V shift = _o125.shift;
-            const LANES(hoop_delayed_out) _o126 =
-                LANES(hoop_delayed)(clock_error, delay);
-            clock_error = lanes_select(_m101, _o126.clock_error, clock_error);
-            const M _m127 = lanes_both(_m101, ends);
-            {
-                const LANES(hoop_floored_out) _o128 =
-                    LANES(hoop_floored)(dx, dy, dz, shift);
-                dx = lanes_select(_m127, _o128.dx, dx);
-                dy = lanes_select(_m127, _o128.dy, dy);
-                dz = lanes_select(_m127, _o128.dz, dz);
-            }
-            const LANES(hoop_unturned_out) _o129 =
-                LANES(hoop_unturned)();
-            V dnx = _o129.dnx;
-            V dny = _o129.dny;
-            V dnz = _o129.dnz;
-            V turn = _o129.turn;
-            const LANES(hoop_here_out) _o130 =
-                LANES(hoop_here)(K(0.0), which);
-            here = _o130.here;
-            const M _m131 = lanes_both(_m101, here);
-            if (lanes_any(_m131)) {
-                const LANES(hoop_ring_carry_normal_out) _o132 =
-                    LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                dnx = lanes_select(_m131, _o132.dnx, dnx);
-                dny = lanes_select(_m131, _o132.dny, dny);
-                dnz = lanes_select(_m131, _o132.dnz, dnz);
-                turn = lanes_select(_m131, _o132.turn, turn);
-            }
-            const M _m133 = lanes_both(_m101, touches);
-            if (lanes_any(_m133)) {
-                const LANES(hoop_carry_impact_out) _o134 =
-                    LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
-                dvx = lanes_select(_m133, _o134.dvx, dvx);
-                dvy = lanes_select(_m133, _o134.dvy, dvy);
-                dvz = lanes_select(_m133, _o134.dvz, dvz);
-                dwx = lanes_select(_m133, _o134.dwx, dwx);
-                dwy = lanes_select(_m133, _o134.dwy, dwy);
-                dwz = lanes_select(_m133, _o134.dwz, dwz);
-                const LANES(hoop_impact_out) _o135 =
-                    LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                vx = lanes_select(_m133, _o135.vx, vx);
-                vy = lanes_select(_m133, _o135.vy, vy);
-                vz = lanes_select(_m133, _o135.vz, vz);
-                wx = lanes_select(_m133, _o135.wx, wx);
-                wy = lanes_select(_m133, _o135.wy, wy);
-                wz = lanes_select(_m133, _o135.wz, wz);
-            }
-            const LANES(hoop_here_out) _o136 =
-                LANES(hoop_here)(K(1.0), which);
-            here = _o136.here;
-            const M _m137 = lanes_both(_m101, here);
-            {
-                const LANES(hoop_backboard_place_out) _o138 =
-                    LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                x = lanes_select(_m137, _o138.x, x);
-                y = lanes_select(_m137, _o138.y, y);
-                z = lanes_select(_m137, _o138.z, z);
-            }
-            const LANES(hoop_here_out) _o139 =
-                LANES(hoop_here)(K(2.0), which);
-            here = _o139.here;
-            const M _m140 = lanes_both(_m101, here);
-            {
-                const LANES(hoop_bridge_place_out) _o141 =
-                    LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                x = lanes_select(_m140, _o141.x, x);
-                y = lanes_select(_m140, _o141.y, y);
-                z = lanes_select(_m140, _o141.z, z);
-            }
-            const M _m142 = lanes_both(_m101, touches);
-            {
-                const LANES(hoop_touched_out) _o143 =
-                    LANES(hoop_touched)(body, first, which);
-                first = lanes_select(_m142, _o143.first, first);
-                last = lanes_select(_m142, _o143.last, last);
-            }
+            lanes_store(lists->clock + i, clock);
+            lanes_store(lists->contacts + i, contacts);
+            lanes_store(lists->count_0 + i, count_0);
+            lanes_store(lists->count_1 + i, count_1);
+            lanes_store(lists->count_2 + i, count_2);
+            lanes_store(lists->first + i, first);
+            lanes_store(lists->last + i, last);
+            lanes_store(lists->outcome + i, outcome);
+            lanes_store(lists->vx + i, vx);
+            lanes_store(lists->vy + i, vy);
+            lanes_store(lists->vz + i, vz);
+            lanes_store(lists->wx + i, wx);
+            lanes_store(lists->wy + i, wy);
+            lanes_store(lists->wz + i, wz);
+            lanes_store(lists->x + i, x);
+            lanes_store(lists->y + i, y);
+            lanes_store(lists->z + i, z);
         }
-        const LANES(hoop_closing_out) _o144 =
-            LANES(hoop_closing)(claims, outcome);
-        M closed = _o144.closed;
-        const M _m145 = lanes_both(flying, closed);
-        {
-            const LANES(hoop_claimed_errors_out) _o146 =
-                LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            position_claim = lanes_select(_m145, _o146.position_error, position_claim);
-            velocity_claim = lanes_select(_m145, _o146.velocity_error, velocity_claim);
-            spin_claim = lanes_select(_m145, _o146.spin_error, spin_claim);
-            time_claim = lanes_select(_m145, _o146.time_error, time_claim);
-        }
-        lanes_store(pool.x, x);
-        lanes_store(pool.y, y);
-        lanes_store(pool.z, z);
-        lanes_store(pool.vx, vx);
-        lanes_store(pool.vy, vy);
-        lanes_store(pool.vz, vz);
-        lanes_store(pool.wx, wx);
-        lanes_store(pool.wy, wy);
-        lanes_store(pool.wz, wz);
-        lanes_store(pool.dx, dx);
-        lanes_store(pool.dy, dy);
-        lanes_store(pool.dz, dz);
-        lanes_store(pool.dvx, dvx);
-        lanes_store(pool.dvy, dvy);
-        lanes_store(pool.dvz, dvz);
-        lanes_store(pool.dwx, dwx);
-        lanes_store(pool.dwy, dwy);
-        lanes_store(pool.dwz, dwz);
-        lanes_store(pool.clock, clock);
-        lanes_store(pool.clock_error, clock_error);
-        lanes_store(pool.last, last);
-        lanes_store(pool.first, first);
-        lanes_store(pool.contacts, contacts);
-        lanes_store(pool.count_0, count_0);
-        lanes_store(pool.count_1, count_1);
-        lanes_store(pool.count_2, count_2);
-        lanes_store(pool.uncertain, uncertain);
-        lanes_store(pool.position_claim, position_claim);
-        lanes_store(pool.velocity_claim, velocity_claim);
-        lanes_store(pool.spin_claim, spin_claim);
-        lanes_store(pool.time_claim, time_claim);
-        lanes_store(pool.outcome, outcome);
-        if (job->results->events) {
-            double surface[LANES_WIDTH];
-            double before[HOOP_STATE][LANES_WIDTH];
-            lanes_store(surface, body);
-            lanes_store(before[0], x_before);
-            lanes_store(before[1], y_before);
-            lanes_store(before[2], z_before);
-            lanes_store(before[3], vx_before);
-            lanes_store(before[4], vy_before);
-            lanes_store(before[5], vz_before);
-            lanes_store(before[6], wx_before);
-            lanes_store(before[7], wy_before);
-            lanes_store(before[8], wz_before);
-            for (int lane = 0; lane < LANES_WIDTH; lane++) {
-                if (pool.occupied[lane] == 0.0 || surface[lane] < 0.0)
+        if (recording)
+            for (size_t k = 0; k < count; k++) {
+                if (lists->body[k] < 0.0)
                     continue;
-                const size_t shot = pool.shot[lane];
+                const size_t shot = lists->shot[k];
                 int32_t *used = job->results->event_counts + shot;
                 hoop_event *event = job->results->events + shot * ((size_t)job->max_contacts + 1) + (size_t)(*used)++;
                 event->shot = (int64_t)shot;
-                event->surface = (int64_t)surface[lane];
-                event->time = pool.clock[lane];
-                event->before[0] = before[0][lane];
-                event->after[0] = pool.x[lane];
-                event->before[1] = before[1][lane];
-                event->after[1] = pool.y[lane];
-                event->before[2] = before[2][lane];
-                event->after[2] = pool.z[lane];
-                event->before[3] = before[3][lane];
-                event->after[3] = pool.vx[lane];
-                event->before[4] = before[4][lane];
-                event->after[4] = pool.vy[lane];
-                event->before[5] = before[5][lane];
-                event->after[5] = pool.vz[lane];
-                event->before[6] = before[6][lane];
-                event->after[6] = pool.wx[lane];
-                event->before[7] = before[7][lane];
-                event->after[7] = pool.wy[lane];
-                event->before[8] = before[8][lane];
-                event->after[8] = pool.wz[lane];
+                event->surface = (int64_t)lists->body[k];
+                event->time = lists->clock[k];
+                event->before[0] = lists->x_before[k];
+                event->after[0] = lists->x[k];
+                event->before[1] = lists->y_before[k];
+                event->after[1] = lists->y[k];
+                event->before[2] = lists->z_before[k];
+                event->after[2] = lists->z[k];
+                event->before[3] = lists->vx_before[k];
+                event->after[3] = lists->vx[k];
+                event->before[4] = lists->vy_before[k];
+                event->after[4] = lists->vy[k];
+                event->before[5] = lists->vz_before[k];
+                event->after[5] = lists->vz[k];
+                event->before[6] = lists->wx_before[k];
+                event->after[6] = lists->wx[k];
+                event->before[7] = lists->wy_before[k];
+                event->after[7] = lists->wy[k];
+                event->before[8] = lists->wz_before[k];
+                event->after[8] = lists->wz[k];
             }
-        }
-        const M going = lanes_less(outcome, zero);
-        if (following && flights == LANES_WIDTH && !lanes_any(going)) {
-            LANES(hoop_finish_all)(&pool, job);
-            flights = 0;
+
+        M going = lanes_nowhere();
+        for (size_t i = 0; i < count; i += LANES_WIDTH)
+            going = lanes_either(going, lanes_both(lanes_first(count - i), lanes_less(lanes_load(lists->outcome + i), K(0.0))));
+        if (following && !lanes_any(going)) {
+            LANES(hoop_plain_finish_all)(lists, count, job);
+            count = 0;
             continue;
         }
-        for (int lane = 0; lane < LANES_WIDTH; lane++)
-            if (pool.occupied[lane] != 0.0 && pool.outcome[lane] >= 0.0) {
-                LANES(hoop_finish)(&pool, lane, job);
-                flights--;
+        for (size_t k = count; k-- > 0;)
+            if (lists->outcome[k] >= 0.0)
+                LANES(hoop_plain_finish)(lists, k, --count, job);
+    }
+}
+
+/* Shots in flight, a column for each quantity, and the lists of those that need a longer look. */
+typedef struct {
+    size_t shot[LANES_SHOTS];
+    LANES(hoop_column) x; /* of the state */
+    LANES(hoop_column) y; /* of the state */
+    LANES(hoop_column) z; /* of the state */
+    LANES(hoop_column) vx; /* of the state */
+    LANES(hoop_column) vy; /* of the state */
+    LANES(hoop_column) vz; /* of the state */
+    LANES(hoop_column) wx; /* of the state */
+    LANES(hoop_column) wy; /* of the state */
+    LANES(hoop_column) wz; /* of the state */
+    LANES(hoop_column) dx; /* carried error of x */
+    LANES(hoop_column) dy; /* carried error of y */
+    LANES(hoop_column) dz; /* carried error of z */
+    LANES(hoop_column) dvx; /* carried error of vx */
+    LANES(hoop_column) dvy; /* carried error of vy */
+    LANES(hoop_column) dvz; /* carried error of vz */
+    LANES(hoop_column) dwx; /* carried error of wx */
+    LANES(hoop_column) dwy; /* carried error of wy */
+    LANES(hoop_column) dwz; /* carried error of wz */
+    LANES(hoop_column) clock; /* time of the last event, s since the release */
+    LANES(hoop_column) clock_error; /* what the contacts' times were off by, summed */
+    LANES(hoop_column) last; /* surface that was touched last, -1: none */
+    LANES(hoop_column) first; /* body that was touched first, -1: none */
+    LANES(hoop_column) contacts; /* how many contacts there were */
+    LANES(hoop_column) count_0; /* contacts with ring */
+    LANES(hoop_column) count_1; /* contacts with backboard */
+    LANES(hoop_column) count_2; /* contacts with bridge */
+    LANES(hoop_column) uncertain; /* 1: a decision lies within its rounding-error bound */
+    LANES(hoop_column) position_claim; /* bound on the error at the end */
+    LANES(hoop_column) velocity_claim; /* bound on the error at the end */
+    LANES(hoop_column) spin_claim; /* bound on the error at the end */
+    LANES(hoop_column) time_claim; /* bound on the error at the end */
+    LANES(hoop_column) outcome; /* how it ended, -1: in flight */
+    LANES(hoop_column) p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth;
+    LANES(hoop_column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
+    LANES(hoop_column) body;
+    LANES(hoop_column) doubt;
+    LANES(hoop_column) extent;
+    LANES(hoop_column) late;
+    LANES(hoop_column) position_error;
+    LANES(hoop_column) speed;
+    LANES(hoop_column) velocity_error;
+    LANES(hoop_column) when;
+    LANES(hoop_column) which;
+    LANES(hoop_column) open_row;
+    LANES(hoop_column) open_doubt;
+    LANES(hoop_column) open_extent;
+    LANES(hoop_column) open_last;
+    LANES(hoop_column) open_late;
+    LANES(hoop_column) open_p_ball_radius;
+    LANES(hoop_column) open_p_gravity;
+    LANES(hoop_column) open_p_ring_radius;
+    LANES(hoop_column) open_p_wire_radius;
+    LANES(hoop_column) open_pad;
+    LANES(hoop_column) open_position_error;
+    LANES(hoop_column) open_speed;
+    LANES(hoop_column) open_until;
+    LANES(hoop_column) open_velocity_error;
+    LANES(hoop_column) open_vx;
+    LANES(hoop_column) open_vy;
+    LANES(hoop_column) open_vz;
+    LANES(hoop_column) open_when;
+    LANES(hoop_column) open_which;
+    LANES(hoop_column) open_x;
+    LANES(hoop_column) open_y;
+    LANES(hoop_column) open_z;
+    LANES(hoop_column) open_arrival;
+    LANES(hoop_column) open_ceiling;
+    LANES(hoop_column) open_certain;
+    LANES(hoop_column) open_flat;
+    LANES(hoop_column) open_latest;
+    LANES(hoop_column) open_rho_start;
+    LANES(hoop_column) open_searching;
+    LANES(hoop_column) open_t;
+    LANES(hoop_column) open_tilt;
+    LANES(hoop_column) open_searching_row;
+    LANES(hoop_column) open_searching_arrival;
+    LANES(hoop_column) open_searching_ceiling;
+    LANES(hoop_column) open_searching_certain;
+    LANES(hoop_column) open_searching_doubt;
+    LANES(hoop_column) open_searching_end;
+    LANES(hoop_column) open_searching_extent;
+    LANES(hoop_column) open_searching_flat;
+    LANES(hoop_column) open_searching_high0;
+    LANES(hoop_column) open_searching_high1;
+    LANES(hoop_column) open_searching_high2;
+    LANES(hoop_column) open_searching_last;
+    LANES(hoop_column) open_searching_latest;
+    LANES(hoop_column) open_searching_low0;
+    LANES(hoop_column) open_searching_low1;
+    LANES(hoop_column) open_searching_low2;
+    LANES(hoop_column) open_searching_p_ball_radius;
+    LANES(hoop_column) open_searching_p_gravity;
+    LANES(hoop_column) open_searching_p_ring_radius;
+    LANES(hoop_column) open_searching_p_wire_radius;
+    LANES(hoop_column) open_searching_position_error;
+    LANES(hoop_column) open_searching_rate_slack;
+    LANES(hoop_column) open_searching_rho_start;
+    LANES(hoop_column) open_searching_searching;
+    LANES(hoop_column) open_searching_share;
+    LANES(hoop_column) open_searching_speed;
+    LANES(hoop_column) open_searching_steady;
+    LANES(hoop_column) open_searching_swing;
+    LANES(hoop_column) open_searching_t;
+    LANES(hoop_column) open_searching_tilt;
+    LANES(hoop_column) open_searching_velocity_error;
+    LANES(hoop_column) open_searching_vx;
+    LANES(hoop_column) open_searching_vy;
+    LANES(hoop_column) open_searching_vz;
+    LANES(hoop_column) open_searching_x;
+    LANES(hoop_column) open_searching_y;
+    LANES(hoop_column) open_searching_z;
+    LANES(hoop_column) meeting_row;
+    LANES(hoop_column) meeting_body;
+    LANES(hoop_column) meeting_clock;
+    LANES(hoop_column) meeting_clock_error;
+    LANES(hoop_column) meeting_contacts;
+    LANES(hoop_column) meeting_count_0;
+    LANES(hoop_column) meeting_count_1;
+    LANES(hoop_column) meeting_count_2;
+    LANES(hoop_column) meeting_dvx;
+    LANES(hoop_column) meeting_dvy;
+    LANES(hoop_column) meeting_dvz;
+    LANES(hoop_column) meeting_dwx;
+    LANES(hoop_column) meeting_dwy;
+    LANES(hoop_column) meeting_dwz;
+    LANES(hoop_column) meeting_dx;
+    LANES(hoop_column) meeting_dy;
+    LANES(hoop_column) meeting_dz;
+    LANES(hoop_column) meeting_ends;
+    LANES(hoop_column) meeting_first;
+    LANES(hoop_column) meeting_last;
+    LANES(hoop_column) meeting_late;
+    LANES(hoop_column) meeting_p_ball_radius;
+    LANES(hoop_column) meeting_p_board_distance;
+    LANES(hoop_column) meeting_p_gravity;
+    LANES(hoop_column) meeting_p_restitution;
+    LANES(hoop_column) meeting_p_ring_radius;
+    LANES(hoop_column) meeting_p_wire_radius;
+    LANES(hoop_column) meeting_touches;
+    LANES(hoop_column) meeting_vx;
+    LANES(hoop_column) meeting_vy;
+    LANES(hoop_column) meeting_vz;
+    LANES(hoop_column) meeting_when;
+    LANES(hoop_column) meeting_which;
+    LANES(hoop_column) meeting_wx;
+    LANES(hoop_column) meeting_wy;
+    LANES(hoop_column) meeting_wz;
+    LANES(hoop_column) meeting_x;
+    LANES(hoop_column) meeting_y;
+    LANES(hoop_column) meeting_z;
+    LANES(hoop_column) meeting_touches_row;
+    LANES(hoop_column) meeting_touches_contacts;
+    LANES(hoop_column) meeting_touches_dnx;
+    LANES(hoop_column) meeting_touches_dny;
+    LANES(hoop_column) meeting_touches_dnz;
+    LANES(hoop_column) meeting_touches_dvx;
+    LANES(hoop_column) meeting_touches_dvy;
+    LANES(hoop_column) meeting_touches_dvz;
+    LANES(hoop_column) meeting_touches_dwx;
+    LANES(hoop_column) meeting_touches_dwy;
+    LANES(hoop_column) meeting_touches_dwz;
+    LANES(hoop_column) meeting_touches_nx;
+    LANES(hoop_column) meeting_touches_ny;
+    LANES(hoop_column) meeting_touches_nz;
+    LANES(hoop_column) meeting_touches_p_ball_radius;
+    LANES(hoop_column) meeting_touches_p_restitution;
+    LANES(hoop_column) meeting_touches_turn;
+    LANES(hoop_column) meeting_touches_vx;
+    LANES(hoop_column) meeting_touches_vy;
+    LANES(hoop_column) meeting_touches_vz;
+    LANES(hoop_column) meeting_touches_wx;
+    LANES(hoop_column) meeting_touches_wy;
+    LANES(hoop_column) meeting_touches_wz;
+} LANES(hoop_bounded_lists);
+
+/* Put the next shots into rows, from one on. */
+LANES_INLINE void LANES(hoop_bounded_begin)(LANES(hoop_bounded_lists) *lists, size_t row, size_t count, const hoop_job *job, size_t first)
+{
+    const double *state = job->states + HOOP_STATE * first;
+    size_t k = 0;
+    for (; k + LANES_WIDTH <= count; k += LANES_WIDTH) {
+        lanes_store(lists->x + row + k, lanes_gather(state + HOOP_STATE * k + 0, HOOP_STATE));
+        lanes_store(lists->y + row + k, lanes_gather(state + HOOP_STATE * k + 1, HOOP_STATE));
+        lanes_store(lists->z + row + k, lanes_gather(state + HOOP_STATE * k + 2, HOOP_STATE));
+        lanes_store(lists->vx + row + k, lanes_gather(state + HOOP_STATE * k + 3, HOOP_STATE));
+        lanes_store(lists->vy + row + k, lanes_gather(state + HOOP_STATE * k + 4, HOOP_STATE));
+        lanes_store(lists->vz + row + k, lanes_gather(state + HOOP_STATE * k + 5, HOOP_STATE));
+        lanes_store(lists->wx + row + k, lanes_gather(state + HOOP_STATE * k + 6, HOOP_STATE));
+        lanes_store(lists->wy + row + k, lanes_gather(state + HOOP_STATE * k + 7, HOOP_STATE));
+        lanes_store(lists->wz + row + k, lanes_gather(state + HOOP_STATE * k + 8, HOOP_STATE));
+    }
+    for (; k < count; k++) {
+        lists->x[row + k] = state[HOOP_STATE * k + 0];
+        lists->y[row + k] = state[HOOP_STATE * k + 1];
+        lists->z[row + k] = state[HOOP_STATE * k + 2];
+        lists->vx[row + k] = state[HOOP_STATE * k + 3];
+        lists->vy[row + k] = state[HOOP_STATE * k + 4];
+        lists->vz[row + k] = state[HOOP_STATE * k + 5];
+        lists->wx[row + k] = state[HOOP_STATE * k + 6];
+        lists->wy[row + k] = state[HOOP_STATE * k + 7];
+        lists->wz[row + k] = state[HOOP_STATE * k + 8];
+    }
+    if (job->varying)
+        for (k = 0; k < count; k++) {
+            lists->p_ball_radius[row + k] = job->parameters[0][job->strides[0] * (int64_t)(first + k)];
+            lists->p_ring_radius[row + k] = job->parameters[1][job->strides[1] * (int64_t)(first + k)];
+            lists->p_wire_radius[row + k] = job->parameters[2][job->strides[2] * (int64_t)(first + k)];
+            lists->p_board_distance[row + k] = job->parameters[3][job->strides[3] * (int64_t)(first + k)];
+            lists->p_board_half_width[row + k] = job->parameters[4][job->strides[4] * (int64_t)(first + k)];
+            lists->p_board_bottom[row + k] = job->parameters[5][job->strides[5] * (int64_t)(first + k)];
+            lists->p_board_top[row + k] = job->parameters[6][job->strides[6] * (int64_t)(first + k)];
+            lists->p_bridge_half_width[row + k] = job->parameters[7][job->strides[7] * (int64_t)(first + k)];
+            lists->p_restitution[row + k] = job->parameters[8][job->strides[8] * (int64_t)(first + k)];
+            lists->p_gravity[row + k] = job->parameters[9][job->strides[9] * (int64_t)(first + k)];
+            lists->p_end_depth[row + k] = job->parameters[10][job->strides[10] * (int64_t)(first + k)];
+        }
+    for (k = 0; k < count; k++)
+        lists->shot[row + k] = first + k;
+    for (k = 0; k < count; k += LANES_WIDTH) {
+        lanes_store(lists->dx + row + k, K(0.0));
+        lanes_store(lists->dy + row + k, K(0.0));
+        lanes_store(lists->dz + row + k, K(0.0));
+        lanes_store(lists->dvx + row + k, K(0.0));
+        lanes_store(lists->dvy + row + k, K(0.0));
+        lanes_store(lists->dvz + row + k, K(0.0));
+        lanes_store(lists->dwx + row + k, K(0.0));
+        lanes_store(lists->dwy + row + k, K(0.0));
+        lanes_store(lists->dwz + row + k, K(0.0));
+        lanes_store(lists->clock + row + k, K(0.0));
+        lanes_store(lists->clock_error + row + k, K(0.0));
+        lanes_store(lists->first + row + k, K(-1.0));
+        lanes_store(lists->contacts + row + k, K(0.0));
+        lanes_store(lists->count_0 + row + k, K(0.0));
+        lanes_store(lists->count_1 + row + k, K(0.0));
+        lanes_store(lists->count_2 + row + k, K(0.0));
+        lanes_store(lists->uncertain + row + k, K(0.0));
+        lanes_store(lists->position_claim + row + k, K(0.0));
+        lanes_store(lists->velocity_claim + row + k, K(0.0));
+        lanes_store(lists->spin_claim + row + k, K(0.0));
+        lanes_store(lists->time_claim + row + k, K(0.0));
+        lanes_store(lists->outcome + row + k, K(-1.0));
+        lanes_store(lists->last + row + k, K(-1.0));
+    }
+    if (job->leaving)
+        for (k = 0; k < count; k++)
+            lists->last[row + k] = (double)job->leaving[first + k];
+}
+
+/* Write the results of the shots in rows that follow one another, none of them invalid. */
+LANES_INLINE void LANES(hoop_bounded_finish_all)(const LANES(hoop_bounded_lists) *lists, size_t count, const hoop_job *job)
+{
+    const hoop_results *out = job->results;
+    const size_t first = lists->shot[0];
+    if (out->outcome)
+        for (size_t k = 0; k < count; k++) {
+            out->outcome[first + k] = (uint8_t)(int32_t)lists->outcome[k];
+        }
+    if (out->contacts)
+        for (size_t k = 0; k < count; k++) {
+            out->contacts[first + k] = (int32_t)(int32_t)lists->contacts[k];
+        }
+    if (out->counts)
+        for (size_t k = 0; k < count; k++) {
+            out->counts[3 * (first + k) + 0] = (int32_t)(int32_t)lists->count_0[k];
+            out->counts[3 * (first + k) + 1] = (int32_t)(int32_t)lists->count_1[k];
+            out->counts[3 * (first + k) + 2] = (int32_t)(int32_t)lists->count_2[k];
+        }
+    if (out->first)
+        for (size_t k = 0; k < count; k++) {
+            out->first[first + k] = (int8_t)(int32_t)lists->first[k];
+        }
+    if (out->time)
+        for (size_t k = 0; k < count; k++) {
+            out->time[first + k] = (double)lists->clock[k];
+        }
+    if (out->state)
+        for (size_t k = 0; k < count; k++) {
+            out->state[9 * (first + k) + 0] = (double)lists->x[k];
+            out->state[9 * (first + k) + 1] = (double)lists->y[k];
+            out->state[9 * (first + k) + 2] = (double)lists->z[k];
+            out->state[9 * (first + k) + 3] = (double)lists->vx[k];
+            out->state[9 * (first + k) + 4] = (double)lists->vy[k];
+            out->state[9 * (first + k) + 5] = (double)lists->vz[k];
+            out->state[9 * (first + k) + 6] = (double)lists->wx[k];
+            out->state[9 * (first + k) + 7] = (double)lists->wy[k];
+            out->state[9 * (first + k) + 8] = (double)lists->wz[k];
+        }
+    if (out->time_error)
+        for (size_t k = 0; k < count; k++) {
+            out->time_error[first + k] = (double)lists->time_claim[k];
+        }
+    if (out->state_error)
+        for (size_t k = 0; k < count; k++) {
+            out->state_error[3 * (first + k) + 0] = (double)lists->position_claim[k];
+            out->state_error[3 * (first + k) + 1] = (double)lists->velocity_claim[k];
+            out->state_error[3 * (first + k) + 2] = (double)lists->spin_claim[k];
+        }
+    if (out->uncertain)
+        for (size_t k = 0; k < count; k++) {
+            out->uncertain[first + k] = (uint8_t)(int32_t)lists->uncertain[k];
+        }
+}
+
+/* Write the results of the shot in a row; the last one takes the row. */
+LANES_INLINE void LANES(hoop_bounded_finish)(LANES(hoop_bounded_lists) *lists, size_t row, size_t last, const hoop_job *job)
+{
+    const hoop_results *out = job->results;
+    const size_t shot = lists->shot[row];
+    const int invalid = (int)lists->outcome[row] == HOOP_INVALID;
+    if (out->outcome) {
+        out->outcome[shot] = (uint8_t)lists->outcome[row];
+    }
+    if (out->contacts) {
+        out->contacts[shot] = (int32_t)lists->contacts[row];
+    }
+    if (out->counts) {
+        out->counts[3 * shot + 0] = (int32_t)lists->count_0[row];
+        out->counts[3 * shot + 1] = (int32_t)lists->count_1[row];
+        out->counts[3 * shot + 2] = (int32_t)lists->count_2[row];
+    }
+    if (out->first) {
+        out->first[shot] = (int8_t)lists->first[row];
+    }
+    if (out->time) {
+        out->time[shot] = invalid ? NAN : lists->clock[row];
+    }
+    if (out->state) {
+        out->state[9 * shot + 0] = invalid ? NAN : lists->x[row];
+        out->state[9 * shot + 1] = invalid ? NAN : lists->y[row];
+        out->state[9 * shot + 2] = invalid ? NAN : lists->z[row];
+        out->state[9 * shot + 3] = invalid ? NAN : lists->vx[row];
+        out->state[9 * shot + 4] = invalid ? NAN : lists->vy[row];
+        out->state[9 * shot + 5] = invalid ? NAN : lists->vz[row];
+        out->state[9 * shot + 6] = invalid ? NAN : lists->wx[row];
+        out->state[9 * shot + 7] = invalid ? NAN : lists->wy[row];
+        out->state[9 * shot + 8] = invalid ? NAN : lists->wz[row];
+    }
+    if (out->time_error) {
+        out->time_error[shot] = invalid ? NAN : lists->time_claim[row];
+    }
+    if (out->state_error) {
+        out->state_error[3 * shot + 0] = invalid ? NAN : lists->position_claim[row];
+        out->state_error[3 * shot + 1] = invalid ? NAN : lists->velocity_claim[row];
+        out->state_error[3 * shot + 2] = invalid ? NAN : lists->spin_claim[row];
+    }
+    if (out->uncertain) {
+        out->uncertain[shot] = (uint8_t)lists->uncertain[row];
+    }
+    lists->shot[row] = lists->shot[last];
+    lists->x[row] = lists->x[last];
+    lists->y[row] = lists->y[last];
+    lists->z[row] = lists->z[last];
+    lists->vx[row] = lists->vx[last];
+    lists->vy[row] = lists->vy[last];
+    lists->vz[row] = lists->vz[last];
+    lists->wx[row] = lists->wx[last];
+    lists->wy[row] = lists->wy[last];
+    lists->wz[row] = lists->wz[last];
+    lists->dx[row] = lists->dx[last];
+    lists->dy[row] = lists->dy[last];
+    lists->dz[row] = lists->dz[last];
+    lists->dvx[row] = lists->dvx[last];
+    lists->dvy[row] = lists->dvy[last];
+    lists->dvz[row] = lists->dvz[last];
+    lists->dwx[row] = lists->dwx[last];
+    lists->dwy[row] = lists->dwy[last];
+    lists->dwz[row] = lists->dwz[last];
+    lists->clock[row] = lists->clock[last];
+    lists->clock_error[row] = lists->clock_error[last];
+    lists->last[row] = lists->last[last];
+    lists->first[row] = lists->first[last];
+    lists->contacts[row] = lists->contacts[last];
+    lists->count_0[row] = lists->count_0[last];
+    lists->count_1[row] = lists->count_1[last];
+    lists->count_2[row] = lists->count_2[last];
+    lists->uncertain[row] = lists->uncertain[last];
+    lists->position_claim[row] = lists->position_claim[last];
+    lists->velocity_claim[row] = lists->velocity_claim[last];
+    lists->spin_claim[row] = lists->spin_claim[last];
+    lists->time_claim[row] = lists->time_claim[last];
+    lists->outcome[row] = lists->outcome[last];
+    if (job->varying) {
+        lists->p_ball_radius[row] = lists->p_ball_radius[last];
+        lists->p_ring_radius[row] = lists->p_ring_radius[last];
+        lists->p_wire_radius[row] = lists->p_wire_radius[last];
+        lists->p_board_distance[row] = lists->p_board_distance[last];
+        lists->p_board_half_width[row] = lists->p_board_half_width[last];
+        lists->p_board_bottom[row] = lists->p_board_bottom[last];
+        lists->p_board_top[row] = lists->p_board_top[last];
+        lists->p_bridge_half_width[row] = lists->p_bridge_half_width[last];
+        lists->p_restitution[row] = lists->p_restitution[last];
+        lists->p_gravity[row] = lists->p_gravity[last];
+        lists->p_end_depth[row] = lists->p_end_depth[last];
+    }
+}
+
+/* Run the job: fill the rows, take every shot to its next event, make room of those that ended.
+   Errors are bounded. */
+static void LANES(hoop_bounded)(const hoop_job *job)
+{
+    LANES(hoop_bounded_lists) all, *const lists = &all;
+    const V most_contacts = K((double)job->max_contacts);
+    const V claims = K(job->results->time_error || job->results->state_error ? 1.0 : 0.0);
+    const size_t varying = job->varying ? ~(size_t)0 : 0;
+    const int recording = job->results->events != NULL;
+    size_t begun = 0, count = 0;
+
+    if (recording)
+        memset(job->results->event_counts, 0, job->shots * sizeof(int32_t));
+    lanes_store(lists->p_ball_radius, K(*job->parameters[0]));
+    lanes_store(lists->p_ring_radius, K(*job->parameters[1]));
+    lanes_store(lists->p_wire_radius, K(*job->parameters[2]));
+    lanes_store(lists->p_board_distance, K(*job->parameters[3]));
+    lanes_store(lists->p_board_half_width, K(*job->parameters[4]));
+    lanes_store(lists->p_board_bottom, K(*job->parameters[5]));
+    lanes_store(lists->p_board_top, K(*job->parameters[6]));
+    lanes_store(lists->p_bridge_half_width, K(*job->parameters[7]));
+    lanes_store(lists->p_restitution, K(*job->parameters[8]));
+    lanes_store(lists->p_gravity, K(*job->parameters[9]));
+    lanes_store(lists->p_end_depth, K(*job->parameters[10]));
+    const M all_permitted = LANES(hoop_permit)(lanes_load(lists->p_ball_radius), lanes_load(lists->p_ring_radius), lanes_load(lists->p_wire_radius), lanes_load(lists->p_board_distance), lanes_load(lists->p_board_half_width), lanes_load(lists->p_board_bottom), lanes_load(lists->p_board_top), lanes_load(lists->p_bridge_half_width), lanes_load(lists->p_restitution), lanes_load(lists->p_gravity), lanes_load(lists->p_end_depth));
+    for (;;) {
+        if (job->stop && *job->stop)
+            return;
+        int following = count == 0;
+        const size_t fresh = count;
+        if (begun < job->shots) {
+            const size_t room = LANES_SHOTS - count, left = job->shots - begun;
+            count += left < room ? left : room;
+            LANES(hoop_bounded_begin)(lists, fresh, count - fresh, job, begun);
+            begun += count - fresh;
+        }
+        if (count == 0)
+            return;
+
+        /* A new shot is looked at once. */
+        for (size_t i = fresh; i < count; i += LANES_WIDTH) {
+            const M rows = lanes_first(count - i);
+            V last = lanes_load(lists->last + i);
+            const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
+            const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
+            const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
+            const V p_board_half_width = lanes_load(lists->p_board_half_width + (i & varying));
+            const V p_board_top = lanes_load(lists->p_board_top + (i & varying));
+            const V p_bridge_half_width = lanes_load(lists->p_bridge_half_width + (i & varying));
+            const V p_end_depth = lanes_load(lists->p_end_depth + (i & varying));
+            const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
+            const V p_restitution = lanes_load(lists->p_restitution + (i & varying));
+            const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
+            const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
+            V vx = lanes_load(lists->vx + i);
+            V vy = lanes_load(lists->vy + i);
+            V vz = lanes_load(lists->vz + i);
+            V wx = lanes_load(lists->wx + i);
+            V wy = lanes_load(lists->wy + i);
+            V wz = lanes_load(lists->wz + i);
+            V x = lanes_load(lists->x + i);
+            V y = lanes_load(lists->y + i);
+            V z = lanes_load(lists->z + i);
+            M permitted = all_permitted;
+            if (varying)
+                permitted = LANES(hoop_permit)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth);
+            const LANES(hoop_finite_state_out) _o1 =
+                LANES(hoop_finite_state)(vx, vy, vz, wx, wy, wz, x, y, z);
+            M finite = _o1.finite;
+            const LANES(hoop_valid_out) _o2 =
+                LANES(hoop_valid)(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
+            V valid = _o2.valid;
+            V doubt = _o2.doubt;
+            const LANES(hoop_admitted_out) _o3 =
+                LANES(hoop_admitted)(doubt, finite, permitted, valid);
+            V outcome = _o3.outcome;
+            V uncertain = _o3.uncertain;
+            lanes_store(lists->outcome + i, outcome);
+            lanes_store(lists->uncertain + i, uncertain);
+        }
+
+        M ended = lanes_nowhere();
+        for (size_t i = fresh; i < count; i += LANES_WIDTH)
+            ended = lanes_either(ended, lanes_both(lanes_first(count - i), lanes_at_most(K(0.0), lanes_load(lists->outcome + i))));
+        if (lanes_any(ended)) {
+            for (size_t k = count; k-- > fresh;)
+                if (lists->outcome[k] >= 0.0)
+                    LANES(hoop_bounded_finish)(lists, k, --count, job);
+            following = 0;
+        }
+
+        /* To the next event, and what it does to the ball. */
+        size_t open_count = 0;
+        for (size_t i = 0; i < count; i += LANES_WIDTH) {
+            const M rows = lanes_first(count - i);
+            V clock_error = lanes_load(lists->clock_error + i);
+            V dvx = lanes_load(lists->dvx + i);
+            V dvy = lanes_load(lists->dvy + i);
+            V dvz = lanes_load(lists->dvz + i);
+            V dwx = lanes_load(lists->dwx + i);
+            V dwy = lanes_load(lists->dwy + i);
+            V dwz = lanes_load(lists->dwz + i);
+            V dx = lanes_load(lists->dx + i);
+            V dy = lanes_load(lists->dy + i);
+            V dz = lanes_load(lists->dz + i);
+            V last = lanes_load(lists->last + i);
+            const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
+            const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
+            const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
+            const V p_board_half_width = lanes_load(lists->p_board_half_width + (i & varying));
+            const V p_board_top = lanes_load(lists->p_board_top + (i & varying));
+            const V p_bridge_half_width = lanes_load(lists->p_bridge_half_width + (i & varying));
+            const V p_end_depth = lanes_load(lists->p_end_depth + (i & varying));
+            const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
+            const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
+            const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
+            V vx = lanes_load(lists->vx + i);
+            V vy = lanes_load(lists->vy + i);
+            V vz = lanes_load(lists->vz + i);
+            V x = lanes_load(lists->x + i);
+            V y = lanes_load(lists->y + i);
+            V z = lanes_load(lists->z + i);
+            const LANES(hoop_error_bounds_out) _o4 =
+                LANES(hoop_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+            V position_error = _o4.position_error;
+            V velocity_error = _o4.velocity_error;
+            const LANES(hoop_scale_out) _o5 =
+                LANES(hoop_scale)(x, y, z, vx, vy, vz, p_gravity);
+            V extent = _o5.extent;
+            V speed = _o5.speed;
+            V excess = _o5.excess;
+            const LANES(hoop_opening_out) _o6 =
+                LANES(hoop_opening)(excess, position_error, velocity_error);
+            V when = _o6.when;
+            V which = _o6.which;
+            V late = _o6.late;
+            V doubt = _o6.doubt;
+            const LANES(hoop_left_out) _o7 =
+                LANES(hoop_left)(K(3.0), last);
+            V leaving = _o7.leaving;
+            const LANES(hoop_end_arrival_out) _o8 =
+                LANES(hoop_end_arrival)(leaving, z, vz, p_gravity, p_end_depth);
+            V time = _o8.time;
+            V rate = _o8.rate;
+            V bend = _o8.bend;
+            V apex = _o8.apex;
+            V height = _o8.height;
+            const LANES(hoop_meeting_plane_out) _o9 =
+                LANES(hoop_meeting_plane)(bend, rate, time);
+            M arrives = _o9.arrives;
+            V ceiling = _o9.ceiling;
+            const LANES(hoop_end_margin_out) _o10 =
+                LANES(hoop_end_margin)(time, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
+            V margin = _o10.margin;
+            const LANES(hoop_crossing_out) _o11 =
+                LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
+            V clearance = _o11.clearance;
+            V delay = _o11.delay;
+            const LANES(hoop_timely_out) _o12 =
+                LANES(hoop_timely)(arrives, delay, late, time, when);
+            M possible = _o12.possible;
+            const LANES(hoop_end_margin_out) _o13 =
+                LANES(hoop_end_margin)(apex, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
+            margin = _o13.margin;
+            const LANES(hoop_grazed_out) _o14 =
+                LANES(hoop_grazed)(apex, doubt, height, margin);
+            doubt = _o14.doubt;
+            const M _m15 = lanes_both(rows, possible);
+            {
+                const LANES(hoop_crossed_out) _o16 =
+                    LANES(hoop_crossed)(arrives, clearance, doubt, time);
+                doubt = lanes_select(_m15, _o16.doubt, doubt);
+                const LANES(hoop_tied_out) _o17 =
+                    LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
+                doubt = lanes_select(_m15, _o17.doubt, doubt);
+                late = lanes_select(_m15, _o17.late, late);
+                const LANES(hoop_sooner_out) _o18 =
+                    LANES(hoop_sooner)(arrives, K(3.0), time, when, which);
+                when = lanes_select(_m15, _o18.when, when);
+                which = lanes_select(_m15, _o18.which, which);
             }
+            const LANES(hoop_left_out) _o19 =
+                LANES(hoop_left)(K(1.0), last);
+            leaving = _o19.leaving;
+            const LANES(hoop_backboard_arrival_out) _o20 =
+                LANES(hoop_backboard_arrival)(leaving, x, vx, p_ball_radius, p_board_distance);
+            time = _o20.time;
+            rate = _o20.rate;
+            bend = _o20.bend;
+            apex = _o20.apex;
+            height = _o20.height;
+            const LANES(hoop_meeting_plane_out) _o21 =
+                LANES(hoop_meeting_plane)(bend, rate, time);
+            arrives = _o21.arrives;
+            ceiling = _o21.ceiling;
+            const LANES(hoop_backboard_margin_out) _o22 =
+                LANES(hoop_backboard_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
+            margin = _o22.margin;
+            const LANES(hoop_crossing_out) _o23 =
+                LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
+            clearance = _o23.clearance;
+            delay = _o23.delay;
+            const LANES(hoop_timely_out) _o24 =
+                LANES(hoop_timely)(arrives, delay, late, time, when);
+            possible = _o24.possible;
+            const LANES(hoop_backboard_margin_out) _o25 =
+                LANES(hoop_backboard_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
+            margin = _o25.margin;
+            const LANES(hoop_grazed_out) _o26 =
+                LANES(hoop_grazed)(apex, doubt, height, margin);
+            doubt = _o26.doubt;
+            const M _m27 = lanes_both(rows, possible);
+            if (lanes_any(_m27)) {
+                const LANES(hoop_flight_out) _o28 =
+                    LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
+                V there_y = _o28.y;
+                V there_z = _o28.z;
+                const LANES(hoop_backboard_bounds_out) _o29 =
+                    LANES(hoop_backboard_bounds)(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
+                V g0 = _o29.g0;
+                V g1 = _o29.g1;
+                V g2 = _o29.g2;
+                V g3 = _o29.g3;
+                const LANES(hoop_displacement_out) _o30 =
+                    LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+                V slack = _o30.margin;
+                const LANES(hoop_backboard_edges_out) _o31 =
+                    LANES(hoop_backboard_edges)(clearance, g0, g1, g2, g3, slack);
+                M unsure = _o31.unsure;
+                const LANES(hoop_questioned_out) _o32 =
+                    LANES(hoop_questioned)(doubt, time, unsure);
+                doubt = lanes_select(_m27, _o32.doubt, doubt);
+                const LANES(hoop_backboard_within_out) _o33 =
+                    LANES(hoop_backboard_within)(g0, g1, g2, g3);
+                M arrives = _o33.arrives;
+                const LANES(hoop_tied_out) _o34 =
+                    LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
+                doubt = lanes_select(_m27, _o34.doubt, doubt);
+                late = lanes_select(_m27, _o34.late, late);
+                const LANES(hoop_sooner_out) _o35 =
+                    LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
+                when = lanes_select(_m27, _o35.when, when);
+                which = lanes_select(_m27, _o35.which, which);
+            }
+            const LANES(hoop_left_out) _o36 =
+                LANES(hoop_left)(K(2.0), last);
+            leaving = _o36.leaving;
+            const LANES(hoop_bridge_arrival_out) _o37 =
+                LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
+            time = _o37.time;
+            rate = _o37.rate;
+            bend = _o37.bend;
+            apex = _o37.apex;
+            height = _o37.height;
+            const LANES(hoop_meeting_plane_out) _o38 =
+                LANES(hoop_meeting_plane)(bend, rate, time);
+            arrives = _o38.arrives;
+            ceiling = _o38.ceiling;
+            const LANES(hoop_bridge_margin_out) _o39 =
+                LANES(hoop_bridge_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
+            margin = _o39.margin;
+            const LANES(hoop_crossing_out) _o40 =
+                LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
+            clearance = _o40.clearance;
+            delay = _o40.delay;
+            const LANES(hoop_timely_out) _o41 =
+                LANES(hoop_timely)(arrives, delay, late, time, when);
+            possible = _o41.possible;
+            const LANES(hoop_bridge_margin_out) _o42 =
+                LANES(hoop_bridge_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
+            margin = _o42.margin;
+            const LANES(hoop_grazed_out) _o43 =
+                LANES(hoop_grazed)(apex, doubt, height, margin);
+            doubt = _o43.doubt;
+            const M _m44 = lanes_both(rows, possible);
+            if (lanes_any(_m44)) {
+                const LANES(hoop_flight_out) _o45 =
+                    LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
+                V there_x = _o45.x;
+                V there_y = _o45.y;
+                const LANES(hoop_bridge_bounds_out) _o46 =
+                    LANES(hoop_bridge_bounds)(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
+                V g0 = _o46.g0;
+                V g1 = _o46.g1;
+                V g2 = _o46.g2;
+                V g3 = _o46.g3;
+                V g4 = _o46.g4;
+                const LANES(hoop_displacement_out) _o47 =
+                    LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+                V slack = _o47.margin;
+                const LANES(hoop_bridge_edges_out) _o48 =
+                    LANES(hoop_bridge_edges)(clearance, g0, g1, g2, g3, g4, slack);
+                M unsure = _o48.unsure;
+                const LANES(hoop_questioned_out) _o49 =
+                    LANES(hoop_questioned)(doubt, time, unsure);
+                doubt = lanes_select(_m44, _o49.doubt, doubt);
+                const LANES(hoop_bridge_within_out) _o50 =
+                    LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
+                M arrives = _o50.arrives;
+                const LANES(hoop_tied_out) _o51 =
+                    LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
+                doubt = lanes_select(_m44, _o51.doubt, doubt);
+                late = lanes_select(_m44, _o51.late, late);
+                const LANES(hoop_sooner_out) _o52 =
+                    LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
+                when = lanes_select(_m44, _o52.when, when);
+                which = lanes_select(_m44, _o52.which, which);
+            }
+            const LANES(hoop_horizon_out) _o53 =
+                LANES(hoop_horizon)(when, speed, p_gravity);
+            V until = _o53.horizon;
+            V pad = _o53.pad;
+            const LANES(hoop_ring_clear_out) _o54 =
+                LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V clear = _o54.clear;
+            const LANES(hoop_opens_out) _o55 =
+                LANES(hoop_opens)(clear);
+            M open = _o55.open;
+            lanes_store(lists->doubt + i, doubt);
+            lanes_store(lists->extent + i, extent);
+            lanes_store(lists->late + i, late);
+            lanes_store(lists->position_error + i, position_error);
+            lanes_store(lists->speed + i, speed);
+            lanes_store(lists->velocity_error + i, velocity_error);
+            lanes_store(lists->when + i, when);
+            lanes_store(lists->which + i, which);
+            const M packed = lanes_both(rows, open);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->open_row + open_count, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->open_doubt + open_count, packed, doubt);
+                lanes_pack(lists->open_extent + open_count, packed, extent);
+                lanes_pack(lists->open_last + open_count, packed, last);
+                lanes_pack(lists->open_late + open_count, packed, late);
+                if (varying)
+                    lanes_pack(lists->open_p_ball_radius + open_count, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->open_p_gravity + open_count, packed, p_gravity);
+                if (varying)
+                    lanes_pack(lists->open_p_ring_radius + open_count, packed, p_ring_radius);
+                if (varying)
+                    lanes_pack(lists->open_p_wire_radius + open_count, packed, p_wire_radius);
+                lanes_pack(lists->open_pad + open_count, packed, pad);
+                lanes_pack(lists->open_position_error + open_count, packed, position_error);
+                lanes_pack(lists->open_speed + open_count, packed, speed);
+                lanes_pack(lists->open_until + open_count, packed, until);
+                lanes_pack(lists->open_velocity_error + open_count, packed, velocity_error);
+                lanes_pack(lists->open_vx + open_count, packed, vx);
+                lanes_pack(lists->open_vy + open_count, packed, vy);
+                lanes_pack(lists->open_vz + open_count, packed, vz);
+                lanes_pack(lists->open_when + open_count, packed, when);
+                lanes_pack(lists->open_which + open_count, packed, which);
+                lanes_pack(lists->open_x + open_count, packed, x);
+                lanes_pack(lists->open_y + open_count, packed, y);
+                lanes_pack(lists->open_z + open_count, packed, z);
+                open_count += lanes_many(packed);
+            }
+        }
+        size_t open_searching_count = 0;
+        for (size_t i = 0; i < open_count; i += LANES_WIDTH) {
+            const M rows = lanes_first(open_count - i);
+            V doubt = lanes_load(lists->open_doubt + i);
+            V extent = lanes_load(lists->open_extent + i);
+            V last = lanes_load(lists->open_last + i);
+            V late = lanes_load(lists->open_late + i);
+            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
+            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
+            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
+            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
+            V pad = lanes_load(lists->open_pad + i);
+            V position_error = lanes_load(lists->open_position_error + i);
+            V speed = lanes_load(lists->open_speed + i);
+            V until = lanes_load(lists->open_until + i);
+            V velocity_error = lanes_load(lists->open_velocity_error + i);
+            V vx = lanes_load(lists->open_vx + i);
+            V vy = lanes_load(lists->open_vy + i);
+            V vz = lanes_load(lists->open_vz + i);
+            V x = lanes_load(lists->open_x + i);
+            V y = lanes_load(lists->open_y + i);
+            V z = lanes_load(lists->open_z + i);
+            const LANES(hoop_ring_prepare_out) _o56 =
+                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V steady = _o56.steady;
+            V swing = _o56.swing;
+            V rho_start = _o56.rho_start;
+            V low0 = _o56.low0;
+            V high0 = _o56.high0;
+            V low1 = _o56.low1;
+            V high1 = _o56.high1;
+            V low2 = _o56.low2;
+            V high2 = _o56.high2;
+            V ceiling = _o56.ceiling;
+            V latest = _o56.latest;
+            V lost = _o56.lost;
+            const LANES(hoop_beginning_out) _o57 =
+                LANES(hoop_beginning)();
+            V share = _o57.share;
+            V arrival = _o57.arrival;
+            M certain = _o57.certain;
+            const LANES(hoop_allowance_out) _o58 =
+                LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+            V position_level = _o58.position_level;
+            V velocity_level = _o58.velocity_level;
+            V excess = _o58.excess;
+            const LANES(hoop_ring_margins_out) _o59 =
+                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V flat = _o59.margin;
+            V tilt = _o59.leaving_margin;
+            V rate_slack = _o59.rate_margin;
+            const LANES(hoop_beyond_out) _o60 =
+                LANES(hoop_beyond)(doubt, excess, late, lost, pad);
+            doubt = _o60.doubt;
+            const LANES(hoop_ring_enter_out) _o61 =
+                LANES(hoop_ring_enter)(K(0.0), K(0.0), high0, high1, high2, low0, low1, low2, K(0.0));
+            V t = _o61.t;
+            V end = _o61.end;
+            M searching = _o61.searching;
+            lanes_store(lists->open_arrival + i, arrival);
+            lanes_store(lists->open_ceiling + i, ceiling);
+            lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
+            lanes_store(lists->open_doubt + i, doubt);
+            lanes_store(lists->open_flat + i, flat);
+            lanes_store(lists->open_latest + i, latest);
+            lanes_store(lists->open_rho_start + i, rho_start);
+            lanes_store(lists->open_searching + i, lanes_select(searching, K(1.0), K(0.0)));
+            lanes_store(lists->open_t + i, t);
+            lanes_store(lists->open_tilt + i, tilt);
+            const M packed = lanes_both(rows, searching);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->open_searching_row + open_searching_count, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->open_searching_arrival + open_searching_count, packed, arrival);
+                lanes_pack(lists->open_searching_ceiling + open_searching_count, packed, ceiling);
+                lanes_pack(lists->open_searching_certain + open_searching_count, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->open_searching_doubt + open_searching_count, packed, doubt);
+                lanes_pack(lists->open_searching_end + open_searching_count, packed, end);
+                lanes_pack(lists->open_searching_extent + open_searching_count, packed, extent);
+                lanes_pack(lists->open_searching_flat + open_searching_count, packed, flat);
+                lanes_pack(lists->open_searching_high0 + open_searching_count, packed, high0);
+                lanes_pack(lists->open_searching_high1 + open_searching_count, packed, high1);
+                lanes_pack(lists->open_searching_high2 + open_searching_count, packed, high2);
+                lanes_pack(lists->open_searching_last + open_searching_count, packed, last);
+                lanes_pack(lists->open_searching_latest + open_searching_count, packed, latest);
+                lanes_pack(lists->open_searching_low0 + open_searching_count, packed, low0);
+                lanes_pack(lists->open_searching_low1 + open_searching_count, packed, low1);
+                lanes_pack(lists->open_searching_low2 + open_searching_count, packed, low2);
+                if (varying)
+                    lanes_pack(lists->open_searching_p_ball_radius + open_searching_count, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->open_searching_p_gravity + open_searching_count, packed, p_gravity);
+                if (varying)
+                    lanes_pack(lists->open_searching_p_ring_radius + open_searching_count, packed, p_ring_radius);
+                if (varying)
+                    lanes_pack(lists->open_searching_p_wire_radius + open_searching_count, packed, p_wire_radius);
+                lanes_pack(lists->open_searching_position_error + open_searching_count, packed, position_error);
+                lanes_pack(lists->open_searching_rate_slack + open_searching_count, packed, rate_slack);
+                lanes_pack(lists->open_searching_rho_start + open_searching_count, packed, rho_start);
+                lanes_pack(lists->open_searching_share + open_searching_count, packed, share);
+                lanes_pack(lists->open_searching_speed + open_searching_count, packed, speed);
+                lanes_pack(lists->open_searching_steady + open_searching_count, packed, steady);
+                lanes_pack(lists->open_searching_swing + open_searching_count, packed, swing);
+                lanes_pack(lists->open_searching_t + open_searching_count, packed, t);
+                lanes_pack(lists->open_searching_tilt + open_searching_count, packed, tilt);
+                lanes_pack(lists->open_searching_velocity_error + open_searching_count, packed, velocity_error);
+                lanes_pack(lists->open_searching_vx + open_searching_count, packed, vx);
+                lanes_pack(lists->open_searching_vy + open_searching_count, packed, vy);
+                lanes_pack(lists->open_searching_vz + open_searching_count, packed, vz);
+                lanes_pack(lists->open_searching_x + open_searching_count, packed, x);
+                lanes_pack(lists->open_searching_y + open_searching_count, packed, y);
+                lanes_pack(lists->open_searching_z + open_searching_count, packed, z);
+                open_searching_count += lanes_many(packed);
+            }
+        }
+        {
+            size_t taken = 0, busy = 0;
+            M active = lanes_nowhere();
+            V row = K(0.0), turns = K(0.0);
+            V p_ball_radius = lanes_load(lists->p_ball_radius);
+            V p_gravity = lanes_load(lists->p_gravity);
+            V p_ring_radius = lanes_load(lists->p_ring_radius);
+            V p_wire_radius = lanes_load(lists->p_wire_radius);
+            V arrival = K(0.0);
+            V ceiling = K(0.0);
+            M certain = lanes_nowhere();
+            V doubt = K(0.0);
+            V end = K(0.0);
+            V extent = K(0.0);
+            V flat = K(0.0);
+            V high0 = K(0.0);
+            V high1 = K(0.0);
+            V high2 = K(0.0);
+            V last = K(0.0);
+            V latest = K(0.0);
+            V low0 = K(0.0);
+            V low1 = K(0.0);
+            V low2 = K(0.0);
+            V position_error = K(0.0);
+            V rate_slack = K(0.0);
+            V rho_start = K(0.0);
+            V share = K(0.0);
+            V speed = K(0.0);
+            V steady = K(0.0);
+            V swing = K(0.0);
+            V t = K(0.0);
+            V tilt = K(0.0);
+            V velocity_error = K(0.0);
+            V vx = K(0.0);
+            V vy = K(0.0);
+            V vz = K(0.0);
+            V x = K(0.0);
+            V y = K(0.0);
+            V z = K(0.0);
+            for (;;) {
+                if (taken < open_searching_count && busy + LANES_SPARE <= LANES_WIDTH) {
+                    const M idle = lanes_not(active);
+                    row = lanes_expand(lists->open_searching_row + taken, idle, row);
+                    turns = lanes_select(idle, K(0.0), turns);
+                    arrival = lanes_expand(lists->open_searching_arrival + taken, idle, arrival);
+                    ceiling = lanes_expand(lists->open_searching_ceiling + taken, idle, ceiling);
+                    certain = lanes_less(K(0.0), lanes_expand(lists->open_searching_certain + taken, idle, lanes_select(certain, K(1.0), K(0.0))));
+                    doubt = lanes_expand(lists->open_searching_doubt + taken, idle, doubt);
+                    end = lanes_expand(lists->open_searching_end + taken, idle, end);
+                    extent = lanes_expand(lists->open_searching_extent + taken, idle, extent);
+                    flat = lanes_expand(lists->open_searching_flat + taken, idle, flat);
+                    high0 = lanes_expand(lists->open_searching_high0 + taken, idle, high0);
+                    high1 = lanes_expand(lists->open_searching_high1 + taken, idle, high1);
+                    high2 = lanes_expand(lists->open_searching_high2 + taken, idle, high2);
+                    last = lanes_expand(lists->open_searching_last + taken, idle, last);
+                    latest = lanes_expand(lists->open_searching_latest + taken, idle, latest);
+                    low0 = lanes_expand(lists->open_searching_low0 + taken, idle, low0);
+                    low1 = lanes_expand(lists->open_searching_low1 + taken, idle, low1);
+                    low2 = lanes_expand(lists->open_searching_low2 + taken, idle, low2);
+                    position_error = lanes_expand(lists->open_searching_position_error + taken, idle, position_error);
+                    rate_slack = lanes_expand(lists->open_searching_rate_slack + taken, idle, rate_slack);
+                    rho_start = lanes_expand(lists->open_searching_rho_start + taken, idle, rho_start);
+                    share = lanes_expand(lists->open_searching_share + taken, idle, share);
+                    speed = lanes_expand(lists->open_searching_speed + taken, idle, speed);
+                    steady = lanes_expand(lists->open_searching_steady + taken, idle, steady);
+                    swing = lanes_expand(lists->open_searching_swing + taken, idle, swing);
+                    t = lanes_expand(lists->open_searching_t + taken, idle, t);
+                    tilt = lanes_expand(lists->open_searching_tilt + taken, idle, tilt);
+                    velocity_error = lanes_expand(lists->open_searching_velocity_error + taken, idle, velocity_error);
+                    vx = lanes_expand(lists->open_searching_vx + taken, idle, vx);
+                    vy = lanes_expand(lists->open_searching_vy + taken, idle, vy);
+                    vz = lanes_expand(lists->open_searching_vz + taken, idle, vz);
+                    x = lanes_expand(lists->open_searching_x + taken, idle, x);
+                    y = lanes_expand(lists->open_searching_y + taken, idle, y);
+                    z = lanes_expand(lists->open_searching_z + taken, idle, z);
+                    if (varying) {
+                        p_ball_radius = lanes_expand(lists->open_searching_p_ball_radius + taken, idle, p_ball_radius);
+                        p_gravity = lanes_expand(lists->open_searching_p_gravity + taken, idle, p_gravity);
+                        p_ring_radius = lanes_expand(lists->open_searching_p_ring_radius + taken, idle, p_ring_radius);
+                        p_wire_radius = lanes_expand(lists->open_searching_p_wire_radius + taken, idle, p_wire_radius);
+                    }
+                    const size_t room = LANES_WIDTH - busy, left = open_searching_count - taken;
+                    active = lanes_leading(idle, left, active);
+                    taken += left < room ? left : room;
+                    busy += left < room ? left : room;
+                }
+                if (busy == 0)
+                    break;
+                M searching = active;
+                const LANES(hoop_nearby_out) _o62 =
+                    LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
+                V leaving = _o62.leaving;
+                V margin = _o62.margin;
+                const LANES(hoop_ring_advance_out) _o63 =
+                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                V gap = _o63.gap;
+                V rate = _o63.rate;
+                V bend = _o63.bend;
+                V step = _o63.step;
+                V next = _o63.next;
+                V root = _o63.root;
+                V clearance = _o63.clearance;
+                const LANES(hoop_struck_out) _o64 =
+                    LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
+                M hit = _o64.hit;
+                M sure = _o64.sure;
+                M vague = _o64.vague;
+                const M _m65 = lanes_both(active, vague);
+                if (lanes_any(_m65)) {
+                    const LANES(hoop_finer_out) _o66 =
+                        LANES(hoop_finer)(share);
+                    share = lanes_select(_m65, _o66.share, share);
+                    const LANES(hoop_allowance_out) _o67 =
+                        LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
+                    V position_level = _o67.position_level;
+                    V velocity_level = _o67.velocity_level;
+                    V excess = _o67.excess;
+                    const LANES(hoop_ring_margins_out) _o68 =
+                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                    flat = lanes_select(_m65, _o68.margin, flat);
+                    tilt = lanes_select(_m65, _o68.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m65, _o68.rate_margin, rate_slack);
+                    const LANES(hoop_exceeded_out) _o69 =
+                        LANES(hoop_exceeded)(doubt, excess, t);
+                    doubt = lanes_select(_m65, _o69.doubt, doubt);
+                }
+                const LANES(hoop_advanced_out) _o70 =
+                    LANES(hoop_advanced)(arrival, certain, end, hit, next, root, step, sure, t, vague);
+                arrival = _o70.arrival;
+                certain = _o70.certain;
+                M exhausted = _o70.exhausted;
+                searching = _o70.searching;
+                t = _o70.t;
+                const M _m71 = lanes_both(active, exhausted);
+                {
+                    const LANES(hoop_ring_enter_out) _o72 =
+                        LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
+                    t = lanes_select(_m71, _o72.t, t);
+                    end = lanes_select(_m71, _o72.end, end);
+                    searching = lanes_choose(_m71, _o72.searching, searching);
+                }
+                turns = lanes_add(turns, K(1.0));
+                const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
+                if (lanes_any(ended)) {
+                    double ended_row[LANES_WIDTH];
+                    lanes_store(ended_row, row);
+                    double ended_arrival[LANES_WIDTH];
+                    lanes_store(ended_arrival, arrival);
+                    double ended_certain[LANES_WIDTH];
+                    lanes_store(ended_certain, lanes_select(certain, K(1.0), K(0.0)));
+                    double ended_doubt[LANES_WIDTH];
+                    lanes_store(ended_doubt, doubt);
+                    double ended_flat[LANES_WIDTH];
+                    lanes_store(ended_flat, flat);
+                    double ended_searching[LANES_WIDTH];
+                    lanes_store(ended_searching, lanes_select(searching, K(1.0), K(0.0)));
+                    double ended_t[LANES_WIDTH];
+                    lanes_store(ended_t, t);
+                    double ended_tilt[LANES_WIDTH];
+                    lanes_store(ended_tilt, tilt);
+                    for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {
+                        const int lane = LANES_LOWEST(bits);
+                        const size_t k = (size_t)ended_row[lane];
+                        lists->open_arrival[k] = ended_arrival[lane];
+                        lists->open_certain[k] = ended_certain[lane];
+                        lists->open_doubt[k] = ended_doubt[lane];
+                        lists->open_flat[k] = ended_flat[lane];
+                        lists->open_searching[k] = ended_searching[lane];
+                        lists->open_t[k] = ended_t[lane];
+                        lists->open_tilt[k] = ended_tilt[lane];
+                    }
+                    busy -= lanes_many(ended);
+                    active = lanes_both(active, lanes_not(ended));
+                }
+            }
+        }
+        for (size_t i = 0; i < open_count; i += LANES_WIDTH) {
+            const M rows = lanes_first(open_count - i);
+            V arrival = lanes_load(lists->open_arrival + i);
+            V ceiling = lanes_load(lists->open_ceiling + i);
+            M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
+            V doubt = lanes_load(lists->open_doubt + i);
+            V extent = lanes_load(lists->open_extent + i);
+            V flat = lanes_load(lists->open_flat + i);
+            V last = lanes_load(lists->open_last + i);
+            V late = lanes_load(lists->open_late + i);
+            V latest = lanes_load(lists->open_latest + i);
+            const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
+            const V p_gravity = lanes_load(varying ? lists->open_p_gravity + i : lists->p_gravity);
+            const V p_ring_radius = lanes_load(varying ? lists->open_p_ring_radius + i : lists->p_ring_radius);
+            const V p_wire_radius = lanes_load(varying ? lists->open_p_wire_radius + i : lists->p_wire_radius);
+            V position_error = lanes_load(lists->open_position_error + i);
+            V rho_start = lanes_load(lists->open_rho_start + i);
+            M searching = lanes_less(K(0.0), lanes_load(lists->open_searching + i));
+            V speed = lanes_load(lists->open_speed + i);
+            V t = lanes_load(lists->open_t + i);
+            V tilt = lanes_load(lists->open_tilt + i);
+            V velocity_error = lanes_load(lists->open_velocity_error + i);
+            V vx = lanes_load(lists->open_vx + i);
+            V vy = lanes_load(lists->open_vy + i);
+            V vz = lanes_load(lists->open_vz + i);
+            V when = lanes_load(lists->open_when + i);
+            V which = lanes_load(lists->open_which + i);
+            V x = lanes_load(lists->open_x + i);
+            V y = lanes_load(lists->open_y + i);
+            V z = lanes_load(lists->open_z + i);
+            const LANES(hoop_questioned_out) _o73 =
+                LANES(hoop_questioned)(doubt, t, searching);
+            doubt = _o73.doubt;
+            const LANES(hoop_found_out) _o74 =
+                LANES(hoop_found)(arrival);
+            M arrives = _o74.arrives;
+            const LANES(hoop_nearby_out) _o75 =
+                LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
+            V leaving = _o75.leaving;
+            const LANES(hoop_ring_refine_out) _o76 =
+                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            V refined = _o76.time;
+            const LANES(hoop_polished_out) _o77 =
+                LANES(hoop_polished)(arrival, certain, refined);
+            arrival = _o77.arrival;
+            const LANES(hoop_ring_refine_out) _o78 =
+                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            refined = _o78.time;
+            V rate = _o78.rate;
+            const LANES(hoop_polished_out) _o79 =
+                LANES(hoop_polished)(arrival, certain, refined);
+            arrival = _o79.arrival;
+            const LANES(hoop_ring_margins_out) _o80 =
+                LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            flat = _o80.margin;
+            tilt = _o80.leaving_margin;
+            V rate_margin = _o80.rate_margin;
+            const LANES(hoop_own_margin_out) _o81 =
+                LANES(hoop_own_margin)(arrival, flat, leaving, tilt);
+            V margin = _o81.margin;
+            const LANES(hoop_crossing_out) _o82 =
+                LANES(hoop_crossing)(margin, rate_margin, rate, ceiling);
+            V clearance = _o82.clearance;
+            V delay = _o82.delay;
+            const LANES(hoop_landed_out) _o83 =
+                LANES(hoop_landed)(arrival);
+            V time = _o83.time;
+            const LANES(hoop_landed_surely_out) _o84 =
+                LANES(hoop_landed_surely)(arrives, certain, clearance, delay, doubt, time);
+            delay = _o84.delay;
+            doubt = _o84.doubt;
+            const LANES(hoop_tied_out) _o85 =
+                LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
+            doubt = _o85.doubt;
+            late = _o85.late;
+            const LANES(hoop_sooner_out) _o86 =
+                LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
+            when = _o86.when;
+            which = _o86.which;
+            lanes_store(lists->open_doubt + i, doubt);
+            lanes_store(lists->open_late + i, late);
+            lanes_store(lists->open_when + i, when);
+            lanes_store(lists->open_which + i, which);
+        }
+        for (size_t k = 0; k < open_count; k++) {
+            const size_t row = (size_t)lists->open_row[k];
+            lists->doubt[row] = lists->open_doubt[k];
+            lists->late[row] = lists->open_late[k];
+            lists->when[row] = lists->open_when[k];
+            lists->which[row] = lists->open_which[k];
+        }
+        size_t meeting_count = 0;
+        for (size_t i = 0; i < count; i += LANES_WIDTH) {
+            const M rows = lanes_first(count - i);
+            V clock = lanes_load(lists->clock + i);
+            V clock_error = lanes_load(lists->clock_error + i);
+            V contacts = lanes_load(lists->contacts + i);
+            V count_0 = lanes_load(lists->count_0 + i);
+            V count_1 = lanes_load(lists->count_1 + i);
+            V count_2 = lanes_load(lists->count_2 + i);
+            V doubt = lanes_load(lists->doubt + i);
+            V dvx = lanes_load(lists->dvx + i);
+            V dvy = lanes_load(lists->dvy + i);
+            V dvz = lanes_load(lists->dvz + i);
+            V dwx = lanes_load(lists->dwx + i);
+            V dwy = lanes_load(lists->dwy + i);
+            V dwz = lanes_load(lists->dwz + i);
+            V dx = lanes_load(lists->dx + i);
+            V dy = lanes_load(lists->dy + i);
+            V dz = lanes_load(lists->dz + i);
+            V extent = lanes_load(lists->extent + i);
+            V first = lanes_load(lists->first + i);
+            V last = lanes_load(lists->last + i);
+            V late = lanes_load(lists->late + i);
+            const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
+            const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
+            const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
+            const V p_board_half_width = lanes_load(lists->p_board_half_width + (i & varying));
+            const V p_board_top = lanes_load(lists->p_board_top + (i & varying));
+            const V p_bridge_half_width = lanes_load(lists->p_bridge_half_width + (i & varying));
+            const V p_end_depth = lanes_load(lists->p_end_depth + (i & varying));
+            const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
+            const V p_restitution = lanes_load(lists->p_restitution + (i & varying));
+            const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
+            const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
+            V position_error = lanes_load(lists->position_error + i);
+            V speed = lanes_load(lists->speed + i);
+            V uncertain = lanes_load(lists->uncertain + i);
+            V velocity_error = lanes_load(lists->velocity_error + i);
+            V vx = lanes_load(lists->vx + i);
+            V vy = lanes_load(lists->vy + i);
+            V vz = lanes_load(lists->vz + i);
+            V when = lanes_load(lists->when + i);
+            V which = lanes_load(lists->which + i);
+            V wx = lanes_load(lists->wx + i);
+            V wy = lanes_load(lists->wy + i);
+            V wz = lanes_load(lists->wz + i);
+            V x = lanes_load(lists->x + i);
+            V y = lanes_load(lists->y + i);
+            V z = lanes_load(lists->z + i);
+            const LANES(hoop_departed_out) _o87 =
+                LANES(hoop_departed)(K(3.0), which);
+            M moves = _o87.moves;
+            M ends = _o87.ends;
+            M touches = _o87.touches;
+            const LANES(hoop_body_of_out) _o88 =
+                LANES(hoop_body_of)(which);
+            V body = _o88.body;
+            const M _m89 = lanes_both(rows, moves);
+            {
+                const LANES(hoop_flight_out) _o90 =
+                    LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
+                x = lanes_select(_m89, _o90.x, x);
+                y = lanes_select(_m89, _o90.y, y);
+                z = lanes_select(_m89, _o90.z, z);
+                vx = lanes_select(_m89, _o90.vx, vx);
+                vy = lanes_select(_m89, _o90.vy, vy);
+                vz = lanes_select(_m89, _o90.vz, vz);
+                const LANES(hoop_ticked_out) _o91 =
+                    LANES(hoop_ticked)(clock, when);
+                clock = lanes_select(_m89, _o91.clock, clock);
+            }
+            const LANES(hoop_displacement_out) _o92 =
+                LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
+            V slack = _o92.margin;
+            const LANES(hoop_target_out) _o93 =
+                LANES(hoop_target)(x, y, p_ring_radius);
+            V miss = _o93.target;
+            const LANES(hoop_doubted_out) _o94 =
+                LANES(hoop_doubted)(doubt, ends, late, miss, slack, uncertain, when);
+            uncertain = _o94.uncertain;
+            const LANES(hoop_accounted_out) _o95 =
+                LANES(hoop_accounted)(contacts, ends, miss, most_contacts, touches);
+            contacts = _o95.contacts;
+            V outcome = _o95.outcome;
+            if (recording) {
+                lanes_store(lists->body + i, body);
+                lanes_store(lists->x_before + i, x);
+                lanes_store(lists->y_before + i, y);
+                lanes_store(lists->z_before + i, z);
+                lanes_store(lists->vx_before + i, vx);
+                lanes_store(lists->vy_before + i, vy);
+                lanes_store(lists->vz_before + i, vz);
+                lanes_store(lists->wx_before + i, wx);
+                lanes_store(lists->wy_before + i, wy);
+                lanes_store(lists->wz_before + i, wz);
+            }
+            const LANES(hoop_meeting_out) _o96 =
+                LANES(hoop_meeting)(claims, ends, touches);
+            M meeting = _o96.meeting;
+            lanes_store(lists->clock + i, clock);
+            lanes_store(lists->contacts + i, contacts);
+            lanes_store(lists->outcome + i, outcome);
+            lanes_store(lists->uncertain + i, uncertain);
+            lanes_store(lists->vx + i, vx);
+            lanes_store(lists->vy + i, vy);
+            lanes_store(lists->vz + i, vz);
+            lanes_store(lists->x + i, x);
+            lanes_store(lists->y + i, y);
+            lanes_store(lists->z + i, z);
+            const M packed = lanes_both(rows, meeting);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->meeting_row + meeting_count, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->meeting_body + meeting_count, packed, body);
+                lanes_pack(lists->meeting_clock + meeting_count, packed, clock);
+                lanes_pack(lists->meeting_clock_error + meeting_count, packed, clock_error);
+                lanes_pack(lists->meeting_contacts + meeting_count, packed, contacts);
+                lanes_pack(lists->meeting_count_0 + meeting_count, packed, count_0);
+                lanes_pack(lists->meeting_count_1 + meeting_count, packed, count_1);
+                lanes_pack(lists->meeting_count_2 + meeting_count, packed, count_2);
+                lanes_pack(lists->meeting_dvx + meeting_count, packed, dvx);
+                lanes_pack(lists->meeting_dvy + meeting_count, packed, dvy);
+                lanes_pack(lists->meeting_dvz + meeting_count, packed, dvz);
+                lanes_pack(lists->meeting_dwx + meeting_count, packed, dwx);
+                lanes_pack(lists->meeting_dwy + meeting_count, packed, dwy);
+                lanes_pack(lists->meeting_dwz + meeting_count, packed, dwz);
+                lanes_pack(lists->meeting_dx + meeting_count, packed, dx);
+                lanes_pack(lists->meeting_dy + meeting_count, packed, dy);
+                lanes_pack(lists->meeting_dz + meeting_count, packed, dz);
+                lanes_pack(lists->meeting_ends + meeting_count, packed, lanes_select(ends, K(1.0), K(0.0)));
+                lanes_pack(lists->meeting_first + meeting_count, packed, first);
+                lanes_pack(lists->meeting_last + meeting_count, packed, last);
+                lanes_pack(lists->meeting_late + meeting_count, packed, late);
+                if (varying)
+                    lanes_pack(lists->meeting_p_ball_radius + meeting_count, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->meeting_p_board_distance + meeting_count, packed, p_board_distance);
+                if (varying)
+                    lanes_pack(lists->meeting_p_gravity + meeting_count, packed, p_gravity);
+                if (varying)
+                    lanes_pack(lists->meeting_p_restitution + meeting_count, packed, p_restitution);
+                if (varying)
+                    lanes_pack(lists->meeting_p_ring_radius + meeting_count, packed, p_ring_radius);
+                if (varying)
+                    lanes_pack(lists->meeting_p_wire_radius + meeting_count, packed, p_wire_radius);
+                lanes_pack(lists->meeting_touches + meeting_count, packed, lanes_select(touches, K(1.0), K(0.0)));
+                lanes_pack(lists->meeting_vx + meeting_count, packed, vx);
+                lanes_pack(lists->meeting_vy + meeting_count, packed, vy);
+                lanes_pack(lists->meeting_vz + meeting_count, packed, vz);
+                lanes_pack(lists->meeting_when + meeting_count, packed, when);
+                lanes_pack(lists->meeting_which + meeting_count, packed, which);
+                lanes_pack(lists->meeting_wx + meeting_count, packed, wx);
+                lanes_pack(lists->meeting_wy + meeting_count, packed, wy);
+                lanes_pack(lists->meeting_wz + meeting_count, packed, wz);
+                lanes_pack(lists->meeting_x + meeting_count, packed, x);
+                lanes_pack(lists->meeting_y + meeting_count, packed, y);
+                lanes_pack(lists->meeting_z + meeting_count, packed, z);
+                meeting_count += lanes_many(packed);
+            }
+        }
+        size_t meeting_touches_count = 0;
+        for (size_t i = 0; i < meeting_count; i += LANES_WIDTH) {
+            const M rows = lanes_first(meeting_count - i);
+            V clock = lanes_load(lists->meeting_clock + i);
+            V clock_error = lanes_load(lists->meeting_clock_error + i);
+            V contacts = lanes_load(lists->meeting_contacts + i);
+            V count_0 = lanes_load(lists->meeting_count_0 + i);
+            V count_1 = lanes_load(lists->meeting_count_1 + i);
+            V count_2 = lanes_load(lists->meeting_count_2 + i);
+            V dvx = lanes_load(lists->meeting_dvx + i);
+            V dvy = lanes_load(lists->meeting_dvy + i);
+            V dvz = lanes_load(lists->meeting_dvz + i);
+            V dwx = lanes_load(lists->meeting_dwx + i);
+            V dwy = lanes_load(lists->meeting_dwy + i);
+            V dwz = lanes_load(lists->meeting_dwz + i);
+            V dx = lanes_load(lists->meeting_dx + i);
+            V dy = lanes_load(lists->meeting_dy + i);
+            V dz = lanes_load(lists->meeting_dz + i);
+            M ends = lanes_less(K(0.0), lanes_load(lists->meeting_ends + i));
+            V last = lanes_load(lists->meeting_last + i);
+            V late = lanes_load(lists->meeting_late + i);
+            const V p_ball_radius = lanes_load(varying ? lists->meeting_p_ball_radius + i : lists->p_ball_radius);
+            const V p_gravity = lanes_load(varying ? lists->meeting_p_gravity + i : lists->p_gravity);
+            const V p_restitution = lanes_load(varying ? lists->meeting_p_restitution + i : lists->p_restitution);
+            const V p_ring_radius = lanes_load(varying ? lists->meeting_p_ring_radius + i : lists->p_ring_radius);
+            const V p_wire_radius = lanes_load(varying ? lists->meeting_p_wire_radius + i : lists->p_wire_radius);
+            M touches = lanes_less(K(0.0), lanes_load(lists->meeting_touches + i));
+            V vx = lanes_load(lists->meeting_vx + i);
+            V vy = lanes_load(lists->meeting_vy + i);
+            V vz = lanes_load(lists->meeting_vz + i);
+            V when = lanes_load(lists->meeting_when + i);
+            V which = lanes_load(lists->meeting_which + i);
+            V wx = lanes_load(lists->meeting_wx + i);
+            V wy = lanes_load(lists->meeting_wy + i);
+            V wz = lanes_load(lists->meeting_wz + i);
+            V x = lanes_load(lists->meeting_x + i);
+            V y = lanes_load(lists->meeting_y + i);
+            V z = lanes_load(lists->meeting_z + i);
+            const LANES(hoop_end_normal_out) _o97 =
+                LANES(hoop_end_normal)();
+            V nx = _o97.nx;
+            V ny = _o97.ny;
+            V nz = _o97.nz;
+            const LANES(hoop_here_out) _o98 =
+                LANES(hoop_here)(K(0.0), which);
+            M here = _o98.here;
+            const M _m99 = lanes_both(rows, here);
+            {
+                const LANES(hoop_ring_normal_out) _o100 =
+                    LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                nx = lanes_select(_m99, _o100.nx, nx);
+                ny = lanes_select(_m99, _o100.ny, ny);
+                nz = lanes_select(_m99, _o100.nz, nz);
+                const LANES(hoop_counted_out) _o101 =
+                    LANES(hoop_counted)(count_0);
+                count_0 = lanes_select(_m99, _o101.count, count_0);
+            }
+            const LANES(hoop_here_out) _o102 =
+                LANES(hoop_here)(K(1.0), which);
+            here = _o102.here;
+            const M _m103 = lanes_both(rows, here);
+            {
+                const LANES(hoop_backboard_normal_out) _o104 =
+                    LANES(hoop_backboard_normal)();
+                nx = lanes_select(_m103, _o104.nx, nx);
+                ny = lanes_select(_m103, _o104.ny, ny);
+                nz = lanes_select(_m103, _o104.nz, nz);
+                const LANES(hoop_counted_out) _o105 =
+                    LANES(hoop_counted)(count_1);
+                count_1 = lanes_select(_m103, _o105.count, count_1);
+            }
+            const LANES(hoop_here_out) _o106 =
+                LANES(hoop_here)(K(2.0), which);
+            here = _o106.here;
+            const M _m107 = lanes_both(rows, here);
+            {
+                const LANES(hoop_bridge_normal_out) _o108 =
+                    LANES(hoop_bridge_normal)();
+                nx = lanes_select(_m107, _o108.nx, nx);
+                ny = lanes_select(_m107, _o108.ny, ny);
+                nz = lanes_select(_m107, _o108.nz, nz);
+                const LANES(hoop_counted_out) _o109 =
+                    LANES(hoop_counted)(count_2);
+                count_2 = lanes_select(_m107, _o109.count, count_2);
+            }
+            const LANES(hoop_elsewhere_out) _o110 =
+                LANES(hoop_elsewhere)();
+            V curving = _o110.curving;
+            const LANES(hoop_again_out) _o111 =
+                LANES(hoop_again)(K(0.0), last, which);
+            M again = _o111.again;
+            const M _m112 = lanes_both(rows, again);
+            {
+                const LANES(hoop_ring_curvature_out) _o113 =
+                    LANES(hoop_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
+                curving = lanes_select(_m112, _o113.curvature, curving);
+            }
+            const LANES(hoop_again_out) _o114 =
+                LANES(hoop_again)(K(1.0), last, which);
+            again = _o114.again;
+            const M _m115 = lanes_both(rows, again);
+            {
+                const LANES(hoop_backboard_curvature_out) _o116 =
+                    LANES(hoop_backboard_curvature)();
+                curving = lanes_select(_m115, _o116.curvature, curving);
+            }
+            const LANES(hoop_again_out) _o117 =
+                LANES(hoop_again)(K(2.0), last, which);
+            again = _o117.again;
+            const M _m118 = lanes_both(rows, again);
+            {
+                const LANES(hoop_bridge_curvature_out) _o119 =
+                    LANES(hoop_bridge_curvature)();
+                curving = lanes_select(_m118, _o119.curvature, curving);
+            }
+            const LANES(hoop_carry_flight_out) _o120 =
+                LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
+            dx = _o120.dx;
+            dy = _o120.dy;
+            dz = _o120.dz;
+            dvx = _o120.dvx;
+            dvy = _o120.dvy;
+            dvz = _o120.dvz;
+            V delay = _o120.delay;
+            V shift = _o120.shift;
+            const LANES(hoop_delayed_out) _o121 =
+                LANES(hoop_delayed)(clock_error, delay);
+            clock_error = _o121.clock_error;
+            const M _m122 = lanes_both(rows, ends);
+            {
+                const LANES(hoop_floored_out) _o123 =
+                    LANES(hoop_floored)(dx, dy, dz, shift);
+                dx = lanes_select(_m122, _o123.dx, dx);
+                dy = lanes_select(_m122, _o123.dy, dy);
+                dz = lanes_select(_m122, _o123.dz, dz);
+            }
+            const LANES(hoop_unturned_out) _o124 =
+                LANES(hoop_unturned)();
+            V dnx = _o124.dnx;
+            V dny = _o124.dny;
+            V dnz = _o124.dnz;
+            V turn = _o124.turn;
+            const LANES(hoop_here_out) _o125 =
+                LANES(hoop_here)(K(0.0), which);
+            here = _o125.here;
+            const M _m126 = lanes_both(rows, here);
+            if (lanes_any(_m126)) {
+                const LANES(hoop_ring_carry_normal_out) _o127 =
+                    LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
+                dnx = lanes_select(_m126, _o127.dnx, dnx);
+                dny = lanes_select(_m126, _o127.dny, dny);
+                dnz = lanes_select(_m126, _o127.dnz, dnz);
+                turn = lanes_select(_m126, _o127.turn, turn);
+            }
+            lanes_store(lists->meeting_clock_error + i, clock_error);
+            lanes_store(lists->meeting_count_0 + i, count_0);
+            lanes_store(lists->meeting_count_1 + i, count_1);
+            lanes_store(lists->meeting_count_2 + i, count_2);
+            lanes_store(lists->meeting_dvx + i, dvx);
+            lanes_store(lists->meeting_dvy + i, dvy);
+            lanes_store(lists->meeting_dvz + i, dvz);
+            lanes_store(lists->meeting_dx + i, dx);
+            lanes_store(lists->meeting_dy + i, dy);
+            lanes_store(lists->meeting_dz + i, dz);
+            const M packed = lanes_both(rows, touches);
+            if (lanes_any(packed)) {
+                lanes_pack(lists->meeting_touches_row + meeting_touches_count, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->meeting_touches_contacts + meeting_touches_count, packed, contacts);
+                lanes_pack(lists->meeting_touches_dnx + meeting_touches_count, packed, dnx);
+                lanes_pack(lists->meeting_touches_dny + meeting_touches_count, packed, dny);
+                lanes_pack(lists->meeting_touches_dnz + meeting_touches_count, packed, dnz);
+                lanes_pack(lists->meeting_touches_dvx + meeting_touches_count, packed, dvx);
+                lanes_pack(lists->meeting_touches_dvy + meeting_touches_count, packed, dvy);
+                lanes_pack(lists->meeting_touches_dvz + meeting_touches_count, packed, dvz);
+                lanes_pack(lists->meeting_touches_dwx + meeting_touches_count, packed, dwx);
+                lanes_pack(lists->meeting_touches_dwy + meeting_touches_count, packed, dwy);
+                lanes_pack(lists->meeting_touches_dwz + meeting_touches_count, packed, dwz);
+                lanes_pack(lists->meeting_touches_nx + meeting_touches_count, packed, nx);
+                lanes_pack(lists->meeting_touches_ny + meeting_touches_count, packed, ny);
+                lanes_pack(lists->meeting_touches_nz + meeting_touches_count, packed, nz);
+                if (varying)
+                    lanes_pack(lists->meeting_touches_p_ball_radius + meeting_touches_count, packed, p_ball_radius);
+                if (varying)
+                    lanes_pack(lists->meeting_touches_p_restitution + meeting_touches_count, packed, p_restitution);
+                lanes_pack(lists->meeting_touches_turn + meeting_touches_count, packed, turn);
+                lanes_pack(lists->meeting_touches_vx + meeting_touches_count, packed, vx);
+                lanes_pack(lists->meeting_touches_vy + meeting_touches_count, packed, vy);
+                lanes_pack(lists->meeting_touches_vz + meeting_touches_count, packed, vz);
+                lanes_pack(lists->meeting_touches_wx + meeting_touches_count, packed, wx);
+                lanes_pack(lists->meeting_touches_wy + meeting_touches_count, packed, wy);
+                lanes_pack(lists->meeting_touches_wz + meeting_touches_count, packed, wz);
+                meeting_touches_count += lanes_many(packed);
+            }
+        }
+        for (size_t i = 0; i < meeting_touches_count; i += LANES_WIDTH) {
+            const M rows = lanes_first(meeting_touches_count - i);
+            V contacts = lanes_load(lists->meeting_touches_contacts + i);
+            V dnx = lanes_load(lists->meeting_touches_dnx + i);
+            V dny = lanes_load(lists->meeting_touches_dny + i);
+            V dnz = lanes_load(lists->meeting_touches_dnz + i);
+            V dvx = lanes_load(lists->meeting_touches_dvx + i);
+            V dvy = lanes_load(lists->meeting_touches_dvy + i);
+            V dvz = lanes_load(lists->meeting_touches_dvz + i);
+            V dwx = lanes_load(lists->meeting_touches_dwx + i);
+            V dwy = lanes_load(lists->meeting_touches_dwy + i);
+            V dwz = lanes_load(lists->meeting_touches_dwz + i);
+            V nx = lanes_load(lists->meeting_touches_nx + i);
+            V ny = lanes_load(lists->meeting_touches_ny + i);
+            V nz = lanes_load(lists->meeting_touches_nz + i);
+            const V p_ball_radius = lanes_load(varying ? lists->meeting_touches_p_ball_radius + i : lists->p_ball_radius);
+            const V p_restitution = lanes_load(varying ? lists->meeting_touches_p_restitution + i : lists->p_restitution);
+            V turn = lanes_load(lists->meeting_touches_turn + i);
+            V vx = lanes_load(lists->meeting_touches_vx + i);
+            V vy = lanes_load(lists->meeting_touches_vy + i);
+            V vz = lanes_load(lists->meeting_touches_vz + i);
+            V wx = lanes_load(lists->meeting_touches_wx + i);
+            V wy = lanes_load(lists->meeting_touches_wy + i);
+            V wz = lanes_load(lists->meeting_touches_wz + i);
+            const LANES(hoop_carry_impact_out) _o128 =
+                LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
+            dvx = _o128.dvx;
+            dvy = _o128.dvy;
+            dvz = _o128.dvz;
+            dwx = _o128.dwx;
+            dwy = _o128.dwy;
+            dwz = _o128.dwz;
+            const LANES(hoop_impact_out) _o129 =
+                LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
+            vx = _o129.vx;
+            vy = _o129.vy;
+            vz = _o129.vz;
+            wx = _o129.wx;
+            wy = _o129.wy;
+            wz = _o129.wz;
+            lanes_store(lists->meeting_touches_dvx + i, dvx);
+            lanes_store(lists->meeting_touches_dvy + i, dvy);
+            lanes_store(lists->meeting_touches_dvz + i, dvz);
+            lanes_store(lists->meeting_touches_dwx + i, dwx);
+            lanes_store(lists->meeting_touches_dwy + i, dwy);
+            lanes_store(lists->meeting_touches_dwz + i, dwz);
+            lanes_store(lists->meeting_touches_vx + i, vx);
+            lanes_store(lists->meeting_touches_vy + i, vy);
+            lanes_store(lists->meeting_touches_vz + i, vz);
+            lanes_store(lists->meeting_touches_wx + i, wx);
+            lanes_store(lists->meeting_touches_wy + i, wy);
+            lanes_store(lists->meeting_touches_wz + i, wz);
+        }
+        for (size_t k = 0; k < meeting_touches_count; k++) {
+            const size_t row = (size_t)lists->meeting_touches_row[k];
+            lists->meeting_dvx[row] = lists->meeting_touches_dvx[k];
+            lists->meeting_dvy[row] = lists->meeting_touches_dvy[k];
+            lists->meeting_dvz[row] = lists->meeting_touches_dvz[k];
+            lists->meeting_dwx[row] = lists->meeting_touches_dwx[k];
+            lists->meeting_dwy[row] = lists->meeting_touches_dwy[k];
+            lists->meeting_dwz[row] = lists->meeting_touches_dwz[k];
+            lists->meeting_vx[row] = lists->meeting_touches_vx[k];
+            lists->meeting_vy[row] = lists->meeting_touches_vy[k];
+            lists->meeting_vz[row] = lists->meeting_touches_vz[k];
+            lists->meeting_wx[row] = lists->meeting_touches_wx[k];
+            lists->meeting_wy[row] = lists->meeting_touches_wy[k];
+            lists->meeting_wz[row] = lists->meeting_touches_wz[k];
+        }
+        for (size_t i = 0; i < meeting_count; i += LANES_WIDTH) {
+            const M rows = lanes_first(meeting_count - i);
+            V body = lanes_load(lists->meeting_body + i);
+            V first = lanes_load(lists->meeting_first + i);
+            V last = lanes_load(lists->meeting_last + i);
+            const V p_ball_radius = lanes_load(varying ? lists->meeting_p_ball_radius + i : lists->p_ball_radius);
+            const V p_board_distance = lanes_load(varying ? lists->meeting_p_board_distance + i : lists->p_board_distance);
+            const V p_wire_radius = lanes_load(varying ? lists->meeting_p_wire_radius + i : lists->p_wire_radius);
+            M touches = lanes_less(K(0.0), lanes_load(lists->meeting_touches + i));
+            V which = lanes_load(lists->meeting_which + i);
+            V x = lanes_load(lists->meeting_x + i);
+            V y = lanes_load(lists->meeting_y + i);
+            V z = lanes_load(lists->meeting_z + i);
+            const LANES(hoop_here_out) _o130 =
+                LANES(hoop_here)(K(1.0), which);
+            M here = _o130.here;
+            const M _m131 = lanes_both(rows, here);
+            {
+                const LANES(hoop_backboard_place_out) _o132 =
+                    LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
+                x = lanes_select(_m131, _o132.x, x);
+                y = lanes_select(_m131, _o132.y, y);
+                z = lanes_select(_m131, _o132.z, z);
+            }
+            const LANES(hoop_here_out) _o133 =
+                LANES(hoop_here)(K(2.0), which);
+            here = _o133.here;
+            const M _m134 = lanes_both(rows, here);
+            {
+                const LANES(hoop_bridge_place_out) _o135 =
+                    LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
+                x = lanes_select(_m134, _o135.x, x);
+                y = lanes_select(_m134, _o135.y, y);
+                z = lanes_select(_m134, _o135.z, z);
+            }
+            const M _m136 = lanes_both(rows, touches);
+            {
+                const LANES(hoop_touched_out) _o137 =
+                    LANES(hoop_touched)(body, first, which);
+                first = lanes_select(_m136, _o137.first, first);
+                last = lanes_select(_m136, _o137.last, last);
+            }
+            lanes_store(lists->meeting_first + i, first);
+            lanes_store(lists->meeting_last + i, last);
+            lanes_store(lists->meeting_x + i, x);
+            lanes_store(lists->meeting_y + i, y);
+            lanes_store(lists->meeting_z + i, z);
+        }
+        for (size_t k = 0; k < meeting_count; k++) {
+            const size_t row = (size_t)lists->meeting_row[k];
+            lists->clock_error[row] = lists->meeting_clock_error[k];
+            lists->count_0[row] = lists->meeting_count_0[k];
+            lists->count_1[row] = lists->meeting_count_1[k];
+            lists->count_2[row] = lists->meeting_count_2[k];
+            lists->dvx[row] = lists->meeting_dvx[k];
+            lists->dvy[row] = lists->meeting_dvy[k];
+            lists->dvz[row] = lists->meeting_dvz[k];
+            lists->dwx[row] = lists->meeting_dwx[k];
+            lists->dwy[row] = lists->meeting_dwy[k];
+            lists->dwz[row] = lists->meeting_dwz[k];
+            lists->dx[row] = lists->meeting_dx[k];
+            lists->dy[row] = lists->meeting_dy[k];
+            lists->dz[row] = lists->meeting_dz[k];
+            lists->first[row] = lists->meeting_first[k];
+            lists->last[row] = lists->meeting_last[k];
+            lists->vx[row] = lists->meeting_vx[k];
+            lists->vy[row] = lists->meeting_vy[k];
+            lists->vz[row] = lists->meeting_vz[k];
+            lists->wx[row] = lists->meeting_wx[k];
+            lists->wy[row] = lists->meeting_wy[k];
+            lists->wz[row] = lists->meeting_wz[k];
+            lists->x[row] = lists->meeting_x[k];
+            lists->y[row] = lists->meeting_y[k];
+            lists->z[row] = lists->meeting_z[k];
+        }
+        for (size_t i = 0; i < count; i += LANES_WIDTH) {
+            const M rows = lanes_first(count - i);
+            V clock_error = lanes_load(lists->clock_error + i);
+            V dvx = lanes_load(lists->dvx + i);
+            V dvy = lanes_load(lists->dvy + i);
+            V dvz = lanes_load(lists->dvz + i);
+            V dwx = lanes_load(lists->dwx + i);
+            V dwy = lanes_load(lists->dwy + i);
+            V dwz = lanes_load(lists->dwz + i);
+            V dx = lanes_load(lists->dx + i);
+            V dy = lanes_load(lists->dy + i);
+            V dz = lanes_load(lists->dz + i);
+            V outcome = lanes_load(lists->outcome + i);
+            V position_claim = lanes_load(lists->position_claim + i);
+            V spin_claim = lanes_load(lists->spin_claim + i);
+            V time_claim = lanes_load(lists->time_claim + i);
+            V velocity_claim = lanes_load(lists->velocity_claim + i);
+            const LANES(hoop_closing_out) _o138 =
+                LANES(hoop_closing)(claims, outcome);
+            M closed = _o138.closed;
+            const M _m139 = lanes_both(rows, closed);
+            {
+                const LANES(hoop_claimed_errors_out) _o140 =
+                    LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                position_claim = lanes_select(_m139, _o140.position_error, position_claim);
+                velocity_claim = lanes_select(_m139, _o140.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m139, _o140.spin_error, spin_claim);
+                time_claim = lanes_select(_m139, _o140.time_error, time_claim);
+            }
+            lanes_store(lists->position_claim + i, position_claim);
+            lanes_store(lists->spin_claim + i, spin_claim);
+            lanes_store(lists->time_claim + i, time_claim);
+            lanes_store(lists->velocity_claim + i, velocity_claim);
+        }
+        if (recording)
+            for (size_t k = 0; k < count; k++) {
+                if (lists->body[k] < 0.0)
+                    continue;
+                const size_t shot = lists->shot[k];
+                int32_t *used = job->results->event_counts + shot;
+                hoop_event *event = job->results->events + shot * ((size_t)job->max_contacts + 1) + (size_t)(*used)++;
+                event->shot = (int64_t)shot;
+                event->surface = (int64_t)lists->body[k];
+                event->time = lists->clock[k];
+                event->before[0] = lists->x_before[k];
+                event->after[0] = lists->x[k];
+                event->before[1] = lists->y_before[k];
+                event->after[1] = lists->y[k];
+                event->before[2] = lists->z_before[k];
+                event->after[2] = lists->z[k];
+                event->before[3] = lists->vx_before[k];
+                event->after[3] = lists->vx[k];
+                event->before[4] = lists->vy_before[k];
+                event->after[4] = lists->vy[k];
+                event->before[5] = lists->vz_before[k];
+                event->after[5] = lists->vz[k];
+                event->before[6] = lists->wx_before[k];
+                event->after[6] = lists->wx[k];
+                event->before[7] = lists->wy_before[k];
+                event->after[7] = lists->wy[k];
+                event->before[8] = lists->wz_before[k];
+                event->after[8] = lists->wz[k];
+            }
+
+        M going = lanes_nowhere();
+        for (size_t i = 0; i < count; i += LANES_WIDTH)
+            going = lanes_either(going, lanes_both(lanes_first(count - i), lanes_less(lanes_load(lists->outcome + i), K(0.0))));
+        if (following && !lanes_any(going)) {
+            LANES(hoop_bounded_finish_all)(lists, count, job);
+            count = 0;
+            continue;
+        }
+        for (size_t k = count; k-- > 0;)
+            if (lists->outcome[k] >= 0.0)
+                LANES(hoop_bounded_finish)(lists, k, --count, job);
     }
 }
 
@@ -1666,3 +2792,11 @@ static void LANES(hoop_run)(const hoop_job *job)
 #undef lanes_load
 #undef lanes_store
 #undef lanes_gather
+#undef lanes_bits
+#undef lanes_of
+#undef lanes_many
+#undef lanes_first
+#undef lanes_leading
+#undef lanes_count_up
+#undef lanes_pack
+#undef lanes_expand

@@ -33,6 +33,14 @@
 #define lanes_load LANES(load)
 #define lanes_store LANES(store)
 #define lanes_gather LANES(gather)
+#define lanes_bits LANES(bits)
+#define lanes_of LANES(of)
+#define lanes_many LANES(many)
+#define lanes_first LANES(first)
+#define lanes_leading LANES(leading)
+#define lanes_count_up LANES(count_up)
+#define lanes_pack LANES(pack)
+#define lanes_expand LANES(expand)
 #define K(c) lanes_all(c)
 
 #if LANES_WIDTH == 1
@@ -65,6 +73,15 @@ LANES_INLINE V lanes_gather(const double *first, int64_t stride)
     (void)stride;
     return *first;
 }
+LANES_INLINE unsigned lanes_bits(M m) { return (unsigned)m; }
+LANES_INLINE M lanes_of(unsigned bits) { return (M)bits; }
+LANES_INLINE V lanes_count_up(void) { return 0.0; }
+LANES_INLINE void lanes_pack(double *to, M m, V a)
+{
+    if (m)
+        *to = a;
+}
+LANES_INLINE V lanes_expand(const double *from, M m, V old) { return m ? *from : old; }
 
 #else
 
@@ -84,6 +101,10 @@ LANES_INLINE V lanes_gather(const double *first, int64_t stride)
 #define n_max LANES(n_max)
 #define n_min LANES(n_min)
 #define n_gather LANES(n_gather)
+#define n_bits LANES(n_bits)
+#define n_of LANES(n_of)
+#define n_pack LANES(n_pack)
+#define n_expand LANES(n_expand)
 
 #if defined(__x86_64__) && NATIVE == 8
 
@@ -106,6 +127,16 @@ LANES_INLINE N n_gather(const double *first, int64_t stride)
     return (N){first[0],          first[stride],     first[2 * stride], first[3 * stride],
                first[4 * stride], first[5 * stride], first[6 * stride], first[7 * stride]};
 }
+LANES_INLINE unsigned n_bits(B m) { return m; }
+LANES_INLINE B n_of(unsigned bits) { return (B)bits; }
+LANES_INLINE void n_pack(double *to, B m, N a)
+{
+    _mm512_storeu_pd(to, _mm512_maskz_compress_pd(m, a));
+}
+LANES_INLINE N n_expand(const double *from, B m, N old)
+{
+    return _mm512_mask_expand_pd(old, m, _mm512_loadu_pd(from));
+}
 
 #elif defined(__x86_64__) && NATIVE == 4
 
@@ -126,6 +157,26 @@ LANES_INLINE N n_min(N a, N b) { return _mm256_min_pd(a, b); }
 LANES_INLINE N n_gather(const double *first, int64_t stride)
 {
     return (N){first[0], first[stride], first[2 * stride], first[3 * stride]};
+}
+LANES_INLINE unsigned n_bits(B m) { return (unsigned)_mm256_movemask_pd(m); }
+LANES_INLINE B n_of(unsigned bits)
+{
+    const __m256i each = _mm256_set_epi64x(8, 4, 2, 1);
+    const __m256i own = _mm256_and_si256(_mm256_set1_epi64x((int64_t)bits), each);
+    return (B)_mm256_cmpeq_epi64(own, each);
+}
+LANES_INLINE N LANES(n_permute)(const uint8_t *order, N a)
+{
+    const __m256i pairs = _mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i *)order));
+    return (N)_mm256_permutevar8x32_epi32((__m256i)a, pairs);
+}
+LANES_INLINE void n_pack(double *to, B m, N a)
+{
+    _mm256_storeu_pd(to, LANES(n_permute)(PACKED[n_bits(m)], a));
+}
+LANES_INLINE N n_expand(const double *from, B m, N old)
+{
+    return n_select(m, LANES(n_permute)(EXPANDED[n_bits(m)], _mm256_loadu_pd(from)), old);
 }
 
 #else
@@ -155,6 +206,35 @@ LANES_INLINE N n_gather(const double *first, int64_t stride)
     for (int lane = 0; lane < NATIVE; lane++)
         a[lane] = first[stride * lane];
     return a;
+}
+LANES_INLINE unsigned n_bits(B m)
+{
+    unsigned bits = 0;
+    for (int lane = 0; lane < NATIVE; lane++)
+        bits |= (unsigned)(m[lane] & 1) << lane;
+    return bits;
+}
+LANES_INLINE B n_of(unsigned bits)
+{
+    B m;
+    for (int lane = 0; lane < NATIVE; lane++)
+        m[lane] = -(int64_t)(bits >> lane & 1);
+    return m;
+}
+LANES_INLINE void n_pack(double *to, B m, N a)
+{
+    for (int lane = 0; lane < NATIVE; lane++) {
+        *to = a[lane];
+        to += m[lane] & 1;
+    }
+}
+LANES_INLINE N n_expand(const double *from, B m, N old)
+{
+    for (int lane = 0; lane < NATIVE; lane++) {
+        old[lane] = m[lane] ? *from : old[lane];
+        from += m[lane] & 1;
+    }
+    return old;
 }
 
 #endif
@@ -206,19 +286,30 @@ LANES_INLINE V lanes_gather(const double *first, int64_t stride)
 {
     return (V){n_gather(first, stride), n_gather(first + NATIVE * stride, stride)};
 }
-LANES_INLINE int lanes_any(M m)
+LANES_INLINE unsigned lanes_bits(M m) { return n_bits(m.lo) | n_bits(m.hi) << NATIVE; }
+LANES_INLINE M lanes_of(unsigned bits)
 {
-    const B any = n_either(m.lo, m.hi);
-#if defined(__x86_64__) && NATIVE == 8
-    return any != 0;
-#elif defined(__x86_64__) && NATIVE == 4
-    return _mm256_movemask_pd(any) != 0;
-#else
-    int64_t found = 0;
-    for (int lane = 0; lane < NATIVE; lane++)
-        found |= any[lane];
-    return found != 0;
-#endif
+    return (M){n_of(bits & ((1U << NATIVE) - 1)), n_of(bits >> NATIVE)};
+}
+LANES_INLINE int lanes_any(M m) { return n_bits(n_either(m.lo, m.hi)) != 0; }
+LANES_INLINE V lanes_count_up(void)
+{
+    V up;
+    for (int lane = 0; lane < NATIVE; lane++) {
+        up.lo[lane] = lane;
+        up.hi[lane] = NATIVE + lane;
+    }
+    return up;
+}
+LANES_INLINE void lanes_pack(double *to, M m, V a)
+{
+    n_pack(to, m.lo, a.lo);
+    n_pack(to + LANES_POPULATION(n_bits(m.lo)), m.hi, a.hi);
+}
+LANES_INLINE V lanes_expand(const double *from, M m, V old)
+{
+    return (V){n_expand(from, m.lo, old.lo),
+               n_expand(from + LANES_POPULATION(n_bits(m.lo)), m.hi, old.hi)};
 }
 
 #undef N
@@ -237,6 +328,10 @@ LANES_INLINE int lanes_any(M m)
 #undef n_max
 #undef n_min
 #undef n_gather
+#undef n_bits
+#undef n_of
+#undef n_pack
+#undef n_expand
 
 #endif
 
@@ -244,4 +339,26 @@ LANES_INLINE int lanes_any(M m)
 LANES_INLINE M lanes_choose(M m, M a, M b)
 {
     return lanes_either(lanes_both(a, m), lanes_both(b, lanes_not(m)));
+}
+
+/* How many lanes are in a mask. */
+LANES_INLINE size_t lanes_many(M m) { return (size_t)LANES_POPULATION(lanes_bits(m)); }
+
+/* The first lanes, as many as there are shots. */
+LANES_INLINE M lanes_first(size_t shots)
+{
+    return lanes_of(shots < LANES_WIDTH ? (1U << shots) - 1 : (1U << (LANES_WIDTH - 1) << 1) - 1);
+}
+
+/* Those lanes, and of the idle ones the first, as many as there are shots. */
+LANES_INLINE M lanes_leading(M idle, size_t shots, M lanes)
+{
+    unsigned bits = lanes_bits(idle);
+    if ((size_t)LANES_POPULATION(bits) > shots) {
+        unsigned taken = 0;
+        for (; shots > 0; shots--, bits &= bits - 1)
+            taken |= bits & (0U - bits);
+        bits = taken;
+    }
+    return lanes_either(lanes, lanes_of(bits));
 }

@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from hoopgen.derive.follow.fields import Field
-from hoopgen.derive.follow.loop import Loop
 from hoopgen.derive.ground.tree import (
     Do,
     Guard,
@@ -95,11 +93,10 @@ class CLoop(_Printer):
         known: Mapping[str, bool],
         mask: str,
         after: Iterable[str],
-        outer: set[str],
     ) -> dict[str, bool]:
         """Print a stage for the lanes of `mask`; return the variables known after it."""
         known = dict(known)
-        self._body(nodes, known, outer, mask, "", set(after))
+        self._body(nodes, known, set(), mask, "", set(after))
         return known
 
     def _body(
@@ -299,63 +296,3 @@ def local(name: str, depth: int) -> str:
 def weighted(cost: Mapping[str, int]) -> int:
     """Return about how long a kernel takes, in additions."""
     return sum(count * COSTS.get(name, 1) for name, count in cost.items())
-
-
-@dataclass(frozen=True)
-class LoopView:
-    """What a template sees of the event loop.
-
-    Attributes
-    ----------
-    name
-        "bounded" where errors are bounded, else "plain".
-    fields
-        What a shot has.
-    c, numpy
-        The lines of each stage.
-    columns
-        By stage, the variables that NumPy reads, and those that it writes with their names.
-    """
-
-    name: str
-    bounds: bool
-    fields: tuple[Field, ...]
-    c: dict[str, list[str]]
-    numpy: dict[str, list[str]]
-    columns: dict[str, tuple[list[str], dict[str, str]]]
-
-
-def loop_view(prefix: str, costs: Mapping[str, int], loop: Loop, bounds: bool) -> LoopView:
-    """Return the loop, printed."""
-    names = [field.name for field in loop.fields]
-    given = (*names, *loop.parameters, *loop.job)
-    known = dict.fromkeys(given, False)
-    view = LoopView("bounded" if bounds else "plain", bounds, loop.fields, {}, {}, {})
-    masks, counter = {"admit": "fresh"}, 0
-    available = set(given)
-    for stage, (nodes, after) in _after(loop, names).items():
-        c = CLoop(prefix, costs, C, counter=counter)
-        outer = set(names) if stage == "admit" else set()
-        found = c.stage(nodes, known, masks.get(stage, "flying"), after, outer)
-        known = found if stage == "reach" else dict.fromkeys((*given, "permitted"), False)
-        counter = c.counter
-        numpy = NumPyLoop(prefix, costs, NUMPY)
-        touched = reads(nodes) | set(writes(nodes))
-        read = sorted(live_before(nodes, after) & available & touched)
-        names_after = numpy.stage(nodes, {name: local(name, 0) for name in read}, after)
-        written = {n: names_after[n] for n in sorted(after & set(writes(nodes)) & set(names_after))}
-        view.c[stage], view.numpy[stage] = c.lines, numpy.lines
-        view.columns[stage] = (read, written)
-        available |= set(written)
-    return view
-
-
-def _after(loop: Loop, names: Sequence[str]) -> dict[str, tuple[tuple[Node, ...], set[str]]]:
-    """Return each stage's nodes, and the variables that are needed after it."""
-    wanted = {*names, "body"}
-    found: dict[str, tuple[tuple[Node, ...], set[str]]] = {}
-    for stage, nodes in reversed(list(loop.stages.items())):
-        kept = needed(nodes, wanted)
-        found[stage] = (kept, set(wanted))
-        wanted = set(names) | live_before(kept, wanted)
-    return dict(reversed(found.items()))

@@ -23,10 +23,11 @@ from hoopgen.derive.scenes.scene import Scene
 from hoopgen.outputs import write
 
 from .derivation import derivation_context
-from .loop import local, loop_view, weighted
+from .loop import local, weighted
 from .names import FILTERS, identifier
 from .printers import JS, NUMPY, Body, C, constant, print_program
 from .program import Program, lower
+from .view import loop_view
 
 OUTPUTS = {
     "numpy/kernels.py.j2": "numpy/{scene}.py",
@@ -148,6 +149,7 @@ def _environment() -> jinja2.Environment:
     environment.filters["number"] = lambda value: constant(float(value), NUMPY)
     environment.filters["local"] = lambda name: local(name, 0)
     environment.filters["annotated"] = lambda name: f"{name}: Any"
+    environment.filters["before"] = lambda name: f"{name}_before"
     environment.filters["c_argument"] = lambda name: f"V {name}"
     return environment
 

@@ -1,0 +1,286 @@
+"""Printing the event loop for C: passes over lists of the shots that do the same.
+
+A body that is long is not done lane by lane beside those that sit out: the shots that need it are
+packed into a list of their own, on which all lanes work. A body that repeats takes the next shots
+of its list into the lanes that are done. What was found goes back to the row it came from.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field, replace
+
+from hoopgen.derive.ground.tree import Do, Guard, Node, Repeat, live_before, walk, writes
+
+from .loop import CLoop, scope
+
+LISTED = 300
+"""A body that costs so much has a list of its own; for a shorter one the packing costs more."""
+
+
+@dataclass(frozen=True)
+class Note:
+    """Lines that come before the node of an index: what they read, and which truths they give."""
+
+    index: int
+    lines: tuple[str, ...]
+    reads: frozenset[str]
+    gives: dict[str, bool] = field(default_factory=dict)
+
+
+@dataclass
+class Frame:
+    """A list of shots, the variables that it has columns for, and the row that it begins with."""
+
+    prefix: str
+    known: dict[str, bool]
+    first: str = "0"
+
+    @property
+    def count(self) -> str:
+        """The C variable of its length."""
+        return f"{self.prefix}count"
+
+    def column(self, name: str) -> str:
+        """Return the array of a variable."""
+        return f"lists->{self.prefix}{name}"
+
+
+@dataclass
+class CLists(CLoop):
+    """Passes over lists, printed stage by stage.
+
+    Attributes
+    ----------
+    parameters
+        What has one value for all shots, or one for each.
+    job
+        What has one value for all.
+    columns
+        By array, in order, whether it holds truths: what the struct of the lists has room for.
+    """
+
+    parameters: Sequence[str] = ()
+    job: Sequence[str] = ()
+    columns: dict[str, bool] = field(default_factory=dict)
+
+    def passes(
+        self, nodes: Sequence[Node], frame: Frame, after: Iterable[str], note: Note
+    ) -> None:
+        """Print nodes for all shots of a list, given what is needed after them."""
+        self._rows(nodes, frame, set(after), note)
+
+    def _rows(
+        self,
+        nodes: Sequence[Node],
+        frame: Frame,
+        after: set[str],
+        note: Note | None = None,
+    ) -> None:
+        start = 0
+        for index, node in enumerate(nodes):
+            if isinstance(node, Do) or not self._listed(node):
+                continue
+            later = live_before(nodes[index + 1 :], after)
+            own = self._pass(nodes[start:index], frame, later, node, _within(note, start, index))
+            if isinstance(node, Guard):
+                self._rows(node.body, own, set(scope(node, later).gives))
+                self._return(frame, own, scope(node, later).gives)
+            else:
+                self._turns(node, frame, own, later)
+            start = index + 1
+        if start < len(nodes):
+            last = _within(note, start, len(nodes))
+            self._pass(nodes[start:], frame, after, None, last)
+
+    def _listed(self, node: Guard | Repeat) -> bool:
+        if isinstance(node, Repeat):
+            return True
+        return any(isinstance(n, Repeat) for n in walk(node.body)) or self._cost(node) > LISTED
+
+    def _cost(self, node: Guard | Repeat) -> int:
+        return sum(self.costs[n.kernel.name] for n in walk(node.body) if isinstance(n, Do))
+
+    def _pass(
+        self,
+        nodes: Sequence[Node],
+        frame: Frame,
+        later: set[str],
+        cut: Guard | Repeat | None,
+        note: Note | None = None,
+    ) -> Frame:
+        """Print nodes for every row of a list; pack those that go on to a body of their own."""
+        written = writes(nodes)
+        stored = {name: written[name] for name in sorted(written) if name in later}
+        takes = scope(cut, later).takes if cut else ()
+        wanted = set(stored) | set(takes) | ({cut.truth} if cut else set())
+        wanted |= note.reads - set(written) if note else set()
+        need = live_before(nodes, wanted)
+        own = Frame(f"{frame.prefix}{cut.truth}_" if cut else "", {})
+        line = self.lines.append
+        if cut:
+            line(f"size_t {own.count} = 0;")
+        line(f"for (size_t i = {frame.first}; i < {frame.count}; i += LANES_WIDTH) {{")
+        line(f"    const M rows = lanes_first({frame.count} - i);")
+        known = dict.fromkeys(self.job, False)
+        for name in sorted(need):
+            if name in self.parameters:
+                line(f"    const V {name} = {self._parameter(frame, name)};")
+            elif name in frame.known:
+                truth = frame.known[name]
+                column = f"lanes_load({frame.column(name)} + i)"
+                value = f"lanes_less(K(0.0), {column})" if truth else column
+                line(f"    {'M' if truth else 'V'} {name} = {value};")
+                known[name] = truth
+        for name in self.parameters:
+            known[name] = False
+        self._noted(nodes, known, wanted, note)
+        for name, truth in stored.items():
+            self._column(frame, name, truth)
+            value = f"lanes_select({name}, K(1.0), K(0.0))" if truth else name
+            line(f"    lanes_store({frame.column(name)} + i, {value});")
+            frame.known[name] = truth
+        if cut:
+            self._pack(cut, own, takes, known)
+        line("}")
+        return own
+
+    def _noted(
+        self, nodes: Sequence[Node], known: dict[str, bool], wanted: set[str], note: Note | None
+    ) -> None:
+        if note is None:
+            self._body(nodes, known, set(), "rows", "    ", wanted)
+            return
+        between = live_before(nodes[note.index :], wanted) | note.reads
+        self._body(nodes[: note.index], known, set(), "rows", "    ", between)
+        self.lines.extend("    " + text for text in note.lines)
+        known |= note.gives
+        self._body(nodes[note.index :], known, set(), "rows", "    ", wanted)
+
+    def _column(self, frame: Frame, name: str, truth: bool) -> None:
+        self.columns.setdefault(f"{frame.prefix}{name}", truth)
+
+    def _parameter(self, frame: Frame, name: str, row: str = "i") -> str:
+        """A parameter's values for the rows from i on; one that all share has one row of lanes."""
+        if not frame.prefix:
+            return f"lanes_load(lists->{name} + ({row} & varying))"
+        return f"lanes_load(varying ? {frame.column(name)} + {row} : lists->{name})"
+
+    def _pack(
+        self, cut: Guard | Repeat, own: Frame, takes: Iterable[str], known: dict[str, bool]
+    ) -> None:
+        line = self.lines.append
+        line(f"    const M packed = lanes_both(rows, {cut.truth});")
+        line("    if (lanes_any(packed)) {")
+        line(
+            f"        lanes_pack({own.column('row')} + {own.count}, packed, "
+            "lanes_add(lanes_count_up(), K((double)i)));"
+        )
+        self._column(own, "row", False)
+        for name in takes:
+            if name in self.job:
+                continue
+            self._column(own, name, known[name])
+            place = f"{own.column(name)} + {own.count}"
+            if name in self.parameters:
+                line(f"        if (varying)")
+                line(f"            lanes_pack({place}, packed, {name});")
+            elif isinstance(cut, Repeat) and name == cut.truth:
+                continue
+            else:
+                value = f"lanes_select({name}, K(1.0), K(0.0))" if known[name] else name
+                line(f"        lanes_pack({place}, packed, {value});")
+                own.known[name] = known[name]
+        line(f"        {own.count} += lanes_many(packed);")
+        line("    }")
+
+    def _return(self, frame: Frame, own: Frame, gives: Sequence[str]) -> None:
+        line = self.lines.append
+        line(f"for (size_t k = 0; k < {own.count}; k++) {{")
+        line(f"    const size_t row = (size_t){own.column('row')}[k];")
+        for name in gives:
+            self._column(frame, name, frame.known[name])
+            line(f"    {frame.column(name)}[row] = {own.column(name)}[k];")
+        line("}")
+
+    def _turns(self, node: Repeat, frame: Frame, own: Frame, later: set[str]) -> None:
+        """Print a body that repeats, the lanes that are done given the next shots of the list."""
+        scoped = scope(node, later)
+        parameters = [name for name in scoped.takes if name in self.parameters]
+        line = self.lines.append
+        line("{")
+        line("    size_t taken = 0, busy = 0;")
+        line("    M active = lanes_nowhere();")
+        line("    V row = K(0.0), turns = K(0.0);")
+        for name in parameters:
+            line(f"    V {name} = lanes_load(lists->{name});")
+        for name, truth in own.known.items():
+            line(f"    {'M' if truth else 'V'} {name} = {'lanes_nowhere()' if truth else 'K(0.0)'};")
+        line("    for (;;) {")
+        line(f"        if (taken < {own.count} && busy + LANES_SPARE <= LANES_WIDTH) {{")
+        line("            const M idle = lanes_not(active);")
+        line(f"            row = lanes_expand({own.column('row')} + taken, idle, row);")
+        line("            turns = lanes_select(idle, K(0.0), turns);")
+        for name, truth in own.known.items():
+            column = f"{own.column(name)} + taken"
+            if truth:
+                old = f"lanes_select({name}, K(1.0), K(0.0))"
+                line(f"            {name} = lanes_less(K(0.0), lanes_expand({column}, idle, {old}));")
+            else:
+                line(f"            {name} = lanes_expand({column}, idle, {name});")
+        if parameters:
+            line("            if (varying) {")
+            for name in parameters:
+                line(
+                    f"                {name} = lanes_expand({own.column(name)} + taken, idle, {name});"
+                )
+            line("            }")
+        line(f"            const size_t room = LANES_WIDTH - busy, left = {own.count} - taken;")
+        line("            active = lanes_leading(idle, left, active);")
+        line("            taken += left < room ? left : room;")
+        line("            busy += left < room ? left : room;")
+        line("        }")
+        line("        if (busy == 0)")
+        line("            break;")
+        known = dict.fromkeys((*self.job, *self.parameters), False) | own.known
+        known[node.truth] = True
+        line(f"        M {node.truth} = active;")
+        self._body(
+            node.body,
+            known,
+            set(),
+            "active",
+            "        ",
+            set(scoped.gives) | set(scoped.takes) | {node.truth},
+        )
+        line("        turns = lanes_add(turns, K(1.0));")
+        line(
+            f"        const M ended = lanes_both(active, lanes_not(lanes_both({node.truth}, "
+            f"lanes_less(turns, K({float(node.limit)})))));"
+        )
+        line("        if (lanes_any(ended)) {")
+        line("            double ended_row[LANES_WIDTH];")
+        line("            lanes_store(ended_row, row);")
+        for name in scoped.gives:
+            truth = writes([node])[name]
+            value = f"lanes_select({name}, K(1.0), K(0.0))" if truth else name
+            line(f"            double ended_{name}[LANES_WIDTH];")
+            line(f"            lanes_store(ended_{name}, {value});")
+        line("            for (unsigned bits = lanes_bits(ended); bits; bits &= bits - 1) {")
+        line("                const int lane = LANES_LOWEST(bits);")
+        line("                const size_t k = (size_t)ended_row[lane];")
+        for name in scoped.gives:
+            line(f"                {frame.column(name)}[k] = ended_{name}[lane];")
+        line("            }")
+        line("            busy -= lanes_many(ended);")
+        line("            active = lanes_both(active, lanes_not(ended));")
+        line("        }")
+        line("    }")
+        line("}")
+
+
+def _within(note: Note | None, start: int, end: int) -> Note | None:
+    """Return the note for a run of the nodes, if it belongs there."""
+    if note is None or not start <= note.index <= end:
+        return None
+    return replace(note, index=note.index - start)

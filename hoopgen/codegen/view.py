@@ -1,0 +1,126 @@
+"""The event loop as templates see it: printed for each target."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from hoopgen.derive.follow.fields import Field
+from hoopgen.derive.follow.loop import Loop
+from hoopgen.derive.ground.symbols import STATE
+from hoopgen.derive.ground.tree import Node, live_before, needed, reads, writes
+
+from .lists import CLists, Frame, Note
+from .loop import CLoop, NumPyLoop, local
+from .printers import NUMPY, C
+
+STATE_NAMES = tuple(symbol.name for symbol in STATE)
+
+
+@dataclass(frozen=True)
+class LoopView:
+    """What a template sees of the event loop.
+
+    Attributes
+    ----------
+    name
+        "bounded" where errors are bounded, else "plain".
+    fields
+        What a shot has.
+    c
+        The lines of C: `permit`, `admit`, and `follow`, which is what comes after those two.
+    c_columns
+        The columns that those need beside the fields.
+    numpy
+        The lines of each stage.
+    columns
+        By stage, the variables that NumPy reads, and those that it writes with their names.
+    """
+
+    name: str
+    bounds: bool
+    fields: tuple[Field, ...]
+    c: dict[str, list[str]]
+    c_columns: list[str]
+    numpy: dict[str, list[str]]
+    columns: dict[str, tuple[list[str], dict[str, str]]]
+
+
+def loop_view(prefix: str, costs: Mapping[str, int], loop: Loop, bounds: bool) -> LoopView:
+    """Return the loop, printed."""
+    names = [field.name for field in loop.fields]
+    available = {*names, *loop.parameters, *loop.job}
+    stages = _after(loop, names)
+    view = LoopView(
+        "bounded" if bounds else "plain",
+        bounds,
+        loop.fields,
+        *_in_c(prefix, costs, loop, stages),
+        {},
+        {},
+    )
+    for stage, (nodes, after) in stages.items():
+        numpy = NumPyLoop(prefix, costs, NUMPY)
+        touched = reads(nodes) | set(writes(nodes))
+        read = sorted(live_before(nodes, after) & available & touched)
+        names_after = numpy.stage(nodes, {name: local(name, 0) for name in read}, after)
+        written = {n: names_after[n] for n in sorted(after & set(writes(nodes)) & set(names_after))}
+        view.numpy[stage] = numpy.lines
+        view.columns[stage] = (read, written)
+        available |= set(written)
+    return view
+
+
+def _in_c(
+    prefix: str, costs: Mapping[str, int], loop: Loop, stages: Mapping[str, Stage]
+) -> tuple[dict[str, list[str]], list[str]]:
+    """Return the lines of C, and the columns that they need beside the fields."""
+    fields = dict.fromkeys((field.name for field in loop.fields), False)
+    permit = CLoop(prefix, costs, C)
+    permit.stage(stages["permit"][0], dict.fromkeys(loop.parameters, False), "", {"permitted"})
+    admit = CLists(prefix, costs, C, parameters=loop.parameters, job=loop.job)
+    given = ", ".join(loop.parameters)
+    permitted = Note(
+        0,
+        (
+            "M permitted = all_permitted;",
+            "if (varying)",
+            f"    permitted = LANES({prefix}_permit)({given});",
+        ),
+        frozenset(loop.parameters),
+        {"permitted": True},
+    )
+    admit.passes(stages["admit"][0], Frame("", dict(fields), "fresh"), fields, permitted)
+    (reach, _), (meet, after) = stages["reach"], stages["meet"]
+    before = Note(
+        len(reach),
+        (
+            "if (recording) {",
+            "    lanes_store(lists->body + i, body);",
+            *(f"    lanes_store(lists->{s}_before + i, {s});" for s in STATE_NAMES),
+            "}",
+        ),
+        frozenset((*STATE_NAMES, "body")),
+    )
+    follow = CLists(
+        prefix, costs, C, counter=admit.counter, parameters=loop.parameters, job=loop.job
+    )
+    follow.passes((*reach, *meet), Frame("", dict(fields)), set(fields), before)
+    columns = [name for name in (*admit.columns, *follow.columns) if name not in fields]
+    lines = {"permit": permit.lines, "admit": admit.lines, "follow": follow.lines}
+    return lines, ["body", *dict.fromkeys(columns)]
+
+
+Stage = tuple[tuple[Node, ...], set[str]]
+"""Its nodes, and the variables that are needed after it."""
+
+
+def _after(loop: Loop, names: Sequence[str]) -> dict[str, Stage]:
+    """Return each stage's nodes, and the variables that are needed after it."""
+    wanted = {*names, "body"}
+    found: dict[str, Stage] = {}
+    for stage, nodes in reversed(list(loop.stages.items())):
+        kept = needed(nodes, wanted)
+        found[stage] = (kept, set(wanted))
+        wanted = set(names) | live_before(kept, wanted)
+    return dict(reversed(found.items()))
