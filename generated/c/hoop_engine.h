@@ -114,15 +114,22 @@ LANES_INLINE void LANES(hoop_plain_begin)(LANES(hoop_plain_lists) *lists, size_t
     const double *state = job->states + HOOP_STATE * first;
     size_t k = 0;
     for (; k + LANES_WIDTH <= count; k += LANES_WIDTH) {
-        lanes_store(lists->x + row + k, lanes_gather(state + HOOP_STATE * k + 0, HOOP_STATE));
-        lanes_store(lists->y + row + k, lanes_gather(state + HOOP_STATE * k + 1, HOOP_STATE));
-        lanes_store(lists->z + row + k, lanes_gather(state + HOOP_STATE * k + 2, HOOP_STATE));
-        lanes_store(lists->vx + row + k, lanes_gather(state + HOOP_STATE * k + 3, HOOP_STATE));
-        lanes_store(lists->vy + row + k, lanes_gather(state + HOOP_STATE * k + 4, HOOP_STATE));
-        lanes_store(lists->vz + row + k, lanes_gather(state + HOOP_STATE * k + 5, HOOP_STATE));
-        lanes_store(lists->wx + row + k, lanes_gather(state + HOOP_STATE * k + 6, HOOP_STATE));
-        lanes_store(lists->wy + row + k, lanes_gather(state + HOOP_STATE * k + 7, HOOP_STATE));
-        lanes_store(lists->wz + row + k, lanes_gather(state + HOOP_STATE * k + 8, HOOP_STATE));
+        double *const columns[] = {
+            lists->x + row + k,
+            lists->y + row + k,
+            lists->z + row + k,
+            lists->vx + row + k,
+            lists->vy + row + k,
+            lists->vz + row + k,
+            lists->wx + row + k,
+            lists->wy + row + k,
+            lists->wz + row + k,
+        };
+#ifdef __GNUC__
+        for (int line = 0; line < HOOP_STATE * LANES_WIDTH; line += 8)
+            __builtin_prefetch(state + HOOP_STATE * (k + LANES_SHOTS) + line, 0, 2);
+#endif
+        lanes_columns(columns, state + HOOP_STATE * k, HOOP_STATE);
     }
     for (; k < count; k++) {
         lists->x[row + k] = state[HOOP_STATE * k + 0];
@@ -207,8 +214,8 @@ LANES_INLINE void LANES(hoop_plain_finish_all)(const LANES(hoop_plain_lists) *li
         }
 }
 
-/* Write the results of the shot in a row; the last one takes the row. */
-LANES_INLINE void LANES(hoop_plain_finish)(LANES(hoop_plain_lists) *lists, size_t row, size_t last, const hoop_job *job)
+/* Write the results of the shot in a row. */
+LANES_INLINE void LANES(hoop_plain_finish)(const LANES(hoop_plain_lists) *lists, size_t row, const hoop_job *job)
 {
     const hoop_results *out = job->results;
     const size_t shot = lists->shot[row];
@@ -241,37 +248,55 @@ LANES_INLINE void LANES(hoop_plain_finish)(LANES(hoop_plain_lists) *lists, size_
         out->state[9 * shot + 7] = invalid ? NAN : lists->wy[row];
         out->state[9 * shot + 8] = invalid ? NAN : lists->wz[row];
     }
-    lists->shot[row] = lists->shot[last];
-    lists->x[row] = lists->x[last];
-    lists->y[row] = lists->y[last];
-    lists->z[row] = lists->z[last];
-    lists->vx[row] = lists->vx[last];
-    lists->vy[row] = lists->vy[last];
-    lists->vz[row] = lists->vz[last];
-    lists->wx[row] = lists->wx[last];
-    lists->wy[row] = lists->wy[last];
-    lists->wz[row] = lists->wz[last];
-    lists->clock[row] = lists->clock[last];
-    lists->last[row] = lists->last[last];
-    lists->first[row] = lists->first[last];
-    lists->contacts[row] = lists->contacts[last];
-    lists->count_0[row] = lists->count_0[last];
-    lists->count_1[row] = lists->count_1[last];
-    lists->count_2[row] = lists->count_2[last];
-    lists->outcome[row] = lists->outcome[last];
-    if (job->varying) {
-        lists->p_ball_radius[row] = lists->p_ball_radius[last];
-        lists->p_ring_radius[row] = lists->p_ring_radius[last];
-        lists->p_wire_radius[row] = lists->p_wire_radius[last];
-        lists->p_board_distance[row] = lists->p_board_distance[last];
-        lists->p_board_half_width[row] = lists->p_board_half_width[last];
-        lists->p_board_bottom[row] = lists->p_board_bottom[last];
-        lists->p_board_top[row] = lists->p_board_top[last];
-        lists->p_bridge_half_width[row] = lists->p_bridge_half_width[last];
-        lists->p_restitution[row] = lists->p_restitution[last];
-        lists->p_gravity[row] = lists->p_gravity[last];
-        lists->p_end_depth[row] = lists->p_end_depth[last];
+}
+
+/* Write the results of the shots that have ended, from a row on; the others close up. */
+LANES_INLINE size_t LANES(hoop_plain_leave)(LANES(hoop_plain_lists) *lists, size_t first, size_t count, const hoop_job *job)
+{
+    size_t kept = first;
+    for (size_t i = first; i < count; i += LANES_WIDTH) {
+        const M rows = lanes_first(count - i);
+        const M going = lanes_both(rows, lanes_less(lanes_load(lists->outcome + i), K(0.0)));
+        for (unsigned bits = lanes_bits(rows) & ~lanes_bits(going); bits; bits &= bits - 1)
+            LANES(hoop_plain_finish)(lists, i + (size_t)LANES_LOWEST(bits), job);
+        if (kept < i || lanes_bits(going) != lanes_bits(rows)) {
+            size_t to = kept;
+            for (unsigned bits = lanes_bits(going); bits; bits &= bits - 1)
+                lists->shot[to++] = lists->shot[i + (size_t)LANES_LOWEST(bits)];
+            lanes_pack(lists->x + kept, going, lanes_load(lists->x + i));
+            lanes_pack(lists->y + kept, going, lanes_load(lists->y + i));
+            lanes_pack(lists->z + kept, going, lanes_load(lists->z + i));
+            lanes_pack(lists->vx + kept, going, lanes_load(lists->vx + i));
+            lanes_pack(lists->vy + kept, going, lanes_load(lists->vy + i));
+            lanes_pack(lists->vz + kept, going, lanes_load(lists->vz + i));
+            lanes_pack(lists->wx + kept, going, lanes_load(lists->wx + i));
+            lanes_pack(lists->wy + kept, going, lanes_load(lists->wy + i));
+            lanes_pack(lists->wz + kept, going, lanes_load(lists->wz + i));
+            lanes_pack(lists->clock + kept, going, lanes_load(lists->clock + i));
+            lanes_pack(lists->last + kept, going, lanes_load(lists->last + i));
+            lanes_pack(lists->first + kept, going, lanes_load(lists->first + i));
+            lanes_pack(lists->contacts + kept, going, lanes_load(lists->contacts + i));
+            lanes_pack(lists->count_0 + kept, going, lanes_load(lists->count_0 + i));
+            lanes_pack(lists->count_1 + kept, going, lanes_load(lists->count_1 + i));
+            lanes_pack(lists->count_2 + kept, going, lanes_load(lists->count_2 + i));
+            lanes_pack(lists->outcome + kept, going, lanes_load(lists->outcome + i));
+            if (job->varying) {
+                lanes_pack(lists->p_ball_radius + kept, going, lanes_load(lists->p_ball_radius + i));
+                lanes_pack(lists->p_ring_radius + kept, going, lanes_load(lists->p_ring_radius + i));
+                lanes_pack(lists->p_wire_radius + kept, going, lanes_load(lists->p_wire_radius + i));
+                lanes_pack(lists->p_board_distance + kept, going, lanes_load(lists->p_board_distance + i));
+                lanes_pack(lists->p_board_half_width + kept, going, lanes_load(lists->p_board_half_width + i));
+                lanes_pack(lists->p_board_bottom + kept, going, lanes_load(lists->p_board_bottom + i));
+                lanes_pack(lists->p_board_top + kept, going, lanes_load(lists->p_board_top + i));
+                lanes_pack(lists->p_bridge_half_width + kept, going, lanes_load(lists->p_bridge_half_width + i));
+                lanes_pack(lists->p_restitution + kept, going, lanes_load(lists->p_restitution + i));
+                lanes_pack(lists->p_gravity + kept, going, lanes_load(lists->p_gravity + i));
+                lanes_pack(lists->p_end_depth + kept, going, lanes_load(lists->p_end_depth + i));
+            }
+        }
+        kept += lanes_many(going);
     }
+    return kept;
 }
 
 /* Run the job: fill the rows, take every shot to its next event, make room of those that ended.
@@ -351,13 +376,11 @@ static void LANES(hoop_plain)(const hoop_job *job)
             lanes_store(lists->outcome + i, outcome);
         }
 
-        M ended = lanes_nowhere();
+        M refused = lanes_nowhere();
         for (size_t i = fresh; i < count; i += LANES_WIDTH)
-            ended = lanes_either(ended, lanes_both(lanes_first(count - i), lanes_at_most(K(0.0), lanes_load(lists->outcome + i))));
-        if (lanes_any(ended)) {
-            for (size_t k = count; k-- > fresh;)
-                if (lists->outcome[k] >= 0.0)
-                    LANES(hoop_plain_finish)(lists, k, --count, job);
+            refused = lanes_either(refused, lanes_both(lanes_first(count - i), lanes_at_most(K(0.0), lanes_load(lists->outcome + i))));
+        if (lanes_any(refused)) {
+            count = LANES(hoop_plain_leave)(lists, fresh, count, job);
             following = 0;
         }
 
@@ -1040,9 +1063,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             count = 0;
             continue;
         }
-        for (size_t k = count; k-- > 0;)
-            if (lists->outcome[k] >= 0.0)
-                LANES(hoop_plain_finish)(lists, k, --count, job);
+        count = LANES(hoop_plain_leave)(lists, 0, count, job);
     }
 }
 
@@ -1230,15 +1251,22 @@ LANES_INLINE void LANES(hoop_bounded_begin)(LANES(hoop_bounded_lists) *lists, si
     const double *state = job->states + HOOP_STATE * first;
     size_t k = 0;
     for (; k + LANES_WIDTH <= count; k += LANES_WIDTH) {
-        lanes_store(lists->x + row + k, lanes_gather(state + HOOP_STATE * k + 0, HOOP_STATE));
-        lanes_store(lists->y + row + k, lanes_gather(state + HOOP_STATE * k + 1, HOOP_STATE));
-        lanes_store(lists->z + row + k, lanes_gather(state + HOOP_STATE * k + 2, HOOP_STATE));
-        lanes_store(lists->vx + row + k, lanes_gather(state + HOOP_STATE * k + 3, HOOP_STATE));
-        lanes_store(lists->vy + row + k, lanes_gather(state + HOOP_STATE * k + 4, HOOP_STATE));
-        lanes_store(lists->vz + row + k, lanes_gather(state + HOOP_STATE * k + 5, HOOP_STATE));
-        lanes_store(lists->wx + row + k, lanes_gather(state + HOOP_STATE * k + 6, HOOP_STATE));
-        lanes_store(lists->wy + row + k, lanes_gather(state + HOOP_STATE * k + 7, HOOP_STATE));
-        lanes_store(lists->wz + row + k, lanes_gather(state + HOOP_STATE * k + 8, HOOP_STATE));
+        double *const columns[] = {
+            lists->x + row + k,
+            lists->y + row + k,
+            lists->z + row + k,
+            lists->vx + row + k,
+            lists->vy + row + k,
+            lists->vz + row + k,
+            lists->wx + row + k,
+            lists->wy + row + k,
+            lists->wz + row + k,
+        };
+#ifdef __GNUC__
+        for (int line = 0; line < HOOP_STATE * LANES_WIDTH; line += 8)
+            __builtin_prefetch(state + HOOP_STATE * (k + LANES_SHOTS) + line, 0, 2);
+#endif
+        lanes_columns(columns, state + HOOP_STATE * k, HOOP_STATE);
     }
     for (; k < count; k++) {
         lists->x[row + k] = state[HOOP_STATE * k + 0];
@@ -1352,8 +1380,8 @@ LANES_INLINE void LANES(hoop_bounded_finish_all)(const LANES(hoop_bounded_lists)
         }
 }
 
-/* Write the results of the shot in a row; the last one takes the row. */
-LANES_INLINE void LANES(hoop_bounded_finish)(LANES(hoop_bounded_lists) *lists, size_t row, size_t last, const hoop_job *job)
+/* Write the results of the shot in a row. */
+LANES_INLINE void LANES(hoop_bounded_finish)(const LANES(hoop_bounded_lists) *lists, size_t row, const hoop_job *job)
 {
     const hoop_results *out = job->results;
     const size_t shot = lists->shot[row];
@@ -1397,52 +1425,70 @@ LANES_INLINE void LANES(hoop_bounded_finish)(LANES(hoop_bounded_lists) *lists, s
     if (out->uncertain) {
         out->uncertain[shot] = (uint8_t)lists->uncertain[row];
     }
-    lists->shot[row] = lists->shot[last];
-    lists->x[row] = lists->x[last];
-    lists->y[row] = lists->y[last];
-    lists->z[row] = lists->z[last];
-    lists->vx[row] = lists->vx[last];
-    lists->vy[row] = lists->vy[last];
-    lists->vz[row] = lists->vz[last];
-    lists->wx[row] = lists->wx[last];
-    lists->wy[row] = lists->wy[last];
-    lists->wz[row] = lists->wz[last];
-    lists->dx[row] = lists->dx[last];
-    lists->dy[row] = lists->dy[last];
-    lists->dz[row] = lists->dz[last];
-    lists->dvx[row] = lists->dvx[last];
-    lists->dvy[row] = lists->dvy[last];
-    lists->dvz[row] = lists->dvz[last];
-    lists->dwx[row] = lists->dwx[last];
-    lists->dwy[row] = lists->dwy[last];
-    lists->dwz[row] = lists->dwz[last];
-    lists->clock[row] = lists->clock[last];
-    lists->clock_error[row] = lists->clock_error[last];
-    lists->last[row] = lists->last[last];
-    lists->first[row] = lists->first[last];
-    lists->contacts[row] = lists->contacts[last];
-    lists->count_0[row] = lists->count_0[last];
-    lists->count_1[row] = lists->count_1[last];
-    lists->count_2[row] = lists->count_2[last];
-    lists->uncertain[row] = lists->uncertain[last];
-    lists->position_claim[row] = lists->position_claim[last];
-    lists->velocity_claim[row] = lists->velocity_claim[last];
-    lists->spin_claim[row] = lists->spin_claim[last];
-    lists->time_claim[row] = lists->time_claim[last];
-    lists->outcome[row] = lists->outcome[last];
-    if (job->varying) {
-        lists->p_ball_radius[row] = lists->p_ball_radius[last];
-        lists->p_ring_radius[row] = lists->p_ring_radius[last];
-        lists->p_wire_radius[row] = lists->p_wire_radius[last];
-        lists->p_board_distance[row] = lists->p_board_distance[last];
-        lists->p_board_half_width[row] = lists->p_board_half_width[last];
-        lists->p_board_bottom[row] = lists->p_board_bottom[last];
-        lists->p_board_top[row] = lists->p_board_top[last];
-        lists->p_bridge_half_width[row] = lists->p_bridge_half_width[last];
-        lists->p_restitution[row] = lists->p_restitution[last];
-        lists->p_gravity[row] = lists->p_gravity[last];
-        lists->p_end_depth[row] = lists->p_end_depth[last];
+}
+
+/* Write the results of the shots that have ended, from a row on; the others close up. */
+LANES_INLINE size_t LANES(hoop_bounded_leave)(LANES(hoop_bounded_lists) *lists, size_t first, size_t count, const hoop_job *job)
+{
+    size_t kept = first;
+    for (size_t i = first; i < count; i += LANES_WIDTH) {
+        const M rows = lanes_first(count - i);
+        const M going = lanes_both(rows, lanes_less(lanes_load(lists->outcome + i), K(0.0)));
+        for (unsigned bits = lanes_bits(rows) & ~lanes_bits(going); bits; bits &= bits - 1)
+            LANES(hoop_bounded_finish)(lists, i + (size_t)LANES_LOWEST(bits), job);
+        if (kept < i || lanes_bits(going) != lanes_bits(rows)) {
+            size_t to = kept;
+            for (unsigned bits = lanes_bits(going); bits; bits &= bits - 1)
+                lists->shot[to++] = lists->shot[i + (size_t)LANES_LOWEST(bits)];
+            lanes_pack(lists->x + kept, going, lanes_load(lists->x + i));
+            lanes_pack(lists->y + kept, going, lanes_load(lists->y + i));
+            lanes_pack(lists->z + kept, going, lanes_load(lists->z + i));
+            lanes_pack(lists->vx + kept, going, lanes_load(lists->vx + i));
+            lanes_pack(lists->vy + kept, going, lanes_load(lists->vy + i));
+            lanes_pack(lists->vz + kept, going, lanes_load(lists->vz + i));
+            lanes_pack(lists->wx + kept, going, lanes_load(lists->wx + i));
+            lanes_pack(lists->wy + kept, going, lanes_load(lists->wy + i));
+            lanes_pack(lists->wz + kept, going, lanes_load(lists->wz + i));
+            lanes_pack(lists->dx + kept, going, lanes_load(lists->dx + i));
+            lanes_pack(lists->dy + kept, going, lanes_load(lists->dy + i));
+            lanes_pack(lists->dz + kept, going, lanes_load(lists->dz + i));
+            lanes_pack(lists->dvx + kept, going, lanes_load(lists->dvx + i));
+            lanes_pack(lists->dvy + kept, going, lanes_load(lists->dvy + i));
+            lanes_pack(lists->dvz + kept, going, lanes_load(lists->dvz + i));
+            lanes_pack(lists->dwx + kept, going, lanes_load(lists->dwx + i));
+            lanes_pack(lists->dwy + kept, going, lanes_load(lists->dwy + i));
+            lanes_pack(lists->dwz + kept, going, lanes_load(lists->dwz + i));
+            lanes_pack(lists->clock + kept, going, lanes_load(lists->clock + i));
+            lanes_pack(lists->clock_error + kept, going, lanes_load(lists->clock_error + i));
+            lanes_pack(lists->last + kept, going, lanes_load(lists->last + i));
+            lanes_pack(lists->first + kept, going, lanes_load(lists->first + i));
+            lanes_pack(lists->contacts + kept, going, lanes_load(lists->contacts + i));
+            lanes_pack(lists->count_0 + kept, going, lanes_load(lists->count_0 + i));
+            lanes_pack(lists->count_1 + kept, going, lanes_load(lists->count_1 + i));
+            lanes_pack(lists->count_2 + kept, going, lanes_load(lists->count_2 + i));
+            lanes_pack(lists->uncertain + kept, going, lanes_load(lists->uncertain + i));
+            lanes_pack(lists->position_claim + kept, going, lanes_load(lists->position_claim + i));
+            lanes_pack(lists->velocity_claim + kept, going, lanes_load(lists->velocity_claim + i));
+            lanes_pack(lists->spin_claim + kept, going, lanes_load(lists->spin_claim + i));
+            lanes_pack(lists->time_claim + kept, going, lanes_load(lists->time_claim + i));
+            lanes_pack(lists->outcome + kept, going, lanes_load(lists->outcome + i));
+            if (job->varying) {
+                lanes_pack(lists->p_ball_radius + kept, going, lanes_load(lists->p_ball_radius + i));
+                lanes_pack(lists->p_ring_radius + kept, going, lanes_load(lists->p_ring_radius + i));
+                lanes_pack(lists->p_wire_radius + kept, going, lanes_load(lists->p_wire_radius + i));
+                lanes_pack(lists->p_board_distance + kept, going, lanes_load(lists->p_board_distance + i));
+                lanes_pack(lists->p_board_half_width + kept, going, lanes_load(lists->p_board_half_width + i));
+                lanes_pack(lists->p_board_bottom + kept, going, lanes_load(lists->p_board_bottom + i));
+                lanes_pack(lists->p_board_top + kept, going, lanes_load(lists->p_board_top + i));
+                lanes_pack(lists->p_bridge_half_width + kept, going, lanes_load(lists->p_bridge_half_width + i));
+                lanes_pack(lists->p_restitution + kept, going, lanes_load(lists->p_restitution + i));
+                lanes_pack(lists->p_gravity + kept, going, lanes_load(lists->p_gravity + i));
+                lanes_pack(lists->p_end_depth + kept, going, lanes_load(lists->p_end_depth + i));
+            }
+        }
+        kept += lanes_many(going);
     }
+    return kept;
 }
 
 /* Run the job: fill the rows, take every shot to its next event, make room of those that ended.
@@ -1526,13 +1572,11 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lanes_store(lists->uncertain + i, uncertain);
         }
 
-        M ended = lanes_nowhere();
+        M refused = lanes_nowhere();
         for (size_t i = fresh; i < count; i += LANES_WIDTH)
-            ended = lanes_either(ended, lanes_both(lanes_first(count - i), lanes_at_most(K(0.0), lanes_load(lists->outcome + i))));
-        if (lanes_any(ended)) {
-            for (size_t k = count; k-- > fresh;)
-                if (lists->outcome[k] >= 0.0)
-                    LANES(hoop_bounded_finish)(lists, k, --count, job);
+            refused = lanes_either(refused, lanes_both(lanes_first(count - i), lanes_at_most(K(0.0), lanes_load(lists->outcome + i))));
+        if (lanes_any(refused)) {
+            count = LANES(hoop_bounded_leave)(lists, fresh, count, job);
             following = 0;
         }
 
@@ -2751,9 +2795,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             count = 0;
             continue;
         }
-        for (size_t k = count; k-- > 0;)
-            if (lists->outcome[k] >= 0.0)
-                LANES(hoop_bounded_finish)(lists, k, --count, job);
+        count = LANES(hoop_bounded_leave)(lists, 0, count, job);
     }
 }
 
@@ -2792,6 +2834,7 @@ static void LANES(hoop_run)(const hoop_job *job)
 #undef lanes_load
 #undef lanes_store
 #undef lanes_gather
+#undef lanes_columns
 #undef lanes_bits
 #undef lanes_of
 #undef lanes_many

@@ -33,6 +33,7 @@
 #define lanes_load LANES(load)
 #define lanes_store LANES(store)
 #define lanes_gather LANES(gather)
+#define lanes_columns LANES(columns)
 #define lanes_bits LANES(bits)
 #define lanes_of LANES(of)
 #define lanes_many LANES(many)
@@ -73,6 +74,11 @@ LANES_INLINE V lanes_gather(const double *first, int64_t stride)
     (void)stride;
     return *first;
 }
+LANES_INLINE void lanes_columns(double *const *to, const double *rows, int count)
+{
+    for (int column = 0; column < count; column++)
+        *to[column] = rows[column];
+}
 LANES_INLINE unsigned lanes_bits(M m) { return (unsigned)m; }
 LANES_INLINE M lanes_of(unsigned bits) { return (M)bits; }
 LANES_INLINE V lanes_count_up(void) { return 0.0; }
@@ -101,6 +107,7 @@ LANES_INLINE V lanes_expand(const double *from, M m, V old) { return m ? *from :
 #define n_max LANES(n_max)
 #define n_min LANES(n_min)
 #define n_gather LANES(n_gather)
+#define n_square LANES(n_square)
 #define n_bits LANES(n_bits)
 #define n_of LANES(n_of)
 #define n_pack LANES(n_pack)
@@ -126,6 +133,24 @@ LANES_INLINE N n_gather(const double *first, int64_t stride)
 {
     return (N){first[0],          first[stride],     first[2 * stride], first[3 * stride],
                first[4 * stride], first[5 * stride], first[6 * stride], first[7 * stride]};
+}
+LANES_INLINE void n_square(N *a)
+{
+    N b[8], c[8];
+    for (int k = 0; k < 8; k += 2) {
+        b[k] = _mm512_unpacklo_pd(a[k], a[k + 1]);
+        b[k + 1] = _mm512_unpackhi_pd(a[k], a[k + 1]);
+    }
+    for (int k = 0; k < 2; k++) {
+        c[k] = _mm512_shuffle_f64x2(b[k], b[k + 2], 0x88);
+        c[k + 2] = _mm512_shuffle_f64x2(b[k], b[k + 2], 0xdd);
+        c[k + 4] = _mm512_shuffle_f64x2(b[k + 4], b[k + 6], 0x88);
+        c[k + 6] = _mm512_shuffle_f64x2(b[k + 4], b[k + 6], 0xdd);
+    }
+    for (int k = 0; k < 4; k++) {
+        a[k] = _mm512_shuffle_f64x2(c[k], c[k + 4], 0x88);
+        a[k + 4] = _mm512_shuffle_f64x2(c[k], c[k + 4], 0xdd);
+    }
 }
 LANES_INLINE unsigned n_bits(B m) { return m; }
 LANES_INLINE B n_of(unsigned bits) { return (B)bits; }
@@ -157,6 +182,15 @@ LANES_INLINE N n_min(N a, N b) { return _mm256_min_pd(a, b); }
 LANES_INLINE N n_gather(const double *first, int64_t stride)
 {
     return (N){first[0], first[stride], first[2 * stride], first[3 * stride]};
+}
+LANES_INLINE void n_square(N *a)
+{
+    const N even = _mm256_unpacklo_pd(a[0], a[1]), odd = _mm256_unpackhi_pd(a[0], a[1]);
+    const N next = _mm256_unpacklo_pd(a[2], a[3]), last = _mm256_unpackhi_pd(a[2], a[3]);
+    a[0] = _mm256_permute2f128_pd(even, next, 0x20);
+    a[1] = _mm256_permute2f128_pd(odd, last, 0x20);
+    a[2] = _mm256_permute2f128_pd(even, next, 0x31);
+    a[3] = _mm256_permute2f128_pd(odd, last, 0x31);
 }
 LANES_INLINE unsigned n_bits(B m) { return (unsigned)_mm256_movemask_pd(m); }
 LANES_INLINE B n_of(unsigned bits)
@@ -206,6 +240,14 @@ LANES_INLINE N n_gather(const double *first, int64_t stride)
     for (int lane = 0; lane < NATIVE; lane++)
         a[lane] = first[stride * lane];
     return a;
+}
+LANES_INLINE void n_square(N *a)
+{
+    N b[NATIVE];
+    memcpy(b, a, sizeof b);
+    for (int k = 0; k < NATIVE; k++)
+        for (int lane = 0; lane < NATIVE; lane++)
+            a[k][lane] = b[lane][k];
 }
 LANES_INLINE unsigned n_bits(B m)
 {
@@ -291,6 +333,25 @@ LANES_INLINE M lanes_of(unsigned bits)
 {
     return (M){n_of(bits & ((1U << NATIVE) - 1)), n_of(bits >> NATIVE)};
 }
+/* Rows of so many numbers into columns: squares of rows and columns are turned at once. */
+LANES_INLINE void lanes_columns(double *const *to, const double *rows, int count)
+{
+    for (int half = 0; half < 2; half++, rows += NATIVE * count) {
+        int column = 0;
+        for (; column + NATIVE <= count; column += NATIVE) {
+            N square[NATIVE];
+            for (int k = 0; k < NATIVE; k++)
+                memcpy(&square[k], rows + k * count + column, sizeof(N));
+            n_square(square);
+            for (int k = 0; k < NATIVE; k++)
+                memcpy(to[column + k] + NATIVE * half, &square[k], sizeof(N));
+        }
+        for (; column < count; column++) {
+            const N rest = n_gather(rows + column, count);
+            memcpy(to[column] + NATIVE * half, &rest, sizeof rest);
+        }
+    }
+}
 LANES_INLINE int lanes_any(M m) { return n_bits(n_either(m.lo, m.hi)) != 0; }
 LANES_INLINE V lanes_count_up(void)
 {
@@ -328,6 +389,7 @@ LANES_INLINE V lanes_expand(const double *from, M m, V old)
 #undef n_max
 #undef n_min
 #undef n_gather
+#undef n_square
 #undef n_bits
 #undef n_of
 #undef n_pack
