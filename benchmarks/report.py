@@ -6,7 +6,7 @@ from dataclasses import asdict
 
 from benchmarks.contenders import CORES, contenders
 from benchmarks.machine import BYTES_A_SHOT
-from benchmarks.peers import PEERS
+from benchmarks.peers import LEFT_OUT, PEERS
 from benchmarks.run import Results
 from benchmarks.timing import Spread
 from benchmarks.workloads import WORKLOADS
@@ -259,6 +259,7 @@ def as_markdown(results: Results) -> str:
         "What the peers do, all on the same model and the same shots:",
         "",
         *(f"- {peer.label}: {peer.what}" for peer in PEERS),
+        *(f"- {line}" for line in LEFT_OUT),
         "",
         *_table_4(results),
         *_calls(results),
