@@ -250,6 +250,7 @@ def as_markdown(results: Results) -> str:
         "# Benchmarks",
         "",
         "Written by `python -m benchmarks`; the numbers, round by round, are in `benchmarks.json`.",
+        "What everybody makes of shots that graze is in [grazes.md](grazes.md).",
         "",
         "![Shots a second](benchmarks.svg)",
         "",
