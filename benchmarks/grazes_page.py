@@ -9,6 +9,9 @@ from benchmarks.machine import facts
 from benchmarks.peers import LEFT_OUT
 from benchmarks.report import table
 
+MATTERS = ("processor", "system", "python", "hoopgen", "numpy", "scipy", "heyoka")
+"""Of the machine's facts: no speed is told here."""
+
 COUNTS = ("touching", "passing", "undecided", "missed", "invented", "doubt", "wrong_in_doubt")
 
 
@@ -92,6 +95,6 @@ def as_markdown(tallies: Sequence[Tally]) -> str:
         "would have been wrong.",
         "",
         *(line for band in range(len(BANDS)) for line in _by_kind(tallies, band)),
-        *(f"{what}: {value}  " for what, value in facts().items() if "peers" not in what),
+        *(f"{what}: {value}  " for what, value in facts().items() if what in MATTERS),
     ]
     return "\n".join(lines).rstrip() + "\n"
