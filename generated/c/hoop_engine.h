@@ -13,6 +13,18 @@
 /* A column, with room for a whole row of lanes behind its end. */
 typedef double LANES(hoop_column)[LANES_SHOTS + LANES_WIDTH];
 
+/* Have the states of the shots from one on fetched while others are worked on. */
+LANES_INLINE void LANES(hoop_ahead)(const hoop_job *job, size_t shot)
+{
+#ifdef __GNUC__
+    const double *state = job->states + HOOP_STATE * shot;
+    for (int line = 0; line < HOOP_STATE * LANES_WIDTH; line += 8)
+        __builtin_prefetch(state + line, 0, 2);
+#else
+    (void)job, (void)shot;
+#endif
+}
+
 /* Where the parameters are finite and allowed. */
 LANES_INLINE M LANES(hoop_permit)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_restitution, V p_gravity, V p_end_depth)
 {
@@ -125,10 +137,6 @@ LANES_INLINE void LANES(hoop_plain_begin)(LANES(hoop_plain_lists) *lists, size_t
             lists->wy + row + k,
             lists->wz + row + k,
         };
-#ifdef __GNUC__
-        for (int line = 0; line < HOOP_STATE * LANES_WIDTH; line += 8)
-            __builtin_prefetch(state + HOOP_STATE * (k + LANES_SHOTS) + line, 0, 2);
-#endif
         lanes_columns(columns, state + HOOP_STATE * k, HOOP_STATE);
     }
     for (; k < count; k++) {
@@ -388,6 +396,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
         size_t open_count = 0;
         for (size_t i = 0; i < count; i += LANES_WIDTH) {
             const M rows = lanes_first(count - i);
+            LANES(hoop_ahead)(job, begun + i);
             V last = lanes_load(lists->last + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
             const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
@@ -1262,10 +1271,6 @@ LANES_INLINE void LANES(hoop_bounded_begin)(LANES(hoop_bounded_lists) *lists, si
             lists->wy + row + k,
             lists->wz + row + k,
         };
-#ifdef __GNUC__
-        for (int line = 0; line < HOOP_STATE * LANES_WIDTH; line += 8)
-            __builtin_prefetch(state + HOOP_STATE * (k + LANES_SHOTS) + line, 0, 2);
-#endif
         lanes_columns(columns, state + HOOP_STATE * k, HOOP_STATE);
     }
     for (; k < count; k++) {
@@ -1584,6 +1589,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         size_t open_count = 0;
         for (size_t i = 0; i < count; i += LANES_WIDTH) {
             const M rows = lanes_first(count - i);
+            LANES(hoop_ahead)(job, begun + i);
             V clock_error = lanes_load(lists->clock_error + i);
             V dvx = lanes_load(lists->dvx + i);
             V dvy = lanes_load(lists->dvy + i);

@@ -58,11 +58,14 @@ class CLists(CLoop):
         What has one value for all.
     columns
         By array, in order, whether it holds truths: what the struct of the lists has room for.
+    ahead
+        A line for the first pass: what is done beside it.
     """
 
     parameters: Sequence[str] = ()
     job: Sequence[str] = ()
     columns: dict[str, bool] = field(default_factory=dict)
+    ahead: str = ""
 
     def passes(
         self, nodes: Sequence[Node], frame: Frame, after: Iterable[str], note: Note
@@ -122,6 +125,9 @@ class CLists(CLoop):
             line(f"size_t {own.count} = 0;")
         line(f"for (size_t i = {frame.first}; i < {frame.count}; i += LANES_WIDTH) {{")
         line(f"    const M rows = lanes_first({frame.count} - i);")
+        if self.ahead:
+            line(f"    {self.ahead}")
+            self.ahead = ""
         known = dict.fromkeys(self.job, False)
         for name in sorted(need):
             if name in self.parameters:

@@ -105,6 +105,7 @@ def _in_c(
     follow = CLists(
         prefix, costs, C, counter=admit.counter, parameters=loop.parameters, job=loop.job
     )
+    follow.ahead = f"LANES({prefix}_ahead)(job, begun + i);"
     follow.passes((*reach, *meet), Frame("", dict(fields)), set(fields), before)
     columns = [name for name in (*admit.columns, *follow.columns) if name not in fields]
     lines = {"permit": permit.lines, "admit": admit.lines, "follow": follow.lines}
