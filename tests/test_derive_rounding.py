@@ -8,13 +8,11 @@ from typing import Any
 
 import pytest
 import sympy as sp
-from hoopgen.derive.flight.parabola import flight
 from hoopgen.derive.ground.choice import hold
 from hoopgen.derive.ground.rounding import (
     SAFETY,
     Rounded,
     exact,
-    flight_rounding,
     position_error,
     rounding,
     start_rounding,
@@ -211,8 +209,8 @@ def test_the_flights_bounds_hold_its_roundings_and_the_errors_of_its_start(
         for k, symbol in enumerate(components):
             sign = 1 if signs >> k & 1 else -1
             true[symbol.name] = mpf(start[symbol.name]) + sign * error * (3 if k > 2 else 1)
-        bounds = flight_rounding(HOOP.gravity, sp.Symbol("horizon", positive=True))
-        for vector, rounded in zip(flight(HOOP.gravity), bounds, strict=True):
+        bounds = HOOP.flight.rounding(sp.Symbol("horizon", positive=True))
+        for vector, rounded in zip(HOOP.flight.at(), bounds, strict=True):
             limit = exactly(SAFETY * rounded.error, values)
             magnitude = exactly(rounded.magnitude, values)
             computed = in_doubles(dict(zip("xyz", vector, strict=True)), values)
@@ -237,14 +235,14 @@ def test_a_planes_margin_bounds_the_gap_at_its_computed_arrival(
     with digits(40):
         approaching = {"x": abs(start["x"]), "vx": -0.1 - abs(start["vx"]), "z": abs(start["z"])}
         values = with_sizes(start | approaching)
-        arrival = in_doubles(plane_arrival(plane, HOOP.gravity), values)
+        arrival = in_doubles(plane_arrival(plane, HOOP.flight), values)
         time = float(arrival["time"])
         assume(0 <= time < 10 and arrival["rate"] < 0)
         values |= {"horizon": time, "t": time}
-        place, _ = flight(HOOP.gravity)
+        place, _ = HOOP.flight.at()
         there = {s.name: exactly(p, values) for s, p in zip(POSITION, place, strict=True)}
         gap = exactly(plane.distance, values | there)
-        assert abs(gap) <= exactly(plane_margin(plane, HOOP.gravity), values)
+        assert abs(gap) <= exactly(plane_margin(plane, HOOP.flight), values)
 
 
 @planes
@@ -258,12 +256,12 @@ def test_the_displacement_bounds_what_a_length_is_off_by_at_a_computed_arrival(
         delay = 1e-9
         true_time = mpf(time) + mpf(late) * delay
         values = with_sizes(start) | {"t": time, "horizon": max(time, true_time), "delay": delay}
-        place, _ = flight(HOOP.gravity)
+        place, _ = HOOP.flight.at()
         position = dict(zip("xyz", place, strict=True))
         rounded = in_doubles(position, values)
         there = {n: exactly(e, values | {"t": true_time}) for n, e in position.items()}
         lengths = [p.symbol for p in HOOP.parameters if p.unit == "m"]
-        limit = exactly(displacement(HOOP.gravity, lengths), values)
+        limit = exactly(displacement(HOOP.flight, lengths), values)
         measures = {f"g{k}": g for k, g in enumerate((*plane.bounds, HOOP.target))}
         computed = in_doubles(measures, values | rounded)
         for name, measure in measures.items():

@@ -13,7 +13,6 @@ from typing import Any
 
 import sympy as sp
 
-from hoopgen.derive.flight.parabola import flight
 from hoopgen.derive.ground.choice import Held
 from hoopgen.derive.ground.symbols import (
     NORMAL,
@@ -215,7 +214,7 @@ def _surface(surface: Surface, body: int, scene: Scene) -> SurfaceFormulas:
 
     return SurfaceFormulas(
         surface.name,
-        by_state(event_coefficients(surface, scene.gravity)),
+        by_state(event_coefficients(surface, scene.flight)),
         by_state(surface.bounds),
         by_state(list(surface.normal)),
         by_state(surface.inside),
@@ -234,7 +233,7 @@ def formulas(scene: Scene = HOOP) -> Formulas:
     """Return the scene's formulas, compiled once."""
     state = (*POSITION, *VELOCITY, *SPIN)
     parameters = scene.symbols
-    there = flight(scene.gravity)
+    there = scene.flight.at()
     faces = zip((*scene.surfaces, scene.finish), (*scene.faces, len(scene.bodies)), strict=True)
     surfaces = tuple(_surface(surface, body, scene) for surface, body in faces)
     return Formulas(
