@@ -165,5 +165,5 @@ def test_studies_speak_of_heights_only_where_free_fall_is_down() -> None:
 
 @pytest.mark.parametrize("axis", [(0, 0, 0), (0, 0, -2), (1, 1, 0), "z"])
 def test_free_fall_goes_along_an_axis(axis: tuple[int, int, int]) -> None:
-    with pytest.raises(ValueError, match="scene hoop: gravity_axis: expected one of .*, got "):
+    with pytest.raises(ValueError, match=r"scene hoop: gravity_axis: expected one of .*, got "):
         replace(HOOP, gravity_axis=axis)

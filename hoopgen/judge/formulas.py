@@ -31,6 +31,9 @@ from hoopgen.derive.surfaces import Plane, Surface
 
 Function = Callable[..., list[Any]]
 
+ARRIVAL = sp.Symbol("arrival_speed", positive=True)
+"""Along the normal, towards the surface, m/s."""
+
 
 def compiled(expressions: Sequence[sp.Expr], *arguments: Sequence[sp.Symbol]) -> Function:
     """Return a Python function from sequences of numbers to the list of the expressions' values.
@@ -144,7 +147,7 @@ class SurfaceFormulas:
     impact
         (state, parameters, normal) to velocity and spin; None at the end.
     restitution
-        (parameters,): of its law, as a list of one.
+        (parameters, (speed,)): of its law at a normal speed, as a list of one; None at the end.
     axis, offset
         Of a plane: the coordinate that its normal points along, and that coordinate at contact,
         as a list of one, from the parameters alone. For any other surface the axis is -1.
@@ -207,7 +210,7 @@ def _surface(surface: Surface, body: int, scene: Scene) -> SurfaceFormulas:
         after = law.after(normal, velocity, spin, scene.ball_radius)
         state = (*POSITION, *VELOCITY, *SPIN)
         impact = compiled([e for vector in after for e in vector], state, motion, NORMAL)
-        restitution = compiled([law.restitution], motion)
+        restitution = compiled([law.restitution_at(ARRIVAL)], motion, (ARRIVAL,))
 
     def by_state(expressions: Sequence[sp.Expr]) -> Function:
         return compiled(expressions, place, motion)

@@ -70,7 +70,7 @@ _WHEEL = (
 
 def _wheel() -> Scene:
     ball, radius, rim, bounce, gravity, drop = (p.symbol for p in _WHEEL)
-    x, y, z = POSITION
+    _, y, z = POSITION
     return Scene(
         name="wheel",
         parameters=_WHEEL,
