@@ -165,6 +165,13 @@ def test_studies_speak_of_heights_only_where_free_fall_is_down() -> None:
     assert build(HOOP).study
 
 
+def test_the_page_of_a_turned_scene_speaks_of_its_own_axes(made: Callable[[Scene], Made]) -> None:
+    page = (made(WHEEL).folder / "derivation_wheel.md").read_text(encoding="utf-8")
+    assert "The plane `ground` counts where the ball crosses it against its normal only" in page
+    assert "way down" not in page
+    assert r"v_x(t) &= v_{x} + \text{gravity}\, t" in page
+
+
 @pytest.mark.parametrize("axis", [(0, 0, 0), (0, 0, -2), (1, 1, 0), "z"])
 def test_free_fall_goes_along_an_axis(axis: tuple[int, int, int]) -> None:
     with pytest.raises(ValueError, match=r"scene hoop: gravity_axis: expected one of .*, got "):

@@ -88,6 +88,7 @@ class Derivation:
     axes: str
     remarks: str
     finish: str
+    crossed: str
     radius: str
     roundoff: str
     safety: str
@@ -209,6 +210,7 @@ def derivation_context(model: Model) -> Derivation:
     lengths = [p.symbol for p in scene.parameters if p.unit == "m"]
     flown = (f"{left}(t)" for left in (*AXES, *(f"v_{axis}" for axis in AXES)))
     kernels = _kernels(model, letters)
+    down = flight.upright and scene.finish.direction == (0, 0, 1)
 
     def shown(name: str) -> str:
         return f"`{name}`" if kernels[name].short else f"[`{name}`](#{name})"
@@ -218,6 +220,7 @@ def derivation_context(model: Model) -> Derivation:
         axes=scene.axes,
         remarks=scene.remarks,
         finish=scene.finish.name,
+        crossed="on the way down" if down else "where the ball crosses it against its normal",
         radius=letters(scene.ball_radius),
         roundoff=f"2^{{{int(sp.log(UNIT_ROUNDOFF, 2))}}}",
         safety=number(rounding.SAFETY) or show(rounding.SAFETY),
