@@ -113,8 +113,8 @@ def test_results_are_those_of_the_judge(made: Callable[[Scene], Made], name: str
     proofs = prove(scene, states, own.defaults, None, MOST)
     assert proofs.decided.all()
     sure = ~out.arrays["uncertain"]
-    # The general search bounds what it evaluates by how far the ball flies: of a torus, an octic,
-    # it leaves more in doubt than the ring's own, which looks at the ring's neighbourhood alone.
+    # Of a torus, an octic, the general search can allow for errors in which the rate at which the
+    # ball leaves is lost: it then makes no headway, and leaves the shot in doubt.
     assert sure[proofs.outcome != Outcome.CAPPED].mean() > (0.9 if name == "wheel" else 0.999)
     found = sequences(out)
     for row in np.flatnonzero(sure):
