@@ -23,6 +23,7 @@ from .brief import brief
 
 __all__ = [
     "FOOT",
+    "INCH",
     "NO_BARE",
     "UNITS",
     "Kind",
@@ -42,7 +43,9 @@ Kind = Literal["length", "speed", "angle", "spin", "acceleration", "number"]
 FOOT = 0.3048
 """Metres in a foot, by definition."""
 
-_INCH = 0.0254
+INCH = 0.0254
+"""Metres in an inch, by definition."""
+
 _MILE = 1609.344
 _HOUR = 3600.0
 _DEGREE = math.pi / 180.0
@@ -50,7 +53,7 @@ _TURN = 2.0 * math.pi
 
 UNITS: Mapping[Kind, Mapping[str, float]] = MappingProxyType(
     {
-        "length": MappingProxyType({"m": 1.0, "cm": 0.01, "mm": 0.001, "ft": FOOT, "in": _INCH}),
+        "length": MappingProxyType({"m": 1.0, "cm": 0.01, "mm": 0.001, "ft": FOOT, "in": INCH}),
         "speed": MappingProxyType(
             {
                 "m/s": 1.0,
@@ -256,7 +259,7 @@ _SHOWN: Mapping[System, Mapping[str, Shown]] = MappingProxyType(
             "spin": Shown("Hz", _TURN, 2),
             "acceleration": Shown("ft/s\u00b2", FOOT, 2),
             "number": Shown("", 1.0, 3),
-            "short": Shown("in", _INCH, 2),
+            "short": Shown("in", INCH, 2),
         },
     }
 )

@@ -23,7 +23,7 @@ from hoopgen.study import maps as module
 from hoopgen.study.measures import Kind, kinds
 from hoopgen.study.named import named
 from hoopgen.study.tables import columns_of
-from hoopgen.study.variables import VARIABLES, resolve_variables
+from hoopgen.variables import VARIABLES, resolve_variables
 
 DEGREE = math.pi / 180
 PLACE = {"height": 2.1336, "distance": 4.191}

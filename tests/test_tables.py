@@ -20,7 +20,7 @@ pq = pytest.importorskip("pyarrow.parquet")
 from hoopgen.study import tables  # noqa: E402
 from hoopgen.study.measures import MEASURES  # noqa: E402
 from hoopgen.study.tables import Column, Source, columns_of, values  # noqa: E402
-from hoopgen.study.variables import STATE, VARIABLES  # noqa: E402
+from hoopgen.variables import STATE, VARIABLES  # noqa: E402
 
 FREE_THROW = ["speed", "elevation_deg", "height", "distance"]
 RELEASE = ["speed", "elevation", "height", "distance"]

@@ -23,7 +23,7 @@ from hoopgen.cli.options import (
 )
 from hoopgen.cli.types import OUT, Parsed, quantity
 from hoopgen.layout import table
-from hoopgen.study.told import say_scene
+from hoopgen.told import say_scene
 from hoopgen.units import parse_quantity, shown
 
 if TYPE_CHECKING:
@@ -161,8 +161,8 @@ def aim(
 
 def _one(shot: Mapping[str, float], wanted: Mapping[str, float], by: str) -> str:
     """Say one release and what it forgives."""
-    from hoopgen.study.variables import VARIABLES
-    from hoopgen.study.words import say
+    from hoopgen.variables import VARIABLES
+    from hoopgen.words import say
 
     spins = [f"{name} {say(name, shot[name])}" for name in ("backspin", "sidespin") if shot[name]]
     depth = wanted["depth"]
@@ -186,7 +186,7 @@ def _one(shot: Mapping[str, float], wanted: Mapping[str, float], by: str) -> str
 
 
 def _signed(name: str, value: float) -> str:
-    from hoopgen.study.words import say
+    from hoopgen.words import say
 
     text = say(name, value)
     return text if value < 0 else f"+{text}"
@@ -194,8 +194,8 @@ def _signed(name: str, value: float) -> str:
 
 def _many(columns: Columns) -> str:
     """Lay out a table of releases."""
-    from hoopgen.study.variables import VARIABLES
-    from hoopgen.study.words import say
+    from hoopgen.variables import VARIABLES
+    from hoopgen.words import say
 
     def cell(name: str, value: float) -> str:
         return "-" if math.isnan(value) else say(name, value, unit=False)

@@ -32,7 +32,7 @@ def flown(
     """
     from hoopgen.study.origin import names_scene, origin_of
     from hoopgen.study.tables import Source
-    from hoopgen.study.told import say_scene
+    from hoopgen.told import say_scene
 
     context = click.get_current_context()
     settings = dict(context.params["settings"])

@@ -51,7 +51,7 @@ def paper(
     shot does not do what the article's figure shows.
     """
     from hoopgen.paper import run
-    from hoopgen.study.told import say_scene
+    from hoopgen.told import say_scene
 
     suffixes = [] if out is None else _suffixes(formats)
     if out is not None:

@@ -69,7 +69,7 @@ class Releasing:
         from hoopgen.parameters import NAMES
         from hoopgen.study.resample import Resample
         from hoopgen.study.scatter import Scatter
-        from hoopgen.study.variables import change_variables
+        from hoopgen.variables import change_variables
 
         values = change_variables({**self.measured, **self.values}, changes)
         scene = dict(self.parameters)

@@ -24,7 +24,7 @@ from hoopgen.cli.options import (
 )
 from hoopgen.cli.types import PAGE
 from hoopgen.phrases import counted
-from hoopgen.study.told import say_scene
+from hoopgen.told import say_scene
 
 if TYPE_CHECKING:
     import numpy as np

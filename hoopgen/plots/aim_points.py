@@ -22,8 +22,8 @@ from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scene import draw_hoop, scene_corners
 from hoopgen.plots.style import PAGE, style
 from hoopgen.plots.views import View
-from hoopgen.study.told import in_a_note, say_scene, told_by
-from hoopgen.units import UNITS
+from hoopgen.told import in_a_note, say_scene, told_by
+from hoopgen.units import INCH
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -31,8 +31,6 @@ if TYPE_CHECKING:
 __all__ = ["plot_aim_points"]
 
 Column = NDArray[np.float64]
-
-INCH = UNITS["length"]["in"]
 
 FRONT = View("front view", (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), ("y", "above the ring"))
 

@@ -15,7 +15,6 @@ from matplotlib.patches import Rectangle
 from matplotlib.path import Path
 from numpy.typing import NDArray
 
-import hoopgen
 from hoopgen.brief import brief
 from hoopgen.phrases import counted, percent
 from hoopgen.plots.key import CLASSES, Class, classify, draw_key, key_height
@@ -25,8 +24,9 @@ from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scene import draw_hoop, scene_corners
 from hoopgen.plots.style import MISSED_LINES, PAGE, style
 from hoopgen.plots.views import View
+from hoopgen.results import Outcome, Shots, Trajectory
 from hoopgen.study.measures import kinds
-from hoopgen.study.told import say_scene
+from hoopgen.told import say_scene
 
 __all__ = ["Fan", "draw_fan", "gather_fan", "plot_fan"]
 
@@ -44,7 +44,7 @@ _MARGIN = 0.08  # m around what is drawn
 
 @overload
 def plot_fan(
-    shots: hoopgen.Shots,
+    shots: Shots,
     parameters: Mapping[str, Any],
     *,
     paths: int = ...,
@@ -57,7 +57,7 @@ def plot_fan(
 
 @overload
 def plot_fan(
-    shots: hoopgen.Shots,
+    shots: Shots,
     parameters: Mapping[str, Any],
     *,
     paths: int = ...,
@@ -69,7 +69,7 @@ def plot_fan(
 
 
 def plot_fan(
-    shots: hoopgen.Shots,
+    shots: Shots,
     parameters: Mapping[str, Any],
     *,
     paths: int = 150,
@@ -121,7 +121,7 @@ def plot_fan(
         _as_line(CLASSES[one]): float(np.mean(place == one)) for one in np.unique(place).tolist()
     }
     fan = gather_fan(shots, parameters, range(min(paths, len(shots))))
-    made = percent(float(np.mean(shots.outcome == hoopgen.Outcome.MADE)))
+    made = percent(float(np.mean(shots.outcome == Outcome.MADE)))
     drawn = f"{len(fan.curves)} {'is' if len(fan.curves) == 1 else 'are'}"
     said = f"{counted(len(shots), 'shot')}, {made} made; {drawn} drawn."
     told = f"{said} Scene: {say_scene(parameters)}. {note}"
@@ -131,7 +131,7 @@ def plot_fan(
         return _draw(fan, shares, title, told, width)
 
 
-def gather_fan(shots: hoopgen.Shots, parameters: Mapping[str, Any], drawn: Iterable[int]) -> Fan:
+def gather_fan(shots: Shots, parameters: Mapping[str, Any], drawn: Iterable[int]) -> Fan:
     """Return the paths of those of some shots that have one; arguments as of `plot_fan`.
 
     Raises
@@ -195,7 +195,7 @@ def _from_the_side(releases: list[NDArray[np.float64]]) -> View:
     return View("side view", right, (0.0, 0.0, 1.0), labels)
 
 
-def _curve(trajectory: hoopgen.Trajectory, view: View) -> Path:
+def _curve(trajectory: Trajectory, view: View) -> Path:
     """Return a path as it is: each flight is a parabola, which is one quadratic Bézier curve."""
     events = trajectory.events
     states = np.concatenate([trajectory.release[np.newaxis], events["after"]])

@@ -22,7 +22,7 @@ from hoopgen.plots.page import add_axes, new_page
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import add_title, check_axes, fit_view
 from hoopgen.plots.style import COLOURS, PAGE, SHADES, style
-from hoopgen.study.told import say_scene
+from hoopgen.told import say_scene
 from hoopgen.units import shown
 
 __all__ = ["plot_landings"]

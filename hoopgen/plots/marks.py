@@ -10,10 +10,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-import hoopgen
 from hoopgen.plots.layout import Box, place_labels
 from hoopgen.plots.style import COLOURS
 from hoopgen.plots.views import View
+from hoopgen.results import SURFACES, Outcome
 
 __all__ = ["KEY_ROW", "Mark", "collect_marks", "draw_badges", "draw_key", "key_rows"]
 
@@ -56,10 +56,10 @@ class Mark:
 
 
 def collect_marks(
-    release: Points, events: NDArray[Any], ball_radius: float, outcome: hoopgen.Outcome | None
+    release: Points, events: NDArray[Any], ball_radius: float, outcome: Outcome | None
 ) -> tuple[Mark, ...]:
     """Turn a shot's events into badges: release, contacts, and the end."""
-    contacts = events[events["surface"] < len(hoopgen.SURFACES)]
+    contacts = events[events["surface"] < len(SURFACES)]
     marks = [Mark("release", "release", "", release)]
     groups = _groups(contacts, _HERE * ball_radius)
     marks += [_contact_mark(contacts, first, last) for first, last in groups]
@@ -74,9 +74,9 @@ def collect_marks(
     return tuple(marks)
 
 
-def _unended(outcome: hoopgen.Outcome, contacts: int) -> str:
+def _unended(outcome: Outcome, contacts: int) -> str:
     """Say why a shot has no end."""
-    if outcome == hoopgen.Outcome.CAPPED:
+    if outcome == Outcome.CAPPED:
         return f"capped after {contacts} contacts"
     return f"{outcome.name.lower()}: not down through the end plane"
 
@@ -102,7 +102,7 @@ def _groups(contacts: NDArray[Any], reach: float) -> list[tuple[int, int]]:
 
 
 def _contact_mark(contacts: NDArray[Any], first: int, last: int) -> Mark:
-    name = hoopgen.SURFACES[int(contacts["surface"][first])]
+    name = SURFACES[int(contacts["surface"][first])]
     start, stop = contacts["time"][first], contacts["time"][last]
     position = contacts["before"][first, :3]
     if first == last:

@@ -14,7 +14,6 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 
-import hoopgen
 from hoopgen.plots.marks import KEY_ROW, Mark, collect_marks, draw_key, key_rows
 from hoopgen.plots.panels import Drawing, Panel, Room, draw_panel, draw_view, some
 from hoopgen.plots.picture import Picture, add_key, add_title, check_axes, fit_view
@@ -23,7 +22,8 @@ from hoopgen.plots.style import COLOURS, PAGE, style
 from hoopgen.plots.views import SIDE, TOP, View, oblique
 from hoopgen.printable import printable
 from hoopgen.releases import RING_HEIGHT
-from hoopgen.study.told import say_scene
+from hoopgen.results import Outcome
+from hoopgen.told import say_scene
 from hoopgen.units import shown, shown_system
 
 __all__ = ["plot_trajectory"]
@@ -33,7 +33,7 @@ Limits = tuple[float, float, float, float]
 
 
 class Path(Protocol):
-    """What of `hoopgen.Trajectory` is drawn."""
+    """What of `Trajectory` is drawn."""
 
     @property
     def events(self) -> NDArray[Any]: ...
@@ -78,7 +78,7 @@ def plot_trajectory(
     trajectory: Path,
     parameters: Mapping[str, float],
     *,
-    outcome: hoopgen.Outcome | None = ...,
+    outcome: Outcome | None = ...,
     title: str = ...,
     three_d: bool | None = ...,
     ax: None = None,
@@ -90,7 +90,7 @@ def plot_trajectory(
     trajectory: Path,
     parameters: Mapping[str, float],
     *,
-    outcome: hoopgen.Outcome | None = ...,
+    outcome: Outcome | None = ...,
     title: str = ...,
     three_d: bool | None = ...,
     ax: Axes,
@@ -101,7 +101,7 @@ def plot_trajectory(
     trajectory: Path,
     parameters: Mapping[str, float],
     *,
-    outcome: hoopgen.Outcome | None = None,
+    outcome: Outcome | None = None,
     title: str = "",
     three_d: bool | None = None,
     ax: Axes | None = None,
@@ -174,9 +174,7 @@ def _key_of(mark: Mark) -> Line2D:
     return Line2D([], [], color=colour, label=text, marker="o", markersize=5.0, linestyle="none")
 
 
-def _collect(
-    trajectory: Path, parameters: Mapping[str, float], outcome: hoopgen.Outcome | None
-) -> Drawing:
+def _collect(trajectory: Path, parameters: Mapping[str, float], outcome: Outcome | None) -> Drawing:
     events, duration = trajectory.events, trajectory.duration
     path = trajectory.at(_times(events["time"], duration))[:, :3]
     if not np.abs(path).max() < _FAR:

@@ -24,6 +24,8 @@ from hoopgen.parameters import resolve
 from hoopgen.releases import from_zero
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
+from hoopgen.told import say_scene
+from hoopgen.variables import STATE, VARIABLES, Releases, check_angles, check_names
 
 from .batched import Batch, in_memory
 from .chunks import check_workers, opened, run, written
@@ -35,8 +37,6 @@ from .origin import settle
 from .reasons import reasons
 from .sinks import RESULTS, check_sink, sink
 from .tables import Column, Source, Stamp, variable_of
-from .told import say_scene
-from .variables import STATE, VARIABLES, Releases, check_angles, check_names
 
 __all__ = ["ROWS", "Batch", "batch"]
 
@@ -97,7 +97,7 @@ def batch(
         Of the scene; one number each. By default those that `source` says, if it is such a file of
         results, else `PAPER`.
     release
-        Variables that all shots share, in place of columns; see `hoopgen.study.variables`.
+        Variables that all shots share, in place of columns; see `hoopgen.variables`.
     measures
         Names of `hoopgen.study.measures.MEASURES`, each a column.
     max_contacts

@@ -11,17 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.inputs import check_contacts
-from hoopgen.notebook import Said
 from hoopgen.parameters import PAPER
 from hoopgen.phrases import decimals, percent, points
+from hoopgen.told import footer
+from hoopgen.words import for_json
 
 from .draws import check_seed
 from .estimate import NAMES, Estimate, estimated, told
 from .intervals import newcombe
+from .said import Said
 from .tallies import COLUMNS, check_share
 from .throws import Backend, Progress, Setting, Until, Work, most_shots, setting_of
-from .told import footer
-from .words import for_json
 
 __all__ = ["Comparison", "compare"]
 

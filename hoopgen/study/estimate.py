@@ -15,19 +15,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.inputs import check_contacts
-from hoopgen.notebook import Said
 from hoopgen.parameters import PAPER
 from hoopgen.phrases import decimals, doubtful, interval, percent
 from hoopgen.results import Outcome
+from hoopgen.told import footer, told_setting
+from hoopgen.words import for_json
 
 from .draws import check_seed
 from .intervals import wilson
 from .measures import Kind
 from .models import ReleaseModel
+from .said import Said
 from .tallies import check_share
 from .throws import Backend, Progress, Until, Work, most_shots, setting_of, tally_of
-from .told import footer, told_setting
-from .words import for_json
 
 __all__ = ["NAMES", "Estimate", "estimate", "estimated", "told"]
 

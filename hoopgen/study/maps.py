@@ -15,14 +15,16 @@ import pyarrow as pa
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-import hoopgen
 from hoopgen.brief import brief
 from hoopgen.inputs import check_contacts, check_count, doubles
+from hoopgen.installed import version
 from hoopgen.parameters import PAPER
 from hoopgen.phrases import percent
 from hoopgen.results import Outcome, Shots
 from hoopgen.simulation import simulate
 from hoopgen.sizes import check_room
+from hoopgen.told import model_told, say_scene
+from hoopgen.variables import STANDS_FOR, VARIABLES, change_variables, check_angles, check_names
 
 from .chunks import run
 from .draws import check_seed
@@ -39,8 +41,6 @@ from .tallies import (
     check_scene,
     check_share,
 )
-from .told import model_told, say_scene
-from .variables import STANDS_FOR, VARIABLES, change_variables, check_angles, check_names
 
 __all__ = ["check_cells", "map"]
 
@@ -365,7 +365,7 @@ def _attributes(work: _Work, level: float) -> dict[str, Any]:
     scene = others | {n: v for n, v in alike(work.model).items() if n in others}
     return {
         "Conventions": "CF-1.11",
-        "source": f"hoopgen {hoopgen.__version__}",
+        "source": f"hoopgen {version()}",
         "scene": say_scene(scene, by_row),
         "parameters": json.dumps(scene),
         "max_contacts": work.max_contacts,

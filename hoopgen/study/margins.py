@@ -12,20 +12,20 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.inputs import check_count
-from hoopgen.notebook import Said
 from hoopgen.parameters import PAPER
 from hoopgen.phrases import counted
+from hoopgen.told import say_scene
+from hoopgen.variables import VARIABLES, check_names
+from hoopgen.words import between, for_json, say
 
 from .crew import crew
 from .draws import check_seed
 from .player import By, Player, arguments_of, one_each
 from .resample import Resample
+from .said import Said
 from .scatter import Scatter
 from .scattering import check_thrown
 from .tallies import check_share
-from .told import say_scene
-from .variables import VARIABLES, check_names
-from .words import between, for_json, say
 
 __all__ = ["MARGINS", "Margin", "margins", "margins_about"]
 

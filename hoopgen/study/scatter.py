@@ -13,10 +13,7 @@ from hoopgen.brief import brief
 from hoopgen.inputs import doubles
 from hoopgen.parameters import NAMES, PAPER
 from hoopgen.releases import released
-
-from .draws import normals
-from .models import Floats, Given, Scene, check_drawn, spread
-from .variables import (
+from hoopgen.variables import (
     ARGUMENTS,
     VARIABLES,
     Releases,
@@ -25,6 +22,9 @@ from .variables import (
     make_releases,
     release_arguments,
 )
+
+from .draws import normals
+from .models import Floats, Given, Scene, check_drawn, spread
 
 __all__ = ["Scatter"]
 

@@ -21,9 +21,9 @@ from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
 from hoopgen.inputs import doubles
 from hoopgen.releases import RING_HEIGHT
+from hoopgen.variables import VARIABLES, check_angles, check_names
 
 from .player import By, Player
-from .variables import VARIABLES, check_angles, check_names
 
 __all__ = ["Bounds", "bounds_of", "flat_about", "search"]
 

@@ -29,12 +29,12 @@ from numpy.typing import NDArray
 from hoopgen.brief import brief, cut, listed
 from hoopgen.parameters import NAMES
 from hoopgen.units import NO_BARE, UNITS, Kind, column_name, unit_size
+from hoopgen.variables import STATE, VARIABLES, check_angles
 
 from .delimited import check_delimiter, delimiter_of, parsed, read, survey
 from .measures import MEASURES
 from .models import from_columns
 from .near import near_variable
-from .variables import STATE, VARIABLES, check_angles
 
 __all__ = ["FORMATS", "NAMED", "Column", "Source", "Stamp", "columns_of", "values", "variable_of"]
 

@@ -16,7 +16,7 @@ from hoopgen.study.margins import MARGINS
 from hoopgen.study.measures import MEASURES
 from hoopgen.study.player import BY, By
 from hoopgen.study.tables import FORMATS
-from hoopgen.study.variables import ARGUMENTS, VARIABLES
+from hoopgen.variables import ARGUMENTS, VARIABLES
 
 from .fields import Ends, Listed, Named, OneOf, Table, Values
 from .single import Name, Quantity, Share, Text, Whole, Word, meant, show, wrong

@@ -17,7 +17,7 @@ from hoopgen.study.origin import origin_of
 from hoopgen.study.resample import Resample
 from hoopgen.study.scatter import Scatter
 from hoopgen.study.tables import Source, variable_of
-from hoopgen.study.variables import STATE, change_variables
+from hoopgen.variables import STATE, change_variables
 
 from .schema import Given, Releases
 

@@ -18,8 +18,8 @@ from hoopgen.study.named import in_units
 from hoopgen.study.origin import settle
 from hoopgen.study.tables import Source
 from hoopgen.study.throws import most_shots
-from hoopgen.study.told import in_a_note, told_setting
-from hoopgen.study.variables import Releases
+from hoopgen.told import in_a_note, told_setting
+from hoopgen.variables import Releases
 
 from .asked import Answer, Asked, Work, fenced
 from .schema import Batch, Compare, Estimate

@@ -30,7 +30,7 @@ from hoopgen.study.optimum import optimum, scattering
 from hoopgen.study.resample import Resample
 from hoopgen.study.scatter import Scatter
 from hoopgen.study.search import bounds_of
-from hoopgen.study.words import between, say
+from hoopgen.words import between, say
 
 from .asked import Answer, Asked, Work, fenced
 from .schema import Aim, Bank, Map, Optimum, Study

@@ -15,7 +15,7 @@ from hoopgen.study.draws import ROW_OF_SAMPLE, uniforms
 from hoopgen.study.models import from_columns
 from hoopgen.study.origin import settle
 from hoopgen.study.tables import Source
-from hoopgen.study.variables import Releases, check_angles
+from hoopgen.variables import Releases, check_angles
 
 __all__ = ["Sample", "sample"]
 
