@@ -213,7 +213,7 @@ def _listed(kind: Kind) -> str:
 def column_name(name: str, unit: str) -> str:
     """Return the name of a column of numbers in a unit: ``speed_m_s``; a plain number's has none.
 
-    What is written like this is read again: see `hoopgen.study.tables`.
+    What is written like this is read again: see `hoopgen.study.columns`.
     """
     plain = unit.lower().replace("\u00b2", "2").replace("/", "_")
     return name if plain in ("", "1") else f"{name}_{plain}"

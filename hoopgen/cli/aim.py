@@ -139,7 +139,7 @@ def aim(
     """
     from hoopgen.cli.progress import shown
     from hoopgen.study.aim import aim as aimed
-    from hoopgen.study.aim import aim_table, write_csv
+    from hoopgen.study.aim_table import aim_table, write_csv
 
     spins = {name: wanted.pop(name) for name in ("backspin", "sidespin")}
     if len(distance) == 1:

@@ -17,7 +17,8 @@ from hoopgen.parameters import NAMES, PAPER, nearest_preset
 from hoopgen.told import say_scene
 from hoopgen.variables import VARIABLES, change_variables, check_names
 
-from .tables import NAMED, Source, variable_of
+from .columns import NAMED, variable_of
+from .tables import Source
 from .tallies import check_scene
 
 __all__ = ["Origin", "names_scene", "origin_of", "settle"]

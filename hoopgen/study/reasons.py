@@ -17,7 +17,7 @@ from hoopgen.parameters import PAPER
 from hoopgen.results import SURFACES
 from hoopgen.variables import Releases
 
-from .tables import Column
+from .columns import Column
 
 __all__ = ["reasons"]
 

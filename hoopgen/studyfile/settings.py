@@ -13,10 +13,11 @@ import numpy as np
 import pyarrow as pa
 
 from hoopgen.parameters import PAPER, PRESETS
+from hoopgen.study.columns import variable_of
 from hoopgen.study.origin import origin_of
 from hoopgen.study.resample import Resample
 from hoopgen.study.scatter import Scatter
-from hoopgen.study.tables import Source, variable_of
+from hoopgen.study.tables import Source
 from hoopgen.variables import STATE, change_variables
 
 from .schema import Given, Releases

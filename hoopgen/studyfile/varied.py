@@ -19,7 +19,8 @@ from hoopgen.inputs import check_contacts
 from hoopgen.outputs import write
 from hoopgen.phrases import counted, interval, percent, points
 from hoopgen.sizes import check_room
-from hoopgen.study.aim import aim, aim_table, write_csv
+from hoopgen.study.aim import aim
+from hoopgen.study.aim_table import aim_table, write_csv
 from hoopgen.study.bank import bank_or_direct, check_kept
 from hoopgen.study.chunks import run
 from hoopgen.study.draws import check_two_seeds
