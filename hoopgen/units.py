@@ -22,9 +22,11 @@ from typing import Literal
 from .brief import brief
 
 __all__ = [
+    "DEGREE",
     "FOOT",
     "INCH",
     "NO_BARE",
+    "TURN",
     "UNITS",
     "Kind",
     "Shown",
@@ -48,8 +50,12 @@ INCH = 0.0254
 
 _MILE = 1609.344
 _HOUR = 3600.0
-_DEGREE = math.pi / 180.0
-_TURN = 2.0 * math.pi
+
+DEGREE = math.pi / 180.0
+"""Radians in a degree."""
+
+TURN = 2.0 * math.pi
+"""Radians in a turn."""
 
 UNITS: Mapping[Kind, Mapping[str, float]] = MappingProxyType(
     {
@@ -63,9 +69,9 @@ UNITS: Mapping[Kind, Mapping[str, float]] = MappingProxyType(
                 "mph": _MILE / _HOUR,
             }
         ),
-        "angle": MappingProxyType({"rad": 1.0, "deg": _DEGREE}),
+        "angle": MappingProxyType({"rad": 1.0, "deg": DEGREE}),
         "spin": MappingProxyType(
-            {"rad/s": 1.0, "deg/s": _DEGREE, "Hz": _TURN, "rev/s": _TURN, "rpm": _TURN / 60.0}
+            {"rad/s": 1.0, "deg/s": DEGREE, "Hz": TURN, "rev/s": TURN, "rpm": TURN / 60.0}
         ),
         "acceleration": MappingProxyType({"m/s2": 1.0, "ft/s2": FOOT}),
         "number": MappingProxyType({"": 1.0}),
@@ -246,8 +252,8 @@ _SHOWN: Mapping[System, Mapping[str, Shown]] = MappingProxyType(
         "si": {
             "length": Shown("m", 1.0, 3),
             "speed": Shown("m/s", 1.0, 3),
-            "angle": Shown("\u00b0", _DEGREE, 1),
-            "spin": Shown("Hz", _TURN, 2),
+            "angle": Shown("\u00b0", DEGREE, 1),
+            "spin": Shown("Hz", TURN, 2),
             "acceleration": Shown("m/s\u00b2", 1.0, 3),
             "number": Shown("", 1.0, 3),
             "short": Shown("cm", 0.01, 1),
@@ -255,8 +261,8 @@ _SHOWN: Mapping[System, Mapping[str, Shown]] = MappingProxyType(
         "us": {
             "length": Shown("ft", FOOT, 2),
             "speed": Shown("mph", _MILE / _HOUR, 2),
-            "angle": Shown("\u00b0", _DEGREE, 1),
-            "spin": Shown("Hz", _TURN, 2),
+            "angle": Shown("\u00b0", DEGREE, 1),
+            "spin": Shown("Hz", TURN, 2),
             "acceleration": Shown("ft/s\u00b2", FOOT, 2),
             "number": Shown("", 1.0, 3),
             "short": Shown("in", INCH, 2),

@@ -44,8 +44,6 @@ _ENOUGH = 1e-6
 """Of a step: an end of a range that is short of a whole number of steps by no more is its last
 value, since 0.1 is no binary number."""
 
-_OFF = ("speed", "elevation", "azimuth")
-
 
 def _distances(text: str) -> tuple[float, ...]:
     """Read a length; several, ``3m,4m,5m``; or a range with its step or count, ``1m:7m:0.5m``."""
@@ -161,6 +159,7 @@ def aim(
 
 def _one(shot: Mapping[str, float], wanted: Mapping[str, float], by: str) -> str:
     """Say one release and what it forgives."""
+    from hoopgen.study.aim_table import OFF
     from hoopgen.variables import VARIABLES
     from hoopgen.words import say
 
@@ -177,7 +176,7 @@ def _one(shot: Mapping[str, float], wanted: Mapping[str, float], by: str) -> str
         way = {"any": "in", "direct": "in directly", "bank": "in off the board"}[by]
         return "\n".join([*lines, f"result  does not go {way}: hoopgen shot shows why"])
     rows = []
-    for name in _OFF:
+    for name in OFF:
         value, low, high = shot.get(name, 0.0), shot[f"low_{name}"], shot[f"high_{name}"]
         off = f"{_signed(name, low - value)} to {_signed(name, high - value)}"
         rows.append([VARIABLES[name].label, say(name, low), say(name, high), off])
@@ -194,6 +193,7 @@ def _signed(name: str, value: float) -> str:
 
 def _many(columns: Columns) -> str:
     """Lay out a table of releases."""
+    from hoopgen.study.aim_table import OFF
     from hoopgen.variables import VARIABLES
     from hoopgen.words import say
 
@@ -205,7 +205,7 @@ def _many(columns: Columns) -> str:
         "speed": "speed",
         "elevation": "elevation",
         "entry_angle": "entry",
-        **{f"{end}_{name}": name for name in _OFF for end in ("low", "high")},
+        **{f"{end}_{name}": name for name in OFF for end in ("low", "high")},
     }
     rows = [
         [cell(kind, columns[name][row]) for name, kind in kinds.items()]
@@ -214,6 +214,6 @@ def _many(columns: Columns) -> str:
     symbols = {kind: shown(kind).symbol for kind in ("length", "speed", "angle")}
     head = [f"dist. ({symbols['length']})", f"speed ({symbols['speed']})"]
     head += [f"elev. ({symbols['angle']})", f"entry ({symbols['angle']})"]
-    head += [word for name in _OFF for word in (f"from ({symbols[VARIABLES[name].kind]})", "to")]
-    groups = [(4 + 2 * k, 5 + 2 * k, name) for k, name in enumerate(_OFF)]
+    head += [word for name in OFF for word in (f"from ({symbols[VARIABLES[name].kind]})", "to")]
+    groups = [(4 + 2 * k, 5 + 2 * k, name) for k, name in enumerate(OFF)]
     return table(head, rows, right=range(len(head)), groups=groups)

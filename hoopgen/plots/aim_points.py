@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 
 from hoopgen.plots.court import FLOOR, Court, add_floor, find_court, on_floor
 from hoopgen.plots.page import add_view, new_page
-from hoopgen.plots.panels import Limits, Panel
+from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scene import draw_hoop, scene_corners
-from hoopgen.plots.style import PAGE, style
-from hoopgen.plots.views import View
+from hoopgen.plots.style import DARK, NARROW, PAGE, style
+from hoopgen.plots.views import Limits, View
 from hoopgen.told import in_a_note, say_scene, told_by
 from hoopgen.units import INCH
 
@@ -51,7 +51,6 @@ _NOTE = "A colour is a direction from the ring. Lines on the floor lead along th
 # Inches.
 _LEFT, _RIGHT, _BETWEEN, _BELOW, _ABOVE = 0.58, 0.1, 0.5, 0.46, 0.1
 _LEGEND = 0.25
-_NARROW = 5.0  # a page with the views one above the other
 _MARGIN = 0.1  # m
 _AIRY = 0.25  # m, around the places
 
@@ -242,7 +241,7 @@ def _arrange(aims: _Aims, parameters: Mapping[str, float], width: float) -> tupl
     wide = float(np.abs(aims.y).max()) + _AIRY
     floor = (-wide, wide, -float(aims.x.max()) - _AIRY, parameters["board_distance"] + _AIRY)
     bottom = _LEGEND + _BELOW
-    if width < _NARROW:
+    if width < NARROW:
         across = width - _LEFT - _RIGHT
         scales = [across / (limits[1] - limits[0]) for limits in (board, floor)]
         lower = Panel(FLOOR, floor, scales[1], _LEFT, bottom)
@@ -277,7 +276,7 @@ def _scatter(axes: Axes, points: NDArray[np.float64], aims: _Aims) -> None:
             s=size,
             marker=marker,
             facecolors=aims.colours[here] if filled else "white",
-            edgecolors="#222222" if filled else aims.colours[here],
+            edgecolors=DARK if filled else aims.colours[here],
             linewidths=0.5 if filled else 1.2,
             label=label,
             zorder=60.0,

@@ -22,21 +22,19 @@ from hoopgen.plots.page import add_view, new_page
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scene import draw_hoop, scene_corners
-from hoopgen.plots.style import MISSED_LINES, PAGE, style
-from hoopgen.plots.views import View
+from hoopgen.plots.style import EDGES, GRID, MISSED_LINES, NARROW, PAGE, style
+from hoopgen.plots.views import Limits, View
 from hoopgen.results import Outcome, Shots, Trajectory
 from hoopgen.study.measures import kinds
 from hoopgen.told import say_scene
 
 __all__ = ["Fan", "draw_fan", "gather_fan", "plot_fan"]
 
-Limits = tuple[float, float, float, float]
 
 # Inches.
 _LEFT, _RIGHT, _BELOW, _ABOVE, _PAD = 0.55, 0.1, 0.48, 0.08, 0.08
 _BETWEEN = 0.68
 _TALLEST = 3.5
-_NARROW = 5.0  # a page with the panels one above the other
 
 _LINE = 0.45  # points
 _MARGIN = 0.08  # m around what is drawn
@@ -235,7 +233,7 @@ def _arrange(fan: Fan, width: float, foot: float) -> tuple[Panel, Panel]:
     whole, near = fan.limits(), fan.near_the_ring()
     forms = [(right - left) / (top - bottom) for left, right, bottom, top in (whole, near)]
     bottom = foot + _BELOW
-    if width < _NARROW:
+    if width < NARROW:
         across = width - _LEFT - _RIGHT
         scales = [across / (limits[1] - limits[0]) for limits in (whole, near)]
         lower = Panel(fan.view, near, scales[1], _LEFT, bottom)
@@ -249,7 +247,7 @@ def _arrange(fan: Fan, width: float, foot: float) -> tuple[Panel, Panel]:
 
 def draw_fan(axes: Axes, panel: Panel, fan: Fan) -> None:
     """Draw hoop and paths on axes of `add_view`, missed shots below made ones."""
-    axes.grid(color="#ECECEC", lw=0.5)
+    axes.grid(color=GRID, lw=0.5)
     draw_hoop(axes, panel.view, fan.scene, panel.scale)
     order = sorted(range(len(fan.curves)), key=lambda shot: fan.classes[shot].outcome == "made")
     lines = PathCollection(
@@ -265,5 +263,5 @@ def draw_fan(axes: Axes, panel: Panel, fan: Fan) -> None:
 def _outline(axes: Axes, limits: Limits) -> None:
     """Show which part the other panel has."""
     left, right, bottom, top = limits
-    box = Rectangle((left, bottom), right - left, top - bottom, fill=False, ec="#777777", lw=0.5)
+    box = Rectangle((left, bottom), right - left, top - bottom, fill=False, ec=EDGES, lw=0.5)
     axes.add_patch(box)

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.phrases import percent
 from hoopgen.plots.page import add_axes
-from hoopgen.plots.style import MADE, MISSED, NEITHER
+from hoopgen.plots.style import EDGES, INK, MADE, MISSED, NEITHER
 from hoopgen.results import Outcome
 from hoopgen.study.measures import Kind
 
@@ -173,7 +173,7 @@ def draw_key(
 
     def write(cell: tuple[float, float], text: str, size: float = _SIZE) -> None:
         at = left + cell[0], top + cell[1]
-        axes.text(*at, text, va="center_baseline", fontsize=size, color="#333333", linespacing=1.0)
+        axes.text(*at, text, va="center_baseline", fontsize=size, color=INK, linespacing=1.0)
 
     for name, line in lines.items():
         words = name.replace("_", ",\n" if table.wrapped else ", ")
@@ -191,4 +191,4 @@ def draw_key(
 
 def _draw_swatch(axes: Axes, left: float, middle: float, colour: str) -> None:
     corner = left, middle - _SWATCH_HEIGHT / 2.0
-    axes.add_patch(Rectangle(corner, _SWATCH, _SWATCH_HEIGHT, fc=colour, ec="#777777", lw=0.4))
+    axes.add_patch(Rectangle(corner, _SWATCH, _SWATCH_HEIGHT, fc=colour, ec=EDGES, lw=0.4))

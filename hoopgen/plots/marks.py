@@ -11,20 +11,18 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from hoopgen.plots.layout import Box, place_labels
-from hoopgen.plots.style import COLOURS
-from hoopgen.plots.views import View
+from hoopgen.plots.style import COLOURS, POINTS_PER_INCH
+from hoopgen.plots.views import Points, View
 from hoopgen.results import SURFACES, Outcome
 
 __all__ = ["KEY_ROW", "Mark", "collect_marks", "draw_badges", "draw_key", "key_rows"]
 
-Points = NDArray[np.float64]
 
 KEY_ROW = 0.22
 """Height of a row of the key, inches."""
 
 _KEY_COLUMN = 1.68
 _TEXT_SIZE = 7.0
-_POINTS_PER_INCH = 72.0
 _MOST = 60
 """Badges of contacts, at most; a shot of the article's has 40 contacts."""
 
@@ -155,7 +153,7 @@ def draw_badges(
 
 
 def _box(mark: Mark, view: View, ball_radius: float, scale: float) -> Box:
-    points = _POINTS_PER_INCH * scale  # per metre
+    points = POINTS_PER_INCH * scale  # per metre
     width = (0.68 * _TEXT_SIZE * len(mark.label) + 6.0) / points
     at = view.flatten(mark.position)
     return Box(

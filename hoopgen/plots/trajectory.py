@@ -18,8 +18,8 @@ from hoopgen.plots.marks import KEY_ROW, Mark, collect_marks, draw_key, key_rows
 from hoopgen.plots.panels import Drawing, Panel, Room, draw_panel, draw_view, some
 from hoopgen.plots.picture import Picture, add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scene import scene_corners
-from hoopgen.plots.style import COLOURS, PAGE, style
-from hoopgen.plots.views import SIDE, TOP, View, oblique
+from hoopgen.plots.style import COLOURS, INK, PAGE, SMALL, letter, style
+from hoopgen.plots.views import SIDE, TOP, Limits, Points, View, oblique
 from hoopgen.printable import printable
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import Outcome
@@ -27,9 +27,6 @@ from hoopgen.told import say_scene
 from hoopgen.units import shown, shown_system
 
 __all__ = ["plot_trajectory"]
-
-Points = NDArray[np.float64]
-Limits = tuple[float, float, float, float]
 
 
 class Path(Protocol):
@@ -65,8 +62,6 @@ _BOX_BELOW = 3.5
 _LABELS = 0.48  # around a 3D view
 _PAD = 0.06  # m
 _FLAT = 1e-6  # m
-_SMALL = 7.5  # points
-_LETTER = 0.56 * _SMALL / 72.0  # inches: the mean width of a letter in DejaVu Sans
 _ROUND = 0.25  # m: the room's sides
 _FAR = 1e290  # m: near the end of the doubles' range matplotlib computes with infinity
 _ELEVATION = np.radians(25.0)
@@ -150,7 +145,7 @@ def plot_trajectory(
         told = [
             line
             for text in _told(trajectory, parameters)
-            for line in textwrap.wrap(text, int((page.width - _LEFT) / _LETTER))
+            for line in textwrap.wrap(text, int((page.width - _LEFT) / letter(SMALL)))
         ]
         room = max(0, len(told) - _LINES) * _LINE
         figure = Picture(figsize=(page.width, page.height + room))
@@ -321,4 +316,4 @@ def _draw_title(figure: Figure, title: str, told: Sequence[str]) -> None:
     figure.text(x, 1.0 - 0.16 / height, head, fontsize=10, fontweight="bold", va="center")
     for number, line in enumerate(told):
         y = 1.0 - (0.34 + _LINE * number) / height
-        figure.text(x, y, line, fontsize=_SMALL, color="#333333", va="center", parse_math=True)
+        figure.text(x, y, line, fontsize=SMALL, color=INK, va="center", parse_math=True)

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.inputs import doubles
 from hoopgen.outputs import written_text
 from hoopgen.parameters import PAPER
-from hoopgen.units import column_name
+from hoopgen.units import DEGREE, TURN, column_name
 
 from .aim import Arc, aim
 from .chunks import run
@@ -26,9 +26,10 @@ from .named import UNIT_OF
 from .player import By, Player
 from .tallies import check_scene
 
-__all__ = ["TABLE", "aim_table", "write_csv"]
+__all__ = ["OFF", "TABLE", "aim_table", "write_csv"]
 
-_OFF = ("speed", "elevation", "azimuth")
+OFF = ("speed", "elevation", "azimuth")
+"""Of a release: one of them alone may be off."""
 
 _SPINS = ("backspin", "sidespin")
 
@@ -39,7 +40,7 @@ TABLE: Mapping[str, str] = MappingProxyType(
             *("distance", "angle", "height"),
             *_SPINS,
             *("speed", "elevation", "entry_angle", "time"),
-            *(f"{end}_{name}" for name in _OFF for end in ("low", "high")),
+            *(f"{end}_{name}" for name in OFF for end in ("low", "high")),
         )
     }
 )
@@ -158,18 +159,18 @@ class _Rows:
         """Return the ends of each row's tolerances, by the names of `TABLE`."""
         start = chunk * _TOGETHER
         some = {name: c[start : start + _TOGETHER] for name, c in self.releases.items()}
-        ends: dict[str, list[float]] = {f"{end}_{n}": [] for n in _OFF for end in ("low", "high")}
+        ends: dict[str, list[float]] = {f"{end}_{n}": [] for n in OFF for end in ("low", "high")}
         player = Player(parameters=self.parameters, by=self.by)
         for row in range(len(some["speed"])):
             aimed = {name: column[row].item() for name, column in some.items()} | {"azimuth": 0.0}
-            for name, margin in margins_about(aimed, _OFF, player, 1, 0, 0.5).items():
+            for name, margin in margins_about(aimed, OFF, player, 1, 0, 0.5).items():
                 ends[f"low_{name}"].append(margin.low)
                 ends[f"high_{name}"].append(margin.high)
         return pa.table(ends)
 
 
 _SHOWN: Mapping[str, tuple[str, float]] = MappingProxyType(
-    {"rad": ("deg", np.pi / 180.0), "rad/s": ("Hz", 2.0 * np.pi)}
+    {"rad": ("deg", DEGREE), "rad/s": ("Hz", TURN)}
 )
 """In files, whose numbers are set on a machine: units in place of others, and their size."""
 

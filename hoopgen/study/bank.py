@@ -25,11 +25,11 @@ from .crew import crew
 from .draws import check_two_seeds
 from .intervals import wilson
 from .optimum import scattering
-from .player import By, Player, Thrown, arguments_of
+from .player import Bounds, By, Player, Thrown, arguments_of
 from .resample import Resample
 from .scatter import Scatter
 from .scattering import alike, scene_by_row
-from .search import Bounds, bounds_of, search
+from .search import bounds_of, search
 from .tallies import check_share
 
 __all__ = ["WAYS", "Crossing", "bank_or_direct", "crossing"]

@@ -18,11 +18,10 @@ from hoopgen.words import between, for_json, say
 from .board import on_board
 from .intervals import newcombe
 from .margins import Margin
-from .player import By, Player, Thrown
+from .player import Bounds, By, Player, Thrown
 from .resample import Resample
 from .said import Said
 from .scatter import Scatter
-from .search import Bounds
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from os import PathLike
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from hoopgen.inputs import check_count
 from hoopgen.parameters import PAPER
@@ -23,15 +23,12 @@ from .draws import check_two_seeds
 from .intervals import wilson
 from .margins import MARGINS, margins_about
 from .measures import measure
-from .player import By, Player, arguments_of
+from .player import Bounds, By, Player, arguments_of
 from .resample import Resample
 from .scatter import Scatter
 from .scattering import check_thrown
-from .search import Bounds, bounds_of, flat_about, search
+from .search import bounds_of, flat_about, search
 from .tallies import check_scene, check_share
-
-if TYPE_CHECKING:
-    pass
 
 __all__ = ["optimum", "scattering"]
 

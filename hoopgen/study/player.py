@@ -24,7 +24,10 @@ from .resample import Resample
 from .scatter import Scatter
 from .tallies import check_scene
 
-__all__ = ["BY", "By", "Player", "Thrown", "arguments_of", "one_each"]
+__all__ = ["BY", "Bounds", "By", "Player", "Thrown", "arguments_of", "one_each"]
+
+Bounds = tuple[float, float]
+"""Of a variable: low, high."""
 
 By = Literal["any", "direct", "bank"]
 

@@ -20,7 +20,7 @@ from hoopgen.outputs import write
 from hoopgen.phrases import counted, interval, percent, points
 from hoopgen.sizes import check_room
 from hoopgen.study.aim import aim
-from hoopgen.study.aim_table import aim_table, write_csv
+from hoopgen.study.aim_table import OFF, aim_table, write_csv
 from hoopgen.study.bank import bank_or_direct, check_kept
 from hoopgen.study.chunks import run
 from hoopgen.study.draws import check_two_seeds
@@ -300,19 +300,18 @@ def answer_aim(asked: Asked, question: Aim, work: Work) -> Answer:
     rows = [
         [
             *(_one_of(columns, name, row) for name in _AIMED),
-            *(_ends_of(columns, name, row) for name in _OFF),
+            *(_ends_of(columns, name, row) for name in OFF),
         ]
         for row in range(len(columns["speed"]))
     ]
     good = int(np.isfinite(columns["low_speed"]).sum())
     line = f"{counted(len(rows), 'distance')}, {good} of them with a release that goes in"
-    table = _table([*_AIMED, *(f"goes in with {name}" for name in _OFF)], rows)
+    table = _table([*_AIMED, *(f"goes in with {name}" for name in OFF)], rows)
     numbers = {name: column.tolist() for name, column in columns.items()}
     return Answer(line, table, in_units(numbers))
 
 
 _AIMED = ("distance", "speed", "elevation")
-_OFF = ("speed", "elevation", "azimuth")
 
 
 def _one_of(columns: Mapping[str, NDArray[np.float64]], name: str, row: int) -> str:
