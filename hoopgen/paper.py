@@ -9,13 +9,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.units import FOOT
 
+from .inputs import MAX_CONTACTS, Backend
 from .parameters import PAPER
 from .results import SURFACES, Outcome, Shots, Trajectory
 from .simulation import simulate
@@ -245,7 +246,7 @@ def run(
     cases: Iterable[Case] = CASES,
     *,
     parameters: Mapping[str, float] | None = None,
-    backend: Literal["auto", "c", "numpy"] = "auto",
+    backend: Backend = "auto",
 ) -> tuple[Result, ...]:
     """Simulate the article's shots, 40 contacts at most, as the article does.
 
@@ -268,7 +269,7 @@ def run(
     shots = simulate(
         release_states(chosen),
         parameters=scene,
-        max_contacts=40,
+        max_contacts=MAX_CONTACTS,
         backend=backend,
         record=True,
     )

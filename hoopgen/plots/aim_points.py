@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack, overload
 
 import numpy as np
 from matplotlib import colormaps
@@ -55,29 +55,26 @@ _MARGIN = 0.1  # m
 _AIRY = 0.25  # m, around the places
 
 
+class _Options(TypedDict, total=False):
+    court: str
+    title: str
+    note: str | None
+    width: float
+
+
 @overload
 def plot_aim_points(
     dataset: xr.Dataset,
     parameters: Mapping[str, Any],
     *,
-    court: str = ...,
-    title: str = ...,
-    note: str | None = ...,
-    width: float = ...,
     ax: None = None,
+    **options: Unpack[_Options],
 ) -> Figure: ...
 
 
 @overload
 def plot_aim_points(
-    dataset: xr.Dataset,
-    parameters: Mapping[str, Any],
-    *,
-    court: str = ...,
-    title: str = ...,
-    note: str | None = ...,
-    width: float = ...,
-    ax: Axes,
+    dataset: xr.Dataset, parameters: Mapping[str, Any], *, ax: Axes, **options: Unpack[_Options]
 ) -> Axes: ...
 
 
@@ -111,7 +108,7 @@ def plot_aim_points(
         Said below it, after what colours and lines are; by default the scene, and release, scatter
         and seed as far as the dataset says them.
     width
-        Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+        Of the page, inches, as of `plot_fan`.
     ax
         To draw on, the board without the floor. The key is to the right of them: figures with
         ``layout="constrained"`` make room for it.
@@ -119,8 +116,7 @@ def plot_aim_points(
     Returns
     -------
     Figure or Axes
-        A page of its own, which notebooks show and `hoopgen.plots.save` writes, not known to
-        pyplot; or `ax`, where it is given.
+        A page of its own, or `ax`; as of `plot_fan`.
 
     Raises
     ------

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, overload
+from typing import Any, TypedDict, Unpack, overload
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -40,29 +40,22 @@ _LINE = 0.45  # points
 _MARGIN = 0.08  # m around what is drawn
 
 
+class _Options(TypedDict, total=False):
+    paths: int
+    title: str
+    note: str
+    width: float
+
+
 @overload
 def plot_fan(
-    shots: Shots,
-    parameters: Mapping[str, Any],
-    *,
-    paths: int = ...,
-    title: str = ...,
-    note: str = ...,
-    width: float = ...,
-    ax: None = None,
+    shots: Shots, parameters: Mapping[str, Any], *, ax: None = None, **options: Unpack[_Options]
 ) -> Figure: ...
 
 
 @overload
 def plot_fan(
-    shots: Shots,
-    parameters: Mapping[str, Any],
-    *,
-    paths: int = ...,
-    title: str = ...,
-    note: str = ...,
-    width: float = ...,
-    ax: Axes,
+    shots: Shots, parameters: Mapping[str, Any], *, ax: Axes, **options: Unpack[_Options]
 ) -> Axes: ...
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, overload
+from typing import Any, TypedDict, Unpack, overload
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -47,18 +47,22 @@ def _share() -> str:
     return f"balls that land there (% per {shown('length').symbol}²)"
 
 
+class _Options(TypedDict, total=False):
+    place: tuple[float, float] | None
+    court: str
+    title: str
+    note: str
+    width: float
+
+
 @overload
 def plot_landings(
     x: ArrayLike,
     y: ArrayLike,
     parameters: Mapping[str, Any],
     *,
-    place: tuple[float, float] | None = ...,
-    court: str = ...,
-    title: str = ...,
-    note: str = ...,
-    width: float = ...,
     ax: None = None,
+    **options: Unpack[_Options],
 ) -> Figure: ...
 
 
@@ -68,12 +72,8 @@ def plot_landings(
     y: ArrayLike,
     parameters: Mapping[str, Any],
     *,
-    place: tuple[float, float] | None = ...,
-    court: str = ...,
-    title: str = ...,
-    note: str = ...,
-    width: float = ...,
     ax: Axes,
+    **options: Unpack[_Options],
 ) -> Axes: ...
 
 
@@ -107,15 +107,14 @@ def plot_landings(
     note
         Said below it, after what the picture says itself: how many there are, and their scene.
     width
-        Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+        Of the page, inches, as of `plot_fan`.
     ax
         To draw on; the bar of colours takes its place from them.
 
     Returns
     -------
     Figure or Axes
-        A page of its own, which notebooks show and `hoopgen.plots.save` writes, not known to
-        pyplot; or `ax`, where it is given.
+        A page of its own, or `ax`; as of `plot_fan`.
 
     Raises
     ------

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack, overload
 
 import numpy as np
 from matplotlib import colormaps
@@ -50,28 +50,19 @@ _APART = 0.11  # between labels, at least
 _SHORT = 0.15  # a contour without label
 
 
-@overload
-def plot_map(
-    dataset: xr.Dataset,
-    *,
-    of: str | None = ...,
-    title: str = ...,
-    note: str | None = ...,
-    width: float = ...,
-    ax: None = None,
-) -> Figure: ...
+class _Options(TypedDict, total=False):
+    of: str | None
+    title: str
+    note: str | None
+    width: float
 
 
 @overload
-def plot_map(
-    dataset: xr.Dataset,
-    *,
-    of: str | None = ...,
-    title: str = ...,
-    note: str | None = ...,
-    width: float = ...,
-    ax: Axes,
-) -> Axes: ...
+def plot_map(dataset: xr.Dataset, *, ax: None = None, **options: Unpack[_Options]) -> Figure: ...
+
+
+@overload
+def plot_map(dataset: xr.Dataset, *, ax: Axes, **options: Unpack[_Options]) -> Axes: ...
 
 
 def plot_map(
@@ -110,8 +101,7 @@ def plot_map(
     Returns
     -------
     Figure or Axes
-        A page of its own, which notebooks show and `hoopgen.plots.save` writes, not known to
-        pyplot; or `ax`, where it is given.
+        A page of its own, or `ax`; as of `plot_fan`.
 
     Raises
     ------

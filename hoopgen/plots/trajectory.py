@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, Protocol, overload
+from typing import Any, Protocol, TypedDict, Unpack, overload
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -68,27 +68,25 @@ _ELEVATION = np.radians(25.0)
 _ALONG, _ACROSS = np.radians(62.0), np.radians(36.0)  # azimuth, for a long and for a wide room
 
 
+class _Options(TypedDict, total=False):
+    outcome: Outcome | None
+    title: str
+    three_d: bool | None
+
+
 @overload
 def plot_trajectory(
     trajectory: Path,
     parameters: Mapping[str, float],
     *,
-    outcome: Outcome | None = ...,
-    title: str = ...,
-    three_d: bool | None = ...,
     ax: None = None,
+    **options: Unpack[_Options],
 ) -> Figure: ...
 
 
 @overload
 def plot_trajectory(
-    trajectory: Path,
-    parameters: Mapping[str, float],
-    *,
-    outcome: Outcome | None = ...,
-    title: str = ...,
-    three_d: bool | None = ...,
-    ax: Axes,
+    trajectory: Path, parameters: Mapping[str, float], *, ax: Axes, **options: Unpack[_Options]
 ) -> Axes: ...
 
 
@@ -122,8 +120,7 @@ def plot_trajectory(
     Returns
     -------
     Figure or Axes
-        A page of its own, which notebooks show and `hoopgen.plots.save` writes, not known to
-        pyplot; or `ax`, where it is given.
+        A page of its own, or `ax`; as of `plot_fan`.
 
     Raises
     ------

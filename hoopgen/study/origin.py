@@ -11,7 +11,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
-from hoopgen.inputs import check_contacts
+from hoopgen.inputs import MAX_CONTACTS, check_contacts
 from hoopgen.installed import version
 from hoopgen.parameters import NAMES, PAPER, nearest_preset
 from hoopgen.told import say_scene
@@ -24,9 +24,6 @@ from .tallies import check_scene
 __all__ = ["Origin", "names_scene", "origin_of", "settle"]
 
 _KEY = b"hoopgen"
-
-MAX_CONTACTS = 40
-"""Where nothing else is said."""
 
 
 @dataclass(frozen=True)

@@ -5,10 +5,11 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
+from hoopgen.inputs import Backend
 from hoopgen.outputs import PAGES, check_output
 from hoopgen.phrases import counted
 from hoopgen.results import Outcome
@@ -37,7 +38,7 @@ def view_table(
     override: bool = False,
     format: str | None = None,
     own: Sequence[str] = (),
-    backend: Literal["auto", "c", "numpy"] = "auto",
+    backend: Backend = "auto",
 ) -> Page:
     """Write a page on which a sample of a table is seen in motion; in a notebook, show it.
 
