@@ -43,6 +43,11 @@ UPWARDS = {
 }
 """Every import that may lead up, and why."""
 
+LONG: Mapping[str, str] = {}
+"""Files of more than `LINES` lines, and why."""
+
+LINES = 400
+
 Arrows = Mapping[str, set[str]]
 
 
@@ -167,3 +172,14 @@ def test_a_circle_is_seen() -> None:
     known = modules()
     there = {within(each, known) for each in found}
     assert circle({"hoopgen.study.bank": there, "hoopgen.study.optimum": {"hoopgen.study.bank"}})
+
+
+def test_no_file_is_long_without_a_reason() -> None:
+    files = sorted((ROOT / "hoopgen").rglob("*.py"))
+    long = {
+        str(file.relative_to(ROOT))
+        for file in files
+        if len(file.read_text(encoding="utf-8").splitlines()) > LINES
+    }
+    assert files
+    assert long == set(LONG)
