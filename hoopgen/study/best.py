@@ -27,9 +27,9 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["Optimum", "advice", "paired"]
+__all__ = ["PLOTTED", "Optimum", "advice", "paired"]
 
-_PLOTTED = 2_000
+PLOTTED = 2_000
 """Shots whose shares are beside their paths."""
 
 
@@ -125,7 +125,7 @@ class Optimum(Said):
 
         The shares in the key are those of the first 2000 at most.
         """
-        player, few = self._player(), min(self.shots, _PLOTTED)
+        player, few = self._player(), min(self.shots, PLOTTED)
         noise = player.model.noise(0, few, self.seed + 1)
         shots = player.model.around(self.point, noise, self.parameters, few)
         options = {"note": in_a_note(self._drawn())} | options

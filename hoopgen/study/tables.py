@@ -45,6 +45,9 @@ Stamp: TypeAlias = tuple[int, int]
 _BLOCK = 1 << 22
 """Bytes of a file that are read at a time; the longest row of CSV."""
 
+_ROWS = 1 << 20
+"""Read at a time where all are."""
+
 _SAID = 300
 """Characters of what Arrow says of a file, which may be in the words of that file."""
 
@@ -142,6 +145,16 @@ class Source:
         """
         with self._opened() as (schema, batches):
             yield from _regrouped(schema, map(_validated, batches), rows)
+
+    def whole(self) -> pa.Table:
+        """Read all rows into one table.
+
+        Raises
+        ------
+        ValueError
+            If the file is not of its format.
+        """
+        return pa.concat_tables(self.tables(_ROWS))
 
     def typed(self, columns: Mapping[str, Column]) -> pa.Schema:
         """Return the schema with the types that columns of CSV have, once all of it was read.

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pyarrow as pa
 
 from hoopgen.parameters import PAPER, PRESETS
 from hoopgen.study.columns import variable_of
@@ -23,9 +22,6 @@ from hoopgen.variables import STATE, change_variables
 from .schema import Given, Releases
 
 __all__ = ["Setting", "given_without"]
-
-_ROWS = 1 << 20
-"""Read at a time."""
 
 _PLACES = ({"x", "y"}, {"distance", "angle"})
 """Two ways to say a place."""
@@ -153,7 +149,7 @@ class Setting:
             **self.own,
         }
         columns = source.columns(sorted({*own, *passed}), given)
-        return {**source.values(pa.concat_tables(source.tables(_ROWS)), columns), **given}
+        return {**source.values(source.whole(), columns), **given}
 
     def _source(self, releases: Releases) -> Source:
         return Source(self.folder / releases.file, releases.format or "")
