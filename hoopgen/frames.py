@@ -1,18 +1,17 @@
-"""Results and events as tables: of pandas, of xarray, and of a notebook.
-
-By field of `hoopgen.results.Shots`, which stands on this file.
-"""
+"""Shots and trajectories as tables: of pandas, of xarray, and of a notebook."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from typing import Any
+from functools import partial
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.generated.numpy.hoop import BODIES, Outcome
+from hoopgen.generated.numpy.hoop import BODIES as SURFACES
+from hoopgen.generated.numpy.hoop import Outcome
 
 from .installed import need
 from .notebook import ROWS, some_rows, table
@@ -22,13 +21,28 @@ from .variables import STATE, STATE_UNITS
 
 __all__ = ["contacts_frame", "contacts_html", "shots_dataset", "shots_frame", "shots_html"]
 
-Fields = Mapping[str, NDArray[Any]]
-"""By name: those that were asked for."""
-
 _ERRORS = {"position_error": "m", "velocity_error": "m/s", "spin_error": "rad/s"}
 
 UNITS: Mapping[str, str] = {"time": "s", "time_error": "s", **STATE_UNITS, **_ERRORS}
 """Of the columns that have one."""
+
+
+class Shots(Protocol):
+    """What is read of `hoopgen.Shots`, which stands on this file; and its fields, by name."""
+
+    parameters: Mapping[str, Any]
+
+    def __len__(self) -> int: ...
+
+
+class Trajectory(Protocol):
+    """What is read of `hoopgen.Trajectory`."""
+
+    @property
+    def release(self) -> NDArray[np.float64]: ...
+
+    @property
+    def events(self) -> NDArray[Any]: ...
 
 
 def _named(name: str, unit: str = "") -> str:
@@ -36,15 +50,15 @@ def _named(name: str, unit: str = "") -> str:
 
 
 _OUTCOMES = [outcome.name.lower() for outcome in Outcome]
-_END = (*BODIES, "end")
+_END = (*SURFACES, "end")
 
 
-def _columns(fields: Fields, rows: Any = slice(None)) -> dict[str, NDArray[Any]]:
+def _columns(shots: Shots, rows: Any = slice(None)) -> dict[str, NDArray[Any]]:
     """Return the results that there are, a column each; outcome and first surface as codes."""
     columns: dict[str, NDArray[Any]] = {}
     for name, split in _PARTS.items():
-        if name in fields:
-            part = fields[name][rows]
+        if hasattr(shots, name):
+            part = getattr(shots, name)[rows]
             columns |= dict(zip(split, part.T if part.ndim > 1 else [part], strict=True))
     return columns
 
@@ -52,7 +66,7 @@ def _columns(fields: Fields, rows: Any = slice(None)) -> dict[str, NDArray[Any]]
 _PARTS: Mapping[str, tuple[str, ...]] = {
     "outcome": ("outcome",),
     "contacts": ("contacts",),
-    "counts": tuple(f"{name}_contacts" for name in BODIES),
+    "counts": tuple(f"{name}_contacts" for name in SURFACES),
     "first": ("first",),
     "time": ("time",),
     "state": STATE,
@@ -63,30 +77,30 @@ _PARTS: Mapping[str, tuple[str, ...]] = {
 """By field of `Shots`: its columns, in their order."""
 
 
-def shots_frame(fields: Fields, parameters: Mapping[str, Any], count: int) -> Any:
+def shots_frame(shots: Shots) -> Any:
     """Return what `Shots.to_pandas` does."""
     pd = need("pandas", "to_pandas")
-    columns: dict[str, Any] = dict(_columns(fields))
-    for name, words in (("outcome", _OUTCOMES), ("first", list(BODIES))):
+    columns: dict[str, Any] = dict(_columns(shots))
+    for name, words in (("outcome", _OUTCOMES), ("first", list(SURFACES))):
         if name in columns:
             columns[name] = pd.Categorical.from_codes(columns[name], words)
     columns = {_named(name): column for name, column in columns.items()}
-    frame = pd.DataFrame(columns, pd.RangeIndex(count, name="shot"))
-    frame.attrs["scene"] = say_scene(parameters)
+    frame = pd.DataFrame(columns, pd.RangeIndex(len(shots), name="shot"))
+    frame.attrs["scene"] = say_scene(shots.parameters)
     return frame
 
 
-def shots_dataset(fields: Fields, parameters: Mapping[str, Any], count: int) -> Any:
+def shots_dataset(shots: Shots) -> Any:
     """Return what `Shots.to_xarray` does."""
     xr = need("xarray", "to_xarray")
-    data, coordinates = {}, {"shot": np.arange(count)}
+    data, coordinates = {}, {"shot": np.arange(len(shots))}
     second = {
-        "counts": ("surface", list(BODIES)),
+        "counts": ("surface", list(SURFACES)),
         "state": ("component", list(STATE)),
         "state_error": ("part", [name.removesuffix("_error") for name in _ERRORS]),
     }
-    flags = {"outcome": (0, _OUTCOMES), "first": (-1, ["none", *BODIES])}
-    for name in filter(fields.__contains__, _PARTS):
+    flags = {"outcome": (0, _OUTCOMES), "first": (-1, ["none", *SURFACES])}
+    for name in filter(partial(hasattr, shots), _PARTS):
         dimensions = ["shot"]
         if name in second:
             dimensions.append(second[name][0])
@@ -94,36 +108,38 @@ def shots_dataset(fields: Fields, parameters: Mapping[str, Any], count: int) -> 
         told: dict[str, Any] = {"units": UNITS[name]} if name in UNITS else {}
         if name in flags:
             low, words = flags[name]
-            codes = np.arange(low, low + len(words), dtype=fields[name].dtype)
+            codes = np.arange(low, low + len(words), dtype=getattr(shots, name).dtype)
             told = {"flag_values": codes, "flag_meanings": " ".join(words)}
-        data[name] = (dimensions, fields[name], told)
+        data[name] = (dimensions, getattr(shots, name), told)
     dataset = xr.Dataset(data, coordinates)
     if "state" in data:
         dataset = dataset.assign_coords(unit=("component", list(STATE_UNITS.values())))
-    alike = {name: value for name, value in parameters.items() if np.ndim(value) == 0}
-    dataset.attrs["scene"] = say_scene(parameters)
+    alike = {name: value for name, value in shots.parameters.items() if np.ndim(value) == 0}
+    dataset.attrs["scene"] = say_scene(shots.parameters)
     dataset.attrs["parameters"] = json.dumps(alike)
-    apart = {name: ("shot", v) for name, v in parameters.items() if np.ndim(v)}
+    apart = {name: ("shot", v) for name, v in shots.parameters.items() if np.ndim(v)}
     return dataset.assign_coords(apart)
 
 
-def shots_html(about: str, fields: Fields, count: int) -> str:
-    """Return a table of the first and the last shots, below a line about them."""
-    rows = some_rows(count)
+def shots_html(shots: Shots) -> str:
+    """Return a table of the first and the last shots."""
+    rows = some_rows(len(shots))
     columns: dict[str, list[Any]] = {
-        name: column.tolist() for name, column in _columns(fields, np.array(rows, np.intp)).items()
+        name: column.tolist() for name, column in _columns(shots, np.array(rows, np.intp)).items()
     }
-    for name, words in (("outcome", _OUTCOMES), ("first", BODIES)):
+    for name, words in (("outcome", _OUTCOMES), ("first", SURFACES)):
         if name in columns:
             columns[name] = [words[code] if code >= 0 else "" for code in columns[name]]
     head = ["shot", *(_headed(name) for name in columns)]
-    gap = ROWS // 2 if len(rows) < count else None
+    about = repr(shots).removeprefix("Shots(").removesuffix(")")
+    gap = ROWS // 2 if len(rows) < len(shots) else None
     return table(about, head, zip(rows, *columns.values(), strict=True), gap=gap)
 
 
-def contacts_frame(events: NDArray[Any]) -> Any:
+def contacts_frame(trajectory: Trajectory) -> Any:
     """Return what `Trajectory.to_pandas` does."""
     pd = need("pandas", "to_pandas")
+    events = trajectory.events
     words = pd.Categorical.from_codes(events["surface"], list(_END))
     columns = {_named("time"): events["time"], "surface": words}
     columns |= dict(zip(map(_named, STATE[:3]), events["before"].T, strict=False))
@@ -136,16 +152,16 @@ def contacts_frame(events: NDArray[Any]) -> Any:
     return pd.DataFrame(columns, pd.RangeIndex(1, len(events) + 1, name="event"))
 
 
-def contacts_html(about: str, release: NDArray[np.float64], events: NDArray[Any]) -> str:
-    """Return a table of the release and the events, below a line about them."""
-    rows = [("", "release", 0.0, *release[:3].tolist(), "", _speed(release))]
-    for number, event in enumerate(events, 1):
+def contacts_html(trajectory: Trajectory) -> str:
+    """Return a table of the events."""
+    rows = [("", "release", 0.0, *trajectory.release[:3].tolist(), "", _speed(trajectory.release))]
+    for number, event in enumerate(trajectory.events, 1):
         where = event["before"][:3].tolist()
         speeds = _speed(event["before"]), _speed(event["after"])
         rows.append((number, _END[event["surface"]], float(event["time"]), *where, *speeds))
     head = ["", "event", "time (s)", "x (m)", "y (m)", "z (m)"]
     head += ["speed before (m/s)", "speed after (m/s)"]
-    return table(about, head, rows)
+    return table(repr(trajectory).partition("(")[2].removesuffix(")"), head, rows)
 
 
 def _speed(state: NDArray[np.float64]) -> float:

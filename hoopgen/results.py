@@ -129,11 +129,10 @@ class Trajectory:
         ImportError
             If pandas is missing: what brings it.
         """
-        return frames.contacts_frame(self.events)
+        return frames.contacts_frame(self)
 
     def _repr_html_(self) -> str:
-        about = repr(self).removeprefix("Trajectory(").removesuffix(")")
-        return frames.contacts_html(about, self.release, self.events)
+        return frames.contacts_html(self)
 
 
 class Shots:
@@ -236,7 +235,7 @@ class Shots:
         ImportError
             If pandas is missing: what brings it.
         """
-        return frames.shots_frame(self._fields, self.parameters, len(self))
+        return frames.shots_frame(self)
 
     def to_xarray(self) -> Any:
         """Return the results as an xarray.Dataset over ``shot``, with what the codes mean.
@@ -249,11 +248,10 @@ class Shots:
         ImportError
             If xarray is missing: what brings it.
         """
-        return frames.shots_dataset(self._fields, self.parameters, len(self))
+        return frames.shots_dataset(self)
 
     def _repr_html_(self) -> str:
-        about = repr(self).removeprefix("Shots(").removesuffix(")")
-        return frames.shots_html(about, self._fields, len(self))
+        return frames.shots_html(self)
 
     def trajectory(self, shot: int) -> Trajectory:
         """Return the path of one shot; needs ``record=True``.
