@@ -213,6 +213,48 @@ LANES_INLINE N n_expand(const double *from, B m, N old)
     return n_select(m, LANES(n_permute)(EXPANDED[n_bits(m)], _mm256_loadu_pd(from)), old);
 }
 
+#elif defined(__x86_64__)
+
+typedef __m128d N;
+typedef __m128d B;
+LANES_INLINE N n_all(double c) { return _mm_set1_pd(c); }
+LANES_INLINE B n_less(N a, N b) { return _mm_cmplt_pd(a, b); }
+LANES_INLINE B n_at_most(N a, N b) { return _mm_cmple_pd(a, b); }
+LANES_INLINE B n_equal(N a, N b) { return _mm_cmpeq_pd(a, b); }
+LANES_INLINE B n_both(B a, B b) { return _mm_and_pd(a, b); }
+LANES_INLINE B n_either(B a, B b) { return _mm_or_pd(a, b); }
+LANES_INLINE B n_not(B a) { return _mm_xor_pd(a, (N)_mm_set1_epi64x(-1)); }
+LANES_INLINE N n_select(B m, N a, N b) { return _mm_or_pd(_mm_and_pd(m, a), _mm_andnot_pd(m, b)); }
+LANES_INLINE N n_sqrt(N a) { return _mm_sqrt_pd(a); }
+LANES_INLINE N n_abs(N a) { return _mm_andnot_pd(_mm_set1_pd(-0.0), a); }
+LANES_INLINE N n_max(N a, N b) { return _mm_max_pd(b, a); }
+LANES_INLINE N n_min(N a, N b) { return _mm_min_pd(a, b); }
+LANES_INLINE N n_gather(const double *first, int64_t stride)
+{
+    return _mm_set_pd(first[stride], first[0]);
+}
+LANES_INLINE void n_square(N *a)
+{
+    const N odd = _mm_unpackhi_pd(a[0], a[1]);
+    a[0] = _mm_unpacklo_pd(a[0], a[1]);
+    a[1] = odd;
+}
+LANES_INLINE unsigned n_bits(B m) { return (unsigned)_mm_movemask_pd(m); }
+LANES_INLINE B n_of(unsigned bits)
+{
+    return (B)_mm_set_epi64x(-(int64_t)(bits >> 1 & 1), -(int64_t)(bits & 1));
+}
+LANES_INLINE void n_pack(double *to, B m, N a)
+{
+    const unsigned bits = n_bits(m);
+    _mm_storel_pd(to, a);
+    _mm_storeh_pd(to + (bits & 1), a);
+}
+LANES_INLINE N n_expand(const double *from, B m, N old)
+{
+    return n_select(m, _mm_set_pd(from[n_bits(m) & 1], from[0]), old);
+}
+
 #else
 
 typedef double N __attribute__((vector_size(8 * NATIVE)));

@@ -58,14 +58,11 @@ class CLists(CLoop):
         What has one value for all.
     columns
         By array, in order, whether it holds truths: what the struct of the lists has room for.
-    ahead
-        A line for the first pass: what is done beside it.
     """
 
     parameters: Sequence[str] = ()
     job: Sequence[str] = ()
     columns: dict[str, bool] = field(default_factory=dict)
-    ahead: str = ""
 
     def passes(
         self, nodes: Sequence[Node], frame: Frame, after: Iterable[str], note: Note
@@ -101,6 +98,14 @@ class CLists(CLoop):
             return True
         return any(isinstance(n, Repeat) for n in walk(node.body)) or self._cost(node) > LISTED
 
+    def _takes(self, node: Guard | Repeat, later: set[str]) -> list[str]:
+        return sorted({*scope(node, later).takes, *self._extra(node.body)})
+
+    def _extra(self, nodes: Iterable[Node]) -> set[str]:
+        """Return what the functions of the kernels take beside their arguments."""
+        kernels = (node.kernel.name for node in walk(nodes) if isinstance(node, Do))
+        return {name for kernel in kernels for name in self.given.get(kernel, ())}
+
     def _cost(self, node: Guard | Repeat) -> int:
         return sum(self.costs[n.kernel.name] for n in walk(node.body) if isinstance(n, Do))
 
@@ -115,19 +120,16 @@ class CLists(CLoop):
         """Print nodes for every row of a list; pack those that go on to a body of their own."""
         written = writes(nodes)
         stored = {name: written[name] for name in sorted(written) if name in later}
-        takes = scope(cut, later).takes if cut else ()
+        takes = self._takes(cut, later) if cut else ()
         wanted = set(stored) | set(takes) | ({cut.truth} if cut else set())
         wanted |= note.reads - set(written) if note else set()
-        need = live_before(nodes, wanted)
+        need = live_before(nodes, wanted) | self._extra(nodes)
         own = Frame(f"{frame.prefix}{cut.truth}_" if cut else "", {})
         line = self.lines.append
         if cut:
             line(f"size_t {own.count} = 0;")
         line(f"for (size_t i = {frame.first}; i < {frame.count}; i += LANES_WIDTH) {{")
         line(f"    const M rows = lanes_first({frame.count} - i);")
-        if self.ahead:
-            line(f"    {self.ahead}")
-            self.ahead = ""
         known = dict.fromkeys(self.job, False)
         for name in sorted(need):
             if name in self.parameters:
@@ -212,7 +214,7 @@ class CLists(CLoop):
     def _turns(self, node: Repeat, frame: Frame, own: Frame, later: set[str]) -> None:
         """Print a body that repeats, the lanes that are done given the next shots of the list."""
         scoped = scope(node, later)
-        parameters = [name for name in scoped.takes if name in self.parameters]
+        parameters = [name for name in self._takes(node, later) if name in self.parameters]
         line = self.lines.append
         line("{")
         line("    size_t taken = 0, busy = 0;")

@@ -13,6 +13,7 @@ from hoopgen.derive.ground.tree import Node, live_before, needed, reads, writes
 from .lists import CLists, Frame, Note
 from .loop import CLoop, NumPyLoop, local
 from .printers import NUMPY, C
+from .shared import Shared
 
 STATE_NAMES = tuple(symbol.name for symbol in STATE)
 
@@ -46,8 +47,10 @@ class LoopView:
     columns: dict[str, tuple[list[str], dict[str, str]]]
 
 
-def loop_view(prefix: str, costs: Mapping[str, int], loop: Loop, bounds: bool) -> LoopView:
-    """Return the loop, printed."""
+def loop_view(
+    prefix: str, costs: Mapping[str, int], loop: Loop, bounds: bool, given: Shared
+) -> LoopView:
+    """Return the loop, printed; in C with what the kernels are given beside their arguments."""
     names = [field.name for field in loop.fields]
     available = {*names, *loop.parameters, *loop.job}
     stages = _after(loop, names)
@@ -55,7 +58,7 @@ def loop_view(prefix: str, costs: Mapping[str, int], loop: Loop, bounds: bool) -
         "bounded" if bounds else "plain",
         bounds,
         loop.fields,
-        *_in_c(prefix, costs, loop, stages),
+        *_in_c(prefix, costs, loop, stages, given),
         {},
         {},
     )
@@ -72,14 +75,16 @@ def loop_view(prefix: str, costs: Mapping[str, int], loop: Loop, bounds: bool) -
 
 
 def _in_c(
-    prefix: str, costs: Mapping[str, int], loop: Loop, stages: Mapping[str, Stage]
+    prefix: str, costs: Mapping[str, int], loop: Loop, stages: Mapping[str, Stage], shared: Shared
 ) -> tuple[dict[str, list[str]], list[str]]:
     """Return the lines of C, and the columns that they need beside the fields."""
     fields = dict.fromkeys((field.name for field in loop.fields), False)
-    permit = CLoop(prefix, costs, C)
-    permit.stage(stages["permit"][0], dict.fromkeys(loop.parameters, False), "", {"permitted"})
-    admit = CLists(prefix, costs, C, parameters=loop.parameters, job=loop.job)
-    given = ", ".join(loop.parameters)
+    parameters = (*loop.parameters, *shared.names)
+    extra = {kernel: shared.extra(kernel) for kernel in shared.given}
+    permit = CLoop(prefix, costs, C, given=extra)
+    permit.stage(stages["permit"][0], dict.fromkeys(parameters, False), "", {"permitted"})
+    admit = CLists(prefix, costs, C, given=extra, parameters=parameters, job=loop.job)
+    given = ", ".join(parameters)
     permitted = Note(
         0,
         (
@@ -87,7 +92,7 @@ def _in_c(
             "if (varying)",
             f"    permitted = LANES({prefix}_permit)({given});",
         ),
-        frozenset(loop.parameters),
+        frozenset(parameters),
         {"permitted": True},
     )
     admit.passes(stages["admit"][0], Frame("", dict(fields), "fresh"), fields, permitted)
@@ -103,9 +108,14 @@ def _in_c(
         frozenset((*STATE_NAMES, "body")),
     )
     follow = CLists(
-        prefix, costs, C, counter=admit.counter, parameters=loop.parameters, job=loop.job
+        prefix,
+        costs,
+        C,
+        counter=admit.counter,
+        given=extra,
+        parameters=parameters,
+        job=loop.job,
     )
-    follow.ahead = f"LANES({prefix}_ahead)(job, begun + i);"
     follow.passes((*reach, *meet), Frame("", dict(fields)), set(fields), before)
     columns = [name for name in (*admit.columns, *follow.columns) if name not in fields]
     lines = {"permit": permit.lines, "admit": admit.lines, "follow": follow.lines}
