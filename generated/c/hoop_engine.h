@@ -57,7 +57,7 @@ LANES_INLINE M LANES(hoop_permit)(V p_ball_radius, V p_ring_radius, V p_wire_rad
 
 /* Shots in flight, a column for each quantity, and the lists of those that need a longer look. */
 typedef struct {
-    size_t shot[LANES_SHOTS];
+    _Alignas(64) size_t shot[LANES_SHOTS];
     LANES(hoop_column) x; /* of the state */
     LANES(hoop_column) y; /* of the state */
     LANES(hoop_column) z; /* of the state */
@@ -1321,7 +1321,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
 
 /* Shots in flight, a column for each quantity, and the lists of those that need a longer look. */
 typedef struct {
-    size_t shot[LANES_SHOTS];
+    _Alignas(64) size_t shot[LANES_SHOTS];
     LANES(hoop_column) x; /* of the state */
     LANES(hoop_column) y; /* of the state */
     LANES(hoop_column) z; /* of the state */
