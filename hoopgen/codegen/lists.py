@@ -58,15 +58,16 @@ class CLists(CLoop):
         What has one value for all.
     columns
         By array, in order, whether it holds truths: what the struct of the lists has room for.
+    beside
+        A line for the first pass to come: what is done beside it.
     """
 
     parameters: Sequence[str] = ()
     job: Sequence[str] = ()
     columns: dict[str, bool] = field(default_factory=dict)
+    beside: str = ""
 
-    def passes(
-        self, nodes: Sequence[Node], frame: Frame, after: Iterable[str], note: Note
-    ) -> None:
+    def passes(self, nodes: Sequence[Node], frame: Frame, after: Iterable[str], note: Note) -> None:
         """Print nodes for all shots of a list, given what is needed after them."""
         self._rows(nodes, frame, set(after), note)
 
@@ -130,6 +131,9 @@ class CLists(CLoop):
             line(f"size_t {own.count} = 0;")
         line(f"for (size_t i = {frame.first}; i < {frame.count}; i += LANES_WIDTH) {{")
         line(f"    const M rows = lanes_first({frame.count} - i);")
+        if self.beside:
+            line(f"    {self.beside}")
+            self.beside = ""
         known = dict.fromkeys(self.job, False)
         for name in sorted(need):
             if name in self.parameters:
@@ -191,7 +195,7 @@ class CLists(CLoop):
             self._column(own, name, known[name])
             place = f"{own.column(name)} + {own.count}"
             if name in self.parameters:
-                line(f"        if (varying)")
+                line("        if (varying)")
                 line(f"            lanes_pack({place}, packed, {name});")
             elif isinstance(cut, Repeat) and name == cut.truth:
                 continue
@@ -223,7 +227,9 @@ class CLists(CLoop):
         for name in parameters:
             line(f"    V {name} = lanes_load(lists->{name});")
         for name, truth in own.known.items():
-            line(f"    {'M' if truth else 'V'} {name} = {'lanes_nowhere()' if truth else 'K(0.0)'};")
+            line(
+                f"    {'M' if truth else 'V'} {name} = {'lanes_nowhere()' if truth else 'K(0.0)'};"
+            )
         line("    for (;;) {")
         line(f"        if (taken < {own.count} && busy + LANES_SPARE <= LANES_WIDTH) {{")
         line("            const M idle = lanes_not(active);")
@@ -233,15 +239,16 @@ class CLists(CLoop):
             column = f"{own.column(name)} + taken"
             if truth:
                 old = f"lanes_select({name}, K(1.0), K(0.0))"
-                line(f"            {name} = lanes_less(K(0.0), lanes_expand({column}, idle, {old}));")
+                line(
+                    f"            {name} = lanes_less(K(0.0), lanes_expand({column}, idle, {old}));"
+                )
             else:
                 line(f"            {name} = lanes_expand({column}, idle, {name});")
         if parameters:
             line("            if (varying) {")
             for name in parameters:
-                line(
-                    f"                {name} = lanes_expand({own.column(name)} + taken, idle, {name});"
-                )
+                place = f"{own.column(name)} + taken"
+                line(f"                {name} = lanes_expand({place}, idle, {name});")
             line("            }")
         line(f"            const size_t room = LANES_WIDTH - busy, left = {own.count} - taken;")
         line("            active = lanes_leading(idle, left, active);")

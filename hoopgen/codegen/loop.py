@@ -16,8 +16,6 @@ from hoopgen.derive.ground.tree import (
     Repeat,
     live_before,
     live_in_body,
-    needed,
-    reads,
     writes,
 )
 

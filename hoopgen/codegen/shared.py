@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from .loop import weighted
@@ -75,11 +75,7 @@ def _largest(program: Program, whole: Sequence[bool]) -> list[int]:
     for operation, own in zip(program.operations, whole, strict=True):
         if not own:
             wanted |= {operand for operand in operation.operands if whole[operand]}
-    return sorted(
-        k
-        for k in wanted
-        if not program.operations[k].is_free
-    )
+    return sorted(k for k in wanted if not program.operations[k].is_free)
 
 
 def _cost(program: Program, index: int) -> int:

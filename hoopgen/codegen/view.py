@@ -96,7 +96,7 @@ def _in_c(
         {"permitted": True},
     )
     admit.passes(stages["admit"][0], Frame("", dict(fields), "fresh"), fields, permitted)
-    (reach, _), (meet, after) = stages["reach"], stages["meet"]
+    (reach, _), (meet, _) = stages["reach"], stages["meet"]
     before = Note(
         len(reach),
         (
@@ -116,6 +116,7 @@ def _in_c(
         parameters=parameters,
         job=loop.job,
     )
+    follow.beside = f"LANES({prefix}_ahead)(job, begun + i);"
     follow.passes((*reach, *meet), Frame("", dict(fields)), set(fields), before)
     columns = [name for name in (*admit.columns, *follow.columns) if name not in fields]
     lines = {"permit": permit.lines, "admit": admit.lines, "follow": follow.lines}
