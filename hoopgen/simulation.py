@@ -62,17 +62,12 @@ class _Batch:
         states = self.states[start:stop]
         parameters = [p if isinstance(p, float) else p[start:stop] for p in self.parameters]
         leaving = None if self.leaving is None else self.leaving[start:stop]
+        given = (states, parameters, leaving, self.max_contacts, out)
         if self.library is not None:
-            most, stopping = self.max_contacts, self.stop
-            limit = self.time_limit
-            self.library.run(states, parameters, leaving, most, out, stopping, time_limit=limit)
+            self.library.run(*given, self.stop, time_limit=self.time_limit)
         else:
             check_arithmetic()  # the library looks for itself
-            most, stopped = self.max_contacts, self.stopped
-            limit = self.time_limit
-            numpy_backend.run(
-                hoop, states, parameters, leaving, most, out, stopped, time_limit=limit
-            )
+            numpy_backend.run(hoop, *given, self.stopped, time_limit=self.time_limit)
 
 
 def simulate(
@@ -166,8 +161,8 @@ def simulate(
         # Apart from the engines, and not needed without them: it stands on SymPy and python-flint.
         from .judge.settle import settle as decide
 
-        options = {"leaving": batch.leaving, "time_limit": batch.time_limit}
-        decide(results, releases, parameters, batch.max_contacts, **options)
+        left, limit = batch.leaving, batch.time_limit
+        decide(results, releases, parameters, most, leaving=left, time_limit=limit)
     kept = {name: array for name, array in results.items() if name in (*wanted, "events")}
     return Shots(kept, releases, dict(zip(NAMES, values, strict=True)))
 

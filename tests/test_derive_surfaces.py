@@ -182,4 +182,5 @@ def test_the_hoop_is_that_of_table_2() -> None:
         x,
         -p["board_distance"] - x,
     }
-    assert HOOP.target == rho - p["ring_radius"]
+    assert [e.name for e in HOOP.ends] == ["made", "missed"]
+    assert end.parts == ((rho - p["ring_radius"],), ())

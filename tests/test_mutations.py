@@ -393,7 +393,7 @@ FAULTS = (
     ),
     Fault(
         "an edge is sure if the ball is inside",
-        in_text(plane, "edges", "Less(g, -slack)", "Less(g, 0)"),
+        in_text(plane, "edges", "inside(patch)", "within(patch)"),
     ),
 )
 
