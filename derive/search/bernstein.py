@@ -6,10 +6,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..flight.parabola import flight_named
 from ..ground.choice import largest
 from ..ground.polynomials import Coefficients, bernstein, derivative, horner, taylor
-from ..ground.rounding import SAFETY, Rounded, flight_rounding, rounding, start_rounding
+from ..ground.rounding import SAFETY, Rounded, rounding, start_rounding
 from ..ground.symbols import POSITION, VELOCITY, t
 from ..surfaces import Surface
 from .approach import Approach
@@ -24,10 +23,10 @@ class PolynomialApproach(Approach):
 
     @property
     def _coefficients(self) -> Coefficients:
-        return event_coefficients(self.surface, self.gravity)
+        return event_coefficients(self.surface, self.flight)
 
     def _along(self, expression: sp.Expr) -> sp.Expr:
-        there = [component for vector in flight_named(self.gravity) for component in vector]
+        there = [component for vector in self.flight.named() for component in vector]
         moved = dict(zip((*POSITION, *VELOCITY), there, strict=True))
         return expression.subs(moved, simultaneous=True)
 
@@ -78,7 +77,7 @@ class PolynomialApproach(Approach):
     @property
     def margins(self) -> dict[str, sp.Expr]:
         """By running error analysis of the gap, the deflated polynomial and the rate."""
-        there, moved = flight_rounding(self.gravity, horizon)
+        there, moved = self.flight.rounding(horizon)
         moving = dict.fromkeys(POSITION, there) | dict.fromkeys(VELOCITY, moved)
         start = start_rounding()
         start[t] = Rounded(horizon)

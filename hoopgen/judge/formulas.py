@@ -13,7 +13,6 @@ from typing import Any
 
 import sympy as sp
 
-from hoopgen.derive.flight.parabola import flight
 from hoopgen.derive.ground.choice import Held
 from hoopgen.derive.ground.symbols import (
     NORMAL,
@@ -31,6 +30,9 @@ from hoopgen.derive.search.events import event_coefficients
 from hoopgen.derive.surfaces import Gate, Plane, Surface
 
 Function = Callable[..., list[Any]]
+
+ARRIVAL = sp.Symbol("arrival_speed", positive=True)
+"""Along the normal, towards the surface, m/s."""
 
 
 def compiled(expressions: Sequence[sp.Expr], *arguments: Sequence[sp.Symbol]) -> Function:
@@ -145,7 +147,7 @@ class SurfaceFormulas:
     impact
         (state, parameters, normal) to velocity and spin; None where a shot ends.
     restitution
-        (parameters,): of its law, as a list of one.
+        (parameters, (speed,)): of its law at a normal speed, as a list of one; None at the end.
     axis, offset
         Of a plane: the coordinate that its normal points along, and that coordinate at contact,
         as a list of one, from the parameters alone. For any other surface the axis is -1.
@@ -215,7 +217,7 @@ def _surface(surface: Surface, body: int, scene: Scene) -> SurfaceFormulas:
         after = law.after(normal, velocity, spin, scene.ball_radius)
         state = (*POSITION, *VELOCITY, *SPIN)
         impact = compiled([e for vector in after for e in vector], state, motion, NORMAL)
-        restitution = compiled([law.restitution], motion)
+        restitution = compiled([law.restitution_at(ARRIVAL)], motion, (ARRIVAL,))
 
     ends: list[tuple[str, int, Function]] = []
     if isinstance(surface, Gate):
@@ -227,7 +229,7 @@ def _surface(surface: Surface, body: int, scene: Scene) -> SurfaceFormulas:
 
     return SurfaceFormulas(
         surface.name,
-        by_state(event_coefficients(surface, scene.gravity)),
+        by_state(event_coefficients(surface, scene.flight)),
         tuple(by_state(patch) for patch in surface.patches),
         by_state(list(surface.normal)),
         by_state(surface.inside),
@@ -247,7 +249,7 @@ def formulas(scene: Scene = HOOP) -> Formulas:
     """Return the scene's formulas, compiled once."""
     state = (*POSITION, *VELOCITY, *SPIN)
     parameters = scene.symbols
-    there = flight(scene.gravity)
+    there = scene.flight.at()
     gates = [(gate, len(scene.bodies)) for gate in scene.gates]
     faces = [*zip(scene.surfaces, scene.faces, strict=True), *gates]
     surfaces = tuple(_surface(surface, body, scene) for surface, body in faces)
