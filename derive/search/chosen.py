@@ -7,10 +7,11 @@ from typing import Any
 
 from ..flight.flight import Flight
 from ..flight.parabola import Parabola
-from ..surfaces import Plane, Ring, Surface
+from ..surfaces import Gate, Plane, Ring, Surface
 from .approach import Approach
 from .bernstein import PolynomialApproach
 from .curved import CurvedSearch
+from .gate import GateSearch
 from .plane import PlaneSearch
 from .ring import RingApproach
 from .search import Search
@@ -34,6 +35,7 @@ def _general(surface: Surface, flight: Flight) -> Search | None:
 
 
 CHOICES: tuple[tuple[type[Surface], type[Flight], Make], ...] = (
+    (Gate, Parabola, GateSearch),
     (Plane, Parabola, PlaneSearch),
     (Ring, Parabola, _ring),
     (Surface, Flight, _general),

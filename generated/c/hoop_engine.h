@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 8fe807011d58f5ca,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation be2a322387c8577d,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. The shots in flight fill the first rows of the lists;
@@ -12,6 +12,18 @@
 
 /* A column, with room for a whole row of lanes behind its end. */
 typedef double LANES(hoop_column)[LANES_SHOTS + LANES_WIDTH];
+
+/* Have the states of the shots from one on fetched while others are worked on. */
+LANES_INLINE void LANES(hoop_ahead)(const hoop_job *job, size_t shot)
+{
+#ifdef __GNUC__
+    const double *state = job->states + HOOP_STATE * shot;
+    for (int line = 0; line < HOOP_STATE * LANES_WIDTH; line += 8)
+        __builtin_prefetch(state + line, 0, 2);
+#else
+    (void)job, (void)shot;
+#endif
+}
 
 /* What depends on the parameters alone, and kernels share. */
 typedef struct {
@@ -78,6 +90,8 @@ typedef struct {
     LANES(hoop_column) p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth, _q0, _q1, _q2, _q3, _q4, _q5, _q6, _q7, _q8, _q9, _q10, _q11, _q12, _q13, _q14, _q15, _q16, _q17, _q18, _q19, _q20, _q21, _q22, _q23, _q24, _q25, _q26, _q27, _q28, _q29, _q30, _q31;
     LANES(hoop_column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
     LANES(hoop_column) body;
+    LANES(hoop_column) limited;
+    LANES(hoop_column) time_error;
     LANES(hoop_column) when;
     LANES(hoop_column) which;
     LANES(hoop_column) open_row;
@@ -308,7 +322,7 @@ LANES_INLINE void LANES(hoop_plain_finish)(const LANES(hoop_plain_lists) *lists,
 {
     const hoop_results *out = job->results;
     const size_t shot = lists->shot[row];
-    const int invalid = (int)lists->outcome[row] == HOOP_INVALID;
+    const int invalid = (int)lists->outcome[row] == HOOP_OUTCOME_INVALID;
     if (out->outcome) {
         out->outcome[shot] = (uint8_t)lists->outcome[row];
     }
@@ -426,6 +440,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
 {
     LANES(hoop_plain_lists) all, *const lists = &all;
     const V most_contacts = K((double)job->max_contacts);
+    const V time_limit = K(job->time_limit);
     const size_t varying = job->varying ? ~(size_t)0 : 0;
     const int recording = job->results->events != NULL;
     size_t begun = 0, count = 0;
@@ -542,6 +557,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
         size_t open_count = 0;
         for (size_t i = 0; i < count; i += LANES_WIDTH) {
             const M rows = lanes_first(count - i);
+            LANES(hoop_ahead)(job, begun + i);
             const V _q0 = lanes_load(lists->_q0 + (i & varying));
             const V _q11 = lanes_load(lists->_q11 + (i & varying));
             const V _q12 = lanes_load(lists->_q12 + (i & varying));
@@ -580,114 +596,122 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(hoop_scale_out) _o4 =
+            const LANES(hoop_error_bounds_out) _o4 =
+                LANES(hoop_error_bounds)(K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0));
+            V time_error = _o4.time_error;
+            const LANES(hoop_scale_out) _o5 =
                 LANES(hoop_scale)(x, y, z, vx, vy, vz, p_gravity, _q0);
-            V extent = _o4.extent;
-            V speed = _o4.speed;
-            V excess = _o4.excess;
-            const LANES(hoop_opening_out) _o5 =
+            V extent = _o5.extent;
+            V speed = _o5.speed;
+            V excess = _o5.excess;
+            const LANES(hoop_opening_out) _o6 =
                 LANES(hoop_opening)(excess, K(0.0), K(0.0));
-            V when = _o5.when;
-            V which = _o5.which;
-            const LANES(hoop_left_out) _o6 =
+            V when = _o6.when;
+            V which = _o6.which;
+            const LANES(hoop_limited_out) _o7 =
+                LANES(hoop_limited)(time_limit);
+            M limited = _o7.limited;
+            const LANES(hoop_left_out) _o8 =
                 LANES(hoop_left)(K(3.0), last);
-            V leaving = _o6.leaving;
-            const LANES(hoop_end_arrival_out) _o7 =
+            V leaving = _o8.leaving;
+            const LANES(hoop_end_arrival_out) _o9 =
                 LANES(hoop_end_arrival)(leaving, z, vz, p_gravity, p_end_depth, _q29, _q30);
-            V time = _o7.time;
-            V rate = _o7.rate;
-            V bend = _o7.bend;
-            const LANES(hoop_meeting_plane_out) _o8 =
+            V time = _o9.time;
+            V rate = _o9.rate;
+            V bend = _o9.bend;
+            const LANES(hoop_meeting_plane_out) _o10 =
                 LANES(hoop_meeting_plane)(bend, rate, time);
-            M arrives = _o8.arrives;
-            const LANES(hoop_timely_out) _o9 =
+            M arrives = _o10.arrives;
+            const LANES(hoop_timely_out) _o11 =
                 LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-            M possible = _o9.possible;
-            const M _m10 = lanes_both(rows, possible);
+            M possible = _o11.possible;
+            const M _m12 = lanes_both(rows, possible);
             {
-                const LANES(hoop_sooner_out) _o11 =
+                const LANES(hoop_sooner_out) _o13 =
                     LANES(hoop_sooner)(arrives, K(3.0), time, when, which);
-                when = lanes_select(_m10, _o11.when, when);
-                which = lanes_select(_m10, _o11.which, which);
+                when = lanes_select(_m12, _o13.when, when);
+                which = lanes_select(_m12, _o13.which, which);
             }
-            const LANES(hoop_left_out) _o12 =
+            const LANES(hoop_left_out) _o14 =
                 LANES(hoop_left)(K(1.0), last);
-            leaving = _o12.leaving;
-            const LANES(hoop_backboard_arrival_out) _o13 =
+            leaving = _o14.leaving;
+            const LANES(hoop_backboard_arrival_out) _o15 =
                 LANES(hoop_backboard_arrival)(leaving, x, vx, p_ball_radius, p_board_distance);
-            time = _o13.time;
-            rate = _o13.rate;
-            bend = _o13.bend;
-            const LANES(hoop_meeting_plane_out) _o14 =
+            time = _o15.time;
+            rate = _o15.rate;
+            bend = _o15.bend;
+            const LANES(hoop_meeting_plane_out) _o16 =
                 LANES(hoop_meeting_plane)(bend, rate, time);
-            arrives = _o14.arrives;
-            const LANES(hoop_timely_out) _o15 =
+            arrives = _o16.arrives;
+            const LANES(hoop_timely_out) _o17 =
                 LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-            possible = _o15.possible;
-            const M _m16 = lanes_both(rows, possible);
+            possible = _o17.possible;
+            const M _m18 = lanes_both(rows, possible);
             {
-                const LANES(hoop_flight_out) _o17 =
+                const LANES(hoop_flight_out) _o19 =
                     LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-                V there_y = _o17.y;
-                V there_z = _o17.z;
-                const LANES(hoop_backboard_bounds_out) _o18 =
+                V there_y = _o19.y;
+                V there_z = _o19.z;
+                const LANES(hoop_backboard_bounds_out) _o20 =
                     LANES(hoop_backboard_bounds)(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
-                V g0 = _o18.g0;
-                V g1 = _o18.g1;
-                V g2 = _o18.g2;
-                V g3 = _o18.g3;
-                const LANES(hoop_backboard_within_out) _o19 =
+                V g0 = _o20.g0;
+                V g1 = _o20.g1;
+                V g2 = _o20.g2;
+                V g3 = _o20.g3;
+                const LANES(hoop_backboard_within_out) _o21 =
                     LANES(hoop_backboard_within)(g0, g1, g2, g3);
-                M arrives = _o19.arrives;
-                const LANES(hoop_sooner_out) _o20 =
+                M arrives = _o21.arrives;
+                const LANES(hoop_sooner_out) _o22 =
                     LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
-                when = lanes_select(_m16, _o20.when, when);
-                which = lanes_select(_m16, _o20.which, which);
+                when = lanes_select(_m18, _o22.when, when);
+                which = lanes_select(_m18, _o22.which, which);
             }
-            const LANES(hoop_left_out) _o21 =
+            const LANES(hoop_left_out) _o23 =
                 LANES(hoop_left)(K(2.0), last);
-            leaving = _o21.leaving;
-            const LANES(hoop_bridge_arrival_out) _o22 =
+            leaving = _o23.leaving;
+            const LANES(hoop_bridge_arrival_out) _o24 =
                 LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity, _q29, _q30);
-            time = _o22.time;
-            rate = _o22.rate;
-            bend = _o22.bend;
-            const LANES(hoop_meeting_plane_out) _o23 =
+            time = _o24.time;
+            rate = _o24.rate;
+            bend = _o24.bend;
+            const LANES(hoop_meeting_plane_out) _o25 =
                 LANES(hoop_meeting_plane)(bend, rate, time);
-            arrives = _o23.arrives;
-            const LANES(hoop_timely_out) _o24 =
+            arrives = _o25.arrives;
+            const LANES(hoop_timely_out) _o26 =
                 LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-            possible = _o24.possible;
-            const M _m25 = lanes_both(rows, possible);
-            if (lanes_any(_m25)) {
-                const LANES(hoop_flight_out) _o26 =
+            possible = _o26.possible;
+            const M _m27 = lanes_both(rows, possible);
+            if (lanes_any(_m27)) {
+                const LANES(hoop_flight_out) _o28 =
                     LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-                V there_x = _o26.x;
-                V there_y = _o26.y;
-                const LANES(hoop_bridge_bounds_out) _o27 =
+                V there_x = _o28.x;
+                V there_y = _o28.y;
+                const LANES(hoop_bridge_bounds_out) _o29 =
                     LANES(hoop_bridge_bounds)(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
-                V g0 = _o27.g0;
-                V g1 = _o27.g1;
-                V g2 = _o27.g2;
-                V g3 = _o27.g3;
-                V g4 = _o27.g4;
-                const LANES(hoop_bridge_within_out) _o28 =
+                V g0 = _o29.g0;
+                V g1 = _o29.g1;
+                V g2 = _o29.g2;
+                V g3 = _o29.g3;
+                V g4 = _o29.g4;
+                const LANES(hoop_bridge_within_out) _o30 =
                     LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
-                M arrives = _o28.arrives;
-                const LANES(hoop_sooner_out) _o29 =
+                M arrives = _o30.arrives;
+                const LANES(hoop_sooner_out) _o31 =
                     LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
-                when = lanes_select(_m25, _o29.when, when);
-                which = lanes_select(_m25, _o29.which, which);
+                when = lanes_select(_m27, _o31.when, when);
+                which = lanes_select(_m27, _o31.which, which);
             }
-            const LANES(hoop_horizon_out) _o30 =
+            const LANES(hoop_horizon_out) _o32 =
                 LANES(hoop_horizon)(when, speed, p_gravity, _q0);
-            V until = _o30.horizon;
-            const LANES(hoop_ring_clear_out) _o31 =
+            V until = _o32.horizon;
+            const LANES(hoop_ring_clear_out) _o33 =
                 LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q11, _q12, _q13, _q14, _q0, _q3, _q15, _q16, _q17, _q18, _q19, _q20);
-            V clear = _o31.clear;
-            const LANES(hoop_opens_out) _o32 =
+            V clear = _o33.clear;
+            const LANES(hoop_opens_out) _o34 =
                 LANES(hoop_opens)(clear);
-            M open = _o32.open;
+            M open = _o34.open;
+            lanes_store(lists->limited + i, lanes_select(limited, K(1.0), K(0.0)));
+            lanes_store(lists->time_error + i, time_error);
             lanes_store(lists->when + i, when);
             lanes_store(lists->which + i, which);
             const M packed = lanes_both(rows, open);
@@ -775,38 +799,38 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_ring_prepare_out) _o33 =
+            const LANES(hoop_ring_prepare_out) _o35 =
                 LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q12, _q0, _q15, _q18, _q17, _q21, _q11);
-            V steady = _o33.steady;
-            V swing = _o33.swing;
-            V rho_start = _o33.rho_start;
-            V low0 = _o33.low0;
-            V high0 = _o33.high0;
-            V low1 = _o33.low1;
-            V high1 = _o33.high1;
-            V low2 = _o33.low2;
-            V high2 = _o33.high2;
-            V ceiling = _o33.ceiling;
-            V latest = _o33.latest;
-            const LANES(hoop_beginning_out) _o34 =
+            V steady = _o35.steady;
+            V swing = _o35.swing;
+            V rho_start = _o35.rho_start;
+            V low0 = _o35.low0;
+            V high0 = _o35.high0;
+            V low1 = _o35.low1;
+            V high1 = _o35.high1;
+            V low2 = _o35.low2;
+            V high2 = _o35.high2;
+            V ceiling = _o35.ceiling;
+            V latest = _o35.latest;
+            const LANES(hoop_beginning_out) _o36 =
                 LANES(hoop_beginning)();
-            V share = _o34.share;
-            V arrival = _o34.arrival;
-            M certain = _o34.certain;
-            const LANES(hoop_allowance_out) _o35 =
+            V share = _o36.share;
+            V arrival = _o36.arrival;
+            M certain = _o36.certain;
+            const LANES(hoop_allowance_out) _o37 =
                 LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o35.position_level;
-            V velocity_level = _o35.velocity_level;
-            const LANES(hoop_ring_margins_out) _o36 =
+            V position_level = _o37.position_level;
+            V velocity_level = _o37.velocity_level;
+            const LANES(hoop_ring_margins_out) _o38 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q12, _q22, _q23, _q24, _q25);
-            V flat = _o36.margin;
-            V tilt = _o36.leaving_margin;
-            V rate_slack = _o36.rate_margin;
-            const LANES(hoop_ring_enter_out) _o37 =
+            V flat = _o38.margin;
+            V tilt = _o38.leaving_margin;
+            V rate_slack = _o38.rate_margin;
+            const LANES(hoop_ring_enter_out) _o39 =
                 LANES(hoop_ring_enter)(K(0.0), K(0.0), high0, high1, high2, low0, low1, low2, K(0.0));
-            V t = _o37.t;
-            V end = _o37.end;
-            M searching = _o37.searching;
+            V t = _o39.t;
+            V end = _o39.end;
+            M searching = _o39.searching;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
             lanes_store(lists->open_flat + i, flat);
@@ -969,53 +993,53 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(hoop_nearby_out) _o38 =
+                const LANES(hoop_nearby_out) _o40 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o38.leaving;
-                V margin = _o38.margin;
-                const LANES(hoop_ring_advance_out) _o39 =
+                V leaving = _o40.leaving;
+                V margin = _o40.margin;
+                const LANES(hoop_ring_advance_out) _o41 =
                     LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q3, _q12, _q26, _q27);
-                V gap = _o39.gap;
-                V rate = _o39.rate;
-                V bend = _o39.bend;
-                V step = _o39.step;
-                V next = _o39.next;
-                V root = _o39.root;
-                V clearance = _o39.clearance;
-                const LANES(hoop_struck_out) _o40 =
+                V gap = _o41.gap;
+                V rate = _o41.rate;
+                V bend = _o41.bend;
+                V step = _o41.step;
+                V next = _o41.next;
+                V root = _o41.root;
+                V clearance = _o41.clearance;
+                const LANES(hoop_struck_out) _o42 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o40.hit;
-                M sure = _o40.sure;
-                M vague = _o40.vague;
-                const M _m41 = lanes_both(active, vague);
-                if (lanes_any(_m41)) {
-                    const LANES(hoop_finer_out) _o42 =
+                M hit = _o42.hit;
+                M sure = _o42.sure;
+                M vague = _o42.vague;
+                const M _m43 = lanes_both(active, vague);
+                if (lanes_any(_m43)) {
+                    const LANES(hoop_finer_out) _o44 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m41, _o42.share, share);
-                    const LANES(hoop_allowance_out) _o43 =
+                    share = lanes_select(_m43, _o44.share, share);
+                    const LANES(hoop_allowance_out) _o45 =
                         LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o43.position_level;
-                    V velocity_level = _o43.velocity_level;
-                    const LANES(hoop_ring_margins_out) _o44 =
+                    V position_level = _o45.position_level;
+                    V velocity_level = _o45.velocity_level;
+                    const LANES(hoop_ring_margins_out) _o46 =
                         LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q12, _q22, _q23, _q24, _q25);
-                    flat = lanes_select(_m41, _o44.margin, flat);
-                    tilt = lanes_select(_m41, _o44.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m41, _o44.rate_margin, rate_slack);
+                    flat = lanes_select(_m43, _o46.margin, flat);
+                    tilt = lanes_select(_m43, _o46.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m43, _o46.rate_margin, rate_slack);
                 }
-                const LANES(hoop_advanced_out) _o45 =
+                const LANES(hoop_advanced_out) _o47 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, root, step, sure, t, vague);
-                arrival = _o45.arrival;
-                certain = _o45.certain;
-                M exhausted = _o45.exhausted;
-                searching = _o45.searching;
-                t = _o45.t;
-                const M _m46 = lanes_both(active, exhausted);
+                arrival = _o47.arrival;
+                certain = _o47.certain;
+                M exhausted = _o47.exhausted;
+                searching = _o47.searching;
+                t = _o47.t;
+                const M _m48 = lanes_both(active, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o47 =
+                    const LANES(hoop_ring_enter_out) _o49 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m46, _o47.t, t);
-                    end = lanes_select(_m46, _o47.end, end);
-                    searching = lanes_choose(_m46, _o47.searching, searching);
+                    t = lanes_select(_m48, _o49.t, t);
+                    end = lanes_select(_m48, _o49.end, end);
+                    searching = lanes_choose(_m48, _o49.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -1064,31 +1088,31 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_found_out) _o48 =
+            const LANES(hoop_found_out) _o50 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o48.arrives;
-            const LANES(hoop_nearby_out) _o49 =
+            M arrives = _o50.arrives;
+            const LANES(hoop_nearby_out) _o51 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o49.leaving;
-            const LANES(hoop_ring_refine_out) _o50 =
-                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q3);
-            V refined = _o50.time;
-            const LANES(hoop_polished_out) _o51 =
-                LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o51.arrival;
+            V leaving = _o51.leaving;
             const LANES(hoop_ring_refine_out) _o52 =
                 LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q3);
-            refined = _o52.time;
+            V refined = _o52.time;
             const LANES(hoop_polished_out) _o53 =
                 LANES(hoop_polished)(arrival, certain, refined);
             arrival = _o53.arrival;
-            const LANES(hoop_landed_out) _o54 =
+            const LANES(hoop_ring_refine_out) _o54 =
+                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q3);
+            refined = _o54.time;
+            const LANES(hoop_polished_out) _o55 =
+                LANES(hoop_polished)(arrival, certain, refined);
+            arrival = _o55.arrival;
+            const LANES(hoop_landed_out) _o56 =
                 LANES(hoop_landed)(arrival);
-            V time = _o54.time;
-            const LANES(hoop_sooner_out) _o55 =
+            V time = _o56.time;
+            const LANES(hoop_sooner_out) _o57 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = _o55.when;
-            which = _o55.which;
+            when = _o57.when;
+            which = _o57.which;
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
@@ -1108,12 +1132,14 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V count_2 = lanes_load(lists->count_2 + i);
             V first = lanes_load(lists->first + i);
             V last = lanes_load(lists->last + i);
+            M limited = lanes_less(K(0.0), lanes_load(lists->limited + i));
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
             const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
             const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
             const V p_restitution = lanes_load(lists->p_restitution + (i & varying));
             const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
             const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
+            V time_error = lanes_load(lists->time_error + i);
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
             V vz = lanes_load(lists->vz + i);
@@ -1125,35 +1151,65 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(hoop_departed_out) _o56 =
-                LANES(hoop_departed)(K(3.0), which);
-            M moves = _o56.moves;
-            M ends = _o56.ends;
-            M touches = _o56.touches;
-            const LANES(hoop_body_of_out) _o57 =
-                LANES(hoop_body_of)(which);
-            V body = _o57.body;
-            const M _m58 = lanes_both(rows, moves);
-            {
-                const LANES(hoop_flight_out) _o59 =
-                    LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m58, _o59.x, x);
-                y = lanes_select(_m58, _o59.y, y);
-                z = lanes_select(_m58, _o59.z, z);
-                vx = lanes_select(_m58, _o59.vx, vx);
-                vy = lanes_select(_m58, _o59.vy, vy);
-                vz = lanes_select(_m58, _o59.vz, vz);
-                const LANES(hoop_ticked_out) _o60 =
-                    LANES(hoop_ticked)(clock, when);
-                clock = lanes_select(_m58, _o60.clock, clock);
+            const M _m58 = lanes_both(rows, limited);
+            if (lanes_any(_m58)) {
+                const LANES(hoop_expiry_out) _o59 =
+                    LANES(hoop_expiry)(clock, K(INFINITY), K(0.0), time_error, time_limit, when, which);
+                V time = _o59.time;
+                M arrives = _o59.arrives;
+                const LANES(hoop_sooner_out) _o60 =
+                    LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
+                when = lanes_select(_m58, _o60.when, when);
+                which = lanes_select(_m58, _o60.which, which);
             }
-            const LANES(hoop_target_out) _o61 =
-                LANES(hoop_target)(x, y, p_ring_radius);
-            V miss = _o61.target;
-            const LANES(hoop_accounted_out) _o62 =
-                LANES(hoop_accounted)(contacts, ends, miss, most_contacts, touches);
-            contacts = _o62.contacts;
-            V outcome = _o62.outcome;
+            const LANES(hoop_departed_out) _o61 =
+                LANES(hoop_departed)(K(3.0), which);
+            M moves = _o61.moves;
+            M ends = _o61.ends;
+            M touches = _o61.touches;
+            V reached = _o61.reached;
+            const LANES(hoop_body_of_out) _o62 =
+                LANES(hoop_body_of)(which);
+            V body = _o62.body;
+            const M _m63 = lanes_both(rows, moves);
+            {
+                const LANES(hoop_flight_out) _o64 =
+                    LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
+                x = lanes_select(_m63, _o64.x, x);
+                y = lanes_select(_m63, _o64.y, y);
+                z = lanes_select(_m63, _o64.z, z);
+                vx = lanes_select(_m63, _o64.vx, vx);
+                vy = lanes_select(_m63, _o64.vy, vy);
+                vz = lanes_select(_m63, _o64.vz, vz);
+                const LANES(hoop_ticked_out) _o65 =
+                    LANES(hoop_ticked)(clock, when);
+                clock = lanes_select(_m63, _o65.clock, clock);
+            }
+            const M _m66 = lanes_both(rows, limited);
+            if (lanes_any(_m66)) {
+                const LANES(hoop_expired_out) _o67 =
+                    LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
+                clock = lanes_select(_m66, _o67.clock, clock);
+                body = lanes_select(_m66, _o67.body, body);
+                reached = lanes_select(_m66, _o67.reached, reached);
+                ends = lanes_choose(_m66, _o67.ends, ends);
+            }
+            const LANES(hoop_here_out) _o68 =
+                LANES(hoop_here)(K(3.0), which);
+            M here = _o68.here;
+            const M _m69 = lanes_both(rows, here);
+            {
+                const LANES(hoop_end_bounds_out) _o70 =
+                    LANES(hoop_end_bounds)(x, y, p_ring_radius);
+                V g0 = _o70.g0;
+                const LANES(hoop_end_reached_out) _o71 =
+                    LANES(hoop_end_reached)(g0);
+                reached = lanes_select(_m69, _o71.reached, reached);
+            }
+            const LANES(hoop_accounted_out) _o72 =
+                LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
+            contacts = _o72.contacts;
+            V outcome = _o72.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -1166,97 +1222,97 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_meeting_out) _o63 =
+            const LANES(hoop_meeting_out) _o73 =
                 LANES(hoop_meeting)(K(0.0), ends, touches);
-            M meeting = _o63.meeting;
-            const M _m64 = lanes_both(rows, meeting);
-            if (lanes_any(_m64)) {
-                const LANES(hoop_end_normal_out) _o65 =
+            M meeting = _o73.meeting;
+            const M _m74 = lanes_both(rows, meeting);
+            if (lanes_any(_m74)) {
+                const LANES(hoop_end_normal_out) _o75 =
                     LANES(hoop_end_normal)();
-                V nx = _o65.nx;
-                V ny = _o65.ny;
-                V nz = _o65.nz;
-                const LANES(hoop_here_out) _o66 =
+                V nx = _o75.nx;
+                V ny = _o75.ny;
+                V nz = _o75.nz;
+                const LANES(hoop_here_out) _o76 =
                     LANES(hoop_here)(K(0.0), which);
-                M here = _o66.here;
-                const M _m67 = lanes_both(_m64, here);
+                M here = _o76.here;
+                const M _m77 = lanes_both(_m74, here);
                 {
-                    const LANES(hoop_ring_normal_out) _o68 =
+                    const LANES(hoop_ring_normal_out) _o78 =
                         LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, _q9);
-                    nx = lanes_select(_m67, _o68.nx, nx);
-                    ny = lanes_select(_m67, _o68.ny, ny);
-                    nz = lanes_select(_m67, _o68.nz, nz);
-                    const LANES(hoop_counted_out) _o69 =
+                    nx = lanes_select(_m77, _o78.nx, nx);
+                    ny = lanes_select(_m77, _o78.ny, ny);
+                    nz = lanes_select(_m77, _o78.nz, nz);
+                    const LANES(hoop_counted_out) _o79 =
                         LANES(hoop_counted)(count_0);
-                    count_0 = lanes_select(_m67, _o69.count, count_0);
-                }
-                const LANES(hoop_here_out) _o70 =
-                    LANES(hoop_here)(K(1.0), which);
-                here = _o70.here;
-                const M _m71 = lanes_both(_m64, here);
-                {
-                    const LANES(hoop_backboard_normal_out) _o72 =
-                        LANES(hoop_backboard_normal)();
-                    nx = lanes_select(_m71, _o72.nx, nx);
-                    ny = lanes_select(_m71, _o72.ny, ny);
-                    nz = lanes_select(_m71, _o72.nz, nz);
-                    const LANES(hoop_counted_out) _o73 =
-                        LANES(hoop_counted)(count_1);
-                    count_1 = lanes_select(_m71, _o73.count, count_1);
-                }
-                const LANES(hoop_here_out) _o74 =
-                    LANES(hoop_here)(K(2.0), which);
-                here = _o74.here;
-                const M _m75 = lanes_both(_m64, here);
-                {
-                    const LANES(hoop_bridge_normal_out) _o76 =
-                        LANES(hoop_bridge_normal)();
-                    nx = lanes_select(_m75, _o76.nx, nx);
-                    ny = lanes_select(_m75, _o76.ny, ny);
-                    nz = lanes_select(_m75, _o76.nz, nz);
-                    const LANES(hoop_counted_out) _o77 =
-                        LANES(hoop_counted)(count_2);
-                    count_2 = lanes_select(_m75, _o77.count, count_2);
-                }
-                const M _m78 = lanes_both(_m64, touches);
-                if (lanes_any(_m78)) {
-                    const LANES(hoop_impact_out) _o79 =
-                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution, _q8);
-                    vx = lanes_select(_m78, _o79.vx, vx);
-                    vy = lanes_select(_m78, _o79.vy, vy);
-                    vz = lanes_select(_m78, _o79.vz, vz);
-                    wx = lanes_select(_m78, _o79.wx, wx);
-                    wy = lanes_select(_m78, _o79.wy, wy);
-                    wz = lanes_select(_m78, _o79.wz, wz);
+                    count_0 = lanes_select(_m77, _o79.count, count_0);
                 }
                 const LANES(hoop_here_out) _o80 =
                     LANES(hoop_here)(K(1.0), which);
                 here = _o80.here;
-                const M _m81 = lanes_both(_m64, here);
+                const M _m81 = lanes_both(_m74, here);
                 {
-                    const LANES(hoop_backboard_place_out) _o82 =
-                        LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                    x = lanes_select(_m81, _o82.x, x);
-                    y = lanes_select(_m81, _o82.y, y);
-                    z = lanes_select(_m81, _o82.z, z);
+                    const LANES(hoop_backboard_normal_out) _o82 =
+                        LANES(hoop_backboard_normal)();
+                    nx = lanes_select(_m81, _o82.nx, nx);
+                    ny = lanes_select(_m81, _o82.ny, ny);
+                    nz = lanes_select(_m81, _o82.nz, nz);
+                    const LANES(hoop_counted_out) _o83 =
+                        LANES(hoop_counted)(count_1);
+                    count_1 = lanes_select(_m81, _o83.count, count_1);
                 }
-                const LANES(hoop_here_out) _o83 =
+                const LANES(hoop_here_out) _o84 =
                     LANES(hoop_here)(K(2.0), which);
-                here = _o83.here;
-                const M _m84 = lanes_both(_m64, here);
+                here = _o84.here;
+                const M _m85 = lanes_both(_m74, here);
                 {
-                    const LANES(hoop_bridge_place_out) _o85 =
-                        LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                    x = lanes_select(_m84, _o85.x, x);
-                    y = lanes_select(_m84, _o85.y, y);
-                    z = lanes_select(_m84, _o85.z, z);
+                    const LANES(hoop_bridge_normal_out) _o86 =
+                        LANES(hoop_bridge_normal)();
+                    nx = lanes_select(_m85, _o86.nx, nx);
+                    ny = lanes_select(_m85, _o86.ny, ny);
+                    nz = lanes_select(_m85, _o86.nz, nz);
+                    const LANES(hoop_counted_out) _o87 =
+                        LANES(hoop_counted)(count_2);
+                    count_2 = lanes_select(_m85, _o87.count, count_2);
                 }
-                const M _m86 = lanes_both(_m64, touches);
+                const M _m88 = lanes_both(_m74, touches);
+                if (lanes_any(_m88)) {
+                    const LANES(hoop_impact_out) _o89 =
+                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution, _q8);
+                    vx = lanes_select(_m88, _o89.vx, vx);
+                    vy = lanes_select(_m88, _o89.vy, vy);
+                    vz = lanes_select(_m88, _o89.vz, vz);
+                    wx = lanes_select(_m88, _o89.wx, wx);
+                    wy = lanes_select(_m88, _o89.wy, wy);
+                    wz = lanes_select(_m88, _o89.wz, wz);
+                }
+                const LANES(hoop_here_out) _o90 =
+                    LANES(hoop_here)(K(1.0), which);
+                here = _o90.here;
+                const M _m91 = lanes_both(_m74, here);
                 {
-                    const LANES(hoop_touched_out) _o87 =
+                    const LANES(hoop_backboard_place_out) _o92 =
+                        LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
+                    x = lanes_select(_m91, _o92.x, x);
+                    y = lanes_select(_m91, _o92.y, y);
+                    z = lanes_select(_m91, _o92.z, z);
+                }
+                const LANES(hoop_here_out) _o93 =
+                    LANES(hoop_here)(K(2.0), which);
+                here = _o93.here;
+                const M _m94 = lanes_both(_m74, here);
+                {
+                    const LANES(hoop_bridge_place_out) _o95 =
+                        LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
+                    x = lanes_select(_m94, _o95.x, x);
+                    y = lanes_select(_m94, _o95.y, y);
+                    z = lanes_select(_m94, _o95.z, z);
+                }
+                const M _m96 = lanes_both(_m74, touches);
+                {
+                    const LANES(hoop_touched_out) _o97 =
                         LANES(hoop_touched)(body, first, which);
-                    first = lanes_select(_m86, _o87.first, first);
-                    last = lanes_select(_m86, _o87.last, last);
+                    first = lanes_select(_m96, _o97.first, first);
+                    last = lanes_select(_m96, _o97.last, last);
                 }
             }
             lanes_store(lists->clock + i, clock);
@@ -1360,8 +1416,10 @@ typedef struct {
     LANES(hoop_column) doubt;
     LANES(hoop_column) extent;
     LANES(hoop_column) late;
+    LANES(hoop_column) limited;
     LANES(hoop_column) position_error;
     LANES(hoop_column) speed;
+    LANES(hoop_column) time_error;
     LANES(hoop_column) velocity_error;
     LANES(hoop_column) when;
     LANES(hoop_column) which;
@@ -1700,7 +1758,7 @@ LANES_INLINE void LANES(hoop_bounded_finish)(const LANES(hoop_bounded_lists) *li
 {
     const hoop_results *out = job->results;
     const size_t shot = lists->shot[row];
-    const int invalid = (int)lists->outcome[row] == HOOP_INVALID;
+    const int invalid = (int)lists->outcome[row] == HOOP_OUTCOME_INVALID;
     if (out->outcome) {
         out->outcome[shot] = (uint8_t)lists->outcome[row];
     }
@@ -1844,6 +1902,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
 {
     LANES(hoop_bounded_lists) all, *const lists = &all;
     const V most_contacts = K((double)job->max_contacts);
+    const V time_limit = K(job->time_limit);
     const V claims = K(job->results->time_error || job->results->state_error ? 1.0 : 0.0);
     const size_t varying = job->varying ? ~(size_t)0 : 0;
     const int recording = job->results->events != NULL;
@@ -1964,6 +2023,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         size_t open_count = 0;
         for (size_t i = 0; i < count; i += LANES_WIDTH) {
             const M rows = lanes_first(count - i);
+            LANES(hoop_ahead)(job, begun + i);
             const V _q0 = lanes_load(lists->_q0 + (i & varying));
             const V _q1 = lanes_load(lists->_q1 + (i & varying));
             const V _q11 = lanes_load(lists->_q11 + (i & varying));
@@ -2019,6 +2079,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 LANES(hoop_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
             V position_error = _o4.position_error;
             V velocity_error = _o4.velocity_error;
+            V time_error = _o4.time_error;
             const LANES(hoop_scale_out) _o5 =
                 LANES(hoop_scale)(x, y, z, vx, vy, vz, p_gravity, _q0);
             V extent = _o5.extent;
@@ -2030,192 +2091,197 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V which = _o6.which;
             V late = _o6.late;
             V doubt = _o6.doubt;
-            const LANES(hoop_left_out) _o7 =
+            const LANES(hoop_limited_out) _o7 =
+                LANES(hoop_limited)(time_limit);
+            M limited = _o7.limited;
+            const LANES(hoop_left_out) _o8 =
                 LANES(hoop_left)(K(3.0), last);
-            V leaving = _o7.leaving;
-            const LANES(hoop_end_arrival_out) _o8 =
+            V leaving = _o8.leaving;
+            const LANES(hoop_end_arrival_out) _o9 =
                 LANES(hoop_end_arrival)(leaving, z, vz, p_gravity, p_end_depth, _q29, _q30);
-            V time = _o8.time;
-            V rate = _o8.rate;
-            V bend = _o8.bend;
-            V apex = _o8.apex;
-            V height = _o8.height;
-            const LANES(hoop_meeting_plane_out) _o9 =
+            V time = _o9.time;
+            V rate = _o9.rate;
+            V bend = _o9.bend;
+            V apex = _o9.apex;
+            V height = _o9.height;
+            const LANES(hoop_meeting_plane_out) _o10 =
                 LANES(hoop_meeting_plane)(bend, rate, time);
-            M arrives = _o9.arrives;
-            V ceiling = _o9.ceiling;
-            const LANES(hoop_end_margin_out) _o10 =
+            M arrives = _o10.arrives;
+            V ceiling = _o10.ceiling;
+            const LANES(hoop_end_margin_out) _o11 =
                 LANES(hoop_end_margin)(time, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
-            V margin = _o10.margin;
-            const LANES(hoop_crossing_out) _o11 =
+            V margin = _o11.margin;
+            const LANES(hoop_crossing_out) _o12 =
                 LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-            V clearance = _o11.clearance;
-            V delay = _o11.delay;
-            const LANES(hoop_timely_out) _o12 =
+            V clearance = _o12.clearance;
+            V delay = _o12.delay;
+            const LANES(hoop_timely_out) _o13 =
                 LANES(hoop_timely)(arrives, delay, late, time, when);
-            M possible = _o12.possible;
-            const LANES(hoop_end_margin_out) _o13 =
+            M possible = _o13.possible;
+            const LANES(hoop_end_margin_out) _o14 =
                 LANES(hoop_end_margin)(apex, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
-            margin = _o13.margin;
-            const LANES(hoop_grazed_out) _o14 =
+            margin = _o14.margin;
+            const LANES(hoop_grazed_out) _o15 =
                 LANES(hoop_grazed)(apex, doubt, height, margin);
-            doubt = _o14.doubt;
-            const M _m15 = lanes_both(rows, possible);
+            doubt = _o15.doubt;
+            const M _m16 = lanes_both(rows, possible);
             {
-                const LANES(hoop_crossed_out) _o16 =
+                const LANES(hoop_crossed_out) _o17 =
                     LANES(hoop_crossed)(arrives, clearance, doubt, time);
-                doubt = lanes_select(_m15, _o16.doubt, doubt);
-                const LANES(hoop_tied_out) _o17 =
+                doubt = lanes_select(_m16, _o17.doubt, doubt);
+                const LANES(hoop_tied_out) _o18 =
                     LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m15, _o17.doubt, doubt);
-                late = lanes_select(_m15, _o17.late, late);
-                const LANES(hoop_sooner_out) _o18 =
+                doubt = lanes_select(_m16, _o18.doubt, doubt);
+                late = lanes_select(_m16, _o18.late, late);
+                const LANES(hoop_sooner_out) _o19 =
                     LANES(hoop_sooner)(arrives, K(3.0), time, when, which);
-                when = lanes_select(_m15, _o18.when, when);
-                which = lanes_select(_m15, _o18.which, which);
+                when = lanes_select(_m16, _o19.when, when);
+                which = lanes_select(_m16, _o19.which, which);
             }
-            const LANES(hoop_left_out) _o19 =
+            const LANES(hoop_left_out) _o20 =
                 LANES(hoop_left)(K(1.0), last);
-            leaving = _o19.leaving;
-            const LANES(hoop_backboard_arrival_out) _o20 =
+            leaving = _o20.leaving;
+            const LANES(hoop_backboard_arrival_out) _o21 =
                 LANES(hoop_backboard_arrival)(leaving, x, vx, p_ball_radius, p_board_distance);
-            time = _o20.time;
-            rate = _o20.rate;
-            bend = _o20.bend;
-            apex = _o20.apex;
-            height = _o20.height;
-            const LANES(hoop_meeting_plane_out) _o21 =
+            time = _o21.time;
+            rate = _o21.rate;
+            bend = _o21.bend;
+            apex = _o21.apex;
+            height = _o21.height;
+            const LANES(hoop_meeting_plane_out) _o22 =
                 LANES(hoop_meeting_plane)(bend, rate, time);
-            arrives = _o21.arrives;
-            ceiling = _o21.ceiling;
-            const LANES(hoop_backboard_margin_out) _o22 =
+            arrives = _o22.arrives;
+            ceiling = _o22.ceiling;
+            const LANES(hoop_backboard_margin_out) _o23 =
                 LANES(hoop_backboard_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity, _q28);
-            margin = _o22.margin;
-            const LANES(hoop_crossing_out) _o23 =
+            margin = _o23.margin;
+            const LANES(hoop_crossing_out) _o24 =
                 LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-            clearance = _o23.clearance;
-            delay = _o23.delay;
-            const LANES(hoop_timely_out) _o24 =
+            clearance = _o24.clearance;
+            delay = _o24.delay;
+            const LANES(hoop_timely_out) _o25 =
                 LANES(hoop_timely)(arrives, delay, late, time, when);
-            possible = _o24.possible;
-            const LANES(hoop_backboard_margin_out) _o25 =
+            possible = _o25.possible;
+            const LANES(hoop_backboard_margin_out) _o26 =
                 LANES(hoop_backboard_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity, _q28);
-            margin = _o25.margin;
-            const LANES(hoop_grazed_out) _o26 =
+            margin = _o26.margin;
+            const LANES(hoop_grazed_out) _o27 =
                 LANES(hoop_grazed)(apex, doubt, height, margin);
-            doubt = _o26.doubt;
-            const M _m27 = lanes_both(rows, possible);
-            if (lanes_any(_m27)) {
-                const LANES(hoop_flight_out) _o28 =
+            doubt = _o27.doubt;
+            const M _m28 = lanes_both(rows, possible);
+            if (lanes_any(_m28)) {
+                const LANES(hoop_flight_out) _o29 =
                     LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-                V there_y = _o28.y;
-                V there_z = _o28.z;
-                const LANES(hoop_backboard_bounds_out) _o29 =
+                V there_y = _o29.y;
+                V there_z = _o29.z;
+                const LANES(hoop_backboard_bounds_out) _o30 =
                     LANES(hoop_backboard_bounds)(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
-                V g0 = _o29.g0;
-                V g1 = _o29.g1;
-                V g2 = _o29.g2;
-                V g3 = _o29.g3;
-                const LANES(hoop_displacement_out) _o30 =
+                V g0 = _o30.g0;
+                V g1 = _o30.g1;
+                V g2 = _o30.g2;
+                V g3 = _o30.g3;
+                const LANES(hoop_displacement_out) _o31 =
                     LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth, _q1);
-                V slack = _o30.margin;
-                const LANES(hoop_backboard_edges_out) _o31 =
+                V slack = _o31.margin;
+                const LANES(hoop_backboard_edges_out) _o32 =
                     LANES(hoop_backboard_edges)(clearance, g0, g1, g2, g3, slack);
-                M unsure = _o31.unsure;
-                const LANES(hoop_questioned_out) _o32 =
+                M unsure = _o32.unsure;
+                const LANES(hoop_questioned_out) _o33 =
                     LANES(hoop_questioned)(doubt, time, unsure);
-                doubt = lanes_select(_m27, _o32.doubt, doubt);
-                const LANES(hoop_backboard_within_out) _o33 =
+                doubt = lanes_select(_m28, _o33.doubt, doubt);
+                const LANES(hoop_backboard_within_out) _o34 =
                     LANES(hoop_backboard_within)(g0, g1, g2, g3);
-                M arrives = _o33.arrives;
-                const LANES(hoop_tied_out) _o34 =
+                M arrives = _o34.arrives;
+                const LANES(hoop_tied_out) _o35 =
                     LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m27, _o34.doubt, doubt);
-                late = lanes_select(_m27, _o34.late, late);
-                const LANES(hoop_sooner_out) _o35 =
+                doubt = lanes_select(_m28, _o35.doubt, doubt);
+                late = lanes_select(_m28, _o35.late, late);
+                const LANES(hoop_sooner_out) _o36 =
                     LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
-                when = lanes_select(_m27, _o35.when, when);
-                which = lanes_select(_m27, _o35.which, which);
+                when = lanes_select(_m28, _o36.when, when);
+                which = lanes_select(_m28, _o36.which, which);
             }
-            const LANES(hoop_left_out) _o36 =
+            const LANES(hoop_left_out) _o37 =
                 LANES(hoop_left)(K(2.0), last);
-            leaving = _o36.leaving;
-            const LANES(hoop_bridge_arrival_out) _o37 =
+            leaving = _o37.leaving;
+            const LANES(hoop_bridge_arrival_out) _o38 =
                 LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity, _q29, _q30);
-            time = _o37.time;
-            rate = _o37.rate;
-            bend = _o37.bend;
-            apex = _o37.apex;
-            height = _o37.height;
-            const LANES(hoop_meeting_plane_out) _o38 =
+            time = _o38.time;
+            rate = _o38.rate;
+            bend = _o38.bend;
+            apex = _o38.apex;
+            height = _o38.height;
+            const LANES(hoop_meeting_plane_out) _o39 =
                 LANES(hoop_meeting_plane)(bend, rate, time);
-            arrives = _o38.arrives;
-            ceiling = _o38.ceiling;
-            const LANES(hoop_bridge_margin_out) _o39 =
+            arrives = _o39.arrives;
+            ceiling = _o39.ceiling;
+            const LANES(hoop_bridge_margin_out) _o40 =
                 LANES(hoop_bridge_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity, _q31);
-            margin = _o39.margin;
-            const LANES(hoop_crossing_out) _o40 =
+            margin = _o40.margin;
+            const LANES(hoop_crossing_out) _o41 =
                 LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-            clearance = _o40.clearance;
-            delay = _o40.delay;
-            const LANES(hoop_timely_out) _o41 =
+            clearance = _o41.clearance;
+            delay = _o41.delay;
+            const LANES(hoop_timely_out) _o42 =
                 LANES(hoop_timely)(arrives, delay, late, time, when);
-            possible = _o41.possible;
-            const LANES(hoop_bridge_margin_out) _o42 =
+            possible = _o42.possible;
+            const LANES(hoop_bridge_margin_out) _o43 =
                 LANES(hoop_bridge_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity, _q31);
-            margin = _o42.margin;
-            const LANES(hoop_grazed_out) _o43 =
+            margin = _o43.margin;
+            const LANES(hoop_grazed_out) _o44 =
                 LANES(hoop_grazed)(apex, doubt, height, margin);
-            doubt = _o43.doubt;
-            const M _m44 = lanes_both(rows, possible);
-            if (lanes_any(_m44)) {
-                const LANES(hoop_flight_out) _o45 =
+            doubt = _o44.doubt;
+            const M _m45 = lanes_both(rows, possible);
+            if (lanes_any(_m45)) {
+                const LANES(hoop_flight_out) _o46 =
                     LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-                V there_x = _o45.x;
-                V there_y = _o45.y;
-                const LANES(hoop_bridge_bounds_out) _o46 =
+                V there_x = _o46.x;
+                V there_y = _o46.y;
+                const LANES(hoop_bridge_bounds_out) _o47 =
                     LANES(hoop_bridge_bounds)(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
-                V g0 = _o46.g0;
-                V g1 = _o46.g1;
-                V g2 = _o46.g2;
-                V g3 = _o46.g3;
-                V g4 = _o46.g4;
-                const LANES(hoop_displacement_out) _o47 =
+                V g0 = _o47.g0;
+                V g1 = _o47.g1;
+                V g2 = _o47.g2;
+                V g3 = _o47.g3;
+                V g4 = _o47.g4;
+                const LANES(hoop_displacement_out) _o48 =
                     LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth, _q1);
-                V slack = _o47.margin;
-                const LANES(hoop_bridge_edges_out) _o48 =
+                V slack = _o48.margin;
+                const LANES(hoop_bridge_edges_out) _o49 =
                     LANES(hoop_bridge_edges)(clearance, g0, g1, g2, g3, g4, slack);
-                M unsure = _o48.unsure;
-                const LANES(hoop_questioned_out) _o49 =
+                M unsure = _o49.unsure;
+                const LANES(hoop_questioned_out) _o50 =
                     LANES(hoop_questioned)(doubt, time, unsure);
-                doubt = lanes_select(_m44, _o49.doubt, doubt);
-                const LANES(hoop_bridge_within_out) _o50 =
+                doubt = lanes_select(_m45, _o50.doubt, doubt);
+                const LANES(hoop_bridge_within_out) _o51 =
                     LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
-                M arrives = _o50.arrives;
-                const LANES(hoop_tied_out) _o51 =
+                M arrives = _o51.arrives;
+                const LANES(hoop_tied_out) _o52 =
                     LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-                doubt = lanes_select(_m44, _o51.doubt, doubt);
-                late = lanes_select(_m44, _o51.late, late);
-                const LANES(hoop_sooner_out) _o52 =
+                doubt = lanes_select(_m45, _o52.doubt, doubt);
+                late = lanes_select(_m45, _o52.late, late);
+                const LANES(hoop_sooner_out) _o53 =
                     LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
-                when = lanes_select(_m44, _o52.when, when);
-                which = lanes_select(_m44, _o52.which, which);
+                when = lanes_select(_m45, _o53.when, when);
+                which = lanes_select(_m45, _o53.which, which);
             }
-            const LANES(hoop_horizon_out) _o53 =
+            const LANES(hoop_horizon_out) _o54 =
                 LANES(hoop_horizon)(when, speed, p_gravity, _q0);
-            V until = _o53.horizon;
-            V pad = _o53.pad;
-            const LANES(hoop_ring_clear_out) _o54 =
+            V until = _o54.horizon;
+            V pad = _o54.pad;
+            const LANES(hoop_ring_clear_out) _o55 =
                 LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q11, _q12, _q13, _q14, _q0, _q3, _q15, _q16, _q17, _q18, _q19, _q20);
-            V clear = _o54.clear;
-            const LANES(hoop_opens_out) _o55 =
+            V clear = _o55.clear;
+            const LANES(hoop_opens_out) _o56 =
                 LANES(hoop_opens)(clear);
-            M open = _o55.open;
+            M open = _o56.open;
             lanes_store(lists->doubt + i, doubt);
             lanes_store(lists->extent + i, extent);
             lanes_store(lists->late + i, late);
+            lanes_store(lists->limited + i, lanes_select(limited, K(1.0), K(0.0)));
             lanes_store(lists->position_error + i, position_error);
             lanes_store(lists->speed + i, speed);
+            lanes_store(lists->time_error + i, time_error);
             lanes_store(lists->velocity_error + i, velocity_error);
             lanes_store(lists->when + i, when);
             lanes_store(lists->which + i, which);
@@ -2314,43 +2380,43 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_ring_prepare_out) _o56 =
+            const LANES(hoop_ring_prepare_out) _o57 =
                 LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q12, _q0, _q15, _q18, _q17, _q21, _q11);
-            V steady = _o56.steady;
-            V swing = _o56.swing;
-            V rho_start = _o56.rho_start;
-            V low0 = _o56.low0;
-            V high0 = _o56.high0;
-            V low1 = _o56.low1;
-            V high1 = _o56.high1;
-            V low2 = _o56.low2;
-            V high2 = _o56.high2;
-            V ceiling = _o56.ceiling;
-            V latest = _o56.latest;
-            V lost = _o56.lost;
-            const LANES(hoop_beginning_out) _o57 =
+            V steady = _o57.steady;
+            V swing = _o57.swing;
+            V rho_start = _o57.rho_start;
+            V low0 = _o57.low0;
+            V high0 = _o57.high0;
+            V low1 = _o57.low1;
+            V high1 = _o57.high1;
+            V low2 = _o57.low2;
+            V high2 = _o57.high2;
+            V ceiling = _o57.ceiling;
+            V latest = _o57.latest;
+            V lost = _o57.lost;
+            const LANES(hoop_beginning_out) _o58 =
                 LANES(hoop_beginning)();
-            V share = _o57.share;
-            V arrival = _o57.arrival;
-            M certain = _o57.certain;
-            const LANES(hoop_allowance_out) _o58 =
+            V share = _o58.share;
+            V arrival = _o58.arrival;
+            M certain = _o58.certain;
+            const LANES(hoop_allowance_out) _o59 =
                 LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o58.position_level;
-            V velocity_level = _o58.velocity_level;
-            V excess = _o58.excess;
-            const LANES(hoop_ring_margins_out) _o59 =
+            V position_level = _o59.position_level;
+            V velocity_level = _o59.velocity_level;
+            V excess = _o59.excess;
+            const LANES(hoop_ring_margins_out) _o60 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q12, _q22, _q23, _q24, _q25);
-            V flat = _o59.margin;
-            V tilt = _o59.leaving_margin;
-            V rate_slack = _o59.rate_margin;
-            const LANES(hoop_beyond_out) _o60 =
+            V flat = _o60.margin;
+            V tilt = _o60.leaving_margin;
+            V rate_slack = _o60.rate_margin;
+            const LANES(hoop_beyond_out) _o61 =
                 LANES(hoop_beyond)(doubt, excess, late, lost, pad);
-            doubt = _o60.doubt;
-            const LANES(hoop_ring_enter_out) _o61 =
+            doubt = _o61.doubt;
+            const LANES(hoop_ring_enter_out) _o62 =
                 LANES(hoop_ring_enter)(K(0.0), K(0.0), high0, high1, high2, low0, low1, low2, K(0.0));
-            V t = _o61.t;
-            V end = _o61.end;
-            M searching = _o61.searching;
+            V t = _o62.t;
+            V end = _o62.end;
+            M searching = _o62.searching;
             lanes_store(lists->open_arrival + i, arrival);
             lanes_store(lists->open_ceiling + i, ceiling);
             lanes_store(lists->open_certain + i, lanes_select(certain, K(1.0), K(0.0)));
@@ -2527,57 +2593,57 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 if (busy == 0)
                     break;
                 M searching = active;
-                const LANES(hoop_nearby_out) _o62 =
+                const LANES(hoop_nearby_out) _o63 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o62.leaving;
-                V margin = _o62.margin;
-                const LANES(hoop_ring_advance_out) _o63 =
+                V leaving = _o63.leaving;
+                V margin = _o63.margin;
+                const LANES(hoop_ring_advance_out) _o64 =
                     LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q3, _q12, _q26, _q27);
-                V gap = _o63.gap;
-                V rate = _o63.rate;
-                V bend = _o63.bend;
-                V step = _o63.step;
-                V next = _o63.next;
-                V root = _o63.root;
-                V clearance = _o63.clearance;
-                const LANES(hoop_struck_out) _o64 =
+                V gap = _o64.gap;
+                V rate = _o64.rate;
+                V bend = _o64.bend;
+                V step = _o64.step;
+                V next = _o64.next;
+                V root = _o64.root;
+                V clearance = _o64.clearance;
+                const LANES(hoop_struck_out) _o65 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o64.hit;
-                M sure = _o64.sure;
-                M vague = _o64.vague;
-                const M _m65 = lanes_both(active, vague);
-                if (lanes_any(_m65)) {
-                    const LANES(hoop_finer_out) _o66 =
+                M hit = _o65.hit;
+                M sure = _o65.sure;
+                M vague = _o65.vague;
+                const M _m66 = lanes_both(active, vague);
+                if (lanes_any(_m66)) {
+                    const LANES(hoop_finer_out) _o67 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m65, _o66.share, share);
-                    const LANES(hoop_allowance_out) _o67 =
+                    share = lanes_select(_m66, _o67.share, share);
+                    const LANES(hoop_allowance_out) _o68 =
                         LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o67.position_level;
-                    V velocity_level = _o67.velocity_level;
-                    V excess = _o67.excess;
-                    const LANES(hoop_ring_margins_out) _o68 =
+                    V position_level = _o68.position_level;
+                    V velocity_level = _o68.velocity_level;
+                    V excess = _o68.excess;
+                    const LANES(hoop_ring_margins_out) _o69 =
                         LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q12, _q22, _q23, _q24, _q25);
-                    flat = lanes_select(_m65, _o68.margin, flat);
-                    tilt = lanes_select(_m65, _o68.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m65, _o68.rate_margin, rate_slack);
-                    const LANES(hoop_exceeded_out) _o69 =
+                    flat = lanes_select(_m66, _o69.margin, flat);
+                    tilt = lanes_select(_m66, _o69.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m66, _o69.rate_margin, rate_slack);
+                    const LANES(hoop_exceeded_out) _o70 =
                         LANES(hoop_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m65, _o69.doubt, doubt);
+                    doubt = lanes_select(_m66, _o70.doubt, doubt);
                 }
-                const LANES(hoop_advanced_out) _o70 =
+                const LANES(hoop_advanced_out) _o71 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, root, step, sure, t, vague);
-                arrival = _o70.arrival;
-                certain = _o70.certain;
-                M exhausted = _o70.exhausted;
-                searching = _o70.searching;
-                t = _o70.t;
-                const M _m71 = lanes_both(active, exhausted);
+                arrival = _o71.arrival;
+                certain = _o71.certain;
+                M exhausted = _o71.exhausted;
+                searching = _o71.searching;
+                t = _o71.t;
+                const M _m72 = lanes_both(active, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o72 =
+                    const LANES(hoop_ring_enter_out) _o73 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m71, _o72.t, t);
-                    end = lanes_select(_m71, _o72.end, end);
-                    searching = lanes_choose(_m71, _o72.searching, searching);
+                    t = lanes_select(_m72, _o73.t, t);
+                    end = lanes_select(_m72, _o73.end, end);
+                    searching = lanes_choose(_m72, _o73.searching, searching);
                 }
                 turns = lanes_add(turns, K(1.0));
                 const M ended = lanes_both(active, lanes_not(lanes_both(searching, lanes_less(turns, K(201.0)))));
@@ -2650,55 +2716,55 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->open_x + i);
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
-            const LANES(hoop_questioned_out) _o73 =
+            const LANES(hoop_questioned_out) _o74 =
                 LANES(hoop_questioned)(doubt, t, searching);
-            doubt = _o73.doubt;
-            const LANES(hoop_found_out) _o74 =
+            doubt = _o74.doubt;
+            const LANES(hoop_found_out) _o75 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o74.arrives;
-            const LANES(hoop_nearby_out) _o75 =
+            M arrives = _o75.arrives;
+            const LANES(hoop_nearby_out) _o76 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o75.leaving;
-            const LANES(hoop_ring_refine_out) _o76 =
+            V leaving = _o76.leaving;
+            const LANES(hoop_ring_refine_out) _o77 =
                 LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q3);
-            V refined = _o76.time;
-            const LANES(hoop_polished_out) _o77 =
+            V refined = _o77.time;
+            const LANES(hoop_polished_out) _o78 =
                 LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o77.arrival;
-            const LANES(hoop_ring_refine_out) _o78 =
+            arrival = _o78.arrival;
+            const LANES(hoop_ring_refine_out) _o79 =
                 LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q3);
-            refined = _o78.time;
-            V rate = _o78.rate;
-            const LANES(hoop_polished_out) _o79 =
+            refined = _o79.time;
+            V rate = _o79.rate;
+            const LANES(hoop_polished_out) _o80 =
                 LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o79.arrival;
-            const LANES(hoop_ring_margins_out) _o80 =
+            arrival = _o80.arrival;
+            const LANES(hoop_ring_margins_out) _o81 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q12, _q22, _q23, _q24, _q25);
-            flat = _o80.margin;
-            tilt = _o80.leaving_margin;
-            V rate_margin = _o80.rate_margin;
-            const LANES(hoop_own_margin_out) _o81 =
+            flat = _o81.margin;
+            tilt = _o81.leaving_margin;
+            V rate_margin = _o81.rate_margin;
+            const LANES(hoop_own_margin_out) _o82 =
                 LANES(hoop_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o81.margin;
-            const LANES(hoop_crossing_out) _o82 =
+            V margin = _o82.margin;
+            const LANES(hoop_crossing_out) _o83 =
                 LANES(hoop_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o82.clearance;
-            V delay = _o82.delay;
-            const LANES(hoop_landed_out) _o83 =
+            V clearance = _o83.clearance;
+            V delay = _o83.delay;
+            const LANES(hoop_landed_out) _o84 =
                 LANES(hoop_landed)(arrival);
-            V time = _o83.time;
-            const LANES(hoop_landed_surely_out) _o84 =
+            V time = _o84.time;
+            const LANES(hoop_landed_surely_out) _o85 =
                 LANES(hoop_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o84.delay;
-            doubt = _o84.doubt;
-            const LANES(hoop_tied_out) _o85 =
-                LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
+            delay = _o85.delay;
             doubt = _o85.doubt;
-            late = _o85.late;
-            const LANES(hoop_sooner_out) _o86 =
+            const LANES(hoop_tied_out) _o86 =
+                LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
+            doubt = _o86.doubt;
+            late = _o86.late;
+            const LANES(hoop_sooner_out) _o87 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = _o86.when;
-            which = _o86.which;
+            when = _o87.when;
+            which = _o87.which;
             lanes_store(lists->open_doubt + i, doubt);
             lanes_store(lists->open_late + i, late);
             lanes_store(lists->open_when + i, when);
@@ -2738,6 +2804,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V first = lanes_load(lists->first + i);
             V last = lanes_load(lists->last + i);
             V late = lanes_load(lists->late + i);
+            M limited = lanes_less(K(0.0), lanes_load(lists->limited + i));
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
             const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
             const V p_board_distance = lanes_load(lists->p_board_distance + (i & varying));
@@ -2751,6 +2818,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
             V position_error = lanes_load(lists->position_error + i);
             V speed = lanes_load(lists->speed + i);
+            V time_error = lanes_load(lists->time_error + i);
             V uncertain = lanes_load(lists->uncertain + i);
             V velocity_error = lanes_load(lists->velocity_error + i);
             V vx = lanes_load(lists->vx + i);
@@ -2764,41 +2832,81 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->x + i);
             V y = lanes_load(lists->y + i);
             V z = lanes_load(lists->z + i);
-            const LANES(hoop_departed_out) _o87 =
-                LANES(hoop_departed)(K(3.0), which);
-            M moves = _o87.moves;
-            M ends = _o87.ends;
-            M touches = _o87.touches;
-            const LANES(hoop_body_of_out) _o88 =
-                LANES(hoop_body_of)(which);
-            V body = _o88.body;
-            const M _m89 = lanes_both(rows, moves);
-            {
-                const LANES(hoop_flight_out) _o90 =
-                    LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-                x = lanes_select(_m89, _o90.x, x);
-                y = lanes_select(_m89, _o90.y, y);
-                z = lanes_select(_m89, _o90.z, z);
-                vx = lanes_select(_m89, _o90.vx, vx);
-                vy = lanes_select(_m89, _o90.vy, vy);
-                vz = lanes_select(_m89, _o90.vz, vz);
-                const LANES(hoop_ticked_out) _o91 =
-                    LANES(hoop_ticked)(clock, when);
-                clock = lanes_select(_m89, _o91.clock, clock);
+            const M _m88 = lanes_both(rows, limited);
+            if (lanes_any(_m88)) {
+                const LANES(hoop_expiry_out) _o89 =
+                    LANES(hoop_expiry)(clock, doubt, late, time_error, time_limit, when, which);
+                V time = _o89.time;
+                V delay = _o89.delay;
+                M arrives = _o89.arrives;
+                doubt = lanes_select(_m88, _o89.doubt, doubt);
+                const LANES(hoop_tied_out) _o90 =
+                    LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
+                doubt = lanes_select(_m88, _o90.doubt, doubt);
+                late = lanes_select(_m88, _o90.late, late);
+                const LANES(hoop_sooner_out) _o91 =
+                    LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
+                when = lanes_select(_m88, _o91.when, when);
+                which = lanes_select(_m88, _o91.which, which);
             }
-            const LANES(hoop_displacement_out) _o92 =
+            const LANES(hoop_departed_out) _o92 =
+                LANES(hoop_departed)(K(3.0), which);
+            M moves = _o92.moves;
+            M ends = _o92.ends;
+            M touches = _o92.touches;
+            V reached = _o92.reached;
+            M edge = _o92.edge;
+            const LANES(hoop_body_of_out) _o93 =
+                LANES(hoop_body_of)(which);
+            V body = _o93.body;
+            const M _m94 = lanes_both(rows, moves);
+            {
+                const LANES(hoop_flight_out) _o95 =
+                    LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
+                x = lanes_select(_m94, _o95.x, x);
+                y = lanes_select(_m94, _o95.y, y);
+                z = lanes_select(_m94, _o95.z, z);
+                vx = lanes_select(_m94, _o95.vx, vx);
+                vy = lanes_select(_m94, _o95.vy, vy);
+                vz = lanes_select(_m94, _o95.vz, vz);
+                const LANES(hoop_ticked_out) _o96 =
+                    LANES(hoop_ticked)(clock, when);
+                clock = lanes_select(_m94, _o96.clock, clock);
+            }
+            const M _m97 = lanes_both(rows, limited);
+            if (lanes_any(_m97)) {
+                const LANES(hoop_expired_out) _o98 =
+                    LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
+                clock = lanes_select(_m97, _o98.clock, clock);
+                body = lanes_select(_m97, _o98.body, body);
+                reached = lanes_select(_m97, _o98.reached, reached);
+                ends = lanes_choose(_m97, _o98.ends, ends);
+            }
+            const LANES(hoop_displacement_out) _o99 =
                 LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth, _q1);
-            V slack = _o92.margin;
-            const LANES(hoop_target_out) _o93 =
-                LANES(hoop_target)(x, y, p_ring_radius);
-            V miss = _o93.target;
-            const LANES(hoop_doubted_out) _o94 =
-                LANES(hoop_doubted)(doubt, ends, late, miss, slack, uncertain, when);
-            uncertain = _o94.uncertain;
-            const LANES(hoop_accounted_out) _o95 =
-                LANES(hoop_accounted)(contacts, ends, miss, most_contacts, touches);
-            contacts = _o95.contacts;
-            V outcome = _o95.outcome;
+            V slack = _o99.margin;
+            const LANES(hoop_here_out) _o100 =
+                LANES(hoop_here)(K(3.0), which);
+            M here = _o100.here;
+            const M _m101 = lanes_both(rows, here);
+            {
+                const LANES(hoop_end_bounds_out) _o102 =
+                    LANES(hoop_end_bounds)(x, y, p_ring_radius);
+                V g0 = _o102.g0;
+                const LANES(hoop_end_reached_out) _o103 =
+                    LANES(hoop_end_reached)(g0);
+                reached = lanes_select(_m101, _o103.reached, reached);
+                const LANES(hoop_end_edge_out) _o104 =
+                    LANES(hoop_end_edge)(g0, slack);
+                edge = lanes_choose(_m101, _o104.edge, edge);
+            }
+            const LANES(hoop_doubted_out) _o105 =
+                LANES(hoop_doubted)(doubt, edge, late, uncertain, when);
+            uncertain = _o105.uncertain;
+            const LANES(hoop_accounted_out) _o106 =
+                LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
+            contacts = _o106.contacts;
+            V outcome = _o106.outcome;
             if (recording) {
                 lanes_store(lists->body + i, body);
                 lanes_store(lists->x_before + i, x);
@@ -2811,9 +2919,9 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 lanes_store(lists->wy_before + i, wy);
                 lanes_store(lists->wz_before + i, wz);
             }
-            const LANES(hoop_meeting_out) _o96 =
+            const LANES(hoop_meeting_out) _o107 =
                 LANES(hoop_meeting)(claims, ends, touches);
-            M meeting = _o96.meeting;
+            M meeting = _o107.meeting;
             lanes_store(lists->clock + i, clock);
             lanes_store(lists->contacts + i, contacts);
             lanes_store(lists->outcome + i, outcome);
@@ -2821,6 +2929,8 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lanes_store(lists->vx + i, vx);
             lanes_store(lists->vy + i, vy);
             lanes_store(lists->vz + i, vz);
+            lanes_store(lists->when + i, when);
+            lanes_store(lists->which + i, which);
             lanes_store(lists->x + i, x);
             lanes_store(lists->y + i, y);
             lanes_store(lists->z + i, z);
@@ -2921,121 +3031,121 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->meeting_x + i);
             V y = lanes_load(lists->meeting_y + i);
             V z = lanes_load(lists->meeting_z + i);
-            const LANES(hoop_end_normal_out) _o97 =
+            const LANES(hoop_end_normal_out) _o108 =
                 LANES(hoop_end_normal)();
-            V nx = _o97.nx;
-            V ny = _o97.ny;
-            V nz = _o97.nz;
-            const LANES(hoop_here_out) _o98 =
+            V nx = _o108.nx;
+            V ny = _o108.ny;
+            V nz = _o108.nz;
+            const LANES(hoop_here_out) _o109 =
                 LANES(hoop_here)(K(0.0), which);
-            M here = _o98.here;
-            const M _m99 = lanes_both(rows, here);
+            M here = _o109.here;
+            const M _m110 = lanes_both(rows, here);
             {
-                const LANES(hoop_ring_normal_out) _o100 =
+                const LANES(hoop_ring_normal_out) _o111 =
                     LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, _q9);
-                nx = lanes_select(_m99, _o100.nx, nx);
-                ny = lanes_select(_m99, _o100.ny, ny);
-                nz = lanes_select(_m99, _o100.nz, nz);
-                const LANES(hoop_counted_out) _o101 =
+                nx = lanes_select(_m110, _o111.nx, nx);
+                ny = lanes_select(_m110, _o111.ny, ny);
+                nz = lanes_select(_m110, _o111.nz, nz);
+                const LANES(hoop_counted_out) _o112 =
                     LANES(hoop_counted)(count_0);
-                count_0 = lanes_select(_m99, _o101.count, count_0);
+                count_0 = lanes_select(_m110, _o112.count, count_0);
             }
-            const LANES(hoop_here_out) _o102 =
+            const LANES(hoop_here_out) _o113 =
                 LANES(hoop_here)(K(1.0), which);
-            here = _o102.here;
-            const M _m103 = lanes_both(rows, here);
+            here = _o113.here;
+            const M _m114 = lanes_both(rows, here);
             {
-                const LANES(hoop_backboard_normal_out) _o104 =
+                const LANES(hoop_backboard_normal_out) _o115 =
                     LANES(hoop_backboard_normal)();
-                nx = lanes_select(_m103, _o104.nx, nx);
-                ny = lanes_select(_m103, _o104.ny, ny);
-                nz = lanes_select(_m103, _o104.nz, nz);
-                const LANES(hoop_counted_out) _o105 =
+                nx = lanes_select(_m114, _o115.nx, nx);
+                ny = lanes_select(_m114, _o115.ny, ny);
+                nz = lanes_select(_m114, _o115.nz, nz);
+                const LANES(hoop_counted_out) _o116 =
                     LANES(hoop_counted)(count_1);
-                count_1 = lanes_select(_m103, _o105.count, count_1);
+                count_1 = lanes_select(_m114, _o116.count, count_1);
             }
-            const LANES(hoop_here_out) _o106 =
+            const LANES(hoop_here_out) _o117 =
                 LANES(hoop_here)(K(2.0), which);
-            here = _o106.here;
-            const M _m107 = lanes_both(rows, here);
+            here = _o117.here;
+            const M _m118 = lanes_both(rows, here);
             {
-                const LANES(hoop_bridge_normal_out) _o108 =
+                const LANES(hoop_bridge_normal_out) _o119 =
                     LANES(hoop_bridge_normal)();
-                nx = lanes_select(_m107, _o108.nx, nx);
-                ny = lanes_select(_m107, _o108.ny, ny);
-                nz = lanes_select(_m107, _o108.nz, nz);
-                const LANES(hoop_counted_out) _o109 =
+                nx = lanes_select(_m118, _o119.nx, nx);
+                ny = lanes_select(_m118, _o119.ny, ny);
+                nz = lanes_select(_m118, _o119.nz, nz);
+                const LANES(hoop_counted_out) _o120 =
                     LANES(hoop_counted)(count_2);
-                count_2 = lanes_select(_m107, _o109.count, count_2);
+                count_2 = lanes_select(_m118, _o120.count, count_2);
             }
-            const LANES(hoop_elsewhere_out) _o110 =
+            const LANES(hoop_elsewhere_out) _o121 =
                 LANES(hoop_elsewhere)();
-            V curving = _o110.curving;
-            const LANES(hoop_again_out) _o111 =
+            V curving = _o121.curving;
+            const LANES(hoop_again_out) _o122 =
                 LANES(hoop_again)(K(0.0), last, which);
-            M again = _o111.again;
-            const M _m112 = lanes_both(rows, again);
+            M again = _o122.again;
+            const M _m123 = lanes_both(rows, again);
             {
-                const LANES(hoop_ring_curvature_out) _o113 =
+                const LANES(hoop_ring_curvature_out) _o124 =
                     LANES(hoop_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius, _q10);
-                curving = lanes_select(_m112, _o113.curvature, curving);
+                curving = lanes_select(_m123, _o124.curvature, curving);
             }
-            const LANES(hoop_again_out) _o114 =
+            const LANES(hoop_again_out) _o125 =
                 LANES(hoop_again)(K(1.0), last, which);
-            again = _o114.again;
-            const M _m115 = lanes_both(rows, again);
+            again = _o125.again;
+            const M _m126 = lanes_both(rows, again);
             {
-                const LANES(hoop_backboard_curvature_out) _o116 =
+                const LANES(hoop_backboard_curvature_out) _o127 =
                     LANES(hoop_backboard_curvature)();
-                curving = lanes_select(_m115, _o116.curvature, curving);
+                curving = lanes_select(_m126, _o127.curvature, curving);
             }
-            const LANES(hoop_again_out) _o117 =
+            const LANES(hoop_again_out) _o128 =
                 LANES(hoop_again)(K(2.0), last, which);
-            again = _o117.again;
-            const M _m118 = lanes_both(rows, again);
+            again = _o128.again;
+            const M _m129 = lanes_both(rows, again);
             {
-                const LANES(hoop_bridge_curvature_out) _o119 =
+                const LANES(hoop_bridge_curvature_out) _o130 =
                     LANES(hoop_bridge_curvature)();
-                curving = lanes_select(_m118, _o119.curvature, curving);
+                curving = lanes_select(_m129, _o130.curvature, curving);
             }
-            const LANES(hoop_carry_flight_out) _o120 =
+            const LANES(hoop_carry_flight_out) _o131 =
                 LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-            dx = _o120.dx;
-            dy = _o120.dy;
-            dz = _o120.dz;
-            dvx = _o120.dvx;
-            dvy = _o120.dvy;
-            dvz = _o120.dvz;
-            V delay = _o120.delay;
-            V shift = _o120.shift;
-            const LANES(hoop_delayed_out) _o121 =
+            dx = _o131.dx;
+            dy = _o131.dy;
+            dz = _o131.dz;
+            dvx = _o131.dvx;
+            dvy = _o131.dvy;
+            dvz = _o131.dvz;
+            V delay = _o131.delay;
+            V shift = _o131.shift;
+            const LANES(hoop_delayed_out) _o132 =
                 LANES(hoop_delayed)(clock_error, delay);
-            clock_error = _o121.clock_error;
-            const M _m122 = lanes_both(rows, ends);
+            clock_error = _o132.clock_error;
+            const M _m133 = lanes_both(rows, ends);
             {
-                const LANES(hoop_floored_out) _o123 =
+                const LANES(hoop_floored_out) _o134 =
                     LANES(hoop_floored)(dx, dy, dz, shift);
-                dx = lanes_select(_m122, _o123.dx, dx);
-                dy = lanes_select(_m122, _o123.dy, dy);
-                dz = lanes_select(_m122, _o123.dz, dz);
+                dx = lanes_select(_m133, _o134.dx, dx);
+                dy = lanes_select(_m133, _o134.dy, dy);
+                dz = lanes_select(_m133, _o134.dz, dz);
             }
-            const LANES(hoop_unturned_out) _o124 =
+            const LANES(hoop_unturned_out) _o135 =
                 LANES(hoop_unturned)();
-            V dnx = _o124.dnx;
-            V dny = _o124.dny;
-            V dnz = _o124.dnz;
-            V turn = _o124.turn;
-            const LANES(hoop_here_out) _o125 =
+            V dnx = _o135.dnx;
+            V dny = _o135.dny;
+            V dnz = _o135.dnz;
+            V turn = _o135.turn;
+            const LANES(hoop_here_out) _o136 =
                 LANES(hoop_here)(K(0.0), which);
-            here = _o125.here;
-            const M _m126 = lanes_both(rows, here);
-            if (lanes_any(_m126)) {
-                const LANES(hoop_ring_carry_normal_out) _o127 =
+            here = _o136.here;
+            const M _m137 = lanes_both(rows, here);
+            if (lanes_any(_m137)) {
+                const LANES(hoop_ring_carry_normal_out) _o138 =
                     LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, _q9, _q10);
-                dnx = lanes_select(_m126, _o127.dnx, dnx);
-                dny = lanes_select(_m126, _o127.dny, dny);
-                dnz = lanes_select(_m126, _o127.dnz, dnz);
-                turn = lanes_select(_m126, _o127.turn, turn);
+                dnx = lanes_select(_m137, _o138.dnx, dnx);
+                dny = lanes_select(_m137, _o138.dny, dny);
+                dnz = lanes_select(_m137, _o138.dnz, dnz);
+                turn = lanes_select(_m137, _o138.turn, turn);
             }
             lanes_store(lists->meeting_clock_error + i, clock_error);
             lanes_store(lists->meeting_count_0 + i, count_0);
@@ -3104,22 +3214,22 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V wx = lanes_load(lists->meeting_touches_wx + i);
             V wy = lanes_load(lists->meeting_touches_wy + i);
             V wz = lanes_load(lists->meeting_touches_wz + i);
-            const LANES(hoop_carry_impact_out) _o128 =
+            const LANES(hoop_carry_impact_out) _o139 =
                 LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution, _q8);
-            dvx = _o128.dvx;
-            dvy = _o128.dvy;
-            dvz = _o128.dvz;
-            dwx = _o128.dwx;
-            dwy = _o128.dwy;
-            dwz = _o128.dwz;
-            const LANES(hoop_impact_out) _o129 =
+            dvx = _o139.dvx;
+            dvy = _o139.dvy;
+            dvz = _o139.dvz;
+            dwx = _o139.dwx;
+            dwy = _o139.dwy;
+            dwz = _o139.dwz;
+            const LANES(hoop_impact_out) _o140 =
                 LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution, _q8);
-            vx = _o129.vx;
-            vy = _o129.vy;
-            vz = _o129.vz;
-            wx = _o129.wx;
-            wy = _o129.wy;
-            wz = _o129.wz;
+            vx = _o140.vx;
+            vy = _o140.vy;
+            vz = _o140.vz;
+            wx = _o140.wx;
+            wy = _o140.wy;
+            wz = _o140.wz;
             lanes_store(lists->meeting_touches_dvx + i, dvx);
             lanes_store(lists->meeting_touches_dvy + i, dvy);
             lanes_store(lists->meeting_touches_dvz + i, dvz);
@@ -3161,34 +3271,34 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V x = lanes_load(lists->meeting_x + i);
             V y = lanes_load(lists->meeting_y + i);
             V z = lanes_load(lists->meeting_z + i);
-            const LANES(hoop_here_out) _o130 =
+            const LANES(hoop_here_out) _o141 =
                 LANES(hoop_here)(K(1.0), which);
-            M here = _o130.here;
-            const M _m131 = lanes_both(rows, here);
+            M here = _o141.here;
+            const M _m142 = lanes_both(rows, here);
             {
-                const LANES(hoop_backboard_place_out) _o132 =
+                const LANES(hoop_backboard_place_out) _o143 =
                     LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                x = lanes_select(_m131, _o132.x, x);
-                y = lanes_select(_m131, _o132.y, y);
-                z = lanes_select(_m131, _o132.z, z);
+                x = lanes_select(_m142, _o143.x, x);
+                y = lanes_select(_m142, _o143.y, y);
+                z = lanes_select(_m142, _o143.z, z);
             }
-            const LANES(hoop_here_out) _o133 =
+            const LANES(hoop_here_out) _o144 =
                 LANES(hoop_here)(K(2.0), which);
-            here = _o133.here;
-            const M _m134 = lanes_both(rows, here);
+            here = _o144.here;
+            const M _m145 = lanes_both(rows, here);
             {
-                const LANES(hoop_bridge_place_out) _o135 =
+                const LANES(hoop_bridge_place_out) _o146 =
                     LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                x = lanes_select(_m134, _o135.x, x);
-                y = lanes_select(_m134, _o135.y, y);
-                z = lanes_select(_m134, _o135.z, z);
+                x = lanes_select(_m145, _o146.x, x);
+                y = lanes_select(_m145, _o146.y, y);
+                z = lanes_select(_m145, _o146.z, z);
             }
-            const M _m136 = lanes_both(rows, touches);
+            const M _m147 = lanes_both(rows, touches);
             {
-                const LANES(hoop_touched_out) _o137 =
+                const LANES(hoop_touched_out) _o148 =
                     LANES(hoop_touched)(body, first, which);
-                first = lanes_select(_m136, _o137.first, first);
-                last = lanes_select(_m136, _o137.last, last);
+                first = lanes_select(_m147, _o148.first, first);
+                last = lanes_select(_m147, _o148.last, last);
             }
             lanes_store(lists->meeting_first + i, first);
             lanes_store(lists->meeting_last + i, last);
@@ -3225,6 +3335,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         }
         for (size_t i = 0; i < count; i += LANES_WIDTH) {
             const M rows = lanes_first(count - i);
+            V clock = lanes_load(lists->clock + i);
             V clock_error = lanes_load(lists->clock_error + i);
             V dvx = lanes_load(lists->dvx + i);
             V dvy = lanes_load(lists->dvy + i);
@@ -3235,23 +3346,58 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V dx = lanes_load(lists->dx + i);
             V dy = lanes_load(lists->dy + i);
             V dz = lanes_load(lists->dz + i);
+            M limited = lanes_less(K(0.0), lanes_load(lists->limited + i));
             V outcome = lanes_load(lists->outcome + i);
+            const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
             V position_claim = lanes_load(lists->position_claim + i);
             V spin_claim = lanes_load(lists->spin_claim + i);
             V time_claim = lanes_load(lists->time_claim + i);
             V velocity_claim = lanes_load(lists->velocity_claim + i);
-            const LANES(hoop_closing_out) _o138 =
-                LANES(hoop_closing)(claims, outcome);
-            M closed = _o138.closed;
-            const M _m139 = lanes_both(rows, closed);
-            {
-                const LANES(hoop_claimed_errors_out) _o140 =
-                    LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m139, _o140.position_error, position_claim);
-                velocity_claim = lanes_select(_m139, _o140.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m139, _o140.spin_error, spin_claim);
-                time_claim = lanes_select(_m139, _o140.time_error, time_claim);
+            V vx = lanes_load(lists->vx + i);
+            V vy = lanes_load(lists->vy + i);
+            V vz = lanes_load(lists->vz + i);
+            V when = lanes_load(lists->when + i);
+            V which = lanes_load(lists->which + i);
+            V x = lanes_load(lists->x + i);
+            V y = lanes_load(lists->y + i);
+            V z = lanes_load(lists->z + i);
+            const M _m149 = lanes_both(rows, limited);
+            if (lanes_any(_m149)) {
+                const LANES(hoop_timed_out) _o150 =
+                    LANES(hoop_timed)(claims, K(4.0), which);
+                M timed = _o150.timed;
+                const M _m151 = lanes_both(_m149, timed);
+                if (lanes_any(_m151)) {
+                    const LANES(hoop_carry_time_out) _o152 =
+                        LANES(hoop_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
+                    dx = lanes_select(_m151, _o152.dx, dx);
+                    dy = lanes_select(_m151, _o152.dy, dy);
+                    dz = lanes_select(_m151, _o152.dz, dz);
+                    dvx = lanes_select(_m151, _o152.dvx, dvx);
+                    dvy = lanes_select(_m151, _o152.dvy, dvy);
+                    dvz = lanes_select(_m151, _o152.dvz, dvz);
+                    clock_error = lanes_select(_m151, _o152.clock_error, clock_error);
+                }
             }
+            const LANES(hoop_closing_out) _o153 =
+                LANES(hoop_closing)(claims, outcome);
+            M closed = _o153.closed;
+            const M _m154 = lanes_both(rows, closed);
+            {
+                const LANES(hoop_claimed_errors_out) _o155 =
+                    LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                position_claim = lanes_select(_m154, _o155.position_error, position_claim);
+                velocity_claim = lanes_select(_m154, _o155.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m154, _o155.spin_error, spin_claim);
+                time_claim = lanes_select(_m154, _o155.time_error, time_claim);
+            }
+            lanes_store(lists->clock_error + i, clock_error);
+            lanes_store(lists->dvx + i, dvx);
+            lanes_store(lists->dvy + i, dvy);
+            lanes_store(lists->dvz + i, dvz);
+            lanes_store(lists->dx + i, dx);
+            lanes_store(lists->dy + i, dy);
+            lanes_store(lists->dz + i, dz);
             lanes_store(lists->position_claim + i, position_claim);
             lanes_store(lists->spin_claim + i, spin_claim);
             lanes_store(lists->time_claim + i, time_claim);

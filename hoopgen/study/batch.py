@@ -31,7 +31,7 @@ from .chunks import check_workers, opened, run, written
 from .columns import Column, variable_of
 from .flights import Flights
 from .frames import sourced
-from .measures import MEASURES
+from .measures import ENDED, MEASURES
 from .named import named
 from .origin import settle
 from .reasons import reasons
@@ -175,7 +175,7 @@ def batch(
                     write(results.table(work.read.popleft(), chunk, schema))
                 table.check_unchanged(stamp)  # its own columns were read until now
             folder.remove()
-        counts = {o.name.lower(): int(results.outcomes[o]) for o in Outcome}
+        counts = {o.name.lower(): int(results.outcomes[o]) for o in ENDED}
         told = ", ".join(f"{column.name} as {name}" for name, column in columns.items())
         return Batch(
             counts,
