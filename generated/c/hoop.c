@@ -84,60 +84,11 @@ typedef struct {
 #define LANES_INLINE static inline
 #endif
 
-/* How many bits are set, and which is the lowest; without GCC or Clang there is one lane. */
-#if defined(__GNUC__)
-#define LANES_POPULATION(bits) __builtin_popcount(bits)
-#define LANES_LOWEST(bits) __builtin_ctz(bits)
-#else
-#define LANES_POPULATION(bits) ((bits) & 1U)
-#define LANES_LOWEST(bits) 0
-#endif
-
 /* Shots in flight at once: what the stages read and write of them stays in the nearest caches. */
 #define LANES_SHOTS 128
 
 /* Idle lanes for which the next shots are fetched. */
 #define LANES_SPARE (LANES_WIDTH < 4 ? 1 : LANES_WIDTH / 4)
-
-#if defined(__GNUC__) && defined(__x86_64__)
-/* Which halves of four doubles go where, by the mask of those that are packed, or are filled. */
-static const uint8_t PACKED[16][8] = {
-    {0, 1, 0, 1, 0, 1, 0, 1},
-    {0, 1, 0, 1, 0, 1, 0, 1},
-    {2, 3, 0, 1, 0, 1, 0, 1},
-    {0, 1, 2, 3, 0, 1, 0, 1},
-    {4, 5, 0, 1, 0, 1, 0, 1},
-    {0, 1, 4, 5, 0, 1, 0, 1},
-    {2, 3, 4, 5, 0, 1, 0, 1},
-    {0, 1, 2, 3, 4, 5, 0, 1},
-    {6, 7, 0, 1, 0, 1, 0, 1},
-    {0, 1, 6, 7, 0, 1, 0, 1},
-    {2, 3, 6, 7, 0, 1, 0, 1},
-    {0, 1, 2, 3, 6, 7, 0, 1},
-    {4, 5, 6, 7, 0, 1, 0, 1},
-    {0, 1, 4, 5, 6, 7, 0, 1},
-    {2, 3, 4, 5, 6, 7, 0, 1},
-    {0, 1, 2, 3, 4, 5, 6, 7},
-};
-static const uint8_t EXPANDED[16][8] = {
-    {0, 1, 0, 1, 0, 1, 0, 1},
-    {0, 1, 0, 1, 0, 1, 0, 1},
-    {0, 1, 0, 1, 0, 1, 0, 1},
-    {0, 1, 2, 3, 0, 1, 0, 1},
-    {0, 1, 0, 1, 0, 1, 0, 1},
-    {0, 1, 0, 1, 2, 3, 0, 1},
-    {0, 1, 0, 1, 2, 3, 0, 1},
-    {0, 1, 2, 3, 4, 5, 0, 1},
-    {0, 1, 0, 1, 0, 1, 0, 1},
-    {0, 1, 0, 1, 0, 1, 2, 3},
-    {0, 1, 0, 1, 0, 1, 2, 3},
-    {0, 1, 2, 3, 0, 1, 4, 5},
-    {0, 1, 0, 1, 0, 1, 2, 3},
-    {0, 1, 0, 1, 2, 3, 4, 5},
-    {0, 1, 0, 1, 2, 3, 4, 5},
-    {0, 1, 2, 3, 4, 5, 6, 7},
-};
-#endif
 
 #if HOOP_WIDEST >= 4
 #define LANES_WIDTH 4

@@ -476,7 +476,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
 
         /* A new shot is looked at once. */
         for (size_t i = fresh; i < count; i += LANES_WIDTH) {
-            const M rows = lanes_first(count - i);
             const V _q0 = lanes_load(lists->_q0 + (i & varying));
             const V _q1 = lanes_load(lists->_q1 + (i & varying));
             const V _q10 = lanes_load(lists->_q10 + (i & varying));
@@ -1068,7 +1067,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
             }
         }
         for (size_t i = 0; i < open_count; i += LANES_WIDTH) {
-            const M rows = lanes_first(open_count - i);
             const V _q3 = lanes_load(varying ? lists->open__q3 + i : lists->_q3);
             V arrival = lanes_load(lists->open_arrival + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
@@ -1939,7 +1937,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
 
         /* A new shot is looked at once. */
         for (size_t i = fresh; i < count; i += LANES_WIDTH) {
-            const M rows = lanes_first(count - i);
             const V _q0 = lanes_load(lists->_q0 + (i & varying));
             const V _q1 = lanes_load(lists->_q1 + (i & varying));
             const V _q10 = lanes_load(lists->_q10 + (i & varying));
@@ -2681,7 +2678,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             }
         }
         for (size_t i = 0; i < open_count; i += LANES_WIDTH) {
-            const M rows = lanes_first(open_count - i);
             const V _q12 = lanes_load(varying ? lists->open__q12 + i : lists->_q12);
             const V _q22 = lanes_load(varying ? lists->open__q22 + i : lists->_q22);
             const V _q23 = lanes_load(varying ? lists->open__q23 + i : lists->_q23);
@@ -3190,7 +3186,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             }
         }
         for (size_t i = 0; i < meeting_touches_count; i += LANES_WIDTH) {
-            const M rows = lanes_first(meeting_touches_count - i);
             const V _q8 = lanes_load(varying ? lists->meeting_touches__q8 + i : lists->_q8);
             V contacts = lanes_load(lists->meeting_touches_contacts + i);
             V dnx = lanes_load(lists->meeting_touches_dnx + i);

@@ -8,6 +8,57 @@
    own comparisons, selections, roots, maxima and minima are asked for by name; the rest is operators,
    which GCC and Clang have for their vectors. */
 
+#ifndef LANES_POPULATION
+/* How many bits are set, and which is the lowest; without GCC or Clang there is one lane. */
+#if defined(__GNUC__)
+#define LANES_POPULATION(bits) __builtin_popcount(bits)
+#define LANES_LOWEST(bits) __builtin_ctz(bits)
+#else
+#define LANES_POPULATION(bits) ((bits) & 1U)
+#define LANES_LOWEST(bits) 0
+#endif
+
+#if defined(__GNUC__) && defined(__x86_64__)
+/* Which halves of four doubles go where, by the mask of those that are packed, or are filled. */
+static const uint8_t PACKED[16][8] = {
+    {0, 1, 0, 1, 0, 1, 0, 1},
+    {0, 1, 0, 1, 0, 1, 0, 1},
+    {2, 3, 0, 1, 0, 1, 0, 1},
+    {0, 1, 2, 3, 0, 1, 0, 1},
+    {4, 5, 0, 1, 0, 1, 0, 1},
+    {0, 1, 4, 5, 0, 1, 0, 1},
+    {2, 3, 4, 5, 0, 1, 0, 1},
+    {0, 1, 2, 3, 4, 5, 0, 1},
+    {6, 7, 0, 1, 0, 1, 0, 1},
+    {0, 1, 6, 7, 0, 1, 0, 1},
+    {2, 3, 6, 7, 0, 1, 0, 1},
+    {0, 1, 2, 3, 6, 7, 0, 1},
+    {4, 5, 6, 7, 0, 1, 0, 1},
+    {0, 1, 4, 5, 6, 7, 0, 1},
+    {2, 3, 4, 5, 6, 7, 0, 1},
+    {0, 1, 2, 3, 4, 5, 6, 7},
+};
+static const uint8_t EXPANDED[16][8] = {
+    {0, 1, 0, 1, 0, 1, 0, 1},
+    {0, 1, 0, 1, 0, 1, 0, 1},
+    {0, 1, 0, 1, 0, 1, 0, 1},
+    {0, 1, 2, 3, 0, 1, 0, 1},
+    {0, 1, 0, 1, 0, 1, 0, 1},
+    {0, 1, 0, 1, 2, 3, 0, 1},
+    {0, 1, 0, 1, 2, 3, 0, 1},
+    {0, 1, 2, 3, 4, 5, 0, 1},
+    {0, 1, 0, 1, 0, 1, 0, 1},
+    {0, 1, 0, 1, 0, 1, 2, 3},
+    {0, 1, 0, 1, 0, 1, 2, 3},
+    {0, 1, 2, 3, 0, 1, 4, 5},
+    {0, 1, 0, 1, 0, 1, 2, 3},
+    {0, 1, 0, 1, 2, 3, 4, 5},
+    {0, 1, 0, 1, 2, 3, 4, 5},
+    {0, 1, 2, 3, 4, 5, 6, 7},
+};
+#endif
+#endif
+
 #define V LANES(vector)
 #define M LANES(mask)
 #define lanes_all LANES(all)

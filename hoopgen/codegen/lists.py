@@ -99,14 +99,6 @@ class CLists(CLoop):
             return True
         return any(isinstance(n, Repeat) for n in walk(node.body)) or self._cost(node) > LISTED
 
-    def _takes(self, node: Guard | Repeat, later: set[str]) -> list[str]:
-        return sorted({*scope(node, later).takes, *self._extra(node.body)})
-
-    def _extra(self, nodes: Iterable[Node]) -> set[str]:
-        """Return what the functions of the kernels take beside their arguments."""
-        kernels = (node.kernel.name for node in walk(nodes) if isinstance(node, Do))
-        return {name for kernel in kernels for name in self.given.get(kernel, ())}
-
     def _cost(self, node: Guard | Repeat) -> int:
         return sum(self.costs[n.kernel.name] for n in walk(node.body) if isinstance(n, Do))
 
@@ -121,16 +113,16 @@ class CLists(CLoop):
         """Print nodes for every row of a list; pack those that go on to a body of their own."""
         written = writes(nodes)
         stored = {name: written[name] for name in sorted(written) if name in later}
-        takes = self._takes(cut, later) if cut else ()
+        takes = scope(cut, later).takes if cut else ()
         wanted = set(stored) | set(takes) | ({cut.truth} if cut else set())
         wanted |= note.reads - set(written) if note else set()
-        need = live_before(nodes, wanted) | self._extra(nodes)
+        need = live_before(nodes, wanted)
         own = Frame(f"{frame.prefix}{cut.truth}_" if cut else "", {})
         line = self.lines.append
         if cut:
             line(f"size_t {own.count} = 0;")
         line(f"for (size_t i = {frame.first}; i < {frame.count}; i += LANES_WIDTH) {{")
-        line(f"    const M rows = lanes_first({frame.count} - i);")
+        first = len(self.lines)
         if self.beside:
             line(f"    {self.beside}")
             self.beside = ""
@@ -155,6 +147,8 @@ class CLists(CLoop):
         if cut:
             self._pack(cut, own, takes, known)
         line("}")
+        if any("rows" in text for text in self.lines[first:]):
+            self.lines.insert(first, f"    const M rows = lanes_first({frame.count} - i);")
         return own
 
     def _noted(
@@ -218,7 +212,7 @@ class CLists(CLoop):
     def _turns(self, node: Repeat, frame: Frame, own: Frame, later: set[str]) -> None:
         """Print a body that repeats, the lanes that are done given the next shots of the list."""
         scoped = scope(node, later)
-        parameters = [name for name in self._takes(node, later) if name in self.parameters]
+        parameters = [name for name in scoped.takes if name in self.parameters]
         line = self.lines.append
         line("{")
         line("    size_t taken = 0, busy = 0;")

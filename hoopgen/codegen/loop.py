@@ -68,8 +68,6 @@ class _Printer:
     spelling: Spelling
     lines: list[str] = field(default_factory=list)
     counter: int = 0
-    given: Mapping[str, Sequence[str]] = field(default_factory=dict)
-    """By kernel, what its function takes beside the kernel's arguments."""
 
     def fresh(self, letter: str) -> str:
         """Return a name that is not in use."""
@@ -141,8 +139,7 @@ class CLoop(_Printer):
         self, node: Do, known: dict[str, bool], outer: set[str], mask: str, indent: str
     ) -> None:
         name = f"LANES({self.prefix}_{node.kernel.name})"
-        extra = self.given.get(node.kernel.name, ())
-        given = ", ".join((*(self._value(value) for value in node.arguments), *extra))
+        given = ", ".join(self._value(value) for value in node.arguments)
         result = self.fresh("o")
         self.lines.append(f"{indent}const LANES({self.prefix}_{node.kernel.name}_out) {result} =")
         self.lines.append(f"{indent}    {name}({given});")

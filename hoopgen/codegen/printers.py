@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 from .program import Program
@@ -117,27 +116,13 @@ def _negative(spelling: Spelling) -> str:
     return f"{opening}(-{rest}" if bracket else f"(-{spelling.infinity})"
 
 
-def print_program(
-    program: Program, spelling: Spelling, given: Mapping[int, str] | None = None
-) -> Body:
-    """Return the statements and output expressions of a program in one target's spelling.
-
-    Parameters
-    ----------
-    given
-        Operations that are not done, by index: the names of what holds their results.
-    """
-    given = given or {}
-    needed = _needed(program, given)
+def print_program(program: Program, spelling: Spelling) -> Body:
+    """Return the statements and output expressions of a program in one target's spelling."""
     named = program.named()
     text: list[str] = []
     statements: list[str] = []
     for index, operation in enumerate(program.operations):
-        if index in given:
-            text.append(given[index])
-        elif index not in needed:
-            text.append("")
-        elif operation.name in ("argument", "truth"):
+        if operation.name in ("argument", "truth"):
             text.append(operation.symbol)
         elif operation.name == "constant":
             text.append(constant(operation.value, spelling))
@@ -153,15 +138,6 @@ def print_program(
                 value = name
             text.append(value)
     return Body(statements, [_bare(text[output]) for output in program.outputs])
-
-
-def _needed(program: Program, given: Mapping[int, str]) -> set[int]:
-    """Return the operations that are still to be done, and their operands."""
-    needed = set(program.outputs)
-    for index in reversed(range(len(program.operations))):
-        if index in needed and index not in given:
-            needed.update(program.operations[index].operands)
-    return needed
 
 
 def _bare(text: str) -> str:

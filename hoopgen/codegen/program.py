@@ -102,10 +102,7 @@ class Program:
         return Counter(part for several in parts for part in several)
 
     def _add(self, name: str, *operands: int, symbol: str = "", value: float = 0.0) -> int:
-        return self.append(Operation(name, operands, symbol, value))
-
-    def append(self, operation: Operation) -> int:
-        """Append an operation, if it is not there yet, and return its index."""
+        operation = Operation(name, operands, symbol, value)
         if operation not in self._index:
             self._index[operation] = len(self.operations)
             self.operations.append(operation)

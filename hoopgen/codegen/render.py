@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import hashlib
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from importlib import resources
 from importlib.metadata import version
 from pathlib import Path, PurePosixPath
@@ -28,7 +28,6 @@ from .loop import local, weighted
 from .names import FILTERS, identifier
 from .printers import JS, NUMPY, Body, C, constant, print_program
 from .program import Program, lower
-from .shared import Shared, shared
 from .view import loop_view
 
 OUTPUTS = {
@@ -130,14 +129,6 @@ def _kernel_view(program: Program) -> KernelView:
     )
 
 
-def in_loop(view: KernelView, program: Program, of_parameters: Shared) -> KernelView:
-    """Return a kernel's view in the library: what depends on the parameters alone is given."""
-    name = program.kernel.name
-    extra = [f"V {each}" for each in of_parameters.extra(name)]
-    body = print_program(program, C, of_parameters.given[name])
-    return replace(view, c=body, c_arguments=[*view.c_arguments, *extra])
-
-
 def derivation_hash(programs: list[Program]) -> str:
     """Return a hash of what the programs compute, the same on every machine."""
     lines = [
@@ -197,11 +188,9 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
     views = {p.kernel.name: _kernel_view(p) for p in programs}
     derivation = derivation_hash(programs)
     costs = {p.kernel.name: weighted(p.cost) for p in programs}
-    called = [p for p in programs if p.kernel.name in model.loop.called]
-    of_parameters = shared(called, [identifier(symbol) for symbol in scene.symbols])
     loops = [
-        loop_view(scene.name, costs, model.loop.plain(), False, of_parameters),
-        loop_view(scene.name, costs, model.loop, True, of_parameters),
+        loop_view(scene.name, costs, model.loop.plain(), bounds=False),
+        loop_view(scene.name, costs, model.loop, bounds=True),
     ]
     environment = _environment()
     context: dict[str, Any] = {
@@ -210,17 +199,16 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
         "kernels": list(views.values()),
         "state": tuple(symbol.name for symbol in STATE),
         "loops": loops,
-        "shared": of_parameters,
         "outcomes": meanings(scene.ends),
         "results": [ResultView(r) for r in model.results],
     }
     files = {}
     # The library in C is for its engine; the others are read, tested and called by studies.
-    in_c = [in_loop(views[p.kernel.name], p, of_parameters) for p in called]
+    called = [view for view in views.values() if view.name in model.loop.called]
     for template, target in OUTPUTS.items():
         own: dict[str, Any] = {"stamp": _stamp(template, scene.name, derivation)}
         if template.startswith("c/"):
-            own |= {"kernels": in_c}
+            own |= {"kernels": called}
         if template == PAGE:
             if not page:
                 continue

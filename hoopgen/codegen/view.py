@@ -13,7 +13,6 @@ from hoopgen.derive.ground.tree import Node, live_before, needed, reads, writes
 from .lists import CLists, Frame, Note
 from .loop import CLoop, NumPyLoop, local
 from .printers import NUMPY, C
-from .shared import Shared
 
 STATE_NAMES = tuple(symbol.name for symbol in STATE)
 
@@ -47,10 +46,8 @@ class LoopView:
     columns: dict[str, tuple[list[str], dict[str, str]]]
 
 
-def loop_view(
-    prefix: str, costs: Mapping[str, int], loop: Loop, bounds: bool, given: Shared
-) -> LoopView:
-    """Return the loop, printed; in C with what the kernels are given beside their arguments."""
+def loop_view(prefix: str, costs: Mapping[str, int], loop: Loop, bounds: bool) -> LoopView:
+    """Return the loop, printed."""
     names = [field.name for field in loop.fields]
     available = {*names, *loop.parameters, *loop.job}
     stages = _after(loop, names)
@@ -58,7 +55,7 @@ def loop_view(
         "bounded" if bounds else "plain",
         bounds,
         loop.fields,
-        *_in_c(prefix, costs, loop, stages, given),
+        *_in_c(prefix, costs, loop, stages),
         {},
         {},
     )
@@ -75,16 +72,14 @@ def loop_view(
 
 
 def _in_c(
-    prefix: str, costs: Mapping[str, int], loop: Loop, stages: Mapping[str, Stage], shared: Shared
+    prefix: str, costs: Mapping[str, int], loop: Loop, stages: Mapping[str, Stage]
 ) -> tuple[dict[str, list[str]], list[str]]:
     """Return the lines of C, and the columns that they need beside the fields."""
     fields = dict.fromkeys((field.name for field in loop.fields), False)
-    parameters = (*loop.parameters, *shared.names)
-    extra = {kernel: shared.extra(kernel) for kernel in shared.given}
-    permit = CLoop(prefix, costs, C, given=extra)
-    permit.stage(stages["permit"][0], dict.fromkeys(parameters, False), "", {"permitted"})
-    admit = CLists(prefix, costs, C, given=extra, parameters=parameters, job=loop.job)
-    given = ", ".join(parameters)
+    permit = CLoop(prefix, costs, C)
+    permit.stage(stages["permit"][0], dict.fromkeys(loop.parameters, False), "", {"permitted"})
+    admit = CLists(prefix, costs, C, parameters=loop.parameters, job=loop.job)
+    given = ", ".join(loop.parameters)
     permitted = Note(
         0,
         (
@@ -92,7 +87,7 @@ def _in_c(
             "if (varying)",
             f"    permitted = LANES({prefix}_permit)({given});",
         ),
-        frozenset(parameters),
+        frozenset(loop.parameters),
         {"permitted": True},
     )
     admit.passes(stages["admit"][0], Frame("", dict(fields), "fresh"), fields, permitted)
@@ -112,8 +107,7 @@ def _in_c(
         costs,
         C,
         counter=admit.counter,
-        given=extra,
-        parameters=parameters,
+        parameters=loop.parameters,
         job=loop.job,
     )
     follow.beside = f"LANES({prefix}_ahead)(job, begun + i);"
