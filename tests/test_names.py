@@ -44,7 +44,7 @@ from scenes.table import TABLE
 
 from hoopgen.codegen import names, render
 from hoopgen.engine import native, numpy_backend
-from hoopgen.engine.raw import BOUNDS, FIELDS, Raw, allocate, allocate_events
+from hoopgen.engine.raw import Layout, Raw
 
 pytestmark = pytest.mark.xdist_group("names")
 
@@ -73,9 +73,10 @@ class Engines:
         """Simulate the same shots on both, the parameters in their order."""
         parameters = [default for default, _, _ in self.module.PARAMETERS.values()]
         states, results = shots(), []
+        layout = Layout(self.module)
         for run in (self._numpy, self._c):
-            out = allocate(len(states), 1, (*FIELDS, *BOUNDS))
-            out = out.joined(allocate_events(len(states), CONTACTS))
+            out = layout.allocate(len(states), layout.results)
+            out = out.joined(layout.allocate_events(len(states), CONTACTS))
             run(states, parameters, out)
             results.append(out)
         return results[0], results[1]
@@ -108,7 +109,7 @@ def made(scene: Scene, folder: Path) -> Engines:
     width = f"-D{scene.name.upper()}_WIDEST=1"
     library = shared_library(source, *WARNINGS, "-O0", width)
     module = load_module(folder / "numpy" / f"{scene.name}.py")
-    return Engines(module, native.Library(library, scene.name))
+    return Engines(module, native.Library(library, module))
 
 
 @pytest.fixture(scope="module")
@@ -122,7 +123,7 @@ def tame(tmp_path_factory: pytest.TempPathFactory) -> Raw:
 
 def assert_same(left: Raw, right: Raw) -> None:
     """Check that results are the same bits."""
-    for name in (*FIELDS, *BOUNDS, "event_counts"):
+    for name in left.arrays.keys() - {"events"}:
         assert same_bits(getattr(left, name), getattr(right, name)).all(), name
 
 

@@ -132,7 +132,7 @@ def run(
         out.event_counts[:] = 0
     claimed = out.time_error is not None or out.state_error is not None
     job = {"most_contacts": float(max_contacts), "claims": float(claimed)}
-    flights = Flights(kernels, out.certified, job)
+    flights = Flights(kernels, bounded(kernels, out), job)
     begun = 0
     with np.errstate(all="ignore"):
         while not stopped():
@@ -147,6 +147,11 @@ def run(
                     continue
                 return
             flights.advance(out)
+
+
+def bounded(kernels: ModuleType, out: Raw) -> bool:
+    """Return whether anything that bounds errors is wanted."""
+    return any(r.bounds and getattr(out, r.name) is not None for r in kernels.RESULTS)
 
 
 def _given(

@@ -16,11 +16,11 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.inputs import check_contacts, check_count, check_leaving, check_states
-from hoopgen.parameters import PAPER, resolve
+from hoopgen.parameters import resolve
 from hoopgen.results import Outcome
+from hoopgen.scene.definition import definition, table_of, usual_contacts
 
 from .certificate import UNDECIDED, Certificate, Proof, ProvedEvent, doubles, enclosure
 from .flight import Flown, Undecided, fly
@@ -38,9 +38,10 @@ _FORKS = sys.platform == "linux"
 
 def certify(
     states: ArrayLike,
-    parameters: Mapping[str, Any] = PAPER,
+    parameters: Mapping[str, Any] | None = None,
     *,
-    max_contacts: int = 40,
+    scene: Any = None,
+    max_contacts: int | None = None,
     max_bits: int = MAX_BITS,
     record: bool = False,
     leaving: ArrayLike | None = None,
@@ -55,8 +56,8 @@ def certify(
 
     Parameters
     ----------
-    states, parameters, max_contacts
-        As in `simulate`.
+    states, parameters, scene, max_contacts
+        As in `simulate`. Of a scene, its definition is what counts: nothing is compiled for it.
     max_bits
         Where to give up; at least 128.
     record
@@ -77,11 +78,12 @@ def certify(
         If an argument is not as described; the message says what is.
     """
     releases = check_states(states)
-    values = resolve(parameters, len(releases))
-    left = check_leaving(leaving, len(releases))
-    most = check_contacts(max_contacts)
+    derived = definition(scene)
+    values = resolve(parameters, len(releases), table_of(derived))
+    left = check_leaving(leaving, len(releases), len(derived.bodies))
+    most = usual_contacts(derived) if max_contacts is None else check_contacts(max_contacts)
     bits = check_count("max_bits", max_bits, least=FIRST_BITS)
-    return prove(HOOP, releases, values, left, most, bits, record, processes)
+    return prove(derived, releases, values, left, most, bits, record, processes)
 
 
 def prove(
