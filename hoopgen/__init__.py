@@ -42,6 +42,7 @@ __all__ = [
 _LATER = {
     "simulate": "simulation",
     "compile": "scene.compile",
+    "load_scene": "scene.files",
     "HOOP": "engines",
     "release": "releases",
     "PAPER": "parameters",

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 SURFACES = HOOP.surfaces
-"""The hoop's surfaces, in the order of ``Shots.counts``; the event log numbers the end after them."""
+"""The hoop's, in the order of ``Shots.counts``; the event log numbers the end plane after them."""
 
 
 @dataclass(frozen=True)

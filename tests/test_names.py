@@ -24,7 +24,6 @@ from compiled import (
     load_module,
     needs_compiler,
     same_bits,
-    setup_flags,
     shared_library,
 )
 from hoopgen.derive.contact.rolling import Rolling
@@ -45,6 +44,7 @@ from scenes.table import TABLE
 from hoopgen.codegen import names, render
 from hoopgen.engine import native, numpy_backend
 from hoopgen.engine.raw import Layout, Raw
+from hoopgen.engine.sources import FLAGS
 
 pytestmark = pytest.mark.xdist_group("names")
 
@@ -375,7 +375,7 @@ def test_no_attack_becomes_code(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
     for name, source in files.items():
         (tmp_path / Path(name).name).write_text(source, encoding="utf-8")
     flags = ("-std=c11", "-fsyntax-only", "-DPLANK_WIDEST=1")
-    compiles(*setup_flags(), *WARNINGS, *flags, tmp_path / "plank.c")
+    compiles(*FLAGS, *WARNINGS, *flags, tmp_path / "plank.c")
 
 
 def test_a_page_has_texts_in_their_places(monkeypatch: pytest.MonkeyPatch) -> None:

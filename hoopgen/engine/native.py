@@ -6,7 +6,7 @@ It serves if it was built from the sources that are here, and has given NumPy's 
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
@@ -153,7 +153,7 @@ class Refused:
 
 
 def checked(
-    path: Path, kernels: ModuleType, c_sources: Path, shots: Iterable[Batch]
+    path: Path, kernels: ModuleType, c_sources: Path, shots: Sequence[Batch]
 ) -> Library | Refused:
     """Return the engine of a library that came with hoopgen, or why it cannot be trusted.
 

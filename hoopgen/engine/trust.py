@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from . import arithmetic, numpy_backend, raw
 
-__all__ = ["WIDTHS", "Batch", "batches", "differences", "spread", "trusted", "user_cache"]
+__all__ = ["WIDTHS", "Batch", "batches", "differences", "spread", "trusted", "user_cache", "widths"]
 
 WIDTHS = (1, 4, 8, 16)
 """Vector widths that the source can be built for; which there are depends on the processor."""
@@ -95,7 +95,7 @@ def differences(engine: Engine, kernels: ModuleType, shots: Iterable[Batch]) -> 
         stop = np.zeros(1, np.int32)
         wanted = _room(len(states), layout, every)
         numpy_backend.run(kernels, states, parameters, leaving, MOST, wanted, lambda: False)
-        for width in _widths(engine, kernels):
+        for width in widths(engine, kernels):
             wrong = found.setdefault(width, [])
             # Without `uncertain` another path through the engine is taken.
             for fields in (every, layout.fields[:-1]):
@@ -156,7 +156,7 @@ def _room(shots: int, layout: raw.Layout, fields: Sequence[str]) -> raw.Raw:
     return layout.allocate(shots, fields).joined(layout.allocate_events(shots, MOST))
 
 
-def _widths(engine: Engine, kernels: ModuleType) -> list[int]:
+def widths(engine: Engine, kernels: ModuleType) -> list[int]:
     """Return the widths that this processor and this build have."""
     nothing = np.empty((0, len(kernels.STATE)))
     parameters = [0.0] * len(kernels.PARAMETERS)
@@ -196,7 +196,7 @@ def _key(library: Path, engine: Engine, kernels: ModuleType, shots: Sequence[Bat
     """Return what a stamp says: a digest of all that is compared; "" where it cannot be read."""
     import hashlib  # loads OpenSSL, which importing hoopgen need not
 
-    said = f"NumPy {np.__version__}, widths {_widths(engine, kernels)}"
+    said = f"NumPy {np.__version__}, widths {widths(engine, kernels)}"
     digest = hashlib.sha256(said.encode())
     for states, _, _ in shots:
         digest.update(states.tobytes())
