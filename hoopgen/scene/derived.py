@@ -1,0 +1,145 @@
+"""A scene of one's own for derivation: its sizes as symbols, the ball's radius added to its bodies.
+
+The one file of this room that imports SymPy, with `derive/` and what it stands on.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from hoopgen.derive.contact.law import Law
+from hoopgen.derive.contact.rolling import Rolling
+from hoopgen.derive.ground.choice import largest
+from hoopgen.derive.ground.symbols import POSITION
+from hoopgen.derive.scenes import scene as derive
+from hoopgen.derive.surfaces import Body, Plane, Ring, Sphere, Surface
+
+from .bounds import Bound, Half
+from .formulas import Formula
+from .inputs import wrong
+from .shapes import Read, Shape
+
+if TYPE_CHECKING:
+    from .scene import Scene
+
+__all__ = ["derived"]
+
+Point = tuple[sp.Expr, sp.Expr, sp.Expr]
+
+
+def derived(scene: Scene) -> derive.Scene:
+    """Return a scene for derivation. Its parameters are the scene's inputs, in order.
+
+    Raises
+    ------
+    SceneError
+        If there is no derivation for one of its bodies.
+    """
+    return _Derived(scene.read).scene(scene.axes, scene.remarks)
+
+
+class _Derived:
+    def __init__(self, read: Read) -> None:
+        self._read = read
+        self._parameters = tuple(
+            derive.parameter(i.name, i.unit, i.summary, i.default, i.sign, i.upper, i.latex)
+            for i in read.inputs
+        )
+        self._symbols = {p.name: p.symbol for p in self._parameters}
+        self._requirements: list[sp.Expr] = []
+        self._laws: dict[sp.Expr, Law] = {}
+        self._ball = self._sympy(read.ball_radius)
+
+    def scene(self, axes: str, remarks: str) -> derive.Scene:
+        """Return the scene."""
+        read = self._read
+        bodies = tuple(self._body(shape) for shape in read.bodies)
+        finish, target = self._ends(read.ends)
+        return derive.Scene(
+            name=read.name,
+            parameters=self._parameters,
+            bodies=bodies,
+            finish=finish,
+            target=target,
+            ball_radius=self._ball,
+            gravity=self._sympy(read.gravity),
+            requirements=tuple(dict.fromkeys(self._requirements)),
+            axes=axes,
+            remarks=remarks,
+        )
+
+    def _sympy(self, formula: Formula) -> sp.Expr:
+        return formula.fold(
+            self._symbols, lambda value: sp.Rational(value.numerator, value.denominator), sp.sqrt
+        )
+
+    def _body(self, shape: Shape) -> Body:
+        make: dict[str, Callable[[Shape], tuple[Surface, ...]]] = {
+            "plane": self._plane,
+            "sphere": self._sphere,
+            "torus": self._torus,
+        }
+        if shape.kind not in make:
+            raise wrong(self._read.name, f"body {shape.name}", "", f"no {shape.kind} as yet")
+        return Body(shape.name, make[shape.kind](shape), self._law(shape))
+
+    def _law(self, shape: Shape) -> Law:
+        """Return the law of a body; bodies of one restitution share it."""
+        restitution = self._sympy(shape.restitution)
+        shared = {body.restitution for body in self._read.bodies}
+        name = "impact" if len(shared) == 1 else f"{shape.name}_impact"
+        return self._laws.setdefault(restitution, Rolling(name, restitution))
+
+    def _plane(self, shape: Shape) -> tuple[Surface, ...]:
+        offset = self._sympy(shape["at"]) + self._ball
+        bounds = self._bounds(shape)
+        return (Plane(shape.name, _direction(shape.axis), offset, self._ball, bounds),)
+
+    def _sphere(self, shape: Shape) -> tuple[Surface, ...]:
+        reach = self._sympy(shape["radius"]) + self._ball
+        return (Sphere(shape.name, self._centre(shape), reach, self._bounds(shape)),)
+
+    def _torus(self, shape: Shape) -> tuple[Surface, ...]:
+        radius, reach = self._sympy(shape["radius"]), self._sympy(shape["wire"]) + self._ball
+        self._requirements.append(radius - reach)
+        if any(self._centre(shape)) or shape.axis[0] != 2:
+            raise wrong(self._read.name, f"body {shape.name}", "", "no such torus as yet")
+        return (Ring(shape.name, radius, reach),)
+
+    def _centre(self, shape: Shape) -> Point:
+        sizes = dict(shape.sizes)
+        x, y, z = (
+            self._sympy(sizes[f"centre {axis}"]) if f"centre {axis}" in sizes else sp.Integer(0)
+            for axis in "xyz"
+        )
+        return x, y, z
+
+    def _bounds(self, shape: Shape) -> tuple[sp.Expr, ...]:
+        return tuple(self._bound(bound) for bound in shape.bounds)
+
+    def _bound(self, bound: Bound) -> sp.Expr:
+        if isinstance(bound, Half):
+            parts = (self._sympy(a) * p for a, p in zip(bound.direction, POSITION, strict=True))
+            return sum(parts, self._sympy(bound.offset))
+        away = (
+            (POSITION[axis] - self._sympy(middle)) ** 2
+            for axis, middle in zip(bound.axes, bound.centre, strict=True)
+        )
+        return bound.sign * (sp.sqrt(sum(away)) - self._sympy(bound.radius))
+
+    def _ends(self, ends: tuple[Shape, ...]) -> tuple[Plane, sp.Expr]:
+        same = {(end.axis, end["at"]) for end in ends}
+        if len(ends) != 2 or len(same) != 1 or not ends[0].bounds or ends[1].bounds:
+            raise wrong(self._read.name, "", "ends", "no such ends as yet")
+        first = ends[0]
+        at = self._sympy(first["at"])
+        finish = Plane(first.name, _direction(first.axis), at, sp.Integer(0))
+        return finish, largest(*self._bounds(first))
+
+
+def _direction(axis: tuple[int, int]) -> tuple[int, int, int]:
+    parts = [axis[1] * (k == axis[0]) for k in range(3)]
+    return parts[0], parts[1], parts[2]
