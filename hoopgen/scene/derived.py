@@ -17,7 +17,7 @@ from hoopgen.derive.ground.symbols import POSITION
 from hoopgen.derive.scenes import scene as derive
 from hoopgen.derive.surfaces import Body, Plane, Ring, Sphere, Surface
 
-from .bounds import Bound, Half
+from .bounds import Terms
 from .formulas import Formula
 from .inputs import wrong
 from .shapes import Read, Shape
@@ -118,17 +118,11 @@ class _Derived:
         return x, y, z
 
     def _bounds(self, shape: Shape) -> tuple[sp.Expr, ...]:
-        return tuple(self._bound(bound) for bound in shape.bounds)
+        return tuple(self._polynomial(bound) for bound in shape.bounds)
 
-    def _bound(self, bound: Bound) -> sp.Expr:
-        if isinstance(bound, Half):
-            parts = (self._sympy(a) * p for a, p in zip(bound.direction, POSITION, strict=True))
-            return sum(parts, self._sympy(bound.offset))
-        away = (
-            (POSITION[axis] - self._sympy(middle)) ** 2
-            for axis, middle in zip(bound.axes, bound.centre, strict=True)
-        )
-        return bound.sign * (sp.sqrt(sum(away)) - self._sympy(bound.radius))
+    def _polynomial(self, terms: Terms) -> sp.Expr:
+        x, y, z = POSITION
+        return sp.Add(*(self._sympy(factor) * x**i * y**j * z**k for (i, j, k), factor in terms))
 
     def _ends(self, ends: tuple[Shape, ...]) -> tuple[Plane, sp.Expr]:
         same = {(end.axis, end["at"]) for end in ends}

@@ -10,7 +10,7 @@ from __future__ import annotations
 import ast
 import re
 import sys
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
@@ -20,7 +20,21 @@ import numpy as np
 
 from hoopgen.brief import brief, listed
 
-__all__ = ["POSITION", "Formula", "FormulaError", "constant", "name", "parse", "polynomial", "read"]
+__all__ = [
+    "ONE",
+    "POSITION",
+    "ZERO",
+    "Formula",
+    "FormulaError",
+    "Polynomial",
+    "constant",
+    "name",
+    "parse",
+    "polynomial",
+    "product",
+    "read",
+    "total",
+]
 
 LONGEST = 300
 """Characters of a formula."""
@@ -403,30 +417,38 @@ def polynomial(formula: Formula) -> Polynomial:
         raise FormulaError(f"not polynomial: {formula} divides by x, y or z")
     first, *rest = (polynomial(part) for part in formula.parts)
     if formula.kind == "+":
-        return _sum(first, rest[0])
+        return total([first, *rest])
     if formula.kind == "/":
-        return {powers: part / formula.parts[1] for powers, part in first.items()}
+        return {powers: factor / formula.parts[1] for powers, factor in first.items()}
     if formula.kind == "*":
-        return _times(first, rest[0])
-    product = first
+        return product(first, rest[0])
+    result = first
     for _ in range(int(formula.value) - 1):
-        product = _times(product, first)
-    return product
+        result = product(result, first)
+    return result
 
 
-def _sum(left: Polynomial, right: Polynomial) -> Polynomial:
-    total = dict(left)
-    for powers, part in right.items():
-        total[powers] = total[powers] + part if powers in total else part
-    return {powers: part for powers, part in total.items() if part.number != 0}
+def total(polynomials: Iterable[Polynomial]) -> Polynomial:
+    """Return the sum of polynomials."""
+    found: Polynomial = {}
+    for each in polynomials:
+        for powers, factor in each.items():
+            found[powers] = found[powers] + factor if powers in found else factor
+    return {powers: factor for powers, factor in found.items() if factor != ZERO}
 
 
-def _times(left: Polynomial, right: Polynomial) -> Polynomial:
+def product(left: Polynomial, right: Polynomial) -> Polynomial:
+    """Return the product of two polynomials.
+
+    Raises
+    ------
+    FormulaError
+        If it may have too many terms.
+    """
     if len(left) * len(right) > TERMS:
         raise FormulaError(f"expected a polynomial of at most {TERMS} terms")
-    total: Polynomial = {}
-    for powers, part in left.items():
-        for others, other in right.items():
-            term = (powers[0] + others[0], powers[1] + others[1], powers[2] + others[2])
-            total = _sum(total, {term: part * other})
-    return total
+    return total(
+        {(p[0] + q[0], p[1] + q[1], p[2] + q[2]): factor * other}
+        for p, factor in left.items()
+        for q, other in right.items()
+    )

@@ -10,18 +10,15 @@ from typing import TYPE_CHECKING, Any
 
 from hoopgen.brief import brief, listed
 
-from . import bounds, pieces
-from .bounds import Bound, Map
+from . import pieces
+from .bounds import Map, Terms, bounds, terms
 from .formulas import (
     ONE,
     POSITION,
     ZERO,
     Formula,
-    FormulaError,
-    Polynomial,
     constant,
     name,
-    polynomial,
 )
 from .inputs import Input, Inputs, wrong
 
@@ -70,8 +67,8 @@ class Shape:
     axis: tuple[int, int] = (2, 1)
     inside: bool = False
     restitution: Formula = ZERO
-    bounds: tuple[Bound, ...] = ()
-    condition: tuple[tuple[tuple[int, int, int], Formula], ...] = ()
+    bounds: tuple[Terms, ...] = ()
+    condition: Terms = ()
 
     def __getitem__(self, argument: str) -> Formula:
         return dict(self.sizes)[argument]
@@ -241,7 +238,7 @@ def _body(reader: _Reader, body: pieces.Body, ball: Formula, usual: object) -> S
     elif isinstance(body, pieces.Sphere | pieces.Cylinder):
         shape, there = _curved(reader, owner, body, ball)
     elif isinstance(body, pieces.Torus):
-        shape, there = _torus(reader, owner, body), None
+        shape, there = _torus(reader, owner, body, ball), None
     elif isinstance(body, pieces.Box):
         shape, there = _box(reader, owner, body), None
     elif isinstance(body, pieces.Surface):
@@ -250,7 +247,7 @@ def _body(reader: _Reader, body: pieces.Body, ball: Formula, usual: object) -> S
         raise reader.inputs.wrong(owner, "", f"no such body: {type(body).__name__}")
     if there is None and body.within:
         raise reader.inputs.wrong(owner, "within", f"a {kind} has no bounds")
-    extra = shape.bounds + bounds.made(reader.inputs, owner, body.within, there)
+    extra = shape.bounds + bounds(reader.inputs, owner, body.within, there)
     return Shape(
         body.name, kind, shape.sizes, shape.axis, shape.inside, restitution, extra, shape.condition
     )
@@ -277,7 +274,7 @@ def _curved(
         raise reader.inputs.wrong(owner, "radius", "the ball does not fit inside")
     factor, axis = radius / room, (2, 1)
     across: tuple[int, ...] = (0, 1, 2)
-    extra: tuple[Bound, ...] = ()
+    extra: tuple[Terms, ...] = ()
     if isinstance(body, pieces.Cylinder):
         axis = reader.axis(owner, "axis", body.axis)
         across = tuple(k for k in range(3) if k != axis[0])
@@ -295,28 +292,34 @@ def _curved(
     return made, Map((scale[0], scale[1], scale[2]), (shift[0], shift[1], shift[2]))
 
 
-def _span(reader: _Reader, owner: str, given: object, axis: int) -> tuple[Bound, ...]:
+def _span(reader: _Reader, owner: str, given: object, axis: int) -> tuple[Terms, ...]:
     if isinstance(given, str) or not isinstance(given, Sequence) or len(given) != 2:
         raise reader.inputs.wrong(owner, "span", f"expected two ends, got {brief(given)}")
-    found, ends = [], []
+    found: list[Terms] = []
+    ends: list[float] = []
     for argument, way, end in (("span from", -1, given[0]), ("span to", 1, given[1])):
         if end is None:
             continue
         formula = reader.formula(owner, argument, end)
         ends.append(reader.inputs.number(owner, argument, formula))
-        unit = [constant(way if k == axis else 0) for k in range(3)]
         offset = reader.inputs.add(owner, argument, constant(-way) * formula)
-        found.append(bounds.Half((unit[0], unit[1], unit[2]), offset))
+        powers = tuple(int(k == axis) for k in range(3))
+        found.append((((powers[0], powers[1], powers[2]), constant(way)), ((0, 0, 0), offset)))
     if ends != sorted(ends):
         raise reader.inputs.wrong(owner, "span", f"it ends at {ends[1]:g} before {ends[0]:g}")
     return tuple(found)
 
 
-def _torus(reader: _Reader, owner: str, body: pieces.Torus) -> Shape:
+def _torus(reader: _Reader, owner: str, body: pieces.Torus, ball: Formula) -> Shape:
+    room = [
+        reader.formula(owner, argument, getattr(body, argument)) for argument in ("radius", "wire")
+    ]
     sizes = {
         "radius": reader.size(owner, "radius", body.radius, sign="positive"),
         "wire": reader.size(owner, "wire", body.wire, sign="nonnegative"),
     }
+    if reader.inputs.number(owner, "radius", room[0] - room[1] - ball) <= 0:
+        raise reader.inputs.wrong(owner, "radius", "the ball does not fit through")
     sizes |= reader.add(owner, reader.point(owner, "centre", body.centre))
     return Shape(body.name, "", tuple(sizes.items()), reader.axis(owner, "axis", body.axis))
 
@@ -335,23 +338,13 @@ def _box(reader: _Reader, owner: str, body: pieces.Box) -> Shape:
 
 
 def _surface(reader: _Reader, owner: str, body: pieces.Surface) -> Shape:
-    formula = reader.inputs.read(owner, "condition", body.condition, POSITION)
-    try:
-        terms: Polynomial = polynomial(formula)
-        if not any(map(sum, terms)):
-            raise FormulaError(f"{formula} has none of x, y, z")
-    except FormulaError as error:
-        raise reader.inputs.wrong(owner, "condition", error) from None
-    named = tuple(
-        (powers, part if part.number is not None else reader.inputs.add(owner, f"term {k}", part))
-        for k, (powers, part) in enumerate(sorted(terms.items()))
-    )
-    return Shape(body.name, "", (), condition=named)
+    condition = terms(reader.inputs, owner, "condition", body.condition)
+    return Shape(body.name, "", (), condition=condition)
 
 
 def _end(reader: _Reader, own: str, end: pieces.End) -> Shape:
     owner = f"end {own}"
     axis = reader.axis(owner, "axis", end.axis)
     sizes = (("at", reader.size(owner, "at", end.at)),)
-    found = bounds.made(reader.inputs, owner, end.within)
+    found = bounds(reader.inputs, owner, end.within)
     return Shape(own, "end", sizes, axis, bounds=found)
