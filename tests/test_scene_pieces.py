@@ -57,7 +57,7 @@ def test_a_size_is_a_parameter_or_an_input_of_its_own() -> None:
     """Numbers and formulas are computed before a shot; one that is there already is shared."""
     made = scene(
         Sphere("stone", radius="width/3", centre=(0.5, "-width", 0)),
-        Sphere("twin", radius="width / 3", centre=("width", 0.5, 0)),
+        Sphere("twin", radius="width / 3", centre=("width", "-width", 0.5)),
     )
     inputs = by_name(made)
     assert list(inputs)[:3] == ["ball", "width", "e"]
@@ -65,6 +65,7 @@ def test_a_size_is_a_parameter_or_an_input_of_its_own() -> None:
         "stone_radius",
         "stone_centre_x",
         "stone_centre_y",
+        "twin_centre_z",
     ]
     assert [name for name, i in inputs.items() if i.own] == ["ball", "width", "e"]
     assert inputs["stone_radius"].default == 0.5
@@ -72,7 +73,7 @@ def test_a_size_is_a_parameter_or_an_input_of_its_own() -> None:
     assert str(stone["centre z"]) == "0"
     assert stone["radius"] == twin["radius"]
     assert str(twin["centre x"]) == "width"
-    assert str(twin["centre y"]) == "stone_centre_x"
+    assert twin["centre y"] == stone["centre y"]
 
 
 def test_the_values_are_those_of_the_shots_parameters() -> None:

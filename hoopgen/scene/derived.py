@@ -15,7 +15,7 @@ from hoopgen.derive.contact.rolling import Rolling
 from hoopgen.derive.ground.choice import largest
 from hoopgen.derive.ground.symbols import POSITION
 from hoopgen.derive.scenes import scene as derive
-from hoopgen.derive.surfaces import Body, Plane, Ring, Sphere, Surface
+from hoopgen.derive.surfaces import Body, Cylinder, Free, Plane, Sphere, Surface, torus
 
 from .bounds import Terms
 from .formulas import Formula
@@ -80,7 +80,9 @@ class _Derived:
         make: dict[str, Callable[[Shape], tuple[Surface, ...]]] = {
             "plane": self._plane,
             "sphere": self._sphere,
+            "cylinder": self._cylinder,
             "torus": self._torus,
+            "surface": self._surface,
         }
         if shape.kind not in make:
             raise wrong(self._read.name, f"body {shape.name}", "", f"no {shape.kind} as yet")
@@ -99,15 +101,30 @@ class _Derived:
         return (Plane(shape.name, _direction(shape.axis), offset, self._ball, bounds),)
 
     def _sphere(self, shape: Shape) -> tuple[Surface, ...]:
-        reach = self._sympy(shape["radius"]) + self._ball
-        return (Sphere(shape.name, self._centre(shape), reach, self._bounds(shape)),)
+        bounds, radius, shell = self._curved(shape)
+        return (Sphere(shape.name, self._centre(shape), radius, bounds, shape.inside, shell),)
+
+    def _cylinder(self, shape: Shape) -> tuple[Surface, ...]:
+        bounds, radius, shell = self._curved(shape)
+        centre, direction = self._centre(shape), _direction(shape.axis)
+        return (Cylinder(shape.name, centre, direction, radius, bounds, shape.inside, shell),)
+
+    def _curved(self, shape: Shape) -> tuple[tuple[sp.Expr, ...], sp.Expr, sp.Expr | None]:
+        """Return bounds, radius with or without the ball, and how thin it is if it is a shell."""
+        radius, bounds = self._sympy(shape["radius"]), self._bounds(shape)
+        if not shape.inside:
+            return bounds, radius + self._ball, None
+        self._requirements.append(radius - self._ball)
+        return bounds, radius - self._ball, self._ball if bounds else None
 
     def _torus(self, shape: Shape) -> tuple[Surface, ...]:
         radius, reach = self._sympy(shape["radius"]), self._sympy(shape["wire"]) + self._ball
         self._requirements.append(radius - reach)
-        if any(self._centre(shape)) or shape.axis[0] != 2:
-            raise wrong(self._read.name, f"body {shape.name}", "", "no such torus as yet")
-        return (Ring(shape.name, radius, reach),)
+        return (torus(shape.name, self._centre(shape), _direction(shape.axis), radius, reach),)
+
+    def _surface(self, shape: Shape) -> tuple[Surface, ...]:
+        condition = self._polynomial(shape.condition)
+        return (Free(shape.name, condition, self._bounds(shape)),)
 
     def _centre(self, shape: Shape) -> Point:
         sizes = dict(shape.sizes)

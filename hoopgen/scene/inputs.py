@@ -37,6 +37,8 @@ class Input:
         As those of a `Parameter`.
     default
         Its value at the parameters' defaults.
+    argument
+        What it is to the body that it is named after: what is the same to another shares it.
     """
 
     name: str
@@ -47,6 +49,7 @@ class Input:
     sign: str = "any"
     upper: float | None = None
     latex: str = ""
+    argument: str = ""
 
     @property
     def own(self) -> bool:
@@ -144,6 +147,7 @@ class Inputs:
             f"{argument} of {owner}" if owner else argument.replace("_", " "),
             sign,
             upper,
+            argument=argument,
         )
         if not made.allows(made.default):
             raise self.wrong(
@@ -156,7 +160,8 @@ class Inputs:
             self._inputs[mine] = _stricter(self._inputs[mine], made)
             return formula
         for there in self._inputs.values():
-            if (there.formula, there.sign, there.upper) == (formula, sign, upper):
+            alike = (there.formula, there.sign, there.upper) == (formula, sign, upper)
+            if alike and there.argument == argument:
                 return name(there.name)
         self._inputs[made.name] = made
         return name(made.name)

@@ -99,7 +99,10 @@ class Plane(Body):
 
 @dataclass(frozen=True)
 class Sphere(Body):
-    """A sphere, touched from outside or, as a bowl, from inside."""
+    """A sphere, touched from outside or, as a bowl, from inside.
+
+    From inside, one with bounds is a thin shell; else no ball is outside of it.
+    """
 
     _: KW_ONLY
     radius: Size
@@ -118,7 +121,7 @@ class Cylinder(Body):
     span
         From where to where it goes along its axis, in coordinates; None: without end.
     inside
-        Whether it is touched from inside, as a pipe.
+        Whether it is touched from inside, as a pipe; with ends or bounds it is a thin shell.
     """
 
     _: KW_ONLY
