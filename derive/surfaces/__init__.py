@@ -6,6 +6,7 @@ from .body import Body, body
 from .bounds import length
 from .cylinder import Cylinder
 from .free import Free
+from .gate import Gate
 from .plane import Plane
 from .ring import Ring
 from .sphere import Sphere
@@ -16,6 +17,7 @@ __all__ = [
     "Body",
     "Cylinder",
     "Free",
+    "Gate",
     "Plane",
     "Ring",
     "Sphere",

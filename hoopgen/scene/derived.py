@@ -57,13 +57,12 @@ class _Derived:
         """Return the scene."""
         read = self._read
         bodies = tuple(self._body(shape) for shape in read.bodies)
-        finish, target = self._ends(read.ends)
+        ends = tuple(self._end(shape) for shape in read.ends)
         return derive.Scene(
             name=read.name,
             parameters=self._parameters,
             bodies=bodies,
-            finish=finish,
-            target=target,
+            ends=ends,
             ball_radius=self._ball,
             gravity=self._sympy(read.gravity),
             requirements=tuple(dict.fromkeys(self._requirements)),
@@ -141,15 +140,10 @@ class _Derived:
         x, y, z = POSITION
         return sp.Add(*(self._sympy(factor) * x**i * y**j * z**k for (i, j, k), factor in terms))
 
-    def _ends(self, ends: tuple[Shape, ...]) -> tuple[Plane, sp.Expr]:
-        same = {(end.axis, end["at"]) for end in ends}
-        if len(ends) != 2 or len(same) != 1 or not ends[0].bounds or ends[1].bounds:
-            raise wrong(self._read.name, "", "ends", "no such ends as yet")
-        first = ends[0]
-        at = self._sympy(first["at"])
-        finish = Plane(first.name, _direction(first.axis), at, sp.Integer(0))
-        return finish, largest(*self._bounds(first))
-
+    def _end(self, shape: Shape) -> derive.End:
+        direction, at = _direction(shape.axis), self._sympy(shape["at"])
+        plane = Plane(self._plane_name(shape), direction, at, sp.Integer(0), self._bounds(shape))
+        return derive.End(shape.name, plane)
 
 def _direction(axis: tuple[int, int]) -> tuple[int, int, int]:
     parts = [axis[1] * (k == axis[0]) for k in range(3)]
