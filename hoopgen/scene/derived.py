@@ -12,14 +12,14 @@ import sympy as sp
 
 from hoopgen.derive.contact.law import Law
 from hoopgen.derive.contact.rolling import Rolling
-from hoopgen.derive.ground.choice import largest
 from hoopgen.derive.ground.symbols import POSITION
 from hoopgen.derive.scenes import scene as derive
+from hoopgen.derive.scenes.ends import End
 from hoopgen.derive.surfaces import Body, Cylinder, Free, Plane, Sphere, Surface, torus
 
 from .bounds import Terms
 from .formulas import Formula
-from .inputs import wrong
+from .inputs import SceneError, wrong
 from .shapes import Read, Shape
 
 if TYPE_CHECKING:
@@ -36,9 +36,14 @@ def derived(scene: Scene) -> derive.Scene:
     Raises
     ------
     SceneError
-        If there is no derivation for one of its bodies.
+        If there is no derivation for one of its bodies, or a name is taken.
     """
-    return _Derived(scene.read).scene(scene.axes, scene.remarks)
+    try:
+        return _Derived(scene.read).scene(scene.axes, scene.remarks)
+    except SceneError:
+        raise
+    except ValueError as error:  # of names that derivation has taken
+        raise SceneError(str(error)) from None
 
 
 class _Derived:
@@ -140,10 +145,11 @@ class _Derived:
         x, y, z = POSITION
         return sp.Add(*(self._sympy(factor) * x**i * y**j * z**k for (i, j, k), factor in terms))
 
-    def _end(self, shape: Shape) -> derive.End:
+    def _end(self, shape: Shape) -> End:
         direction, at = _direction(shape.axis), self._sympy(shape["at"])
-        plane = Plane(self._plane_name(shape), direction, at, sp.Integer(0), self._bounds(shape))
-        return derive.End(shape.name, plane)
+        plane = Plane(f"{shape.name}_end", direction, at, sp.Integer(0), self._bounds(shape))
+        return End(shape.name, plane)
+
 
 def _direction(axis: tuple[int, int]) -> tuple[int, int, int]:
     parts = [axis[1] * (k == axis[0]) for k in range(3)]
