@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.machinery
+import math
 from collections.abc import Callable, Mapping
 from enum import IntEnum
 from functools import cached_property
@@ -17,7 +18,7 @@ from hoopgen.generated.numpy import hoop
 
 from .engine import native, trust
 from .engine.raw import Layout
-from .parameters import Parameters, Table
+from .parameters import Parameters, Table, Written
 
 if TYPE_CHECKING:
     from .derive.scenes.scene import Scene
@@ -38,6 +39,8 @@ class Engine:
         Of the arrays of its results.
     max_contacts
         With which a shot ends as capped, where nothing else is asked for.
+    time_limit
+        At which it ends, likewise, s.
     found
         Its compiled C, or why there is none.
     """
@@ -50,12 +53,14 @@ class Engine:
         sources: Callable[[], Mapping[str, str]],
         scene: Callable[[], Scene],
         max_contacts: int = 1000,
+        time_limit: float = 60.0,
         again: tuple[Callable[..., Engine], tuple[Any, ...]] | None = None,
+        written: Written | None = None,
     ) -> None:
         self.kernels = kernels
         self.layout = Layout(kernels)
-        self.max_contacts = max_contacts
-        self.table = Table.of(kernels)
+        self.max_contacts, self.time_limit = max_contacts, time_limit
+        self.table = Table.of(kernels, written)
         self._find, self._sources, self._scene, self._again = find, sources, scene, again
 
     @cached_property
@@ -140,7 +145,7 @@ class Engine:
         self, times: Any, states: NDArray[np.float64], parameters: Mapping[str, Any]
     ) -> NDArray[np.float64]:
         """Return states (..., 9) some times after others, with nothing touched in between."""
-        own = {self.kernels.VARIABLES[name]: value for name, value in parameters.items()}
+        own = dict(zip(self.kernels.VARIABLES.values(), self.table.inputs(parameters), strict=True))
         own |= dict(zip(self.kernels.STATE, np.moveaxis(states, -1, 0), strict=True))
         code = self.kernels.flight.__code__
         asked = code.co_varnames[1 : code.co_argcount]
@@ -229,6 +234,7 @@ HOOP = Engine(
     sources=_hoop_sources,
     scene=_hoop_scene,
     max_contacts=40,
+    time_limit=math.inf,
     again=(_hoop, ()),
 )
 """The article's scene."""

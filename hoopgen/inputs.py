@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Mapping
 from typing import Any
@@ -20,6 +21,7 @@ __all__ = [
     "check_leaving",
     "check_states",
     "check_threads",
+    "check_time_limit",
     "doubles",
     "is_whole",
 ]
@@ -152,6 +154,23 @@ def check_contacts(max_contacts: Any) -> int:
         If it is no whole number from 1, or more than the engines count.
     """
     return check_count("max_contacts", max_contacts, most=2**31 - 1)
+
+
+def check_time_limit(time_limit: Any) -> float:
+    """Return the time since the release at which a shot ends, s; of None, infinity.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If it is neither None nor a positive number.
+    """
+    if time_limit is None:
+        return math.inf
+    expected = "a positive number of seconds, or None"
+    limit = doubles("time_limit", time_limit, expected)
+    if isinstance(time_limit, bool | np.bool_) or limit.ndim or not limit > 0:
+        raise ValueError(f"time_limit: expected {expected}, got {brief(time_limit)}")
+    return float(limit)
 
 
 def check_count(

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType, ModuleType
-from typing import Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +17,19 @@ from .inputs import doubles
 
 NAMES = tuple(hoop.PARAMETERS)
 
+
 Value = float | NDArray[np.float64]
+
+
+class Written(Protocol):
+    """A scene whose kernels take more than its parameters: sizes that are computed from them."""
+
+    @property
+    def defaults(self) -> Mapping[str, float]:
+        """The parameters' usual values."""
+
+    def values(self, parameters: Mapping[str, Any] | None = None) -> Sequence[Any]:
+        """Return what the kernels take, in order."""
 
 
 @dataclass(frozen=True)
@@ -30,16 +42,39 @@ class Table:
         Their usual values, by name.
     limits
         The least and the largest value of those that have a largest.
+    written
+        The scene, where its kernels take more than them.
     """
 
     defaults: Mapping[str, float]
     limits: Mapping[str, tuple[float, float]]
+    written: Written | None = None
 
     @classmethod
-    def of(cls, kernels: ModuleType) -> Table:
-        """Return the table of a scene's generated module."""
+    def of(cls, kernels: ModuleType, written: Written | None = None) -> Table:
+        """Return the table of a generated module."""
         usual = {name: default for name, (default, _, _) in kernels.PARAMETERS.items()}
-        return cls(usual, kernels.LIMITS)
+        return cls.made(usual, kernels.LIMITS, written)
+
+    @classmethod
+    def made(
+        cls,
+        taken: Mapping[str, float],
+        limits: Mapping[str, tuple[float, float]],
+        written: Written | None,
+    ) -> Table:
+        """Return the table of a scene, from what its kernels take."""
+        if written is None:
+            return cls(taken, limits)
+        own = written.defaults
+        return cls(own, {name: ends for name, ends in limits.items() if name in own}, written)
+
+    def inputs(self, parameters: Mapping[str, Value]) -> list[Value]:
+        """Return what the kernels take, in order, from all the parameters in theirs."""
+        if self.written is None:
+            return list(parameters.values())
+        values = self.written.values(parameters)
+        return [np.ascontiguousarray(v, np.float64) if np.ndim(v) else float(v) for v in values]
 
 
 HOOP_TABLE = Table.of(hoop)

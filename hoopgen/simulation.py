@@ -18,7 +18,7 @@ from .engine import native, numpy_backend
 from .engine.arithmetic import check_arithmetic
 from .engine.raw import Raw
 from .engines import HOOP, Engine, engine_of
-from .inputs import check_contacts, check_leaving, check_states, check_threads
+from .inputs import check_contacts, check_leaving, check_states, check_threads, check_time_limit
 from .parameters import Value, resolve
 from .results import Shots
 from .sizes import check_room
@@ -55,6 +55,7 @@ class _Batch:
     parameters: list[Value]
     leaving: NDArray[np.int8] | None
     max_contacts: int
+    time_limit: float
     library: native.Library | None
     stop: NDArray[np.int32]
 
@@ -72,10 +73,11 @@ class _Batch:
         """Simulate the shots into `out`, with so many contacts at most."""
         given = (self.states, self.parameters, self.leaving, most, out)
         if self.library is not None:
-            self.library.run(*given, self.stop)
+            self.library.run(*given, self.stop, time_limit=self.time_limit)
         else:
             check_arithmetic()  # the library looks for itself
-            numpy_backend.run(self.scene.kernels, *given, self.stopped)
+            kernels, limit = self.scene.kernels, self.time_limit
+            numpy_backend.run(kernels, *given, self.stopped, time_limit=limit)
 
     def record(self, out: Raw, most: int) -> NDArray[Any]:
         """Simulate the shots into `out` and return their event log, in order.
@@ -117,6 +119,7 @@ def simulate(
     record: bool = False,
     leaving: ArrayLike | None = None,
     settle: bool = False,
+    time_limit: float | None = None,
 ) -> Shots:
     """Simulate shots from contact to contact until they end.
 
@@ -152,6 +155,10 @@ def simulate(
     settle
         Whether to let `certify` decide the uncertain shots, which then are not; needs the extra
         "certify". A true tie, an exact touch or an exact edge stays uncertain.
+    time_limit
+        s since the release, of flight and contact: a shot that has not ended then ends as ENDLESS,
+        with its state at that time. None: no limit in the hoop, elsewhere 60. A shot that can never
+        reach the end plane is SHORT all the same, unless the limit comes before its last contact.
 
     Returns
     -------
@@ -173,6 +180,7 @@ def simulate(
     shots = len(releases)
     engine = engine_of(scene)
     values = resolve(parameters, shots, engine.table)
+    named = dict(zip(engine.table.defaults, values, strict=True))
     most = engine.max_contacts if max_contacts is None else check_contacts(max_contacts)
     wanted = _fields(fields, engine)
     workers = check_threads(threads)
@@ -181,9 +189,10 @@ def simulate(
     batch = _Batch(
         engine,
         releases,
-        values,
+        engine.table.inputs(named),
         check_leaving(leaving, shots, len(engine.surfaces)),
         most,
+        engine.time_limit if time_limit is None else check_time_limit(time_limit),
         _library(backend, engine),
         np.zeros(1, np.int32),
     )
@@ -191,14 +200,14 @@ def simulate(
     out = engine.layout.allocate(shots, computed)
     logs = _run(batch, out, workers, record)
     results = dict(out.arrays)
-    named = dict(zip(engine.table.defaults, values, strict=True))
     if record:
         results["events"] = np.concatenate([np.empty(0, engine.layout.event), *logs])
     if settle:
         # Apart from the engines, and not needed without them: it stands on SymPy and python-flint.
         from .judge.settle import settle as decide
 
-        decide(results, releases, named, most, scene=engine, leaving=batch.leaving)
+        left, limit = batch.leaving, batch.time_limit
+        decide(results, releases, named, most, scene=engine, leaving=left, time_limit=limit)
     kept = {name: array for name, array in results.items() if name in (*wanted, "events")}
     return Shots(kept, releases, named, engine)
 

@@ -11,6 +11,8 @@ from collections import Counter
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from .ends import OTHERS
+
 if TYPE_CHECKING:
     from .scene import Scene
 
@@ -22,6 +24,9 @@ LAW = re.compile(r"(?:[a-z][a-z0-9_]*_)?impact", re.ASCII)
 
 LATEX = re.compile(r"[A-Za-z0-9_^'{}\\ ]*", re.ASCII)
 """What the LaTeX of a parameter matches as a whole: what ends no formula."""
+
+END = "end"
+"""What an end is called where bodies have their names."""
 
 TAKEN = ("p", "float", "math", "stddef", "stdint", "string")
 """Names that no scene has: that before its parameters, and headers beside its own."""
@@ -37,8 +42,9 @@ def check(scene: Scene) -> None:
     """
     given = {
         "parameter": [parameter.symbol.name for parameter in scene.parameters],
-        "body": [*(body.name for body in scene.bodies), scene.finish.name],
-        "surface": [surface.name for surface in (*scene.surfaces, scene.finish)],
+        "body": [*(body.name for body in scene.bodies), END],
+        "surface": [surface.name for surface in (*scene.surfaces, *scene.gates)],
+        "end": [*(end.name for end in scene.ends), *OTHERS],
     }
     _public(scene.name, "scene", [scene.name])
     if scene.name in TAKEN:
@@ -46,6 +52,14 @@ def check(scene: Scene) -> None:
     for kind, names in given.items():
         _public(scene.name, kind, names)
         _once(scene.name, kind, names)
+    for gate in scene.gates:
+        whole = [k for k, part in zip(gate.outcomes, gate.parts, strict=True) if not part]
+        if whole and whole[0] != gate.outcomes[-1]:
+            after = next(k for k in gate.outcomes if k > whole[0])
+            raise ValueError(
+                f"scene {scene.name}: end {scene.ends[after].name!r}: comes after "
+                f"{scene.ends[whole[0]].name!r}, which has no bounds and takes the whole plane"
+            )
     for parameter in scene.parameters:
         if not LATEX.fullmatch(parameter.latex):
             raise ValueError(

@@ -8,8 +8,9 @@ import sympy as sp
 
 from ..contact.law import Law
 from ..ground.symbols import ParameterSymbol
-from ..surfaces import Body, Plane, Surface
+from ..surfaces import Body, Gate, Surface
 from . import names
+from .ends import End, gates, outcomes
 
 
 @dataclass(frozen=True)
@@ -60,10 +61,8 @@ class Scene:
         In calling order.
     bodies
         What the ball can touch, in the order of the results' columns.
-    finish
-        The plane whose crossing ends a shot.
-    target
-        Not positive where a crossing of the finish counts as made.
+    ends
+        What ends a shot, in the order of the outcomes; there may be none, and then a time does.
     ball_radius, gravity
         The parameters that flight and contact use.
     requirements
@@ -75,8 +74,7 @@ class Scene:
     name: str
     parameters: tuple[Parameter, ...]
     bodies: tuple[Body, ...]
-    finish: Plane
-    target: sp.Expr
+    ends: tuple[End, ...]
     ball_radius: sp.Symbol
     gravity: sp.Symbol
     requirements: tuple[sp.Expr, ...] = field(default=())
@@ -95,6 +93,16 @@ class Scene:
     def faces(self) -> tuple[int, ...]:
         """The body that each surface belongs to."""
         return tuple(k for k, body in enumerate(self.bodies) for _ in body.faces)
+
+    @property
+    def gates(self) -> tuple[Gate, ...]:
+        """The planes whose crossing ends a shot."""
+        return gates(self.ends)
+
+    @property
+    def outcomes(self) -> dict[str, int]:
+        """The number of each outcome by name: the ends in order, then the others."""
+        return outcomes(self.ends)
 
     @property
     def laws(self) -> tuple[Law, ...]:

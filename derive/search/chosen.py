@@ -6,10 +6,11 @@ from functools import singledispatch
 
 import sympy as sp
 
-from ..surfaces import Plane, Ring, Surface
+from ..surfaces import Gate, Plane, Ring, Surface
 from .approach import Approach
 from .bernstein import PolynomialApproach
 from .curved import CurvedSearch
+from .gate import GateSearch
 from .plane import PlaneSearch
 from .ring import RingApproach
 from .search import Search
@@ -24,6 +25,11 @@ def search(surface: Surface, gravity: sp.Expr) -> Search:
 @search.register
 def _(surface: Plane, gravity: sp.Expr) -> Search:
     return PlaneSearch(surface, gravity)
+
+
+@search.register
+def _(surface: Gate, gravity: sp.Expr) -> Search:
+    return GateSearch(surface, gravity)
 
 
 @search.register

@@ -9,6 +9,7 @@ read or does not say that is no stamp, and the shots are compared again.
 from __future__ import annotations
 
 import contextlib
+import math
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
@@ -28,12 +29,17 @@ WIDTHS = (1, 4, 8, 16)
 MOST = 40
 """Contacts: enough for a swirl, which makes the most of every rounding."""
 
+LIMIT = 1.0
+"""s: a time limit in the midst of things."""
+
 # What no player does: each number of a release takes each of these values in turn.
 _ODD = (np.nan, np.inf, -np.inf, 0.0, -0.0, 5e-324, -1e-310, 1e-160, 1e160, -1e300)
 
 
-Batch = tuple[NDArray[np.float64], Sequence[NDArray[np.float64] | float], NDArray[np.int8] | None]
-"""Releases, parameters, and the surfaces that the shots leave."""
+Batch = tuple[
+    NDArray[np.float64], Sequence[NDArray[np.float64] | float], NDArray[np.int8] | None, float
+]
+"""Releases, parameters, the surfaces that the shots leave, and a time limit."""
 
 
 class Engine(Protocol):
@@ -48,6 +54,7 @@ class Engine(Protocol):
         out: raw.Raw,
         stop: NDArray[np.int32],
         width: int = 0,
+        time_limit: float = math.inf,
     ) -> None:
         """Simulate shots and write what `out` has room for."""
 
@@ -91,17 +98,19 @@ def differences(engine: Engine, kernels: ModuleType, shots: Iterable[Batch]) -> 
     found: dict[int, list[str]] = {}
     layout = raw.Layout(kernels)
     every = layout.fields + layout.bounds
-    for states, parameters, leaving in shots:
+    for states, parameters, leaving, limit in shots:
         stop = np.zeros(1, np.int32)
         wanted = _room(len(states), layout, every)
-        numpy_backend.run(kernels, states, parameters, leaving, MOST, wanted, lambda: False)
+        numpy_backend.run(kernels, states, parameters, leaving, MOST, wanted, time_limit=limit)
         for width in widths(engine, kernels):
             wrong = found.setdefault(width, [])
             # Without `uncertain` another path through the engine is taken.
             for fields in (every, layout.fields[:-1]):
                 got = _room(len(states), layout, fields)
                 try:
-                    engine.run(states, parameters, leaving, MOST, got, stop, width)
+                    engine.run(
+                        states, parameters, leaving, MOST, got, stop, width, time_limit=limit
+                    )
                 except RuntimeError:
                     wrong.append("arithmetic")
                     continue
@@ -130,7 +139,9 @@ def spread(rows: int, columns: int) -> NDArray[np.float64]:
 
 
 def batches(kernels: ModuleType, releases: NDArray[np.float64]) -> list[Batch]:
-    """Return shots: with parameters that all share; then with their own, and leaving surfaces.
+    """Return shots: with parameters that all share; with their own, and leaving surfaces.
+
+    And such that a time limit ends, most of them before anything else does.
 
     Parameters
     ----------
@@ -149,7 +160,11 @@ def batches(kernels: ModuleType, releases: NDArray[np.float64]) -> list[Batch]:
     surfaces = len(kernels.BODIES)
     leaving = np.arange(len(states)) % (4 * surfaces)
     left = np.where(leaving < surfaces, leaving, -1).astype(np.int8)
-    return [(states, defaults, None), (states, columns, left)]
+    return [
+        (states, defaults, None, math.inf),
+        (states, defaults, None, LIMIT),
+        (states, columns, left, math.inf),
+    ]
 
 
 def _room(shots: int, layout: raw.Layout, fields: Sequence[str]) -> raw.Raw:
@@ -198,7 +213,7 @@ def _key(library: Path, engine: Engine, kernels: ModuleType, shots: Sequence[Bat
 
     said = f"NumPy {np.__version__}, widths {widths(engine, kernels)}"
     digest = hashlib.sha256(said.encode())
-    for states, _, _ in shots:
+    for states, *_ in shots:
         digest.update(states.tobytes())
     try:
         for file in (library, kernels.__file__, numpy_backend.__file__, raw.__file__, __file__):

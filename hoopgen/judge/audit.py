@@ -52,7 +52,7 @@ def deepest(
     with ctx.workprec(AUDIT_BITS):
         start, values = [arb(c) for c in state], [arb(p) for p in parameters]
         own, end = formulas(scene), arb(duration)
-        places = range(len(own.surfaces) - 1)
+        places = range(own.faces)
         return tuple(_depth(own, k, start, end, values, k == leaving) for k in places)
 
 

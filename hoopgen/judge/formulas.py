@@ -28,7 +28,7 @@ from hoopgen.derive.ground.symbols import (
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.search.events import event_coefficients
-from hoopgen.derive.surfaces import Plane, Surface
+from hoopgen.derive.surfaces import Gate, Plane, Surface
 
 Function = Callable[..., list[Any]]
 
@@ -130,8 +130,8 @@ class SurfaceFormulas:
         As in derive/.
     coefficients
         Of the event polynomial along the flight, constant first.
-    bounds
-        The g of Eq. 2.
+    patches
+        The g of Eq. 2, by part: a contact counts where all of one part hold.
     normal
         n3 at the state's position.
     inside
@@ -141,19 +141,21 @@ class SurfaceFormulas:
     body
         The body that it belongs to.
     bounded
-        Whether it has bounds; a plane without is the end.
+        Whether it has bounds.
     impact
-        (state, parameters, normal) to velocity and spin; None at the end.
+        (state, parameters, normal) to velocity and spin; None where a shot ends.
     restitution
         (parameters,): of its law, as a list of one.
     axis, offset
         Of a plane: the coordinate that its normal points along, and that coordinate at contact,
         as a list of one, from the parameters alone. For any other surface the axis is -1.
+    ends
+        Where a shot ends: in order, each end's name, the number of its outcome, and its bounds.
     """
 
     name: str
     coefficients: Function
-    bounds: Function
+    patches: tuple[Function, ...]
     normal: Function
     inside: Function
     distance: Function
@@ -163,6 +165,7 @@ class SurfaceFormulas:
     offset: Function
     impact: Function | None
     restitution: Function | None
+    ends: tuple[tuple[str, int, Function], ...]
 
 
 @dataclass(frozen=True)
@@ -172,13 +175,15 @@ class Formulas:
     Attributes
     ----------
     surfaces
-        What can be touched, then the finish.
+        What can be touched, then the planes that end a shot.
+    faces, bodies
+        How many can be touched.
+    outcomes
+        The number of each outcome by name.
     order
         In which they are searched: planes first, whose arrivals then limit the others' search.
     flight
         (state, parameters, (time,)) to position and velocity.
-    target
-        (state, parameters): not positive where made.
     requirements
         (parameters,): each must be positive.
     names, signs, uppers
@@ -186,9 +191,11 @@ class Formulas:
     """
 
     surfaces: tuple[SurfaceFormulas, ...]
+    faces: int
+    bodies: int
+    outcomes: dict[str, int]
     order: tuple[int, ...]
     flight: Function
-    target: Function
     requirements: Function
     names: tuple[str, ...]
     signs: tuple[str, ...]
@@ -210,13 +217,18 @@ def _surface(surface: Surface, body: int, scene: Scene) -> SurfaceFormulas:
         impact = compiled([e for vector in after for e in vector], state, motion, NORMAL)
         restitution = compiled([law.restitution], motion)
 
+    ends: list[tuple[str, int, Function]] = []
+    if isinstance(surface, Gate):
+        for outcome, part in zip(surface.outcomes, surface.parts, strict=True):
+            ends.append((scene.ends[outcome].name, outcome, compiled(part, place, motion)))
+
     def by_state(expressions: Sequence[sp.Expr]) -> Function:
         return compiled(expressions, place, motion)
 
     return SurfaceFormulas(
         surface.name,
         by_state(event_coefficients(surface, scene.gravity)),
-        by_state(surface.bounds),
+        tuple(by_state(patch) for patch in surface.patches),
         by_state(list(surface.normal)),
         by_state(surface.inside),
         by_state([surface.distance]),
@@ -226,6 +238,7 @@ def _surface(surface: Surface, body: int, scene: Scene) -> SurfaceFormulas:
         compiled([offset], motion),
         impact,
         restitution,
+        tuple(ends),
     )
 
 
@@ -235,13 +248,16 @@ def formulas(scene: Scene = HOOP) -> Formulas:
     state = (*POSITION, *VELOCITY, *SPIN)
     parameters = scene.symbols
     there = flight(scene.gravity)
-    faces = zip((*scene.surfaces, scene.finish), (*scene.faces, len(scene.bodies)), strict=True)
+    gates = [(gate, len(scene.bodies)) for gate in scene.gates]
+    faces = [*zip(scene.surfaces, scene.faces, strict=True), *gates]
     surfaces = tuple(_surface(surface, body, scene) for surface, body in faces)
     return Formulas(
         surfaces,
+        len(scene.surfaces),
+        len(scene.bodies),
+        scene.outcomes,
         tuple(sorted(range(len(surfaces)), key=lambda k: surfaces[k].axis < 0)),
         compiled([e for vector in there for e in vector], state, parameters, (t,)),
-        compiled([scene.target], state, parameters),
         compiled(scene.requirements, parameters),
         tuple(p.name for p in scene.parameters),
         tuple(p.sign for p in scene.parameters),

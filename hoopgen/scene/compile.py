@@ -1,8 +1,8 @@
 """`compile`: a scene derived, printed, compiled, compared with NumPy, and kept on disk.
 
 What is kept is found again by all that it is made from: the printed sources, the flags, the
-compiler and its version, the lanes of the processor, Python, NumPy and hoopgen. A scene that is
-plain data is found by that data, and then nothing is derived.
+compiler and its version, the lanes of the processor, Python, NumPy and hoopgen. A scene of the
+pieces of `hoopgen.scene` is found by what they say, and then nothing is derived.
 """
 
 from __future__ import annotations
@@ -11,16 +11,14 @@ import builtins
 import gzip
 import hashlib
 import importlib.util
-import io
 import json
 import marshal
-import pickle
 import sys
 from collections.abc import Mapping
 from functools import cache, partial
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
-from types import FunctionType, ModuleType
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -32,6 +30,7 @@ from hoopgen.engines import HOOP, Engine
 
 from . import compilers
 from .cache import Cache, Entry, digest, own, private
+from .scene import Scene
 from .trial import trial
 
 __all__ = ["compile", "place"]
@@ -41,9 +40,6 @@ MODULE, SOURCES = "module", "sources.gz"
 
 _LINES = 20
 """Most lines of a compiler's words."""
-
-_OURS = ("builtins", "collections", "copyreg", "hoopgen", "mpmath", "pathlib", "sympy")
-"""Packages whose classes mean what they did, as long as their versions are the same."""
 
 _ENGINES: dict[str, Engine] = {}
 """By key."""
@@ -108,8 +104,8 @@ def place() -> Cache:
 def _found(scene: Any) -> Engine:
     tools = _Tools()
     there = place()
-    data = _data(scene)
-    name = data and digest(f"{tools.identity} {_word()} {data}".encode())
+    written = isinstance(scene, Scene)
+    name = digest(f"{tools.identity} {_word()} {scene.key}".encode()) if written else ""
     entry = there.pointed(name) if name else None
     if entry is None:
         entry = _made(scene, tools, there)
@@ -253,6 +249,7 @@ def _engine(entry: Entry, scene: Any) -> Engine:
         sources=lambda: json.loads(gzip.decompress(entry.read(SOURCES))),
         scene=partial(_definition, scene),
         again=(compile, (scene,)),
+        written=scene if isinstance(scene, Scene) else None,
     )
 
 
@@ -270,30 +267,6 @@ def _module(code: Any, scene: str) -> ModuleType:
     module = ModuleType(f"hoopgen_scene_{scene}")
     exec(code, module.__dict__)  # printed by hoopgen, and the digest is the one on record
     return module
-
-
-# -------------------------------------------------------------------------- scenes as plain data
-
-
-class _Data(pickle.Pickler):
-    """Writes values that are data and classes of ours, whose meaning is hoopgen's version."""
-
-    def reducer_override(self, value: Any) -> Any:
-        """Refuse what a stranger's code could mean otherwise next time."""
-        own = value if isinstance(value, type | FunctionType) else type(value)
-        if own.__module__.partition(".")[0] not in _OURS:
-            raise pickle.PicklingError(f"{own} is not ours")
-        return NotImplemented
-
-
-def _data(scene: Any) -> str:
-    """Return a digest of a scene that is plain data; "" if it is not."""
-    written = io.BytesIO()
-    try:
-        _Data(written, protocol=5).dump(scene)
-    except (pickle.PicklingError, TypeError, AttributeError, RecursionError):
-        return ""
-    return digest(written.getvalue())
 
 
 @cache

@@ -11,7 +11,9 @@ from hoopgen.derive.scenes.scene import Scene
 from hoopgen.engines import Engine
 from hoopgen.parameters import Table
 
-__all__ = ["definition", "table_of", "usual_contacts"]
+from . import scene as pieces
+
+__all__ = ["definition", "table_of", "usual_contacts", "usual_limit"]
 
 
 def definition(scene: Any) -> Scene:
@@ -35,17 +37,30 @@ def definition(scene: Any) -> Scene:
     return derived
 
 
-def table_of(scene: Scene) -> Table:
-    """Return the parameters of a scene."""
-    low = {"any": -math.inf}
+def table_of(scene: Any, derived: Scene) -> Table:
+    """Return the parameters of a scene.
+
+    Parameters
+    ----------
+    scene, derived
+        As it was given, and what `definition` makes of it.
+    """
+    if isinstance(scene, Engine):
+        return scene.table
     limits = {
-        p.name: (low.get(p.sign, 0.0), float(p.upper))
-        for p in scene.parameters
+        p.name: (-math.inf if p.sign == "any" else 0.0, float(p.upper))
+        for p in derived.parameters
         if p.upper is not None
     }
-    return Table({p.name: float(p.default) for p in scene.parameters}, limits)
+    taken = {p.name: float(p.default) for p in derived.parameters}
+    return Table.made(taken, limits, scene if isinstance(scene, pieces.Scene) else None)
 
 
 def usual_contacts(scene: Scene) -> int:
     """Return the contacts with which a shot ends as capped, where nothing else is asked for."""
     return 40 if scene == HOOP else 1000
+
+
+def usual_limit(scene: Scene) -> float:
+    """Return the time at which a shot ends, where nothing else is asked for, s."""
+    return math.inf if scene == HOOP else 60.0

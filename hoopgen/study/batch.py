@@ -28,7 +28,7 @@ from hoopgen.simulation import simulate
 from .batched import Batch, in_memory
 from .chunks import check_workers, opened, run, written
 from .frames import sourced
-from .measures import MEASURES, Kind, kinds, measure
+from .measures import ENDED, MEASURES, Kind, kinds, measure
 from .models import from_columns
 from .named import UNIT_OF, named
 from .origin import settle
@@ -175,7 +175,7 @@ def batch(
                     write(results.table(work.read.popleft(), chunk, schema))
                 table.check_unchanged(stamp)  # its own columns were read until now
             folder.remove()
-        counts = {o.name.lower(): int(results.outcomes[o]) for o in Outcome}
+        counts = {o.name.lower(): int(results.outcomes[o]) for o in ENDED}
         told = ", ".join(f"{column.name} as {name}" for name, column in columns.items())
         return Batch(
             counts,

@@ -22,7 +22,7 @@ from hoopgen.results import Outcome
 
 from .draws import check_seed
 from .intervals import wilson
-from .measures import Kind
+from .measures import ENDED, Kind
 from .models import ReleaseModel
 from .tallies import check_share
 from .throws import Backend, Progress, Until, Work, most_shots, setting_of, tally_of
@@ -107,7 +107,7 @@ class Estimate(Said):
 
     def __str__(self) -> str:
         digits = decimals(self.half_width)
-        ended = (outcome.name.lower() for outcome in Outcome)
+        ended = (outcome.name.lower() for outcome in ENDED)
         counts = [f"{getattr(self, name):,} {name}" for name in ended]
         counts.append(doubtful(self.uncertain, self.uncertain_capped))
         lines = [
@@ -189,7 +189,7 @@ def estimate(
 def estimated(work: Work, total: NDArray[np.int64], which: int, level: float) -> Estimate:
     """Return what the numbers say of one setting."""
     tally = tally_of(total, which)
-    ended = {outcome.name.lower(): int(tally.ended(outcome)) for outcome in Outcome}
+    ended = {outcome.name.lower(): int(tally.ended(outcome)) for outcome in ENDED}
     valid = int(tally.valid)
     low, high = wilson(ended["made"], valid, level)
     names = [kind.name.lower() for kind in Kind]

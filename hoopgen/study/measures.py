@@ -78,6 +78,10 @@ def kinds(
     return np.asarray(_KIND_OF[board * 1 + frame * 2 + (first == _BOARD) * 4, outcome])
 
 
+ENDED = tuple(one for one in Outcome if one <= Outcome.INVALID)
+"""How the shots of a study end: none has a time limit, and on the hoop none comes to rest."""
+
+
 def _kind_of() -> NDArray[np.uint8]:
     """Return kinds by outcome and by what was touched: 1 board, 2 ring or bridge, 4 board first."""
     table = np.full((8, len(Outcome)), Kind.NONE, dtype=np.uint8)

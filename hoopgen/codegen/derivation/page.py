@@ -82,13 +82,21 @@ class ImpactText:
 
 
 @dataclass(frozen=True)
+class EndText:
+    """An end of a shot, the plane that it is on, and its bounds there."""
+
+    name: str
+    plane: str
+    bounds: tuple[Line, ...]
+
+
+@dataclass(frozen=True)
 class Derivation:
     """Everything that the template shows; formulas are LaTeX."""
 
     name: str
     axes: str
     remarks: str
-    finish: str
     radius: str
     roundoff: str
     safety: str
@@ -97,7 +105,7 @@ class Derivation:
     brief: Formulas
     flight: Formulas
     surfaces: tuple[SurfaceText, ...]
-    target: Line
+    ends: tuple[EndText, ...]
     frame: str
     impact: ImpactText
     crossing: Formulas
@@ -184,7 +192,7 @@ def _arguments(model: Model) -> tuple[SymbolText, ...]:
 def _kernels(model: Model, letters: Letters) -> dict[str, KernelText]:
     """Return the results of all kernels, in the names that are known from the searches."""
     texts = {}
-    for made in (*model.surfaces, model.finish):
+    for made in (*model.surfaces, *model.gates):
         names = {}
         if not isinstance(made.surface, Plane):
             names = known(approach(made.surface, model.scene.gravity))
@@ -205,7 +213,7 @@ def derivation_context(model: Model) -> Derivation:
     brief = Brief(scene, letters)
     place, motion = flight(gravity)
     there, moving = rounding.flight_rounding(gravity, events.horizon)
-    surfaces = (*scene.surfaces, scene.finish)
+    surfaces = (*scene.surfaces, *scene.gates)
     planes = [s for s in surfaces if isinstance(s, Plane)]
     lengths = [p.symbol for p in scene.parameters if p.unit == "m"]
     flown = (f"{left}(t)" for left in (*AXES, *(f"v_{axis}" for axis in AXES)))
@@ -218,7 +226,6 @@ def derivation_context(model: Model) -> Derivation:
         name=scene.name,
         axes=scene.axes,
         remarks=scene.remarks,
-        finish=scene.finish.name,
         radius=letters(scene.ball_radius),
         roundoff=f"2^{{{int(sp.log(UNIT_ROUNDOFF, 2))}}}",
         safety=number(rounding.SAFETY) or show(rounding.SAFETY),
@@ -229,7 +236,15 @@ def derivation_context(model: Model) -> Derivation:
         brief=Formulas(tuple(brief.definitions)),
         flight=plainly(dict(zip(flown, (*place, *motion), strict=True)), {}, letters),
         surfaces=tuple(surface_text(s, gravity, brief) for s in surfaces),
-        target=brief.line("", scene.target),
+        ends=tuple(
+            EndText(
+                scene.ends[outcome].name,
+                gate.name,
+                tuple(brief.line("", side) for side in part),
+            )
+            for gate in scene.gates
+            for outcome, part in zip(gate.outcomes, gate.parts, strict=True)
+        ),
         frame=show(frame_from_axis(normal, 0).applyfunc(sp.simplify)),
         impact=_impact(scene, letters),
         crossing=explain({latex_name(n): e for n, e in events.crossing().items()}),
