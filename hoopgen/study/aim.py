@@ -23,7 +23,7 @@ from hoopgen.inputs import check_angles, doubles
 from hoopgen.installed import need
 from hoopgen.notebook import ROWS, some_rows, table
 from hoopgen.outputs import written_text
-from hoopgen.parameters import PAPER
+from hoopgen.parameters import PAPER, completed
 from hoopgen.releases import RING_HEIGHT, from_zero
 from hoopgen.units import column_name
 
@@ -148,8 +148,7 @@ def aim(
     """
     if arc not in ("high", "low"):
         raise ValueError(f"arc: expected 'high' or 'low', got {brief(arc)}")
-    if "gravity" not in parameters:
-        raise ValueError("parameters: missing gravity")
+    parameters = completed(parameters)
     wanted = {"entry": entry, "elevation": elevation, "speed": speed}
     chosen = [name for name, value in wanted.items() if value is not None]
     if len(chosen) > 1:
