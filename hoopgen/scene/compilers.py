@@ -131,6 +131,6 @@ def _compiler(named: str, path: str) -> Compiler | None:
             return Compiler((file, *command[1:]), Path(file).resolve())
     there = find_spec("ziglang") if not named else None
     if there is not None and there.origin is not None:
-        command = (sys.executable, "-m", "ziglang", "cc", "-mcpu=baseline")
-        return Compiler(command, Path(there.origin))
+        zig = (sys.executable, "-m", "ziglang", "cc", "-mcpu=baseline")
+        return Compiler(zig, Path(there.origin))
     return None
