@@ -22,10 +22,8 @@ from .parameters import Parameters, Table, Written
 
 if TYPE_CHECKING:
     from .derive.scenes.scene import Scene
-    from .judge import Certificate
-    from .results import Shots
 
-__all__ = ["HOOP", "Engine", "engine_of", "hoop_library", "hoop_shots"]
+__all__ = ["HOOP", "Engine", "hoop_library", "hoop_shots"]
 
 
 class Engine:
@@ -111,19 +109,19 @@ class Engine:
 
     def simulate(
         self, states: ArrayLike, parameters: Mapping[str, Any] | None = None, **options: Any
-    ) -> Shots:
+    ) -> Any:
         """Simulate shots in this scene; all else as for `hoopgen.simulate`."""
-        from .simulation import simulate  # which stands on this file
+        from . import simulation  # which stands on this file
 
-        return simulate(states, parameters, scene=self, **options)
+        return simulation.simulate(states, parameters, scene=self, **options)
 
     def certify(
         self, states: ArrayLike, parameters: Mapping[str, Any] | None = None, **options: Any
-    ) -> Certificate:
+    ) -> Any:
         """Prove what shots do in this scene; all else as for `hoopgen.certify`."""
-        from .judge import certify  # which stands on this file, and on SymPy
+        from . import judge  # which stands on this file, and on SymPy
 
-        return certify(states, parameters, scene=self, **options)
+        return judge.certify(states, parameters, scene=self, **options)
 
     def source(self, target: str) -> dict[str, str]:
         """Return the generated files of a target, "c" or "numpy": their names, and their texts.
@@ -238,20 +236,3 @@ HOOP = Engine(
     again=(_hoop, ()),
 )
 """The article's scene."""
-
-
-def engine_of(scene: Any) -> Engine:
-    """Return what simulates a scene: of None, the hoop's engine; of a scene, compiled if need be.
-
-    Raises
-    ------
-    TypeError
-        If it is no scene.
-    """
-    if scene is None:
-        return HOOP
-    if isinstance(scene, Engine):
-        return scene
-    from .scene.compile import compile  # which stands on this file, and on SymPy
-
-    return compile(scene)

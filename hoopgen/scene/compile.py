@@ -17,6 +17,7 @@ import sys
 from collections.abc import Mapping
 from functools import cache, partial
 from pathlib import Path
+from sysconfig import get_platform
 from types import ModuleType
 from typing import Any
 
@@ -112,7 +113,11 @@ def _found(scene: Any) -> Engine:
             there.point(name, entry.record["key"])
     key = entry.record["key"]
     if key not in _ENGINES:
-        _ENGINES.setdefault(key, _engine(entry, scene))
+        try:
+            engine = _engine(entry, scene)
+        except (OSError, ValueError):  # cleared or changed since it was looked at
+            engine = _engine(_made(scene, tools, there), scene)
+        _ENGINES.setdefault(key, engine)
     return _ENGINES[key]
 
 
@@ -168,7 +173,7 @@ class _Tools:
     def _said(self, compiler: str) -> str:
         python = importlib.util.MAGIC_NUMBER.hex()
         versions = f"NumPy {np.__version__}, Python {python}"
-        return f"{compiler}; {FLAGS}; {self.width} lanes, {sys.platform}; {versions}"
+        return f"{compiler}; {FLAGS}; {self.width} lanes, {get_platform()}; {versions}"
 
 
 def _build(
@@ -242,8 +247,9 @@ def _engine(entry: Entry, scene: Any) -> Engine:
     if entry.record["refused"]:
         found = native.Refused(*entry.record["refused"])
     else:
+        library = entry.checked(compilers.library_name())
         try:
-            found = native.Library(entry.checked(compilers.library_name()), kernels)
+            found = native.Library(library, kernels)
         except (OSError, AttributeError) as error:
             again = "`hoopgen cache --clear` lets it be compiled again"
             found = native.Refused(f"of the scene {name} cannot be loaded: {error}", again)
