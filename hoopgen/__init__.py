@@ -17,6 +17,7 @@ if find_spec(f"{__name__}.generated") is None:
     __path__.append(str(Path(__file__).resolve().parent.parent))
 
 if TYPE_CHECKING:
+    from .engines import HOOP
     from .parameters import FIBA, NBA, PAPER
     from .releases import release
     from .results import SURFACES, Outcome, Shots, Trajectory
@@ -25,7 +26,9 @@ if TYPE_CHECKING:
 __all__ = [
     "simulate",
     "certify",
+    "compile",
     "release",
+    "HOOP",
     "PAPER",
     "NBA",
     "FIBA",
@@ -38,6 +41,9 @@ __all__ = [
 
 _LATER = {
     "simulate": "simulation",
+    "compile": "scene.compile",
+    "load_scene": "scene.files",
+    "HOOP": "engines",
     "release": "releases",
     "PAPER": "parameters",
     "NBA": "parameters",

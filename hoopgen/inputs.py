@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.generated.numpy import hoop
+
 from .brief import brief
-from .engine.raw import STATE_SIZE
-from .results import SURFACES
 
 __all__ = [
     "check_angles",
@@ -108,7 +108,7 @@ def check_states(states: ArrayLike) -> NDArray[np.float64]:
     array = doubles("states", states, "numbers of shape (n, 9) or (9,)")
     if array.ndim == 1:
         array = array[None]
-    if array.ndim != 2 or array.shape[1] != STATE_SIZE:
+    if array.ndim != 2 or array.shape[1] != len(hoop.STATE):
         raise ValueError(
             f"states: expected shape (n, 9) or (9,), got {np.shape(states)}; "
             "a row is x y z vx vy vz wx wy wz"
@@ -116,13 +116,20 @@ def check_states(states: ArrayLike) -> NDArray[np.float64]:
     return np.ascontiguousarray(array)
 
 
-def check_leaving(leaving: ArrayLike | None, shots: int) -> NDArray[np.int8] | None:
+def check_leaving(
+    leaving: ArrayLike | None, shots: int, surfaces: int = len(hoop.BODIES)
+) -> NDArray[np.int8] | None:
     """Return the surface that each shot leaves at the start, (shots,); None if none is given.
+
+    Parameters
+    ----------
+    surfaces
+        How many the scene has.
 
     Raises
     ------
     ValueError
-        If they are not indices into `SURFACES` or -1, one or so many.
+        If they are not indices into the surfaces or -1, one or so many.
     """
     if leaving is None:
         return None
@@ -133,8 +140,8 @@ def check_leaving(leaving: ArrayLike | None, shots: int) -> NDArray[np.int8] | N
     whole = array.dtype.kind in "iu" and not np.ma.is_masked(leaving)
     if not whole or array.shape not in ((), (shots,)):
         raise ValueError(f"leaving: expected whole numbers, one or {shots}, got {brief(leaving)}")
-    if np.any((array < -1) | (array >= len(SURFACES))):
-        raise ValueError(f"leaving: expected -1 to {len(SURFACES) - 1}, got {brief(leaving)}")
+    if np.any((array < -1) | (array >= surfaces)):
+        raise ValueError(f"leaving: expected -1 to {surfaces - 1}, got {brief(leaving)}")
     return np.ascontiguousarray(np.broadcast_to(array, shots), dtype=np.int8)
 
 
