@@ -43,6 +43,7 @@ _LATER = {
     "simulate": "simulation",
     "compile": "scene.compile",
     "load_scene": "scene.files",
+    "Scene": "scene.scene",
     "HOOP": "engines",
     "release": "releases",
     "PAPER": "parameters",
