@@ -61,6 +61,8 @@ class _Derived:
     def scene(self, axes: str, remarks: str) -> derive.Scene:
         """Return the scene."""
         read = self._read
+        if read.down != (2, -1):
+            raise wrong(read.name, "", "down", "expected '-z' as yet")
         bodies = tuple(self._body(shape) for shape in read.bodies)
         ends = tuple(self._end(shape) for shape in read.ends)
         return derive.Scene(
