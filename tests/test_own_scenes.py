@@ -80,8 +80,15 @@ ZOO = Scene(
     restitution="e",
     bodies=[
         Plane("ramp", axis="x", at="-3*size", within=["z - 2*y - size", "-z - 1"]),
-        Sphere("cap", radius="size", centre=("size", "-size", 0), within=["-x - y - z/2"]),
-        Cylinder("pipe", radius="size", centre=(0, 0, -0.5), axis="y", span=("-size", 0.2)),
+        Sphere("cap", radius="size", centre=("size", "-size", 0), within=["size/4 - x - y - z/2"]),
+        Cylinder(
+            "pipe",
+            radius="size",
+            centre=(0, 0, -0.5),
+            axis="y",
+            span=("-size", 0.2),
+            within=["-0.6 - z"],
+        ),
         Cylinder("well", radius="2*size", centre=(0, 0.3, 0), inside=True, span=(-1.5, -0.7)),
         Torus("wheel", radius="size", wire=0.04, centre=("-size", "size", 0.2), axis="x"),
         Sphere("globe", radius=2, inside=True, restitution="dull"),

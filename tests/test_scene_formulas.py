@@ -15,7 +15,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from hoopgen.scene import formulas
-from hoopgen.scene.formulas import POSITION, Formula, FormulaError, constant, parse, polynomial
+from hoopgen.scene.formulas import POSITION, Formula, FormulaError, constant, parse
+from hoopgen.scene.polynomials import polynomial
 
 NAMES = ("a", "b", "radius", *POSITION)
 VALUES = {"a": 0.3, "b": -1.7, "radius": 0.25, "x": 1.1, "y": -0.4, "z": 0.6}

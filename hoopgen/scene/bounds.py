@@ -11,18 +11,9 @@ from dataclasses import dataclass
 
 from hoopgen.brief import brief
 
-from .formulas import (
-    ONE,
-    POSITION,
-    ZERO,
-    Formula,
-    FormulaError,
-    Polynomial,
-    polynomial,
-    product,
-    total,
-)
+from .formulas import ONE, POSITION, ZERO, Formula, FormulaError
 from .inputs import Inputs
+from .polynomials import Polynomial, polynomial, product, total
 
 __all__ = ["Map", "Terms", "bounds", "terms"]
 
