@@ -192,15 +192,31 @@ class Formula:
         return product
 
     def __str__(self) -> str:
+        """Return it as it may be written; of a number its double."""
         if self.kind == "number":
-            return str(self.value)
+            value = Fraction(self.value)
+            return str(value) if value.denominator == 1 else repr(float(value))
         if self.kind == "name":
             return str(self.value)
         if self.kind == "sqrt":
             return f"sqrt({self.parts[0]})"
+        if self.kind == "+":
+            first, *rest = map(str, self._terms)
+            signed = (f" - {t[1:]}" if t.startswith("-") else f" + {t}" for t in rest)
+            return "".join([first, *signed])
         if self.kind == "**":
-            return f"({self.parts[0]})**{self.value}"
-        return f"({f' {self.kind} '.join(map(str, self.parts))})"
+            return f"{self.parts[0]._within()}**{self.value}"
+        left, right = self.parts
+        if self.kind == "*" and left.number == -1:
+            return f"-{right._within('*', '/', '**')}"
+        factor = str(left) if left.number is not None else left._within("*", "/", "**")
+        return f"{factor}{self.kind}{right._within('**')}"
+
+    def _within(self, *kinds: str) -> str:
+        """Return it as an operand: in brackets but for those kinds, names and roots."""
+        plain = self.kind in ("name", "sqrt", *kinds)
+        positive = self.number is not None and self.number >= 0
+        return str(self) if plain or positive else f"({self})"
 
 
 def constant(value: Fraction | int) -> Formula:
