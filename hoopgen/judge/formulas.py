@@ -12,6 +12,7 @@ from functools import cache
 from typing import Any
 
 import sympy as sp
+from flint import fmpq
 
 from hoopgen.derive.flight.parabola import flight
 from hoopgen.derive.ground.choice import Held
@@ -55,7 +56,7 @@ def compiled(expressions: Sequence[sp.Expr], *arguments: Sequence[sp.Symbol]) ->
     results = [writer.write(sp.sympify(expression)) for expression in expressions]
     head = f"def function({', '.join(f'a{place}' for place in range(len(arguments)))}):"
     source = "\n    ".join([head, *writer.lines, f"return [{', '.join(results)}]"])
-    namespace: dict[str, Any] = {}
+    namespace: dict[str, Any] = {"fmpq": fmpq}
     exec(source, namespace)  # made above, from derive/ alone
     made: Function = namespace["function"]
     return made
@@ -84,6 +85,8 @@ class _Writer:
     def _formula(self, expression: sp.Expr) -> str:
         if expression.is_Integer:
             return f"({int(expression)})"
+        if expression.is_Rational:
+            return f"fmpq({expression.p}, {expression.q})"
         if expression.is_Add:
             return " + ".join(self.write(term) for term in expression.args)
         if expression.is_Mul:
