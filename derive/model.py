@@ -262,17 +262,21 @@ def _surface_kernels(
     surface: Surface, scene: Scene, order: tuple[sp.Symbol, ...]
 ) -> SurfaceKernels:
     found = search(surface, scene.gravity)
-    formulas: dict[str, Formula] = {
-        "coefficients": (
-            _named("c", events.event_coefficients(surface, scene.gravity)),
-            "Coefficients in time of the event polynomial, constant first.",
-            "Eq. 3 in Table 2",
-        ),
-        "deflated": (
-            _named("c", events.deflated_coefficients(surface, scene.gravity)),
-            "Coefficients of the event polynomial over t, after a contact at t = 0.",
-            "Eq. 3 in Table 2, the exact root divided out",
-        ),
+    formulas: dict[str, Formula] = {}
+    if surface.polynomial:
+        formulas |= {
+            "coefficients": (
+                _named("c", events.event_coefficients(surface, scene.gravity)),
+                "Coefficients in time of the event polynomial, constant first.",
+                "Eq. 3 in Table 2",
+            ),
+            "deflated": (
+                _named("c", events.deflated_coefficients(surface, scene.gravity)),
+                "Coefficients of the event polynomial over t, after a contact at t = 0.",
+                "Eq. 3 in Table 2, the exact root divided out",
+            ),
+        }
+    formulas |= {
         "normal": (
             _components(NORMAL, surface.normal),
             "Outward unit normal n3 at a contact.",

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..flight.parabola import flight_named, flight_polynomials
-from ..ground.choice import IfAtMost, IfLess, hold, largest, smallest
+from ..ground.choice import IfLess, hold, largest, smallest
 from ..ground.polynomials import Coefficients, bernstein, compose, derivative, mean_rate
 from ..ground.rounding import (
     SAFETY,
@@ -28,7 +28,7 @@ from ..ground.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
 from ..surfaces import Surface
 from .approach import Approach
 from .events import Window, ceiling, event_coefficients, horizon, time_rounding
-from .windows import lost, windows
+from .windows import clear, lost, windows
 
 STARTS = sp.symbols("x_start y_start z_start", real=True)
 """Where the ball was at the start of the flight, from the surface's point."""
@@ -124,10 +124,7 @@ class PolynomialApproach(Approach):
         """Positive if no window opens before the horizon."""
         if not self._boxed:
             return sp.Integer(0)
-        verdict: sp.Expr = sp.Integer(1)
-        for low, high in self.windows:
-            verdict = IfLess(hold(largest(0, low)), hold(smallest(horizon, high)), 0, verdict)
-        return IfAtMost(self.lost, 0, verdict, 0)
+        return clear(self.windows, self.lost)
 
     @property
     def gap(self) -> sp.Expr:

@@ -6,9 +6,10 @@ from functools import singledispatch
 
 import sympy as sp
 
-from ..surfaces import Plane, Ring, Surface
+from ..surfaces import Box, Plane, Ring, Surface
 from .approach import Approach
 from .bernstein import PolynomialApproach
+from .box import BoxApproach
 from .curved import CurvedSearch
 from .plane import PlaneSearch
 from .ring import RingApproach
@@ -29,6 +30,11 @@ def _(surface: Plane, gravity: sp.Expr) -> Search:
 @search.register
 def _(surface: Ring, gravity: sp.Expr) -> Search:
     return CurvedSearch(surface, gravity, RingApproach(gravity, surface))
+
+
+@search.register
+def _(surface: Box, gravity: sp.Expr) -> Search:
+    return CurvedSearch(surface, gravity, BoxApproach(gravity, surface))
 
 
 def approach(surface: Surface, gravity: sp.Expr) -> Approach:

@@ -67,7 +67,7 @@ def fly(
     try:
         if not _valid(formulas, now, values, leaving):
             return Flown(Outcome.INVALID, arb.nan(), [arb.nan()] * len(now))
-        _follow(formulas, values, max_contacts, leaving, flown)
+        _follow(formulas, values, max_contacts, _left(formulas, now, values, leaving), flown)
     except Undecided as question:
         raise Undecided(question.args[0], flown) from None
     return flown
@@ -102,6 +102,15 @@ def _follow(
             return
 
 
+def _left(formulas: Formulas, state: list[arb], values: list[arb], leaving: int) -> int:
+    """Return what the ball leaves: of a surface of several parts, the first that it can be on."""
+    own = [k for k, surface in enumerate(formulas.surfaces) if surface.face == leaving]
+    for k in own:
+        if 1 not in map(sign, formulas.surfaces[k].bounds(state, values)):
+            return k
+    return own[0] if own else -1
+
+
 def _stops(surface: SurfaceFormulas, values: list[arb]) -> bool:
     """Return whether a ball leaves a surface with no velocity along the normal."""
     return surface.restitution is not None and surface.restitution(values)[0].is_zero()
@@ -131,16 +140,17 @@ def _valid(formulas: Formulas, state: list[arb], values: list[arb], leaving: int
             raise Undecided("the parameters are on the edge of what is allowed")
         if side <= 0:
             return False
-    others = [s for k, s in enumerate(formulas.surfaces[:-1]) if k != leaving]
-    return not any(_overlaps(surface, state, values) for surface in others)
+    others = [k for k in range(len(formulas.solids)) if k != leaving]
+    return not any(_overlaps(formulas, k, state, values) for k in others)
 
 
-def _overlaps(surface: SurfaceFormulas, state: list[arb], values: list[arb]) -> bool:
-    sides = [sign(part) for part in surface.inside(state, values)]
+def _overlaps(formulas: Formulas, face: int, state: list[arb], values: list[arb]) -> bool:
+    sides = [sign(part) for part in formulas.solids[face](state, values)]
     if any(side is not None and side >= 0 for side in sides):
         return False
     if None in sides:
-        raise Undecided(f"the ball starts on the edge of the {surface.name}")
+        name = next(surface.name for surface in formulas.surfaces if surface.face == face)
+        raise Undecided(f"the ball starts on the edge of the {name}")
     return True
 
 
@@ -163,6 +173,8 @@ def _next(
     best = min(certain, key=lambda k: float(arrivals[k].time.mid()), default=-1)
     for k, arrival in arrivals.items():
         if k != best and not (best >= 0 and arrivals[best].time < arrival.time):
+            if arrival.certain and formulas.surfaces[k].face == formulas.surfaces[best].face:
+                continue  # on a seam of one surface, which is smooth there
             name = formulas.surfaces[k].name
             if not arrival.certain:
                 raise Undecided(f"whether the ball meets the {name}")

@@ -29,7 +29,9 @@ from hoopgen.derive.ground.symbols import (
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.search.events import event_coefficients
-from hoopgen.derive.surfaces import Plane, Surface
+from hoopgen.derive.surfaces import Box, Plane, Surface
+
+from .parts import box_solid, parts
 
 Function = Callable[..., list[Any]]
 
@@ -138,11 +140,11 @@ class SurfaceFormulas:
     normal
         n3 at the state's position.
     inside
-        Expressions that are all negative exactly when the ball overlaps the body.
+        Expressions that are all negative exactly when the ball overlaps it.
     distance
         Signed distance, as a list of one.
-    body
-        The body that it belongs to.
+    face, body
+        The surface of the scene that it is, or is a part of, and the body that it belongs to.
     bounded
         Whether it has bounds; a plane without is the end.
     impact
@@ -160,6 +162,7 @@ class SurfaceFormulas:
     normal: Function
     inside: Function
     distance: Function
+    face: int
     body: int
     bounded: bool
     axis: int
@@ -175,7 +178,10 @@ class Formulas:
     Attributes
     ----------
     surfaces
-        What can be touched, then the finish.
+        What can be touched, then the finish. Of a box each face, edge and corner.
+    solids
+        (state, parameters), by surface of the scene: all negative exactly where the ball overlaps
+        the body.
     order
         In which they are searched: planes first, whose arrivals then limit the others' search.
     flight
@@ -189,6 +195,7 @@ class Formulas:
     """
 
     surfaces: tuple[SurfaceFormulas, ...]
+    solids: tuple[Function, ...]
     order: tuple[int, ...]
     flight: Function
     target: Function
@@ -198,7 +205,7 @@ class Formulas:
     uppers: tuple[float | None, ...]
 
 
-def _surface(surface: Surface, body: int, scene: Scene) -> SurfaceFormulas:
+def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFormulas:
     place, motion = (*POSITION, *VELOCITY), scene.symbols
     axis, offset = -1, sp.Integer(0)
     if isinstance(surface, Plane):
@@ -223,6 +230,7 @@ def _surface(surface: Surface, body: int, scene: Scene) -> SurfaceFormulas:
         by_state(list(surface.normal)),
         by_state(surface.inside),
         by_state([surface.distance]),
+        face,
         body,
         bool(surface.bounds),
         axis,
@@ -232,6 +240,10 @@ def _surface(surface: Surface, body: int, scene: Scene) -> SurfaceFormulas:
     )
 
 
+def _solid(surface: Surface) -> tuple[sp.Expr, ...]:
+    return box_solid(surface) if isinstance(surface, Box) else surface.inside
+
+
 @cache
 def formulas(scene: Scene = HOOP) -> Formulas:
     """Return the scene's formulas, compiled once."""
@@ -239,9 +251,15 @@ def formulas(scene: Scene = HOOP) -> Formulas:
     parameters = scene.symbols
     there = flight(scene.gravity)
     faces = zip((*scene.surfaces, scene.finish), (*scene.faces, len(scene.bodies)), strict=True)
-    surfaces = tuple(_surface(surface, body, scene) for surface, body in faces)
+    whole = [(surface, face, body) for face, (surface, body) in enumerate(faces)]
+    surfaces = tuple(
+        _surface(part, face, body, scene)
+        for surface, face, body in whole
+        for part in parts(surface)
+    )
     return Formulas(
         surfaces,
+        tuple(compiled(_solid(s), (*POSITION, *VELOCITY), parameters) for s in scene.surfaces),
         tuple(sorted(range(len(surfaces)), key=lambda k: surfaces[k].axis < 0)),
         compiled([e for vector in there for e in vector], state, parameters, (t,)),
         compiled([scene.target], state, parameters),
