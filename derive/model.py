@@ -30,6 +30,7 @@ from .ground.symbols import (
     velocity,
 )
 from .scenes import validity
+from .scenes.check import check
 from .scenes.names import check_kernels
 from .scenes.scene import Scene
 from .search import events, search
@@ -167,11 +168,7 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
         ),
         kernel(
             "displacement",
-            {
-                "margin": events.displacement(
-                    scene.gravity, [p.symbol for p in scene.parameters if p.unit == "m"]
-                )
-            },
+            {"margin": events.displacement(scene.gravity, scene.lengths)},
             order,
             "Bound on the error of a length at a computed arrival.",
             "running error analysis",
@@ -303,7 +300,14 @@ def _surface_kernels(
 
 
 def build(scene: Scene) -> Model:
-    """Return all kernels of a scene, and its event loop."""
+    """Return all kernels of a scene, and its event loop.
+
+    Raises
+    ------
+    ValueError
+        If a formula of the scene is not what it is taken for, or two kernels have one name.
+    """
+    check(scene)
     order = _order(scene)
     common = {k.name: k for k in _common(scene, order)}
     choices = decisions.kernels(scene.faces)
