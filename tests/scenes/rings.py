@@ -1,4 +1,4 @@
-"""A ring on a wall, a ring off the origin, a leaning one, and two surfaces of formulas of their own.
+"""A ring on a wall, a ring off the origin, a leaning one, and two surfaces of free formulas.
 
 The formulas are an egg, and a saddle that is cut off round, by a bound that is no length.
 """
