@@ -10,7 +10,6 @@ from .contact.frame import contact_frame
 from .contact.law import Law
 from .contact.rolling import impact_through_frame
 from .errors import tangent
-from .flight.parabola import flight
 from .follow import decisions
 from .follow.fields import Result, fields, results
 from .follow.loop import Contact, Loop, event_loop
@@ -84,7 +83,7 @@ def _order(scene: Scene) -> tuple[sp.Symbol, ...]:
     searching = (t, events.end, events.leaving, events.margin, events.rate_margin)
     crossing = (events.rate, events.ceiling, events.delay, events.share, events.horizon)
     sizes = (extent, speed, position_error, velocity_error)
-    own = (s for surface in scene.surfaces for s in search(surface, scene.gravity).constants)
+    own = (s for surface in scene.surfaces for s in search(surface, scene.flight).constants)
     return (
         *(*searching, *crossing, *STATE, *NORMAL, *FRAME, *sizes),
         *tangent.ARGUMENTS,
@@ -106,7 +105,7 @@ def _components(names: tuple[sp.Symbol, ...], *vectors: sp.Matrix) -> dict[str, 
 
 def _largest_input(scene: Scene) -> sp.Expr:
     """Return the largest of what is squared or divided by."""
-    return largest(1 / scene.gravity, *map(sp.Abs, (*POSITION, *VELOCITY)))
+    return largest(1 / scene.flight.strength, *map(sp.Abs, (*POSITION, *VELOCITY)))
 
 
 def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
@@ -115,7 +114,7 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
     return [
         kernel(
             "flight",
-            _components((*POSITION, *VELOCITY), *flight(scene.gravity)),
+            _components((*POSITION, *VELOCITY), *scene.flight.at()),
             order,
             "Position and velocity at time t of a flight.",
             "Eq. 3",
@@ -143,14 +142,14 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
         ),
         kernel(
             "allowance",
-            events.allowance(scene.gravity),
+            events.allowance(scene.flight),
             order,
             "Errors of a state that a search allows for, and by how much the errors exceed them.",
             "a share of the size of the flight",
         ),
         kernel(
             "horizon",
-            events.padded_horizon(scene.gravity),
+            events.padded_horizon(scene.flight),
             order,
             "A time after which no event is wanted, and how long that is after t.",
             "the earliest arrival, with room for its delay",
@@ -168,14 +167,14 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
         ),
         kernel(
             "displacement",
-            {"margin": events.displacement(scene.gravity, scene.lengths)},
+            {"margin": events.displacement(scene.flight, scene.lengths)},
             order,
             "Bound on the error of a length at a computed arrival.",
             "running error analysis",
         ),
         kernel(
             "carry_flight",
-            tangent.carried_to_contact(scene.gravity),
+            tangent.carried_to_contact(scene.flight),
             order,
             "Errors of a state at the end of a flight to a surface, from those at its start.",
             "derivative of Eq. 3 and of the contact time, with roundings",
@@ -258,17 +257,17 @@ def _law_kernels(law: Law, scene: Scene, order: tuple[sp.Symbol, ...]) -> dict[s
 def _surface_kernels(
     surface: Surface, scene: Scene, order: tuple[sp.Symbol, ...]
 ) -> SurfaceKernels:
-    found = search(surface, scene.gravity)
+    found = search(surface, scene.flight)
     formulas: dict[str, Formula] = {}
     if surface.polynomial:
         formulas |= {
             "coefficients": (
-                _named("c", events.event_coefficients(surface, scene.gravity)),
+                _named("c", events.event_coefficients(surface, scene.flight)),
                 "Coefficients in time of the event polynomial, constant first.",
                 "Eq. 3 in Table 2",
             ),
             "deflated": (
-                _named("c", events.deflated_coefficients(surface, scene.gravity)),
+                _named("c", events.deflated_coefficients(surface, scene.flight)),
                 "Coefficients of the event polynomial over t, after a contact at t = 0.",
                 "Eq. 3 in Table 2, the exact root divided out",
             ),

@@ -33,7 +33,7 @@ from hoopgen.derive.ground.kernel import kernel
 from hoopgen.derive.ground.symbols import UNIT_ROUNDOFF, ParameterSymbol
 from hoopgen.derive.ground.tree import Do, walk
 from hoopgen.derive.model import Model, build
-from hoopgen.derive.search.ring import WIDER
+from hoopgen.derive.search.polar import WIDER
 from hoopgen.generated.numpy import hoop
 from latex_reader import read
 from mpmath import mp, mpf

@@ -17,9 +17,9 @@ from typing import Any
 import numpy as np
 import pytest
 from compiled import needs_compiler
-from hoopgen.derive import model
 from hoopgen.derive.contact import frame, rolling
 from hoopgen.derive.errors import tangent
+from hoopgen.derive.flight.parabola import Parabola
 from hoopgen.derive.follow import decisions as following
 from hoopgen.derive.ground.tree import Guard, Repeat
 from hoopgen.derive.scenes.hoop import HOOP
@@ -27,6 +27,7 @@ from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.search import decisions as searching
 from hoopgen.derive.search import events, plane, ring
 from hoopgen.derive.search.ring import RingApproach
+from hoopgen.derive.surfaces import Ring
 from hoopgen.generated.numpy import hoop
 from mutants import (
     Fault,
@@ -373,9 +374,9 @@ FAULTS = (
     ),
     Fault(
         "the ring's normal is not divided by R",
-        in_text(ring.Ring, "normal", "hold(1 / self.reach)", "hold(self.reach / self.reach)"),
+        in_text(Ring, "normal", "hold(1 / self.reach)", "hold(self.reach / self.reach)"),
     ),
-    Fault("gravity is not halved", in_text(model, "flight", "/ 2", "")),
+    Fault("gravity is not halved", in_text(Parabola, "path", "/ 2", "")),
     # Bounds on errors.
     Fault("claims carry no guard", in_text(tangent, "bounds", "times * s", "s / 2**10")),
     Fault("decisions carry no guard", lambda patch: patch.setattr(tangent, "GUARD", 1)),

@@ -9,6 +9,7 @@ import sys
 import sysconfig
 import zipfile
 from collections.abc import Iterator
+from graphlib import TopologicalSorter
 from importlib.metadata import distribution
 from pathlib import Path
 
@@ -200,3 +201,19 @@ def test_studies_stand_below_pictures_pages_and_study_files() -> None:
         if f"{name}.".startswith(tuple(f"{room}." for room in above))
     ]
     assert found == []
+
+
+def test_no_room_of_the_derivation_needs_what_needs_it() -> None:
+    """Not even for a type alone: what only type checkers import counts, too."""
+    rooms = {
+        ".".join(file.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__"): file
+        for file in sorted((ROOT / "derive").rglob("*.py"))
+    }
+    needs: dict[str, set[str]] = {}
+    for room, file in rooms.items():
+        tree = ast.parse(file.read_text(encoding="utf-8"))
+        package = ".".join(file.relative_to(ROOT).parent.parts)
+        names = set(imported(tree, package))
+        needs[room] = {n if n in rooms else n.rpartition(".")[0] for n in names} & set(rooms)
+    assert needs["derive.search.clear"] >= {"derive.search.polar"}
+    TopologicalSorter(needs).prepare()

@@ -17,7 +17,7 @@ from functools import cache
 import sympy as sp
 
 from ..contact.law import Law
-from ..flight.parabola import flight
+from ..flight.parabola import Parabola
 from ..ground.choice import Held, IfAtMost, IfLess, hold, largest, size, smallest
 from ..ground.symbols import POSITION, UNIT_ROUNDOFF, normal, position, spin, t, velocity
 from ..surfaces import Surface
@@ -105,7 +105,7 @@ def _lifted(error: sp.Expr, worst: sp.Expr) -> sp.Expr:
     return IfLess(size(error), floor, IfLess(error, 0, -floor, floor), error)
 
 
-def carried_to_contact(gravity: sp.Expr) -> dict[str, sp.Expr]:
+def carried_to_contact(flight: Parabola) -> dict[str, sp.Expr]:
     """Return the errors at the end of a flight of time t that meets a surface there.
 
     Arguments are the errors at its start, and the state and normal at its end. The contact of the
@@ -113,13 +113,13 @@ def carried_to_contact(gravity: sp.Expr) -> dict[str, sp.Expr]:
     """
     shifts, roundings = [], []
     for k, (error, drift) in enumerate(zip(dx, dv, strict=True)):
-        flown = 2 * size(velocity[k]) * t + (gravity * t**2 if k == 2 else 0)
+        flown = 2 * size(velocity[k]) * t + sp.Abs(flight.acceleration[k]) * t**2
         rounding = UNIT_ROUNDOFF * hold(size(position[k]) + flown)
         roundings.append(rounding)
         shifts.append(hold(_away(hold(error + drift * t), rounding)))
     moved = sp.Matrix(shifts)
     delay = hold(-moved.dot(normal) / hold(velocity.dot(normal)))
-    _, fallen = flight(gravity, delay)
+    _, fallen = flight.at(delay)
     falling = [after - before for after, before in zip(fallen, velocity, strict=True)]
     # An error along the surface that the ball left is across it only as far as the normal turned.
     across = smallest(1, hold(_greatest(velocity) * t) * curving)

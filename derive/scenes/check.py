@@ -48,7 +48,9 @@ def check(scene: Scene) -> None:
         except _Refused as reason:
             raise ValueError(f"scene {scene.name}: surface {surface.name}: {reason}") from None
     for law in scene.laws:
-        for symbol in _unknown([law.restitution], known - set(POSITION)):
+        arriving = sp.Symbol("speed", positive=True)
+        given = (known - set(POSITION)) | {arriving}
+        for symbol in _unknown([law.restitution_at(arriving)], given):
             raise ValueError(
                 f"scene {scene.name}: law {law.name}: unknown symbol {symbol}; {_known(known)}"
             )

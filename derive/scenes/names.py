@@ -8,11 +8,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from .scene import Scene
+from collections.abc import Iterable, Sequence
 
 PUBLIC = re.compile(r"[a-z][a-z0-9_]*", re.ASCII)
 """What every public name matches as a whole."""
@@ -27,39 +23,50 @@ TAKEN = ("p", "float", "math", "stddef", "stdint", "string")
 """Names that no scene has: that before its parameters, and headers beside its own."""
 
 
-def check(scene: Scene) -> None:
+def check(
+    scene: str,
+    parameters: Sequence[tuple[str, str]],
+    bodies: Sequence[str],
+    surfaces: Sequence[str],
+    laws: Sequence[str],
+) -> None:
     """Refuse names that are not public names, or that two things of one kind have.
+
+    Parameters
+    ----------
+    scene
+        The scene's own name.
+    parameters
+        Name and LaTeX of each.
+    bodies, surfaces
+        Names, the finish's among them.
+    laws
+        Names.
 
     Raises
     ------
     ValueError
         Naming the scene, the name, and what is allowed.
     """
-    given = {
-        "parameter": [parameter.symbol.name for parameter in scene.parameters],
-        "body": [*(body.name for body in scene.bodies), scene.finish.name],
-        "surface": [surface.name for surface in (*scene.surfaces, scene.finish)],
-    }
-    _public(scene.name, "scene", [scene.name])
-    if scene.name in TAKEN:
-        raise ValueError(f"scene {scene.name!r}: not one of {', '.join(TAKEN)}")
-    for kind, names in given.items():
-        _public(scene.name, kind, names)
-        _once(scene.name, kind, names)
-    for parameter in scene.parameters:
-        if not LATEX.fullmatch(parameter.latex):
+    _public(scene, "scene", [scene])
+    if scene in TAKEN:
+        raise ValueError(f"scene {scene!r}: not one of {', '.join(TAKEN)}")
+    own = [name for name, _ in parameters]
+    for kind, names in (("parameter", own), ("body", bodies), ("surface", surfaces)):
+        _public(scene, kind, names)
+        _once(scene, kind, names)
+    for name, latex in parameters:
+        if not LATEX.fullmatch(latex):
             raise ValueError(
-                f"scene {scene.name}: parameter {parameter.name!r}: its LaTeX {parameter.latex!r} "
+                f"scene {scene}: parameter {name!r}: its LaTeX {latex!r} "
                 "has more than letters, digits and \\ _ ^ ' { }"
             )
-    laws = [law.name for law in scene.laws]
     for name in laws:
         if not LAW.fullmatch(name):
             raise ValueError(
-                f"scene {scene.name}: law {name!r}: expected 'impact', or a name that ends in "
-                "'_impact'"
+                f"scene {scene}: law {name!r}: expected 'impact', or a name that ends in '_impact'"
             )
-    _once(scene.name, "law", laws)
+    _once(scene, "law", laws)
 
 
 def check_kernels(scene: str, names: Iterable[str]) -> None:

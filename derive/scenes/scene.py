@@ -7,10 +7,14 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from ..contact.law import Law
+from ..flight.parabola import Parabola
 from ..ground.choice import release
 from ..ground.symbols import ParameterSymbol
 from ..surfaces import Body, Plane, Surface
 from . import names
+
+AXES = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
+"""Where free fall can go."""
 
 
 @dataclass(frozen=True)
@@ -71,6 +75,8 @@ class Scene:
         Expressions of the parameters that must be positive.
     axes, remarks
         For readers, in plain sentences: where origin and axes lie, and what else there is to say.
+    gravity_axis
+        The way free fall goes: along one axis, by default down.
     """
 
     name: str
@@ -83,9 +89,27 @@ class Scene:
     requirements: tuple[sp.Expr, ...] = field(default=())
     axes: str = ""
     remarks: str = ""
+    gravity_axis: tuple[int, int, int] = (0, 0, -1)
 
     def __post_init__(self) -> None:
-        names.check(self)
+        names.check(
+            self.name,
+            [(parameter.name, parameter.latex) for parameter in self.parameters],
+            [*(body.name for body in self.bodies), self.finish.name],
+            [surface.name for surface in (*self.surfaces, self.finish)],
+            [law.name for law in self.laws],
+        )
+        if self.gravity_axis not in AXES:
+            raise ValueError(
+                f"scene {self.name}: gravity_axis: expected one of "
+                f"{', '.join(map(str, AXES))}, got {self.gravity_axis!r}"
+            )
+
+    @property
+    def flight(self) -> Parabola:
+        """How the ball moves between contacts."""
+        ax, ay, az = (component * self.gravity for component in self.gravity_axis)
+        return Parabola((ax, ay, az))
 
     @property
     def surfaces(self) -> tuple[Surface, ...]:

@@ -11,13 +11,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..flight.parabola import flight_named, flight_polynomials
 from ..ground.choice import IfLess, hold, size, smallest
 from ..ground.rounding import (
     SAFETY,
     Rounded,
-    flight_rounding,
-    flight_size,
     rounding,
     velocity_error,
 )
@@ -43,11 +40,6 @@ class BoxApproach(Approach):
         return {}
 
     @property
-    def _accelerations(self) -> list[sp.Expr]:
-        paths = flight_polynomials(self.gravity).values()
-        return [2 * c[2] if len(c) > 2 else sp.Integer(0) for c in paths]
-
-    @property
     def _reach(self) -> sp.Expr:
         """How far beyond a face the ball can be within the windows."""
         return hold(self.box.radius + 2 * WIDER * smallest(*self.box.halves))
@@ -56,13 +48,13 @@ class BoxApproach(Approach):
     def windows(self) -> list[Window]:
         """When the ball is near enough along every axis."""
         offsets = (hold(p - c) for p, c in zip(POSITION, self.box.about, strict=True))
-        axes = zip(offsets, VELOCITY, self._accelerations, strict=True)
+        axes = zip(offsets, VELOCITY, self.flight.acceleration, strict=True)
         return windows(list(axes), self.box.halves)
 
     @property
     def lost(self) -> sp.Expr:
         """Errors near to what the windows are wider by."""
-        return lost(self.box.about, self.box.halves, self.gravity)
+        return lost(self.box.about, self.box.halves, self.flight.strength)
 
     @property
     def clear(self) -> sp.Expr:
@@ -71,10 +63,10 @@ class BoxApproach(Approach):
 
     def _moving(self) -> list[tuple[sp.Expr, sp.Expr, sp.Expr]]:
         """Return e, velocity and acceleration of each coordinate at time t."""
-        there, moving = flight_named(self.gravity)
+        there, moving = self.flight.named()
         now = dict(zip(POSITION, there, strict=True))
         excess = [e.xreplace(now) for e in self.box.excess]
-        return list(zip(excess, moving, self._accelerations, strict=True))
+        return list(zip(excess, moving, self.flight.acceleration, strict=True))
 
     @property
     def gap(self) -> sp.Expr:
@@ -118,15 +110,15 @@ class BoxApproach(Approach):
     @property
     def ceiling(self) -> sp.Expr:
         """Each term of F'' at its largest."""
-        _, fastest = flight_size(self.gravity, horizon)
-        falls = (BEYOND * self._reach * size(a) for a in self._accelerations if a != 0)
+        _, fastest = self.flight.size(horizon)
+        falls = (BEYOND * self._reach * size(a) for a in self.flight.acceleration if a != 0)
         return 2 * hold(3 * fastest**2 + sp.Add(*falls))
 
     @property
     def margins(self) -> dict[str, sp.Expr]:
         """By running error analysis; e is off by no more than its coordinate and one sum."""
-        there, moved = flight_rounding(self.gravity, horizon)
-        _, fastest = flight_size(self.gravity, horizon)
+        there, moved = self.flight.rounding(horizon)
+        _, fastest = self.flight.size(horizon)
         mean = Rounded(fastest, hold(velocity_error + 3 * UNIT_ROUNDOFF * fastest))
         now: dict[sp.Expr, Rounded] = dict.fromkeys(VELOCITY, moved)
         faces = zip(EXCESS, POSITION, self.box.low, self.box.high, strict=True)

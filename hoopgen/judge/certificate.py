@@ -111,6 +111,8 @@ class Proof:
 class Certificate:
     """Proofs of a batch: arrays by shot, and each shot's own by index.
 
+    Every result of a simulation is here under its name.
+
     Attributes
     ----------
     proofs
@@ -128,6 +130,8 @@ class Certificate:
         those. NaN where undecided or invalid.
     state, state_radius
         float64 (n, 9), likewise.
+    uncertain, time_error, state_error
+        As in `Shots`, of what is proved: bool (n,), float64 (n,) and (n, 3).
     """
 
     def __init__(self, proofs: Sequence[Proof], bodies: int) -> None:
@@ -148,6 +152,22 @@ class Certificate:
         self.time_radius: NDArray[np.float64] = np.array([p.time_radius for p in proofs], float)
         states = [p.state for p in proofs], [p.state_radii for p in proofs]
         self.state, self.state_radius = (np.array(s, float).reshape(shots, 9) for s in states)
+
+    @property
+    def uncertain(self) -> NDArray[np.bool_]:
+        """Where not every decision was proved."""
+        return ~self.decided
+
+    @property
+    def time_error(self) -> NDArray[np.float64]:
+        """The times' radii."""
+        return self.time_radius
+
+    @property
+    def state_error(self) -> NDArray[np.float64]:
+        """The largest radius of each of position, velocity and spin."""
+        largest: NDArray[np.float64] = self.state_radius.reshape(-1, 3, 3).max(axis=2)
+        return largest
 
     def __len__(self) -> int:
         return len(self.proofs)

@@ -81,7 +81,7 @@ def _follow(
     while True:
         start = flown.state
         # How many low coefficients of the event polynomial of the last surface vanish.
-        vanishing = 2 if flown.events and _stops(formulas.surfaces[last], values) else 1
+        vanishing = 2 if flown.events and _stops(formulas.surfaces[last], flown, values) else 1
         found = _next(formulas, start, values, last, vanishing)
         if found is None:
             flown.outcome = Outcome.SHORT
@@ -111,9 +111,17 @@ def _left(formulas: Formulas, state: list[arb], values: list[arb], leaving: int)
     return own[0] if own else -1
 
 
-def _stops(surface: SurfaceFormulas, values: list[arb]) -> bool:
-    """Return whether a ball leaves a surface with no velocity along the normal."""
-    return surface.restitution is not None and surface.restitution(values)[0].is_zero()
+def _stops(surface: SurfaceFormulas, flown: Flown, values: list[arb]) -> bool:
+    """Return whether the ball left its last surface with no velocity along the normal."""
+    return bool(_restitution(surface, flown.events[-1].before, values).is_zero())
+
+
+def _restitution(surface: SurfaceFormulas, before: list[arb], values: list[arb]) -> arb:
+    """Return that of a contact, from the state before it."""
+    assert surface.restitution is not None
+    normal = surface.normal(before, values)
+    speed = -sum((v * n for v, n in zip(before[3:6], normal, strict=True)), arb(0))
+    return arb(surface.restitution(values, (speed,))[0])
 
 
 def _made(formulas: Formulas, state: list[arb], values: list[arb]) -> int:
@@ -327,9 +335,8 @@ def _bounded(
 def _bounce(surface: SurfaceFormulas, before: list[arb], values: list[arb]) -> list[arb]:
     """Return the state after a contact, what is exact by construction kept so."""
     assert surface.impact is not None
-    assert surface.restitution is not None
     after = before[:3] + surface.impact(before, values, surface.normal(before, values))
     if surface.axis >= 0:
         after[surface.axis] = surface.offset(values)[0]
-        after[3 + surface.axis] = -surface.restitution(values)[0] * before[3 + surface.axis]
+        after[3 + surface.axis] = -_restitution(surface, before, values) * before[3 + surface.axis]
     return after

@@ -14,7 +14,6 @@ from typing import Any
 import sympy as sp
 from flint import fmpq
 
-from hoopgen.derive.flight.parabola import flight
 from hoopgen.derive.ground.choice import Held
 from hoopgen.derive.ground.symbols import (
     NORMAL,
@@ -34,6 +33,9 @@ from hoopgen.derive.surfaces import Box, Plane, Surface
 from .parts import box_solid, parts
 
 Function = Callable[..., list[Any]]
+
+ARRIVAL = sp.Symbol("arrival_speed", positive=True)
+"""Along the normal, towards the surface, m/s."""
 
 
 def compiled(expressions: Sequence[sp.Expr], *arguments: Sequence[sp.Symbol]) -> Function:
@@ -150,7 +152,7 @@ class SurfaceFormulas:
     impact
         (state, parameters, normal) to velocity and spin; None at the end.
     restitution
-        (parameters,): of its law, as a list of one.
+        (parameters, (speed,)): of its law at a normal speed, as a list of one; None at the end.
     axis, offset
         Of a plane: the coordinate that its normal points along, and that coordinate at contact,
         as a list of one, from the parameters alone. For any other surface the axis is -1.
@@ -218,14 +220,14 @@ def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFor
         after = law.after(normal, velocity, spin, scene.ball_radius)
         state = (*POSITION, *VELOCITY, *SPIN)
         impact = compiled([e for vector in after for e in vector], state, motion, NORMAL)
-        restitution = compiled([law.restitution], motion)
+        restitution = compiled([law.restitution_at(ARRIVAL)], motion, (ARRIVAL,))
 
     def by_state(expressions: Sequence[sp.Expr]) -> Function:
         return compiled(expressions, place, motion)
 
     return SurfaceFormulas(
         surface.name,
-        by_state(event_coefficients(surface, scene.gravity)),
+        by_state(event_coefficients(surface, scene.flight)),
         by_state(surface.bounds),
         by_state(list(surface.normal)),
         by_state(surface.inside),
@@ -249,7 +251,7 @@ def formulas(scene: Scene = HOOP) -> Formulas:
     """Return the scene's formulas, compiled once."""
     state = (*POSITION, *VELOCITY, *SPIN)
     parameters = scene.symbols
-    there = flight(scene.gravity)
+    there = scene.flight.at()
     faces = zip((*scene.surfaces, scene.finish), (*scene.faces, len(scene.bodies)), strict=True)
     whole = [(surface, face, body) for face, (surface, body) in enumerate(faces)]
     surfaces = tuple(

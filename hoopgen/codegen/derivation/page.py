@@ -17,7 +17,6 @@ from hoopgen.derive.contact.rolling import (
     impact_inverse,
     impact_system,
 )
-from hoopgen.derive.flight.parabola import flight
 from hoopgen.derive.ground import rounding
 from hoopgen.derive.ground.kernel import Kernel
 from hoopgen.derive.ground.symbols import UNIT_ROUNDOFF, ParameterSymbol, normal
@@ -89,6 +88,7 @@ class Derivation:
     axes: str
     remarks: str
     finish: str
+    crossed: str
     radius: str
     roundoff: str
     safety: str
@@ -187,7 +187,7 @@ def _kernels(model: Model, letters: Letters) -> dict[str, KernelText]:
     for made in (*model.surfaces, model.finish):
         names = {}
         if not isinstance(made.surface, Plane):
-            names = known(approach(made.surface, model.scene.gravity))
+            names = known(approach(made.surface, model.scene.flight))
         for kernel in made.kernels.values():
             texts[kernel.name] = _kernel(kernel, names, frozenset(STUDIES), letters)
     study = {kernel.name for kernel in model.study}
@@ -201,15 +201,16 @@ def _kernels(model: Model, letters: Letters) -> dict[str, KernelText]:
 def derivation_context(model: Model) -> Derivation:
     """Return what the template of derivation.md shows."""
     scene = model.scene
-    gravity, letters = scene.gravity, Letters(scene)
+    flight, letters = scene.flight, Letters(scene)
     brief = Brief(scene, letters)
-    place, motion = flight(gravity)
-    there, moving = rounding.flight_rounding(gravity, events.horizon)
+    place, motion = flight.at()
+    there, moving = flight.rounding(events.horizon)
     surfaces = (*scene.surfaces, scene.finish)
     planes = [s for s in surfaces if isinstance(s, Plane)]
     lengths = [p.symbol for p in scene.parameters if p.unit == "m"]
     flown = (f"{left}(t)" for left in (*AXES, *(f"v_{axis}" for axis in AXES)))
     kernels = _kernels(model, letters)
+    down = flight.upright and scene.finish.direction == (0, 0, 1)
 
     def shown(name: str) -> str:
         return f"`{name}`" if kernels[name].short else f"[`{name}`](#{name})"
@@ -219,6 +220,7 @@ def derivation_context(model: Model) -> Derivation:
         axes=scene.axes,
         remarks=scene.remarks,
         finish=scene.finish.name,
+        crossed="on the way down" if down else "where the ball crosses it against its normal",
         radius=letters(scene.ball_radius),
         roundoff=f"2^{{{int(sp.log(UNIT_ROUNDOFF, 2))}}}",
         safety=number(rounding.SAFETY) or show(rounding.SAFETY),
@@ -228,13 +230,13 @@ def derivation_context(model: Model) -> Derivation:
         arguments=_arguments(model),
         brief=Formulas(tuple(brief.definitions)),
         flight=plainly(dict(zip(flown, (*place, *motion), strict=True)), {}, letters),
-        surfaces=tuple(surface_text(s, gravity, brief) for s in surfaces),
+        surfaces=tuple(surface_text(s, flight, brief) for s in surfaces),
         target=brief.line("", scene.target),
         frame=show(frame_from_axis(normal, 0).applyfunc(sp.simplify)),
         impact=_impact(scene, letters),
         crossing=explain({latex_name(n): e for n, e in events.crossing().items()}),
         searches=tuple(
-            search_text(s, gravity, letters) for s in scene.surfaces if not isinstance(s, Plane)
+            search_text(s, flight, letters) for s in scene.surfaces if not isinstance(s, Plane)
         ),
         flight_rounding=explain(
             {
@@ -247,9 +249,9 @@ def derivation_context(model: Model) -> Derivation:
             letters,
         ),
         plane_margins=explain(
-            {f"m_{text(p.name)}": plane_margin(p, gravity) for p in planes}, {}, letters
+            {f"m_{text(p.name)}": plane_margin(p, flight) for p in planes}, {}, letters
         ),
-        displacement=explain({r"\epsilon": events.displacement(gravity, lengths)}, {}, letters),
+        displacement=explain({r"\epsilon": events.displacement(flight, lengths)}, {}, letters),
         outline=outline(model.loop, shown),
         kernels=kernels,
     )
