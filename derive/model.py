@@ -66,7 +66,7 @@ class Model:
     common: dict[str, Kernel]
     laws: dict[Law, dict[str, Kernel]]
     surfaces: tuple[SurfaceKernels, ...]
-    finish: SurfaceKernels
+    gates: tuple[SurfaceKernels, ...]
     study: tuple[Kernel, ...]
     loop: Loop
     results: tuple[Result, ...]
@@ -75,7 +75,7 @@ class Model:
     def kernels(self) -> tuple[Kernel, ...]:
         """Every kernel, in order."""
         of_laws = (k for kernels in self.laws.values() for k in kernels.values())
-        of_surfaces = (k for s in (*self.surfaces, self.finish) for k in s.kernels.values())
+        of_surfaces = (k for s in (*self.surfaces, *self.gates) for k in s.kernels.values())
         return (*self.common.values(), *of_laws, *of_surfaces, *self.study)
 
 
@@ -180,6 +180,13 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
             "derivative of Eq. 3 and of the contact time, with roundings",
         ),
         kernel(
+            "carry_time",
+            tangent.carried_to_time(scene.flight),
+            order,
+            "Errors of a state at the time limit, from those at the start of the flight.",
+            "derivative of Eq. 3, with roundings",
+        ),
+        kernel(
             "error_bounds",
             tangent.bounds(tangent.GUARD),
             order,
@@ -213,13 +220,6 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
             plain_order,
             "1 where no surface is overlapped; 1 where that is in doubt.",
             "Table 2",
-        ),
-        kernel(
-            "target",
-            {"target": scene.target},
-            order,
-            "Not positive where a crossing of the end plane is made.",
-            "Table 2, success",
         ),
     ]
 
@@ -309,25 +309,28 @@ def build(scene: Scene) -> Model:
     check(scene)
     order = _order(scene)
     common = {k.name: k for k in _common(scene, order)}
-    choices = decisions.kernels(scene.faces)
+    choices = decisions.kernels(scene.faces, scene.outcomes, len(scene.gates))
     laws = {law: _law_kernels(law, scene, order) for law in scene.laws}
     surfaces = tuple(_surface_kernels(surface, scene, order) for surface in scene.surfaces)
-    finish = _surface_kernels(scene.finish, scene, order)
+    gates = tuple(_surface_kernels(gate, scene, order) for gate in scene.gates)
     contacts = [
         Contact(index, body, made.kernels, made.search, laws[scene.bodies[body].law])
         for index, (body, made) in enumerate(zip(scene.faces, surfaces, strict=True))
     ]
-    end = Contact(len(contacts), len(scene.bodies), finish.kernels, finish.search, {})
+    ends = [
+        Contact(len(contacts) + k, len(scene.bodies), made.kernels, made.search, {})
+        for k, made in enumerate(gates)
+    ]
     names = [body.name for body in scene.bodies]
     loop = event_loop(
         common | choices,
         contacts,
-        end,
+        ends,
         fields(names),
         [variable(symbol) for symbol in scene.symbols],
     )
     study = tuple(study_kernels(scene, order))
     common |= {name: made for name, made in choices.items() if name in loop.called}
-    model = Model(scene, common, laws, surfaces, finish, study, loop, results(names))
+    model = Model(scene, common, laws, surfaces, gates, study, loop, results(names))
     check_kernels(scene.name, (kernel.name for kernel in model.kernels))
     return model

@@ -19,7 +19,7 @@ from .brief import brief, listed
 from .engine import native, numpy_backend
 from .engine.arithmetic import check_arithmetic
 from .engine.raw import BOUNDS, EVENT, FIELDS, Raw, allocate, allocate_events
-from .inputs import check_contacts, check_leaving, check_states, check_threads
+from .inputs import check_contacts, check_leaving, check_states, check_threads, check_time_limit
 from .parameters import NAMES, PAPER, Value, resolve
 from .results import SURFACES, Shots
 from .sizes import check_room
@@ -49,6 +49,7 @@ class _Batch:
     parameters: list[Value]
     leaving: NDArray[np.int8] | None
     max_contacts: int
+    time_limit: float
     library: native.Library | None
     stop: NDArray[np.int32]
 
@@ -61,13 +62,12 @@ class _Batch:
         states = self.states[start:stop]
         parameters = [p if isinstance(p, float) else p[start:stop] for p in self.parameters]
         leaving = None if self.leaving is None else self.leaving[start:stop]
+        given = (states, parameters, leaving, self.max_contacts, out)
         if self.library is not None:
-            self.library.run(states, parameters, leaving, self.max_contacts, out, self.stop)
+            self.library.run(*given, self.stop, time_limit=self.time_limit)
         else:
             check_arithmetic()  # the library looks for itself
-            numpy_backend.run(
-                hoop, states, parameters, leaving, self.max_contacts, out, self.stopped
-            )
+            numpy_backend.run(hoop, *given, self.stopped, time_limit=self.time_limit)
 
 
 def simulate(
@@ -81,6 +81,7 @@ def simulate(
     record: bool = False,
     leaving: ArrayLike | None = None,
     settle: bool = False,
+    time_limit: float | None = None,
 ) -> Shots:
     """Simulate shots from contact to contact until they end.
 
@@ -112,6 +113,10 @@ def simulate(
     settle
         Whether to let `certify` decide the uncertain shots, which then are not; needs the extra
         "certify". A true tie, an exact touch or an exact edge stays uncertain.
+    time_limit
+        s since the release, of flight and contact: a shot that has not ended then ends as ENDLESS,
+        with its state at that time; None for no limit. A shot that can never reach the end plane is
+        SHORT all the same, unless the limit comes before its last contact.
 
     Returns
     -------
@@ -142,6 +147,7 @@ def simulate(
         values,
         check_leaving(leaving, shots),
         most,
+        check_time_limit(time_limit),
         _library(backend),
         np.zeros(1, np.int32),
     )
@@ -155,7 +161,8 @@ def simulate(
         # Apart from the engines, and not needed without them: it stands on SymPy and python-flint.
         from .judge.settle import settle as decide
 
-        decide(results, releases, parameters, batch.max_contacts, leaving=batch.leaving)
+        left, limit = batch.leaving, batch.time_limit
+        decide(results, releases, parameters, most, leaving=left, time_limit=limit)
     kept = {name: array for name, array in results.items() if name in (*wanted, "events")}
     return Shots(kept, releases, dict(zip(NAMES, values, strict=True)))
 

@@ -31,8 +31,8 @@ class _OfWidth:
     library: native.Library
     width: int
 
-    def run(self, *arguments: Any) -> None:
-        self.library.run(*arguments, width=self.width)
+    def run(self, *arguments: Any, **options: Any) -> None:
+        self.library.run(*arguments, **options, width=self.width)
 
 
 def _simulate_on(engine: str) -> Simulate:

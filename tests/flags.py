@@ -7,6 +7,7 @@ own. `MATRIX` is what there is to try; a flag may be refused, undone or found, a
 from __future__ import annotations
 
 import json
+import math
 import os
 import shlex
 import shutil
@@ -182,7 +183,7 @@ def _look(path: Path, shots: int) -> Verdict:
     if isinstance(library, native.Refused):
         return Verdict("found", library.reason)
     made = (family.make(shots) for family in FAMILIES if shots)
-    batches = ((states, resolve(parameters, shots), None) for states, parameters in made)
+    batches = ((states, resolve(parameters, shots), None, math.inf) for states, parameters in made)
     differences = trust.differences(library, hoop, batches)
     return Verdict("silent" if differences else "same", differences)
 

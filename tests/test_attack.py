@@ -150,20 +150,21 @@ PLANTED = r"""
 #include <stdlib.h>
 
 int hoop_simulate(size_t shots, const double *states, const double *const *parameters,
-                  const int64_t *strides, const int8_t *leaving, int32_t max_contacts, int width,
-                  const volatile int32_t *stop, const hoop_results *results)
+                  const int64_t *strides, const int8_t *leaving, int32_t max_contacts,
+                  double time_limit, int width, const volatile int32_t *stop,
+                  const hoop_results *results)
 {
     const char *planted = getenv("HOOP_PLANTED");
-    const int used = engine(shots, states, parameters, strides, leaving, max_contacts, width, stop,
-                            results);
+    const int used = engine(shots, states, parameters, strides, leaving, max_contacts, time_limit,
+                            width, stop, results);
     if (planted && *planted == 'r') { /* reads past the end */
         volatile double past = states[HOOP_STATE * shots];
         (void)past;
     }
     /* As -ffinite-math-only does. */
     for (size_t i = 0; planted && *planted == 'b' && i < shots; i++)
-        if (results->outcome[i] == HOOP_INVALID)
-            results->outcome[i] = HOOP_SHORT;
+        if (results->outcome[i] == HOOP_OUTCOME_INVALID)
+            results->outcome[i] = HOOP_OUTCOME_SHORT;
     return used;
 }
 """

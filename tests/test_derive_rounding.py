@@ -205,7 +205,7 @@ def test_what_has_no_bound_is_refused(expression: sp.Expr, known: dict[sp.Expr, 
 components = (*POSITION, *VELOCITY)
 speeds = st.floats(-20, 20)
 starts = st.fixed_dictionaries({s.name: speeds for s in components})
-PLANES = [s for s in (*HOOP.surfaces, HOOP.finish) if isinstance(s, Plane)]
+PLANES = [s for s in (*HOOP.surfaces, *HOOP.gates) if isinstance(s, Plane)]
 planes = pytest.mark.parametrize("plane", PLANES, ids=lambda s: s.name)
 flights = pytest.mark.parametrize(
     "flight", [replace(HOOP, gravity_axis=axis).flight for axis in AXES], ids=map(str, AXES)
@@ -298,7 +298,7 @@ def test_the_displacement_bounds_what_a_length_is_off_by_at_a_computed_arrival(
         there = {n: exactly(e, values | {"t": true_time}) for n, e in position.items()}
         lengths = [p.symbol for p in HOOP.parameters if p.unit == "m"]
         limit = exactly(displacement(flight, lengths), values)
-        measures = {f"g{k}": g for k, g in enumerate((*plane.bounds, HOOP.target))}
+        measures = {f"g{k}": g for k, g in enumerate((*plane.bounds, *HOOP.gates[0].sides))}
         computed = in_doubles(measures, values | rounded)
         for name, measure in measures.items():
             assert abs(exactly(measure, values | there) - float(computed[name])) <= limit

@@ -104,7 +104,7 @@ def test_composition_refuses_what_is_not_polynomial(expression: sp.Expr) -> None
 
 # -- A plane's arrival: a closed form
 
-PLANES = [s for s in (*HOOP.surfaces, HOOP.finish) if isinstance(s, Plane)]
+PLANES = [s for s in (*HOOP.surfaces, *HOOP.gates) if isinstance(s, Plane)]
 planes = pytest.mark.parametrize("plane", PLANES, ids=lambda s: s.name)
 
 

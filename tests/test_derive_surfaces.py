@@ -16,8 +16,8 @@ gravity = HOOP.gravity
 reach, excess = sp.symbols("reach excess", positive=True)
 SPHERE = Sphere("ball", tuple(sp.symbols("cx cy cz", real=True)), sp.Symbol("r", positive=True))
 RING = next(s for s in HOOP.surfaces if isinstance(s, Ring))
-PLANES = [s for s in (*HOOP.surfaces, HOOP.finish) if isinstance(s, Plane)]
-EVERY = [*HOOP.surfaces, HOOP.finish, SPHERE]
+PLANES = [s for s in (*HOOP.surfaces, *HOOP.gates) if isinstance(s, Plane)]
+EVERY = [*HOOP.surfaces, *HOOP.gates, SPHERE]
 surfaces = pytest.mark.parametrize("surface", EVERY, ids=lambda s: s.name)
 
 
@@ -159,13 +159,14 @@ def test_a_plane_is_inside_within_its_reach_on_either_side(plane: Plane) -> None
 def test_the_hoop_is_that_of_table_2() -> None:
     p = {s.name: s for s in HOOP.symbols}
     ring, backboard, bridge = HOOP.surfaces
+    (end,) = HOOP.gates
     both = p["ball_radius"] + p["wire_radius"]
-    assert (ring.name, backboard.name, bridge.name, HOOP.finish.name) == tuple(DEGREES)[:4]
+    assert (ring.name, backboard.name, bridge.name, end.name) == tuple(DEGREES)[:4]
     assert (RING.ring_radius, RING.reach) == (p["ring_radius"], both)
     front = x + p["board_distance"] - p["ball_radius"]
     assert sp.expand(release(backboard.distance) - front) == 0
     assert sp.expand(release(bridge.distance) - (z - both)) == 0
-    assert sp.expand(release(HOOP.finish.distance) - (z + p["end_depth"])) == 0
+    assert sp.expand(release(end.distance) - (z + p["end_depth"])) == 0
     assert list(backboard.normal) == [1, 0, 0]
     assert list(bridge.normal) == [0, 0, 1]
     # |y| <= y_B, z_B1 <= z <= z_B2;  |y| <= y_BR, x² + y² >= R_H², -a_0 <= x <= 0.
@@ -180,4 +181,5 @@ def test_the_hoop_is_that_of_table_2() -> None:
         x,
         -p["board_distance"] - x,
     }
-    assert HOOP.target == rho - p["ring_radius"]
+    assert [e.name for e in HOOP.ends] == ["made", "missed"]
+    assert end.parts == ((rho - p["ring_radius"],), ())

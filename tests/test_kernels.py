@@ -47,7 +47,7 @@ RARELY_MET = {"ring_prepare": 2, "ring_nearness": 1}
 """Choices of which random rows meet one side only: windows whose pads overlap, and a flight
 through the very axis."""
 """Rows at which kernels are compared with 50 digits."""
-UNBOUNDED = ("finite_parameters", "finite_state", "opening")
+UNBOUNDED = ("finite_parameters", "finite_state", "limited", "opening")
 """Kernels that ask whether their arguments are finite."""
 
 EXTREMES = [0.0, -0.0, 5e-324, -5e-324, 2.5e-308, 1e-150, -1e-150, 1e150, -1e150]
@@ -409,7 +409,9 @@ def test_each_derived_kernel_is_generated_with_its_arguments_and_outputs() -> No
         assert hoop.OUTPUTS[kernel.name] == kernel.output_names
 
 
-@pytest.mark.parametrize("name", ["flight", "impact", "target", "ring_coefficients", "ring_normal"])
+@pytest.mark.parametrize(
+    "name", ["flight", "impact", "end_bounds", "ring_coefficients", "ring_normal"]
+)
 def test_the_evaluator_agrees_with_sympy(name: str) -> None:
     """Its 50 digits are those of SymPy's evalf, but for the last few."""
     columns = random_columns(2, ROWS)

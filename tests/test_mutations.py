@@ -25,7 +25,7 @@ from hoopgen.derive.ground.tree import Guard, Repeat
 from hoopgen.derive.scenes.hoop import HOOP
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.search import decisions as searching
-from hoopgen.derive.search import events, plane, ring
+from hoopgen.derive.search import events, gate, plane, ring
 from hoopgen.derive.search.ring import RingApproach
 from hoopgen.derive.surfaces import Ring
 from hoopgen.generated.numpy import hoop
@@ -245,10 +245,6 @@ def in_search(old: str, new: str) -> Any:
     return in_decisions(searching, old, new)
 
 
-def in_following(old: str, new: str) -> Any:
-    return in_decisions(following, old, new)
-
-
 def no_guard(truth: str) -> Any:
     """Take the body of a guard away."""
     return in_tree(lambda node: () if isinstance(node, Guard) and node.truth == truth else (node,))
@@ -288,16 +284,16 @@ FAULTS = (
     Fault("only the first window is searched", no_guard("exhausted")),
     Fault(
         "one contact too many is allowed",
-        in_following("AtMost(most_contacts, contacts + 1)", "Less(most_contacts, contacts + 1)"),
+        in_text(following, "_of_scene", "AtMost(most_contacts, ", "Less(most_contacts, "),
     ),
     Fault(
         "made and missed are swapped",
-        in_following("AtMost(miss, 0), Outcome.MADE", "Less(0, miss), Outcome.MADE"),
+        in_text(gate, "reached", "within(bounds)", "Not(within(bounds))"),
         in_c=True,
     ),
     Fault(
         "the target's edge is sure",
-        in_following("AtMost(size(miss), slack)", "AtMost(size(miss), 0)"),
+        in_text(gate, "edge", "nearly(bounds)", "Nowhere()"),
     ),
     # Surfaces and their searches.
     Fault(
@@ -398,7 +394,7 @@ FAULTS = (
     ),
     Fault(
         "an edge is sure if the ball is inside",
-        in_text(plane, "edges", "Less(g, -slack)", "Less(g, 0)"),
+        in_text(plane, "edges", "inside(patch)", "within(patch)"),
     ),
 )
 

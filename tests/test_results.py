@@ -152,8 +152,10 @@ def test_the_order_of_the_names_does_not_matter() -> None:
 
 
 def test_outcomes_and_surfaces_are_numbered_as_documented() -> None:
-    assert [o.name for o in Outcome] == ["MADE", "MISSED", "CAPPED", "SHORT", "INVALID"]
-    assert [int(o) for o in Outcome] == [0, 1, 2, 3, 4]
+    assert [o.name for o in Outcome] == [
+        *("MADE", "MISSED", "CAPPED", "SHORT", "INVALID", "LODGED", "ENDLESS")
+    ]
+    assert [int(o) for o in Outcome] == list(range(7))
     assert hoopgen.SURFACES == ("ring", "backboard", "bridge")
 
 

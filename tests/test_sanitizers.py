@@ -106,6 +106,7 @@ static uint64_t call(size_t n, int width, int logged, const double *shots, size_
                      const double *usual)
 {
     const int32_t most = below(4) ? 1 + (int32_t)below(12) : 40;
+    const double limit = below(4) ? INFINITY : 2.0 * unit();
     double *states = room(HOOP_STATE * n, sizeof *states);
     for (size_t i = 0; i < n; i++)
         draw(states + HOOP_STATE * i, shots, count);
@@ -145,16 +146,17 @@ static uint64_t call(size_t n, int width, int logged, const double *shots, size_
     out.events = logged ? room(n * ((size_t)most + 1), sizeof *out.events) : NULL;
     out.event_counts = logged ? room(n, sizeof *out.event_counts) : NULL;
 
-    const int used = hoop_simulate(n, states, parameters, strides, leaving, most, width,
+    const int used = hoop_simulate(n, states, parameters, strides, leaving, most, limit, width,
                                    below(2) ? &stop : NULL, &out);
     if (used < 0)
         exit(77);
     CHECK(used == width);
     uint64_t hash = 0xCBF29CE484222325u;
     for (size_t i = 0; i < n; i++) {
-        CHECK(out.outcome[i] <= HOOP_INVALID);
+        CHECK(out.outcome[i] <= HOOP_OUTCOME_ENDLESS);
+        CHECK(out.outcome[i] != HOOP_OUTCOME_ENDLESS || isfinite(limit));
         CHECK(out.contacts[i] >= 0 && out.contacts[i] <= most);
-        CHECK(out.outcome[i] != HOOP_CAPPED || out.contacts[i] == most);
+        CHECK(out.outcome[i] != HOOP_OUTCOME_CAPPED || out.contacts[i] == most);
         CHECK(!out.uncertain || out.uncertain[i] <= 1);
         CHECK(!out.first || (out.first[i] >= -1 && out.first[i] < HOOP_SURFACES));
         hash = mixed(mixed(hash, out.outcome[i]), (uint64_t)out.contacts[i]);
@@ -166,7 +168,9 @@ static uint64_t call(size_t n, int width, int logged, const double *shots, size_
         }
         if (!logged)
             continue;
-        const int ended = out.outcome[i] == HOOP_MADE || out.outcome[i] == HOOP_MISSED;
+        const int ended = out.outcome[i] == HOOP_OUTCOME_MADE ||
+                          out.outcome[i] == HOOP_OUTCOME_MISSED ||
+                          out.outcome[i] == HOOP_OUTCOME_ENDLESS;
         CHECK(out.event_counts[i] == out.contacts[i] + ended);
         for (int32_t k = 0; k < out.event_counts[i]; k++) {
             const hoop_event *event = out.events + i * ((size_t)most + 1) + (size_t)k;

@@ -51,6 +51,9 @@ contacts = sp.Symbol("contacts", nonnegative=True)
 clock, clock_error = sp.symbols("clock clock_error", nonnegative=True)
 """Time since the release, and the sum of what the contacts' times were off by, s."""
 
+time_error = sp.Symbol("time_error", nonnegative=True)
+"""Bound on the error of the time since the release that decisions allow for, s."""
+
 ARGUMENTS = (clock, clock_error, contacts, late, *ERRORS, *dn, curving, shift, turn)
 """What the kernels of this room are given, in calling order."""
 
@@ -111,12 +114,11 @@ def carried_to_contact(flight: Parabola) -> dict[str, sp.Expr]:
     Arguments are the errors at its start, and the state and normal at its end. The contact of the
     erring flight is dt = -(n·dx)/(n·v) later: there its error lies in the surface.
     """
-    shifts, roundings = [], []
-    for k, (error, drift) in enumerate(zip(dx, dv, strict=True)):
-        flown = 2 * size(velocity[k]) * t + sp.Abs(flight.acceleration[k]) * t**2
-        rounding = UNIT_ROUNDOFF * hold(size(position[k]) + flown)
-        roundings.append(rounding)
-        shifts.append(hold(_away(hold(error + drift * t), rounding)))
+    roundings = _flown(flight)
+    shifts = [
+        hold(_away(hold(error + drift * t), rounding))
+        for error, drift, rounding in zip(dx, dv, roundings, strict=True)
+    ]
     moved = sp.Matrix(shifts)
     delay = hold(-moved.dot(normal) / hold(velocity.dot(normal)))
     _, fallen = flight.at(delay)
@@ -135,6 +137,36 @@ def carried_to_contact(flight: Parabola) -> dict[str, sp.Expr]:
         "delay": largest(size(delay), late / GUARD) + 4 * UNIT_ROUNDOFF * hold(clock + t),
         "shift": slid,
     }
+
+
+def _flown(flight: Parabola) -> list[sp.Expr]:
+    """Return what a flight of time t rounds of each coordinate, given the state at its end."""
+    flown = [
+        2 * size(v) * t + sp.Abs(pull) * t**2
+        for v, pull in zip(velocity, flight.acceleration, strict=True)
+    ]
+    return [
+        UNIT_ROUNDOFF * hold(size(place) + far) for place, far in zip(position, flown, strict=True)
+    ]
+
+
+def carried_to_time(flight: Parabola) -> dict[str, sp.Expr]:
+    """Return the errors at the end of a flight of time t that ends at a time since the release.
+
+    Arguments are the errors at its start, and the state at its end. What the contacts' times were
+    off by, the flight is too short or too long; its end's own time is exact. Errors are those that
+    one flight can make at worst, without their signs, since no further one shows what these do.
+    """
+    astray = hold(clock_error + 4 * UNIT_ROUNDOFF * hold(clock + t))
+    drift = hold(_greatest(dv) * t + hold(largest(*_flown(flight))))
+    worst = hold(_greatest(dx) + drift)
+    _, fallen = flight.at(astray)
+    outputs: dict[str, sp.Expr] = {
+        str(name): worst + size(speed) * astray for name, speed in zip(dx, velocity, strict=True)
+    }
+    for name, after, before in zip(dv, fallen, velocity, strict=True):
+        outputs[str(name)] = size(name) + size(after - before) + 2 * UNIT_ROUNDOFF * size(before)
+    return outputs | {"clock_error": sp.Integer(0)}
 
 
 def carried_normal(surface: Surface) -> dict[str, sp.Expr]:

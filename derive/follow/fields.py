@@ -7,30 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from enum import IntEnum
 
 from ..errors.tangent import ERRORS
 from ..ground.symbols import STATE
-
-
-class Outcome(IntEnum):
-    """How a shot ended."""
-
-    MADE = 0
-    MISSED = 1
-    CAPPED = 2
-    SHORT = 3
-    INVALID = 4
-
-
-MEANINGS = {
-    Outcome.MADE: "Crossed the end plane downwards inside the target.",
-    Outcome.MISSED: "Crossed it outside.",
-    Outcome.CAPPED: "Had max_contacts contacts before it.",
-    Outcome.SHORT: "Can never cross it downwards.",
-    Outcome.INVALID: "Not finite, a parameter not allowed, or a ball that starts inside a surface.",
-}
-"""What each outcome says, in one line."""
 
 IN_FLIGHT = -1
 """The outcome of a shot that has not ended."""
@@ -126,7 +105,7 @@ def results(bodies: Sequence[str]) -> tuple[Result, ...]:
             "time",
             "float64",
             ("clock",),
-            "s, at the end plane; capped or short: at the last contact",
+            "s, at the end; capped or short: at the last contact",
             blank=True,
         ),
         Result("state", "float64", state, "then", blank=True, row=True),

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..ground.tree import Do, Guard, Node, check, live_before, needed, walk, without
-from ..search.search import Parts, Search
+from ..search.search import Parts, Search, proposed
 from .fields import CLAIMS, Field
 
 TEMPORARY_BOUNDS = {"late": 0.0, "delay": 0.0, "doubt": float("inf")}
@@ -85,7 +85,7 @@ class Loop:
 def event_loop(
     common: Parts,
     contacts: Sequence[Contact],
-    finish: Contact,
+    gates: Sequence[Contact],
     fields: Sequence[Field],
     parameters: Sequence[str],
 ) -> Loop:
@@ -95,51 +95,69 @@ def event_loop(
     ----------
     common
         The kernels of the scene and the decisions.
-    contacts, finish
-        What can be touched, in the order of the indices, and the plane that ends a shot.
+    contacts, gates
+        What can be touched, and the planes that end a shot, in the order of the indices.
     """
     return Loop(
         tuple(fields),
-        ("most_contacts", "claims"),
+        ("most_contacts", "time_limit", "claims"),
         tuple(parameters),
         {
             "permit": (Do(common["allowed"]), Do(common["finite_parameters"])),
             "admit": (Do(common["finite_state"]), Do(common["valid"]), Do(common["admitted"])),
-            "reach": tuple(_reach(common, contacts, finish)),
-            "meet": tuple(_meet(common, contacts, finish)),
+            "reach": tuple(_reach(common, contacts, gates)),
+            "meet": tuple(_meet(common, contacts, gates)),
         },
     )
 
 
-def _reach(common: Parts, contacts: Sequence[Contact], finish: Contact) -> Iterator[Node]:
+def _reach(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]) -> Iterator[Node]:
     """Find the earliest arrival (Eq. 4) and take the ball there (Eq. 3)."""
+    time = len(contacts) + len(gates)
+    expiry = Guard("limited", (Do(common["expiry"]), *proposed(time)), rare=True)
     yield Do(common["error_bounds"])
     yield Do(common["scale"])
     yield Do(common["opening"])
-    # The end plane first: what certainly comes after it needs no further look.
-    for surface in sorted((finish, *contacts), key=lambda s: not s.search.closed):
+    yield Do(common["limited"])
+    if not gates:
+        yield expiry
+    # End planes first: what certainly comes after them needs no further look.
+    for surface in sorted((*gates, *contacts), key=lambda s: not s.search.closed):
         yield from surface.search.nodes(common, surface.parts, surface.index)
-    yield Do(common["departed"], {"index": finish.index})
+    if gates:
+        yield expiry
+    yield Do(common["departed"], {"index": len(contacts)})
     yield Do(common["body_of"])
     yield Guard("moves", (Do(common["flight"], {"t": "when"}), Do(common["ticked"])))
+    yield Guard("limited", (Do(common["expired"], {"index": time}),), rare=True)
     yield Do(common["displacement"], {"horizon": "when", "delay": "late"}, {"margin": "slack"})
-    yield Do(common["target"], {}, {"target": "miss"})
+    for gate in gates:
+        kernels = (gate.parts.get(part) for part in ("bounds", "reached", "edge"))
+        yield from _on(common, gate, *(Do(kernel) for kernel in kernels if kernel is not None))
     yield Do(common["doubted"])
     yield Do(common["accounted"])
 
 
-def _meet(common: Parts, contacts: Sequence[Contact], finish: Contact) -> Iterator[Node]:
+def _meet(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]) -> Iterator[Node]:
     """Give the ball its motion after the contact (Eqs. 7-17), and its errors theirs."""
     yield Do(common["meeting"])
-    yield Guard("meeting", tuple(_contact(common, contacts, finish)))
+    yield Guard("meeting", tuple(_contact(common, contacts, gates)))
+    timed = Do(common["timed"], {"index": len(contacts) + len(gates)})
+    carried = Guard("timed", (Do(common["carry_time"], {"t": "when"}),), rare=True)
+    yield Guard("limited", (timed, carried), rare=True)
     yield Do(common["closing"])
     names = ("position_error", "velocity_error", "spin_error", "time_error")
     claims = dict(zip(names, CLAIMS, strict=True))
     yield Guard("closed", (Do(common["claimed_errors"], {}, claims),))
 
 
-def _contact(common: Parts, contacts: Sequence[Contact], finish: Contact) -> Iterator[Node]:
-    yield Do(finish.parts["normal"])
+def _contact(
+    common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]
+) -> Iterator[Node]:
+    first, *others = (*gates, *contacts)
+    yield Do(first.parts["normal"])
+    for gate in others[: max(0, len(gates) - 1)]:
+        yield from _on(common, gate, Do(gate.parts["normal"]))
     for surface in contacts:
         count = {"count": f"count_{surface.body}"}
         counted = Do(common["counted"], count, count)
@@ -150,7 +168,8 @@ def _contact(common: Parts, contacts: Sequence[Contact], finish: Contact) -> Ite
         yield Guard("again", (Do(surface.parts["curvature"], {}, {"curvature": "curving"}),))
     yield Do(common["carry_flight"], {"t": "when"})
     yield Do(common["delayed"])
-    yield Guard("ends", (Do(common["floored"]),))
+    if gates:
+        yield Guard("ends", (Do(common["floored"]),))
     yield Do(common["unturned"])
     for surface in contacts:
         if "carry_normal" in surface.parts:

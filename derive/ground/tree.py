@@ -63,10 +63,17 @@ class Do:
 
 @dataclass(frozen=True)
 class Guard:
-    """A body for the shots for which the variable `truth` holds."""
+    """A body for the shots for which the variable `truth` holds.
+
+    Attributes
+    ----------
+    rare
+        Whether most often it holds for none: then even a body that costs little is best skipped.
+    """
 
     truth: str
     body: tuple[Node, ...]
+    rare: bool = False
 
 
 @dataclass(frozen=True)

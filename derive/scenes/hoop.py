@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 
 from ..contact.rolling import Rolling
 from ..ground.symbols import POSITION
 from ..surfaces import Plane, Ring, body
+from .ends import End
 from .scene import Scene, parameter
 
 _PARAMETERS = (
@@ -38,6 +41,7 @@ def _hoop() -> Scene:
     board = by_name["board_distance"]
     rho = sp.sqrt(x**2 + y**2)
     half_width, half_bridge = by_name["board_half_width"], by_name["bridge_half_width"]
+    bottom = Plane("end", direction=(0, 0, 1), offset=-by_name["end_depth"], reach=sp.Integer(0))
     law = Rolling("impact", by_name["restitution"])
     return Scene(
         name="hoop",
@@ -67,8 +71,14 @@ def _hoop() -> Scene:
                 ),
             )
         ),
-        finish=Plane("end", direction=(0, 0, 1), offset=-by_name["end_depth"], reach=sp.Integer(0)),
-        target=rho - ring_radius,
+        ends=(
+            End(
+                "made",
+                replace(bottom, limits=(rho - ring_radius,)),
+                "Crossed the end plane downwards inside the target.",
+            ),
+            End("missed", bottom, "Crossed it outside."),
+        ),
         ball_radius=ball_radius,
         gravity=by_name["gravity"],
         requirements=(ring_radius - reach,),

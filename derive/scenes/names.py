@@ -10,6 +10,8 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
+from .ends import OTHERS
+
 PUBLIC = re.compile(r"[a-z][a-z0-9_]*", re.ASCII)
 """What every public name matches as a whole."""
 
@@ -18,6 +20,9 @@ LAW = re.compile(r"(?:[a-z][a-z0-9_]*_)?impact", re.ASCII)
 
 LATEX = re.compile(r"[A-Za-z0-9_^'{}\\ ]*", re.ASCII)
 """What the LaTeX of a parameter matches as a whole: what ends no formula."""
+
+END = "end"
+"""What an end is called where bodies have their names."""
 
 TAKEN = ("p", "float", "math", "stddef", "stdint", "string")
 """Names that no scene has: that before its parameters, and headers beside its own."""
@@ -28,6 +33,7 @@ def check(
     parameters: Sequence[tuple[str, str]],
     bodies: Sequence[str],
     surfaces: Sequence[str],
+    ends: Sequence[str],
     laws: Sequence[str],
 ) -> None:
     """Refuse names that are not public names, or that two things of one kind have.
@@ -38,10 +44,8 @@ def check(
         The scene's own name.
     parameters
         Name and LaTeX of each.
-    bodies, surfaces
-        Names, the finish's among them.
-    laws
-        Names.
+    bodies, surfaces, ends, laws
+        Names; those of the planes of ends are among the surfaces'.
 
     Raises
     ------
@@ -51,8 +55,13 @@ def check(
     _public(scene, "scene", [scene])
     if scene in TAKEN:
         raise ValueError(f"scene {scene!r}: not one of {', '.join(TAKEN)}")
-    own = [name for name, _ in parameters]
-    for kind, names in (("parameter", own), ("body", bodies), ("surface", surfaces)):
+    given = {
+        "parameter": [name for name, _ in parameters],
+        "body": [*bodies, END],
+        "surface": surfaces,
+        "end": [*ends, *OTHERS],
+    }
+    for kind, names in given.items():
         _public(scene, kind, names)
         _once(scene, kind, names)
     for name, latex in parameters:

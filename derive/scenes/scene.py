@@ -10,8 +10,9 @@ from ..contact.law import Law
 from ..flight.parabola import Parabola
 from ..ground.choice import release
 from ..ground.symbols import ParameterSymbol
-from ..surfaces import Body, Plane, Surface
+from ..surfaces import Body, Gate, Surface
 from . import names
+from .ends import End, check_reached, gates, outcomes
 
 AXES = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
 """Where free fall can go."""
@@ -65,10 +66,8 @@ class Scene:
         In calling order.
     bodies
         What the ball can touch, in the order of the results' columns.
-    finish
-        The plane whose crossing ends a shot.
-    target
-        Not positive where a crossing of the finish counts as made.
+    ends
+        What ends a shot, in the order of the outcomes; there may be none, and then a time does.
     ball_radius, gravity
         The parameters that flight and contact use.
     requirements
@@ -82,8 +81,7 @@ class Scene:
     name: str
     parameters: tuple[Parameter, ...]
     bodies: tuple[Body, ...]
-    finish: Plane
-    target: sp.Expr
+    ends: tuple[End, ...]
     ball_radius: sp.Symbol
     gravity: sp.Symbol
     requirements: tuple[sp.Expr, ...] = field(default=())
@@ -95,10 +93,12 @@ class Scene:
         names.check(
             self.name,
             [(parameter.name, parameter.latex) for parameter in self.parameters],
-            [*(body.name for body in self.bodies), self.finish.name],
-            [surface.name for surface in (*self.surfaces, self.finish)],
+            [body.name for body in self.bodies],
+            [surface.name for surface in (*self.surfaces, *self.gates)],
+            [end.name for end in self.ends],
             [law.name for law in self.laws],
         )
+        check_reached(self.name, self.ends)
         if self.gravity_axis not in AXES:
             raise ValueError(
                 f"scene {self.name}: gravity_axis: expected one of "
@@ -120,6 +120,16 @@ class Scene:
     def faces(self) -> tuple[int, ...]:
         """The body that each surface belongs to."""
         return tuple(k for k, body in enumerate(self.bodies) for _ in body.faces)
+
+    @property
+    def gates(self) -> tuple[Gate, ...]:
+        """The planes whose crossing ends a shot."""
+        return gates(self.ends)
+
+    @property
+    def outcomes(self) -> dict[str, int]:
+        """The number of each outcome by name: the ends in order, then the others."""
+        return outcomes(self.ends)
 
     @property
     def laws(self) -> tuple[Law, ...]:

@@ -7,11 +7,12 @@ from typing import Any
 
 from ..flight.flight import Flight
 from ..flight.parabola import Parabola
-from ..surfaces import Box, Plane, Ring, Surface
+from ..surfaces import Box, Gate, Plane, Ring, Surface
 from .approach import Approach
 from .bernstein import PolynomialApproach
 from .box import BoxApproach
 from .curved import CurvedSearch
+from .gate import GateSearch
 from .plane import PlaneSearch
 from .ring import RingApproach
 from .search import Search
@@ -39,6 +40,7 @@ def _general(surface: Surface, flight: Flight) -> Search | None:
 
 
 CHOICES: tuple[tuple[type[Surface], type[Flight], Make], ...] = (
+    (Gate, Parabola, GateSearch),
     (Plane, Parabola, PlaneSearch),
     (Ring, Parabola, _ring),
     (Box, Parabola, _box),

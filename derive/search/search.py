@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
 
 from ..flight.flight import Flight
-from ..ground.choice import AtMost, Less, Not, every
+from ..ground.choice import AtMost, Less, Not, every, some
 from ..ground.kernel import Kernel, decision
 from ..ground.symbols import variable
 from ..ground.tree import Do, Node
@@ -65,15 +65,15 @@ def proposed(index: int) -> Iterator[Node]:
 
 def edges(surface: Surface) -> dict[str, Kernel]:
     """Return whether a contact lies within the bounds (Eq. 2), and whether that is in doubt."""
-    bounds = sp.symbols(f"g:{len(surface.bounds)}", real=True)
-    if not bounds:
+    if not surface.bounds:
         return {}
-    surely = every(*(Less(g, -slack) for g in bounds), Less(0, clearance))
-    near = every(*(AtMost(g, slack) for g in bounds))
+    patches = numbered(surface.patches)
+    surely = every(some(*(inside(patch) for patch in patches)), Less(0, clearance))
+    near = some(*(nearly(patch) for patch in patches))
     return {
         "within": decision(
             f"{surface.name}_within",
-            {"arrives": every(*(AtMost(g, 0) for g in bounds))},
+            {"arrives": some(*(within(patch) for patch in patches))},
             "Where a contact counts (Eq. 2).",
         ),
         "edges": decision(
@@ -82,6 +82,30 @@ def edges(surface: Surface) -> dict[str, Kernel]:
             "Where that, or the crossing, lies within its error.",
         ),
     }
+
+
+def numbered(patches: Sequence[Sequence[sp.Expr]]) -> list[tuple[sp.Symbol, ...]]:
+    """Return the symbols of bounds by part: g0, g1, ... through all of them."""
+    starts = [sum(map(len, patches[:k])) for k in range(len(patches))]
+    return [
+        sp.symbols(f"g{start}:{start + len(patch)}", real=True)
+        for start, patch in zip(starts, patches, strict=True)
+    ]
+
+
+def within(patch: Sequence[sp.Symbol]) -> sp.Basic:
+    """Return where all bounds hold (Eq. 2)."""
+    return every(*(AtMost(g, 0) for g in patch))
+
+
+def inside(patch: Sequence[sp.Symbol]) -> sp.Basic:
+    """Return where they hold whatever the error."""
+    return every(*(Less(g, -slack) for g in patch))
+
+
+def nearly(patch: Sequence[sp.Symbol]) -> sp.Basic:
+    """Return where they hold, or could but for the error."""
+    return every(*(AtMost(g, slack) for g in patch))
 
 
 def bounded(common: Parts, own: Parts, time: str, **inputs: float) -> Iterator[Node]:

@@ -7,6 +7,7 @@ from .bounds import length
 from .box import Box
 from .cylinder import Cylinder
 from .free import Free
+from .gate import Gate
 from .plane import Plane
 from .ring import Ring
 from .sphere import Sphere
@@ -18,6 +19,7 @@ __all__ = [
     "Box",
     "Cylinder",
     "Free",
+    "Gate",
     "Plane",
     "Ring",
     "Sphere",

@@ -85,6 +85,11 @@ class Surface(ABC):
         return ()
 
     @property
+    def patches(self) -> tuple[tuple[sp.Expr, ...], ...]:
+        """The bounds by part: a contact counts where all of any one part hold."""
+        return (self.bounds,)
+
+    @property
     @abstractmethod
     def normal(self) -> sp.Matrix:
         """Outward unit normal n3 at a contact, the gradient of the distance there."""

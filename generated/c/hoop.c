@@ -1,6 +1,6 @@
 /* hoop: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene hoop, derivation 8fe807011d58f5ca,
+   Generated from templates/c/scene.c.j2, scene hoop, derivation be2a322387c8577d,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 
@@ -69,6 +69,7 @@ typedef struct {
     const int8_t *leaving;
     int varying; /* whether any parameter has one value per shot */
     int32_t max_contacts;
+    double time_limit;
     const volatile int32_t *stop;
     const hoop_results *results;
 } hoop_job;
@@ -148,10 +149,12 @@ static int widest(void)
 const char *hoop_sources(void) { return TEXT(HOOP_SOURCES); }
 
 int hoop_simulate(size_t shots, const double *states, const double *const *parameters,
-                  const int64_t *strides, const int8_t *leaving, int32_t max_contacts, int width,
+                  const int64_t *strides, const int8_t *leaving, int32_t max_contacts,
+                  double time_limit, int width,
                   const volatile int32_t *stop, const hoop_results *results)
 {
-    hoop_job job = {shots, states, parameters, strides, leaving, 0, max_contacts, stop, results};
+    hoop_job job = {shots, states, parameters, strides, leaving, 0, max_contacts, time_limit,
+                              stop, results};
     const int most = widest();
     for (int k = 0; k < HOOP_PARAMETERS; k++)
         job.varying |= strides[k] != 0;

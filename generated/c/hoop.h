@@ -1,6 +1,6 @@
 /* hoop: a ball among ring, backboard, bridge, simulated from contact to contact.
 
-   Generated from templates/c/scene.h.j2, scene hoop, derivation 8fe807011d58f5ca,
+   Generated from templates/c/scene.h.j2, scene hoop, derivation be2a322387c8577d,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Plain C11, no dependencies but sqrt. Compile hoop.c, next to which this and the other files
@@ -29,7 +29,7 @@ extern "C" {
 /* A state: x y z (m), vx vy vz (m/s), wx wy wz (rad/s). */
 #define HOOP_STATE 9
 
-/* The bodies, as they are numbered in results; the end plane comes after them. */
+/* The bodies, as they are numbered in results; what ends a shot comes after them. */
 enum {
     HOOP_BODY_RING = 0,
     HOOP_BODY_BACKBOARD = 1,
@@ -55,14 +55,16 @@ enum {
 };
 
 enum {
-    HOOP_MADE = 0, /* Crossed the end plane downwards inside the target. */
-    HOOP_MISSED = 1, /* Crossed it outside. */
-    HOOP_CAPPED = 2, /* Had max_contacts contacts before it. */
-    HOOP_SHORT = 3, /* Can never cross it downwards. */
-    HOOP_INVALID = 4 /* Not finite, a parameter not allowed, or a ball that starts inside a surface. */
+    HOOP_OUTCOME_MADE = 0, /* Crossed the end plane downwards inside the target. */
+    HOOP_OUTCOME_MISSED = 1, /* Crossed it outside. */
+    HOOP_OUTCOME_CAPPED = 2, /* Had max_contacts contacts before it ended. */
+    HOOP_OUTCOME_SHORT = 3, /* Can never reach an end. */
+    HOOP_OUTCOME_INVALID = 4, /* Not finite, a parameter not allowed, or a ball that starts inside a surface. */
+    HOOP_OUTCOME_LODGED = 5, /* At rest, or wedged between bodies. */
+    HOOP_OUTCOME_ENDLESS = 6 /* Still moving at the time limit. */
 };
 
-/* One row of the event log; the crossing of the end plane is a row. */
+/* One row of the event log; the end of a shot is a row. */
 typedef struct {
     int64_t shot;    /* index of the shot */
     int64_t surface; /* as numbered above */
@@ -77,7 +79,7 @@ typedef struct {
     int32_t *contacts; /* contacts before the end */
     int32_t *counts; /* [shot][3], contacts with each body */
     int8_t *first; /* first body touched, -1: none */
-    double *time; /* s, at the end plane; capped or short: at the last contact */
+    double *time; /* s, at the end; capped or short: at the last contact */
     double *state; /* [shot][9], then */
     double *time_error; /* bound on the error of time */
     double *state_error; /* [shot][3], bounds on the errors of each component of position, velocity and spin */
@@ -93,6 +95,7 @@ typedef struct {
    strides      by parameter: 0 for one value, 1 for one per shot
    leaving      NULL, or by shot the surface that the ball touches at the start and leaves, -1: none
    max_contacts at least 1
+   time_limit   s since the release at which a shot ends; INFINITY: none
    width        vector lanes: 1, 4, 8 or 16; 0 for the widest that this processor has
    stop         NULL, or a flag: when it becomes nonzero, the run ends, its results unfinished
 
@@ -101,7 +104,8 @@ typedef struct {
    fast-math), or this thread rounds otherwise than to nearest or makes subnormals zero. */
 HOOPGEN_API int hoop_simulate(size_t shots, const double *states,
                               const double *const *parameters, const int64_t *strides,
-                              const int8_t *leaving, int32_t max_contacts, int width, const volatile int32_t *stop,
+                              const int8_t *leaving, int32_t max_contacts, double time_limit,
+                              int width, const volatile int32_t *stop,
                               const hoop_results *results);
 
 /* The word for its sources that the build gave as HOOP_SOURCES, else "unknown". */

@@ -1,6 +1,6 @@
 /* The event loop of the scene hoop, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene hoop, derivation 8fe807011d58f5ca,
+   Generated from templates/c/engine.h.j2, scene hoop, derivation be2a322387c8577d,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by hoop.c once for every width. A lane holds a shot; when it ends, the next one takes
@@ -138,7 +138,7 @@ LANES_INLINE void LANES(hoop_finish)(LANES(hoop_pool) *pool, int lane, const hoo
 {
     const hoop_results *out = job->results;
     const size_t shot = pool->shot[lane];
-    const int invalid = (int)pool->outcome[lane] == HOOP_INVALID;
+    const int invalid = (int)pool->outcome[lane] == HOOP_OUTCOME_INVALID;
     if (out->outcome) {
         out->outcome[shot] = (uint8_t)pool->outcome[lane];
     }
@@ -246,6 +246,7 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
     memset(&pool, 0, sizeof pool);
     const V zero = K(0.0);
     const V most_contacts = K((double)job->max_contacts);
+    const V time_limit = K(job->time_limit);
     size_t begun = 0;
 
     if (job->results->event_counts)
@@ -368,256 +369,292 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         }
 
         /* To the next event. */
-        const LANES(hoop_scale_out) _o6 =
+        const LANES(hoop_error_bounds_out) _o6 =
+            LANES(hoop_error_bounds)(K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0));
+        V time_error = _o6.time_error;
+        const LANES(hoop_scale_out) _o7 =
             LANES(hoop_scale)(x, y, z, vx, vy, vz, p_gravity);
-        V extent = _o6.extent;
-        V speed = _o6.speed;
-        V excess = _o6.excess;
-        const LANES(hoop_opening_out) _o7 =
+        V extent = _o7.extent;
+        V speed = _o7.speed;
+        V excess = _o7.excess;
+        const LANES(hoop_opening_out) _o8 =
             LANES(hoop_opening)(excess, K(0.0), K(0.0));
-        V when = _o7.when;
-        V which = _o7.which;
-        const LANES(hoop_left_out) _o8 =
+        V when = _o8.when;
+        V which = _o8.which;
+        const LANES(hoop_limited_out) _o9 =
+            LANES(hoop_limited)(time_limit);
+        M limited = _o9.limited;
+        const LANES(hoop_left_out) _o10 =
             LANES(hoop_left)(K(3.0), last);
-        V leaving = _o8.leaving;
-        const LANES(hoop_end_arrival_out) _o9 =
+        V leaving = _o10.leaving;
+        const LANES(hoop_end_arrival_out) _o11 =
             LANES(hoop_end_arrival)(leaving, z, vz, p_gravity, p_end_depth);
-        V time = _o9.time;
-        V rate = _o9.rate;
-        V bend = _o9.bend;
-        const LANES(hoop_meeting_plane_out) _o10 =
+        V time = _o11.time;
+        V rate = _o11.rate;
+        V bend = _o11.bend;
+        const LANES(hoop_meeting_plane_out) _o12 =
             LANES(hoop_meeting_plane)(bend, rate, time);
-        M arrives = _o10.arrives;
-        const LANES(hoop_timely_out) _o11 =
+        M arrives = _o12.arrives;
+        const LANES(hoop_timely_out) _o13 =
             LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-        M possible = _o11.possible;
-        const M _m12 = lanes_both(flying, possible);
+        M possible = _o13.possible;
+        const M _m14 = lanes_both(flying, possible);
         {
-            const LANES(hoop_sooner_out) _o13 =
+            const LANES(hoop_sooner_out) _o15 =
                 LANES(hoop_sooner)(arrives, K(3.0), time, when, which);
-            when = lanes_select(_m12, _o13.when, when);
-            which = lanes_select(_m12, _o13.which, which);
+            when = lanes_select(_m14, _o15.when, when);
+            which = lanes_select(_m14, _o15.which, which);
         }
-        const LANES(hoop_left_out) _o14 =
+        const LANES(hoop_left_out) _o16 =
             LANES(hoop_left)(K(1.0), last);
-        leaving = _o14.leaving;
-        const LANES(hoop_backboard_arrival_out) _o15 =
+        leaving = _o16.leaving;
+        const LANES(hoop_backboard_arrival_out) _o17 =
             LANES(hoop_backboard_arrival)(leaving, x, vx, p_ball_radius, p_board_distance);
-        time = _o15.time;
-        rate = _o15.rate;
-        bend = _o15.bend;
-        const LANES(hoop_meeting_plane_out) _o16 =
+        time = _o17.time;
+        rate = _o17.rate;
+        bend = _o17.bend;
+        const LANES(hoop_meeting_plane_out) _o18 =
             LANES(hoop_meeting_plane)(bend, rate, time);
-        arrives = _o16.arrives;
-        const LANES(hoop_timely_out) _o17 =
+        arrives = _o18.arrives;
+        const LANES(hoop_timely_out) _o19 =
             LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-        possible = _o17.possible;
-        const M _m18 = lanes_both(flying, possible);
+        possible = _o19.possible;
+        const M _m20 = lanes_both(flying, possible);
         {
-            const LANES(hoop_flight_out) _o19 =
+            const LANES(hoop_flight_out) _o21 =
                 LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-            V there_y = _o19.y;
-            V there_z = _o19.z;
-            const LANES(hoop_backboard_bounds_out) _o20 =
+            V there_y = _o21.y;
+            V there_z = _o21.z;
+            const LANES(hoop_backboard_bounds_out) _o22 =
                 LANES(hoop_backboard_bounds)(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
-            V g0 = _o20.g0;
-            V g1 = _o20.g1;
-            V g2 = _o20.g2;
-            V g3 = _o20.g3;
-            const LANES(hoop_backboard_within_out) _o21 =
+            V g0 = _o22.g0;
+            V g1 = _o22.g1;
+            V g2 = _o22.g2;
+            V g3 = _o22.g3;
+            const LANES(hoop_backboard_within_out) _o23 =
                 LANES(hoop_backboard_within)(g0, g1, g2, g3);
-            M arrives = _o21.arrives;
-            const LANES(hoop_sooner_out) _o22 =
+            M arrives = _o23.arrives;
+            const LANES(hoop_sooner_out) _o24 =
                 LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
-            when = lanes_select(_m18, _o22.when, when);
-            which = lanes_select(_m18, _o22.which, which);
+            when = lanes_select(_m20, _o24.when, when);
+            which = lanes_select(_m20, _o24.which, which);
         }
-        const LANES(hoop_left_out) _o23 =
+        const LANES(hoop_left_out) _o25 =
             LANES(hoop_left)(K(2.0), last);
-        leaving = _o23.leaving;
-        const LANES(hoop_bridge_arrival_out) _o24 =
+        leaving = _o25.leaving;
+        const LANES(hoop_bridge_arrival_out) _o26 =
             LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
-        time = _o24.time;
-        rate = _o24.rate;
-        bend = _o24.bend;
-        const LANES(hoop_meeting_plane_out) _o25 =
+        time = _o26.time;
+        rate = _o26.rate;
+        bend = _o26.bend;
+        const LANES(hoop_meeting_plane_out) _o27 =
             LANES(hoop_meeting_plane)(bend, rate, time);
-        arrives = _o25.arrives;
-        const LANES(hoop_timely_out) _o26 =
+        arrives = _o27.arrives;
+        const LANES(hoop_timely_out) _o28 =
             LANES(hoop_timely)(arrives, K(0.0), K(0.0), time, when);
-        possible = _o26.possible;
-        const M _m27 = lanes_both(flying, possible);
-        if (lanes_any(_m27)) {
-            const LANES(hoop_flight_out) _o28 =
+        possible = _o28.possible;
+        const M _m29 = lanes_both(flying, possible);
+        if (lanes_any(_m29)) {
+            const LANES(hoop_flight_out) _o30 =
                 LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-            V there_x = _o28.x;
-            V there_y = _o28.y;
-            const LANES(hoop_bridge_bounds_out) _o29 =
+            V there_x = _o30.x;
+            V there_y = _o30.y;
+            const LANES(hoop_bridge_bounds_out) _o31 =
                 LANES(hoop_bridge_bounds)(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
-            V g0 = _o29.g0;
-            V g1 = _o29.g1;
-            V g2 = _o29.g2;
-            V g3 = _o29.g3;
-            V g4 = _o29.g4;
-            const LANES(hoop_bridge_within_out) _o30 =
+            V g0 = _o31.g0;
+            V g1 = _o31.g1;
+            V g2 = _o31.g2;
+            V g3 = _o31.g3;
+            V g4 = _o31.g4;
+            const LANES(hoop_bridge_within_out) _o32 =
                 LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
-            M arrives = _o30.arrives;
-            const LANES(hoop_sooner_out) _o31 =
+            M arrives = _o32.arrives;
+            const LANES(hoop_sooner_out) _o33 =
                 LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
-            when = lanes_select(_m27, _o31.when, when);
-            which = lanes_select(_m27, _o31.which, which);
+            when = lanes_select(_m29, _o33.when, when);
+            which = lanes_select(_m29, _o33.which, which);
         }
-        const LANES(hoop_horizon_out) _o32 =
+        const LANES(hoop_horizon_out) _o34 =
             LANES(hoop_horizon)(when, speed, p_gravity);
-        V until = _o32.horizon;
-        const LANES(hoop_ring_clear_out) _o33 =
+        V until = _o34.horizon;
+        const LANES(hoop_ring_clear_out) _o35 =
             LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-        V clear = _o33.clear;
-        const LANES(hoop_opens_out) _o34 =
+        V clear = _o35.clear;
+        const LANES(hoop_opens_out) _o36 =
             LANES(hoop_opens)(clear);
-        M open = _o34.open;
-        const M _m35 = lanes_both(flying, open);
-        if (lanes_any(_m35)) {
-            const LANES(hoop_ring_prepare_out) _o36 =
+        M open = _o36.open;
+        const M _m37 = lanes_both(flying, open);
+        if (lanes_any(_m37)) {
+            const LANES(hoop_ring_prepare_out) _o38 =
                 LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o36.steady;
-            V swing = _o36.swing;
-            V rho_start = _o36.rho_start;
-            V low0 = _o36.low0;
-            V high0 = _o36.high0;
-            V low1 = _o36.low1;
-            V high1 = _o36.high1;
-            V low2 = _o36.low2;
-            V high2 = _o36.high2;
-            V ceiling = _o36.ceiling;
-            V latest = _o36.latest;
-            const LANES(hoop_beginning_out) _o37 =
+            V steady = _o38.steady;
+            V swing = _o38.swing;
+            V rho_start = _o38.rho_start;
+            V low0 = _o38.low0;
+            V high0 = _o38.high0;
+            V low1 = _o38.low1;
+            V high1 = _o38.high1;
+            V low2 = _o38.low2;
+            V high2 = _o38.high2;
+            V ceiling = _o38.ceiling;
+            V latest = _o38.latest;
+            const LANES(hoop_beginning_out) _o39 =
                 LANES(hoop_beginning)();
-            V share = _o37.share;
-            V arrival = _o37.arrival;
-            M certain = _o37.certain;
-            const LANES(hoop_allowance_out) _o38 =
+            V share = _o39.share;
+            V arrival = _o39.arrival;
+            M certain = _o39.certain;
+            const LANES(hoop_allowance_out) _o40 =
                 LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-            V position_level = _o38.position_level;
-            V velocity_level = _o38.velocity_level;
-            const LANES(hoop_ring_margins_out) _o39 =
+            V position_level = _o40.position_level;
+            V velocity_level = _o40.velocity_level;
+            const LANES(hoop_ring_margins_out) _o41 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o39.margin;
-            V tilt = _o39.leaving_margin;
-            V rate_slack = _o39.rate_margin;
-            const LANES(hoop_ring_enter_out) _o40 =
+            V flat = _o41.margin;
+            V tilt = _o41.leaving_margin;
+            V rate_slack = _o41.rate_margin;
+            const LANES(hoop_ring_enter_out) _o42 =
                 LANES(hoop_ring_enter)(K(0.0), K(0.0), high0, high1, high2, low0, low1, low2, K(0.0));
-            V t = _o40.t;
-            V end = _o40.end;
-            M searching = _o40.searching;
+            V t = _o42.t;
+            V end = _o42.end;
+            M searching = _o42.searching;
             for (int _turn = 0; _turn < 201; _turn++) {
-                const M _m41 = lanes_both(_m35, searching);
-                if (!lanes_any(_m41))
+                const M _m43 = lanes_both(_m37, searching);
+                if (!lanes_any(_m43))
                     break;
-                const LANES(hoop_nearby_out) _o42 =
+                const LANES(hoop_nearby_out) _o44 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o42.leaving;
-                V margin = _o42.margin;
-                const LANES(hoop_ring_advance_out) _o43 =
+                V leaving = _o44.leaving;
+                V margin = _o44.margin;
+                const LANES(hoop_ring_advance_out) _o45 =
                     LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o43.gap;
-                V rate = _o43.rate;
-                V bend = _o43.bend;
-                V step = _o43.step;
-                V next = _o43.next;
-                V root = _o43.root;
-                V clearance = _o43.clearance;
-                const LANES(hoop_struck_out) _o44 =
+                V gap = _o45.gap;
+                V rate = _o45.rate;
+                V bend = _o45.bend;
+                V step = _o45.step;
+                V next = _o45.next;
+                V root = _o45.root;
+                V clearance = _o45.clearance;
+                const LANES(hoop_struck_out) _o46 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o44.hit;
-                M sure = _o44.sure;
-                M vague = _o44.vague;
-                const M _m45 = lanes_both(_m41, vague);
-                if (lanes_any(_m45)) {
-                    const LANES(hoop_finer_out) _o46 =
+                M hit = _o46.hit;
+                M sure = _o46.sure;
+                M vague = _o46.vague;
+                const M _m47 = lanes_both(_m43, vague);
+                if (lanes_any(_m47)) {
+                    const LANES(hoop_finer_out) _o48 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m45, _o46.share, share);
-                    const LANES(hoop_allowance_out) _o47 =
+                    share = lanes_select(_m47, _o48.share, share);
+                    const LANES(hoop_allowance_out) _o49 =
                         LANES(hoop_allowance)(share, latest, extent, speed, K(0.0), K(0.0), p_gravity);
-                    V position_level = _o47.position_level;
-                    V velocity_level = _o47.velocity_level;
-                    const LANES(hoop_ring_margins_out) _o48 =
+                    V position_level = _o49.position_level;
+                    V velocity_level = _o49.velocity_level;
+                    const LANES(hoop_ring_margins_out) _o50 =
                         LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m45, _o48.margin, flat);
-                    tilt = lanes_select(_m45, _o48.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m45, _o48.rate_margin, rate_slack);
+                    flat = lanes_select(_m47, _o50.margin, flat);
+                    tilt = lanes_select(_m47, _o50.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m47, _o50.rate_margin, rate_slack);
                 }
-                const LANES(hoop_advanced_out) _o49 =
+                const LANES(hoop_advanced_out) _o51 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, root, step, sure, t, vague);
-                arrival = lanes_select(_m41, _o49.arrival, arrival);
-                certain = lanes_choose(_m41, _o49.certain, certain);
-                M exhausted = _o49.exhausted;
-                searching = lanes_choose(_m41, _o49.searching, searching);
-                t = lanes_select(_m41, _o49.t, t);
-                const M _m50 = lanes_both(_m41, exhausted);
+                arrival = lanes_select(_m43, _o51.arrival, arrival);
+                certain = lanes_choose(_m43, _o51.certain, certain);
+                M exhausted = _o51.exhausted;
+                searching = lanes_choose(_m43, _o51.searching, searching);
+                t = lanes_select(_m43, _o51.t, t);
+                const M _m52 = lanes_both(_m43, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o51 =
+                    const LANES(hoop_ring_enter_out) _o53 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m50, _o51.t, t);
-                    end = lanes_select(_m50, _o51.end, end);
-                    searching = lanes_choose(_m50, _o51.searching, searching);
+                    t = lanes_select(_m52, _o53.t, t);
+                    end = lanes_select(_m52, _o53.end, end);
+                    searching = lanes_choose(_m52, _o53.searching, searching);
                 }
             }
-            const LANES(hoop_found_out) _o52 =
+            const LANES(hoop_found_out) _o54 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o52.arrives;
-            const LANES(hoop_nearby_out) _o53 =
+            M arrives = _o54.arrives;
+            const LANES(hoop_nearby_out) _o55 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o53.leaving;
-            const LANES(hoop_ring_refine_out) _o54 =
-                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V refined = _o54.time;
-            const LANES(hoop_polished_out) _o55 =
-                LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o55.arrival;
+            V leaving = _o55.leaving;
             const LANES(hoop_ring_refine_out) _o56 =
                 LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            refined = _o56.time;
+            V refined = _o56.time;
             const LANES(hoop_polished_out) _o57 =
                 LANES(hoop_polished)(arrival, certain, refined);
             arrival = _o57.arrival;
-            const LANES(hoop_landed_out) _o58 =
+            const LANES(hoop_ring_refine_out) _o58 =
+                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+            refined = _o58.time;
+            const LANES(hoop_polished_out) _o59 =
+                LANES(hoop_polished)(arrival, certain, refined);
+            arrival = _o59.arrival;
+            const LANES(hoop_landed_out) _o60 =
                 LANES(hoop_landed)(arrival);
-            V time = _o58.time;
-            const LANES(hoop_sooner_out) _o59 =
+            V time = _o60.time;
+            const LANES(hoop_sooner_out) _o61 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = lanes_select(_m35, _o59.when, when);
-            which = lanes_select(_m35, _o59.which, which);
+            when = lanes_select(_m37, _o61.when, when);
+            which = lanes_select(_m37, _o61.which, which);
         }
-        const LANES(hoop_departed_out) _o60 =
+        const M _m62 = lanes_both(flying, limited);
+        if (lanes_any(_m62)) {
+            const LANES(hoop_expiry_out) _o63 =
+                LANES(hoop_expiry)(clock, K(INFINITY), K(0.0), time_error, time_limit, when, which);
+            V time = _o63.time;
+            M arrives = _o63.arrives;
+            const LANES(hoop_sooner_out) _o64 =
+                LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
+            when = lanes_select(_m62, _o64.when, when);
+            which = lanes_select(_m62, _o64.which, which);
+        }
+        const LANES(hoop_departed_out) _o65 =
             LANES(hoop_departed)(K(3.0), which);
-        M moves = _o60.moves;
-        M ends = _o60.ends;
-        M touches = _o60.touches;
-        const LANES(hoop_body_of_out) _o61 =
+        M moves = _o65.moves;
+        M ends = _o65.ends;
+        M touches = _o65.touches;
+        V reached = _o65.reached;
+        const LANES(hoop_body_of_out) _o66 =
             LANES(hoop_body_of)(which);
-        V body = _o61.body;
-        const M _m62 = lanes_both(flying, moves);
+        V body = _o66.body;
+        const M _m67 = lanes_both(flying, moves);
         {
-            const LANES(hoop_flight_out) _o63 =
+            const LANES(hoop_flight_out) _o68 =
                 LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-            x = lanes_select(_m62, _o63.x, x);
-            y = lanes_select(_m62, _o63.y, y);
-            z = lanes_select(_m62, _o63.z, z);
-            vx = lanes_select(_m62, _o63.vx, vx);
-            vy = lanes_select(_m62, _o63.vy, vy);
-            vz = lanes_select(_m62, _o63.vz, vz);
-            const LANES(hoop_ticked_out) _o64 =
+            x = lanes_select(_m67, _o68.x, x);
+            y = lanes_select(_m67, _o68.y, y);
+            z = lanes_select(_m67, _o68.z, z);
+            vx = lanes_select(_m67, _o68.vx, vx);
+            vy = lanes_select(_m67, _o68.vy, vy);
+            vz = lanes_select(_m67, _o68.vz, vz);
+            const LANES(hoop_ticked_out) _o69 =
                 LANES(hoop_ticked)(clock, when);
-            clock = lanes_select(_m62, _o64.clock, clock);
+            clock = lanes_select(_m67, _o69.clock, clock);
         }
-        const LANES(hoop_target_out) _o65 =
-            LANES(hoop_target)(x, y, p_ring_radius);
-        V miss = _o65.target;
-        const LANES(hoop_accounted_out) _o66 =
-            LANES(hoop_accounted)(contacts, ends, miss, most_contacts, touches);
-        contacts = _o66.contacts;
-        outcome = _o66.outcome;
+        const M _m70 = lanes_both(flying, limited);
+        if (lanes_any(_m70)) {
+            const LANES(hoop_expired_out) _o71 =
+                LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
+            clock = lanes_select(_m70, _o71.clock, clock);
+            body = lanes_select(_m70, _o71.body, body);
+            reached = lanes_select(_m70, _o71.reached, reached);
+            ends = lanes_choose(_m70, _o71.ends, ends);
+        }
+        const LANES(hoop_here_out) _o72 =
+            LANES(hoop_here)(K(3.0), which);
+        M here = _o72.here;
+        const M _m73 = lanes_both(flying, here);
+        {
+            const LANES(hoop_end_bounds_out) _o74 =
+                LANES(hoop_end_bounds)(x, y, p_ring_radius);
+            V g0 = _o74.g0;
+            const LANES(hoop_end_reached_out) _o75 =
+                LANES(hoop_end_reached)(g0);
+            reached = lanes_select(_m73, _o75.reached, reached);
+        }
+        const LANES(hoop_accounted_out) _o76 =
+            LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
+        contacts = _o76.contacts;
+        outcome = _o76.outcome;
         const V x_before = x;
         const V y_before = y;
         const V z_before = z;
@@ -629,97 +666,97 @@ LANES_INLINE void LANES(hoop_plain)(const hoop_job *job)
         const V wz_before = wz;
 
         /* What the event does to the ball. */
-        const LANES(hoop_meeting_out) _o67 =
+        const LANES(hoop_meeting_out) _o77 =
             LANES(hoop_meeting)(K(0.0), ends, touches);
-        M meeting = _o67.meeting;
-        const M _m68 = lanes_both(flying, meeting);
-        if (lanes_any(_m68)) {
-            const LANES(hoop_end_normal_out) _o69 =
+        M meeting = _o77.meeting;
+        const M _m78 = lanes_both(flying, meeting);
+        if (lanes_any(_m78)) {
+            const LANES(hoop_end_normal_out) _o79 =
                 LANES(hoop_end_normal)();
-            V nx = _o69.nx;
-            V ny = _o69.ny;
-            V nz = _o69.nz;
-            const LANES(hoop_here_out) _o70 =
+            V nx = _o79.nx;
+            V ny = _o79.ny;
+            V nz = _o79.nz;
+            const LANES(hoop_here_out) _o80 =
                 LANES(hoop_here)(K(0.0), which);
-            M here = _o70.here;
-            const M _m71 = lanes_both(_m68, here);
+            M here = _o80.here;
+            const M _m81 = lanes_both(_m78, here);
             {
-                const LANES(hoop_ring_normal_out) _o72 =
+                const LANES(hoop_ring_normal_out) _o82 =
                     LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = lanes_select(_m71, _o72.nx, nx);
-                ny = lanes_select(_m71, _o72.ny, ny);
-                nz = lanes_select(_m71, _o72.nz, nz);
-                const LANES(hoop_counted_out) _o73 =
+                nx = lanes_select(_m81, _o82.nx, nx);
+                ny = lanes_select(_m81, _o82.ny, ny);
+                nz = lanes_select(_m81, _o82.nz, nz);
+                const LANES(hoop_counted_out) _o83 =
                     LANES(hoop_counted)(count_0);
-                count_0 = lanes_select(_m71, _o73.count, count_0);
-            }
-            const LANES(hoop_here_out) _o74 =
-                LANES(hoop_here)(K(1.0), which);
-            here = _o74.here;
-            const M _m75 = lanes_both(_m68, here);
-            {
-                const LANES(hoop_backboard_normal_out) _o76 =
-                    LANES(hoop_backboard_normal)();
-                nx = lanes_select(_m75, _o76.nx, nx);
-                ny = lanes_select(_m75, _o76.ny, ny);
-                nz = lanes_select(_m75, _o76.nz, nz);
-                const LANES(hoop_counted_out) _o77 =
-                    LANES(hoop_counted)(count_1);
-                count_1 = lanes_select(_m75, _o77.count, count_1);
-            }
-            const LANES(hoop_here_out) _o78 =
-                LANES(hoop_here)(K(2.0), which);
-            here = _o78.here;
-            const M _m79 = lanes_both(_m68, here);
-            {
-                const LANES(hoop_bridge_normal_out) _o80 =
-                    LANES(hoop_bridge_normal)();
-                nx = lanes_select(_m79, _o80.nx, nx);
-                ny = lanes_select(_m79, _o80.ny, ny);
-                nz = lanes_select(_m79, _o80.nz, nz);
-                const LANES(hoop_counted_out) _o81 =
-                    LANES(hoop_counted)(count_2);
-                count_2 = lanes_select(_m79, _o81.count, count_2);
-            }
-            const M _m82 = lanes_both(_m68, touches);
-            if (lanes_any(_m82)) {
-                const LANES(hoop_impact_out) _o83 =
-                    LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                vx = lanes_select(_m82, _o83.vx, vx);
-                vy = lanes_select(_m82, _o83.vy, vy);
-                vz = lanes_select(_m82, _o83.vz, vz);
-                wx = lanes_select(_m82, _o83.wx, wx);
-                wy = lanes_select(_m82, _o83.wy, wy);
-                wz = lanes_select(_m82, _o83.wz, wz);
+                count_0 = lanes_select(_m81, _o83.count, count_0);
             }
             const LANES(hoop_here_out) _o84 =
                 LANES(hoop_here)(K(1.0), which);
             here = _o84.here;
-            const M _m85 = lanes_both(_m68, here);
+            const M _m85 = lanes_both(_m78, here);
             {
-                const LANES(hoop_backboard_place_out) _o86 =
-                    LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                x = lanes_select(_m85, _o86.x, x);
-                y = lanes_select(_m85, _o86.y, y);
-                z = lanes_select(_m85, _o86.z, z);
+                const LANES(hoop_backboard_normal_out) _o86 =
+                    LANES(hoop_backboard_normal)();
+                nx = lanes_select(_m85, _o86.nx, nx);
+                ny = lanes_select(_m85, _o86.ny, ny);
+                nz = lanes_select(_m85, _o86.nz, nz);
+                const LANES(hoop_counted_out) _o87 =
+                    LANES(hoop_counted)(count_1);
+                count_1 = lanes_select(_m85, _o87.count, count_1);
             }
-            const LANES(hoop_here_out) _o87 =
+            const LANES(hoop_here_out) _o88 =
                 LANES(hoop_here)(K(2.0), which);
-            here = _o87.here;
-            const M _m88 = lanes_both(_m68, here);
+            here = _o88.here;
+            const M _m89 = lanes_both(_m78, here);
             {
-                const LANES(hoop_bridge_place_out) _o89 =
-                    LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                x = lanes_select(_m88, _o89.x, x);
-                y = lanes_select(_m88, _o89.y, y);
-                z = lanes_select(_m88, _o89.z, z);
+                const LANES(hoop_bridge_normal_out) _o90 =
+                    LANES(hoop_bridge_normal)();
+                nx = lanes_select(_m89, _o90.nx, nx);
+                ny = lanes_select(_m89, _o90.ny, ny);
+                nz = lanes_select(_m89, _o90.nz, nz);
+                const LANES(hoop_counted_out) _o91 =
+                    LANES(hoop_counted)(count_2);
+                count_2 = lanes_select(_m89, _o91.count, count_2);
             }
-            const M _m90 = lanes_both(_m68, touches);
+            const M _m92 = lanes_both(_m78, touches);
+            if (lanes_any(_m92)) {
+                const LANES(hoop_impact_out) _o93 =
+                    LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
+                vx = lanes_select(_m92, _o93.vx, vx);
+                vy = lanes_select(_m92, _o93.vy, vy);
+                vz = lanes_select(_m92, _o93.vz, vz);
+                wx = lanes_select(_m92, _o93.wx, wx);
+                wy = lanes_select(_m92, _o93.wy, wy);
+                wz = lanes_select(_m92, _o93.wz, wz);
+            }
+            const LANES(hoop_here_out) _o94 =
+                LANES(hoop_here)(K(1.0), which);
+            here = _o94.here;
+            const M _m95 = lanes_both(_m78, here);
             {
-                const LANES(hoop_touched_out) _o91 =
+                const LANES(hoop_backboard_place_out) _o96 =
+                    LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
+                x = lanes_select(_m95, _o96.x, x);
+                y = lanes_select(_m95, _o96.y, y);
+                z = lanes_select(_m95, _o96.z, z);
+            }
+            const LANES(hoop_here_out) _o97 =
+                LANES(hoop_here)(K(2.0), which);
+            here = _o97.here;
+            const M _m98 = lanes_both(_m78, here);
+            {
+                const LANES(hoop_bridge_place_out) _o99 =
+                    LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
+                x = lanes_select(_m98, _o99.x, x);
+                y = lanes_select(_m98, _o99.y, y);
+                z = lanes_select(_m98, _o99.z, z);
+            }
+            const M _m100 = lanes_both(_m78, touches);
+            {
+                const LANES(hoop_touched_out) _o101 =
                     LANES(hoop_touched)(body, first, which);
-                first = lanes_select(_m90, _o91.first, first);
-                last = lanes_select(_m90, _o91.last, last);
+                first = lanes_select(_m100, _o101.first, first);
+                last = lanes_select(_m100, _o101.last, last);
             }
         }
         lanes_store(pool.x, x);
@@ -803,6 +840,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
     memset(&pool, 0, sizeof pool);
     const V zero = K(0.0);
     const V most_contacts = K((double)job->max_contacts);
+    const V time_limit = K(job->time_limit);
     const V claims = K(job->results->time_error || job->results->state_error ? 1.0 : 0.0);
     size_t begun = 0;
 
@@ -977,6 +1015,7 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
             LANES(hoop_error_bounds)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
         V position_error = _o6.position_error;
         V velocity_error = _o6.velocity_error;
+        V time_error = _o6.time_error;
         const LANES(hoop_scale_out) _o7 =
             LANES(hoop_scale)(x, y, z, vx, vy, vz, p_gravity);
         V extent = _o7.extent;
@@ -988,368 +1027,411 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         V which = _o8.which;
         V late = _o8.late;
         V doubt = _o8.doubt;
-        const LANES(hoop_left_out) _o9 =
+        const LANES(hoop_limited_out) _o9 =
+            LANES(hoop_limited)(time_limit);
+        M limited = _o9.limited;
+        const LANES(hoop_left_out) _o10 =
             LANES(hoop_left)(K(3.0), last);
-        V leaving = _o9.leaving;
-        const LANES(hoop_end_arrival_out) _o10 =
+        V leaving = _o10.leaving;
+        const LANES(hoop_end_arrival_out) _o11 =
             LANES(hoop_end_arrival)(leaving, z, vz, p_gravity, p_end_depth);
-        V time = _o10.time;
-        V rate = _o10.rate;
-        V bend = _o10.bend;
-        V apex = _o10.apex;
-        V height = _o10.height;
-        const LANES(hoop_meeting_plane_out) _o11 =
+        V time = _o11.time;
+        V rate = _o11.rate;
+        V bend = _o11.bend;
+        V apex = _o11.apex;
+        V height = _o11.height;
+        const LANES(hoop_meeting_plane_out) _o12 =
             LANES(hoop_meeting_plane)(bend, rate, time);
-        M arrives = _o11.arrives;
-        V ceiling = _o11.ceiling;
-        const LANES(hoop_end_margin_out) _o12 =
+        M arrives = _o12.arrives;
+        V ceiling = _o12.ceiling;
+        const LANES(hoop_end_margin_out) _o13 =
             LANES(hoop_end_margin)(time, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
-        V margin = _o12.margin;
-        const LANES(hoop_crossing_out) _o13 =
+        V margin = _o13.margin;
+        const LANES(hoop_crossing_out) _o14 =
             LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-        V clearance = _o13.clearance;
-        V delay = _o13.delay;
-        const LANES(hoop_timely_out) _o14 =
+        V clearance = _o14.clearance;
+        V delay = _o14.delay;
+        const LANES(hoop_timely_out) _o15 =
             LANES(hoop_timely)(arrives, delay, late, time, when);
-        M possible = _o14.possible;
-        const LANES(hoop_end_margin_out) _o15 =
+        M possible = _o15.possible;
+        const LANES(hoop_end_margin_out) _o16 =
             LANES(hoop_end_margin)(apex, extent, speed, position_error, velocity_error, p_gravity, p_end_depth);
-        margin = _o15.margin;
-        const LANES(hoop_grazed_out) _o16 =
+        margin = _o16.margin;
+        const LANES(hoop_grazed_out) _o17 =
             LANES(hoop_grazed)(apex, doubt, height, margin);
-        doubt = _o16.doubt;
-        const M _m17 = lanes_both(flying, possible);
+        doubt = _o17.doubt;
+        const M _m18 = lanes_both(flying, possible);
         {
-            const LANES(hoop_crossed_out) _o18 =
+            const LANES(hoop_crossed_out) _o19 =
                 LANES(hoop_crossed)(arrives, clearance, doubt, time);
-            doubt = lanes_select(_m17, _o18.doubt, doubt);
-            const LANES(hoop_tied_out) _o19 =
+            doubt = lanes_select(_m18, _o19.doubt, doubt);
+            const LANES(hoop_tied_out) _o20 =
                 LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = lanes_select(_m17, _o19.doubt, doubt);
-            late = lanes_select(_m17, _o19.late, late);
-            const LANES(hoop_sooner_out) _o20 =
+            doubt = lanes_select(_m18, _o20.doubt, doubt);
+            late = lanes_select(_m18, _o20.late, late);
+            const LANES(hoop_sooner_out) _o21 =
                 LANES(hoop_sooner)(arrives, K(3.0), time, when, which);
-            when = lanes_select(_m17, _o20.when, when);
-            which = lanes_select(_m17, _o20.which, which);
+            when = lanes_select(_m18, _o21.when, when);
+            which = lanes_select(_m18, _o21.which, which);
         }
-        const LANES(hoop_left_out) _o21 =
+        const LANES(hoop_left_out) _o22 =
             LANES(hoop_left)(K(1.0), last);
-        leaving = _o21.leaving;
-        const LANES(hoop_backboard_arrival_out) _o22 =
+        leaving = _o22.leaving;
+        const LANES(hoop_backboard_arrival_out) _o23 =
             LANES(hoop_backboard_arrival)(leaving, x, vx, p_ball_radius, p_board_distance);
-        time = _o22.time;
-        rate = _o22.rate;
-        bend = _o22.bend;
-        apex = _o22.apex;
-        height = _o22.height;
-        const LANES(hoop_meeting_plane_out) _o23 =
+        time = _o23.time;
+        rate = _o23.rate;
+        bend = _o23.bend;
+        apex = _o23.apex;
+        height = _o23.height;
+        const LANES(hoop_meeting_plane_out) _o24 =
             LANES(hoop_meeting_plane)(bend, rate, time);
-        arrives = _o23.arrives;
-        ceiling = _o23.ceiling;
-        const LANES(hoop_backboard_margin_out) _o24 =
+        arrives = _o24.arrives;
+        ceiling = _o24.ceiling;
+        const LANES(hoop_backboard_margin_out) _o25 =
             LANES(hoop_backboard_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
-        margin = _o24.margin;
-        const LANES(hoop_crossing_out) _o25 =
+        margin = _o25.margin;
+        const LANES(hoop_crossing_out) _o26 =
             LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-        clearance = _o25.clearance;
-        delay = _o25.delay;
-        const LANES(hoop_timely_out) _o26 =
+        clearance = _o26.clearance;
+        delay = _o26.delay;
+        const LANES(hoop_timely_out) _o27 =
             LANES(hoop_timely)(arrives, delay, late, time, when);
-        possible = _o26.possible;
-        const LANES(hoop_backboard_margin_out) _o27 =
+        possible = _o27.possible;
+        const LANES(hoop_backboard_margin_out) _o28 =
             LANES(hoop_backboard_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
-        margin = _o27.margin;
-        const LANES(hoop_grazed_out) _o28 =
+        margin = _o28.margin;
+        const LANES(hoop_grazed_out) _o29 =
             LANES(hoop_grazed)(apex, doubt, height, margin);
-        doubt = _o28.doubt;
-        const M _m29 = lanes_both(flying, possible);
-        if (lanes_any(_m29)) {
-            const LANES(hoop_flight_out) _o30 =
+        doubt = _o29.doubt;
+        const M _m30 = lanes_both(flying, possible);
+        if (lanes_any(_m30)) {
+            const LANES(hoop_flight_out) _o31 =
                 LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-            V there_y = _o30.y;
-            V there_z = _o30.z;
-            const LANES(hoop_backboard_bounds_out) _o31 =
+            V there_y = _o31.y;
+            V there_z = _o31.z;
+            const LANES(hoop_backboard_bounds_out) _o32 =
                 LANES(hoop_backboard_bounds)(there_y, there_z, p_board_half_width, p_board_bottom, p_board_top);
-            V g0 = _o31.g0;
-            V g1 = _o31.g1;
-            V g2 = _o31.g2;
-            V g3 = _o31.g3;
-            const LANES(hoop_displacement_out) _o32 =
+            V g0 = _o32.g0;
+            V g1 = _o32.g1;
+            V g2 = _o32.g2;
+            V g3 = _o32.g3;
+            const LANES(hoop_displacement_out) _o33 =
                 LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-            V slack = _o32.margin;
-            const LANES(hoop_backboard_edges_out) _o33 =
+            V slack = _o33.margin;
+            const LANES(hoop_backboard_edges_out) _o34 =
                 LANES(hoop_backboard_edges)(clearance, g0, g1, g2, g3, slack);
-            M unsure = _o33.unsure;
-            const LANES(hoop_questioned_out) _o34 =
+            M unsure = _o34.unsure;
+            const LANES(hoop_questioned_out) _o35 =
                 LANES(hoop_questioned)(doubt, time, unsure);
-            doubt = lanes_select(_m29, _o34.doubt, doubt);
-            const LANES(hoop_backboard_within_out) _o35 =
+            doubt = lanes_select(_m30, _o35.doubt, doubt);
+            const LANES(hoop_backboard_within_out) _o36 =
                 LANES(hoop_backboard_within)(g0, g1, g2, g3);
-            M arrives = _o35.arrives;
-            const LANES(hoop_tied_out) _o36 =
+            M arrives = _o36.arrives;
+            const LANES(hoop_tied_out) _o37 =
                 LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = lanes_select(_m29, _o36.doubt, doubt);
-            late = lanes_select(_m29, _o36.late, late);
-            const LANES(hoop_sooner_out) _o37 =
+            doubt = lanes_select(_m30, _o37.doubt, doubt);
+            late = lanes_select(_m30, _o37.late, late);
+            const LANES(hoop_sooner_out) _o38 =
                 LANES(hoop_sooner)(arrives, K(1.0), time, when, which);
-            when = lanes_select(_m29, _o37.when, when);
-            which = lanes_select(_m29, _o37.which, which);
+            when = lanes_select(_m30, _o38.when, when);
+            which = lanes_select(_m30, _o38.which, which);
         }
-        const LANES(hoop_left_out) _o38 =
+        const LANES(hoop_left_out) _o39 =
             LANES(hoop_left)(K(2.0), last);
-        leaving = _o38.leaving;
-        const LANES(hoop_bridge_arrival_out) _o39 =
+        leaving = _o39.leaving;
+        const LANES(hoop_bridge_arrival_out) _o40 =
             LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
-        time = _o39.time;
-        rate = _o39.rate;
-        bend = _o39.bend;
-        apex = _o39.apex;
-        height = _o39.height;
-        const LANES(hoop_meeting_plane_out) _o40 =
+        time = _o40.time;
+        rate = _o40.rate;
+        bend = _o40.bend;
+        apex = _o40.apex;
+        height = _o40.height;
+        const LANES(hoop_meeting_plane_out) _o41 =
             LANES(hoop_meeting_plane)(bend, rate, time);
-        arrives = _o40.arrives;
-        ceiling = _o40.ceiling;
-        const LANES(hoop_bridge_margin_out) _o41 =
+        arrives = _o41.arrives;
+        ceiling = _o41.ceiling;
+        const LANES(hoop_bridge_margin_out) _o42 =
             LANES(hoop_bridge_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
-        margin = _o41.margin;
-        const LANES(hoop_crossing_out) _o42 =
+        margin = _o42.margin;
+        const LANES(hoop_crossing_out) _o43 =
             LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
-        clearance = _o42.clearance;
-        delay = _o42.delay;
-        const LANES(hoop_timely_out) _o43 =
+        clearance = _o43.clearance;
+        delay = _o43.delay;
+        const LANES(hoop_timely_out) _o44 =
             LANES(hoop_timely)(arrives, delay, late, time, when);
-        possible = _o43.possible;
-        const LANES(hoop_bridge_margin_out) _o44 =
+        possible = _o44.possible;
+        const LANES(hoop_bridge_margin_out) _o45 =
             LANES(hoop_bridge_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
-        margin = _o44.margin;
-        const LANES(hoop_grazed_out) _o45 =
+        margin = _o45.margin;
+        const LANES(hoop_grazed_out) _o46 =
             LANES(hoop_grazed)(apex, doubt, height, margin);
-        doubt = _o45.doubt;
-        const M _m46 = lanes_both(flying, possible);
-        if (lanes_any(_m46)) {
-            const LANES(hoop_flight_out) _o47 =
+        doubt = _o46.doubt;
+        const M _m47 = lanes_both(flying, possible);
+        if (lanes_any(_m47)) {
+            const LANES(hoop_flight_out) _o48 =
                 LANES(hoop_flight)(time, x, y, z, vx, vy, vz, p_gravity);
-            V there_x = _o47.x;
-            V there_y = _o47.y;
-            const LANES(hoop_bridge_bounds_out) _o48 =
+            V there_x = _o48.x;
+            V there_y = _o48.y;
+            const LANES(hoop_bridge_bounds_out) _o49 =
                 LANES(hoop_bridge_bounds)(there_x, there_y, p_ring_radius, p_board_distance, p_bridge_half_width);
-            V g0 = _o48.g0;
-            V g1 = _o48.g1;
-            V g2 = _o48.g2;
-            V g3 = _o48.g3;
-            V g4 = _o48.g4;
-            const LANES(hoop_displacement_out) _o49 =
+            V g0 = _o49.g0;
+            V g1 = _o49.g1;
+            V g2 = _o49.g2;
+            V g3 = _o49.g3;
+            V g4 = _o49.g4;
+            const LANES(hoop_displacement_out) _o50 =
                 LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-            V slack = _o49.margin;
-            const LANES(hoop_bridge_edges_out) _o50 =
+            V slack = _o50.margin;
+            const LANES(hoop_bridge_edges_out) _o51 =
                 LANES(hoop_bridge_edges)(clearance, g0, g1, g2, g3, g4, slack);
-            M unsure = _o50.unsure;
-            const LANES(hoop_questioned_out) _o51 =
+            M unsure = _o51.unsure;
+            const LANES(hoop_questioned_out) _o52 =
                 LANES(hoop_questioned)(doubt, time, unsure);
-            doubt = lanes_select(_m46, _o51.doubt, doubt);
-            const LANES(hoop_bridge_within_out) _o52 =
+            doubt = lanes_select(_m47, _o52.doubt, doubt);
+            const LANES(hoop_bridge_within_out) _o53 =
                 LANES(hoop_bridge_within)(g0, g1, g2, g3, g4);
-            M arrives = _o52.arrives;
-            const LANES(hoop_tied_out) _o53 =
+            M arrives = _o53.arrives;
+            const LANES(hoop_tied_out) _o54 =
                 LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = lanes_select(_m46, _o53.doubt, doubt);
-            late = lanes_select(_m46, _o53.late, late);
-            const LANES(hoop_sooner_out) _o54 =
+            doubt = lanes_select(_m47, _o54.doubt, doubt);
+            late = lanes_select(_m47, _o54.late, late);
+            const LANES(hoop_sooner_out) _o55 =
                 LANES(hoop_sooner)(arrives, K(2.0), time, when, which);
-            when = lanes_select(_m46, _o54.when, when);
-            which = lanes_select(_m46, _o54.which, which);
+            when = lanes_select(_m47, _o55.when, when);
+            which = lanes_select(_m47, _o55.which, which);
         }
-        const LANES(hoop_horizon_out) _o55 =
+        const LANES(hoop_horizon_out) _o56 =
             LANES(hoop_horizon)(when, speed, p_gravity);
-        V until = _o55.horizon;
-        V pad = _o55.pad;
-        const LANES(hoop_ring_clear_out) _o56 =
+        V until = _o56.horizon;
+        V pad = _o56.pad;
+        const LANES(hoop_ring_clear_out) _o57 =
             LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-        V clear = _o56.clear;
-        const LANES(hoop_opens_out) _o57 =
+        V clear = _o57.clear;
+        const LANES(hoop_opens_out) _o58 =
             LANES(hoop_opens)(clear);
-        M open = _o57.open;
-        const M _m58 = lanes_both(flying, open);
-        if (lanes_any(_m58)) {
-            const LANES(hoop_ring_prepare_out) _o59 =
+        M open = _o58.open;
+        const M _m59 = lanes_both(flying, open);
+        if (lanes_any(_m59)) {
+            const LANES(hoop_ring_prepare_out) _o60 =
                 LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V steady = _o59.steady;
-            V swing = _o59.swing;
-            V rho_start = _o59.rho_start;
-            V low0 = _o59.low0;
-            V high0 = _o59.high0;
-            V low1 = _o59.low1;
-            V high1 = _o59.high1;
-            V low2 = _o59.low2;
-            V high2 = _o59.high2;
-            V ceiling = _o59.ceiling;
-            V latest = _o59.latest;
-            V lost = _o59.lost;
-            const LANES(hoop_beginning_out) _o60 =
+            V steady = _o60.steady;
+            V swing = _o60.swing;
+            V rho_start = _o60.rho_start;
+            V low0 = _o60.low0;
+            V high0 = _o60.high0;
+            V low1 = _o60.low1;
+            V high1 = _o60.high1;
+            V low2 = _o60.low2;
+            V high2 = _o60.high2;
+            V ceiling = _o60.ceiling;
+            V latest = _o60.latest;
+            V lost = _o60.lost;
+            const LANES(hoop_beginning_out) _o61 =
                 LANES(hoop_beginning)();
-            V share = _o60.share;
-            V arrival = _o60.arrival;
-            M certain = _o60.certain;
-            const LANES(hoop_allowance_out) _o61 =
+            V share = _o61.share;
+            V arrival = _o61.arrival;
+            M certain = _o61.certain;
+            const LANES(hoop_allowance_out) _o62 =
                 LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-            V position_level = _o61.position_level;
-            V velocity_level = _o61.velocity_level;
-            V excess = _o61.excess;
-            const LANES(hoop_ring_margins_out) _o62 =
+            V position_level = _o62.position_level;
+            V velocity_level = _o62.velocity_level;
+            V excess = _o62.excess;
+            const LANES(hoop_ring_margins_out) _o63 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V flat = _o62.margin;
-            V tilt = _o62.leaving_margin;
-            V rate_slack = _o62.rate_margin;
-            const LANES(hoop_beyond_out) _o63 =
+            V flat = _o63.margin;
+            V tilt = _o63.leaving_margin;
+            V rate_slack = _o63.rate_margin;
+            const LANES(hoop_beyond_out) _o64 =
                 LANES(hoop_beyond)(doubt, excess, late, lost, pad);
-            doubt = lanes_select(_m58, _o63.doubt, doubt);
-            const LANES(hoop_ring_enter_out) _o64 =
+            doubt = lanes_select(_m59, _o64.doubt, doubt);
+            const LANES(hoop_ring_enter_out) _o65 =
                 LANES(hoop_ring_enter)(K(0.0), K(0.0), high0, high1, high2, low0, low1, low2, K(0.0));
-            V t = _o64.t;
-            V end = _o64.end;
-            M searching = _o64.searching;
+            V t = _o65.t;
+            V end = _o65.end;
+            M searching = _o65.searching;
             for (int _turn = 0; _turn < 201; _turn++) {
-                const M _m65 = lanes_both(_m58, searching);
-                if (!lanes_any(_m65))
+                const M _m66 = lanes_both(_m59, searching);
+                if (!lanes_any(_m66))
                     break;
-                const LANES(hoop_nearby_out) _o66 =
+                const LANES(hoop_nearby_out) _o67 =
                     LANES(hoop_nearby)(flat, K(0.0), last, t, tilt);
-                V leaving = _o66.leaving;
-                V margin = _o66.margin;
-                const LANES(hoop_ring_advance_out) _o67 =
+                V leaving = _o67.leaving;
+                V margin = _o67.margin;
+                const LANES(hoop_ring_advance_out) _o68 =
                     LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                V gap = _o67.gap;
-                V rate = _o67.rate;
-                V bend = _o67.bend;
-                V step = _o67.step;
-                V next = _o67.next;
-                V root = _o67.root;
-                V clearance = _o67.clearance;
-                const LANES(hoop_struck_out) _o68 =
+                V gap = _o68.gap;
+                V rate = _o68.rate;
+                V bend = _o68.bend;
+                V step = _o68.step;
+                V next = _o68.next;
+                V root = _o68.root;
+                V clearance = _o68.clearance;
+                const LANES(hoop_struck_out) _o69 =
                     LANES(hoop_struck)(bend, clearance, gap, margin, rate, rate_slack, share);
-                M hit = _o68.hit;
-                M sure = _o68.sure;
-                M vague = _o68.vague;
-                const M _m69 = lanes_both(_m65, vague);
-                if (lanes_any(_m69)) {
-                    const LANES(hoop_finer_out) _o70 =
+                M hit = _o69.hit;
+                M sure = _o69.sure;
+                M vague = _o69.vague;
+                const M _m70 = lanes_both(_m66, vague);
+                if (lanes_any(_m70)) {
+                    const LANES(hoop_finer_out) _o71 =
                         LANES(hoop_finer)(share);
-                    share = lanes_select(_m69, _o70.share, share);
-                    const LANES(hoop_allowance_out) _o71 =
+                    share = lanes_select(_m70, _o71.share, share);
+                    const LANES(hoop_allowance_out) _o72 =
                         LANES(hoop_allowance)(share, latest, extent, speed, position_error, velocity_error, p_gravity);
-                    V position_level = _o71.position_level;
-                    V velocity_level = _o71.velocity_level;
-                    V excess = _o71.excess;
-                    const LANES(hoop_ring_margins_out) _o72 =
+                    V position_level = _o72.position_level;
+                    V velocity_level = _o72.velocity_level;
+                    V excess = _o72.excess;
+                    const LANES(hoop_ring_margins_out) _o73 =
                         LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-                    flat = lanes_select(_m69, _o72.margin, flat);
-                    tilt = lanes_select(_m69, _o72.leaving_margin, tilt);
-                    rate_slack = lanes_select(_m69, _o72.rate_margin, rate_slack);
-                    const LANES(hoop_exceeded_out) _o73 =
+                    flat = lanes_select(_m70, _o73.margin, flat);
+                    tilt = lanes_select(_m70, _o73.leaving_margin, tilt);
+                    rate_slack = lanes_select(_m70, _o73.rate_margin, rate_slack);
+                    const LANES(hoop_exceeded_out) _o74 =
                         LANES(hoop_exceeded)(doubt, excess, t);
-                    doubt = lanes_select(_m69, _o73.doubt, doubt);
+                    doubt = lanes_select(_m70, _o74.doubt, doubt);
                 }
-                const LANES(hoop_advanced_out) _o74 =
+                const LANES(hoop_advanced_out) _o75 =
                     LANES(hoop_advanced)(arrival, certain, end, hit, next, root, step, sure, t, vague);
-                arrival = lanes_select(_m65, _o74.arrival, arrival);
-                certain = lanes_choose(_m65, _o74.certain, certain);
-                M exhausted = _o74.exhausted;
-                searching = lanes_choose(_m65, _o74.searching, searching);
-                t = lanes_select(_m65, _o74.t, t);
-                const M _m75 = lanes_both(_m65, exhausted);
+                arrival = lanes_select(_m66, _o75.arrival, arrival);
+                certain = lanes_choose(_m66, _o75.certain, certain);
+                M exhausted = _o75.exhausted;
+                searching = lanes_choose(_m66, _o75.searching, searching);
+                t = lanes_select(_m66, _o75.t, t);
+                const M _m76 = lanes_both(_m66, exhausted);
                 {
-                    const LANES(hoop_ring_enter_out) _o76 =
+                    const LANES(hoop_ring_enter_out) _o77 =
                         LANES(hoop_ring_enter)(end, end, high0, high1, high2, low0, low1, low2, t);
-                    t = lanes_select(_m75, _o76.t, t);
-                    end = lanes_select(_m75, _o76.end, end);
-                    searching = lanes_choose(_m75, _o76.searching, searching);
+                    t = lanes_select(_m76, _o77.t, t);
+                    end = lanes_select(_m76, _o77.end, end);
+                    searching = lanes_choose(_m76, _o77.searching, searching);
                 }
             }
-            const LANES(hoop_questioned_out) _o77 =
+            const LANES(hoop_questioned_out) _o78 =
                 LANES(hoop_questioned)(doubt, t, searching);
-            doubt = lanes_select(_m58, _o77.doubt, doubt);
-            const LANES(hoop_found_out) _o78 =
+            doubt = lanes_select(_m59, _o78.doubt, doubt);
+            const LANES(hoop_found_out) _o79 =
                 LANES(hoop_found)(arrival);
-            M arrives = _o78.arrives;
-            const LANES(hoop_nearby_out) _o79 =
+            M arrives = _o79.arrives;
+            const LANES(hoop_nearby_out) _o80 =
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
-            V leaving = _o79.leaving;
-            const LANES(hoop_ring_refine_out) _o80 =
+            V leaving = _o80.leaving;
+            const LANES(hoop_ring_refine_out) _o81 =
                 LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            V refined = _o80.time;
-            const LANES(hoop_polished_out) _o81 =
+            V refined = _o81.time;
+            const LANES(hoop_polished_out) _o82 =
                 LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o81.arrival;
-            const LANES(hoop_ring_refine_out) _o82 =
+            arrival = _o82.arrival;
+            const LANES(hoop_ring_refine_out) _o83 =
                 LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            refined = _o82.time;
-            V rate = _o82.rate;
-            const LANES(hoop_polished_out) _o83 =
+            refined = _o83.time;
+            V rate = _o83.rate;
+            const LANES(hoop_polished_out) _o84 =
                 LANES(hoop_polished)(arrival, certain, refined);
-            arrival = _o83.arrival;
-            const LANES(hoop_ring_margins_out) _o84 =
+            arrival = _o84.arrival;
+            const LANES(hoop_ring_margins_out) _o85 =
                 LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
-            flat = _o84.margin;
-            tilt = _o84.leaving_margin;
-            V rate_margin = _o84.rate_margin;
-            const LANES(hoop_own_margin_out) _o85 =
+            flat = _o85.margin;
+            tilt = _o85.leaving_margin;
+            V rate_margin = _o85.rate_margin;
+            const LANES(hoop_own_margin_out) _o86 =
                 LANES(hoop_own_margin)(arrival, flat, leaving, tilt);
-            V margin = _o85.margin;
-            const LANES(hoop_crossing_out) _o86 =
+            V margin = _o86.margin;
+            const LANES(hoop_crossing_out) _o87 =
                 LANES(hoop_crossing)(margin, rate_margin, rate, ceiling);
-            V clearance = _o86.clearance;
-            V delay = _o86.delay;
-            const LANES(hoop_landed_out) _o87 =
+            V clearance = _o87.clearance;
+            V delay = _o87.delay;
+            const LANES(hoop_landed_out) _o88 =
                 LANES(hoop_landed)(arrival);
-            V time = _o87.time;
-            const LANES(hoop_landed_surely_out) _o88 =
+            V time = _o88.time;
+            const LANES(hoop_landed_surely_out) _o89 =
                 LANES(hoop_landed_surely)(arrives, certain, clearance, delay, doubt, time);
-            delay = _o88.delay;
-            doubt = lanes_select(_m58, _o88.doubt, doubt);
-            const LANES(hoop_tied_out) _o89 =
+            delay = _o89.delay;
+            doubt = lanes_select(_m59, _o89.doubt, doubt);
+            const LANES(hoop_tied_out) _o90 =
                 LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
-            doubt = lanes_select(_m58, _o89.doubt, doubt);
-            late = lanes_select(_m58, _o89.late, late);
-            const LANES(hoop_sooner_out) _o90 =
+            doubt = lanes_select(_m59, _o90.doubt, doubt);
+            late = lanes_select(_m59, _o90.late, late);
+            const LANES(hoop_sooner_out) _o91 =
                 LANES(hoop_sooner)(arrives, K(0.0), time, when, which);
-            when = lanes_select(_m58, _o90.when, when);
-            which = lanes_select(_m58, _o90.which, which);
+            when = lanes_select(_m59, _o91.when, when);
+            which = lanes_select(_m59, _o91.which, which);
         }
-        const LANES(hoop_departed_out) _o91 =
+        const M _m92 = lanes_both(flying, limited);
+        if (lanes_any(_m92)) {
+            const LANES(hoop_expiry_out) _o93 =
+                LANES(hoop_expiry)(clock, doubt, late, time_error, time_limit, when, which);
+            V time = _o93.time;
+            V delay = _o93.delay;
+            M arrives = _o93.arrives;
+            doubt = lanes_select(_m92, _o93.doubt, doubt);
+            const LANES(hoop_tied_out) _o94 =
+                LANES(hoop_tied)(arrives, delay, doubt, late, time, when);
+            doubt = lanes_select(_m92, _o94.doubt, doubt);
+            late = lanes_select(_m92, _o94.late, late);
+            const LANES(hoop_sooner_out) _o95 =
+                LANES(hoop_sooner)(arrives, K(4.0), time, when, which);
+            when = lanes_select(_m92, _o95.when, when);
+            which = lanes_select(_m92, _o95.which, which);
+        }
+        const LANES(hoop_departed_out) _o96 =
             LANES(hoop_departed)(K(3.0), which);
-        M moves = _o91.moves;
-        M ends = _o91.ends;
-        M touches = _o91.touches;
-        const LANES(hoop_body_of_out) _o92 =
+        M moves = _o96.moves;
+        M ends = _o96.ends;
+        M touches = _o96.touches;
+        V reached = _o96.reached;
+        M edge = _o96.edge;
+        const LANES(hoop_body_of_out) _o97 =
             LANES(hoop_body_of)(which);
-        V body = _o92.body;
-        const M _m93 = lanes_both(flying, moves);
+        V body = _o97.body;
+        const M _m98 = lanes_both(flying, moves);
         {
-            const LANES(hoop_flight_out) _o94 =
+            const LANES(hoop_flight_out) _o99 =
                 LANES(hoop_flight)(when, x, y, z, vx, vy, vz, p_gravity);
-            x = lanes_select(_m93, _o94.x, x);
-            y = lanes_select(_m93, _o94.y, y);
-            z = lanes_select(_m93, _o94.z, z);
-            vx = lanes_select(_m93, _o94.vx, vx);
-            vy = lanes_select(_m93, _o94.vy, vy);
-            vz = lanes_select(_m93, _o94.vz, vz);
-            const LANES(hoop_ticked_out) _o95 =
+            x = lanes_select(_m98, _o99.x, x);
+            y = lanes_select(_m98, _o99.y, y);
+            z = lanes_select(_m98, _o99.z, z);
+            vx = lanes_select(_m98, _o99.vx, vx);
+            vy = lanes_select(_m98, _o99.vy, vy);
+            vz = lanes_select(_m98, _o99.vz, vz);
+            const LANES(hoop_ticked_out) _o100 =
                 LANES(hoop_ticked)(clock, when);
-            clock = lanes_select(_m93, _o95.clock, clock);
+            clock = lanes_select(_m98, _o100.clock, clock);
         }
-        const LANES(hoop_displacement_out) _o96 =
+        const M _m101 = lanes_both(flying, limited);
+        if (lanes_any(_m101)) {
+            const LANES(hoop_expired_out) _o102 =
+                LANES(hoop_expired)(body, clock, ends, K(4.0), reached, time_limit, which);
+            clock = lanes_select(_m101, _o102.clock, clock);
+            body = lanes_select(_m101, _o102.body, body);
+            reached = lanes_select(_m101, _o102.reached, reached);
+            ends = lanes_choose(_m101, _o102.ends, ends);
+        }
+        const LANES(hoop_displacement_out) _o103 =
             LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
-        V slack = _o96.margin;
-        const LANES(hoop_target_out) _o97 =
-            LANES(hoop_target)(x, y, p_ring_radius);
-        V miss = _o97.target;
-        const LANES(hoop_doubted_out) _o98 =
-            LANES(hoop_doubted)(doubt, ends, late, miss, slack, uncertain, when);
-        uncertain = _o98.uncertain;
-        const LANES(hoop_accounted_out) _o99 =
-            LANES(hoop_accounted)(contacts, ends, miss, most_contacts, touches);
-        contacts = _o99.contacts;
-        outcome = _o99.outcome;
+        V slack = _o103.margin;
+        const LANES(hoop_here_out) _o104 =
+            LANES(hoop_here)(K(3.0), which);
+        M here = _o104.here;
+        const M _m105 = lanes_both(flying, here);
+        {
+            const LANES(hoop_end_bounds_out) _o106 =
+                LANES(hoop_end_bounds)(x, y, p_ring_radius);
+            V g0 = _o106.g0;
+            const LANES(hoop_end_reached_out) _o107 =
+                LANES(hoop_end_reached)(g0);
+            reached = lanes_select(_m105, _o107.reached, reached);
+            const LANES(hoop_end_edge_out) _o108 =
+                LANES(hoop_end_edge)(g0, slack);
+            edge = lanes_choose(_m105, _o108.edge, edge);
+        }
+        const LANES(hoop_doubted_out) _o109 =
+            LANES(hoop_doubted)(doubt, edge, late, uncertain, when);
+        uncertain = _o109.uncertain;
+        const LANES(hoop_accounted_out) _o110 =
+            LANES(hoop_accounted)(contacts, most_contacts, reached, touches);
+        contacts = _o110.contacts;
+        outcome = _o110.outcome;
         const V x_before = x;
         const V y_before = y;
         const V z_before = z;
@@ -1361,187 +1443,205 @@ LANES_INLINE void LANES(hoop_bounded)(const hoop_job *job)
         const V wz_before = wz;
 
         /* What the event does to the ball. */
-        const LANES(hoop_meeting_out) _o100 =
+        const LANES(hoop_meeting_out) _o111 =
             LANES(hoop_meeting)(claims, ends, touches);
-        M meeting = _o100.meeting;
-        const M _m101 = lanes_both(flying, meeting);
-        if (lanes_any(_m101)) {
-            const LANES(hoop_end_normal_out) _o102 =
+        M meeting = _o111.meeting;
+        const M _m112 = lanes_both(flying, meeting);
+        if (lanes_any(_m112)) {
+            const LANES(hoop_end_normal_out) _o113 =
                 LANES(hoop_end_normal)();
-            V nx = _o102.nx;
-            V ny = _o102.ny;
-            V nz = _o102.nz;
-            const LANES(hoop_here_out) _o103 =
+            V nx = _o113.nx;
+            V ny = _o113.ny;
+            V nz = _o113.nz;
+            const LANES(hoop_here_out) _o114 =
                 LANES(hoop_here)(K(0.0), which);
-            M here = _o103.here;
-            const M _m104 = lanes_both(_m101, here);
+            M here = _o114.here;
+            const M _m115 = lanes_both(_m112, here);
             {
-                const LANES(hoop_ring_normal_out) _o105 =
+                const LANES(hoop_ring_normal_out) _o116 =
                     LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = lanes_select(_m104, _o105.nx, nx);
-                ny = lanes_select(_m104, _o105.ny, ny);
-                nz = lanes_select(_m104, _o105.nz, nz);
-                const LANES(hoop_counted_out) _o106 =
+                nx = lanes_select(_m115, _o116.nx, nx);
+                ny = lanes_select(_m115, _o116.ny, ny);
+                nz = lanes_select(_m115, _o116.nz, nz);
+                const LANES(hoop_counted_out) _o117 =
                     LANES(hoop_counted)(count_0);
-                count_0 = lanes_select(_m104, _o106.count, count_0);
+                count_0 = lanes_select(_m115, _o117.count, count_0);
             }
-            const LANES(hoop_here_out) _o107 =
+            const LANES(hoop_here_out) _o118 =
                 LANES(hoop_here)(K(1.0), which);
-            here = _o107.here;
-            const M _m108 = lanes_both(_m101, here);
+            here = _o118.here;
+            const M _m119 = lanes_both(_m112, here);
             {
-                const LANES(hoop_backboard_normal_out) _o109 =
+                const LANES(hoop_backboard_normal_out) _o120 =
                     LANES(hoop_backboard_normal)();
-                nx = lanes_select(_m108, _o109.nx, nx);
-                ny = lanes_select(_m108, _o109.ny, ny);
-                nz = lanes_select(_m108, _o109.nz, nz);
-                const LANES(hoop_counted_out) _o110 =
+                nx = lanes_select(_m119, _o120.nx, nx);
+                ny = lanes_select(_m119, _o120.ny, ny);
+                nz = lanes_select(_m119, _o120.nz, nz);
+                const LANES(hoop_counted_out) _o121 =
                     LANES(hoop_counted)(count_1);
-                count_1 = lanes_select(_m108, _o110.count, count_1);
+                count_1 = lanes_select(_m119, _o121.count, count_1);
             }
-            const LANES(hoop_here_out) _o111 =
+            const LANES(hoop_here_out) _o122 =
                 LANES(hoop_here)(K(2.0), which);
-            here = _o111.here;
-            const M _m112 = lanes_both(_m101, here);
+            here = _o122.here;
+            const M _m123 = lanes_both(_m112, here);
             {
-                const LANES(hoop_bridge_normal_out) _o113 =
+                const LANES(hoop_bridge_normal_out) _o124 =
                     LANES(hoop_bridge_normal)();
-                nx = lanes_select(_m112, _o113.nx, nx);
-                ny = lanes_select(_m112, _o113.ny, ny);
-                nz = lanes_select(_m112, _o113.nz, nz);
-                const LANES(hoop_counted_out) _o114 =
+                nx = lanes_select(_m123, _o124.nx, nx);
+                ny = lanes_select(_m123, _o124.ny, ny);
+                nz = lanes_select(_m123, _o124.nz, nz);
+                const LANES(hoop_counted_out) _o125 =
                     LANES(hoop_counted)(count_2);
-                count_2 = lanes_select(_m112, _o114.count, count_2);
+                count_2 = lanes_select(_m123, _o125.count, count_2);
             }
-            const LANES(hoop_elsewhere_out) _o115 =
+            const LANES(hoop_elsewhere_out) _o126 =
                 LANES(hoop_elsewhere)();
-            V curving = _o115.curving;
-            const LANES(hoop_again_out) _o116 =
+            V curving = _o126.curving;
+            const LANES(hoop_again_out) _o127 =
                 LANES(hoop_again)(K(0.0), last, which);
-            M again = _o116.again;
-            const M _m117 = lanes_both(_m101, again);
+            M again = _o127.again;
+            const M _m128 = lanes_both(_m112, again);
             {
-                const LANES(hoop_ring_curvature_out) _o118 =
+                const LANES(hoop_ring_curvature_out) _o129 =
                     LANES(hoop_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                curving = lanes_select(_m117, _o118.curvature, curving);
+                curving = lanes_select(_m128, _o129.curvature, curving);
             }
-            const LANES(hoop_again_out) _o119 =
+            const LANES(hoop_again_out) _o130 =
                 LANES(hoop_again)(K(1.0), last, which);
-            again = _o119.again;
-            const M _m120 = lanes_both(_m101, again);
+            again = _o130.again;
+            const M _m131 = lanes_both(_m112, again);
             {
-                const LANES(hoop_backboard_curvature_out) _o121 =
+                const LANES(hoop_backboard_curvature_out) _o132 =
                     LANES(hoop_backboard_curvature)();
-                curving = lanes_select(_m120, _o121.curvature, curving);
+                curving = lanes_select(_m131, _o132.curvature, curving);
             }
-            const LANES(hoop_again_out) _o122 =
+            const LANES(hoop_again_out) _o133 =
                 LANES(hoop_again)(K(2.0), last, which);
-            again = _o122.again;
-            const M _m123 = lanes_both(_m101, again);
+            again = _o133.again;
+            const M _m134 = lanes_both(_m112, again);
             {
-                const LANES(hoop_bridge_curvature_out) _o124 =
+                const LANES(hoop_bridge_curvature_out) _o135 =
                     LANES(hoop_bridge_curvature)();
-                curving = lanes_select(_m123, _o124.curvature, curving);
+                curving = lanes_select(_m134, _o135.curvature, curving);
             }
-            const LANES(hoop_carry_flight_out) _o125 =
+            const LANES(hoop_carry_flight_out) _o136 =
                 LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-            dx = lanes_select(_m101, _o125.dx, dx);
-            dy = lanes_select(_m101, _o125.dy, dy);
-            dz = lanes_select(_m101, _o125.dz, dz);
-            dvx = lanes_select(_m101, _o125.dvx, dvx);
-            dvy = lanes_select(_m101, _o125.dvy, dvy);
-            dvz = lanes_select(_m101, _o125.dvz, dvz);
-            V delay = _o125.delay;
-            V shift = _o125.shift;
-            const LANES(hoop_delayed_out) _o126 =
+            dx = lanes_select(_m112, _o136.dx, dx);
+            dy = lanes_select(_m112, _o136.dy, dy);
+            dz = lanes_select(_m112, _o136.dz, dz);
+            dvx = lanes_select(_m112, _o136.dvx, dvx);
+            dvy = lanes_select(_m112, _o136.dvy, dvy);
+            dvz = lanes_select(_m112, _o136.dvz, dvz);
+            V delay = _o136.delay;
+            V shift = _o136.shift;
+            const LANES(hoop_delayed_out) _o137 =
                 LANES(hoop_delayed)(clock_error, delay);
-            clock_error = lanes_select(_m101, _o126.clock_error, clock_error);
-            const M _m127 = lanes_both(_m101, ends);
+            clock_error = lanes_select(_m112, _o137.clock_error, clock_error);
+            const M _m138 = lanes_both(_m112, ends);
             {
-                const LANES(hoop_floored_out) _o128 =
+                const LANES(hoop_floored_out) _o139 =
                     LANES(hoop_floored)(dx, dy, dz, shift);
-                dx = lanes_select(_m127, _o128.dx, dx);
-                dy = lanes_select(_m127, _o128.dy, dy);
-                dz = lanes_select(_m127, _o128.dz, dz);
+                dx = lanes_select(_m138, _o139.dx, dx);
+                dy = lanes_select(_m138, _o139.dy, dy);
+                dz = lanes_select(_m138, _o139.dz, dz);
             }
-            const LANES(hoop_unturned_out) _o129 =
+            const LANES(hoop_unturned_out) _o140 =
                 LANES(hoop_unturned)();
-            V dnx = _o129.dnx;
-            V dny = _o129.dny;
-            V dnz = _o129.dnz;
-            V turn = _o129.turn;
-            const LANES(hoop_here_out) _o130 =
+            V dnx = _o140.dnx;
+            V dny = _o140.dny;
+            V dnz = _o140.dnz;
+            V turn = _o140.turn;
+            const LANES(hoop_here_out) _o141 =
                 LANES(hoop_here)(K(0.0), which);
-            here = _o130.here;
-            const M _m131 = lanes_both(_m101, here);
-            if (lanes_any(_m131)) {
-                const LANES(hoop_ring_carry_normal_out) _o132 =
+            here = _o141.here;
+            const M _m142 = lanes_both(_m112, here);
+            if (lanes_any(_m142)) {
+                const LANES(hoop_ring_carry_normal_out) _o143 =
                     LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                dnx = lanes_select(_m131, _o132.dnx, dnx);
-                dny = lanes_select(_m131, _o132.dny, dny);
-                dnz = lanes_select(_m131, _o132.dnz, dnz);
-                turn = lanes_select(_m131, _o132.turn, turn);
+                dnx = lanes_select(_m142, _o143.dnx, dnx);
+                dny = lanes_select(_m142, _o143.dny, dny);
+                dnz = lanes_select(_m142, _o143.dnz, dnz);
+                turn = lanes_select(_m142, _o143.turn, turn);
             }
-            const M _m133 = lanes_both(_m101, touches);
-            if (lanes_any(_m133)) {
-                const LANES(hoop_carry_impact_out) _o134 =
+            const M _m144 = lanes_both(_m112, touches);
+            if (lanes_any(_m144)) {
+                const LANES(hoop_carry_impact_out) _o145 =
                     LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
-                dvx = lanes_select(_m133, _o134.dvx, dvx);
-                dvy = lanes_select(_m133, _o134.dvy, dvy);
-                dvz = lanes_select(_m133, _o134.dvz, dvz);
-                dwx = lanes_select(_m133, _o134.dwx, dwx);
-                dwy = lanes_select(_m133, _o134.dwy, dwy);
-                dwz = lanes_select(_m133, _o134.dwz, dwz);
-                const LANES(hoop_impact_out) _o135 =
+                dvx = lanes_select(_m144, _o145.dvx, dvx);
+                dvy = lanes_select(_m144, _o145.dvy, dvy);
+                dvz = lanes_select(_m144, _o145.dvz, dvz);
+                dwx = lanes_select(_m144, _o145.dwx, dwx);
+                dwy = lanes_select(_m144, _o145.dwy, dwy);
+                dwz = lanes_select(_m144, _o145.dwz, dwz);
+                const LANES(hoop_impact_out) _o146 =
                     LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-                vx = lanes_select(_m133, _o135.vx, vx);
-                vy = lanes_select(_m133, _o135.vy, vy);
-                vz = lanes_select(_m133, _o135.vz, vz);
-                wx = lanes_select(_m133, _o135.wx, wx);
-                wy = lanes_select(_m133, _o135.wy, wy);
-                wz = lanes_select(_m133, _o135.wz, wz);
+                vx = lanes_select(_m144, _o146.vx, vx);
+                vy = lanes_select(_m144, _o146.vy, vy);
+                vz = lanes_select(_m144, _o146.vz, vz);
+                wx = lanes_select(_m144, _o146.wx, wx);
+                wy = lanes_select(_m144, _o146.wy, wy);
+                wz = lanes_select(_m144, _o146.wz, wz);
             }
-            const LANES(hoop_here_out) _o136 =
+            const LANES(hoop_here_out) _o147 =
                 LANES(hoop_here)(K(1.0), which);
-            here = _o136.here;
-            const M _m137 = lanes_both(_m101, here);
+            here = _o147.here;
+            const M _m148 = lanes_both(_m112, here);
             {
-                const LANES(hoop_backboard_place_out) _o138 =
+                const LANES(hoop_backboard_place_out) _o149 =
                     LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                x = lanes_select(_m137, _o138.x, x);
-                y = lanes_select(_m137, _o138.y, y);
-                z = lanes_select(_m137, _o138.z, z);
+                x = lanes_select(_m148, _o149.x, x);
+                y = lanes_select(_m148, _o149.y, y);
+                z = lanes_select(_m148, _o149.z, z);
             }
-            const LANES(hoop_here_out) _o139 =
+            const LANES(hoop_here_out) _o150 =
                 LANES(hoop_here)(K(2.0), which);
-            here = _o139.here;
-            const M _m140 = lanes_both(_m101, here);
+            here = _o150.here;
+            const M _m151 = lanes_both(_m112, here);
             {
-                const LANES(hoop_bridge_place_out) _o141 =
+                const LANES(hoop_bridge_place_out) _o152 =
                     LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                x = lanes_select(_m140, _o141.x, x);
-                y = lanes_select(_m140, _o141.y, y);
-                z = lanes_select(_m140, _o141.z, z);
+                x = lanes_select(_m151, _o152.x, x);
+                y = lanes_select(_m151, _o152.y, y);
+                z = lanes_select(_m151, _o152.z, z);
             }
-            const M _m142 = lanes_both(_m101, touches);
+            const M _m153 = lanes_both(_m112, touches);
             {
-                const LANES(hoop_touched_out) _o143 =
+                const LANES(hoop_touched_out) _o154 =
                     LANES(hoop_touched)(body, first, which);
-                first = lanes_select(_m142, _o143.first, first);
-                last = lanes_select(_m142, _o143.last, last);
+                first = lanes_select(_m153, _o154.first, first);
+                last = lanes_select(_m153, _o154.last, last);
             }
         }
-        const LANES(hoop_closing_out) _o144 =
+        const M _m155 = lanes_both(flying, limited);
+        if (lanes_any(_m155)) {
+            const LANES(hoop_timed_out) _o156 =
+                LANES(hoop_timed)(claims, K(4.0), which);
+            M timed = _o156.timed;
+            const M _m157 = lanes_both(_m155, timed);
+            if (lanes_any(_m157)) {
+                const LANES(hoop_carry_time_out) _o158 =
+                    LANES(hoop_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
+                dx = lanes_select(_m157, _o158.dx, dx);
+                dy = lanes_select(_m157, _o158.dy, dy);
+                dz = lanes_select(_m157, _o158.dz, dz);
+                dvx = lanes_select(_m157, _o158.dvx, dvx);
+                dvy = lanes_select(_m157, _o158.dvy, dvy);
+                dvz = lanes_select(_m157, _o158.dvz, dvz);
+                clock_error = lanes_select(_m157, _o158.clock_error, clock_error);
+            }
+        }
+        const LANES(hoop_closing_out) _o159 =
             LANES(hoop_closing)(claims, outcome);
-        M closed = _o144.closed;
-        const M _m145 = lanes_both(flying, closed);
+        M closed = _o159.closed;
+        const M _m160 = lanes_both(flying, closed);
         {
-            const LANES(hoop_claimed_errors_out) _o146 =
+            const LANES(hoop_claimed_errors_out) _o161 =
                 LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-            position_claim = lanes_select(_m145, _o146.position_error, position_claim);
-            velocity_claim = lanes_select(_m145, _o146.velocity_error, velocity_claim);
-            spin_claim = lanes_select(_m145, _o146.spin_error, spin_claim);
-            time_claim = lanes_select(_m145, _o146.time_error, time_claim);
+            position_claim = lanes_select(_m160, _o161.position_error, position_claim);
+            velocity_claim = lanes_select(_m160, _o161.velocity_error, velocity_claim);
+            spin_claim = lanes_select(_m160, _o161.spin_error, spin_claim);
+            time_claim = lanes_select(_m160, _o161.time_error, time_claim);
         }
         lanes_store(pool.x, x);
         lanes_store(pool.y, y);

@@ -1,6 +1,6 @@
 /* Kernels of the scene hoop, in C.
 
-   Generated from templates/c/kernels.h.j2, scene hoop, derivation 8fe807011d58f5ca,
+   Generated from templates/c/kernels.h.j2, scene hoop, derivation be2a322387c8577d,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -172,6 +172,43 @@ LANES(hoop_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz,
     return (LANES(hoop_carry_flight_out)){ lanes_select(lanes_less(lanes_abs(_s15), _s31), lanes_select(lanes_less(_s15, K(0.0)), _s32, _s31), _s15), lanes_select(lanes_less(lanes_abs(_s33), _s31), lanes_select(lanes_less(_s33, K(0.0)), _s32, _s31), _s33), lanes_select(lanes_less(lanes_abs(_s34), _s31), lanes_select(lanes_less(_s34, K(0.0)), _s32, _s31), _s34), dvx, dvy, lanes_sub(dvz, lanes_mul(p_gravity, _s14)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(_s35, _s36)), _s30 };
 }
 
+/* Errors of a state at the time limit, from those at the start of the flight.
+   derivative of Eq. 3, with roundings. 62 operations: 17 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections. */
+typedef struct {
+    V dx;
+    V dy;
+    V dz;
+    V dvx;
+    V dvy;
+    V dvz;
+    V clock_error;
+} LANES(hoop_carry_time_out);
+
+LANES_INLINE LANES(hoop_carry_time_out)
+LANES(hoop_carry_time)(V t, V x, V y, V z, V vx, V vy, V vz, V clock, V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V p_gravity)
+{
+    const V _s0 = lanes_abs(vx);
+    const V _s1 = lanes_add(clock_error, lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)));
+    const V _s2 = lanes_abs(dvx);
+    const V _s3 = lanes_abs(dvy);
+    const V _s4 = lanes_max(_s2, _s3);
+    const V _s5 = lanes_abs(dvz);
+    const V _s6 = lanes_mul(K(2.0), t);
+    const V _s7 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s0), lanes_abs(x)));
+    const V _s8 = lanes_abs(vy);
+    const V _s9 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s8), lanes_abs(y)));
+    const V _s10 = lanes_max(_s7, _s9);
+    const V _s11 = lanes_abs(vz);
+    const V _s12 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(p_gravity, lanes_mul(t, t)), lanes_mul(_s6, _s11)), lanes_abs(z)));
+    const V _s13 = lanes_abs(dx);
+    const V _s14 = lanes_abs(dy);
+    const V _s15 = lanes_max(_s13, _s14);
+    const V _s16 = lanes_abs(dz);
+    const V _s17 = lanes_add(lanes_add(lanes_mul(t, lanes_max(_s4, _s5)), lanes_max(_s10, _s12)), lanes_max(_s15, _s16));
+    const V _s18 = lanes_abs(K(0.0));
+    return (LANES(hoop_carry_time_out)){ lanes_add(lanes_mul(_s0, _s1), _s17), lanes_add(lanes_mul(_s8, _s1), _s17), lanes_add(lanes_mul(_s11, _s1), _s17), lanes_add(lanes_add(_s18, _s2), lanes_mul(K(2.220446049250313e-16), _s0)), lanes_add(lanes_add(_s18, _s3), lanes_mul(K(2.220446049250313e-16), _s8)), lanes_add(lanes_add(_s5, lanes_mul(K(2.220446049250313e-16), _s11)), lanes_abs(lanes_neg(lanes_mul(p_gravity, _s1)))), K(0.0) };
+}
+
 /* Bounds on the errors of a state and its time that decisions allow for.
    the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
 typedef struct {
@@ -304,18 +341,6 @@ LANES(hoop_valid)(V last, V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_w
     const V _s37 = lanes_select(_s4, K(0.0), lanes_select(lanes_at_most(lanes_abs(_s3), lanes_mul(lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)), _s36)), K(1.0), K(0.0)));
     const V _s38 = lanes_select(_s19, _s37, lanes_select(lanes_at_most(lanes_abs(_s18), _s36), K(1.0), _s37));
     return (LANES(hoop_valid_out)){ lanes_select(_s33, _s20, lanes_select(lanes_at_most(K(0.0), _s32), _s20, K(0.0))), lanes_select(_s33, _s38, lanes_select(lanes_at_most(lanes_abs(_s32), _s36), K(1.0), _s38)) };
-}
-
-/* Not positive where a crossing of the end plane is made.
-   Table 2, success. 5 operations: 1 addition, 1 subtraction, 2 multiplications, 1 square root. */
-typedef struct {
-    V target;
-} LANES(hoop_target_out);
-
-LANES_INLINE LANES(hoop_target_out)
-LANES(hoop_target)(V x, V y, V p_ring_radius)
-{
-    return (LANES(hoop_target_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), p_ring_radius) };
 }
 
 /* 1 where the ball leaves a surface.
@@ -610,20 +635,6 @@ LANES(hoop_outside)(void)
     return (LANES(hoop_outside_out)){ K(1.0) };
 }
 
-/* Whether a shot can start, and whether that is in doubt.
-   Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections. */
-typedef struct {
-    V outcome;
-    V uncertain;
-} LANES(hoop_admitted_out);
-
-LANES_INLINE LANES(hoop_admitted_out)
-LANES(hoop_admitted)(V doubt, M finite, M permitted, V valid)
-{
-    const M _s0 = lanes_both(permitted, finite);
-    return (LANES(hoop_admitted_out)){ lanes_select(lanes_both(_s0, lanes_less(K(0.0), valid)), K(-1.0), K(4.0)), lanes_select(lanes_both(_s0, lanes_less(K(0.0), doubt)), K(1.0), K(0.0)) };
-}
-
 /* Where every number of a state is finite.
    Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions. */
 typedef struct {
@@ -653,22 +664,16 @@ LANES(hoop_opening)(V excess, V position_error, V velocity_error)
     return (LANES(hoop_opening_out)){ K(INFINITY), K(-1.0), K(0.0), lanes_select(lanes_both(lanes_both(lanes_less(position_error, K(INFINITY)), lanes_less(velocity_error, K(INFINITY))), lanes_at_most(excess, K(0.0))), K(INFINITY), K(0.0)) };
 }
 
-/* Whether there is no event, the end, or a contact.
-   Table 1. 5 operations: 2 comparisons, 1 conjunction, 2 complements. */
+/* Whether there is a time limit.
+   Table 1. 1 operation: 1 comparison. */
 typedef struct {
-    M stays;
-    M moves;
-    M ends;
-    M touches;
-} LANES(hoop_departed_out);
+    M limited;
+} LANES(hoop_limited_out);
 
-LANES_INLINE LANES(hoop_departed_out)
-LANES(hoop_departed)(V index, V which)
+LANES_INLINE LANES(hoop_limited_out)
+LANES(hoop_limited)(V time_limit)
 {
-    const M _s0 = lanes_less(which, K(0.0));
-    const M _s1 = lanes_not(_s0);
-    const M _s2 = lanes_equal(which, index);
-    return (LANES(hoop_departed_out)){ _s0, _s1, _s2, lanes_both(_s1, lanes_not(_s2)) };
+    return (LANES(hoop_limited_out)){ lanes_less(time_limit, K(INFINITY)) };
 }
 
 /* The time of the event.
@@ -683,31 +688,17 @@ LANES(hoop_ticked)(V clock, V when)
     return (LANES(hoop_ticked_out)){ lanes_add(clock, when) };
 }
 
-/* 1 where a decision up to this event, or on the target, lies within its error.
-   Table 1. 10 operations: 1 addition, 1 absolute value, 3 comparisons, 2 conjunctions, 1 disjunction, 1 complement, 1 selection. */
+/* 1 where a decision up to this event, or which end it is, lies within its error.
+   Table 1. 7 operations: 1 addition, 2 comparisons, 1 conjunction, 1 disjunction, 1 complement, 1 selection. */
 typedef struct {
     V uncertain;
 } LANES(hoop_doubted_out);
 
 LANES_INLINE LANES(hoop_doubted_out)
-LANES(hoop_doubted)(V doubt, M ends, V late, V miss, V slack, V uncertain, V when)
+LANES(hoop_doubted)(V doubt, M edge, V late, V uncertain, V when)
 {
-    const V _s0 = lanes_select(lanes_either(lanes_both(lanes_not(lanes_less(lanes_add(late, when), doubt)), lanes_less(doubt, K(INFINITY))), lanes_both(ends, lanes_at_most(lanes_abs(miss), slack))), K(1.0), uncertain);
+    const V _s0 = lanes_select(lanes_either(lanes_both(lanes_not(lanes_less(lanes_add(late, when), doubt)), lanes_less(doubt, K(INFINITY))), edge), K(1.0), uncertain);
     return (LANES(hoop_doubted_out)){ _s0 };
-}
-
-/* How many contacts there were, and whether the shot ends and how.
-   Table 1. 8 operations: 1 addition, 2 comparisons, 5 selections. */
-typedef struct {
-    V contacts;
-    V outcome;
-} LANES(hoop_accounted_out);
-
-LANES_INLINE LANES(hoop_accounted_out)
-LANES(hoop_accounted)(V contacts, M ends, V miss, V most_contacts, M touches)
-{
-    const V _s0 = lanes_add(K(1.0), contacts);
-    return (LANES(hoop_accounted_out)){ lanes_select(touches, _s0, contacts), lanes_select(touches, lanes_select(lanes_at_most(most_contacts, _s0), K(2.0), K(-1.0)), lanes_select(ends, lanes_select(lanes_at_most(miss, K(0.0)), K(0.0), K(1.0)), K(3.0))) };
 }
 
 /* Where an event changes the ball, or its errors are asked for.
@@ -824,6 +815,18 @@ LANES(hoop_touched)(V body, V first, V which)
     return (LANES(hoop_touched_out)){ lanes_select(lanes_less(first, K(0.0)), body, first), which };
 }
 
+/* Where a shot has ended at the time limit whose errors are asked for.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+typedef struct {
+    M timed;
+} LANES(hoop_timed_out);
+
+LANES_INLINE LANES(hoop_timed_out)
+LANES(hoop_timed)(V claims, V index, V which)
+{
+    return (LANES(hoop_timed_out)){ lanes_both(lanes_equal(which, index), lanes_less(K(0.0), claims)) };
+}
+
 /* Where a shot has ended whose errors are asked for.
    Table 1. 3 operations: 2 comparisons, 1 conjunction. */
 typedef struct {
@@ -846,6 +849,85 @@ LANES_INLINE LANES(hoop_body_of_out)
 LANES(hoop_body_of)(V which)
 {
     return (LANES(hoop_body_of_out)){ which };
+}
+
+/* Whether a shot can start, and whether that is in doubt.
+   Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections. */
+typedef struct {
+    V outcome;
+    V uncertain;
+} LANES(hoop_admitted_out);
+
+LANES_INLINE LANES(hoop_admitted_out)
+LANES(hoop_admitted)(V doubt, M finite, M permitted, V valid)
+{
+    const M _s0 = lanes_both(permitted, finite);
+    return (LANES(hoop_admitted_out)){ lanes_select(lanes_both(_s0, lanes_less(K(0.0), valid)), K(-1.0), K(4.0)), lanes_select(lanes_both(_s0, lanes_less(K(0.0), doubt)), K(1.0), K(0.0)) };
+}
+
+/* The time limit, taken for an arrival.
+   Table 1. 12 operations: 2 additions, 1 subtraction, 1 multiplication, 4 comparisons, 1 conjunction, 1 complement, 2 selections. */
+typedef struct {
+    V time;
+    V delay;
+    M arrives;
+    V doubt;
+} LANES(hoop_expiry_out);
+
+LANES_INLINE LANES(hoop_expiry_out)
+LANES(hoop_expiry)(V clock, V doubt, V late, V time_error, V time_limit, V when, V which)
+{
+    const V _s0 = lanes_sub(time_limit, clock);
+    return (LANES(hoop_expiry_out)){ lanes_max(K(0.0), _s0), lanes_add(time_error, lanes_mul(K(4.440892098500626e-16), time_limit)), lanes_at_most(K(0.0), which), lanes_select(lanes_both(lanes_not(lanes_less(lanes_add(late, when), doubt)), lanes_less(doubt, K(INFINITY))), K(0.0), doubt) };
+}
+
+/* Whether there is no event, an end, or a contact.
+   Table 1. 5 operations: 3 comparisons, 1 conjunction, 1 complement. */
+typedef struct {
+    M stays;
+    M moves;
+    M ends;
+    M touches;
+    V reached;
+    M edge;
+} LANES(hoop_departed_out);
+
+LANES_INLINE LANES(hoop_departed_out)
+LANES(hoop_departed)(V index, V which)
+{
+    const M _s0 = lanes_less(which, K(0.0));
+    const M _s1 = lanes_not(_s0);
+    return (LANES(hoop_departed_out)){ _s0, _s1, lanes_at_most(index, which), lanes_both(_s1, lanes_less(which, index)), K(3.0), lanes_nowhere() };
+}
+
+/* What a shot ends with that the time limit ends.
+   Table 1. 6 operations: 1 comparison, 1 conjunction, 1 complement, 3 selections. */
+typedef struct {
+    V clock;
+    V body;
+    V reached;
+    M ends;
+} LANES(hoop_expired_out);
+
+LANES_INLINE LANES(hoop_expired_out)
+LANES(hoop_expired)(V body, V clock, M ends, V index, V reached, V time_limit, V which)
+{
+    const M _s0 = lanes_equal(which, index);
+    return (LANES(hoop_expired_out)){ lanes_select(_s0, time_limit, clock), lanes_select(_s0, K(3.0), body), lanes_select(_s0, K(6.0), reached), lanes_both(ends, lanes_not(_s0)) };
+}
+
+/* How many contacts there were, and whether the shot ends and how.
+   Table 1. 5 operations: 1 addition, 1 comparison, 3 selections. */
+typedef struct {
+    V contacts;
+    V outcome;
+} LANES(hoop_accounted_out);
+
+LANES_INLINE LANES(hoop_accounted_out)
+LANES(hoop_accounted)(V contacts, V most_contacts, V reached, M touches)
+{
+    const V _s0 = lanes_add(K(1.0), contacts);
+    return (LANES(hoop_accounted_out)){ lanes_select(touches, _s0, contacts), lanes_select(touches, lanes_select(lanes_at_most(most_contacts, _s0), K(2.0), K(-1.0)), reached) };
 }
 
 /* Velocity and spin after a contact, frame-free.
@@ -1528,5 +1610,41 @@ LANES(hoop_end_margin)(V horizon, V extent, V speed, V position_error, V velocit
 {
     const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))));
     return (LANES(hoop_end_margin_out)){ lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), p_end_depth), lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
+}
+
+/* The bounds of the ends on a plane: the first whose bounds all hold is reached.
+   Table 2, success. 5 operations: 1 addition, 1 subtraction, 2 multiplications, 1 square root. */
+typedef struct {
+    V g0;
+} LANES(hoop_end_bounds_out);
+
+LANES_INLINE LANES(hoop_end_bounds_out)
+LANES(hoop_end_bounds)(V x, V y, V p_ring_radius)
+{
+    return (LANES(hoop_end_bounds_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), p_ring_radius) };
+}
+
+/* The end that a crossing reaches.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+typedef struct {
+    V reached;
+} LANES(hoop_end_reached_out);
+
+LANES_INLINE LANES(hoop_end_reached_out)
+LANES(hoop_end_reached)(V g0)
+{
+    return (LANES(hoop_end_reached_out)){ lanes_select(lanes_at_most(g0, K(0.0)), K(0.0), K(1.0)) };
+}
+
+/* Whether that lies within its error.
+   Table 1. 5 operations: 1 negation, 2 comparisons, 1 conjunction, 1 complement. */
+typedef struct {
+    M edge;
+} LANES(hoop_end_edge_out);
+
+LANES_INLINE LANES(hoop_end_edge_out)
+LANES(hoop_end_edge)(V g0, V slack)
+{
+    return (LANES(hoop_end_edge_out)){ lanes_both(lanes_at_most(g0, slack), lanes_not(lanes_less(g0, lanes_neg(slack)))) };
 }
 

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene hoop.
 
-Generated from templates/numpy/kernels.py.j2, scene hoop, derivation 8fe807011d58f5ca,
+Generated from templates/numpy/kernels.py.j2, scene hoop, derivation be2a322387c8577d,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -55,7 +55,10 @@ VARIABLES: dict[str, str] = {
 """What each parameter is called as an argument, and as a column of the event loop."""
 
 BODIES: tuple[str, ...] = ("ring", "backboard", "bridge",)
-"""What can be touched, in the order of the results; the end comes after them."""
+"""What can be touched, in the order of the results; what ends a shot comes after them."""
+
+ENDS: tuple[str, ...] = ("made", "missed",)
+"""What ends a shot, in the order of the outcomes; none: a time limit does."""
 
 STATE: tuple[str, ...] = ('x', 'y', 'z', 'vx', 'vy', 'vz', 'wx', 'wy', 'wz')
 """The state of the ball, in order: m, m/s, rad/s."""
@@ -73,11 +76,15 @@ class Outcome(IntEnum):
     MISSED = 1
     """Crossed it outside."""
     CAPPED = 2
-    """Had max_contacts contacts before it."""
+    """Had max_contacts contacts before it ended."""
     SHORT = 3
-    """Can never cross it downwards."""
+    """Can never reach an end."""
     INVALID = 4
     """Not finite, a parameter not allowed, or a ball that starts inside a surface."""
+    LODGED = 5
+    """At rest, or wedged between bodies."""
+    ENDLESS = 6
+    """Still moving at the time limit."""
 
 
 class Field(NamedTuple):
@@ -158,12 +165,12 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "scale": ("extent", "speed", "excess",),
     "displacement": ("margin",),
     "carry_flight": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "delay", "shift",),
+    "carry_time": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "clock_error",),
     "error_bounds": ("position_error", "velocity_error", "spin_error", "time_error",),
     "claimed_errors": ("position_error", "velocity_error", "spin_error", "time_error",),
     "allowed": ("allowed",),
     "finite_parameters": ("permitted",),
     "valid": ("valid", "doubt",),
-    "target": ("target",),
     "left": ("leaving",),
     "meeting_plane": ("arrives", "ceiling",),
     "timely": ("possible",),
@@ -186,13 +193,11 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "landed": ("time",),
     "landed_surely": ("delay", "doubt",),
     "outside": ("side",),
-    "admitted": ("outcome", "uncertain",),
     "finite_state": ("finite",),
     "opening": ("when", "which", "late", "doubt",),
-    "departed": ("stays", "moves", "ends", "touches",),
+    "limited": ("limited",),
     "ticked": ("clock",),
     "doubted": ("uncertain",),
-    "accounted": ("contacts", "outcome",),
     "meeting": ("meeting",),
     "here": ("here",),
     "counted": ("count",),
@@ -202,8 +207,14 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "floored": ("dx", "dy", "dz",),
     "unturned": ("dnx", "dny", "dnz", "turn",),
     "touched": ("first", "last",),
+    "timed": ("timed",),
     "closing": ("closed",),
     "body_of": ("body",),
+    "admitted": ("outcome", "uncertain",),
+    "expiry": ("time", "delay", "arrives", "doubt",),
+    "departed": ("stays", "moves", "ends", "touches", "reached", "edge",),
+    "expired": ("clock", "body", "reached", "ends",),
+    "accounted": ("contacts", "outcome",),
     "impact": ("vx", "vy", "vz", "wx", "wy", "wz",),
     "carry_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
     "ring_coefficients": ("c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7", "c8",),
@@ -244,6 +255,9 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "end_arrival": ("time", "rate", "bend", "apex", "height",),
     "end_margin": ("margin",),
     "end_place": ("x", "y", "z",),
+    "end_bounds": ("g0",),
+    "end_reached": ("reached",),
+    "end_edge": ("edge",),
     "aimed_speed": ("speed",),
     "entry_slope": ("entry",),
     "slope_of_entry": ("slope",),
@@ -434,6 +448,34 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     return _where((_absolute(_s15) < _s31), _where((_s15 < 0.0), _s32, _s31), _s15), _where((_absolute(_s33) < _s31), _where((_s33 < 0.0), _s32, _s31), _s33), _where((_absolute(_s34) < _s31), _where((_s34 < 0.0), _s32, _s31), _s34), dvx, dvy, dvz - (p_gravity * _s14), (4.440892098500626e-16 * (clock + t)) + _where(_s35 < _s36, _s36, _s35), _s30
 
 
+def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock: Any, clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """Errors of a state at the time limit, from those at the start of the flight.
+
+    derivative of Eq. 3, with roundings. 62 operations: 17 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections.
+    Returns dx, dy, dz, dvx, dvy, dvz, clock_error.
+    """
+    _s0 = _absolute(vx)
+    _s1 = clock_error + (4.440892098500626e-16 * (clock + t))
+    _s2 = _absolute(dvx)
+    _s3 = _absolute(dvy)
+    _s4 = _where(_s2 < _s3, _s3, _s2)
+    _s5 = _absolute(dvz)
+    _s6 = 2.0 * t
+    _s7 = 1.1102230246251565e-16 * ((_s6 * _s0) + _absolute(x))
+    _s8 = _absolute(vy)
+    _s9 = 1.1102230246251565e-16 * ((_s6 * _s8) + _absolute(y))
+    _s10 = _where(_s7 < _s9, _s9, _s7)
+    _s11 = _absolute(vz)
+    _s12 = 1.1102230246251565e-16 * (((p_gravity * (t * t)) + (_s6 * _s11)) + _absolute(z))
+    _s13 = _absolute(dx)
+    _s14 = _absolute(dy)
+    _s15 = _where(_s13 < _s14, _s14, _s13)
+    _s16 = _absolute(dz)
+    _s17 = ((t * _where(_s4 < _s5, _s5, _s4)) + _where(_s10 < _s12, _s12, _s10)) + _where(_s15 < _s16, _s16, _s15)
+    _s18 = _absolute(0.0)
+    return (_s0 * _s1) + _s17, (_s8 * _s1) + _s17, (_s11 * _s1) + _s17, (_s18 + _s2) + (2.220446049250313e-16 * _s0), (_s18 + _s3) + (2.220446049250313e-16 * _s8), (_s5 + (2.220446049250313e-16 * _s11)) + _absolute((-(p_gravity * _s1))), 0.0
+
+
 def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
     """Bounds on the errors of a state and its time that decisions allow for.
 
@@ -544,15 +586,6 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s37 = _where(_s4, 0.0, _where((_absolute(_s3) <= (((4.0 * p_ball_radius) + (4.0 * p_wire_radius)) * _s36)), 1.0, 0.0))
     _s38 = _where(_s19, _s37, _where((_absolute(_s18) <= _s36), 1.0, _s37))
     return _where(_s33, _s20, _where((0.0 <= _s32), _s20, 0.0)), _where(_s33, _s38, _where((_absolute(_s32) <= _s36), 1.0, _s38))
-
-
-def target(x: Any, y: Any, p_ring_radius: Any) -> tuple[Any, ...]:
-    """Not positive where a crossing of the end plane is made.
-
-    Table 2, success. 5 operations: 1 addition, 1 subtraction, 2 multiplications, 1 square root.
-    Returns target.
-    """
-    return _sqrt(((x * x) + (y * y))) - p_ring_radius,
 
 
 def left(index: Any, last: Any) -> tuple[Any, ...]:
@@ -768,16 +801,6 @@ def outside() -> tuple[Any, ...]:
     return 1.0,
 
 
-def admitted(doubt: Any, finite: Any, permitted: Any, valid: Any) -> tuple[Any, ...]:
-    """Whether a shot can start, and whether that is in doubt.
-
-    Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections.
-    Returns outcome, uncertain.
-    """
-    _s0 = _logical_and(permitted, finite)
-    return _where(_logical_and(_s0, (0.0 < valid)), -1.0, 4.0), _where(_logical_and(_s0, (0.0 < doubt)), 1.0, 0.0)
-
-
 def finite_state(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
     """Where every number of a state is finite.
 
@@ -798,16 +821,13 @@ def opening(excess: Any, position_error: Any, velocity_error: Any) -> tuple[Any,
     return _inf, -1.0, 0.0, _where(_logical_and(_logical_and((position_error < _inf), (velocity_error < _inf)), (excess <= 0.0)), _inf, 0.0)
 
 
-def departed(index: Any, which: Any) -> tuple[Any, ...]:
-    """Whether there is no event, the end, or a contact.
+def limited(time_limit: Any) -> tuple[Any, ...]:
+    """Whether there is a time limit.
 
-    Table 1. 5 operations: 2 comparisons, 1 conjunction, 2 complements.
-    Returns stays, moves, ends, touches.
+    Table 1. 1 operation: 1 comparison.
+    Returns limited.
     """
-    _s0 = which < 0.0
-    _s1 = _logical_not(_s0)
-    _s2 = which == index
-    return _s0, _s1, _s2, _logical_and(_s1, _logical_not(_s2))
+    return time_limit < _inf,
 
 
 def ticked(clock: Any, when: Any) -> tuple[Any, ...]:
@@ -819,24 +839,14 @@ def ticked(clock: Any, when: Any) -> tuple[Any, ...]:
     return clock + when,
 
 
-def doubted(doubt: Any, ends: Any, late: Any, miss: Any, slack: Any, uncertain: Any, when: Any) -> tuple[Any, ...]:
-    """1 where a decision up to this event, or on the target, lies within its error.
+def doubted(doubt: Any, edge: Any, late: Any, uncertain: Any, when: Any) -> tuple[Any, ...]:
+    """1 where a decision up to this event, or which end it is, lies within its error.
 
-    Table 1. 10 operations: 1 addition, 1 absolute value, 3 comparisons, 2 conjunctions, 1 disjunction, 1 complement, 1 selection.
+    Table 1. 7 operations: 1 addition, 2 comparisons, 1 conjunction, 1 disjunction, 1 complement, 1 selection.
     Returns uncertain.
     """
-    _s0 = _where(_logical_or(_logical_and(_logical_not(((late + when) < doubt)), (doubt < _inf)), _logical_and(ends, (_absolute(miss) <= slack))), 1.0, uncertain)
+    _s0 = _where(_logical_or(_logical_and(_logical_not(((late + when) < doubt)), (doubt < _inf)), edge), 1.0, uncertain)
     return _s0,
-
-
-def accounted(contacts: Any, ends: Any, miss: Any, most_contacts: Any, touches: Any) -> tuple[Any, ...]:
-    """How many contacts there were, and whether the shot ends and how.
-
-    Table 1. 8 operations: 1 addition, 2 comparisons, 5 selections.
-    Returns contacts, outcome.
-    """
-    _s0 = 1.0 + contacts
-    return _where(touches, _s0, contacts), _where(touches, _where((most_contacts <= _s0), 2.0, -1.0), _where(ends, _where((miss <= 0.0), 0.0, 1.0), 3.0))
 
 
 def meeting(claims: Any, ends: Any, touches: Any) -> tuple[Any, ...]:
@@ -920,6 +930,15 @@ def touched(body: Any, first: Any, which: Any) -> tuple[Any, ...]:
     return _where((first < 0.0), body, first), which
 
 
+def timed(claims: Any, index: Any, which: Any) -> tuple[Any, ...]:
+    """Where a shot has ended at the time limit whose errors are asked for.
+
+    Table 1. 3 operations: 2 comparisons, 1 conjunction.
+    Returns timed.
+    """
+    return _logical_and((which == index), (0.0 < claims)),
+
+
 def closing(claims: Any, outcome: Any) -> tuple[Any, ...]:
     """Where a shot has ended whose errors are asked for.
 
@@ -936,6 +955,57 @@ def body_of(which: Any) -> tuple[Any, ...]:
     Returns body.
     """
     return which,
+
+
+def admitted(doubt: Any, finite: Any, permitted: Any, valid: Any) -> tuple[Any, ...]:
+    """Whether a shot can start, and whether that is in doubt.
+
+    Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections.
+    Returns outcome, uncertain.
+    """
+    _s0 = _logical_and(permitted, finite)
+    return _where(_logical_and(_s0, (0.0 < valid)), -1.0, 4.0), _where(_logical_and(_s0, (0.0 < doubt)), 1.0, 0.0)
+
+
+def expiry(clock: Any, doubt: Any, late: Any, time_error: Any, time_limit: Any, when: Any, which: Any) -> tuple[Any, ...]:
+    """The time limit, taken for an arrival.
+
+    Table 1. 12 operations: 2 additions, 1 subtraction, 1 multiplication, 4 comparisons, 1 conjunction, 1 complement, 2 selections.
+    Returns time, delay, arrives, doubt.
+    """
+    _s0 = time_limit - clock
+    return _where(0.0 < _s0, _s0, 0.0), time_error + (4.440892098500626e-16 * time_limit), 0.0 <= which, _where(_logical_and(_logical_not(((late + when) < doubt)), (doubt < _inf)), 0.0, doubt)
+
+
+def departed(index: Any, which: Any) -> tuple[Any, ...]:
+    """Whether there is no event, an end, or a contact.
+
+    Table 1. 5 operations: 3 comparisons, 1 conjunction, 1 complement.
+    Returns stays, moves, ends, touches, reached, edge.
+    """
+    _s0 = which < 0.0
+    _s1 = _logical_not(_s0)
+    return _s0, _s1, index <= which, _logical_and(_s1, (which < index)), 3.0, False
+
+
+def expired(body: Any, clock: Any, ends: Any, index: Any, reached: Any, time_limit: Any, which: Any) -> tuple[Any, ...]:
+    """What a shot ends with that the time limit ends.
+
+    Table 1. 6 operations: 1 comparison, 1 conjunction, 1 complement, 3 selections.
+    Returns clock, body, reached, ends.
+    """
+    _s0 = which == index
+    return _where(_s0, time_limit, clock), _where(_s0, 3.0, body), _where(_s0, 6.0, reached), _logical_and(ends, _logical_not(_s0))
+
+
+def accounted(contacts: Any, most_contacts: Any, reached: Any, touches: Any) -> tuple[Any, ...]:
+    """How many contacts there were, and whether the shot ends and how.
+
+    Table 1. 5 operations: 1 addition, 1 comparison, 3 selections.
+    Returns contacts, outcome.
+    """
+    _s0 = 1.0 + contacts
+    return _where(touches, _s0, contacts), _where(touches, _where((most_contacts <= _s0), 2.0, -1.0), reached)
 
 
 def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, p_ball_radius: Any, p_restitution: Any) -> tuple[Any, ...]:
@@ -1582,6 +1652,33 @@ def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
     return x, y, -p_end_depth
 
 
+def end_bounds(x: Any, y: Any, p_ring_radius: Any) -> tuple[Any, ...]:
+    """The bounds of the ends on a plane: the first whose bounds all hold is reached.
+
+    Table 2, success. 5 operations: 1 addition, 1 subtraction, 2 multiplications, 1 square root.
+    Returns g0.
+    """
+    return _sqrt(((x * x) + (y * y))) - p_ring_radius,
+
+
+def end_reached(g0: Any) -> tuple[Any, ...]:
+    """The end that a crossing reaches.
+
+    Table 1. 2 operations: 1 comparison, 1 selection.
+    Returns reached.
+    """
+    return _where((g0 <= 0.0), 0.0, 1.0),
+
+
+def end_edge(g0: Any, slack: Any) -> tuple[Any, ...]:
+    """Whether that lies within its error.
+
+    Table 1. 5 operations: 1 negation, 2 comparisons, 1 conjunction, 1 complement.
+    Returns edge.
+    """
+    return _logical_and((g0 <= slack), _logical_not((g0 < (-slack)))),
+
+
 def aimed_speed(slope: Any, reach: Any, rise: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Speed of the flight that goes through a point with a slope of release.
 
@@ -1829,14 +1926,17 @@ def reach_plain(columns: dict[str, Any], shots: int) -> None:
     _p_gravity_0 = columns["p_gravity"]
     _p_ring_radius_0 = columns["p_ring_radius"]
     _p_wire_radius_0 = columns["p_wire_radius"]
+    _time_limit_0 = columns["time_limit"]
     _vx_0 = columns["vx"]
     _vy_0 = columns["vy"]
     _vz_0 = columns["vz"]
     _x_0 = columns["x"]
     _y_0 = columns["y"]
     _z_0 = columns["z"]
+    _, _, _, _time_error_0 = error_bounds(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0)
     _when_0, _which_0, *_ = opening(_excess_0, 0.0, 0.0)
+    _limited_0, = limited(_time_limit_0)
     _leaving_0, = left(3.0, _last_0)
     _time_0, _rate_0, _bend_0, *_ = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0)
     _arrives_0, *_ = meeting_plane(_bend_0, _rate_0, _time_0)
@@ -2029,7 +2129,18 @@ def reach_plain(columns: dict[str, Any], shots: int) -> None:
         _when_1, _which_1 = sooner(_arrives_1, 0.0, _time_1, _when_1, _which_1)
         _when_0 = _put(_when_0, _rows3, _when_1, shots)
         _which_0 = _put(_which_0, _rows3, _which_1, shots)
-    _, _moves_0, _ends_0, _touches_0 = departed(3.0, _which_0)
+    _rows10, _count11 = _rows(_limited_0, shots)
+    if _count11:
+        _clock_1 = _take(_clock_0, _rows10)
+        _time_error_1 = _take(_time_error_0, _rows10)
+        _time_limit_1 = _take(_time_limit_0, _rows10)
+        _when_1 = _take(_when_0, _rows10)
+        _which_1 = _take(_which_0, _rows10)
+        _time_1, _, _arrives_1, *_ = expiry(_clock_1, _inf, 0.0, _time_error_1, _time_limit_1, _when_1, _which_1)
+        _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
+        _when_0 = _put(_when_0, _rows10, _when_1, shots)
+        _which_0 = _put(_which_0, _rows10, _which_1, shots)
+    _, _moves_0, _ends_0, _touches_0, _reached_0, *_ = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
     _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0)
     _clock_1, = ticked(_clock_0, _when_0)
@@ -2040,8 +2151,24 @@ def reach_plain(columns: dict[str, Any], shots: int) -> None:
     _x_0 = _where(_moves_0, _x_1, _x_0)
     _y_0 = _where(_moves_0, _y_1, _y_0)
     _z_0 = _where(_moves_0, _z_1, _z_0)
-    _miss_0, = target(_x_0, _y_0, _p_ring_radius_0)
-    _contacts_0, _outcome_0 = accounted(_contacts_0, _ends_0, _miss_0, _most_contacts_0, _touches_0)
+    _rows12, _count13 = _rows(_limited_0, shots)
+    if _count13:
+        _body_1 = _take(_body_0, _rows12)
+        _clock_1 = _take(_clock_0, _rows12)
+        _ends_1 = _take(_ends_0, _rows12)
+        _reached_1 = _take(_reached_0, _rows12)
+        _time_limit_1 = _take(_time_limit_0, _rows12)
+        _which_1 = _take(_which_0, _rows12)
+        _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
+        _body_0 = _put(_body_0, _rows12, _body_1, shots)
+        _clock_0 = _put(_clock_0, _rows12, _clock_1, shots)
+        _ends_0 = _put(_ends_0, _rows12, _ends_1, shots)
+        _reached_0 = _put(_reached_0, _rows12, _reached_1, shots)
+    _here_0, = here(3.0, _which_0)
+    _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
+    _reached_1, = end_reached(_g0_1)
+    _reached_0 = _where(_here_0, _reached_1, _reached_0)
+    _contacts_0, _outcome_0 = accounted(_contacts_0, _most_contacts_0, _reached_0, _touches_0)
     columns["body"] = _body_0
     columns["clock"] = _clock_0
     columns["contacts"] = _contacts_0
@@ -2265,6 +2392,7 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
     _p_gravity_0 = columns["p_gravity"]
     _p_ring_radius_0 = columns["p_ring_radius"]
     _p_wire_radius_0 = columns["p_wire_radius"]
+    _time_limit_0 = columns["time_limit"]
     _uncertain_0 = columns["uncertain"]
     _vx_0 = columns["vx"]
     _vy_0 = columns["vy"]
@@ -2272,9 +2400,10 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
     _x_0 = columns["x"]
     _y_0 = columns["y"]
     _z_0 = columns["z"]
-    _position_error_0, _velocity_error_0, *_ = error_bounds(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0)
+    _position_error_0, _velocity_error_0, _, _time_error_0 = error_bounds(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0)
     _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0)
     _when_0, _which_0, _late_0, _doubt_0 = opening(_excess_0, _position_error_0, _velocity_error_0)
+    _limited_0, = limited(_time_limit_0)
     _leaving_0, = left(3.0, _last_0)
     _time_0, _rate_0, _bend_0, _apex_0, _height_0 = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0)
     _arrives_0, _ceiling_0 = meeting_plane(_bend_0, _rate_0, _time_0)
@@ -2573,7 +2702,23 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
         _late_0 = _put(_late_0, _rows5, _late_1, shots)
         _when_0 = _put(_when_0, _rows5, _when_1, shots)
         _which_0 = _put(_which_0, _rows5, _which_1, shots)
-    _, _moves_0, _ends_0, _touches_0 = departed(3.0, _which_0)
+    _rows12, _count13 = _rows(_limited_0, shots)
+    if _count13:
+        _clock_1 = _take(_clock_0, _rows12)
+        _doubt_1 = _take(_doubt_0, _rows12)
+        _late_1 = _take(_late_0, _rows12)
+        _time_error_1 = _take(_time_error_0, _rows12)
+        _time_limit_1 = _take(_time_limit_0, _rows12)
+        _when_1 = _take(_when_0, _rows12)
+        _which_1 = _take(_which_0, _rows12)
+        _time_1, _delay_1, _arrives_1, _doubt_1 = expiry(_clock_1, _doubt_1, _late_1, _time_error_1, _time_limit_1, _when_1, _which_1)
+        _doubt_1, _late_1 = tied(_arrives_1, _delay_1, _doubt_1, _late_1, _time_1, _when_1)
+        _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
+        _doubt_0 = _put(_doubt_0, _rows12, _doubt_1, shots)
+        _late_0 = _put(_late_0, _rows12, _late_1, shots)
+        _when_0 = _put(_when_0, _rows12, _when_1, shots)
+        _which_0 = _put(_which_0, _rows12, _which_1, shots)
+    _, _moves_0, _ends_0, _touches_0, _reached_0, _edge_0 = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
     _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0)
     _clock_1, = ticked(_clock_0, _when_0)
@@ -2584,15 +2729,34 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
     _x_0 = _where(_moves_0, _x_1, _x_0)
     _y_0 = _where(_moves_0, _y_1, _y_0)
     _z_0 = _where(_moves_0, _z_1, _z_0)
+    _rows14, _count15 = _rows(_limited_0, shots)
+    if _count15:
+        _body_1 = _take(_body_0, _rows14)
+        _clock_1 = _take(_clock_0, _rows14)
+        _ends_1 = _take(_ends_0, _rows14)
+        _reached_1 = _take(_reached_0, _rows14)
+        _time_limit_1 = _take(_time_limit_0, _rows14)
+        _which_1 = _take(_which_0, _rows14)
+        _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
+        _body_0 = _put(_body_0, _rows14, _body_1, shots)
+        _clock_0 = _put(_clock_0, _rows14, _clock_1, shots)
+        _ends_0 = _put(_ends_0, _rows14, _ends_1, shots)
+        _reached_0 = _put(_reached_0, _rows14, _reached_1, shots)
     _slack_0, = displacement(_late_0, _when_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_gravity_0, _p_end_depth_0)
-    _miss_0, = target(_x_0, _y_0, _p_ring_radius_0)
-    _uncertain_0, = doubted(_doubt_0, _ends_0, _late_0, _miss_0, _slack_0, _uncertain_0, _when_0)
-    _contacts_0, _outcome_0 = accounted(_contacts_0, _ends_0, _miss_0, _most_contacts_0, _touches_0)
+    _here_0, = here(3.0, _which_0)
+    _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
+    _reached_1, = end_reached(_g0_1)
+    _edge_1, = end_edge(_g0_1, _slack_0)
+    _edge_0 = _where(_here_0, _edge_1, _edge_0)
+    _reached_0 = _where(_here_0, _reached_1, _reached_0)
+    _uncertain_0, = doubted(_doubt_0, _edge_0, _late_0, _uncertain_0, _when_0)
+    _contacts_0, _outcome_0 = accounted(_contacts_0, _most_contacts_0, _reached_0, _touches_0)
     columns["body"] = _body_0
     columns["clock"] = _clock_0
     columns["contacts"] = _contacts_0
     columns["ends"] = _ends_0
     columns["late"] = _late_0
+    columns["limited"] = _limited_0
     columns["outcome"] = _outcome_0
     columns["touches"] = _touches_0
     columns["uncertain"] = _uncertain_0
@@ -2629,6 +2793,7 @@ def meet_bounded(columns: dict[str, Any], shots: int) -> None:
     _first_0 = columns["first"]
     _last_0 = columns["last"]
     _late_0 = columns["late"]
+    _limited_0 = columns["limited"]
     _outcome_0 = columns["outcome"]
     _p_ball_radius_0 = columns["p_ball_radius"]
     _p_board_distance_0 = columns["p_board_distance"]
@@ -2824,6 +2989,60 @@ def meet_bounded(columns: dict[str, Any], shots: int) -> None:
         _x_0 = _put(_x_0, _rows1, _x_1, shots)
         _y_0 = _put(_y_0, _rows1, _y_1, shots)
         _z_0 = _put(_z_0, _rows1, _z_1, shots)
+    _rows7, _count8 = _rows(_limited_0, shots)
+    if _count8:
+        _claims_1 = _take(_claims_0, _rows7)
+        _clock_1 = _take(_clock_0, _rows7)
+        _clock_error_1 = _take(_clock_error_0, _rows7)
+        _dvx_1 = _take(_dvx_0, _rows7)
+        _dvy_1 = _take(_dvy_0, _rows7)
+        _dvz_1 = _take(_dvz_0, _rows7)
+        _dx_1 = _take(_dx_0, _rows7)
+        _dy_1 = _take(_dy_0, _rows7)
+        _dz_1 = _take(_dz_0, _rows7)
+        _p_gravity_1 = _take(_p_gravity_0, _rows7)
+        _vx_1 = _take(_vx_0, _rows7)
+        _vy_1 = _take(_vy_0, _rows7)
+        _vz_1 = _take(_vz_0, _rows7)
+        _when_1 = _take(_when_0, _rows7)
+        _which_1 = _take(_which_0, _rows7)
+        _x_1 = _take(_x_0, _rows7)
+        _y_1 = _take(_y_0, _rows7)
+        _z_1 = _take(_z_0, _rows7)
+        _timed_1, = timed(_claims_1, 4.0, _which_1)
+        _rows9, _count10 = _rows(_timed_1, _count8)
+        if _count10:
+            _clock_2 = _take(_clock_1, _rows9)
+            _clock_error_2 = _take(_clock_error_1, _rows9)
+            _dvx_2 = _take(_dvx_1, _rows9)
+            _dvy_2 = _take(_dvy_1, _rows9)
+            _dvz_2 = _take(_dvz_1, _rows9)
+            _dx_2 = _take(_dx_1, _rows9)
+            _dy_2 = _take(_dy_1, _rows9)
+            _dz_2 = _take(_dz_1, _rows9)
+            _p_gravity_2 = _take(_p_gravity_1, _rows9)
+            _vx_2 = _take(_vx_1, _rows9)
+            _vy_2 = _take(_vy_1, _rows9)
+            _vz_2 = _take(_vz_1, _rows9)
+            _when_2 = _take(_when_1, _rows9)
+            _x_2 = _take(_x_1, _rows9)
+            _y_2 = _take(_y_1, _rows9)
+            _z_2 = _take(_z_1, _rows9)
+            _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _clock_error_2 = carry_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _p_gravity_2)
+            _clock_error_1 = _put(_clock_error_1, _rows9, _clock_error_2, _count8)
+            _dvx_1 = _put(_dvx_1, _rows9, _dvx_2, _count8)
+            _dvy_1 = _put(_dvy_1, _rows9, _dvy_2, _count8)
+            _dvz_1 = _put(_dvz_1, _rows9, _dvz_2, _count8)
+            _dx_1 = _put(_dx_1, _rows9, _dx_2, _count8)
+            _dy_1 = _put(_dy_1, _rows9, _dy_2, _count8)
+            _dz_1 = _put(_dz_1, _rows9, _dz_2, _count8)
+        _clock_error_0 = _put(_clock_error_0, _rows7, _clock_error_1, shots)
+        _dvx_0 = _put(_dvx_0, _rows7, _dvx_1, shots)
+        _dvy_0 = _put(_dvy_0, _rows7, _dvy_1, shots)
+        _dvz_0 = _put(_dvz_0, _rows7, _dvz_1, shots)
+        _dx_0 = _put(_dx_0, _rows7, _dx_1, shots)
+        _dy_0 = _put(_dy_0, _rows7, _dy_1, shots)
+        _dz_0 = _put(_dz_0, _rows7, _dz_1, shots)
     _closed_0, = closing(_claims_0, _outcome_0)
     _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0)
     _position_claim_0 = _where(_closed_0, _position_claim_1, _position_claim_0)

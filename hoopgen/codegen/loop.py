@@ -80,7 +80,7 @@ class _Printer:
 
     def cheap(self, node: Guard) -> bool:
         """Whether a body is better done for all than skipped for some."""
-        if not all(isinstance(n, Do) for n in node.body):
+        if node.rare or not all(isinstance(n, Do) for n in node.body):
             return False
         return sum(self.costs[n.kernel.name] for n in node.body if isinstance(n, Do)) <= CHEAP
 

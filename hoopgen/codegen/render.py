@@ -13,12 +13,13 @@ from typing import Any
 
 import jinja2
 
-from hoopgen.derive.follow.fields import MEANINGS, Result
+from hoopgen.derive.follow.fields import Result
 from hoopgen.derive.ground.choice import Truth
 from hoopgen.derive.ground.kernel import Kernel
 from hoopgen.derive.ground.symbols import STATE
 from hoopgen.derive.model import Model, build
 from hoopgen.derive.scenes import SCENES
+from hoopgen.derive.scenes.ends import meanings
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.outputs import write
 
@@ -196,7 +197,7 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
         "kernels": list(views.values()),
         "state": tuple(symbol.name for symbol in STATE),
         "loops": loops,
-        "outcomes": MEANINGS,
+        "outcomes": meanings(scene.ends),
         "results": [ResultView(r) for r in model.results],
     }
     files = {}

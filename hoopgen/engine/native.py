@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import ctypes
 import importlib.machinery
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -67,6 +68,7 @@ class Library:
             ctypes.c_void_p,
             ctypes.c_void_p,
             ctypes.c_int32,
+            ctypes.c_double,
             ctypes.c_int,
             ctypes.c_void_p,
             ctypes.c_void_p,
@@ -89,6 +91,7 @@ class Library:
         out: Raw,
         stop: NDArray[np.int32],
         width: int = 0,
+        time_limit: float = math.inf,
     ) -> None:
         """Simulate shots and write what `out` has room for.
 
@@ -104,6 +107,8 @@ class Library:
             (1,); a nonzero value from another thread ends the run early.
         width
             Vector lanes, 0 for the widest.
+        time_limit
+            Time since the release at which a shot ends, s; infinite: none.
 
         Raises
         ------
@@ -131,6 +136,7 @@ class Library:
             strides,
             _address(leaving),
             max_contacts,
+            time_limit,
             width,
             _address(stop),
             ctypes.byref(results),

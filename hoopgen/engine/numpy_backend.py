@@ -112,6 +112,7 @@ def run(
     max_contacts: int,
     out: Raw,
     stopped: Callable[[], bool] = lambda: False,
+    time_limit: float = np.inf,
 ) -> None:
     """Simulate shots and write what `out` has room for.
 
@@ -127,11 +128,17 @@ def run(
         Surface that each shot touches at the start and leaves, -1 for none.
     stopped
         Asked between events; nothing further is done once it returns True.
+    time_limit
+        Time since the release at which a shot ends, s; infinite: none.
     """
     if out.event_counts is not None:
         out.event_counts[:] = 0
     claimed = out.time_error is not None or out.state_error is not None
-    job = {"most_contacts": float(max_contacts), "claims": float(claimed)}
+    job = {
+        "most_contacts": float(max_contacts),
+        "time_limit": time_limit,
+        "claims": float(claimed),
+    }
     flights = Flights(kernels, out.certified, job)
     begun = 0
     with np.errstate(all="ignore"):

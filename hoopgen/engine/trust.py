@@ -9,6 +9,7 @@ read or does not say that is no stamp, and the shots are compared again.
 from __future__ import annotations
 
 import contextlib
+import math
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
@@ -30,6 +31,9 @@ EACH = 32
 
 MOST = 40
 """Contacts: enough for a swirl, which makes the most of every rounding."""
+
+LIMIT = 1.0
+"""s: a time limit in the midst of things."""
 
 # A release, and how far its shots lie apart, by kind: x y z, vx vy vz, wx wy wz.
 _KINDS = (
@@ -55,7 +59,9 @@ _KINDS = (
 _ODD = (np.nan, np.inf, -np.inf, 0.0, -0.0, 5e-324, -1e-310, 1e-160, 1e160, -1e300)
 
 
-Batch = tuple[NDArray[np.float64], Sequence[NDArray[np.float64] | float], NDArray[np.int8] | None]
+Batch = tuple[
+    NDArray[np.float64], Sequence[NDArray[np.float64] | float], NDArray[np.int8] | None, float
+]
 
 
 class Engine(Protocol):
@@ -70,6 +76,7 @@ class Engine(Protocol):
         out: raw.Raw,
         stop: NDArray[np.int32],
         width: int = 0,
+        time_limit: float = math.inf,
     ) -> None:
         """Simulate shots and write what `out` has room for."""
 
@@ -105,7 +112,8 @@ def differences(engine: Engine, kernels: ModuleType, batches: Iterable[Batch] | 
     Parameters
     ----------
     batches
-        Other shots than those of this file: releases, parameters, and the surfaces they leave.
+        Other shots than those of this file: releases, parameters, the surfaces they leave, and
+        a time limit.
 
     Raises
     ------
@@ -114,17 +122,19 @@ def differences(engine: Engine, kernels: ModuleType, batches: Iterable[Batch] | 
     """
     arithmetic.check_arithmetic()
     found: dict[int, list[str]] = {}
-    for states, parameters, leaving in _batches(kernels) if batches is None else batches:
+    for states, parameters, leaving, limit in _batches(kernels) if batches is None else batches:
         stop = np.zeros(1, np.int32)
         wanted = _room(len(states), kernels, raw.FIELDS + raw.BOUNDS)
-        numpy_backend.run(kernels, states, parameters, leaving, MOST, wanted, lambda: False)
+        numpy_backend.run(kernels, states, parameters, leaving, MOST, wanted, time_limit=limit)
         for width in _widths(engine, kernels):
             wrong = found.setdefault(width, [])
             # Without `uncertain` another path through the engine is taken.
             for fields in (raw.FIELDS + raw.BOUNDS, raw.FIELDS[:-1]):
                 got = _room(len(states), kernels, fields)
                 try:
-                    engine.run(states, parameters, leaving, MOST, got, stop, width)
+                    engine.run(
+                        states, parameters, leaving, MOST, got, stop, width, time_limit=limit
+                    )
                 except RuntimeError:
                     wrong.append("arithmetic")
                     continue
@@ -147,7 +157,10 @@ def _between(rows: int, columns: int) -> NDArray[np.float64]:
 
 
 def _batches(kernels: ModuleType) -> Iterator[Batch]:
-    """Give the shots: with parameters that all share; then with their own, and leaving surfaces."""
+    """Give the shots: with parameters that all share; with their own, and leaving surfaces.
+
+    And such that a time limit ends, most of them before anything else does.
+    """
     spread = _between(EACH, raw.STATE_SIZE)
     kinds = [np.asarray(centre) + np.asarray(width) * spread for centre, width in _KINDS]
     odd = np.tile(kinds[0][:1], (len(_ODD) * raw.STATE_SIZE, 1))
@@ -155,14 +168,15 @@ def _batches(kernels: ModuleType) -> Iterator[Batch]:
         shot[row % raw.STATE_SIZE] = _ODD[row // raw.STATE_SIZE]
     states = np.concatenate([*kinds, odd])
     defaults = [default for default, _, _ in kernels.PARAMETERS.values()]
-    yield states, defaults, None
+    yield states, defaults, None, math.inf
+    yield states, defaults, None, LIMIT
 
     own = np.array(defaults) * (1.0 + 0.2 * _between(len(states), len(defaults)))
     own[:: len(_ODD), 0] = np.resize(_ODD, len(own[:: len(_ODD)]))
     columns = [np.ascontiguousarray(column) for column in own.T]
     surfaces = len(kernels.BODIES)
     leaving = np.arange(len(states)) % (4 * surfaces)
-    yield states, columns, np.where(leaving < surfaces, leaving, -1).astype(np.int8)
+    yield states, columns, np.where(leaving < surfaces, leaving, -1).astype(np.int8), math.inf
 
 
 def _room(shots: int, kernels: ModuleType, fields: Sequence[str]) -> raw.Raw:

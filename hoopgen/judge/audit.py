@@ -53,7 +53,7 @@ def deepest(
         start, values = [arb(c) for c in state], [arb(p) for p in parameters]
         own, end = formulas(scene), arb(duration)
         depths = [0.0] * len(own.solids)
-        for k, surface in enumerate(own.surfaces[:-1]):
+        for k, surface in enumerate(own.surfaces[: own.faces]):
             depth = _depth(own, k, start, end, values, surface.face == leaving)
             depths[surface.face] = max(depths[surface.face], depth)
         return tuple(depths)

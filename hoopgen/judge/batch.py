@@ -18,9 +18,14 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
-from hoopgen.inputs import check_contacts, check_count, check_leaving, check_states
+from hoopgen.inputs import (
+    check_contacts,
+    check_count,
+    check_leaving,
+    check_states,
+    check_time_limit,
+)
 from hoopgen.parameters import PAPER, resolve
-from hoopgen.results import Outcome
 
 from .certificate import UNDECIDED, Certificate, Proof, ProvedEvent, doubles, enclosure
 from .flight import Flown, Undecided, fly
@@ -44,6 +49,7 @@ def certify(
     max_bits: int = MAX_BITS,
     record: bool = False,
     leaving: ArrayLike | None = None,
+    time_limit: float | None = None,
     processes: int | None = None,
 ) -> Certificate:
     """Prove what shots do, in ball arithmetic and without any of the engines.
@@ -61,7 +67,7 @@ def certify(
         Where to give up; at least 128.
     record
         Whether to keep every event's time and states with all digits.
-    leaving
+    leaving, time_limit
         As in `simulate`.
     processes
         How many work; None for as many as the process may use on Linux, elsewhere one.
@@ -81,7 +87,8 @@ def certify(
     left = check_leaving(leaving, len(releases))
     most = check_contacts(max_contacts)
     bits = check_count("max_bits", max_bits, least=FIRST_BITS)
-    return prove(HOOP, releases, values, left, most, bits, record, processes)
+    limit = check_time_limit(time_limit)
+    return prove(HOOP, releases, values, left, most, bits, record, processes, limit)
 
 
 def prove(
@@ -93,6 +100,7 @@ def prove(
     max_bits: int = MAX_BITS,
     record: bool = False,
     processes: int | None = None,
+    time_limit: float = math.inf,
 ) -> Certificate:
     """Prove what shots do in a scene; arguments as of `certify`, checked.
 
@@ -102,9 +110,11 @@ def prove(
         Of derive/.
     parameters
         Each a number or (n,), in the scene's order.
+    time_limit
+        Infinite: none.
     """
     formulas(scene)  # compiled here, once for all processes that are forked
-    task = _Task(scene, max_contacts, max_bits, record)
+    task = _Task(scene, max_contacts, max_bits, record, time_limit)
     columns = [np.broadcast_to(p, len(states)) for p in parameters]
     values = np.stack(columns, axis=-1)
     left = np.full(len(states), -1, np.int8) if leaving is None else leaving
@@ -139,6 +149,7 @@ class _Task:
     max_contacts: int
     max_bits: int
     record: bool
+    time_limit: float
 
     def __call__(self, chunk: tuple[NDArray[Any], ...]) -> list[Proof]:
         """Prove the shots of a chunk."""
@@ -146,24 +157,27 @@ class _Task:
 
     def prove(self, state: Sequence[float], parameters: Sequence[float], leaving: int) -> Proof:
         """Prove one shot, with as few doublings as it takes."""
-        bits = FIRST_BITS
+        bits, own, most = FIRST_BITS, formulas(self.scene), self.max_contacts
         while True:
             with ctx.workprec(bits):
                 question = ""
                 try:
-                    flown = fly(formulas(self.scene), state, parameters, self.max_contacts, leaving)
+                    flown = fly(own, state, parameters, most, leaving, self.time_limit)
                 except Undecided as undecided:
                     question, flown = undecided.args
                 last = 2 * bits > self.max_bits
-                if last or (not question and _accurate(flown)):
+                if last or (not question and (self._invalid(flown) or _accurate(flown))):
                     return self._proof(flown, bits, question)
             bits *= 2
+
+    def _invalid(self, flown: Flown) -> bool:
+        return flown.outcome == self.scene.outcomes["invalid"]
 
     def _proof(self, flown: Flown, bits: int, question: str) -> Proof:
         times, radii = doubles([event.time for event in flown.events])
         final = [flown.time, *flown.state]
         values, away = doubles(final)
-        if question or flown.outcome == Outcome.INVALID:
+        if question or self._invalid(flown):
             values = away = [math.nan] * len(final)
         events: tuple[ProvedEvent, ...] = ()
         if self.record:
@@ -194,7 +208,7 @@ class _Task:
 def _accurate(flown: Flown) -> bool:
     """Return whether the final time and state are known well enough to be rounded to doubles."""
     relative, absolute = arb(2) ** -64, arb(2) ** -100
-    return flown.outcome == Outcome.INVALID or all(
+    return all(
         ball.rad() <= abs(ball.mid()) * relative or ball.rad() <= absolute
         for ball in (flown.time, *flown.state)
     )

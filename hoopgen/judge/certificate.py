@@ -74,7 +74,7 @@ class Proof:
     Attributes
     ----------
     outcome
-        An `Outcome`, or `UNDECIDED`.
+        Its number among the scene's outcomes (`Outcome`), or `UNDECIDED`.
     bits
         The precision at which every decision was proved; if undecided, the last one tried.
     question

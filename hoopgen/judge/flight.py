@@ -8,14 +8,13 @@ leaves with a normal velocity of zero.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from flint import arb, arb_poly, ctx
 
-from hoopgen.results import Outcome
-
-from .formulas import Formulas, SurfaceFormulas
+from .formulas import Formulas, Function, SurfaceFormulas
 from .roots import Arrival, first_arrival, possible_from, root_bound, sign
 
 _NEVER = arb.pos_inf()
@@ -51,6 +50,7 @@ def fly(
     parameters: Sequence[float],
     max_contacts: int,
     leaving: int = -1,
+    time_limit: float = math.inf,
 ) -> Flown:
     """Return the shot's events and outcome, all proved at the current precision.
 
@@ -63,42 +63,50 @@ def fly(
     """
     values = [arb(value) for value in parameters]
     now = [arb(component) for component in state]
-    flown = Flown(Outcome.SHORT, arb(0), now)
+    flown = Flown(formulas.outcomes["short"], arb(0), now)
     try:
         if not _valid(formulas, now, values, leaving):
-            return Flown(Outcome.INVALID, arb.nan(), [arb.nan()] * len(now))
-        _follow(formulas, values, max_contacts, _left(formulas, now, values, leaving), flown)
+            return Flown(formulas.outcomes["invalid"], arb.nan(), [arb.nan()] * len(now))
+        left = _left(formulas, now, values, leaving)
+        _follow(formulas, values, max_contacts, left, time_limit, flown)
     except Undecided as question:
         raise Undecided(question.args[0], flown) from None
     return flown
 
 
 def _follow(
-    formulas: Formulas, values: list[arb], max_contacts: int, last: int, flown: Flown
+    formulas: Formulas,
+    values: list[arb],
+    max_contacts: int,
+    last: int,
+    time_limit: float,
+    flown: Flown,
 ) -> None:
     """Add event after event."""
-    end = len(formulas.surfaces) - 1
     while True:
         start = flown.state
         # How many low coefficients of the event polynomial of the last surface vanish.
         vanishing = 2 if flown.events and _stops(formulas.surfaces[last], flown, values) else 1
-        found = _next(formulas, start, values, last, vanishing)
+        remaining = None if math.isinf(time_limit) else arb(time_limit) - flown.time
+        found = _next(formulas, start, values, last, vanishing, remaining)
         if found is None:
-            flown.outcome = Outcome.SHORT
             return
         last, time = found
         before = formulas.flight(start, values, (time,)) + start[6:]
-        flown.time = flown.time + time
-        if last == end:
+        timed = last == len(formulas.surfaces)
+        flown.time = arb(time_limit) if timed else flown.time + time
+        if last >= formulas.faces:
             flown.state = before
-            flown.outcome = _made(formulas, before, values)
-            flown.events.append(Event(formulas.surfaces[last].body, flown.time, before, before))
+            flown.events.append(Event(formulas.bodies, flown.time, before, before))
+            flown.outcome = formulas.outcomes["endless"]
+            if not timed:
+                flown.outcome = _reached(formulas.surfaces[last], before, values)
             return
         after = _bounce(formulas.surfaces[last], before, values)
         flown.state = after
         flown.events.append(Event(formulas.surfaces[last].body, flown.time, before, after))
         if len(flown.events) >= max_contacts:
-            flown.outcome = Outcome.CAPPED
+            flown.outcome = formulas.outcomes["capped"]
             return
 
 
@@ -106,7 +114,7 @@ def _left(formulas: Formulas, state: list[arb], values: list[arb], leaving: int)
     """Return what the ball leaves: of a surface of several parts, the first that it can be on."""
     own = [k for k, surface in enumerate(formulas.surfaces) if surface.face == leaving]
     for k in own:
-        if 1 not in map(sign, formulas.surfaces[k].bounds(state, values)):
+        if any(_holds(p, state, values) is not False for p in formulas.surfaces[k].patches):
             return k
     return own[0] if own else -1
 
@@ -124,11 +132,23 @@ def _restitution(surface: SurfaceFormulas, before: list[arb], values: list[arb])
     return arb(surface.restitution(values, (speed,))[0])
 
 
-def _made(formulas: Formulas, state: list[arb], values: list[arb]) -> int:
-    side = sign(formulas.target(state, values)[0])
-    if side is None:
-        raise Undecided("the ball crosses the end plane on the edge of the target")
-    return Outcome.MADE if side <= 0 else Outcome.MISSED
+def _reached(plane: SurfaceFormulas, state: list[arb], values: list[arb]) -> int:
+    """Return the outcome of a crossing that counts: the first end whose bounds hold."""
+    for name, outcome, bounds in plane.ends:
+        holds = _holds(bounds, state, values)
+        if holds is None:
+            raise Undecided(f"the ball crosses the plane {plane.name} on the edge of {name}")
+        if holds:
+            return outcome
+    raise AssertionError(f"the ball crosses the plane {plane.name} where there is no end")
+
+
+def _holds(bounds: Function, state: list[arb], values: list[arb]) -> bool | None:
+    """Return whether no bound is positive; None if that is not certain."""
+    sides = [sign(bound) for bound in bounds(state, values)]
+    if 1 in sides:
+        return False
+    return None if None in sides else True
 
 
 def _valid(formulas: Formulas, state: list[arb], values: list[arb], leaving: int) -> bool:
@@ -163,11 +183,24 @@ def _overlaps(formulas: Formulas, face: int, state: list[arb], values: list[arb]
 
 
 def _next(
-    formulas: Formulas, state: list[arb], values: list[arb], last: int, vanishing: int
+    formulas: Formulas,
+    state: list[arb],
+    values: list[arb],
+    last: int,
+    vanishing: int,
+    remaining: arb | None,
 ) -> tuple[int, arb] | None:
-    """Return surface and time of the certainly earliest arrival; None if there is none."""
+    """Return surface and time of the certainly earliest arrival; None if there is none.
+
+    The time limit, `remaining` from now, counts as the last surface where something else is met
+    too: what meets nothing any more can reach no end. Where there are none, it always counts.
+    """
     arrivals: dict[int, Arrival] = {}
     latest = _NEVER
+    names = [*(surface.name for surface in formulas.surfaces), "time limit"]
+    limit, open_ended = len(names) - 1, formulas.faces == len(formulas.surfaces)
+    if remaining is not None and open_ended:
+        arrivals[limit], latest = Arrival(remaining), remaining.upper()
     for k in formulas.order:
         zeros = vanishing if k == last else 0
         arrival = arrival_at(formulas, k, state, values, zeros, latest)
@@ -178,16 +211,26 @@ def _next(
     if not arrivals:
         return None
     certain = [k for k, arrival in arrivals.items() if arrival.certain]
+    if remaining is not None and certain and not open_ended:
+        arrivals[limit] = Arrival(remaining)
+        certain.append(limit)
     best = min(certain, key=lambda k: float(arrivals[k].time.mid()), default=-1)
     for k, arrival in arrivals.items():
         if k != best and not (best >= 0 and arrivals[best].time < arrival.time):
-            if arrival.certain and formulas.surfaces[k].face == formulas.surfaces[best].face:
-                continue  # on a seam of one surface, which is smooth there
-            name = formulas.surfaces[k].name
+            if arrival.certain and _seam(formulas, k, best):
+                continue
             if not arrival.certain:
-                raise Undecided(f"whether the ball meets the {name}")
-            raise Undecided(f"whether the {name} or the {formulas.surfaces[best].name} comes first")
+                raise Undecided(f"whether the ball meets the {names[k]}")
+            raise Undecided(f"whether the {names[k]} or the {names[best]} comes first")
     return best, arrivals[best].time
+
+
+def _seam(formulas: Formulas, one: int, other: int) -> bool:
+    """Return whether both are parts of one surface, which is smooth where they meet."""
+    last = len(formulas.surfaces)  # the time limit
+    if last in (one, other):
+        return False
+    return formulas.surfaces[one].face == formulas.surfaces[other].face
 
 
 def arrival_at(
@@ -326,10 +369,10 @@ def _bounded(
     if arrival.onwards:
         return arrival
     there = formulas.flight(state, values, (arrival.time,))
-    sides = [sign(bound) for bound in surface.bounds(there, values)]
-    if 1 in sides:
+    held = [_holds(patch, there, values) for patch in surface.patches]
+    if not any(holds is not False for holds in held):
         return None
-    return Arrival(arrival.time, arrival.certain and None not in sides)
+    return Arrival(arrival.time, arrival.certain and True in held)
 
 
 def _bounce(surface: SurfaceFormulas, before: list[arb], values: list[arb]) -> list[arb]:

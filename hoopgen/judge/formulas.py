@@ -28,7 +28,7 @@ from hoopgen.derive.ground.symbols import (
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.search.events import event_coefficients
-from hoopgen.derive.surfaces import Box, Plane, Surface
+from hoopgen.derive.surfaces import Box, Gate, Plane, Surface
 
 from .parts import box_solid, parts
 
@@ -137,8 +137,8 @@ class SurfaceFormulas:
         As in derive/.
     coefficients
         Of the event polynomial along the flight, constant first.
-    bounds
-        The g of Eq. 2.
+    patches
+        The g of Eq. 2, by part: a contact counts where all of one part hold.
     normal
         n3 at the state's position.
     inside
@@ -148,19 +148,21 @@ class SurfaceFormulas:
     face, body
         The surface of the scene that it is, or is a part of, and the body that it belongs to.
     bounded
-        Whether it has bounds; a plane without is the end.
+        Whether it has bounds.
     impact
-        (state, parameters, normal) to velocity and spin; None at the end.
+        (state, parameters, normal) to velocity and spin; None where a shot ends.
     restitution
         (parameters, (speed,)): of its law at a normal speed, as a list of one; None at the end.
     axis, offset
         Of a plane: the coordinate that its normal points along, and that coordinate at contact,
         as a list of one, from the parameters alone. For any other surface the axis is -1.
+    ends
+        Where a shot ends: in order, each end's name, the number of its outcome, and its bounds.
     """
 
     name: str
     coefficients: Function
-    bounds: Function
+    patches: tuple[Function, ...]
     normal: Function
     inside: Function
     distance: Function
@@ -171,6 +173,7 @@ class SurfaceFormulas:
     offset: Function
     impact: Function | None
     restitution: Function | None
+    ends: tuple[tuple[str, int, Function], ...]
 
 
 @dataclass(frozen=True)
@@ -180,16 +183,18 @@ class Formulas:
     Attributes
     ----------
     surfaces
-        What can be touched, then the finish. Of a box each face, edge and corner.
+        What can be touched, of a box each face, edge and corner; then the planes that end a shot.
     solids
         (state, parameters), by surface of the scene: all negative exactly where the ball overlaps
         the body.
+    faces, bodies
+        How many of the surfaces can be touched, and how many bodies there are.
+    outcomes
+        The number of each outcome by name.
     order
         In which they are searched: planes first, whose arrivals then limit the others' search.
     flight
         (state, parameters, (time,)) to position and velocity.
-    target
-        (state, parameters): not positive where made.
     requirements
         (parameters,): each must be positive.
     names, signs, uppers
@@ -198,9 +203,11 @@ class Formulas:
 
     surfaces: tuple[SurfaceFormulas, ...]
     solids: tuple[Function, ...]
+    faces: int
+    bodies: int
+    outcomes: dict[str, int]
     order: tuple[int, ...]
     flight: Function
-    target: Function
     requirements: Function
     names: tuple[str, ...]
     signs: tuple[str, ...]
@@ -222,13 +229,18 @@ def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFor
         impact = compiled([e for vector in after for e in vector], state, motion, NORMAL)
         restitution = compiled([law.restitution_at(ARRIVAL)], motion, (ARRIVAL,))
 
+    ends: list[tuple[str, int, Function]] = []
+    if isinstance(surface, Gate):
+        for outcome, part in zip(surface.outcomes, surface.parts, strict=True):
+            ends.append((scene.ends[outcome].name, outcome, compiled(part, place, motion)))
+
     def by_state(expressions: Sequence[sp.Expr]) -> Function:
         return compiled(expressions, place, motion)
 
     return SurfaceFormulas(
         surface.name,
         by_state(event_coefficients(surface, scene.flight)),
-        by_state(surface.bounds),
+        tuple(by_state(patch) for patch in surface.patches),
         by_state(list(surface.normal)),
         by_state(surface.inside),
         by_state([surface.distance]),
@@ -239,6 +251,7 @@ def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFor
         compiled([offset], motion),
         impact,
         restitution,
+        tuple(ends),
     )
 
 
@@ -252,19 +265,24 @@ def formulas(scene: Scene = HOOP) -> Formulas:
     state = (*POSITION, *VELOCITY, *SPIN)
     parameters = scene.symbols
     there = scene.flight.at()
-    faces = zip((*scene.surfaces, scene.finish), (*scene.faces, len(scene.bodies)), strict=True)
-    whole = [(surface, face, body) for face, (surface, body) in enumerate(faces)]
-    surfaces = tuple(
-        _surface(part, face, body, scene)
-        for surface, face, body in whole
+    faces = zip(scene.surfaces, scene.faces, strict=True)
+    touched = [
+        (part, face, body)
+        for face, (surface, body) in enumerate(faces)
         for part in parts(surface)
-    )
+    ]
+    gates = [
+        (gate, len(scene.surfaces) + k, len(scene.bodies)) for k, gate in enumerate(scene.gates)
+    ]
+    surfaces = tuple(_surface(*place, scene) for place in (*touched, *gates))
     return Formulas(
         surfaces,
         tuple(compiled(_solid(s), (*POSITION, *VELOCITY), parameters) for s in scene.surfaces),
+        len(touched),
+        len(scene.bodies),
+        scene.outcomes,
         tuple(sorted(range(len(surfaces)), key=lambda k: surfaces[k].axis < 0)),
         compiled([e for vector in there for e in vector], state, parameters, (t,)),
-        compiled([scene.target], state, parameters),
         compiled(scene.requirements, parameters),
         tuple(p.name for p in scene.parameters),
         tuple(p.sign for p in scene.parameters),

@@ -26,6 +26,7 @@ def settle(
     max_contacts: int = 40,
     *,
     leaving: ArrayLike | None = None,
+    time_limit: float | None = None,
     max_bits: int = SETTLING_BITS,
     processes: int | None = None,
 ) -> NDArray[np.int64]:
@@ -36,7 +37,7 @@ def settle(
     fields
         Results by name, as in `Shots`; "uncertain" is among them. Arrays by shot are written in
         place; "events", if there, is replaced by a new log.
-    states, parameters, max_contacts, leaving
+    states, parameters, max_contacts, leaving, time_limit
         Of the simulation that the results are from.
     max_bits, processes
         As in `certify`.
@@ -57,6 +58,7 @@ def settle(
         max_bits=max_bits,
         record="events" in fields,
         leaving=None if leaving is None else _rows(leaving, rows),
+        time_limit=time_limit,
         processes=processes,
     )
     proved = certificate.decided

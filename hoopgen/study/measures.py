@@ -22,9 +22,9 @@ from hoopgen.parameters import NAMES, PAPER, Value, resolve
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
+from hoopgen.variables import check_names
 
 from .nearest import nearest, rows_of
-from .variables import check_names
 
 __all__ = ["MEASURES", "Kind", "Measure", "kinds", "measure"]
 
@@ -76,6 +76,10 @@ def kinds(
     board = counts[:, _BOARD] > 0
     frame = (counts[:, _RING] > 0) | (counts[:, _BRIDGE] > 0)
     return np.asarray(_KIND_OF[board * 1 + frame * 2 + (first == _BOARD) * 4, outcome])
+
+
+ENDED = tuple(one for one in Outcome if one <= Outcome.INVALID)
+"""How the shots of a study end: none has a time limit, and on the hoop none comes to rest."""
 
 
 def _kind_of() -> NDArray[np.uint8]:

@@ -6,9 +6,12 @@ rest of its sphere would be. Each has a restitution of its own.
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 from hoopgen.derive.contact.rolling import Rolling
 from hoopgen.derive.ground.symbols import POSITION
+from hoopgen.derive.scenes.ends import End
 from hoopgen.derive.scenes.scene import Scene, parameter
 from hoopgen.derive.surfaces import Plane, Sphere, body
 
@@ -32,6 +35,7 @@ def _caps() -> Scene:
     left, right = ((side, sp.Integer(0), sp.Integer(0)) for side in (-apart, apart))
     lively = Rolling("lively_impact", symbol["lively"])
     dull = Rolling("dull_impact", symbol["dull"])
+    ground = Plane("ground", (0, 0, 1), -symbol["depth"], sp.Integer(0))
     return Scene(
         name="caps",
         parameters=_PARAMETERS,
@@ -52,8 +56,10 @@ def _caps() -> Scene:
                 dull,
             ),
         ),
-        finish=Plane("ground", (0, 0, 1), -symbol["depth"], sp.Integer(0)),
-        target=sp.sqrt(x**2 + y**2) - symbol["goal"],
+        ends=(
+            End("made", replace(ground, limits=(sp.sqrt(x**2 + y**2) - symbol["goal"],))),
+            End("missed", ground),
+        ),
         ball_radius=symbol["ball"],
         gravity=symbol["gravity"],
     )

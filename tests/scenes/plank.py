@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import sympy as sp
 from hoopgen.derive.contact.rolling import Rolling
 from hoopgen.derive.ground.symbols import POSITION
+from hoopgen.derive.scenes.ends import End
 from hoopgen.derive.scenes.scene import Scene, parameter
 from hoopgen.derive.surfaces import Plane, body
 
@@ -23,6 +25,7 @@ def plank(
     ground: str = "ground",
     law: str = "impact",
     text: tuple[str, str] = TEXT,
+    ends: tuple[str, str] = ("made", "missed"),
 ) -> Scene:
     """Return the scene, every parameter with that unit and summary."""
     unit, summary = text
@@ -34,13 +37,16 @@ def plank(
     ball, bounce, gravity, width, drop, cup = (p.symbol for p in given)
     x, y, _ = POSITION
     limits = (-x - width, x - width)
+    floor = Plane(ground, direction=(0, 0, 1), offset=-drop, reach=sp.Integer(0))
     face = Plane(top, direction=(0, 0, 1), offset=ball, reach=ball, limits=limits)
     return Scene(
         name=name,
         parameters=given,
         bodies=(body(face, Rolling(law, bounce)),),
-        finish=Plane(ground, direction=(0, 0, 1), offset=-drop, reach=sp.Integer(0)),
-        target=sp.sqrt(x**2 + y**2) - cup,
+        ends=tuple(
+            End(own, replace(floor, limits=limits))
+            for own, limits in zip(ends, ((sp.sqrt(x**2 + y**2) - cup,), ()), strict=True)
+        ),
         ball_radius=ball,
         gravity=gravity,
     )

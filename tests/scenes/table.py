@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import sympy as sp
 from hoopgen.derive.contact.rolling import Rolling
 from hoopgen.derive.ground.symbols import POSITION
+from hoopgen.derive.scenes.ends import End
 from hoopgen.derive.scenes.scene import Scene, parameter
 from hoopgen.derive.surfaces import Plane, Sphere, body
 
@@ -29,6 +32,10 @@ def _table() -> Scene:
     x, y, _ = POSITION
     ball = by_name["marble"]
     law = Rolling("impact", by_name["bounce"])
+    ground = Plane(
+        "ground", direction=(0, 0, 1), offset=-by_name["table_height"], reach=sp.Integer(0)
+    )
+    cup = sp.sqrt((x - by_name["cup_x"]) ** 2 + y**2) - by_name["cup_radius"]
     length, width = by_name["half_length"], by_name["half_width"]
     return Scene(
         name="table",
@@ -53,10 +60,7 @@ def _table() -> Scene:
                 law,
             ),
         ),
-        finish=Plane(
-            "ground", direction=(0, 0, 1), offset=-by_name["table_height"], reach=sp.Integer(0)
-        ),
-        target=sp.sqrt((x - by_name["cup_x"]) ** 2 + y**2) - by_name["cup_radius"],
+        ends=(End("made", replace(ground, limits=(cup,))), End("missed", ground)),
         ball_radius=ball,
         gravity=by_name["acceleration"],
     )

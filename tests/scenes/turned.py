@@ -9,6 +9,7 @@ import numpy as np
 import sympy as sp
 from hoopgen.derive.contact.rolling import Rolling
 from hoopgen.derive.ground.symbols import POSITION
+from hoopgen.derive.scenes.ends import End
 from hoopgen.derive.scenes.scene import Scene, parameter
 from hoopgen.derive.surfaces import Plane, Ring, Sphere, Surface, body
 from numpy.typing import NDArray
@@ -39,15 +40,17 @@ def turned(scene: Scene, name: str, turn: Turn) -> Scene:
         x, y, z = map(int, there(face.direction))
         return replace(face, direction=(x, y, z), limits=limits)
 
-    finish = moved(scene.finish)
-    assert isinstance(finish, Plane)
+    def crossed(end: End) -> End:
+        plane = moved(end.plane)
+        assert isinstance(plane, Plane)
+        return replace(end, plane=plane)
+
     x, y, z = map(int, there(scene.gravity_axis))
     return replace(
         scene,
         name=name,
         bodies=tuple(replace(b, faces=tuple(map(moved, b.faces))) for b in scene.bodies),
-        finish=finish,
-        target=scene.target.xreplace(back),
+        ends=tuple(map(crossed, scene.ends)),
         gravity_axis=(x, y, z),
     )
 
@@ -71,12 +74,13 @@ _WHEEL = (
 def _wheel() -> Scene:
     ball, radius, rim, bounce, gravity, drop = (p.symbol for p in _WHEEL)
     _, y, z = POSITION
+    ground = Plane("ground", (-1, 0, 0), -drop, sp.Integer(0))
+    inside = sp.sqrt(y**2 + z**2) - radius
     return Scene(
         name="wheel",
         parameters=_WHEEL,
         bodies=(body(Ring("wheel", radius, ball + rim), Rolling("impact", bounce)),),
-        finish=Plane("ground", (-1, 0, 0), -drop, sp.Integer(0)),
-        target=sp.sqrt(y**2 + z**2) - radius,
+        ends=(End("made", replace(ground, limits=(inside,))), End("missed", ground)),
         ball_radius=ball,
         gravity=gravity,
         requirements=(radius - ball - rim,),

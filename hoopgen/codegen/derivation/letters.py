@@ -91,7 +91,8 @@ LOOP = {
     "curving": Letter(r"\kappa", "curvature of the surface, if it is met twice running"),
     "shift": Letter(r"\varsigma", "error of the position at a contact, at worst after one flight"),
     "turn": Letter(r"\tau", "error of the normal, at worst after one flight"),
-    "miss": Letter("d", "how far from the target a ball ends; not positive inside"),
+    "reached": Letter(r"\text{reached}", "the outcome of an event that ends the shot"),
+    "time_limit": Letter(r"t_{\max}", "time since the release at which a shot ends"),
     "slack": Letter(r"\epsilon", "bound on the error of a length at a computed arrival"),
     "outcome": Letter(r"\text{outcome}", "how the shot ended, -1: it has not"),
     "uncertain": Letter(
@@ -110,7 +111,8 @@ LOOP = {
     "sunk": Letter(r"\text{sunk}", "the ball is on the other side than the search took it to be"),
     "vague": Letter(r"\text{vague}", "it is to be looked at with smaller errors allowed"),
     "certain": Letter(r"\text{certain}", "what was found is certain"),
-    "ends": Letter(r"\text{ends}", "the event is on the plane that ends a shot"),
+    "ends": Letter(r"\text{ends}", "the event is on a plane that ends a shot"),
+    "edge": Letter(r"\text{edge}", "which end is reached lies within its error"),
     "touches": Letter(r"\text{touches}", "the event is a contact"),
 }
 """Of the event loop; the last are truths."""

@@ -81,14 +81,21 @@ class ImpactText:
 
 
 @dataclass(frozen=True)
+class EndText:
+    """An end of a shot, the plane that it is on, and its bounds there."""
+
+    name: str
+    plane: str
+    bounds: tuple[Line, ...]
+
+
+@dataclass(frozen=True)
 class Derivation:
     """Everything that the template shows; formulas are LaTeX."""
 
     name: str
     axes: str
     remarks: str
-    finish: str
-    crossed: str
     radius: str
     roundoff: str
     safety: str
@@ -97,7 +104,7 @@ class Derivation:
     brief: Formulas
     flight: Formulas
     surfaces: tuple[SurfaceText, ...]
-    target: Line
+    ends: tuple[EndText, ...]
     frame: str
     impact: ImpactText
     crossing: Formulas
@@ -184,7 +191,7 @@ def _arguments(model: Model) -> tuple[SymbolText, ...]:
 def _kernels(model: Model, letters: Letters) -> dict[str, KernelText]:
     """Return the results of all kernels, in the names that are known from the searches."""
     texts = {}
-    for made in (*model.surfaces, model.finish):
+    for made in (*model.surfaces, *model.gates):
         names = {}
         if not isinstance(made.surface, Plane):
             names = known(approach(made.surface, model.scene.flight))
@@ -205,12 +212,11 @@ def derivation_context(model: Model) -> Derivation:
     brief = Brief(scene, letters)
     place, motion = flight.at()
     there, moving = flight.rounding(events.horizon)
-    surfaces = (*scene.surfaces, scene.finish)
+    surfaces = (*scene.surfaces, *scene.gates)
     planes = [s for s in surfaces if isinstance(s, Plane)]
     lengths = [p.symbol for p in scene.parameters if p.unit == "m"]
     flown = (f"{left}(t)" for left in (*AXES, *(f"v_{axis}" for axis in AXES)))
     kernels = _kernels(model, letters)
-    down = flight.upright and scene.finish.direction == (0, 0, 1)
 
     def shown(name: str) -> str:
         return f"`{name}`" if kernels[name].short else f"[`{name}`](#{name})"
@@ -219,8 +225,6 @@ def derivation_context(model: Model) -> Derivation:
         name=scene.name,
         axes=scene.axes,
         remarks=scene.remarks,
-        finish=scene.finish.name,
-        crossed="on the way down" if down else "where the ball crosses it against its normal",
         radius=letters(scene.ball_radius),
         roundoff=f"2^{{{int(sp.log(UNIT_ROUNDOFF, 2))}}}",
         safety=number(rounding.SAFETY) or show(rounding.SAFETY),
@@ -231,7 +235,15 @@ def derivation_context(model: Model) -> Derivation:
         brief=Formulas(tuple(brief.definitions)),
         flight=plainly(dict(zip(flown, (*place, *motion), strict=True)), {}, letters),
         surfaces=tuple(surface_text(s, flight, brief) for s in surfaces),
-        target=brief.line("", scene.target),
+        ends=tuple(
+            EndText(
+                scene.ends[outcome].name,
+                gate.name,
+                tuple(brief.line("", side) for side in part),
+            )
+            for gate in scene.gates
+            for outcome, part in zip(gate.outcomes, gate.parts, strict=True)
+        ),
         frame=show(frame_from_axis(normal, 0).applyfunc(sp.simplify)),
         impact=_impact(scene, letters),
         crossing=explain({latex_name(n): e for n, e in events.crossing().items()}),
