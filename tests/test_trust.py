@@ -195,9 +195,9 @@ def test_in_numpy_no_thread_takes_few_shots(monkeypatch: pytest.MonkeyPatch) -> 
     sizes = []
     run = simulation.numpy_backend.run
 
-    def counted(kernels: Any, states: Any, *rest: Any) -> None:
+    def counted(kernels: Any, states: Any, *rest: Any, **options: Any) -> None:
         sizes.append(len(states))
-        run(kernels, states, *rest)
+        run(kernels, states, *rest, **options)
 
     monkeypatch.setattr(simulation.numpy_backend, "run", counted)
     hoopgen.simulate(np.tile(FREE_THROW, (10_000, 1)), backend="numpy", threads=8)
