@@ -19,6 +19,7 @@ from hoopgen.codegen import render
 from hoopgen.engine.native import Refused
 from hoopgen.engines import Engine
 from hoopgen.scene import (
+    Box,
     Cylinder,
     End,
     Parameter,
@@ -91,11 +92,28 @@ ZOO = Scene(
         ),
         Cylinder("well", radius="2*size", centre=(0, 0.3, 0), inside=True, span=(-1.5, -0.7)),
         Torus("wheel", radius="size", wire=0.04, centre=("-size", "size", 0.2), axis="x"),
+        Box("block", size=("size", 0.4, 0.2), centre=(0.4, "size", -0.6)),
         Sphere("globe", radius=2, inside=True, restitution="dull"),
     ],
     ends={"far": End(axis="-x", at=-0.9, within=["y**2 + z**2 - size"]), "low": End(at=-1.6)},
 )
 """Bodies of every kind with bounds, on other axes than the examples have, and sizes as formulas."""
+
+
+SIDEWAYS = Scene(
+    "sideways",
+    parameters=[Parameter("ball", 0.05), Parameter("e", 0.7, "1")],
+    ball_radius="ball",
+    gravity=5,
+    down="y",
+    restitution="e",
+    bodies=[
+        Torus("ring", radius=0.3, wire=0.02, axis="y"),
+        Plane("lid", axis="-y", at=-0.5, within=["x"]),
+    ],
+    ends={"through": End(axis="-y", at=-0.4, within=["x**2 + z**2 - 1"]), "out": End("-y", -1)},
+)
+"""A scene in which free fall goes along y."""
 
 
 def numpy_engine(scene: Scene, folder: Path) -> Engine:
@@ -142,6 +160,9 @@ EXAMPLE = {
         "bumpers.py", lambda n, seed: states(n, seed, (-0.3, -0.3, 0.8), (0.3, 0.3, 1.2), 0.7), 10
     ),
     "zoo": Example(ZOO, lambda n, seed: states(n, seed, (-0.7, -0.7, 0), (0.7, 0.7, 1), 2.5), 8),
+    "sideways": Example(
+        SIDEWAYS, lambda n, seed: states(n, seed, (-0.5, -1, -0.5), (0.5, -0.3, 0.5), 0.7), 8
+    ),
 }
 
 
