@@ -42,8 +42,8 @@ __all__ = [
 _LATER = {
     "simulate": "simulation",
     "compile": "scene.compile",
-    "load_scene": "scene.files",
-    "Scene": "scene.scene",
+    "Scene": "scene",
+    "load_scene": "scene",
     "HOOP": "engines",
     "release": "releases",
     "PAPER": "parameters",
@@ -72,7 +72,7 @@ _LATER = {
 """Imported when first asked for, and from where: some stand on the extras, and all but `release` on
 generated/, which `hoopgen generate` writes."""
 
-_ROOMS = ("plots",)
+_ROOMS = ("plots", "scene")
 """Modules that are part of the interface, imported when first asked for too."""
 
 

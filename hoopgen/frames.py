@@ -35,12 +35,19 @@ class Shots(Protocol):
     """What is read of `hoopgen.Shots`, which stands on this file; and its fields, by name."""
 
     parameters: Mapping[str, Any]
+    scene: Any
+
+    @property
+    def surfaces(self) -> tuple[str, ...]: ...
 
     def __len__(self) -> int: ...
 
 
 class Trajectory(Protocol):
     """What is read of `hoopgen.Trajectory`."""
+
+    @property
+    def scene(self) -> Any: ...
 
     @property
     def release(self) -> NDArray[np.float64]: ...

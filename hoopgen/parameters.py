@@ -185,6 +185,30 @@ def nearest_preset(parameters: Mapping[str, Any]) -> tuple[str, dict[str, Any]]:
     return nearest, differences[nearest]
 
 
+def completed(parameters: Mapping[str, Any] | None, table: Table = HOOP_TABLE) -> Mapping[str, Any]:
+    """Return all parameters of a scene in calling order: usual values for those left out.
+
+    Raises
+    ------
+    TypeError
+        If `parameters` is not a mapping.
+    ValueError
+        If a name is unknown; the message lists the right ones.
+    """
+    if parameters is None:
+        return table.defaults
+    if not isinstance(parameters, Mapping):
+        raise TypeError(
+            f"parameters: expected a mapping of names to values, got {brief(parameters)}"
+        )
+    unknown = parameters.keys() - table.defaults.keys()
+    if unknown:
+        named = listed(name for name in parameters if name in unknown)
+        names = ", ".join(table.defaults) or "none"
+        raise ValueError(f"parameters: unknown {named}. The names are {names}")
+    return {name: parameters.get(name, usual) for name, usual in table.defaults.items()}
+
+
 def resolve(
     parameters: Mapping[str, Any] | None, shots: int, table: Table = HOOP_TABLE
 ) -> list[Value]:
@@ -204,20 +228,8 @@ def resolve(
     ValueError
         If a name is unknown, a shape is wrong, or a number for all shots is not within its limits.
     """
-    if parameters is None:
-        return list(table.defaults.values())
-    if not isinstance(parameters, Mapping):
-        raise TypeError(
-            f"parameters: expected a mapping of names to values, got {brief(parameters)}"
-        )
-    unknown = parameters.keys() - table.defaults.keys()
-    if unknown:
-        named = listed(name for name in parameters if name in unknown)
-        names = ", ".join(table.defaults) or "none"
-        raise ValueError(f"parameters: unknown {named}. The names are {names}")
     values: list[Value] = []
-    for name, usual in table.defaults.items():
-        given = parameters.get(name, usual)
+    for name, given in completed(parameters, table).items():
         if type(given) is float:  # the common case, without detours
             values.append(given)
             continue

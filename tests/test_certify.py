@@ -42,7 +42,7 @@ from hoopgen.judge.settle import settle
 
 NAMES = (*hoopgen.SURFACES, "end")
 RING, BOARD, BRIDGE, END = range(4)
-GENEROUS = ("time_error", "state_error", *hoopgen.simulation.FIELDS)
+GENEROUS = ("time_error", "state_error", *hoopgen.HOOP.layout.fields)
 
 # Every length a multiple of 1/16, so that a tie can be a tie. The ball touches the board at
 # x = -1/2 and the bridge at z = 3/16.
@@ -597,7 +597,7 @@ def test_settled_shots_are_as_proved(record: bool) -> None:
 def test_settling_takes_parameters_by_shot(mixed: Batch) -> None:
     batch = mixed.take(slice(0, 600, 7))
     shots = hoopgen.simulate(batch.states, batch.parameters)
-    fields = {name: getattr(shots, name).copy() for name in hoopgen.simulation.FIELDS}
+    fields = {name: getattr(shots, name).copy() for name in hoopgen.HOOP.layout.fields}
     fields["uncertain"][:] = True
     settled = settle(fields, batch.states, batch.parameters)
     sure = np.intersect1d(settled, np.flatnonzero(~shots.uncertain))

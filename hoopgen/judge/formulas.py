@@ -267,9 +267,7 @@ def formulas(scene: Scene = HOOP) -> Formulas:
     there = scene.flight.at()
     faces = zip(scene.surfaces, scene.faces, strict=True)
     touched = [
-        (part, face, body)
-        for face, (surface, body) in enumerate(faces)
-        for part in parts(surface)
+        (part, face, body) for face, (surface, body) in enumerate(faces) for part in parts(surface)
     ]
     gates = [
         (gate, len(scene.surfaces) + k, len(scene.bodies)) for k, gate in enumerate(scene.gates)

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.engine.raw import RESULT
 from hoopgen.engines import HOOP, Engine
 from hoopgen.inputs import doubles
 
@@ -65,7 +64,7 @@ def settle(
     )
     proved = certificate.decided
     settled = rows[proved]
-    for name in RESULT.keys() & fields.keys():
+    for name in scene.layout.results.keys() & fields.keys():
         fields[name][settled] = getattr(certificate, name)[proved]
     if "events" in fields:
         fields["events"] = _log(fields["events"], rows, certificate)

@@ -16,14 +16,13 @@ import marshal
 import sys
 from collections.abc import Mapping
 from functools import cache, partial
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import numpy as np
 
-from hoopgen import installed
+from hoopgen import engines
 from hoopgen.engine import native, trust
 from hoopgen.engine.sources import FLAGS
 from hoopgen.engines import HOOP, Engine
@@ -125,6 +124,8 @@ def _made(scene: Any, tools: _Tools, there: Cache) -> Entry:
 
         from .definition import definition
     except ImportError as error:
+        from hoopgen import installed
+
         raise installed.explained(error, "hoopgen.compile") from None
     derived = definition(scene)
     files = {
@@ -158,12 +159,15 @@ class _Tools:
     @property
     def whole(self) -> str:
         """All, the compiler's version with it."""
+        from hoopgen.installed import version  # reads metadata, which takes its time
+
         compiler = self.compiler
-        return self._said(f"{compiler.command} {compiler.version()}" if compiler else "none")
+        called = f"{compiler.command} {compiler.version()}" if compiler else "none"
+        return f"{self._said(called)}, hoopgen {version()}"
 
     def _said(self, compiler: str) -> str:
         python = importlib.util.MAGIC_NUMBER.hex()
-        versions = f"hoopgen {installed.version()}, NumPy {np.__version__}, Python {python}"
+        versions = f"NumPy {np.__version__}, Python {python}"
         return f"{compiler}; {FLAGS}; {self.width} lanes, {sys.platform}; {versions}"
 
 
@@ -271,9 +275,9 @@ def _module(code: Any, scene: str) -> ModuleType:
 
 @cache
 def _word() -> str:
-    """Return a word for all that makes a scene's sources: of a checkout, as it is now."""
+    """Return a word for what makes a scene's sources: hoopgen's version, and what was edited."""
     total = hashlib.sha256()
-    package = Path(installed.__file__).parent
+    package = Path(engines.__file__).parent
     rooms = [package / "codegen", package / "scene", package / "engine"]
     for name in ("derive", "templates"):
         found = importlib.util.find_spec(f"hoopgen.{name}")
@@ -282,9 +286,4 @@ def _word() -> str:
         for file in sorted(room.rglob("*")):
             if file.suffix in (".py", ".j2"):
                 total.update(file.name.encode() + digest(file.read_bytes()).encode())
-    for library in ("sympy", "jinja2"):
-        try:
-            total.update(version(library).encode())
-        except PackageNotFoundError:
-            total.update(b"none")
     return total.hexdigest()

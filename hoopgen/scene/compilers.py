@@ -71,9 +71,7 @@ class Compiler:
 
     def version(self) -> str:
         """Return what it says of itself, "" if it does not run."""
-        asked = [*self.command, "version" if self.name == "ziglang" else "--version"]
-        if self.name == "ziglang":
-            asked = [*self.command[:-1], "version"]
+        asked = [*self.command, "--version"]
         try:
             told = subprocess.run(
                 asked, stdin=subprocess.DEVNULL, capture_output=True, text=True, check=False
@@ -133,5 +131,6 @@ def _compiler(named: str, path: str) -> Compiler | None:
             return Compiler((file, *command[1:]), Path(file).resolve())
     there = find_spec("ziglang") if not named else None
     if there is not None and there.origin is not None:
-        return Compiler((sys.executable, "-m", "ziglang", "cc"), Path(there.origin))
+        zig = (sys.executable, "-m", "ziglang", "cc", "-mcpu=baseline")
+        return Compiler(zig, Path(there.origin))
     return None
