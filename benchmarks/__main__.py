@@ -1,6 +1,7 @@
 """`python -m benchmarks`: everything side by side; a table, the numbers and a picture.
 
-With `--base REF` instead the working tree beside another commit: the same results, and how fast.
+With `--only grazes` what everybody makes of shots that graze, and no speed. With `--base REF`
+instead the working tree beside another commit: the same results, and how fast.
 """
 
 import argparse
@@ -8,6 +9,7 @@ import signal
 import sys
 from pathlib import Path
 
+from benchmarks import grazes, grazes_page
 from benchmarks.against import Wanted, against
 from benchmarks.base import CannotBuild
 from benchmarks.families import FAMILIES
@@ -17,32 +19,48 @@ from benchmarks.run import QUICK, Settings, run
 from hoopgen.outputs import write
 from hoopgen.plots.style import save
 
+GRAZES = "grazes"
+PARTS = ("equality", "speed")
+
 
 def main() -> None:
-    """Measure, then write benchmarks.md, benchmarks.json and benchmarks.svg."""
+    """Measure, then write benchmarks.md, benchmarks.json, benchmarks.svg and those of grazes."""
     parser = argparse.ArgumentParser(
         prog="python -m benchmarks",
         description="hoopgen beside the other ways to fly the same shots, in under ten minutes.",
     )
     parser.add_argument("--quick", action="store_true", help="about a minute, rougher")
     parser.add_argument("--out", type=Path, default=Path("docs"), help="folder, default docs")
+    parser.add_argument(
+        "--only",
+        choices=(GRAZES, *PARTS),
+        help=f"default all; {' and '.join(PARTS)} are those of --base",
+    )
     _add_base(parser)
     arguments = parser.parse_args()
+    if arguments.only in PARTS and not arguments.base:
+        parser.error(f"--only {arguments.only} is a part of the comparison that --base REF makes")
+    if arguments.only == GRAZES and arguments.base:
+        parser.error(f"--base compares {' and '.join(PARTS)}, got --only {GRAZES}")
     if arguments.base:
         sys.exit(_beside(arguments))
     arguments.out.mkdir(parents=True, exist_ok=True)
-    results = run(QUICK if arguments.quick else Settings())
-    write(arguments.out / "benchmarks.json", as_json(results))
-    write(arguments.out / "benchmarks.md", as_markdown(results))
-    save(draw(results), arguments.out / "benchmarks.svg")
-    print(as_markdown(results))
+    if arguments.only != GRAZES:
+        results = run(QUICK if arguments.quick else Settings())
+        write(arguments.out / "benchmarks.json", as_json(results))
+        write(arguments.out / "benchmarks.md", as_markdown(results))
+        save(draw(results), arguments.out / "benchmarks.svg")
+        print(as_markdown(results))
+    tallies = grazes.tallies(100 if arguments.quick else 1000)
+    write(arguments.out / "grazes.json", grazes_page.as_json(tallies))
+    write(arguments.out / "grazes.md", grazes_page.as_markdown(tallies))
+    print(grazes_page.as_markdown(tallies))
 
 
 def _add_base(parser: argparse.ArgumentParser) -> None:
     default = Wanted()
     base = parser.add_argument_group("another commit of hoopgen instead")
     base.add_argument("--base", metavar="REF", help="git ref of the commit to compare with")
-    base.add_argument("--only", choices=("equality", "speed"), help="default both")
     base.add_argument("--backend", choices=default.backends, help="default both, C in every width")
     base.add_argument("--shots", type=_count, default=default.shots, help="at most, of each kind")
     base.add_argument(

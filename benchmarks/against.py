@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,7 @@ from benchmarks.families import FAMILIES, Family
 from benchmarks.report import number, short, table
 from benchmarks.timing import TURN, Spread
 from benchmarks.workloads import WORKLOADS
+from hoopgen.engine.native import WIDTHS
 
 Array = NDArray[Any]
 
@@ -274,6 +275,36 @@ def speed(pair: Pair, wanted: Wanted, engines: Collection[str]) -> None:
 # ------------------------------------------------------------------------------------------- both
 
 
+@dataclass(frozen=True)
+class Engines:
+    """Which engines of the base there are to compare.
+
+    Attributes
+    ----------
+    both
+        Those that the working tree has, too.
+    given_up
+        Widths that it no longer says it has: not compared, and no fault.
+    lost
+        What it should have.
+    """
+
+    both: tuple[str, ...]
+    given_up: tuple[str, ...]
+    lost: tuple[str, ...]
+
+    @classmethod
+    def of(cls, base: Sequence[str], tree: Sequence[str], widths: Collection[int]) -> Self:
+        """Tell them apart by the widths that the working tree says it has."""
+        kept = {f"c {width}" for width in widths} | {"c", "numpy"}
+        gone = [engine for engine in base if engine not in tree]
+        return cls(
+            tuple(engine for engine in base if engine in tree),
+            tuple(engine for engine in gone if engine not in kept),
+            tuple(engine for engine in gone if engine in kept),
+        )
+
+
 def against(ref: str, wanted: Wanted) -> bool:
     """Return whether the working tree gives what the commit gave, where that was asked for."""
     base = commit(ref)
@@ -287,17 +318,22 @@ def against(ref: str, wanted: Wanted) -> bool:
             [engine for engine in there if engine.split()[0] in wanted.backends]
             for there in pair.ask("engines")
         )
-        engines = [engine for engine in before if engine in after]
-        lost = [engine for engine in before if engine not in after]
-        print(
-            f"engines: {', '.join(engines)}; only one has: {set(before) ^ set(after) or 'none'}\n"
-        )
-        if not engines:
+        engines = Engines.of(before, after, WIDTHS)
+        fresh = [engine for engine in after if engine not in before]
+        parts = {
+            "engines": engines.both,
+            "given up, not compared": engines.given_up,
+            "new, not compared": fresh,
+            "LOST": engines.lost,
+        }
+        said = (f"{what}: {', '.join(which)}" for what, which in parts.items() if which)
+        print("; ".join(said), end="\n\n")
+        if not engines.both:
             raise CannotBuild("the two have no engine in common")
-        same = not lost
+        same = not engines.lost
         if wanted.equality:
-            same &= equality(pair, wanted, engines)
-            print("equal" if same else f"NOT equal, or lost: {lost}", end="\n\n", flush=True)
+            same &= equality(pair, wanted, engines.both)
+            print("equal" if same else "NOT equal, or lost", end="\n\n", flush=True)
         if wanted.speed:
-            speed(pair, wanted, engines)
+            speed(pair, wanted, engines.both)
     return same

@@ -33,21 +33,21 @@ class Family:
     workload: bool = False
 
 
-def _random(name: str) -> np.random.Generator:
+def seeded(name: str) -> np.random.Generator:
     key = SEED + sum(ord(letter) << (8 * (place % 6)) for place, letter in enumerate(name))
     return np.random.Generator(np.random.Philox(key))
 
 
-def _tiny(random: np.random.Generator, n: int, low: float = -17, high: float = -3) -> Floats:
+def tiny(random: np.random.Generator, n: int, low: float = -17, high: float = -3) -> Floats:
     """Numbers of either sign whose size is spread evenly over orders of magnitude."""
     return random.choice([-1.0, 1.0], n) * 10 ** random.uniform(low, high, n)
 
 
-def _spins(random: np.random.Generator, n: int) -> Floats:
+def spins(random: np.random.Generator, n: int) -> Floats:
     return random.normal(0, 10, (n, 3)) * random.integers(0, 2, (n, 1))
 
 
-def _back(position: Floats, velocity: Floats, spin: Floats, time: Floats) -> States:
+def back(position: Floats, velocity: Floats, spin: Floats, time: Floats) -> States:
     """The releases that lead to a position and a velocity after `time`."""
     fall = np.array([0.0, 0.0, PAPER["gravity"]])
     earlier = velocity + fall * time[:, None]
@@ -57,7 +57,7 @@ def _back(position: Floats, velocity: Floats, spin: Floats, time: Floats) -> Sta
 
 def around(n: int) -> Shots:
     """From anywhere around, at any point near the hoop, however quick."""
-    random = _random("around")
+    random = seeded("around")
     target = random.uniform((-0.6, -0.6, -0.2), (0.5, 0.6, 0.6), (n, 3))
     time = random.uniform(0.1, 1.5, n)
     angle, distance = random.uniform(0, TURN, n), random.uniform(0, 6, n)
@@ -71,40 +71,40 @@ def around(n: int) -> Shots:
     )
     velocity = (target - start) / time[:, None]
     velocity[:, 2] += PAPER["gravity"] * time / 2
-    return np.concatenate([start, velocity, _spins(random, n)], axis=1), PAPER
+    return np.concatenate([start, velocity, spins(random, n)], axis=1), PAPER
 
 
 def axis_drop(n: int) -> Shots:
     """Down the axis, where rho is 0 or hardly more."""
-    random = _random("axis drop")
+    random = seeded("axis drop")
     states = np.zeros((n, 9))
-    states[:, :2] = np.stack([_tiny(random, n, -300), _tiny(random, n, -20)], axis=1)
+    states[:, :2] = np.stack([tiny(random, n, -300), tiny(random, n, -20)], axis=1)
     states[:, :2] *= random.integers(0, 2, (n, 2))
     states[:, 2] = random.uniform(0.2, 2, n)
-    states[:, 3:5] = np.stack([_tiny(random, n, -300), _tiny(random, n, -20)], axis=1)
+    states[:, 3:5] = np.stack([tiny(random, n, -300), tiny(random, n, -20)], axis=1)
     states[:, 3:5] *= random.integers(0, 2, (n, 2))
     states[:, 5] = random.uniform(-2, 4, n)
-    states[:, 6:] = _spins(random, n)
+    states[:, 6:] = spins(random, n)
     return states, PAPER
 
 
 def drop(n: int) -> Shots:
     """Straight down, or nearly, anywhere over the ring and the bridge."""
-    random = _random("drop")
+    random = seeded("drop")
     states = np.zeros((n, 9))
     angle, distance = random.uniform(0, TURN, n), random.uniform(0, 0.4, n)
     states[:, 0] = np.maximum(distance * np.cos(angle), -0.25)
     states[:, 1] = distance * np.sin(angle) * random.integers(0, 2, n)
     states[:, 2] = random.uniform(0.2, 1.5, n)
-    states[:, 3:5] = np.stack([_tiny(random, n, -20), _tiny(random, n, -20)], axis=1)
+    states[:, 3:5] = np.stack([tiny(random, n, -20), tiny(random, n, -20)], axis=1)
     states[:, 3:5] *= random.integers(0, 2, (n, 2))
-    states[:, 6:] = _spins(random, n)
+    states[:, 6:] = spins(random, n)
     return states, PAPER
 
 
 def in_plane(n: int) -> Shots:
     """In the hoop's plane of symmetry, where the octic has a factor of its own."""
-    random = _random("in plane")
+    random = seeded("in plane")
     target = random.uniform((-0.5, 0, 0.0), (0.4, 0, 0.4), (n, 3))
     time = random.uniform(0.3, 1.3, n)
     start = np.zeros((n, 3))
@@ -116,7 +116,7 @@ def in_plane(n: int) -> Shots:
     return np.concatenate([start, velocity, spin], axis=1), PAPER
 
 
-def _tube(random: np.random.Generator, n: int, low: float, high: float) -> tuple[Floats, ...]:
+def tube(random: np.random.Generator, n: int, low: float, high: float) -> tuple[Floats, ...]:
     """Points where the ball touches the ring: position, normal, and the two directions along."""
     angle, height = random.uniform(0, TURN, n), random.uniform(low, high, n)
     out = np.stack([np.cos(angle), np.sin(angle), np.zeros(n)], axis=1)
@@ -128,30 +128,30 @@ def _tube(random: np.random.Generator, n: int, low: float, high: float) -> tuple
 
 def grazing(n: int) -> Shots:
     """Past the ring within 1e-12 m of touching it, on either side of it."""
-    random = _random("grazing")
-    position, normal, along, across = _tube(random, n, 0, np.pi)
+    random = seeded("grazing")
+    position, normal, along, across = tube(random, n, 0, np.pi)
     heading = random.uniform(0, TURN, n)[:, None]
     speed = random.uniform(1, 6, n)[:, None]
     velocity = speed * (np.cos(heading) * along + np.sin(heading) * across)
-    position += _tiny(random, n, -16, -12)[:, None] * normal
+    position += tiny(random, n, -16, -12)[:, None] * normal
     time = random.uniform(0.005, 0.15, n)
-    return _back(position, velocity, _spins(random, n), time), PAPER
+    return back(position, velocity, spins(random, n), time), PAPER
 
 
 def seam(n: int) -> Shots:
     """At the line where the bridge meets the ring."""
-    random = _random("seam")
+    random = seeded("seam")
     y = random.uniform(-1, 1, n) * PAPER["bridge_half_width"]
-    rho = RING + _tiny(random, n) * random.integers(0, 8, n).clip(0, 1)
+    rho = RING + tiny(random, n) * random.integers(0, 8, n).clip(0, 1)
     position = np.stack([-np.sqrt(rho**2 - y**2), y, np.full(n, REACH)], axis=1)
     velocity = random.normal(0, 1.5, (n, 3))
     velocity[:, 2] = -random.uniform(0.5, 5, n)
-    return _back(position, velocity, _spins(random, n), random.uniform(0.01, 0.12, n)), PAPER
+    return back(position, velocity, spins(random, n), random.uniform(0.01, 0.12, n)), PAPER
 
 
 def edges(n: int) -> Shots:
     """At the backboard's four edges, and at the bridge's sides and its end at the board."""
-    random = _random("edges")
+    random = seeded("edges")
     board = PAPER["ball_radius"] - PAPER["board_distance"]
     half, bridge = PAPER["board_half_width"], PAPER["bridge_half_width"]
     y = random.uniform(-half, half, n)
@@ -160,7 +160,7 @@ def edges(n: int) -> Shots:
     level = np.full(n, REACH)
     wall = np.full(n, board)
     side = random.choice([-1.0, 1.0], n)
-    near = _tiny(random, n) * random.integers(0, 8, n).clip(0, 1)
+    near = tiny(random, n) * random.integers(0, 8, n).clip(0, 1)
     choices = [
         np.stack([wall, side * half + near, z], axis=1),
         np.stack([wall, y, PAPER["board_bottom"] + near], axis=1),
@@ -174,29 +174,29 @@ def edges(n: int) -> Shots:
     velocity[:, 2] = np.where(
         position[:, 2] == REACH, -np.abs(velocity[:, 2]) - 0.2, velocity[:, 2]
     )
-    return _back(position, velocity, _spins(random, n), random.uniform(0.02, 0.2, n)), PAPER
+    return back(position, velocity, spins(random, n), random.uniform(0.02, 0.2, n)), PAPER
 
 
 def target_edge(n: int) -> Shots:
     """Through the end plane at the very edge of the target."""
-    random = _random("target edge")
+    random = seeded("target edge")
     angle = random.uniform(0, TURN, n)
-    rho = RING + _tiny(random, n)
+    rho = RING + tiny(random, n)
     depth = 1.5 * REACH  # below the ring, so that the ball can be there
     position = np.stack([rho * np.cos(angle), rho * np.sin(angle), np.full(n, -depth)], axis=1)
     velocity = random.normal(0, 1, (n, 3))
     velocity[:, 2] = -random.uniform(0.0, 1.0, n)
-    states = _back(position, velocity, _spins(random, n), random.uniform(0.0, 0.15, n))
+    states = back(position, velocity, spins(random, n), random.uniform(0.0, 0.15, n))
     return states, PAPER | {"end_depth": depth}
 
 
 def rim(n: int) -> Shots:
     """Slowly on the rim, so that contacts follow one another in microseconds."""
-    random = _random("rim")
-    position, normal, along, _ = _tube(random, n, 0.3 * np.pi, 0.7 * np.pi)
+    random = seeded("rim")
+    position, normal, along, _ = tube(random, n, 0.3 * np.pi, 0.7 * np.pi)
     position += 10 ** random.uniform(-9, -2, n)[:, None] * normal
     velocity = random.normal(0, 0.15, (n, 3)) + random.normal(0, 0.7, (n, 1)) * along
-    return np.concatenate([position, velocity, _spins(random, n)], axis=1), PAPER
+    return np.concatenate([position, velocity, spins(random, n)], axis=1), PAPER
 
 
 def with_restitution(restitution: float, n: int) -> Shots:
@@ -207,7 +207,7 @@ def with_restitution(restitution: float, n: int) -> Shots:
 
 def other_hoops(n: int) -> Shots:
     """From anywhere around, every shot with a hoop of its own."""
-    random = _random("other hoops")
+    random = seeded("other hoops")
     states, _ = around(n)
     preset = random.integers(0, 3, n)
     parameters = {

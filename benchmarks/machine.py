@@ -16,7 +16,7 @@ from benchmarks.contenders import CORES
 from benchmarks.peers.native import FLAGS, OUR_FLAGS, compiler_version, library
 from benchmarks.timing import seconds
 
-PACKAGES = ("hoopgen", "numpy", "scipy")
+PACKAGES = ("hoopgen", "numpy", "scipy", "heyoka")
 
 BYTES_A_SHOT = 9 * 8 + 1 + 4 + 8
 """The state read; outcome, contacts and time written."""

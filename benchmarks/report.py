@@ -6,7 +6,7 @@ from dataclasses import asdict
 
 from benchmarks.contenders import CORES, contenders
 from benchmarks.machine import BYTES_A_SHOT
-from benchmarks.peers import PEERS
+from benchmarks.peers import LEFT_OUT, PEERS
 from benchmarks.run import Results
 from benchmarks.timing import Spread
 from benchmarks.workloads import WORKLOADS
@@ -250,6 +250,7 @@ def as_markdown(results: Results) -> str:
         "# Benchmarks",
         "",
         "Written by `python -m benchmarks`; the numbers, round by round, are in `benchmarks.json`.",
+        "What everybody makes of shots that graze is in [grazes.md](grazes.md).",
         "",
         "![Shots a second](benchmarks.svg)",
         "",
@@ -259,6 +260,7 @@ def as_markdown(results: Results) -> str:
         "What the peers do, all on the same model and the same shots:",
         "",
         *(f"- {peer.label}: {peer.what}" for peer in PEERS),
+        *(f"- {line}" for line in LEFT_OUT),
         "",
         *_table_4(results),
         *_calls(results),

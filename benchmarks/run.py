@@ -9,7 +9,7 @@ from benchmarks.contenders import CORES, RESULTS, contenders
 from benchmarks.errors import Errors, errors
 from benchmarks.machine import Limits, facts, limits
 from benchmarks.operations import operations
-from benchmarks.peers import PEERS
+from benchmarks.peers import LEFT_OUT, PEERS
 from benchmarks.timing import Rates, Spread, first_call, per_shot, rounds, runs, seconds
 from benchmarks.workloads import TABLE_3, WORKLOADS, States, free_throw, swish_shot
 from hoopgen import PAPER
@@ -142,6 +142,8 @@ def run(settings: Settings) -> Results:
         print(what, flush=True)
 
     machine, field = facts(), contenders()
+    for line in LEFT_OUT:
+        say(line)
     rates: dict[str, dict[str, Rates]] = {}
     work: dict[str, Work] = {}
     for workload in WORKLOADS:

@@ -10,7 +10,6 @@ from .contact.frame import contact_frame
 from .contact.law import Law
 from .contact.rolling import impact_through_frame
 from .errors import tangent
-from .flight.parabola import flight
 from .follow import decisions
 from .follow.fields import Result, fields, results
 from .follow.loop import Contact, Loop, event_loop
@@ -30,6 +29,7 @@ from .ground.symbols import (
     velocity,
 )
 from .scenes import validity
+from .scenes.check import check
 from .scenes.names import check_kernels
 from .scenes.scene import Scene
 from .search import events, search
@@ -83,7 +83,7 @@ def _order(scene: Scene) -> tuple[sp.Symbol, ...]:
     searching = (t, events.end, events.leaving, events.margin, events.rate_margin)
     crossing = (events.rate, events.ceiling, events.delay, events.share, events.horizon)
     sizes = (extent, speed, position_error, velocity_error)
-    own = (s for surface in scene.surfaces for s in search(surface, scene.gravity).constants)
+    own = (s for surface in scene.surfaces for s in search(surface, scene.flight).constants)
     return (
         *(*searching, *crossing, *STATE, *NORMAL, *FRAME, *sizes),
         *tangent.ARGUMENTS,
@@ -105,7 +105,7 @@ def _components(names: tuple[sp.Symbol, ...], *vectors: sp.Matrix) -> dict[str, 
 
 def _largest_input(scene: Scene) -> sp.Expr:
     """Return the largest of what is squared or divided by."""
-    return largest(1 / scene.gravity, *map(sp.Abs, (*POSITION, *VELOCITY)))
+    return largest(1 / scene.flight.strength, *map(sp.Abs, (*POSITION, *VELOCITY)))
 
 
 def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
@@ -114,7 +114,7 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
     return [
         kernel(
             "flight",
-            _components((*POSITION, *VELOCITY), *flight(scene.gravity)),
+            _components((*POSITION, *VELOCITY), *scene.flight.at()),
             order,
             "Position and velocity at time t of a flight.",
             "Eq. 3",
@@ -142,14 +142,14 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
         ),
         kernel(
             "allowance",
-            events.allowance(scene.gravity),
+            events.allowance(scene.flight),
             order,
             "Errors of a state that a search allows for, and by how much the errors exceed them.",
             "a share of the size of the flight",
         ),
         kernel(
             "horizon",
-            events.padded_horizon(scene.gravity),
+            events.padded_horizon(scene.flight),
             order,
             "A time after which no event is wanted, and how long that is after t.",
             "the earliest arrival, with room for its delay",
@@ -167,25 +167,21 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
         ),
         kernel(
             "displacement",
-            {
-                "margin": events.displacement(
-                    scene.gravity, [p.symbol for p in scene.parameters if p.unit == "m"]
-                )
-            },
+            {"margin": events.displacement(scene.flight, scene.lengths)},
             order,
             "Bound on the error of a length at a computed arrival.",
             "running error analysis",
         ),
         kernel(
             "carry_flight",
-            tangent.carried_to_contact(scene.gravity),
+            tangent.carried_to_contact(scene.flight),
             order,
             "Errors of a state at the end of a flight to a surface, from those at its start.",
             "derivative of Eq. 3 and of the contact time, with roundings",
         ),
         kernel(
             "carry_time",
-            tangent.carried_to_time(scene.gravity),
+            tangent.carried_to_time(scene.flight),
             order,
             "Errors of a state at the time limit, from those at the start of the flight.",
             "derivative of Eq. 3, with roundings",
@@ -261,18 +257,22 @@ def _law_kernels(law: Law, scene: Scene, order: tuple[sp.Symbol, ...]) -> dict[s
 def _surface_kernels(
     surface: Surface, scene: Scene, order: tuple[sp.Symbol, ...]
 ) -> SurfaceKernels:
-    found = search(surface, scene.gravity)
-    formulas: dict[str, Formula] = {
-        "coefficients": (
-            _named("c", events.event_coefficients(surface, scene.gravity)),
-            "Coefficients in time of the event polynomial, constant first.",
-            "Eq. 3 in Table 2",
-        ),
-        "deflated": (
-            _named("c", events.deflated_coefficients(surface, scene.gravity)),
-            "Coefficients of the event polynomial over t, after a contact at t = 0.",
-            "Eq. 3 in Table 2, the exact root divided out",
-        ),
+    found = search(surface, scene.flight)
+    formulas: dict[str, Formula] = {}
+    if surface.polynomial:
+        formulas |= {
+            "coefficients": (
+                _named("c", events.event_coefficients(surface, scene.flight)),
+                "Coefficients in time of the event polynomial, constant first.",
+                "Eq. 3 in Table 2",
+            ),
+            "deflated": (
+                _named("c", events.deflated_coefficients(surface, scene.flight)),
+                "Coefficients of the event polynomial over t, after a contact at t = 0.",
+                "Eq. 3 in Table 2, the exact root divided out",
+            ),
+        }
+    formulas |= {
         "normal": (
             _components(NORMAL, surface.normal),
             "Outward unit normal n3 at a contact.",
@@ -299,7 +299,14 @@ def _surface_kernels(
 
 
 def build(scene: Scene) -> Model:
-    """Return all kernels of a scene, and its event loop."""
+    """Return all kernels of a scene, and its event loop.
+
+    Raises
+    ------
+    ValueError
+        If a formula of the scene is not what it is taken for, or two kernels have one name.
+    """
+    check(scene)
     order = _order(scene)
     common = {k.name: k for k in _common(scene, order)}
     choices = decisions.kernels(scene.faces, scene.outcomes, len(scene.gates))

@@ -6,6 +6,7 @@
 
 #include "hoop.h"
 
+#include <math.h>
 #include <stdio.h>
 
 /* x y z (m), vx vy vz (m/s), wx wy wz (rad/s): 13.75 ft from the ring's centre and 8 ft above the
@@ -23,7 +24,8 @@ int main(void)
     /* hoopgen.PAPER, in the order of HOOP_P_*: m, restitution, m/s², m. */
     static const double hoop[HOOP_PARAMETERS] = {0.12128, 0.235, 0.01, 0.381, 0.9144, -0.14,
                                                  0.9268, 0.0762, 0.7, 9.81, 0.024256};
-    static const char *const words[] = {"made", "missed", "capped", "short", "invalid"};
+    static const char *const words[] = {"made", "missed", "capped", "short",
+                                        "invalid", "lodged", "endless"};
     const double *parameters[HOOP_PARAMETERS];
     int64_t strides[HOOP_PARAMETERS] = {0}; /* one value for all shots */
     uint8_t outcome[SHOTS];
@@ -33,7 +35,7 @@ int main(void)
 
     for (int k = 0; k < HOOP_PARAMETERS; k++)
         parameters[k] = &hoop[k];
-    if (hoop_simulate(SHOTS, shots[0], parameters, strides, NULL, 40, 0, NULL, &results) < 0)
+    if (hoop_simulate(SHOTS, shots[0], parameters, strides, NULL, 40, INFINITY, 0, NULL, &results) < 0)
         return 1;
     for (int k = 0; k < SHOTS; k++)
         printf("%-8s %2d contacts %.17g s\n", words[outcome[k]], (int)contacts[k], time[k]);

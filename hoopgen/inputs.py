@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,6 +15,8 @@ from hoopgen.generated.numpy import hoop
 from .brief import brief
 
 __all__ = [
+    "Backend",
+    "MAX_CONTACTS",
     "check_angles",
     "check_contacts",
     "check_count",
@@ -25,6 +27,11 @@ __all__ = [
     "doubles",
     "is_whole",
 ]
+
+Backend = Literal["auto", "c", "numpy"]
+
+MAX_CONTACTS = 40
+"""With which a shot ends as capped where nothing else is said: as in the article."""
 
 CROWD = 4
 """Most threads for each processor."""

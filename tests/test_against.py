@@ -2,7 +2,8 @@
 
 import shutil
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from contextlib import nullcontext
 from pathlib import Path
 
 import numpy as np
@@ -13,8 +14,8 @@ sys.path.append(str(ROOT))  # benchmarks/ is not installed
 
 pytest.importorskip("scipy")
 
-from benchmarks import base  # noqa: E402
-from benchmarks.against import Equality, Pair, differing, turn_about  # noqa: E402
+from benchmarks import against, base  # noqa: E402
+from benchmarks.against import Engines, Equality, Pair, Wanted, differing, turn_about  # noqa: E402
 from benchmarks.families import FAMILIES  # noqa: E402
 
 pytestmark = pytest.mark.xdist_group("against")  # HEAD is built once
@@ -82,6 +83,41 @@ def test_one_bit_and_one_event_are_found(home: Path, tmp_path: Path) -> None:
 def test_a_width_that_is_not_there_is_not_among_the_engines(home: Path) -> None:
     with base.Process("base", home) as one:
         assert "c 2" not in one.ask("engines")
+
+
+def test_a_width_that_was_given_up_is_not_compared_and_one_that_is_missing_is_lost() -> None:
+    base = ("numpy", "c", "c 1", "c 2", "c 4", "c 8")
+    engines = Engines.of(base, ("numpy", "c", "c 1", "c 8", "c 16"), widths=(1, 4, 8, 16))
+    assert engines == Engines(("numpy", "c", "c 1", "c 8"), ("c 2",), ("c 4",))
+    assert Engines.of(base[:2], ("numpy",), widths=(1,)) == Engines(("numpy",), (), ("c",))
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "same"),
+    [
+        (["c", "c 2"], ["c"], True),
+        (["c", "c 4"], ["c"], False),
+        (["c"], ["c", "c 4"], True),
+    ],
+)
+def test_only_what_should_be_there_and_is_not_fails(
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    before: list[str],
+    after: list[str],
+    same: bool,
+) -> None:
+    asked: list[Sequence[str]] = []
+    monkeypatch.setattr(against, "commit", lambda ref: ref)
+    monkeypatch.setattr(against, "built", lambda _: nullcontext((Path(), "kept")))
+    monkeypatch.setattr(against, "Process", lambda *_: nullcontext())
+    monkeypatch.setattr(against.Pair, "ask", lambda *_: (before, after))
+    monkeypatch.setattr(against, "equality", lambda *given: asked.append(given[2]) or True)
+    assert against.against("HEAD", Wanted(speed=False)) is same
+    assert [list(engines) for engines in asked] == [["c"]]
+    said = capsys.readouterr().out
+    assert ("given up, not compared: c 2" in said) is ("c 2" in before)
+    assert ("LOST: c 4" in said) is ("c 4" in before)
 
 
 def test_a_contender_comes_from_its_own_folder(home: Path, tmp_path: Path) -> None:

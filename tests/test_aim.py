@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import sympy as sp
 from click.testing import CliRunner, Result
-from hoopgen.derive.flight.parabola import flight
+from hoopgen.derive.flight.parabola import Parabola
 from hoopgen.derive.ground.choice import IfLess
 from hoopgen.derive.ground.choice import release as unheld
 from hoopgen.derive.ground.symbols import POSITION, VELOCITY
@@ -23,7 +23,8 @@ from numpy.typing import NDArray
 import hoopgen
 from hoopgen.cli import main
 from hoopgen.releases import RING_HEIGHT
-from hoopgen.study.aim import TABLE, Aim, aim, aim_table, write_csv
+from hoopgen.study.aim import Aim, aim
+from hoopgen.study.aim_table import TABLE, aim_table, write_csv
 from hoopgen.study.measures import measure
 from hoopgen.units import FOOT
 
@@ -47,7 +48,7 @@ def _decided(expression: sp.Expr, holds: bool) -> sp.Expr:
 def _at_the_point(speed: sp.Expr, slope_: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
     """Return height above the release, and slope downwards, of Eq. 3 after the distance L."""
     level = speed / sp.sqrt(1 + slope_**2)
-    place, velocity = flight(GRAVITY, reach / level)
+    place, velocity = Parabola((sp.Integer(0), sp.Integer(0), -GRAVITY)).at(reach / level)
     start = dict.fromkeys(POSITION, 0) | dict(
         zip(VELOCITY, (level, 0, slope_ * level), strict=True)
     )

@@ -17,7 +17,7 @@ from benchmarks import peers, workloads  # noqa: E402
 from benchmarks.contenders import contenders  # noqa: E402
 from benchmarks.errors import judge  # noqa: E402
 from benchmarks.operations import operations  # noqa: E402
-from benchmarks.peers import native, python  # noqa: E402
+from benchmarks.peers import model, native  # noqa: E402
 from benchmarks.run import Settings  # noqa: E402
 from benchmarks.timing import Rates, Spread, rounds  # noqa: E402
 from hoopgen import PAPER, Outcome  # noqa: E402
@@ -58,8 +58,8 @@ def test_peers_swirl_on_the_ring(peer: peers.Peer) -> None:
 
 def test_a_rebound_solves_equations_11_to_17() -> None:
     before = np.array([0.3, 0.1, 0.08, 0.7, -1.1, -2.0, 3.0, -5.0, 7.0])
-    after = python._rebound(PAPER, RING, before)
-    n3 = python._normal(PAPER, RING, before)
+    after = model.rebound(PAPER, RING, before)
+    n3 = np.array(model.outward_normal(PAPER, RING, before[:3].tolist()))
     n1 = np.array([1.0, 0.0, 0.0]) - n3[0] * n3
     n1 /= np.linalg.norm(n1)
     frame = np.array([n1, np.cross(n3, n1), n3])
@@ -108,13 +108,34 @@ def test_a_ball_that_cannot_reach_the_end_plane_is_short(peer: peers.Peer) -> No
     assert (flown.time == 0).all()
 
 
-@pytest.mark.parametrize("key", ["march_bisect", "adaptive_step", "fixed_step"])
+@pytest.mark.parametrize("key", [key for key in BY_KEY if key != "solve_ivp_events"])
 def test_a_shot_is_capped_at_max_contacts(key: str) -> None:
     states = workloads.TABLE_3["6b"]
     flown = BY_KEY[key].fly(states, PAPER, max_contacts=4, record=True)
     assert flown.outcome[0] == Outcome.CAPPED
     assert flown.contacts[0] == 4
     assert flown.surfaces.shape == (1, 4)
+
+
+def test_shots_side_by_side_do_not_disturb_each_other() -> None:
+    pytest.importorskip("heyoka")  # its wheels are for Linux alone
+    fly = BY_KEY["heyoka_events"].fly
+    states = np.concatenate([w.make(7) for w in workloads.WORKLOADS])
+    together = fly(states, PAPER, record=True)
+    for shot, state in enumerate(states):
+        alone = fly(state, PAPER, record=True)
+        assert (alone.surfaces[0] == together.surfaces[shot]).all()
+        assert alone.outcome[0] == together.outcome[shot]
+        assert alone.time[0] == together.time[shot]
+
+
+def test_a_peer_whose_package_is_missing_is_left_out_and_said() -> None:
+    present, lines = peers.taking_part(peers.EVERYBODY, find=lambda package: None)
+    assert {peer.key for peer in peers.EVERYBODY} - {peer.key for peer in present} == {
+        "heyoka_events"
+    }
+    assert lines == ("Taylor series, heyoka.py: left out, heyoka is not installed here",)
+    assert peers.taking_part(peers.EVERYBODY, find=str) == (peers.EVERYBODY, ())
 
 
 def test_the_scene_in_c_has_every_parameter() -> None:

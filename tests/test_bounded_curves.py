@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 import sympy as sp
 from compiled import load_module, needs_compiler, same_bits, shared_library
-from hoopgen.derive.contact.rolling import Rolling
+from hoopgen.derive.contact.law import Law
+from hoopgen.derive.contact.rolling import Rolling, impact
 from hoopgen.derive.ground.choice import AtMost, IfLess, size
 from hoopgen.derive.ground.rounding import velocity_error
 from hoopgen.derive.scenes.scene import Scene
@@ -189,3 +190,40 @@ def test_a_law_can_be_in_doubt(brittle: Callable[[NDArray[np.float64]], Raw]) ->
     assert not out.arrays["uncertain"][1:].any() or out.arrays["outcome"][1] == Outcome.CAPPED
     assert first["after"][1, 5] == 0.0
     assert first["after"][2, 5] > 1.0
+
+
+@dataclass(frozen=True)
+class Fading(Law):
+    """A law whose restitution falls with the speed along the normal: e / (1 + v / v0)."""
+
+    slow: sp.Expr
+    half: sp.Expr
+
+    def restitution_at(self, speed: sp.Expr) -> sp.Expr:
+        return self.slow / (1 + speed / self.half)
+
+    def after(
+        self, normal: sp.Matrix, velocity: sp.Matrix, spin: sp.Matrix, ball_radius: sp.Expr
+    ) -> tuple[sp.Matrix, sp.Matrix]:
+        restitution = self.restitution_at(-velocity.dot(normal))
+        return impact(normal, velocity, spin, ball_radius, restitution)
+
+
+def test_a_restitution_can_fall_with_the_speed(tmp_path: Path) -> None:
+    """The judge asks the law for it at the speed of each contact, on planes too."""
+    symbols = {p.symbol.name: p.symbol for p in CAPS.parameters}
+    law = Fading("fading_impact", symbols["lively"], 8 * symbols["apart"])  # half at 4 m/s
+    scene = replace(CAPS, bodies=tuple(replace(b, law=law) for b in CAPS.bodies))
+    states = aimed(300, seed=4)
+    out = flown(load_module(written(scene, tmp_path) / "numpy" / "caps.py"), states)
+    proofs = prove(scene, states, DEFAULTS, None, MOST)
+    assert proofs.decided.all()
+    sure = np.flatnonzero(~out.arrays["uncertain"] & (proofs.outcome != Outcome.INVALID))
+    found = sequences(out)
+    assert all(found[row] == list(proofs[row].surfaces) for row in sure)
+    apart = np.abs(out.arrays["state"] - proofs.state).reshape(-1, 3, 3).max(axis=2)
+    assert (apart <= out.arrays["state_error"] + proofs.state_error)[sure].all()
+    log = out.arrays["events"][np.arange(MOST + 1) < out.arrays["event_counts"][:, None]]
+    before, after = (log[log["surface"] == STEP][side][:, 5] for side in ("before", "after"))
+    assert len(before) > 100
+    np.testing.assert_allclose(-after / before, 0.9 / (1 - before / 4.0), rtol=1e-14, atol=0)

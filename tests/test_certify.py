@@ -30,6 +30,7 @@ from benchmarks import exactness
 from benchmarks.families import FAMILIES
 from benchmarks.workloads import TABLE_3, WORKLOADS
 from hoopgen.cli.certify import certify as command
+from hoopgen.engine.raw import RESULT
 from hoopgen.judge import UNDECIDED, Enclosure, Proof, certify
 from hoopgen.judge.audit import deepest
 from hoopgen.judge.certificate import doubles, enclosure
@@ -612,6 +613,15 @@ def test_a_settled_shots_errors_hold_the_radius_of_each_component() -> None:
     radii = certify(states, parameters).state_radius[settled].reshape(-1, 3, 3)
     assert np.any(radii.min(axis=2) < radii.max(axis=2))
     assert np.all(fields["state_error"][settled][:, :, None] >= radii)
+
+
+def test_a_certificate_has_every_result_by_its_name() -> None:
+    """Settling takes each from there, in the form that the engine gives it."""
+    shots, states, parameters = flagged(False)
+    certificate = certify(states, parameters)
+    for name in RESULT:
+        given, proved = getattr(shots, name), getattr(certificate, name)
+        assert (proved.dtype, proved.shape) == (given.dtype, given.shape), name
 
 
 # ----------------------------------------------------------------------------------- penetration

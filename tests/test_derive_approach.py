@@ -14,7 +14,7 @@ from hoopgen.derive.search import approach
 from hoopgen.derive.search.approach import Approach
 from hoopgen.derive.search.bernstein import PolynomialApproach
 from hoopgen.derive.search.events import ceiling
-from hoopgen.derive.search.ring import WIDER
+from hoopgen.derive.search.polar import WIDER
 from hoopgen.derive.surfaces import Sphere
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
@@ -56,10 +56,10 @@ class Search:
         return values | {"ceiling": exactly(self.ceiling, values)}
 
 
-OWN = Search(approach(RING, HOOP.gravity))
-OCTIC = Search(PolynomialApproach(HOOP.gravity, RING))
+OWN = Search(approach(RING, HOOP.flight))
+OCTIC = Search(PolynomialApproach(HOOP.flight, RING))
 _CENTRE = sp.symbols("cx cy cz", real=True)
-BALL = Search(approach(Sphere("ball", _CENTRE, sp.Symbol("r", positive=True)), HOOP.gravity))
+BALL = Search(approach(Sphere("ball", _CENTRE, sp.Symbol("r", positive=True)), HOOP.flight))
 searches = pytest.mark.parametrize("search", [OWN, OCTIC], ids=["ring", "octic"])
 
 
@@ -256,7 +256,7 @@ def test_a_clearance_promises_no_more_than_the_worst_gap_keeps(part: float) -> N
 
     The steps end within 2^-48 of the first of them, and not by far: with 2 for 2^5 it is 2^-34.
     """
-    worst = Parabola(HOOP.gravity)
+    worst = Parabola(HOOP.flight)
     advance, refine = worst.advance(), worst.refine()
     with digits(120):
         values = EXACT | {"opening": 1, "ceiling": 1, "end": 1, "t": 0, "margin": mpf(part)}

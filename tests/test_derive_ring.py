@@ -7,13 +7,14 @@ from itertools import pairwise
 import mpmath
 import numpy as np
 import sympy as sp
-from hoopgen.derive.flight.parabola import flight
+from hoopgen.derive.flight.parabola import Parabola
 from hoopgen.derive.ground.choice import release
 from hoopgen.derive.ground.symbols import POSITION, VELOCITY, t
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.search import approach
 from hoopgen.derive.search.events import event_coefficients
-from hoopgen.derive.search.ring import CONSTANTS, RingApproach
+from hoopgen.derive.search.polar import CONSTANTS
+from hoopgen.derive.search.ring import RingApproach
 from hoopgen.derive.surfaces import Ring
 from hypothesis import assume, example, given, settings
 from mpmath import mpf
@@ -22,13 +23,14 @@ from test_derive_evaluation import PARAMETERS, Path, digits, exactly, in_doubles
 x, y, z = POSITION
 vx, vy, vz = VELOCITY
 g, radius = sp.symbols("gravity ring_radius", positive=True)
-SEARCH = RingApproach(g, Ring("ring", radius, sp.Symbol("reach", positive=True)))
-PLACE, MOTION = flight(g)
+FLIGHT = Parabola((sp.Integer(0), sp.Integer(0), -g))
+SEARCH = RingApproach(FLIGHT, Ring("ring", radius, sp.Symbol("reach", positive=True)))
+PLACE, MOTION = FLIGHT.at()
 FLOWN = dict(zip((*POSITION, *VELOCITY), (*PLACE, *MOTION), strict=True))
 """Eq. 3 as a substitution: the state at time t."""
 RHO_SQUARED = PLACE[0] ** 2 + PLACE[1] ** 2
 RHO = sp.sqrt(RHO_SQUARED)
-SCENE_SEARCH = approach(HOOP.surfaces[0], HOOP.gravity)
+SCENE_SEARCH = approach(HOOP.surfaces[0], HOOP.flight)
 WINDOWS = {
     f"{side}{k}": bound
     for k, window in enumerate(SCENE_SEARCH.windows)
@@ -257,7 +259,7 @@ def test_a_flight_that_is_clear_has_no_contact_before_the_horizon() -> None:
     gap = in_doubles({"gap": SCENE_SEARCH.gap}, PARAMETERS | chosen | {"t": times})["gap"]
     nearest = gap.min(axis=0)
     assert nearest.min() > 0
-    octic = event_coefficients(HOOP.surfaces[0], HOOP.gravity)
+    octic = event_coefficients(HOOP.surfaces[0], HOOP.flight)
     with digits(40):
         for k in np.argsort(nearest)[:40]:
             shot = PARAMETERS | {name: float(state[k]) for name, state in chosen.items()}

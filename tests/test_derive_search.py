@@ -6,7 +6,6 @@ from itertools import product
 
 import pytest
 import sympy as sp
-from hoopgen.derive.flight.parabola import flight_polynomials
 from hoopgen.derive.ground.choice import IfLess, release, smallest
 from hoopgen.derive.ground.polynomials import (
     add,
@@ -31,7 +30,6 @@ from mpmath import mpf
 from test_derive_evaluation import INFINITY, digits, exactly, in_doubles
 
 x, y, z = POSITION
-gravity = HOOP.gravity
 width, start = sp.symbols("width start", real=True)
 P = list(sp.symbols("p0:6", real=True))
 Q = list(sp.symbols("q0:3", real=True))
@@ -91,7 +89,7 @@ def test_bernstein_coefficients_enclose_the_polynomial(coefficients: list, exten
 def test_composition_is_substitution() -> None:
     a = sp.Symbol("a")
     expression = (a * x**2 - (y + 3 * z) ** 2 * x + a) ** 2 - 7 * y + a**-1
-    paths = flight_polynomials(gravity)
+    paths = HOOP.flight.path
     substituted = expression.subs({s: horner(c, t) for s, c in paths.items()}, simultaneous=True)
     assert same(horner(compose(expression, paths), t), substituted)
 
@@ -101,7 +99,7 @@ def test_composition_is_substitution() -> None:
 )
 def test_composition_refuses_what_is_not_polynomial(expression: sp.Expr) -> None:
     with pytest.raises(ValueError, match="not polynomial"):
-        compose(expression, flight_polynomials(gravity))
+        compose(expression, HOOP.flight.path)
 
 
 # -- A plane's arrival: a closed form
@@ -125,12 +123,12 @@ def test_a_planes_arrival_is_the_root_with_a_falling_gap_in_both_forms(
     plane: Plane, left: int
 ) -> None:
     """At the quadratic's other root F' = +sqrt(D): that one is no arrival."""
-    coefficients = [release(c) for c in event_coefficients(plane, gravity)]
+    coefficients = [release(c) for c in event_coefficients(plane, HOOP.flight)]
     coefficients[0] *= 1 - left
     gap = horner(coefficients, t)
     arrival = {
         name: branches(sp.sympify(e).subs(events.leaving, left))
-        for name, e in plane_arrival(plane, gravity).items()
+        for name, e in plane_arrival(plane, HOOP.flight).items()
     }
     speed = sp.Symbol("speed", positive=True)
     # The first form is for a ball that moves towards the plane, the second for one that leaves.
@@ -151,9 +149,9 @@ def test_a_planes_arrival_is_the_root_with_a_falling_gap_in_both_forms(
 @planes
 def test_the_apex_is_where_the_gap_is_highest(plane: Plane) -> None:
     """Along a straight line that is now, for a ball that keeps its distance from the plane."""
-    arrival = {n: release(sp.sympify(e)) for n, e in plane_arrival(plane, gravity).items()}
+    arrival = {n: release(sp.sympify(e)) for n, e in plane_arrival(plane, HOOP.flight).items()}
     apex, height = arrival["apex"], arrival["height"].subs(events.leaving, 0)
-    gap = horner([release(c) for c in event_coefficients(plane, gravity)], t)
+    gap = horner([release(c) for c in event_coefficients(plane, HOOP.flight)], t)
     if arrival["bend"] == 0:
         apex = apex.subs(dict.fromkeys(VELOCITY, 0))
         gap = gap.subs(dict.fromkeys(VELOCITY, 0))
@@ -268,8 +266,8 @@ def test_without_a_falling_gap_there_is_no_clearance(slope: int) -> None:
 # -- The search that any curved surface has
 
 SEARCHES = {
-    "octic": PolynomialApproach(gravity, HOOP.surfaces[0]),
-    "sphere": approach(BALL, gravity),
+    "octic": PolynomialApproach(HOOP.flight, HOOP.surfaces[0]),
+    "sphere": approach(BALL, HOOP.flight),
 }
 searches = pytest.mark.parametrize("search", SEARCHES.values(), ids=list(SEARCHES))
 

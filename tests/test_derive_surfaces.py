@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import pytest
 import sympy as sp
-from hoopgen.derive.flight.parabola import flight, flight_polynomials
 from hoopgen.derive.ground.choice import release
 from hoopgen.derive.ground.polynomials import horner
 from hoopgen.derive.ground.symbols import POSITION, VELOCITY, position, t
@@ -48,7 +47,7 @@ def on_the_ring(ring: Ring) -> dict[sp.Symbol, sp.Expr]:
 
 
 def test_the_flight_solves_newtons_equations_from_the_state() -> None:
-    place, motion = flight(gravity)
+    place, motion = HOOP.flight.at()
     assert sp.expand(sp.diff(place, t) - motion) == sp.zeros(3, 1)
     assert sp.diff(motion, t) == sp.Matrix([0, 0, -gravity])
     assert list(place.subs(t, 0)) == list(POSITION)
@@ -56,8 +55,8 @@ def test_the_flight_solves_newtons_equations_from_the_state() -> None:
 
 
 def test_the_flights_coefficients_are_the_flight() -> None:
-    place, _ = flight(gravity)
-    coefficients = flight_polynomials(gravity)
+    place, _ = HOOP.flight.at()
+    coefficients = HOOP.flight.path
     for symbol, component in zip(POSITION, place, strict=True):
         assert sp.expand(horner(coefficients[symbol], t) - component) == 0
 
@@ -88,7 +87,7 @@ def test_ring_condition_and_distance_vanish_together_and_have_the_same_sign() ->
 
 
 def test_the_octics_constant_term_vanishes_at_every_contact_with_the_ring() -> None:
-    constant = event_coefficients(RING, gravity)[0]
+    constant = event_coefficients(RING, HOOP.flight)[0]
     assert sp.simplify(constant.subs(on_the_ring(RING), simultaneous=True)) == 0
 
 
@@ -130,8 +129,8 @@ DEGREES = {"ring": 8, "backboard": 1, "bridge": 2, "end": 2, "ball": 4}
 
 @surfaces
 def test_the_event_polynomial_is_the_flight_put_into_the_condition(surface: Surface) -> None:
-    coefficients = event_coefficients(surface, gravity)
-    place, _ = flight(gravity)
+    coefficients = event_coefficients(surface, HOOP.flight)
+    place, _ = HOOP.flight.at()
     substituted = release(surface.condition).subs(
         dict(zip(POSITION, place, strict=True)), simultaneous=True
     )
@@ -142,8 +141,8 @@ def test_the_event_polynomial_is_the_flight_put_into_the_condition(surface: Surf
 
 @surfaces
 def test_deflated_times_t_plus_the_constant_is_the_event_polynomial(surface: Surface) -> None:
-    coefficients = event_coefficients(surface, gravity)
-    deflated = deflated_coefficients(surface, gravity)
+    coefficients = event_coefficients(surface, HOOP.flight)
+    deflated = deflated_coefficients(surface, HOOP.flight)
     whole = horner(coefficients, t)
     assert sp.expand(release(horner(deflated, t) * t + coefficients[0] - whole)) == 0
     assert release(coefficients[0] - surface.condition).expand() == 0
@@ -182,4 +181,5 @@ def test_the_hoop_is_that_of_table_2() -> None:
         x,
         -p["board_distance"] - x,
     }
-    assert HOOP.target == rho - p["ring_radius"]
+    assert [e.name for e in HOOP.ends] == ["made", "missed"]
+    assert end.parts == ((rho - p["ring_radius"],), ())

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 import sympy as sp
 from conftest import Batch
-from hoopgen.derive.flight.parabola import flight
 from hoopgen.derive.ground.choice import IfLess
 from hoopgen.derive.ground.choice import release as unheld
 from hoopgen.derive.ground.symbols import POSITION, VELOCITY, t
@@ -48,8 +47,8 @@ def _decided(expression: sp.Expr, holds: bool) -> sp.Expr:
 @pytest.mark.parametrize("falling", [True, False])
 def test_the_descent_is_at_the_height_and_falling(falling: bool) -> None:
     """Rising and falling balls take different forms of one root."""
-    found = {name: _decided(e, falling) for name, e in derived.descent(GRAVITY).items()}
-    place, velocity = flight(GRAVITY, found["time"])
+    found = {name: _decided(e, falling) for name, e in derived.descent(HOOP.flight).items()}
+    place, velocity = HOOP.flight.at(found["time"])
     assert sp.simplify(place[2] - derived.level) == 0
     assert sp.simplify(velocity[2] - found["vz"]) == 0
     values = {POSITION[2]: 3, derived.level: 1, VELOCITY[2]: -2 if falling else 2, GRAVITY: 5}
@@ -58,11 +57,11 @@ def test_the_descent_is_at_the_height_and_falling(falling: bool) -> None:
 
 
 def test_the_apex_is_where_the_ball_neither_rises_nor_falls() -> None:
-    found = {name: _decided(e, True) for name, e in derived.apex(GRAVITY).items()}
-    place, velocity = flight(GRAVITY, found["time"])
+    found = {name: _decided(e, True) for name, e in derived.apex(HOOP.flight).items()}
+    place, velocity = HOOP.flight.at(found["time"])
     assert sp.simplify(velocity[2]) == 0
     assert sp.simplify(place[2] - found["height"]) == 0
-    falling = [e.subs(VELOCITY[2], -1) for e in derived.apex(GRAVITY).values()]
+    falling = [e.subs(VELOCITY[2], -1) for e in derived.apex(HOOP.flight).values()]
     assert falling == [0, POSITION[2]]
 
 
@@ -83,13 +82,13 @@ def test_the_bend_of_the_squared_distance_is_as_stated() -> None:
     """G'' = 2 V² + 2 (vz² + 2 g z) - 6 g z_t - 2 R_H L²/rho³, and `rate` is G'."""
     (x, y, z), (vx, vy, vz) = POSITION, VELOCITY
     radius = sp.Symbol("radius", positive=True)
-    there, _ = flight(GRAVITY)
+    there, _ = HOOP.flight.at()
     rho = sp.sqrt(there[0] ** 2 + there[1] ** 2)
     square = (rho - radius) ** 2 + there[2] ** 2
     stated = 2 * (vx**2 + vy**2) + 2 * (vz**2 + 2 * GRAVITY * z) - 6 * GRAVITY * there[2]
     stated -= 2 * radius * (x * vy - y * vx) ** 2 / rho**3
     assert sp.simplify(sp.diff(square, t, 2) - stated) == 0
-    rate = unheld(derived.nearness(Ring("ring", radius, sp.Integer(0)), GRAVITY)["rate"])
+    rate = unheld(derived.nearness(Ring("ring", radius, sp.Integer(0)), HOOP.flight)["rate"])
     assert sp.simplify(sp.diff(square, t) - rate) == 0
 
 

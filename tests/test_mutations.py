@@ -17,9 +17,9 @@ from typing import Any
 import numpy as np
 import pytest
 from compiled import needs_compiler
-from hoopgen.derive import model
 from hoopgen.derive.contact import frame, rolling
 from hoopgen.derive.errors import tangent
+from hoopgen.derive.flight.parabola import Parabola
 from hoopgen.derive.follow import decisions as following
 from hoopgen.derive.ground.tree import Guard, Repeat
 from hoopgen.derive.scenes.hoop import HOOP
@@ -27,6 +27,7 @@ from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.search import decisions as searching
 from hoopgen.derive.search import events, gate, plane, ring
 from hoopgen.derive.search.ring import RingApproach
+from hoopgen.derive.surfaces import Ring
 from hoopgen.generated.numpy import hoop
 from mutants import (
     Fault,
@@ -370,9 +371,9 @@ FAULTS = (
     ),
     Fault(
         "the ring's normal is not divided by R",
-        in_text(ring.Ring, "normal", "hold(1 / self.reach)", "hold(self.reach / self.reach)"),
+        in_text(Ring, "normal", "hold(1 / self.reach)", "hold(self.reach / self.reach)"),
     ),
-    Fault("gravity is not halved", in_text(model, "flight", "/ 2", "")),
+    Fault("gravity is not halved", in_text(Parabola, "path", "/ 2", "")),
     # Bounds on errors.
     Fault("claims carry no guard", in_text(tangent, "bounds", "times * s", "s / 2**10")),
     Fault("decisions carry no guard", lambda patch: patch.setattr(tangent, "GUARD", 1)),
@@ -394,7 +395,7 @@ FAULTS = (
     ),
     Fault(
         "an edge is sure if the ball is inside",
-        in_text(plane, "edges", "Less(g, -slack)", "Less(g, 0)"),
+        in_text(plane, "edges", "inside(patch)", "within(patch)"),
     ),
 )
 

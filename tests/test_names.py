@@ -181,7 +181,8 @@ def test_names_that_sort_alike_give_the_same_bits(
 ) -> None:
     """Names decide nothing but the order of sums."""
     order = {name: f"s{k}" for k, name in enumerate(sorted(PARAMETERS))}
-    scene = plank("whatever", [order[name] for name in PARAMETERS], "for", "double", "o_impact")
+    names = [order[name] for name in PARAMETERS]
+    scene = plank("whatever", names, "for", "double", "o_impact", ends=("state", "surfaces"))
     for results in made(scene, tmp_path_factory.mktemp("alike")).run():
         assert_same(results, tame)
 
@@ -209,7 +210,7 @@ def test_no_name_of_ours_is_one_of_a_parameter_a_printer_a_driver_or_a_language(
     driver = shots_in_flight + engine.partition("{% for variant in loops %}")[2]
     kinds = r"(?:V|M|int|size_t|double|int32_t \*|LANES\(\{\{ N \}\}_\w+\)|\{\{ N \}\}_\w+ \*)"
     declared = set(re.findall(rf"\b{kinds} ?\*?([a-z]\w*)\s*(?:[\[;=]|$)", driver, re.MULTILINE))
-    shared = {"permitted", "most_contacts", "claims"}
+    shared = {"permitted", "most_contacts", "time_limit", "claims"}
     assert {"pool", "zero", "flying", "lane", "surface", "occupied", *shared} <= declared
     for model in models():
         ours: set[str] = set()
@@ -239,7 +240,8 @@ def test_what_is_no_public_name_is_refused(name: str) -> None:
         "scene": lambda: plank(name),
         "parameter": lambda: plank(parameters=[name, *first]),
         "surface": lambda: plank(top=name),
-        "body": lambda: plank(ground=name),
+        "body": lambda: scene_with(bodies=(replace(plank().bodies[0], name=name),)),
+        "end": lambda: plank(ends=("made", name)),
     }.items():
         with pytest.raises(ValueError, match="expected a small letter, then small") as raised:
             build_it()
@@ -250,8 +252,10 @@ def test_what_is_no_public_name_is_refused(name: str) -> None:
 def test_two_things_of_one_name_are_refused() -> None:
     with pytest.raises(ValueError, match="scene plank: parameter 'a': 2 have this name"):
         plank(parameters=["a", "a", *PARAMETERS[2:]])
-    with pytest.raises(ValueError, match="scene plank: body 'top': 2 have this name"):
+    with pytest.raises(ValueError, match="scene plank: surface 'top': 2 have this name"):
         plank(ground="top")
+    with pytest.raises(ValueError, match="scene plank: body 'end': 2 have this name"):
+        plank(top="end")
 
 
 @pytest.mark.parametrize("latex", ["$x$", "x\n", "<b>", "a|b", "`", "\u202e", "x$$ <script>"])

@@ -146,6 +146,7 @@ def test_names_are_those_that_derivation_allows() -> None:
         ({"down": "down"}, "down: expected one of x, y, z, -x, -y, -z; got 'down'"),
         ({"bodies": FLOOR}, "bodies: expected a list"),
         ({"bodies": [1]}, "bodies: expected Plane, Sphere"),
+        ({"bodies": [FLOOR] * 1001}, "bodies: expected at most 1000"),
         ({"bodies": [FLOOR, FLOOR]}, "body floor: name: 2 have this name"),
         ({"bodies": [Plane("Floor")]}, "body 'Floor': name: expected"),
         ({"ends": [End()]}, "ends: expected names and ends"),

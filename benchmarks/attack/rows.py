@@ -88,8 +88,8 @@ def _held(library: native.Library, width: int) -> Iterator[None]:
     """The C engine is this library, with this width."""
 
     class Held:
-        def run(self, *arguments: Any) -> None:
-            library.run(*arguments, width=width)
+        def run(self, *arguments: Any, **options: Any) -> None:
+            library.run(*arguments, **options, width=width)
 
     with patch.object(HOOP, "found", Held()):
         yield

@@ -1,10 +1,14 @@
 """The other ways to fly a shot, all on the model that hoopgen flies, each on one thread."""
 
+from collections.abc import Callable, Sequence
+from importlib.util import find_spec
+
 from benchmarks.peers.flown import Flown, Peer
 from benchmarks.peers.native import adaptive_step, fixed_step, march_bisect
 from benchmarks.peers.python import companion_matrix, solve_ivp_events
+from benchmarks.peers.taylor import LANES, heyoka_events
 
-PEERS = (
+EVERYBODY = (
     Peer(
         "march_bisect",
         "the article's method, C",
@@ -35,6 +39,25 @@ PEERS = (
         "RK45 with four terminal events, rtol 1e-9, atol 1e-12, steps up to 1e-2 s",
         solve_ivp_events,
     ),
+    Peer(
+        "heyoka_events",
+        "Taylor series, heyoka.py",
+        f"order 20, four terminal events, {LANES} shots side by side in batch mode",
+        heyoka_events,
+        "heyoka",
+    ),
 )
 
-__all__ = ["PEERS", "Flown", "Peer"]
+
+def taking_part(
+    peers: Sequence[Peer], find: Callable[[str], object] = find_spec
+) -> tuple[tuple[Peer, ...], tuple[str, ...]]:
+    """Those whose packages are installed, and a line on each of the others."""
+    absent = [peer for peer in peers if peer.package and find(peer.package) is None]
+    lines = (f"{peer.label}: left out, {peer.package} is not installed here" for peer in absent)
+    return tuple(peer for peer in peers if peer not in absent), tuple(lines)
+
+
+PEERS, LEFT_OUT = taking_part(EVERYBODY)
+
+__all__ = ["EVERYBODY", "LEFT_OUT", "PEERS", "Flown", "Peer", "taking_part"]

@@ -28,3 +28,5 @@ static double step_length(const Scene *scene, const double *options, const State
     double safe = 2.0 * nearest / fastest;
     return safe > options[0] ? safe : options[0];
 }
+
+#include "loop.h"

@@ -7,3 +7,5 @@ static double step_length(const Scene *scene, const double *options, const State
     (void)s;
     return options[0];
 }
+
+#include "loop.h"

@@ -34,9 +34,11 @@ class Fly(Protocol):
 
 @dataclass(frozen=True)
 class Peer:
-    """A way to fly shots: a key for files, a label for readers, what it does in one line."""
+    """A way to fly shots: a key for files, a label for readers, what it does in one line, and the
+    package it flies with, if that may be missing."""
 
     key: str
     label: str
     what: str
     fly: Fly
+    package: str = ""

@@ -70,3 +70,5 @@ static int next_event(const Scene *scene, const double *options, State *state, d
         if (out_of_reach(scene, &s)) return NO_SURFACE;
     }
 }
+
+#include "loop.h"

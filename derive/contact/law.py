@@ -19,8 +19,14 @@ class Law(ABC):
     """
 
     name: str
-    restitution: sp.Expr
-    """Along the normal: v_n+ = -e v_n. The judge keeps that exact on planes."""
+
+    @abstractmethod
+    def restitution_at(self, speed: sp.Expr) -> sp.Expr:
+        """Return e of a contact that is arrived at with a normal speed, positive: v_n+ = -e v_n.
+
+        What `after` does along the normal, said apart: the judge keeps it exact on planes. It may
+        fall with the speed.
+        """
 
     @abstractmethod
     def after(

@@ -98,7 +98,13 @@ def impact(
 
 @dataclass(frozen=True)
 class Rolling(Law):
-    """The article's law: the ball leaves rolling, with a restitution along the normal."""
+    """The article's law: the ball leaves rolling, with one restitution for all speeds."""
+
+    restitution: sp.Expr
+
+    def restitution_at(self, speed: sp.Expr) -> sp.Expr:
+        """Return the same at every speed."""
+        return self.restitution
 
     def after(
         self, normal: sp.Matrix, velocity: sp.Matrix, spin: sp.Matrix, ball_radius: sp.Expr

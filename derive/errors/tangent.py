@@ -17,7 +17,7 @@ from functools import cache
 import sympy as sp
 
 from ..contact.law import Law
-from ..flight.parabola import flight
+from ..flight.parabola import Parabola
 from ..ground.choice import Held, IfAtMost, IfLess, hold, largest, size, smallest
 from ..ground.symbols import POSITION, UNIT_ROUNDOFF, normal, position, spin, t, velocity
 from ..surfaces import Surface
@@ -108,20 +108,20 @@ def _lifted(error: sp.Expr, worst: sp.Expr) -> sp.Expr:
     return IfLess(size(error), floor, IfLess(error, 0, -floor, floor), error)
 
 
-def carried_to_contact(gravity: sp.Expr) -> dict[str, sp.Expr]:
+def carried_to_contact(flight: Parabola) -> dict[str, sp.Expr]:
     """Return the errors at the end of a flight of time t that meets a surface there.
 
     Arguments are the errors at its start, and the state and normal at its end. The contact of the
     erring flight is dt = -(n·dx)/(n·v) later: there its error lies in the surface.
     """
-    roundings = _flown(gravity)
+    roundings = _flown(flight)
     shifts = [
         hold(_away(hold(error + drift * t), rounding))
         for error, drift, rounding in zip(dx, dv, roundings, strict=True)
     ]
     moved = sp.Matrix(shifts)
     delay = hold(-moved.dot(normal) / hold(velocity.dot(normal)))
-    _, fallen = flight(gravity, delay)
+    _, fallen = flight.at(delay)
     falling = [after - before for after, before in zip(fallen, velocity, strict=True)]
     # An error along the surface that the ball left is across it only as far as the normal turned.
     across = smallest(1, hold(_greatest(velocity) * t) * curving)
@@ -139,17 +139,18 @@ def carried_to_contact(gravity: sp.Expr) -> dict[str, sp.Expr]:
     }
 
 
-def _flown(gravity: sp.Expr) -> list[sp.Expr]:
+def _flown(flight: Parabola) -> list[sp.Expr]:
     """Return what a flight of time t rounds of each coordinate, given the state at its end."""
     flown = [
-        2 * size(velocity[k]) * t + (gravity * t**2 if k == 2 else 0) for k in range(len(position))
+        2 * size(v) * t + sp.Abs(pull) * t**2
+        for v, pull in zip(velocity, flight.acceleration, strict=True)
     ]
     return [
         UNIT_ROUNDOFF * hold(size(place) + far) for place, far in zip(position, flown, strict=True)
     ]
 
 
-def carried_to_time(gravity: sp.Expr) -> dict[str, sp.Expr]:
+def carried_to_time(flight: Parabola) -> dict[str, sp.Expr]:
     """Return the errors at the end of a flight of time t that ends at a time since the release.
 
     Arguments are the errors at its start, and the state at its end. What the contacts' times were
@@ -157,9 +158,9 @@ def carried_to_time(gravity: sp.Expr) -> dict[str, sp.Expr]:
     one flight can make at worst, without their signs, since no further one shows what these do.
     """
     astray = hold(clock_error + 4 * UNIT_ROUNDOFF * hold(clock + t))
-    drift = hold(_greatest(dv) * t + hold(largest(*_flown(gravity))))
+    drift = hold(_greatest(dv) * t + hold(largest(*_flown(flight))))
     worst = hold(_greatest(dx) + drift)
-    _, fallen = flight(gravity, astray)
+    _, fallen = flight.at(astray)
     outputs: dict[str, sp.Expr] = {
         str(name): worst + size(speed) * astray for name, speed in zip(dx, velocity, strict=True)
     }

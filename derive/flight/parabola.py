@@ -2,32 +2,56 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import sympy as sp
 
-from ..ground.choice import hold_all
-from ..ground.symbols import POSITION, VELOCITY, t
+from ..ground.choice import hold
+from ..ground.polynomials import Coefficients
+from ..ground.rounding import Rounded, extent, position_error, speed, velocity_error
+from ..ground.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
+from .flight import Flight
 
 
-def flight(gravity: sp.Expr, time: sp.Expr = t) -> tuple[sp.Matrix, sp.Matrix]:
-    """Return position and velocity `time` after the state (Eq. 3), in Horner form."""
-    x, y, z = POSITION
-    vx, vy, vz = VELOCITY
-    position = sp.Matrix([x + vx * time, y + vy * time, z + time * (vz - gravity * time / 2)])
-    velocity = sp.Matrix([vx, vy, vz - gravity * time])
-    return position, velocity
+@dataclass(frozen=True)
+class Parabola(Flight):
+    """Eq. 3, with an acceleration along any axis."""
 
+    @property
+    def upright(self) -> bool:
+        """Whether free fall is down, along -z."""
+        ax, ay, az = self.acceleration
+        return bool(ax == 0 and ay == 0 and az.is_negative)
 
-def flight_named(gravity: sp.Expr) -> tuple[sp.Matrix, sp.Matrix]:
-    """Return position and velocity at the time t, each component held with a name."""
-    position, velocity = flight(gravity)
-    return (
-        hold_all(position, [f"{axis}_t" for axis in "xyz"]),
-        hold_all(velocity, [rf"\dot {axis}_t" for axis in "xyz"]),
-    )
+    @property
+    def path(self) -> dict[sp.Symbol, Coefficients]:
+        """Place, velocity and half the acceleration; of degree 1 where there is none."""
+        parts = zip(POSITION, VELOCITY, self.acceleration, strict=True)
+        return {place: [place, v, a / 2] if a != 0 else [place, v] for place, v, a in parts}
 
+    @property
+    def span(self) -> sp.Expr:
+        """For ever."""
+        return sp.oo
 
-def flight_polynomials(gravity: sp.Expr) -> dict[sp.Symbol, list[sp.Expr]]:
-    """Return each coordinate of the flight as its coefficients in time, constant term first."""
-    x, y, z = POSITION
-    vx, vy, vz = VELOCITY
-    return {x: [x, vx], y: [y, vy], z: [z, vz, -gravity / 2]}
+    @property
+    def remainder(self) -> sp.Expr:
+        """None: it is Eq. 3 itself."""
+        return sp.Integer(0)
+
+    def size(self, latest: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        """Return what they are where all at the start points one way, and free fall with it."""
+        fastest = hold(speed + self.strength * latest)
+        return hold(extent + latest * fastest), fastest
+
+    def rounding(self, latest: sp.Expr) -> tuple[Rounded, Rounded]:
+        """Return bounds of Eq. 3, by its size.
+
+        No more than four roundings meet in a coordinate, each at most u times the largest it can
+        be.
+        """
+        furthest, fastest = self.size(latest)
+        shift = hold(position_error + velocity_error * latest + 4 * UNIT_ROUNDOFF * furthest)
+        return Rounded(furthest, shift), Rounded(
+            fastest, hold(velocity_error + 2 * UNIT_ROUNDOFF * fastest)
+        )

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from .choice import Held, hold
+from .choice import Held
 from .symbols import POSITION, UNIT_ROUNDOFF, VELOCITY
 
 position_error, velocity_error = sp.symbols("position_error velocity_error", nonnegative=True)
@@ -47,8 +47,8 @@ def rounding(expression: sp.Expr, known: Mapping[sp.Expr, Rounded]) -> Rounded:
         Sums, products and integer powers of what `known` holds, parameters and constants.
     known
         Bounds of subexpressions, found before their parts are looked at: inputs, and whatever is
-        better bounded by geometry than by its formula. A divisor must be entered as its inverse.
-        Any other symbol is an exact input.
+        better bounded by geometry than by its formula. A divisor must be entered as its inverse,
+        unless it is a power of another symbol, which is an exact input.
 
     Raises
     ------
@@ -68,6 +68,10 @@ def rounding(expression: sp.Expr, known: Mapping[sp.Expr, Rounded]) -> Rounded:
     if expression.is_Pow and expression.exp.is_Integer and expression.exp > 0:
         factors = [rounding(expression.base, known)] * int(expression.exp)
         return _product(factors)
+    power = expression.is_Pow and expression.exp.is_Integer
+    if power and expression.base.is_Symbol and expression.base not in known:
+        size = sp.Abs(expression)  # of an exact input: its powers, and one division
+        return Rounded(size, -expression.exp * UNIT_ROUNDOFF * size)
     parts = [rounding(argument, known) for argument in expression.args]
     if expression.is_Add:
         magnitude = sum(part.magnitude for part in parts)
@@ -91,23 +95,3 @@ def start_rounding() -> dict[sp.Expr, Rounded]:
     """Return bounds for the state at the start of a flight: its size, and what it may be off by."""
     known = {symbol: Rounded(extent, position_error) for symbol in POSITION}
     return known | {symbol: Rounded(speed, velocity_error) for symbol in VELOCITY}
-
-
-def flight_size(gravity: sp.Expr, latest: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Return bounds on every coordinate and every velocity of a flight up to the time `latest`."""
-    fastest = hold(speed + gravity * latest)
-    return hold(extent + latest * fastest), fastest
-
-
-def flight_rounding(gravity: sp.Expr, latest: sp.Expr) -> tuple[Rounded, Rounded]:
-    """Return bounds for any coordinate and any velocity of a flight up to the time `latest`.
-
-    The time itself is an exact double: what is bounded is the evaluation of Eq. 3 at that double,
-    of a flight whose start is off by at most `position_error` and `velocity_error`. No more than
-    four roundings meet in a coordinate, each at most u times the largest it can be.
-    """
-    furthest, fastest = flight_size(gravity, latest)
-    shift = hold(position_error + velocity_error * latest + 4 * UNIT_ROUNDOFF * furthest)
-    return Rounded(furthest, shift), Rounded(
-        fastest, hold(velocity_error + 2 * UNIT_ROUNDOFF * fastest)
-    )

@@ -63,3 +63,21 @@ def gates(ends: Sequence[End]) -> tuple[Gate, ...]:
         )
         for own in planes.values()
     )
+
+
+def check_reached(scene: str, ends: Sequence[End]) -> None:
+    """Refuse an end that is never reached, for one before it takes the whole plane.
+
+    Raises
+    ------
+    ValueError
+        Naming the scene and both ends.
+    """
+    for gate in gates(ends):
+        whole = [k for k, part in zip(gate.outcomes, gate.parts, strict=True) if not part]
+        if whole and whole[0] != gate.outcomes[-1]:
+            after = next(k for k in gate.outcomes if k > whole[0])
+            raise ValueError(
+                f"scene {scene}: end {ends[after].name!r}: comes after "
+                f"{ends[whole[0]].name!r}, which has no bounds and takes the whole plane"
+            )

@@ -8,13 +8,9 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Sequence
 
 from .ends import OTHERS
-
-if TYPE_CHECKING:
-    from .scene import Scene
 
 PUBLIC = re.compile(r"[a-z][a-z0-9_]*", re.ASCII)
 """What every public name matches as a whole."""
@@ -32,48 +28,54 @@ TAKEN = ("p", "float", "math", "stddef", "stdint", "string")
 """Names that no scene has: that before its parameters, and headers beside its own."""
 
 
-def check(scene: Scene) -> None:
+def check(
+    scene: str,
+    parameters: Sequence[tuple[str, str]],
+    bodies: Sequence[str],
+    surfaces: Sequence[str],
+    ends: Sequence[str],
+    laws: Sequence[str],
+) -> None:
     """Refuse names that are not public names, or that two things of one kind have.
+
+    Parameters
+    ----------
+    scene
+        The scene's own name.
+    parameters
+        Name and LaTeX of each.
+    bodies, surfaces, ends, laws
+        Names; those of the planes of ends are among the surfaces'.
 
     Raises
     ------
     ValueError
         Naming the scene, the name, and what is allowed.
     """
+    _public(scene, "scene", [scene])
+    if scene in TAKEN:
+        raise ValueError(f"scene {scene!r}: not one of {', '.join(TAKEN)}")
     given = {
-        "parameter": [parameter.symbol.name for parameter in scene.parameters],
-        "body": [*(body.name for body in scene.bodies), END],
-        "surface": [surface.name for surface in (*scene.surfaces, *scene.gates)],
-        "end": [*(end.name for end in scene.ends), *OTHERS],
+        "parameter": [name for name, _ in parameters],
+        "body": [*bodies, END],
+        "surface": surfaces,
+        "end": [*ends, *OTHERS],
     }
-    _public(scene.name, "scene", [scene.name])
-    if scene.name in TAKEN:
-        raise ValueError(f"scene {scene.name!r}: not one of {', '.join(TAKEN)}")
     for kind, names in given.items():
-        _public(scene.name, kind, names)
-        _once(scene.name, kind, names)
-    for gate in scene.gates:
-        whole = [k for k, part in zip(gate.outcomes, gate.parts, strict=True) if not part]
-        if whole and whole[0] != gate.outcomes[-1]:
-            after = next(k for k in gate.outcomes if k > whole[0])
+        _public(scene, kind, names)
+        _once(scene, kind, names)
+    for name, latex in parameters:
+        if not LATEX.fullmatch(latex):
             raise ValueError(
-                f"scene {scene.name}: end {scene.ends[after].name!r}: comes after "
-                f"{scene.ends[whole[0]].name!r}, which has no bounds and takes the whole plane"
-            )
-    for parameter in scene.parameters:
-        if not LATEX.fullmatch(parameter.latex):
-            raise ValueError(
-                f"scene {scene.name}: parameter {parameter.name!r}: its LaTeX {parameter.latex!r} "
+                f"scene {scene}: parameter {name!r}: its LaTeX {latex!r} "
                 "has more than letters, digits and \\ _ ^ ' { }"
             )
-    laws = [law.name for law in scene.laws]
     for name in laws:
         if not LAW.fullmatch(name):
             raise ValueError(
-                f"scene {scene.name}: law {name!r}: expected 'impact', or a name that ends in "
-                "'_impact'"
+                f"scene {scene}: law {name!r}: expected 'impact', or a name that ends in '_impact'"
             )
-    _once(scene.name, "law", laws)
+    _once(scene, "law", laws)
 
 
 def check_kernels(scene: str, names: Iterable[str]) -> None:

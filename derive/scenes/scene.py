@@ -7,10 +7,15 @@ from dataclasses import dataclass, field
 import sympy as sp
 
 from ..contact.law import Law
+from ..flight.parabola import Parabola
+from ..ground.choice import release
 from ..ground.symbols import ParameterSymbol
 from ..surfaces import Body, Gate, Surface
 from . import names
-from .ends import End, gates, outcomes
+from .ends import End, check_reached, gates, outcomes
+
+AXES = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
+"""Where free fall can go."""
 
 
 @dataclass(frozen=True)
@@ -69,6 +74,8 @@ class Scene:
         Expressions of the parameters that must be positive.
     axes, remarks
         For readers, in plain sentences: where origin and axes lie, and what else there is to say.
+    gravity_axis
+        The way free fall goes: along one axis, by default down.
     """
 
     name: str
@@ -80,9 +87,29 @@ class Scene:
     requirements: tuple[sp.Expr, ...] = field(default=())
     axes: str = ""
     remarks: str = ""
+    gravity_axis: tuple[int, int, int] = (0, 0, -1)
 
     def __post_init__(self) -> None:
-        names.check(self)
+        names.check(
+            self.name,
+            [(parameter.name, parameter.latex) for parameter in self.parameters],
+            [body.name for body in self.bodies],
+            [surface.name for surface in (*self.surfaces, *self.gates)],
+            [end.name for end in self.ends],
+            [law.name for law in self.laws],
+        )
+        check_reached(self.name, self.ends)
+        if self.gravity_axis not in AXES:
+            raise ValueError(
+                f"scene {self.name}: gravity_axis: expected one of "
+                f"{', '.join(map(str, AXES))}, got {self.gravity_axis!r}"
+            )
+
+    @property
+    def flight(self) -> Parabola:
+        """How the ball moves between contacts."""
+        ax, ay, az = (component * self.gravity for component in self.gravity_axis)
+        return Parabola((ax, ay, az))
 
     @property
     def surfaces(self) -> tuple[Surface, ...]:
@@ -113,6 +140,15 @@ class Scene:
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """The parameters' symbols, in order."""
         return tuple(parameter.symbol for parameter in self.parameters)
+
+    @property
+    def lengths(self) -> tuple[sp.Expr, ...]:
+        """What roundings of positions are measured by besides them: parameters, and numbers."""
+        given: tuple[sp.Expr, ...] = tuple(p.symbol for p in self.parameters if p.unit == "m")
+        said = (e for s in self.surfaces for e in (s.distance, *s.bounds, *s.inside))
+        sums = {part for e in said for part in release(e).atoms(sp.Add)}
+        numbers = {abs(n) for part in sums for n in part.args if n.is_Rational}
+        return (*given, sp.Add(*numbers)) if numbers else given
 
 
 def parameter(

@@ -22,7 +22,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..flight.parabola import flight_named
+from ..flight.flight import Flight
 from ..ground.choice import Held, IfAtMost, IfLess, hold, largest, smallest
 from ..ground.symbols import t
 from .events import Window, ceiling, end, horizon, leaving, margin, rate_margin
@@ -32,7 +32,7 @@ from .events import Window, ceiling, end, horizon, leaving, margin, rate_margin
 class Approach(ABC):
     """What the search needs to know of a surface along a flight; times since the last contact."""
 
-    gravity: sp.Expr
+    flight: Flight
 
     @property
     @abstractmethod
@@ -47,7 +47,7 @@ class Approach(ABC):
     @property
     def named(self) -> dict[str, sp.Expr]:
         """What formulas have names for, by its LaTeX, each after those that it uses."""
-        there, moving = flight_named(self.gravity)
+        there, moving = self.flight.named()
         return {e.name: e for e in (*there, *moving) if isinstance(e, Held)}
 
     @property

@@ -10,15 +10,12 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..flight.parabola import flight_named, flight_polynomials
-from ..ground.choice import IfAtMost, IfLess, hold, largest, smallest
+from ..ground.choice import IfLess, hold, largest, smallest
 from ..ground.polynomials import Coefficients, bernstein, compose, derivative, mean_rate
 from ..ground.rounding import (
     SAFETY,
     Rounded,
     extent,
-    flight_rounding,
-    flight_size,
     position_error,
     rounding,
     speed,
@@ -28,7 +25,7 @@ from ..ground.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
 from ..surfaces import Surface
 from .approach import Approach
 from .events import Window, ceiling, event_coefficients, horizon, time_rounding
-from .windows import lost, windows
+from .windows import clear, lost, windows
 
 STARTS = sp.symbols("x_start y_start z_start", real=True)
 """Where the ball was at the start of the flight, from the surface's point."""
@@ -47,22 +44,15 @@ class PolynomialApproach(Approach):
 
     @property
     def _coefficients(self) -> Coefficients:
-        return event_coefficients(self.surface, self.gravity)
-
-    @property
-    def _paths(self) -> dict[sp.Symbol, Coefficients]:
-        return flight_polynomials(self.gravity)
+        return event_coefficients(self.surface, self.flight)
 
     @property
     def _boxed(self) -> bool:
         return any(half is not None for half in self.surface.halves)
 
-    def _accelerations(self) -> list[sp.Expr]:
-        return [2 * c[2] if len(c) > 2 else sp.Integer(0) for c in self._paths.values()]
-
     def _along(self, expression: sp.Expr) -> sp.Expr:
         """Return what is said of the offset and the velocity, at time t."""
-        there, moving = flight_named(self.gravity)
+        there, moving = self.flight.named()
         offsets = (hold(p - c) for p, c in zip(there, self.surface.about, strict=True))
         now = dict(zip((*POSITION, *VELOCITY), (*offsets, *moving), strict=True))
         return expression.xreplace(now)
@@ -70,7 +60,7 @@ class PolynomialApproach(Approach):
     @property
     def _local(self) -> Coefficients:
         """Of the condition along the flight after an offset and a velocity, constant first."""
-        found = compose(self.surface.shape, self._paths)
+        found = compose(self.surface.shape, self.flight.path)
         return found + [sp.Integer(0)] * (3 - len(found))
 
     @property
@@ -96,7 +86,7 @@ class PolynomialApproach(Approach):
         if not self._boxed:
             return [(sp.Integer(0), self._last_root())]
         offsets = (hold(p - c) for p, c in zip(POSITION, centre, strict=True))
-        found = windows(list(zip(offsets, VELOCITY, self._accelerations(), strict=True)), halves)
+        found = windows(list(zip(offsets, VELOCITY, self.flight.acceleration, strict=True)), halves)
         if None in halves:
             last = self._last_root()
             found = [(low, smallest(high, last)) for low, high in found]
@@ -117,17 +107,14 @@ class PolynomialApproach(Approach):
         """Errors near to what the box is wider by."""
         if not self._boxed:
             return sp.Integer(0)
-        return lost(self.surface.about, self.surface.halves, self.gravity)
+        return lost(self.surface.about, self.surface.halves, self.flight.strength)
 
     @property
     def clear(self) -> sp.Expr:
         """Positive if no window opens before the horizon."""
         if not self._boxed:
             return sp.Integer(0)
-        verdict: sp.Expr = sp.Integer(1)
-        for low, high in self.windows:
-            verdict = IfLess(hold(largest(0, low)), hold(smallest(horizon, high)), 0, verdict)
-        return IfAtMost(self.lost, 0, verdict, 0)
+        return clear(self.windows, self.lost)
 
     @property
     def gap(self) -> sp.Expr:
@@ -137,10 +124,10 @@ class PolynomialApproach(Approach):
     @property
     def leaving_gap(self) -> sp.Expr:
         """The change since the start, with its factor t in the open."""
-        accelerations = self._accelerations()
-        rates = (hold(v + a * t / 2) for v, a in zip(VELOCITY, accelerations, strict=True))
+        falls = zip(VELOCITY, self.flight.acceleration, strict=True)
+        rates = (hold(v + a * t / 2) for v, a in falls)
         starts = (hold(p - c) for p, c in zip(POSITION, self.surface.about, strict=True))
-        there, _ = flight_named(self.gravity)
+        there, _ = self.flight.named()
         offsets = (hold(p - c) for p, c in zip(there, self.surface.about, strict=True))
         now = dict(zip((*POSITION, *VELOCITY, *STARTS), (*offsets, *rates, *starts), strict=True))
         return t * hold(self._change.xreplace(now))
@@ -163,7 +150,7 @@ class PolynomialApproach(Approach):
 
     def _sizes(self, share: sp.Expr) -> dict[sp.Expr, Rounded]:
         """Return bounds of offset and velocity at any time of a window; the box's times a share."""
-        there, moved = flight_rounding(self.gravity, horizon)
+        there, moved = self.flight.rounding(horizon)
         known: dict[sp.Expr, Rounded] = dict.fromkeys(VELOCITY, moved)
         places = zip(POSITION, self.surface.about, self.surface.halves, strict=True)
         for place, centre, half in places:
@@ -180,7 +167,7 @@ class PolynomialApproach(Approach):
     def margins(self) -> dict[str, sp.Expr]:
         """By running error analysis of the gap, its mean rate since the start and its rate."""
         now = self._sizes(1 + sp.Rational(1, 2**10))
-        _, fastest = flight_size(self.gravity, horizon)
+        _, fastest = self.flight.size(horizon)
         mean = Rounded(fastest, hold(velocity_error + 3 * UNIT_ROUNDOFF * fastest))
         start = {place: Rounded(extent, position_error) for place in POSITION}
         since = now | dict.fromkeys(VELOCITY, mean)

@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 import sympy as sp
 
-from ..flight.parabola import flight
 from ..ground.choice import IfLess, hold, hold_all
 from ..ground.rounding import extent, position_error, speed, velocity_error
 from ..ground.symbols import POSITION, VELOCITY
 from .events import horizon
-
-if TYPE_CHECKING:
-    from .ring import RingApproach
+from .polar import PolarApproach
 
 
-def clear(search: RingApproach) -> sp.Expr:
+def clear(search: PolarApproach) -> sp.Expr:
     """Positive if the ball certainly misses the ring before the horizon, by one evaluation.
 
     For a ball that rises above the ring and comes down again, it misses if
@@ -44,7 +39,7 @@ def clear(search: RingApproach) -> sp.Expr:
     away = hold(q + speed_squared * rises)
     then = hold(rho_squared + rises * hold(q + away))
 
-    there, moving = (hold_all(vector) for vector in flight(g, sinks))
+    there, moving = (hold_all(vector) for vector in search.flight.at(sinks))
     now_squared = hold(there[0] ** 2 + there[1] ** 2)
     rho = sp.sqrt(now_squared)
     slack = sp.Rational(1, 2**30) * outermost**2

@@ -6,14 +6,12 @@ from collections.abc import Sequence
 
 import sympy as sp
 
-from ..flight.parabola import flight_polynomials
+from ..flight.flight import Flight
 from ..ground.choice import IfLess, hold, largest
 from ..ground.polynomials import Coefficients, compose
 from ..ground.rounding import (
     SAFETY,
     Rounded,
-    flight_rounding,
-    flight_size,
     position_error,
     speed,
     velocity_error,
@@ -44,23 +42,23 @@ SHARES = [sp.Rational(1, 2**k) for k in (25, 30, 35, 40, 45)]
 """Those that are tried, one after another and then 0, where a root is not certain."""
 
 
-def event_coefficients(surface: Surface, gravity: sp.Expr) -> Coefficients:
+def event_coefficients(surface: Surface, flight: Flight) -> Coefficients:
     """Return the surface's condition along the flight: coefficients in time, constant first.
 
     Degree 1 for the backboard, 2 for the bridge and the end plane, 8 for the ring.
     """
-    coefficients = compose(surface.condition, flight_polynomials(gravity))
+    coefficients = compose(surface.condition, flight.path)
     while len(coefficients) > 1 and coefficients[-1] == 0:
         coefficients.pop()
     return coefficients
 
 
-def deflated_coefficients(surface: Surface, gravity: sp.Expr) -> Coefficients:
+def deflated_coefficients(surface: Surface, flight: Flight) -> Coefficients:
     """Return the coefficients of F(t)/t after a contact at t = 0.
 
     The constant term of F is zero there by construction: it is dropped, never tested.
     """
-    return event_coefficients(surface, gravity)[1:]
+    return event_coefficients(surface, flight)[1:]
 
 
 def crossing() -> dict[str, sp.Expr]:
@@ -78,23 +76,23 @@ def crossing() -> dict[str, sp.Expr]:
     }
 
 
-def displacement(gravity: sp.Expr, lengths: Sequence[sp.Expr]) -> sp.Expr:
+def displacement(flight: Flight, lengths: Sequence[sp.Expr]) -> sp.Expr:
     """Return a bound on the error of a bound g (Eq. 2) or of the target at a computed arrival.
 
     Each of them is a length whose gradient is at most 1: the position's rounding errors, the
     distance flown during the delay, and the roundings of sums with the scene's lengths.
     """
-    there, moving = flight_rounding(gravity, horizon)
+    there, moving = flight.rounding(horizon)
     size = there.magnitude + hold(sum(map(sp.Abs, lengths)))
     return SAFETY * (3 * there.error + delay * moving.magnitude + 4 * UNIT_ROUNDOFF * hold(size))
 
 
-def allowance(gravity: sp.Expr) -> dict[str, sp.Expr]:
+def allowance(flight: Flight) -> dict[str, sp.Expr]:
     """Return the errors of a state that a search allows for, and by how much the errors exceed it.
 
     They do not depend on the errors, so that the search takes the same steps whatever these are.
     """
-    furthest, fastest = flight_size(gravity, horizon)
+    furthest, fastest = flight.size(horizon)
     level, velocity_level = hold(share * furthest), hold(share * fastest)
     return {
         "position_level": level,
@@ -103,12 +101,12 @@ def allowance(gravity: sp.Expr) -> dict[str, sp.Expr]:
     }
 
 
-def padded_horizon(gravity: sp.Expr) -> dict[str, sp.Expr]:
+def padded_horizon(flight: Flight) -> dict[str, sp.Expr]:
     """Return a time after which no event is wanted, given the earliest arrival found.
 
     It does not depend on the bound on that arrival's delay, which must not exceed `pad`.
     """
-    pad = hold(t + speed * hold(1 / gravity)) * sp.Rational(1, 2**20)
+    pad = hold(t + speed * hold(1 / flight.strength)) * sp.Rational(1, 2**20)
     return {"horizon": t + hold(pad), "pad": pad}
 
 

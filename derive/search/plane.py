@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ..flight.parabola import Parabola
 from ..ground.choice import IfAtMost, IfLess, hold, size
 from ..ground.kernel import Kernel
-from ..ground.rounding import SAFETY, flight_rounding, rounding
+from ..ground.rounding import SAFETY, rounding
 from ..ground.symbols import POSITION, position
 from ..ground.tree import Do, Guard, Node
 from ..surfaces import Plane
@@ -18,7 +19,7 @@ from .events import event_coefficients, horizon, leaving
 from .search import Formula, Parts, Search, bounded, edges, proposed
 
 
-def plane_arrival(plane: Plane, gravity: sp.Expr) -> dict[str, sp.Expr]:
+def plane_arrival(plane: Plane, flight: Parabola) -> dict[str, sp.Expr]:
     """Return time, rate and bend (F'') of a plane's only arrival, the root with F' < 0.
 
     Also the time of the apex of the gap and its height there, D / (-4 a), for a ball that moves
@@ -28,7 +29,7 @@ def plane_arrival(plane: Plane, gravity: sp.Expr) -> dict[str, sp.Expr]:
     -(b + sqrt(D)) / (2 a); each loses no digits for one sign of b. Without an arrival the rate is
     not negative or not a number.
     """
-    coefficients = event_coefficients(plane, gravity)
+    coefficients = event_coefficients(plane, flight)
     c = hold(IfLess(0, leaving, 0, hold(coefficients[0])), "c")
     b = coefficients[1] if len(coefficients) > 1 else sp.Integer(0)
     if len(coefficients) < 3:
@@ -49,9 +50,9 @@ def plane_arrival(plane: Plane, gravity: sp.Expr) -> dict[str, sp.Expr]:
     }
 
 
-def plane_margin(plane: Plane, gravity: sp.Expr) -> sp.Expr:
+def plane_margin(plane: Plane, flight: Parabola) -> sp.Expr:
     """Return a bound on the rounding error of the plane's gap up to the time `horizon`."""
-    there, _ = flight_rounding(gravity, horizon)
+    there, _ = flight.rounding(horizon)
     # Twice: once for the gap at the computed time, once for the root's own arithmetic.
     return 2 * SAFETY * rounding(plane.distance, dict.fromkeys(POSITION, there)).error
 
@@ -61,6 +62,7 @@ class PlaneSearch(Search):
     """The search on a plane; a contact counts within its bounds (Eq. 2)."""
 
     surface: Plane
+    flight: Parabola
 
     @property
     def closed(self) -> bool:
@@ -74,12 +76,12 @@ class PlaneSearch(Search):
         place = position - plane.distance * plane.normal
         return {
             "arrival": (
-                plane_arrival(plane, self.gravity),
+                plane_arrival(plane, self.flight),
                 "Time of the only arrival, the gap's rate there and its bend.",
                 "Eq. 3 in Table 2, solved",
             ),
             "margin": (
-                {"margin": plane_margin(plane, self.gravity)},
+                {"margin": plane_margin(plane, self.flight)},
                 "Rounding-error bound of the gap up to the horizon.",
                 "running error analysis",
             ),

@@ -18,67 +18,17 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..flight.parabola import flight_named
 from ..ground.choice import IfAtMost, IfLess, hold, largest, size, smallest
-from ..ground.rounding import (
-    SAFETY,
-    Rounded,
-    flight_rounding,
-    flight_size,
-    position_error,
-    velocity_error,
-)
+from ..ground.rounding import SAFETY, Rounded
 from ..ground.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
-from ..surfaces import Ring
-from .approach import Approach
 from .clear import clear
 from .events import Window, horizon, time_rounding
-
-WIDER = 1 + sp.Rational(1, 2**14)
-"""Windows are drawn for a ring this much thicker: contact cannot begin on their edges."""
-
-steady, swing = sp.symbols("steady swing", real=True)
-"""2 (V² + vz² + 2 g z) and 2 R_H L², constant along a flight."""
-
-rho_start = sp.Symbol("rho_start", nonnegative=True)
-"""rho at the flight's start."""
-
-CONSTANTS = (steady, swing, rho_start)
+from .polar import PolarApproach, rho_start, steady, swing
 
 
 @dataclass(frozen=True)
-class RingApproach(Approach):
+class RingApproach(PolarApproach):
     """The search for the ring: windows, curvature and margins in closed form."""
-
-    ring: Ring
-
-    def polar(self) -> tuple[sp.Expr, ...]:
-        """Return rho², x vx + y vy, V² and L of the state."""
-        x, y, _ = POSITION
-        vx, vy, _ = VELOCITY
-        return (
-            hold(x**2 + y**2, r"\rho_0^2"),
-            hold(x * vx + y * vy, "q"),
-            hold(vx**2 + vy**2, "V^2"),
-            hold(x * vy - y * vx, "L"),
-        )
-
-    @property
-    def constants(self) -> dict[str, sp.Expr]:
-        """The two constants of F'', and rho at the start."""
-        _, _, speed_squared, moment = self.polar()
-        _, _, z = POSITION
-        _, _, vz = VELOCITY
-        return {
-            "steady": 2 * (speed_squared + vz**2) + 4 * self.gravity * z,
-            "swing": 2 * self.ring.ring_radius * moment**2,
-            "rho_start": self.ring.rho,
-        }
-
-    @property
-    def symbols(self) -> tuple[sp.Symbol, ...]:
-        """Those of the head of this file."""
-        return CONSTANTS
 
     @property
     def named(self) -> dict[str, sp.Expr]:
@@ -105,26 +55,6 @@ class RingApproach(Approach):
             for late, early in zip(late_first, _meet(z2, a1), strict=True)
         )
         return [_meet(z1, a1), (middle[0], middle[1]), _meet(z2, a2)]
-
-    @property
-    def reach(self) -> sp.Expr:
-        """R, wider."""
-        return hold(self.ring.reach, "R") * WIDER
-
-    def radii(self) -> tuple[sp.Expr, sp.Expr]:
-        """Return the radii of the annulus in which the centre can be at a contact."""
-        radius = self.ring.ring_radius
-        least = sp.Rational(1, 2**13) * radius  # narrower than that, the ring is `lost`
-        inner = largest(hold(radius - self.reach), least)
-        return inner, hold(radius + self.reach, r"\rho_+")
-
-    @property
-    def lost(self) -> sp.Expr:
-        """A hole hardly wider than the ball, or errors near to what the windows are widened by."""
-        hole = hold(self.ring.ring_radius - hold(self.ring.reach, "R"))
-        narrow = hold(sp.Rational(1, 2**12) * self.ring.ring_radius - hole)
-        moved = hold(position_error + velocity_error * horizon)
-        return largest(narrow, hold(moved - sp.Rational(1, 2**16) * self.ring.reach))
 
     def _slab_intervals(self) -> tuple[Window, Window]:
         """Return the rising and the falling interval of |z| <= R.
@@ -174,7 +104,7 @@ class RingApproach(Approach):
 
     def _here(self) -> tuple[sp.Matrix, sp.Matrix, sp.Expr]:
         """Return position, velocity and rho at time t."""
-        there, moving = flight_named(self.gravity)
+        there, moving = self.flight.named()
         return there, moving, sp.sqrt(hold(there[0] ** 2 + there[1] ** 2, r"\rho_t^2"))
 
     def _inverses(self, rho: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
@@ -279,8 +209,8 @@ class RingApproach(Approach):
         reach = self.reach
         innermost, outermost = self.radii()
         stretch = largest(1, reach / innermost)
-        furthest, fastest = flight_size(self.gravity, horizon)
-        there, moving = flight_rounding(self.gravity, horizon)
+        furthest, fastest = self.flight.size(horizon)
+        there, moving = self.flight.rounding(horizon)
         slope = hold(2 * root * hold(reach * moving.error + hold(stretch * fastest) * there.error))
         steepest = Rounded(2 * hold(reach * fastest))
         gap = 2 * root * reach * there.error + 12 * u * reach * outermost

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from ..flight.flight import Flight
 from ..ground.choice import AtMost, Less, Not, every, some
 from ..ground.kernel import Kernel, decision
 from ..ground.symbols import variable
@@ -29,7 +30,7 @@ class Search(ABC):
     """How the arrivals on a surface are found; times since the last contact."""
 
     surface: Surface
-    gravity: sp.Expr
+    flight: Flight
 
     @property
     @abstractmethod

@@ -49,6 +49,14 @@ def lost(centre: Sequence[sp.Expr], halves: Sequence[sp.Expr | None], g: sp.Expr
     return hold(moved + rounded) - WIDER / 4 * half
 
 
+def clear(found: Sequence[Window], lost: sp.Expr) -> sp.Expr:
+    """Positive if none of the windows opens before the horizon, and they can be relied on."""
+    verdict: sp.Expr = sp.Integer(1)
+    for low, high in found:
+        verdict = IfLess(hold(largest(0, low)), hold(smallest(horizon, high)), 0, verdict)
+    return IfAtMost(lost, 0, verdict, 0)
+
+
 def _straight(axis: Axis, half: sp.Expr) -> Window:
     """Return when |c + v t| <= h: as if it moved up; 0/0, on the edge for ever, limits nothing."""
     place, velocity, _ = axis

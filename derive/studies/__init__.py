@@ -15,8 +15,13 @@ ARGUMENTS = (*aiming.ARGUMENTS, *measures.ARGUMENTS)
 
 
 def study_kernels(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
-    """Return what studies ask: releases that go through a point, and what a flight measures."""
-    gravity, source = scene.gravity, "Eq. 3 without its time"
+    """Return what studies ask: releases that go through a point, and what a flight measures.
+
+    Nothing where free fall is not along -z: what they speak of are heights and a floor plan.
+    """
+    flight, gravity, source = scene.flight, scene.gravity, "Eq. 3 without its time"
+    if not flight.upright:
+        return []
     rings = [surface for surface in scene.surfaces if isinstance(surface, Ring)]
     return [
         kernel(
@@ -56,14 +61,14 @@ def study_kernels(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
         ),
         kernel(
             "descent",
-            measures.descent(gravity),
+            measures.descent(flight),
             order,
             "When the centre comes down to a height, and its upward velocity then.",
             "Eq. 3, solved",
         ),
         kernel(
             "apex",
-            measures.apex(gravity),
+            measures.apex(flight),
             order,
             "When the centre is highest, and its height then.",
             "Eq. 3, its derivative zero",
@@ -78,7 +83,7 @@ def study_kernels(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
         *(
             kernel(
                 f"{ring.name}_nearness",
-                measures.nearness(ring, gravity),
+                measures.nearness(ring, flight),
                 order,
                 "Distance of ball and wire at time t, and what bounds it within half a width of t.",
                 "Eq. 3 in Table 2, Taylor's theorem",

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..flight.parabola import flight
+from ..flight.parabola import Parabola
 from ..ground.choice import IfLess, hold, hold_all, largest, size, smallest
 from ..ground.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
 from ..search.events import leaving
@@ -34,19 +34,18 @@ RESOLUTION = 64 * UNIT_ROUNDOFF
 the coordinates' size, and twice that is a margin in bounds; the rest keeps searches short."""
 
 
-def descent(gravity: sp.Expr) -> dict[str, sp.Expr]:
+def descent(flight: Parabola) -> dict[str, sp.Expr]:
     """Return when the centre comes down to a height, and its upward velocity then."""
     plane = Plane("level", direction=(0, 0, 1), offset=level, reach=sp.Integer(0))
-    arrival = plane_arrival(plane, gravity)
+    arrival = plane_arrival(plane, flight)
     return {
         name: arrival[part].subs(leaving, 0) for name, part in (("time", "time"), ("vz", "rate"))
     }
 
 
-def apex(gravity: sp.Expr) -> dict[str, sp.Expr]:
+def apex(flight: Parabola) -> dict[str, sp.Expr]:
     """Return when the centre is highest, and its height then; at once if it is falling."""
-    _, _, z = POSITION
-    _, _, vz = VELOCITY
+    gravity, (_, _, z), (_, _, vz) = flight.strength, POSITION, VELOCITY
     return {
         "time": IfLess(0, vz, vz / gravity, 0),
         "height": IfLess(0, vz, z + vz**2 / (2 * gravity), z),
@@ -63,7 +62,7 @@ def sighted() -> dict[str, sp.Expr]:
     }
 
 
-def nearness(ring: Ring, gravity: sp.Expr) -> dict[str, sp.Expr]:
+def nearness(ring: Ring, flight: Parabola) -> dict[str, sp.Expr]:
     """Return the ball's distance from the wire at time t, and bounds within `half` of t.
 
     `gap` is the distance, `rate` G', `lower` a bound on the distance that holds but for
@@ -71,13 +70,13 @@ def nearness(ring: Ring, gravity: sp.Expr) -> dict[str, sp.Expr]:
     """
     x, y, z = POSITION
     vx, vy, vz = VELOCITY
-    begin, end = hold(t - half), hold(t + half)
+    gravity, begin, end = flight.strength, hold(t - half), hold(t + half)
 
     def away(time: sp.Expr) -> sp.Expr:
         return hold(sp.sqrt(hold(hold(x + vx * time) ** 2 + hold(y + vy * time) ** 2)))
 
     def height(time: sp.Expr) -> sp.Expr:
-        return hold(flight(gravity, time)[0][2])
+        return hold(flight.at(time)[0][2])
 
     def within(time: sp.Expr) -> sp.Expr:
         return hold(largest(begin, smallest(end, time)))
@@ -96,7 +95,7 @@ def nearness(ring: Ring, gravity: sp.Expr) -> dict[str, sp.Expr]:
     swing = hold(2 * ring.ring_radius * hold(x * vy - y * vx) ** 2)
     energy = hold(hold(square + vz**2) + 2 * gravity * z)
     concavity = IfLess(0, safe, hold(6 * gravity * top - 2 * energy) + swing / safe**3, sp.oo)
-    there, moving = map(hold_all, flight(gravity))
+    there, moving = map(hold_all, flight.at())
     rho = away(t)
     outward = hold(hold(there[0] * vx + there[1] * vy) / rho)
     rate = hold(2 * hold(hold(rho - ring.ring_radius) * outward + there[2] * moving[2]))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from .body import Body, body
 from .bounds import length
+from .box import Box
 from .cylinder import Cylinder
 from .free import Free
 from .gate import Gate
@@ -15,6 +16,7 @@ from .torus import Torus, torus
 
 __all__ = [
     "Body",
+    "Box",
     "Cylinder",
     "Free",
     "Gate",

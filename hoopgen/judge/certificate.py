@@ -114,6 +114,8 @@ class Proof:
 class Certificate:
     """Proofs of a batch: arrays by shot, and each shot's own by index.
 
+    Every result of a simulation is here under its name.
+
     Attributes
     ----------
     proofs
@@ -131,6 +133,8 @@ class Certificate:
         those. NaN where undecided or invalid.
     state, state_radius
         float64 (n, 9), likewise.
+    uncertain, time_error, state_error
+        As in `Shots`, of what is proved: bool (n,), float64 (n,) and (n, 3).
     """
 
     def __init__(self, proofs: Sequence[Proof], bodies: int) -> None:
@@ -183,6 +187,22 @@ class Certificate:
         same = [list(one) == other for one, other in zip(found, proved, strict=True)]
         right = self.decided & (shots.outcome == self.outcome) & np.array(same, np.bool_)
         return np.asarray(right | shots.uncertain)
+
+    @property
+    def uncertain(self) -> NDArray[np.bool_]:
+        """Where not every decision was proved."""
+        return ~self.decided
+
+    @property
+    def time_error(self) -> NDArray[np.float64]:
+        """The times' radii."""
+        return self.time_radius
+
+    @property
+    def state_error(self) -> NDArray[np.float64]:
+        """The largest radius of each of position, velocity and spin."""
+        largest: NDArray[np.float64] = self.state_radius.reshape(-1, 3, 3).max(axis=2)
+        return largest
 
     def __len__(self) -> int:
         return len(self.proofs)

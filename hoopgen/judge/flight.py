@@ -67,7 +67,8 @@ def fly(
     try:
         if not _valid(formulas, now, values, leaving):
             return Flown(formulas.outcomes["invalid"], arb.nan(), [arb.nan()] * len(now))
-        _follow(formulas, values, max_contacts, leaving, time_limit, flown)
+        left = _left(formulas, now, values, leaving)
+        _follow(formulas, values, max_contacts, left, time_limit, flown)
     except Undecided as question:
         raise Undecided(question.args[0], flown) from None
     return flown
@@ -85,7 +86,7 @@ def _follow(
     while True:
         start = flown.state
         # How many low coefficients of the event polynomial of the last surface vanish.
-        vanishing = 2 if flown.events and _stops(formulas.surfaces[last], values) else 1
+        vanishing = 2 if flown.events and _stops(formulas.surfaces[last], flown, values) else 1
         remaining = None if math.isinf(time_limit) else arb(time_limit) - flown.time
         found = _next(formulas, start, values, last, vanishing, remaining)
         if found is None:
@@ -109,9 +110,26 @@ def _follow(
             return
 
 
-def _stops(surface: SurfaceFormulas, values: list[arb]) -> bool:
-    """Return whether a ball leaves a surface with no velocity along the normal."""
-    return surface.restitution is not None and surface.restitution(values)[0].is_zero()
+def _left(formulas: Formulas, state: list[arb], values: list[arb], leaving: int) -> int:
+    """Return what the ball leaves: of a surface of several parts, the first that it can be on."""
+    own = [k for k, surface in enumerate(formulas.surfaces) if surface.face == leaving]
+    for k in own:
+        if any(_holds(p, state, values) is not False for p in formulas.surfaces[k].patches):
+            return k
+    return own[0] if own else -1
+
+
+def _stops(surface: SurfaceFormulas, flown: Flown, values: list[arb]) -> bool:
+    """Return whether the ball left its last surface with no velocity along the normal."""
+    return bool(_restitution(surface, flown.events[-1].before, values).is_zero())
+
+
+def _restitution(surface: SurfaceFormulas, before: list[arb], values: list[arb]) -> arb:
+    """Return that of a contact, from the state before it."""
+    assert surface.restitution is not None
+    normal = surface.normal(before, values)
+    speed = -sum((v * n for v, n in zip(before[3:6], normal, strict=True)), arb(0))
+    return arb(surface.restitution(values, (speed,))[0])
 
 
 def _reached(plane: SurfaceFormulas, state: list[arb], values: list[arb]) -> int:
@@ -150,17 +168,17 @@ def _valid(formulas: Formulas, state: list[arb], values: list[arb], leaving: int
             raise Undecided("the parameters are on the edge of what is allowed")
         if side <= 0:
             return False
-    faces = formulas.surfaces[: formulas.faces]
-    others = [s for k, s in enumerate(faces) if k != leaving]
-    return not any(_overlaps(surface, state, values) for surface in others)
+    others = [k for k in range(len(formulas.solids)) if k != leaving]
+    return not any(_overlaps(formulas, k, state, values) for k in others)
 
 
-def _overlaps(surface: SurfaceFormulas, state: list[arb], values: list[arb]) -> bool:
-    sides = [sign(part) for part in surface.inside(state, values)]
+def _overlaps(formulas: Formulas, face: int, state: list[arb], values: list[arb]) -> bool:
+    sides = [sign(part) for part in formulas.solids[face](state, values)]
     if any(side is not None and side >= 0 for side in sides):
         return False
     if None in sides:
-        raise Undecided(f"the ball starts on the edge of the {surface.name}")
+        name = next(surface.name for surface in formulas.surfaces if surface.face == face)
+        raise Undecided(f"the ball starts on the edge of the {name}")
     return True
 
 
@@ -199,10 +217,20 @@ def _next(
     best = min(certain, key=lambda k: float(arrivals[k].time.mid()), default=-1)
     for k, arrival in arrivals.items():
         if k != best and not (best >= 0 and arrivals[best].time < arrival.time):
+            if arrival.certain and _seam(formulas, k, best):
+                continue
             if not arrival.certain:
                 raise Undecided(f"whether the ball meets the {names[k]}")
             raise Undecided(f"whether the {names[k]} or the {names[best]} comes first")
     return best, arrivals[best].time
+
+
+def _seam(formulas: Formulas, one: int, other: int) -> bool:
+    """Return whether both are parts of one surface, which is smooth where they meet."""
+    last = len(formulas.surfaces)  # the time limit
+    if last in (one, other):
+        return False
+    return formulas.surfaces[one].face == formulas.surfaces[other].face
 
 
 def arrival_at(
@@ -350,9 +378,8 @@ def _bounded(
 def _bounce(surface: SurfaceFormulas, before: list[arb], values: list[arb]) -> list[arb]:
     """Return the state after a contact, what is exact by construction kept so."""
     assert surface.impact is not None
-    assert surface.restitution is not None
     after = before[:3] + surface.impact(before, values, surface.normal(before, values))
     if surface.axis >= 0:
         after[surface.axis] = surface.offset(values)[0]
-        after[3 + surface.axis] = -surface.restitution(values)[0] * before[3 + surface.axis]
+        after[3 + surface.axis] = -_restitution(surface, before, values) * before[3 + surface.axis]
     return after

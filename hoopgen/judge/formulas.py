@@ -12,8 +12,8 @@ from functools import cache
 from typing import Any
 
 import sympy as sp
+from flint import fmpq
 
-from hoopgen.derive.flight.parabola import flight
 from hoopgen.derive.ground.choice import Held
 from hoopgen.derive.ground.symbols import (
     NORMAL,
@@ -28,9 +28,14 @@ from hoopgen.derive.ground.symbols import (
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.search.events import event_coefficients
-from hoopgen.derive.surfaces import Gate, Plane, Surface
+from hoopgen.derive.surfaces import Box, Gate, Plane, Surface
+
+from .parts import box_solid, parts
 
 Function = Callable[..., list[Any]]
+
+ARRIVAL = sp.Symbol("arrival_speed", positive=True)
+"""Along the normal, towards the surface, m/s."""
 
 
 def compiled(expressions: Sequence[sp.Expr], *arguments: Sequence[sp.Symbol]) -> Function:
@@ -55,7 +60,7 @@ def compiled(expressions: Sequence[sp.Expr], *arguments: Sequence[sp.Symbol]) ->
     results = [writer.write(sp.sympify(expression)) for expression in expressions]
     head = f"def function({', '.join(f'a{place}' for place in range(len(arguments)))}):"
     source = "\n    ".join([head, *writer.lines, f"return [{', '.join(results)}]"])
-    namespace: dict[str, Any] = {}
+    namespace: dict[str, Any] = {"fmpq": fmpq}
     exec(source, namespace)  # made above, from derive/ alone
     made: Function = namespace["function"]
     return made
@@ -84,6 +89,8 @@ class _Writer:
     def _formula(self, expression: sp.Expr) -> str:
         if expression.is_Integer:
             return f"({int(expression)})"
+        if expression.is_Rational:
+            return f"fmpq({expression.p}, {expression.q})"
         if expression.is_Add:
             return " + ".join(self.write(term) for term in expression.args)
         if expression.is_Mul:
@@ -135,17 +142,17 @@ class SurfaceFormulas:
     normal
         n3 at the state's position.
     inside
-        Expressions that are all negative exactly when the ball overlaps the body.
+        Expressions that are all negative exactly when the ball overlaps it.
     distance
         Signed distance, as a list of one.
-    body
-        The body that it belongs to.
+    face, body
+        The surface of the scene that it is, or is a part of, and the body that it belongs to.
     bounded
         Whether it has bounds.
     impact
         (state, parameters, normal) to velocity and spin; None where a shot ends.
     restitution
-        (parameters,): of its law, as a list of one.
+        (parameters, (speed,)): of its law at a normal speed, as a list of one; None at the end.
     axis, offset
         Of a plane: the coordinate that its normal points along, and that coordinate at contact,
         as a list of one, from the parameters alone. For any other surface the axis is -1.
@@ -159,6 +166,7 @@ class SurfaceFormulas:
     normal: Function
     inside: Function
     distance: Function
+    face: int
     body: int
     bounded: bool
     axis: int
@@ -175,9 +183,12 @@ class Formulas:
     Attributes
     ----------
     surfaces
-        What can be touched, then the planes that end a shot.
+        What can be touched, of a box each face, edge and corner; then the planes that end a shot.
+    solids
+        (state, parameters), by surface of the scene: all negative exactly where the ball overlaps
+        the body.
     faces, bodies
-        How many can be touched.
+        How many of the surfaces can be touched, and how many bodies there are.
     outcomes
         The number of each outcome by name.
     order
@@ -191,6 +202,7 @@ class Formulas:
     """
 
     surfaces: tuple[SurfaceFormulas, ...]
+    solids: tuple[Function, ...]
     faces: int
     bodies: int
     outcomes: dict[str, int]
@@ -202,7 +214,7 @@ class Formulas:
     uppers: tuple[float | None, ...]
 
 
-def _surface(surface: Surface, body: int, scene: Scene) -> SurfaceFormulas:
+def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFormulas:
     place, motion = (*POSITION, *VELOCITY), scene.symbols
     axis, offset = -1, sp.Integer(0)
     if isinstance(surface, Plane):
@@ -215,7 +227,7 @@ def _surface(surface: Surface, body: int, scene: Scene) -> SurfaceFormulas:
         after = law.after(normal, velocity, spin, scene.ball_radius)
         state = (*POSITION, *VELOCITY, *SPIN)
         impact = compiled([e for vector in after for e in vector], state, motion, NORMAL)
-        restitution = compiled([law.restitution], motion)
+        restitution = compiled([law.restitution_at(ARRIVAL)], motion, (ARRIVAL,))
 
     ends: list[tuple[str, int, Function]] = []
     if isinstance(surface, Gate):
@@ -227,11 +239,12 @@ def _surface(surface: Surface, body: int, scene: Scene) -> SurfaceFormulas:
 
     return SurfaceFormulas(
         surface.name,
-        by_state(event_coefficients(surface, scene.gravity)),
+        by_state(event_coefficients(surface, scene.flight)),
         tuple(by_state(patch) for patch in surface.patches),
         by_state(list(surface.normal)),
         by_state(surface.inside),
         by_state([surface.distance]),
+        face,
         body,
         bool(surface.bounds),
         axis,
@@ -242,18 +255,28 @@ def _surface(surface: Surface, body: int, scene: Scene) -> SurfaceFormulas:
     )
 
 
+def _solid(surface: Surface) -> tuple[sp.Expr, ...]:
+    return box_solid(surface) if isinstance(surface, Box) else surface.inside
+
+
 @cache
 def formulas(scene: Scene = HOOP) -> Formulas:
     """Return the scene's formulas, compiled once."""
     state = (*POSITION, *VELOCITY, *SPIN)
     parameters = scene.symbols
-    there = flight(scene.gravity)
-    gates = [(gate, len(scene.bodies)) for gate in scene.gates]
-    faces = [*zip(scene.surfaces, scene.faces, strict=True), *gates]
-    surfaces = tuple(_surface(surface, body, scene) for surface, body in faces)
+    there = scene.flight.at()
+    faces = zip(scene.surfaces, scene.faces, strict=True)
+    touched = [
+        (part, face, body) for face, (surface, body) in enumerate(faces) for part in parts(surface)
+    ]
+    gates = [
+        (gate, len(scene.surfaces) + k, len(scene.bodies)) for k, gate in enumerate(scene.gates)
+    ]
+    surfaces = tuple(_surface(*place, scene) for place in (*touched, *gates))
     return Formulas(
         surfaces,
-        len(scene.surfaces),
+        tuple(compiled(_solid(s), (*POSITION, *VELOCITY), parameters) for s in scene.surfaces),
+        len(touched),
         len(scene.bodies),
         scene.outcomes,
         tuple(sorted(range(len(surfaces)), key=lambda k: surfaces[k].axis < 0)),

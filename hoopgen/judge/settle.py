@@ -64,9 +64,8 @@ def settle(
     )
     proved = certificate.decided
     settled = rows[proved]
-    for name, values in _columns(certificate).items():
-        if name in fields:
-            fields[name][settled] = values[proved]
+    for name in scene.layout.results.keys() & fields.keys():
+        fields[name][settled] = getattr(certificate, name)[proved]
     if "events" in fields:
         fields["events"] = _log(fields["events"], rows, certificate)
     return settled
@@ -75,22 +74,6 @@ def settle(
 def _rows(value: ArrayLike, rows: NDArray[np.int64]) -> NDArray[Any]:
     array = np.asarray(value)
     return array[rows] if array.ndim else array
-
-
-def _columns(certificate: Certificate) -> dict[str, NDArray[Any]]:
-    """Return the certificate's results by the names of `Shots`."""
-    radii = certificate.state_radius.reshape(-1, 3, 3).max(axis=2)
-    return {
-        "outcome": certificate.outcome,
-        "contacts": certificate.contacts,
-        "counts": certificate.counts,
-        "first": certificate.first,
-        "time": certificate.time,
-        "state": certificate.state,
-        "uncertain": ~certificate.decided,
-        "time_error": certificate.time_radius,
-        "state_error": radii,
-    }
 
 
 def _log(events: NDArray[Any], rows: NDArray[np.int64], certificate: Certificate) -> NDArray[Any]:

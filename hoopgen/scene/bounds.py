@@ -11,18 +11,9 @@ from dataclasses import dataclass
 
 from hoopgen.brief import brief
 
-from .formulas import (
-    ONE,
-    POSITION,
-    ZERO,
-    Formula,
-    FormulaError,
-    Polynomial,
-    polynomial,
-    product,
-    total,
-)
+from .formulas import ONE, POSITION, ZERO, Formula, FormulaError
 from .inputs import Inputs
+from .polynomials import Polynomial, polynomial, product, total
 
 __all__ = ["Map", "Terms", "bounds", "terms"]
 
@@ -40,7 +31,17 @@ class Map:
     shift: tuple[Formula, Formula, Formula] = (ZERO, ZERO, ZERO)
 
     def put(self, terms: Polynomial) -> Polynomial:
-        """Return a polynomial in q as one in p."""
+        """Return a polynomial in q as one in p, or, if it is flat, as one of the same sign."""
+        steep = {self.scale[k] for powers in terms for k in range(3) if powers[k]}
+        if max(map(sum, terms)) == 1 and len(steep) == 1:
+            # Divided by the scale, which is positive: what it is multiplied by stays as it was.
+            (scale,) = steep
+            moved = [
+                {(0, 0, 0): terms[_axis(k)] * self.shift[k]} for k in range(3) if _axis(k) in terms
+            ]
+            constant = total([{(0, 0, 0): terms.get((0, 0, 0), ZERO)}, *moved])
+            slopes = {powers: factor for powers, factor in terms.items() if any(powers)}
+            return slopes | {powers: factor / scale for powers, factor in constant.items()}
         there = [total([{_axis(k): self.scale[k]}, {(0, 0, 0): self.shift[k]}]) for k in range(3)]
 
         def term(powers: Powers, factor: Formula) -> Polynomial:

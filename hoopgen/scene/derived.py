@@ -15,11 +15,11 @@ from hoopgen.derive.contact.rolling import Rolling
 from hoopgen.derive.ground.symbols import POSITION
 from hoopgen.derive.scenes import scene as derive
 from hoopgen.derive.scenes.ends import End
-from hoopgen.derive.surfaces import Body, Cylinder, Free, Plane, Sphere, Surface, torus
+from hoopgen.derive.surfaces import Body, Box, Cylinder, Free, Plane, Sphere, Surface, torus
 
 from .bounds import Terms
 from .formulas import Formula
-from .inputs import SceneError, wrong
+from .inputs import SceneError
 from .shapes import Read, Shape
 
 if TYPE_CHECKING:
@@ -36,12 +36,10 @@ def derived(scene: Scene) -> derive.Scene:
     Raises
     ------
     SceneError
-        If there is no derivation for one of its bodies, or a name is taken.
+        If a name is taken.
     """
     try:
         return _Derived(scene.read).scene(scene.axes, scene.remarks)
-    except SceneError:
-        raise
     except ValueError as error:  # of names that derivation has taken
         raise SceneError(str(error)) from None
 
@@ -73,6 +71,7 @@ class _Derived:
             requirements=tuple(dict.fromkeys(self._requirements)),
             axes=axes,
             remarks=remarks,
+            gravity_axis=_direction(read.down),
         )
 
     def _sympy(self, formula: Formula) -> sp.Expr:
@@ -86,10 +85,9 @@ class _Derived:
             "sphere": self._sphere,
             "cylinder": self._cylinder,
             "torus": self._torus,
+            "box": self._box,
             "surface": self._surface,
         }
-        if shape.kind not in make:
-            raise wrong(self._read.name, f"body {shape.name}", "", f"no {shape.kind} as yet")
         return Body(shape.name, make[shape.kind](shape), self._law(shape))
 
     def _law(self, shape: Shape) -> Law:
@@ -125,6 +123,13 @@ class _Derived:
         radius, reach = self._sympy(shape["radius"]), self._sympy(shape["wire"]) + self._ball
         self._requirements.append(radius - reach)
         return (torus(shape.name, self._centre(shape), _direction(shape.axis), radius, reach),)
+
+    def _box(self, shape: Shape) -> tuple[Surface, ...]:
+        low, high = (
+            tuple(self._sympy(shape[f"{end} {axis}"]) for axis in "xyz") for end in ("from", "to")
+        )
+        self._requirements += [b - a for a, b in zip(low, high, strict=True)]
+        return (Box(shape.name, (low[0], low[1], low[2]), (high[0], high[1], high[2]), self._ball),)
 
     def _surface(self, shape: Shape) -> tuple[Surface, ...]:
         condition = self._polynomial(shape.condition)

@@ -1,4 +1,4 @@
-"""Formulas of sizes and bounds: read from text without running it, evaluated, made polynomials.
+"""Formulas of sizes and bounds: read from text without running it, and evaluated.
 
 Text goes through Python's `ast` and a whitelist: `+ - * /`, whole powers, `sqrt`, numbers, and the
 names that are declared. Nothing is evaluated by Python, SymPy or NumPy as text, and what is read is
@@ -10,7 +10,7 @@ from __future__ import annotations
 import ast
 import re
 import sys
-from collections.abc import Callable, Collection, Iterable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
@@ -26,14 +26,10 @@ __all__ = [
     "ZERO",
     "Formula",
     "FormulaError",
-    "Polynomial",
     "constant",
     "name",
     "parse",
-    "polynomial",
-    "product",
     "read",
-    "total",
 ]
 
 LONGEST = 300
@@ -44,9 +40,6 @@ DEEPEST = 30
 
 DEGREE = 8
 """Factors in a product, all powers multiplied out."""
-
-TERMS = 200
-"""Terms of a polynomial, multiplied out."""
 
 SMALLEST, LARGEST = Fraction(1, 10**100), Fraction(10**100)
 """Sizes of a number that is not zero: no product of a few overflows."""
@@ -199,15 +192,31 @@ class Formula:
         return product
 
     def __str__(self) -> str:
+        """Return it as it may be written; of a number its double."""
         if self.kind == "number":
-            return str(self.value)
+            value = Fraction(self.value)
+            return str(value) if value.denominator == 1 else repr(float(value))
         if self.kind == "name":
             return str(self.value)
         if self.kind == "sqrt":
             return f"sqrt({self.parts[0]})"
+        if self.kind == "+":
+            first, *rest = map(str, self._terms)
+            signed = (f" - {t[1:]}" if t.startswith("-") else f" + {t}" for t in rest)
+            return "".join([first, *signed])
         if self.kind == "**":
-            return f"({self.parts[0]})**{self.value}"
-        return f"({f' {self.kind} '.join(map(str, self.parts))})"
+            return f"{self.parts[0]._within()}**{self.value}"
+        left, right = self.parts
+        if self.kind == "*" and left.number == -1:
+            return f"-{right._within('*', '/', '**')}"
+        factor = str(left) if left.number is not None else left._within("*", "/", "**")
+        return f"{factor}{self.kind}{right._within('**')}"
+
+    def _within(self, *kinds: str) -> str:
+        """Return it as an operand: in brackets but for those kinds, names and roots."""
+        plain = self.kind in ("name", "sqrt", *kinds)
+        positive = self.number is not None and self.number >= 0
+        return str(self) if plain or positive else f"({self})"
 
 
 def constant(value: Fraction | int) -> Formula:
@@ -390,65 +399,3 @@ def _from_sympy(expression: Any, names: Collection[str], depth: int) -> Formula:
     for part in rest:
         result = _limited(result + part if expression.is_Add else result * part)
     return result
-
-
-Polynomial = dict[tuple[int, int, int], Formula]
-"""Coefficients, by the powers of x, y and z."""
-
-
-def polynomial(formula: Formula) -> Polynomial:
-    """Return a formula as a polynomial in x, y and z; its coefficients have the other names.
-
-    Raises
-    ------
-    FormulaError
-        If it divides by x, y or z, has a root of them, or too many terms.
-    """
-    if not formula.names & set(POSITION):
-        return {} if formula.number == 0 else {(0, 0, 0): formula}
-    if formula.kind == "name":
-        powers = [int(formula.value == axis) for axis in POSITION]
-        return {(powers[0], powers[1], powers[2]): constant(1)}
-    if formula.kind == "sqrt":
-        raise FormulaError(
-            f"not polynomial: {formula}. Square it: x**2 + y**2 - r**2, not sqrt(x**2 + y**2) - r"
-        )
-    if formula.kind == "/" and formula.parts[1].names & set(POSITION):
-        raise FormulaError(f"not polynomial: {formula} divides by x, y or z")
-    first, *rest = (polynomial(part) for part in formula.parts)
-    if formula.kind == "+":
-        return total([first, *rest])
-    if formula.kind == "/":
-        return {powers: factor / formula.parts[1] for powers, factor in first.items()}
-    if formula.kind == "*":
-        return product(first, rest[0])
-    result = first
-    for _ in range(int(formula.value) - 1):
-        result = product(result, first)
-    return result
-
-
-def total(polynomials: Iterable[Polynomial]) -> Polynomial:
-    """Return the sum of polynomials."""
-    found: Polynomial = {}
-    for each in polynomials:
-        for powers, factor in each.items():
-            found[powers] = found[powers] + factor if powers in found else factor
-    return {powers: factor for powers, factor in found.items() if factor != ZERO}
-
-
-def product(left: Polynomial, right: Polynomial) -> Polynomial:
-    """Return the product of two polynomials.
-
-    Raises
-    ------
-    FormulaError
-        If it may have too many terms.
-    """
-    if len(left) * len(right) > TERMS:
-        raise FormulaError(f"expected a polynomial of at most {TERMS} terms")
-    return total(
-        {(p[0] + q[0], p[1] + q[1], p[2] + q[2]): factor * other}
-        for p, factor in left.items()
-        for q, other in right.items()
-    )

@@ -144,7 +144,7 @@ class Inputs:
             formula,
             self.number(owner, argument, formula),
             unit,
-            f"{argument} of {owner}" if owner else argument.replace("_", " "),
+            f"{argument} of {owner}: {formula}" if owner else argument.replace("_", " "),
             sign,
             upper,
             argument=argument,

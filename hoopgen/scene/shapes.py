@@ -6,6 +6,7 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from typing import TYPE_CHECKING, Any
 
 from hoopgen.brief import brief, listed
@@ -30,6 +31,9 @@ PUBLIC = re.compile(r"[a-z][a-z0-9_]*", re.ASCII)
 
 RESERVED = (*POSITION, "sqrt")
 """Names that formulas have already."""
+
+MOST = 1000
+"""Bodies, and ends: deriving more would take hours."""
 
 SIGNS = ("positive", "nonnegative", "any")
 
@@ -116,7 +120,9 @@ def read_scene(scene: Scene) -> Read:
 def _listed(scene: Scene, argument: str, given: Any, kind: type) -> list[Any]:
     if isinstance(given, str | Mapping) or not isinstance(given, Iterable):
         raise wrong(scene.name, "", argument, f"expected a list, got {brief(given)}")
-    found = list(given)
+    found = list(islice(given, MOST + 1))
+    if len(found) > MOST:
+        raise wrong(scene.name, "", argument, f"expected at most {MOST}")
     for one in found:
         if not isinstance(one, kind) or type(one) is pieces.Body:
             expected = "Plane, Sphere, Cylinder, Torus, Box or Surface"

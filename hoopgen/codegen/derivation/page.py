@@ -17,7 +17,6 @@ from hoopgen.derive.contact.rolling import (
     impact_inverse,
     impact_system,
 )
-from hoopgen.derive.flight.parabola import flight
 from hoopgen.derive.ground import rounding
 from hoopgen.derive.ground.kernel import Kernel
 from hoopgen.derive.ground.symbols import UNIT_ROUNDOFF, ParameterSymbol, normal
@@ -195,7 +194,7 @@ def _kernels(model: Model, letters: Letters) -> dict[str, KernelText]:
     for made in (*model.surfaces, *model.gates):
         names = {}
         if not isinstance(made.surface, Plane):
-            names = known(approach(made.surface, model.scene.gravity))
+            names = known(approach(made.surface, model.scene.flight))
         for kernel in made.kernels.values():
             texts[kernel.name] = _kernel(kernel, names, frozenset(STUDIES), letters)
     study = {kernel.name for kernel in model.study}
@@ -209,10 +208,10 @@ def _kernels(model: Model, letters: Letters) -> dict[str, KernelText]:
 def derivation_context(model: Model) -> Derivation:
     """Return what the template of derivation.md shows."""
     scene = model.scene
-    gravity, letters = scene.gravity, Letters(scene)
+    flight, letters = scene.flight, Letters(scene)
     brief = Brief(scene, letters)
-    place, motion = flight(gravity)
-    there, moving = rounding.flight_rounding(gravity, events.horizon)
+    place, motion = flight.at()
+    there, moving = flight.rounding(events.horizon)
     surfaces = (*scene.surfaces, *scene.gates)
     planes = [s for s in surfaces if isinstance(s, Plane)]
     lengths = [p.symbol for p in scene.parameters if p.unit == "m"]
@@ -235,7 +234,7 @@ def derivation_context(model: Model) -> Derivation:
         arguments=_arguments(model),
         brief=Formulas(tuple(brief.definitions)),
         flight=plainly(dict(zip(flown, (*place, *motion), strict=True)), {}, letters),
-        surfaces=tuple(surface_text(s, gravity, brief) for s in surfaces),
+        surfaces=tuple(surface_text(s, flight, brief) for s in surfaces),
         ends=tuple(
             EndText(
                 scene.ends[outcome].name,
@@ -249,7 +248,7 @@ def derivation_context(model: Model) -> Derivation:
         impact=_impact(scene, letters),
         crossing=explain({latex_name(n): e for n, e in events.crossing().items()}),
         searches=tuple(
-            search_text(s, gravity, letters) for s in scene.surfaces if not isinstance(s, Plane)
+            search_text(s, flight, letters) for s in scene.surfaces if not isinstance(s, Plane)
         ),
         flight_rounding=explain(
             {
@@ -262,9 +261,9 @@ def derivation_context(model: Model) -> Derivation:
             letters,
         ),
         plane_margins=explain(
-            {f"m_{text(p.name)}": plane_margin(p, gravity) for p in planes}, {}, letters
+            {f"m_{text(p.name)}": plane_margin(p, flight) for p in planes}, {}, letters
         ),
-        displacement=explain({r"\epsilon": events.displacement(gravity, lengths)}, {}, letters),
+        displacement=explain({r"\epsilon": events.displacement(flight, lengths)}, {}, letters),
         outline=outline(model.loop, shown),
         kernels=kernels,
     )

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import sympy as sp
 from sympy.core.sorting import default_sort_key
 
-from hoopgen.derive.flight.parabola import flight_polynomials
+from hoopgen.derive.flight.parabola import Parabola
 from hoopgen.derive.ground.choice import Held, hold, release
 from hoopgen.derive.ground.polynomials import compose
 from hoopgen.derive.ground.symbols import POSITION
@@ -16,6 +16,7 @@ from hoopgen.derive.search import approach
 from hoopgen.derive.search.approach import Approach
 from hoopgen.derive.search.events import event_coefficients
 from hoopgen.derive.search.plane import plane_arrival
+from hoopgen.derive.search.ring import RingApproach
 from hoopgen.derive.surfaces import Plane, Ring, Surface
 
 from .explain import Formulas, Line, explain, plainly
@@ -106,11 +107,13 @@ def _inner_sums(condition: sp.Expr) -> list[sp.Expr]:
 
 
 def _polynomial(
-    surface: Surface, gravity: sp.Expr, brief: Brief
+    surface: Surface, flight: Parabola, brief: Brief
 ) -> tuple[tuple[Line, ...], tuple[Line, ...], tuple[Line, ...]]:
     """Return the inner polynomials of a condition, their coefficients, and its own in theirs."""
+    if not surface.polynomial:
+        return (), (), ()
     condition = release(surface.condition)
-    paths: dict[sp.Symbol, list[sp.Expr]] = dict(flight_polynomials(gravity))
+    paths: dict[sp.Symbol, list[sp.Expr]] = dict(flight.path)
     named, inner, polynomials = {}, [], []
     ordered = sorted(_inner_sums(condition), key=lambda e: -len(compose(e, paths)))
     for letter, part in zip("SPQUV", ordered, strict=False):
@@ -121,7 +124,7 @@ def _polynomial(
         ]
         polynomials.append(brief.line(f"{letter}(t)", part))
         inner += [brief.line(f"{letter}_{{{k}}}", c) for k, c in enumerate(coefficients)]
-    rows = means = event_coefficients(surface, gravity)
+    rows = means = event_coefficients(surface, flight)
     if named:
         rows = compose(condition.xreplace(named), paths)
     parts = (symbol for letter in named.values() for symbol in paths[letter])
@@ -133,12 +136,12 @@ def _polynomial(
     return tuple(polynomials), tuple(inner), lines
 
 
-def surface_text(surface: Surface, gravity: sp.Expr, brief: Brief) -> SurfaceText:
+def surface_text(surface: Surface, flight: Parabola, brief: Brief) -> SurfaceText:
     """Return what the page says of a surface."""
-    polynomials, inner, coefficients = _polynomial(surface, gravity, brief)
+    polynomials, inner, coefficients = _polynomial(surface, flight, brief)
     arrival = Formulas(())
     if isinstance(surface, Plane):
-        outputs = {latex_name(name): e for name, e in plane_arrival(surface, gravity).items()}
+        outputs = {latex_name(name): e for name, e in plane_arrival(surface, flight).items()}
         arrival = explain(outputs, {}, brief.letters)
     return SurfaceText(
         surface.name,
@@ -164,9 +167,9 @@ def known(search: Approach) -> dict[sp.Basic, str]:
     return names
 
 
-def search_text(surface: Surface, gravity: sp.Expr, letters: Letters) -> SearchText:
+def search_text(surface: Surface, flight: Parabola, letters: Letters) -> SearchText:
     """Return what the page says of the search of a curved surface."""
-    search: Approach = approach(surface, gravity)
+    search: Approach = approach(surface, flight)
     names = known(search)
     slopes = {"F": search.gap, "F'": search.rate, "F''": search.bend, r"F_\ell": search.leaving_gap}
     slopes |= {latex_name(name): e for name, e in search.constants.items()}
@@ -182,8 +185,8 @@ def search_text(surface: Surface, gravity: sp.Expr, letters: Letters) -> SearchT
     steps = {latex_name(name): advance[name] for name in ("step", "clearance")}
     return SearchText(
         surface.name,
-        isinstance(surface, Ring),
-        show(surface.ring_radius, None, letters) if isinstance(surface, Ring) else "",
+        isinstance(search, RingApproach),
+        show(search.ring.ring_radius, None, letters) if isinstance(search, RingApproach) else "",
         explain(search.named, names, letters),
         plainly(slopes, names, letters),
         explain(windows, names, letters),

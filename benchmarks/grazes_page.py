@@ -1,0 +1,100 @@
+"""The tallies of grazes as Markdown and as JSON."""
+
+import json
+from collections.abc import Sequence
+from dataclasses import asdict
+
+from benchmarks.grazes import BANDS, KINDS, OURS, Tally
+from benchmarks.machine import facts
+from benchmarks.peers import LEFT_OUT
+from benchmarks.report import table
+
+MATTERS = ("processor", "system", "python", "hoopgen", "numpy", "scipy", "heyoka")
+"""Of the machine's facts: no speed is told here."""
+
+COUNTS = ("touching", "passing", "undecided", "missed", "invented", "doubt", "wrong_in_doubt")
+
+
+def as_json(tallies: Sequence[Tally]) -> str:
+    """Every number."""
+    return json.dumps([asdict(tally) for tally in tallies], indent=1) + "\n"
+
+
+def _summed(tallies: Sequence[Tally], **wanted: object) -> dict[str, int]:
+    """Counts of those tallies that are as wanted, together."""
+    chosen = [t for t in tallies if all(getattr(t, n) == value for n, value in wanted.items())]
+    return {name: sum(getattr(tally, name) for tally in chosen) for name in COUNTS}
+
+
+def _people(tallies: Sequence[Tally]) -> list[str]:
+    return list(dict.fromkeys(tally.who for tally in tallies))
+
+
+def _range(band: int) -> str:
+    least, most = BANDS[band]
+    return f"{most:.0e} to {least:.0e} m".replace("e-0", "e-")
+
+
+def summary(tallies: Sequence[Tally]) -> list[str]:
+    """Who missed and invented how many, in each band; the table that the README shows too."""
+    people = _people(tallies)
+    head, rows = ["gap"], [[who] for who in people]
+    for band in range(len(BANDS)):
+        all_ = _summed(tallies, who=people[0], band=band)
+        head += [
+            f"{_range(band)}: missed of {all_['touching']:,}",
+            f"invented of {all_['passing']:,}",
+            "uncertain",
+        ]
+        for row in rows:
+            own = _summed(tallies, who=row[0], band=band)
+            doubt = f"{own['doubt']:,}" if row[0] in OURS else "–"
+            row += [f"{own['missed']:,}", f"{own['invented']:,}", doubt]
+    return table(head, rows)
+
+
+def _by_kind(tallies: Sequence[Tally], band: int) -> list[str]:
+    people = _people(tallies)
+    shots = [_summed(tallies, who=people[0], band=band, kind=kind.key) for kind in KINDS]
+    rows = [["*touch, pass*", *(f"*{s['touching']}, {s['passing']}*" for s in shots)]]
+    for who in people:
+        cells = []
+        for kind in KINDS:
+            own = _summed(tallies, who=who, band=band, kind=kind.key)
+            cell = f"{own['missed']}, {own['invented']}"
+            cells.append(
+                f"{cell} ({own['doubt']}, {own['wrong_in_doubt']})" if own["doubt"] else cell
+            )
+        rows.append([who, *cells])
+    return [f"## By kind, {_range(band)}", "", *table(["", *(k.label for k in KINDS)], rows)]
+
+
+def as_markdown(tallies: Sequence[Tally]) -> str:
+    """The report."""
+    shots = _summed(tallies, who=_people(tallies)[0])
+    number = shots["touching"] + shots["passing"] + shots["undecided"]
+    lines = [
+        "# Grazes",
+        "",
+        f"`python -m benchmarks --only grazes` makes {number:,} shots whose first contact is "
+        "decided by a gap of 1e-9 m or less, of either sign: along the ring's wire, over it, "
+        "outside and inside; through the plane of the board, or down through that of the bridge, "
+        "beside an edge; and up over the bridge's side to a highest point beside its plane. What "
+        "each does is proved in ball arithmetic, from the same doubles; "
+        f"{shots['undecided']:,} of them could not be decided.",
+        "",
+        "*Missed*: a contact that is proved, and not found, or not within 5e-4 s of its time. "
+        "*Invented*: one found that is proved not to be. *Uncertain*: hoopgen says so itself, and "
+        "they are not among its missed and invented; the peers never do. Below 1e-13 m the gap "
+        "comes down to the last bits of the release. The peers are those of "
+        "[benchmarks.md](benchmarks.md).",
+        "",
+        *summary(tallies),
+        *(f"{line}.\n" for line in LEFT_OUT),
+        "Below: missed, invented; in parentheses how many are uncertain, and how many of those "
+        "would have been wrong.",
+        "",
+        *(line for band in range(len(BANDS)) for line in _by_kind(tallies, band)),
+        *(f"{what}: {value}  " for what, value in facts().items() if what in MATTERS),
+    ]
+    return "\n".join(lines).rstrip() + "\n"

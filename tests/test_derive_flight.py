@@ -1,0 +1,160 @@
+"""Flights: their paths, and which search a surface has along them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from hoopgen.derive.errors import tangent
+from hoopgen.derive.flight.flight import Flight
+from hoopgen.derive.flight.parabola import Parabola
+from hoopgen.derive.ground.polynomials import Coefficients, horner
+from hoopgen.derive.ground.rounding import Rounded
+from hoopgen.derive.ground.symbols import NORMAL, POSITION, VELOCITY, t
+from hoopgen.derive.scenes import HOOP
+from hoopgen.derive.scenes.scene import AXES
+from hoopgen.derive.search import approach, events, search
+from hoopgen.derive.search.bernstein import PolynomialApproach
+from hoopgen.derive.search.plane import PlaneSearch
+from hoopgen.derive.search.ring import RingApproach
+from hoopgen.derive.surfaces import Surface
+from mpmath import mpf
+from test_derive_evaluation import PARAMETERS, digits, exactly
+
+RING, BOARD, BRIDGE = HOOP.surfaces
+FLIGHTS = {str(axis): replace(HOOP, gravity_axis=axis).flight for axis in AXES}
+SIDEWAYS = [name for name, flight in FLIGHTS.items() if not flight.upright]
+flights = pytest.mark.parametrize("axis", AXES, ids=str)
+
+
+# -- Paths
+
+
+@flights
+def test_a_parabola_solves_newtons_equations_from_the_state(axis: tuple[int, int, int]) -> None:
+    flight = FLIGHTS[str(axis)]
+    place, motion = flight.at()
+    assert sp.expand(sp.diff(place, t) - motion) == sp.zeros(3, 1)
+    assert list(sp.diff(motion, t)) == [HOOP.gravity * component for component in axis]
+    assert list(place.subs(t, 0)) == list(POSITION)
+    assert list(motion.subs(t, 0)) == list(VELOCITY)
+    for symbol, component in zip(POSITION, place, strict=True):
+        assert sp.expand(horner(flight.path[symbol], t) - component) == 0
+    assert flight.exact
+    assert flight.strength == HOOP.gravity
+    assert flight.upright == (axis == (0, 0, -1))
+
+
+def test_free_fall_askew_is_no_stronger_than_its_largest_component() -> None:
+    slant = Parabola((sp.Integer(1), sp.Integer(0), sp.Integer(-3)))
+    assert exactly(slant.strength, {}) == 3
+    assert slant.at()[1][2] == VELOCITY[2] - 3 * t
+
+
+def test_a_flight_without_acceleration_is_refused() -> None:
+    with pytest.raises(ValueError, match="acceleration: expected one that is not zero, got zero"):
+        Parabola((sp.Integer(0), sp.Integer(0), sp.Integer(0)))
+
+
+# -- What is carried along them
+
+
+def test_bounds_ask_how_strong_free_fall_is_not_where_it_goes() -> None:
+    lengths = [p.symbol for p in HOOP.parameters if p.unit == "m"]
+    for flight in FLIGHTS.values():
+        assert events.displacement(flight, lengths) == events.displacement(HOOP.flight, lengths)
+        assert events.allowance(flight) == events.allowance(HOOP.flight)
+        assert events.padded_horizon(flight) == events.padded_horizon(HOOP.flight)
+
+
+@pytest.mark.parametrize("steps", [1, 2])
+def test_errors_are_carried_along_any_axis_as_along_z(steps: int) -> None:
+    """x, y, z renamed in turn, everywhere: the same numbers, under other names."""
+
+    def renamed(vector: Sequence[sp.Symbol]) -> dict[str, str]:
+        return {s.name: vector[(k + steps) % 3].name for k, s in enumerate(vector)}
+
+    vectors = (POSITION, VELOCITY, NORMAL, tangent.dx, tangent.dv)
+    names = {old: new for vector in vectors for old, new in renamed(vector).items()}
+    x, y, z = (AXES[5][(k - steps) % 3] for k in range(3))
+    usual = tangent.carried_to_contact(HOOP.flight)
+    other = tangent.carried_to_contact(FLIGHTS[str((x, y, z))])
+    rng = np.random.default_rng(steps)
+    symbols = {s.name for e in (*usual.values(), *other.values()) for s in e.free_symbols}
+    with digits(40):
+        for _ in range(20):
+            values: dict[str, Any] = {name: mpf(rng.normal()) for name in sorted(symbols)}
+            values |= {name: abs(values[name]) for name in ("late", "clock", "contacts", "t")}
+            values |= {"curving": mpf(3), "gravity": mpf(PARAMETERS["gravity"])}
+            moved = {names.get(name, name): value for name, value in values.items()}
+            for name, e in usual.items():
+                same, wanted = exactly(other[names.get(name, name)], moved), exactly(e, values)
+                assert abs(same - wanted) <= mpf(10) ** -30 * (1 + abs(wanted))
+
+
+# -- Which search
+
+
+def test_the_ring_is_searched_by_its_own_search_where_free_fall_is_down() -> None:
+    assert isinstance(approach(RING, HOOP.flight), RingApproach)
+    for name in SIDEWAYS:
+        assert isinstance(approach(RING, FLIGHTS[name]), PolynomialApproach)
+
+
+@pytest.mark.parametrize("name", SIDEWAYS)
+def test_the_rings_own_search_refuses_any_other(name: str) -> None:
+    with pytest.raises(ValueError, match=r"surface ring: .* expects free fall along -z, got"):
+        RingApproach(FLIGHTS[name], RING)
+
+
+@flights
+def test_planes_have_a_closed_form_along_every_axis(axis: tuple[int, int, int]) -> None:
+    for plane in (BOARD, BRIDGE):
+        assert isinstance(search(plane, FLIGHTS[str(axis)]), PlaneSearch)
+    with pytest.raises(TypeError, match="surface backboard: its arrival is a closed form"):
+        approach(BOARD, FLIGHTS[str(axis)])
+
+
+@dataclass(frozen=True)
+class Jerked(Flight):
+    """A flight of degree 3, which may end, or be off its path."""
+
+    until: sp.Expr = sp.oo
+    beside: sp.Expr = sp.Integer(0)
+
+    @property
+    def path(self) -> dict[sp.Symbol, Coefficients]:
+        parabola = Parabola(self.acceleration).path
+        return parabola | {POSITION[2]: [*parabola[POSITION[2]], sp.Integer(1)]}
+
+    @property
+    def span(self) -> sp.Expr:
+        return self.until
+
+    @property
+    def remainder(self) -> sp.Expr:
+        return self.beside
+
+    def size(self, latest: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+        raise NotImplementedError
+
+    def rounding(self, latest: sp.Expr) -> tuple[Rounded, Rounded]:
+        raise NotImplementedError
+
+
+@pytest.mark.parametrize("surface", HOOP.surfaces, ids=lambda surface: surface.name)
+def test_a_flight_of_another_kind_has_the_general_search_if_its_path_is_exact(
+    surface: Surface,
+) -> None:
+    falls = HOOP.flight.acceleration
+    assert isinstance(approach(surface, Jerked(falls)), PolynomialApproach)
+    degree = len(events.event_coefficients(BRIDGE, Jerked(falls))) - 1
+    assert degree == 3
+    wanted = f"surface {surface.name}: no search for a .* along a Jerked; the general one expects"
+    for flight in (Jerked(falls, until=sp.Integer(2)), Jerked(falls, beside=sp.Rational(1, 8))):
+        with pytest.raises(TypeError, match=wanted):
+            search(surface, flight)
