@@ -8,6 +8,7 @@ from __future__ import annotations
 import sympy as sp
 from hoopgen.derive.contact.rolling import Rolling
 from hoopgen.derive.ground.symbols import POSITION
+from hoopgen.derive.scenes.ends import End
 from hoopgen.derive.scenes.scene import Scene, parameter
 from hoopgen.derive.surfaces import Body, Plane, Sphere, body
 
@@ -48,8 +49,19 @@ def _chamber() -> Scene:
             ),
             shell,
         ),
-        finish=Plane("ground", (0, 0, 1), -symbol["depth"], zero),
-        target=sp.sqrt(x**2 + y**2) - symbol["bowl"],
+        ends=(
+            End(
+                "made",
+                Plane(
+                    "ground",
+                    (0, 0, 1),
+                    -symbol["depth"],
+                    zero,
+                    (sp.sqrt(x**2 + y**2) - symbol["bowl"],),
+                ),
+            ),
+            End("missed", Plane("ground", (0, 0, 1), -symbol["depth"], zero)),
+        ),
         ball_radius=ball,
         gravity=symbol["gravity"],
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sympy as sp
 from hoopgen.derive.contact.rolling import Rolling
 from hoopgen.derive.ground.symbols import POSITION
+from hoopgen.derive.scenes.ends import End
 from hoopgen.derive.scenes.scene import Scene, parameter
 from hoopgen.derive.surfaces import Box, Plane, body
 
@@ -41,8 +42,15 @@ def _crate() -> Scene:
             body(crate, Rolling("dull_impact", symbol["dull"])),
             body(board, Rolling("lively_impact", symbol["lively"])),
         ),
-        finish=Plane("ground", (0, 0, 1), -symbol["depth"], zero),
-        target=sp.sqrt(x**2 + y**2) - distance,
+        ends=(
+            End(
+                "made",
+                Plane(
+                    "ground", (0, 0, 1), -symbol["depth"], zero, (sp.sqrt(x**2 + y**2) - distance,)
+                ),
+            ),
+            End("missed", Plane("ground", (0, 0, 1), -symbol["depth"], zero)),
+        ),
         ball_radius=ball,
         gravity=symbol["gravity"],
     )

@@ -9,6 +9,7 @@ from __future__ import annotations
 import sympy as sp
 from hoopgen.derive.contact.rolling import Rolling
 from hoopgen.derive.ground.symbols import POSITION
+from hoopgen.derive.scenes.ends import End
 from hoopgen.derive.scenes.scene import Scene, parameter
 from hoopgen.derive.surfaces import Body, Cylinder, Plane, Torus, body
 
@@ -60,8 +61,15 @@ def _posts() -> Scene:
         name="posts",
         parameters=_PARAMETERS,
         bodies=(post, pipe, body(rod, post.law)),
-        finish=Plane("ground", up, -symbol["depth"], zero),
-        target=sp.sqrt(x**2 + y**2) - symbol["pipe"],
+        ends=(
+            End(
+                "made",
+                Plane(
+                    "ground", up, -symbol["depth"], zero, (sp.sqrt(x**2 + y**2) - symbol["pipe"],)
+                ),
+            ),
+            End("missed", Plane("ground", up, -symbol["depth"], zero)),
+        ),
         ball_radius=ball,
         gravity=symbol["gravity"],
     )

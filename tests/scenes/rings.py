@@ -8,6 +8,7 @@ from __future__ import annotations
 import sympy as sp
 from hoopgen.derive.contact.rolling import Rolling
 from hoopgen.derive.ground.symbols import POSITION
+from hoopgen.derive.scenes.ends import End
 from hoopgen.derive.scenes.scene import Scene, parameter
 from hoopgen.derive.surfaces import Free, Plane, Torus, body, torus
 
@@ -49,8 +50,19 @@ def _rings() -> Scene:
         name="rings",
         parameters=_PARAMETERS,
         bodies=tuple(body(face, law) for face in faces),
-        finish=Plane("ground", (0, 0, 1), -symbol["depth"], zero),
-        target=sp.sqrt(x**2 + y**2) - symbol["wide"],
+        ends=(
+            End(
+                "made",
+                Plane(
+                    "ground",
+                    (0, 0, 1),
+                    -symbol["depth"],
+                    zero,
+                    (sp.sqrt(x**2 + y**2) - symbol["wide"],),
+                ),
+            ),
+            End("missed", Plane("ground", (0, 0, 1), -symbol["depth"], zero)),
+        ),
         ball_radius=ball,
         gravity=symbol["gravity"],
     )
