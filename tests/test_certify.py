@@ -30,7 +30,6 @@ from benchmarks import exactness
 from benchmarks.families import FAMILIES
 from benchmarks.workloads import TABLE_3, WORKLOADS
 from hoopgen.cli.certify import certify as command
-from hoopgen.engine.raw import RESULT
 from hoopgen.judge import UNDECIDED, Enclosure, Proof, certify
 from hoopgen.judge.audit import deepest
 from hoopgen.judge.certificate import doubles, enclosure
@@ -619,7 +618,7 @@ def test_a_certificate_has_every_result_by_its_name() -> None:
     """Settling takes each from there, in the form that the engine gives it."""
     shots, states, parameters = flagged(False)
     certificate = certify(states, parameters)
-    for name in RESULT:
+    for name in hoopgen.HOOP.layout.results:
         given, proved = getattr(shots, name), getattr(certificate, name)
         assert (proved.dtype, proved.shape) == (given.dtype, given.shape), name
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -24,7 +25,7 @@ from slow_path import Floats, Slow, Wall
 
 from hoopgen.codegen import render
 from hoopgen.engine import native, numpy_backend
-from hoopgen.engine.raw import BOUNDS, FIELDS, Raw, allocate, allocate_events
+from hoopgen.engine.raw import Layout, Raw
 from hoopgen.judge.batch import prove
 from hoopgen.judge.certificate import Certificate
 from hoopgen.results import Outcome
@@ -62,10 +63,11 @@ class Case:
         """The parameters' usual values, in order."""
         return [p.default for p in self.scene.parameters]
 
-    def empty(self, shots: int) -> Raw:
-        """Return room for all results."""
-        results = allocate(shots, len(self.scene.bodies), (*FIELDS, *BOUNDS))
-        return results.joined(allocate_events(shots, MOST))
+
+def empty(module: ModuleType, shots: int) -> Raw:
+    """Return room for all results."""
+    layout = Layout(module)
+    return layout.allocate(shots, layout.results).joined(layout.allocate_events(shots, MOST))
 
 
 CASES = {
@@ -97,8 +99,8 @@ def own_folder(tmp_path_factory: pytest.TempPathFactory, case: Case) -> Path:
 
 
 def flown(case: Case, folder: Path, states: Floats) -> Raw:
-    out = case.empty(len(states))
     module = load_module(folder / "numpy" / f"{case.scene.name}.py")
+    out = empty(module, len(states))
     numpy_backend.run(module, states, case.defaults, None, MOST, out)
     return out
 
@@ -119,11 +121,12 @@ def test_both_engines_give_the_same_bits(case: Case, folder: Path) -> None:
     wanted = flown(case, folder, states)
     name = case.scene.name
     source = folder / "c" / f"{name}.c"
-    library = native.Library(shared_library(source, "-O1", f"-D{name.upper()}_WIDEST=4"), name)
+    module = load_module(folder / "numpy" / f"{name}.py")
+    library = native.Library(shared_library(source, "-O1", f"-D{name.upper()}_WIDEST=4"), module)
     for width in (1, 4):
-        out = case.empty(len(states))
+        out = empty(module, len(states))
         library.run(states, case.defaults, None, MOST, out, np.zeros(1, np.int32), width)
-        for field in (*FIELDS, *BOUNDS):
+        for field in Layout(module).results:
             assert same_bits(wanted.arrays[field], out.arrays[field]).all(), (width, field)
         assert sequences(out) == sequences(wanted)
     assert {Outcome.INVALID, Outcome.MISSED} <= set(wanted.arrays["outcome"])
