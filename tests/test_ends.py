@@ -92,12 +92,13 @@ class Engines:
 
     def run(self, states: NDArray[np.float64], limit: float, most: int = MOST) -> Raw:
         """Simulate on both, look that the bits are the same, and return them."""
-        given, layout = [p.default for p in self.scene.parameters], Layout(self.module)
+        given = [p.default for p in self.scene.parameters]
         outs = []
+        layout = Layout(self.module)
         for fields in (tuple(layout.results), layout.fields[:-1]):
             for in_c in (False, True):
-                log = layout.allocate_events(len(states), most)
-                out = layout.allocate(len(states), fields).joined(log)
+                out = layout.allocate(len(states), fields)
+                out = out.joined(layout.allocate_events(len(states), most))
                 outs.append(out)
                 if in_c:
                     stop = np.zeros(1, np.int32)

@@ -120,7 +120,8 @@ def test_both_engines_give_the_same_bits(case: Case, folder: Path) -> None:
     states = case.aimed(1200, seed=1)
     wanted = flown(case, folder, states)
     name = case.scene.name
-    source, module = folder / "c" / f"{name}.c", load_module(folder / "numpy" / f"{name}.py")
+    source = folder / "c" / f"{name}.c"
+    module = load_module(folder / "numpy" / f"{name}.py")
     library = native.Library(shared_library(source, "-O1", f"-D{name.upper()}_WIDEST=4"), module)
     for width in (1, 4):
         out = empty(module, len(states))
