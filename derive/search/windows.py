@@ -41,10 +41,20 @@ def windows(axes: Sequence[Axis], halves: Sequence[sp.Expr | None]) -> list[Wind
 
 
 def lost(centre: Sequence[sp.Expr], halves: Sequence[sp.Expr | None], g: sp.Expr) -> sp.Expr:
-    """Positive where what is not exact comes near to what the box is wider by."""
+    """Positive where what is not exact comes near to what the box is wider by.
+
+    Errors grow for ever where nothing ends the flight, but count only while the ball may be in the
+    box: it has left it for good after 2 v / g + sqrt(2 d / g), d to its far side.
+    """
     half = smallest(*(h for h in halves if h is not None))
-    moved = hold(position_error + velocity_error * horizon)
     far = hold(extent + sp.Add(*map(sp.Abs, centre)) + half)
+    latest: sp.Expr = horizon
+    if all(h is not None for h in halves):
+        beyond = hold(far + largest(*(h for h in halves if h is not None)))
+        latest = smallest(
+            horizon, hold(2 * speed * hold(1 / g) + sp.sqrt(2 * beyond * hold(1 / g)))
+        )
+    moved = hold(position_error + velocity_error * hold(latest))
     rounded = hold(far + speed**2 * hold(1 / g)) * sp.Rational(1, 2**48)
     return hold(moved + rounded) - WIDER / 4 * half
 
