@@ -30,7 +30,7 @@ from benchmarks.validation_results import (
 from hoopgen import PAPER
 from hoopgen.phrases import percent
 from hoopgen.plots.style import COLOURS, PAGE, style
-from hoopgen.study.optimum import Optimum
+from hoopgen.study.best import Optimum
 
 SOURCES = (
     "P. J. Brancazio (1981), Physics of basketball, *American Journal of Physics* 49, 356–365.",

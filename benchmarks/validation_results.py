@@ -14,12 +14,13 @@ import hoopgen
 from hoopgen import FIBA, NBA, PAPER, Outcome, Scatter
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.study.bank import Crossing, bank_or_direct, crossing
+from hoopgen.study.best import Optimum, paired
 from hoopgen.study.estimate import Estimate
 from hoopgen.study.intervals import wilson
-from hoopgen.study.optimum import Optimum, optimum, paired
+from hoopgen.study.optimum import optimum
 from hoopgen.study.player import By, Player
-from hoopgen.study.variables import ARGUMENTS, resolve_variables
 from hoopgen.units import FOOT
+from hoopgen.variables import ARGUMENTS, resolve_variables
 
 Floats = NDArray[np.float64]
 Parameters = Mapping[str, Any]

@@ -5,28 +5,44 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.generated.numpy.hoop import BODIES as SURFACES
+from hoopgen.generated.numpy.hoop import Outcome
+
 from .installed import need
 from .notebook import ROWS, some_rows, table
-from .results import SURFACES, Outcome
-from .study.told import say_scene
+from .told import say_scene
 from .units import column_name
-
-if TYPE_CHECKING:
-    from .results import Shots, Trajectory
+from .variables import STATE, STATE_UNITS
 
 __all__ = ["contacts_frame", "contacts_html", "shots_dataset", "shots_frame", "shots_html"]
 
-STATE = ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz")
-_STATE_UNITS = dict(zip(STATE, np.repeat(["m", "m/s", "rad/s"], 3).tolist(), strict=True))
 _ERRORS = {"position_error": "m", "velocity_error": "m/s", "spin_error": "rad/s"}
 
-UNITS: Mapping[str, str] = {"time": "s", "time_error": "s", **_STATE_UNITS, **_ERRORS}
+UNITS: Mapping[str, str] = {"time": "s", "time_error": "s", **STATE_UNITS, **_ERRORS}
 """Of the columns that have one."""
+
+
+class Shots(Protocol):
+    """What is read of `hoopgen.Shots`, which stands on this file; and its fields, by name."""
+
+    parameters: Mapping[str, Any]
+
+    def __len__(self) -> int: ...
+
+
+class Trajectory(Protocol):
+    """What is read of `hoopgen.Trajectory`."""
+
+    @property
+    def release(self) -> NDArray[np.float64]: ...
+
+    @property
+    def events(self) -> NDArray[Any]: ...
 
 
 def _named(name: str, unit: str = "") -> str:
@@ -97,7 +113,7 @@ def shots_dataset(shots: Shots) -> Any:
         data[name] = (dimensions, getattr(shots, name), told)
     dataset = xr.Dataset(data, coordinates)
     if "state" in data:
-        dataset = dataset.assign_coords(unit=("component", list(_STATE_UNITS.values())))
+        dataset = dataset.assign_coords(unit=("component", list(STATE_UNITS.values())))
     alike = {name: value for name, value in shots.parameters.items() if np.ndim(value) == 0}
     dataset.attrs["scene"] = say_scene(shots.parameters)
     dataset.attrs["parameters"] = json.dumps(alike)

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.generated.numpy import hoop
+
 from .brief import brief
-from .engine.raw import STATE_SIZE
-from .results import SURFACES
 
 __all__ = [
+    "Backend",
+    "MAX_CONTACTS",
     "check_angles",
     "check_contacts",
     "check_count",
@@ -23,6 +25,11 @@ __all__ = [
     "doubles",
     "is_whole",
 ]
+
+Backend = Literal["auto", "c", "numpy"]
+
+MAX_CONTACTS = 40
+"""With which a shot ends as capped where nothing else is said: as in the article."""
 
 CROWD = 4
 """Most threads for each processor."""
@@ -106,7 +113,7 @@ def check_states(states: ArrayLike) -> NDArray[np.float64]:
     array = doubles("states", states, "numbers of shape (n, 9) or (9,)")
     if array.ndim == 1:
         array = array[None]
-    if array.ndim != 2 or array.shape[1] != STATE_SIZE:
+    if array.ndim != 2 or array.shape[1] != len(hoop.STATE):
         raise ValueError(
             f"states: expected shape (n, 9) or (9,), got {np.shape(states)}; "
             "a row is x y z vx vy vz wx wy wz"
@@ -120,7 +127,7 @@ def check_leaving(leaving: ArrayLike | None, shots: int) -> NDArray[np.int8] | N
     Raises
     ------
     ValueError
-        If they are not indices into `SURFACES` or -1, one or so many.
+        If they are not indices into `hoopgen.SURFACES` or -1, one or so many.
     """
     if leaving is None:
         return None
@@ -131,8 +138,8 @@ def check_leaving(leaving: ArrayLike | None, shots: int) -> NDArray[np.int8] | N
     whole = array.dtype.kind in "iu" and not np.ma.is_masked(leaving)
     if not whole or array.shape not in ((), (shots,)):
         raise ValueError(f"leaving: expected whole numbers, one or {shots}, got {brief(leaving)}")
-    if np.any((array < -1) | (array >= len(SURFACES))):
-        raise ValueError(f"leaving: expected -1 to {len(SURFACES) - 1}, got {brief(leaving)}")
+    if np.any((array < -1) | (array >= len(hoop.BODIES))):
+        raise ValueError(f"leaving: expected -1 to {len(hoop.BODIES) - 1}, got {brief(leaving)}")
     return np.ascontiguousarray(np.broadcast_to(array, shots), dtype=np.int8)
 
 

@@ -4,42 +4,11 @@ from __future__ import annotations
 
 import html
 from collections.abc import Iterable, Sequence
-from typing import Any
 
-from .installed import need
-
-__all__ = ["Said", "some_rows", "table"]
+__all__ = ["some_rows", "table"]
 
 ROWS = 10
 """Shown of a long table: half of them from its start, half from its end."""
-
-
-class Said:
-    """A result that is shown and represented as it is printed, and becomes a row of a table."""
-
-    def as_dict(self) -> dict[str, Any]:
-        """Return everything, in types that JSON knows."""
-        raise NotImplementedError
-
-    def to_pandas(self) -> Any:
-        """Return a pandas.DataFrame of one row: what `as_dict` gives, nested names joined by _.
-
-        Units are in the columns' names.
-
-        Raises
-        ------
-        ImportError
-            If pandas is missing: what brings it.
-        """
-        from .study.named import in_units
-
-        return need("pandas", "to_pandas").json_normalize([in_units(self.as_dict())], sep="_")
-
-    def __repr__(self) -> str:
-        return str(self)
-
-    def _repr_html_(self) -> str:
-        return f"<pre>{html.escape(str(self))}</pre>"
 
 
 def some_rows(count: int) -> list[int]:

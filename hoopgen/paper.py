@@ -9,13 +9,17 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-import hoopgen
 from hoopgen.units import FOOT
+
+from .inputs import MAX_CONTACTS, Backend
+from .parameters import PAPER
+from .results import SURFACES, Outcome, Shots, Trajectory
+from .simulation import simulate
 
 __all__ = ["CASES", "Case", "Result", "Shown", "release_states", "run"]
 
@@ -123,11 +127,11 @@ class Result:
     """
 
     case: Case
-    outcome: hoopgen.Outcome
+    outcome: Outcome
     sequence: tuple[str, ...]
     events: NDArray[Any]
     uncertain: bool
-    trajectory: hoopgen.Trajectory
+    trajectory: Trajectory
     parameters: Mapping[str, float]
 
     @property
@@ -139,8 +143,8 @@ class Result:
     def differences(self) -> tuple[str, ...]:
         """In words, each way in which the simulation is not what the figure shows."""
         shown = self.case.shown
-        made = self.outcome == hoopgen.Outcome.MADE
-        ended = made or self.outcome == hoopgen.Outcome.MISSED
+        made = self.outcome == Outcome.MADE
+        ended = made or self.outcome == Outcome.MISSED
         touched = frozenset(self.sequence)
         checks = [
             (shown.sequence is None or self.sequence == shown.sequence, "another sequence"),
@@ -242,7 +246,7 @@ def run(
     cases: Iterable[Case] = CASES,
     *,
     parameters: Mapping[str, float] | None = None,
-    backend: Literal["auto", "c", "numpy"] = "auto",
+    backend: Backend = "auto",
 ) -> tuple[Result, ...]:
     """Simulate the article's shots, 40 contacts at most, as the article does.
 
@@ -261,25 +265,25 @@ def run(
         One for each case, in order.
     """
     chosen = tuple(cases)
-    scene = hoopgen.PAPER if parameters is None else parameters
-    shots = hoopgen.simulate(
+    scene = PAPER if parameters is None else parameters
+    shots = simulate(
         release_states(chosen),
         parameters=scene,
-        max_contacts=40,
+        max_contacts=MAX_CONTACTS,
         backend=backend,
         record=True,
     )
     return tuple(_result(case, shots, row, scene) for row, case in enumerate(chosen))
 
 
-def _result(case: Case, shots: hoopgen.Shots, row: int, scene: Mapping[str, float]) -> Result:
+def _result(case: Case, shots: Shots, row: int, scene: Mapping[str, float]) -> Result:
     trajectory = shots.trajectory(row)
     events = trajectory.events
-    contacts = events["surface"][events["surface"] < len(hoopgen.SURFACES)]
+    contacts = events["surface"][events["surface"] < len(SURFACES)]
     return Result(
         case=case,
-        outcome=hoopgen.Outcome(int(shots.outcome[row])),
-        sequence=tuple(hoopgen.SURFACES[int(surface)] for surface in contacts),
+        outcome=Outcome(int(shots.outcome[row])),
+        sequence=tuple(SURFACES[int(surface)] for surface in contacts),
         events=events,
         uncertain=bool(shots.uncertain[row]),
         trajectory=trajectory,

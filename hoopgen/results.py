@@ -13,8 +13,11 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.generated.numpy import hoop
 from hoopgen.generated.numpy.hoop import Outcome as Outcome
 
+from . import frames
 from .brief import brief
+from .inputs import doubles
 from .phrases import counted, doubtful
+from .told import say_scene
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -23,6 +26,17 @@ if TYPE_CHECKING:
 
 SURFACES = hoop.BODIES
 """Surfaces, in the order of ``Shots.counts``; the event log numbers the end plane after them."""
+
+
+def _plots() -> Any:
+    """Return the pictures, for the results' own `plot`.
+
+    They draw results, and so stand on this file: no other import leads up, and this one waits until
+    a picture is asked for.
+    """
+    from . import plots
+
+    return plots
 
 
 @dataclass(frozen=True)
@@ -76,8 +90,6 @@ class Trajectory:
         ValueError
             If a time is not within the trajectory.
         """
-        from .inputs import doubles  # which stands on this file: it knows the surfaces
-
         times = doubles("t", t)
         if not np.all((times >= 0.0) & (times <= self.duration)):
             raise ValueError(f"t: expected times from 0 to {self.duration} s, got {brief(t)}")
@@ -103,10 +115,8 @@ class Trajectory:
 
         The outcome is said if it is known.
         """
-        from hoopgen import plots
-
         told = {"outcome": self.outcome} | options
-        drawn: Figure | Axes = plots.plot_trajectory(self, self.parameters, **told)
+        drawn: Figure | Axes = _plots().plot_trajectory(self, self.parameters, **told)
         return drawn
 
     def to_pandas(self) -> Any:
@@ -119,14 +129,10 @@ class Trajectory:
         ImportError
             If pandas is missing: what brings it.
         """
-        from .frames import contacts_frame
-
-        return contacts_frame(self)
+        return frames.contacts_frame(self)
 
     def _repr_html_(self) -> str:
-        from .frames import contacts_html
-
-        return contacts_html(self)
+        return frames.contacts_html(self)
 
 
 class Shots:
@@ -203,8 +209,6 @@ class Shots:
     def __repr__(self) -> str:
         shots = counted(len(self), "shot")
         what = self._counts() if "outcome" in self._fields else ", ".join(self._fields)
-        from .study.told import say_scene
-
         return f"Shots({shots}{': ' if what else ''}{what}; {say_scene(self.parameters)})"
 
     def _counts(self) -> str:
@@ -218,9 +222,7 @@ class Shots:
 
     def plot(self, **options: Any) -> Figure | Axes:
         """Draw the paths; options, and what is returned and raised, as for `plots.plot_fan`."""
-        from hoopgen import plots
-
-        drawn: Figure | Axes = plots.plot_fan(self, self.parameters, **options)
+        drawn: Figure | Axes = _plots().plot_fan(self, self.parameters, **options)
         return drawn
 
     def to_pandas(self) -> Any:
@@ -233,9 +235,7 @@ class Shots:
         ImportError
             If pandas is missing: what brings it.
         """
-        from .frames import shots_frame
-
-        return shots_frame(self)
+        return frames.shots_frame(self)
 
     def to_xarray(self) -> Any:
         """Return the results as an xarray.Dataset over ``shot``, with what the codes mean.
@@ -248,14 +248,10 @@ class Shots:
         ImportError
             If xarray is missing: what brings it.
         """
-        from .frames import shots_dataset
-
-        return shots_dataset(self)
+        return frames.shots_dataset(self)
 
     def _repr_html_(self) -> str:
-        from .frames import shots_html
-
-        return shots_html(self)
+        return frames.shots_html(self)
 
     def trajectory(self, shot: int) -> Trajectory:
         """Return the path of one shot; needs ``record=True``.

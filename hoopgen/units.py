@@ -22,8 +22,11 @@ from typing import Literal
 from .brief import brief
 
 __all__ = [
+    "DEGREE",
     "FOOT",
+    "INCH",
     "NO_BARE",
+    "TURN",
     "UNITS",
     "Kind",
     "Shown",
@@ -42,15 +45,21 @@ Kind = Literal["length", "speed", "angle", "spin", "acceleration", "number"]
 FOOT = 0.3048
 """Metres in a foot, by definition."""
 
-_INCH = 0.0254
+INCH = 0.0254
+"""Metres in an inch, by definition."""
+
 _MILE = 1609.344
 _HOUR = 3600.0
-_DEGREE = math.pi / 180.0
-_TURN = 2.0 * math.pi
+
+DEGREE = math.pi / 180.0
+"""Radians in a degree."""
+
+TURN = 2.0 * math.pi
+"""Radians in a turn."""
 
 UNITS: Mapping[Kind, Mapping[str, float]] = MappingProxyType(
     {
-        "length": MappingProxyType({"m": 1.0, "cm": 0.01, "mm": 0.001, "ft": FOOT, "in": _INCH}),
+        "length": MappingProxyType({"m": 1.0, "cm": 0.01, "mm": 0.001, "ft": FOOT, "in": INCH}),
         "speed": MappingProxyType(
             {
                 "m/s": 1.0,
@@ -60,9 +69,9 @@ UNITS: Mapping[Kind, Mapping[str, float]] = MappingProxyType(
                 "mph": _MILE / _HOUR,
             }
         ),
-        "angle": MappingProxyType({"rad": 1.0, "deg": _DEGREE}),
+        "angle": MappingProxyType({"rad": 1.0, "deg": DEGREE}),
         "spin": MappingProxyType(
-            {"rad/s": 1.0, "deg/s": _DEGREE, "Hz": _TURN, "rev/s": _TURN, "rpm": _TURN / 60.0}
+            {"rad/s": 1.0, "deg/s": DEGREE, "Hz": TURN, "rev/s": TURN, "rpm": TURN / 60.0}
         ),
         "acceleration": MappingProxyType({"m/s2": 1.0, "ft/s2": FOOT}),
         "number": MappingProxyType({"": 1.0}),
@@ -210,7 +219,7 @@ def _listed(kind: Kind) -> str:
 def column_name(name: str, unit: str) -> str:
     """Return the name of a column of numbers in a unit: ``speed_m_s``; a plain number's has none.
 
-    What is written like this is read again: see `hoopgen.study.tables`.
+    What is written like this is read again: see `hoopgen.study.columns`.
     """
     plain = unit.lower().replace("\u00b2", "2").replace("/", "_")
     return name if plain in ("", "1") else f"{name}_{plain}"
@@ -243,8 +252,8 @@ _SHOWN: Mapping[System, Mapping[str, Shown]] = MappingProxyType(
         "si": {
             "length": Shown("m", 1.0, 3),
             "speed": Shown("m/s", 1.0, 3),
-            "angle": Shown("\u00b0", _DEGREE, 1),
-            "spin": Shown("Hz", _TURN, 2),
+            "angle": Shown("\u00b0", DEGREE, 1),
+            "spin": Shown("Hz", TURN, 2),
             "acceleration": Shown("m/s\u00b2", 1.0, 3),
             "number": Shown("", 1.0, 3),
             "short": Shown("cm", 0.01, 1),
@@ -252,11 +261,11 @@ _SHOWN: Mapping[System, Mapping[str, Shown]] = MappingProxyType(
         "us": {
             "length": Shown("ft", FOOT, 2),
             "speed": Shown("mph", _MILE / _HOUR, 2),
-            "angle": Shown("\u00b0", _DEGREE, 1),
-            "spin": Shown("Hz", _TURN, 2),
+            "angle": Shown("\u00b0", DEGREE, 1),
+            "spin": Shown("Hz", TURN, 2),
             "acceleration": Shown("ft/s\u00b2", FOOT, 2),
             "number": Shown("", 1.0, 3),
-            "short": Shown("in", _INCH, 2),
+            "short": Shown("in", INCH, 2),
         },
     }
 )

@@ -23,7 +23,8 @@ from numpy.typing import NDArray
 import hoopgen
 from hoopgen.cli import main
 from hoopgen.releases import RING_HEIGHT
-from hoopgen.study.aim import TABLE, Aim, aim, aim_table, write_csv
+from hoopgen.study.aim import Aim, aim
+from hoopgen.study.aim_table import TABLE, aim_table, write_csv
 from hoopgen.study.measures import measure
 from hoopgen.units import FOOT
 

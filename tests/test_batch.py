@@ -25,9 +25,10 @@ pq = pytest.importorskip("pyarrow.parquet")
 
 from hoopgen.study import batch as study_batch  # noqa: E402
 from hoopgen.study import chunks  # noqa: E402
+from hoopgen.study.columns import NAMED  # noqa: E402
 from hoopgen.study.measures import MEASURES, Kind, kinds, measure  # noqa: E402
 from hoopgen.study.named import named  # noqa: E402
-from hoopgen.study.tables import NAMED, Source  # noqa: E402
+from hoopgen.study.tables import Source  # noqa: E402
 from hoopgen.units import FOOT  # noqa: E402
 
 ROWS = 500
@@ -298,7 +299,7 @@ def test_a_batch_that_was_killed_goes_on_to_the_same_bytes(
         simulations.append(len(states))
         return hoopgen.simulate(states, *arguments, **options)
 
-    monkeypatch.setattr(study_batch, "simulate", simulate)
+    monkeypatch.setattr("hoopgen.study.flights.simulate", simulate)
     hoopgen.batch(source, out, release=PLACE, rows=100)
     assert sum(simulations) == ROWS - 100 * min(count - 1, 5)
     assert out.read_bytes() == whole.read_bytes()

@@ -188,7 +188,7 @@ def test_another_job_is_refused_and_told_what_differs(
     before = contents(tmp_path)
     with pytest.raises(ValueError, match=r"another job: job\.scale is 1\.0 there and 2\.0 here\. "):
         next(chunks.run(Numbers(scale=2.0), tmp_path))
-    monkeypatch.setattr("hoopgen.__version__", "9.9", raising=False)
+    monkeypatch.setattr("hoopgen.study.workers.version", lambda: "9.9")
     with pytest.raises(ValueError, match=r'hoopgen is ".*" there and "9\.9" here'):
         next(chunks.run(Numbers(), tmp_path))
     assert contents(tmp_path) == before

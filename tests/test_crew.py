@@ -18,9 +18,9 @@ import pyarrow as pa  # noqa: E402
 
 import hoopgen  # noqa: E402
 from hoopgen.cli import main  # noqa: E402
-from hoopgen.study import aim as aims  # noqa: E402
+from hoopgen.study import aim_table as aims  # noqa: E402
 from hoopgen.study import player as players  # noqa: E402
-from hoopgen.study.aim import aim_table  # noqa: E402
+from hoopgen.study.aim_table import aim_table  # noqa: E402
 from hoopgen.study.crew import alone, crew  # noqa: E402
 from hoopgen.studyfile import run_study, varied  # noqa: E402
 

@@ -26,7 +26,7 @@ from hoopgen.study.intervals import newcombe, wilson
 from hoopgen.study.measures import Kind, kinds
 from hoopgen.study.named import in_units
 from hoopgen.study.tallies import Tally
-from hoopgen.study.variables import Releases, change_variables
+from hoopgen.variables import Releases, change_variables
 
 DEGREE = math.pi / 180
 MEAN = {"speed": 7.17, "elevation": 52 * DEGREE, "height": 2.1336, "distance": 4.191}

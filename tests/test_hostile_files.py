@@ -21,7 +21,8 @@ pytest.importorskip("scipy")
 
 import hoopgen  # noqa: E402
 from hoopgen.cli import main  # noqa: E402
-from hoopgen.study.tables import Source, columns_of  # noqa: E402
+from hoopgen.study.columns import columns_of  # noqa: E402
+from hoopgen.study.tables import Source  # noqa: E402
 from hoopgen.viewer.sample import sample  # noqa: E402
 
 ROWS = 24

@@ -194,7 +194,7 @@ def test_a_whole_number_too_large_for_a_double_is_said_to_be(power: int) -> None
 
 def test_studies_say_so_too() -> None:
     pytest.importorskip("scipy")
-    from hoopgen.study.aim import aim_table
+    from hoopgen.study.aim_table import aim_table
 
     huge = 10**400
     placed = {"speed": 7.0, "elevation": 0.9, "height": 2.1, "distance": 4.2}

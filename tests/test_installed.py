@@ -191,6 +191,18 @@ except ImportError as error:
     assert f"{name} needs {missing}: pip install " in done.stdout
 
 
+def test_aiming_needs_no_extra() -> None:
+    code = """
+import sys
+for missing in ("matplotlib", "pandas", "pyarrow", "pydantic", "scipy", "xarray"):
+    sys.modules[missing] = None
+import hoopgen
+print(hoopgen.aim(height=2.0, distance=4.0)._repr_html_().count("<tr>"))
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout == "2\n"
+
+
 def test_no_hint_names_an_index_that_has_no_hoopgen() -> None:
     for path in (*ROOT.glob("*.md"), *ROOT.glob("docs/*.md"), *ROOT.glob("hoopgen/**/*.py")):
         assert "install 'hoopgen[" not in path.read_text(encoding="utf-8"), path

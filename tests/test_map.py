@@ -20,10 +20,10 @@ from hoopgen import Outcome, Scatter, estimate
 from hoopgen.cli import main
 from hoopgen.cli.types import AXIS
 from hoopgen.study import maps as module
+from hoopgen.study.columns import columns_of
 from hoopgen.study.measures import Kind, kinds
 from hoopgen.study.named import named
-from hoopgen.study.tables import columns_of
-from hoopgen.study.variables import VARIABLES, resolve_variables
+from hoopgen.variables import VARIABLES, resolve_variables
 
 DEGREE = math.pi / 180
 PLACE = {"height": 2.1336, "distance": 4.191}

@@ -21,9 +21,9 @@ from hoopgen.cli import main  # noqa: E402
 from hoopgen.study.player import Player  # noqa: E402
 from hoopgen.study.resample import Resample  # noqa: E402
 from hoopgen.study.scatter import Scatter  # noqa: E402
-from hoopgen.study.variables import STATE  # noqa: E402
 from hoopgen.studyfile import check_study, run_study  # noqa: E402
 from hoopgen.studyfile.reading import StudyError  # noqa: E402
+from hoopgen.variables import STATE  # noqa: E402
 
 DEGREE = np.pi / 180
 _random = np.random.default_rng(11)

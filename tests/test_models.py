@@ -16,7 +16,7 @@ import hoopgen
 from hoopgen import Grid, Resample, Scatter
 from hoopgen.study import draws
 from hoopgen.study.models import ReleaseModel
-from hoopgen.study.variables import STATE, VARIABLES, Releases, resolve_variables
+from hoopgen.variables import STATE, VARIABLES, Releases, resolve_variables
 
 EPS = float(np.finfo(np.float64).eps)
 DEGREE = math.pi / 180

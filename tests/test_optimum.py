@@ -18,16 +18,18 @@ pytest.importorskip("pyarrow")
 
 import hoopgen
 from hoopgen.cli import main
-from hoopgen.study.bank import bank_or_direct, crossing, on_board
+from hoopgen.study.bank import bank_or_direct, crossing
+from hoopgen.study.best import Optimum
+from hoopgen.study.board import on_board
 from hoopgen.study.crew import crew
 from hoopgen.study.intervals import wilson
 from hoopgen.study.margins import _SMOOTH, Margin, margins
 from hoopgen.study.named import in_units
-from hoopgen.study.optimum import Optimum, optimum
+from hoopgen.study.optimum import optimum
 from hoopgen.study.player import Player
 from hoopgen.study.scatter import Scatter
 from hoopgen.study.search import bounds_of
-from hoopgen.study.variables import ARGUMENTS
+from hoopgen.variables import ARGUMENTS
 
 DEGREE = np.pi / 180
 SD = {"speed": 0.07, "elevation": 1.3 * DEGREE, "azimuth": 1.0 * DEGREE}

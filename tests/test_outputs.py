@@ -190,7 +190,7 @@ def _page(file: Path) -> None:
 
 
 def _table(file: Path) -> None:
-    aim = pytest.importorskip("hoopgen.study.aim")
+    aim = pytest.importorskip("hoopgen.study.aim_table")
     aim.write_csv(file, {"distance": np.arange(100.0)})
 
 
@@ -271,7 +271,7 @@ def idle(monkeypatch: pytest.MonkeyPatch) -> None:
 
     for name in ("simulate", "map", "batch"):
         monkeypatch.setattr(hoopgen, name, worked, raising=False)
-    monkeypatch.setattr("hoopgen.study.aim.aim_table", worked)
+    monkeypatch.setattr("hoopgen.study.aim_table.aim_table", worked)
     monkeypatch.setattr("hoopgen.paper.run", worked)
     monkeypatch.setattr("hoopgen.viewer.sample.sample", worked)
 

@@ -1,6 +1,5 @@
 """What is installed, where it lands, and that a missing compiler or extra costs nothing."""
 
-import ast
 import ctypes
 import os
 import shutil
@@ -8,8 +7,6 @@ import subprocess
 import sys
 import sysconfig
 import zipfile
-from collections.abc import Iterator
-from graphlib import TopologicalSorter
 from importlib.metadata import distribution
 from pathlib import Path
 
@@ -172,48 +169,3 @@ def test_running_needs_numpy_and_click_alone() -> None:
     requirements = distribution("hoopgen").requires or []
     needed = {r.split(">")[0] for r in requirements if "extra ==" not in r}
     assert needed == {"numpy", "click"}
-
-
-def imported(tree: ast.AST, package: str) -> Iterator[str]:
-    """Yield the modules that are imported as soon as this one is, and names from them."""
-    for node in ast.iter_child_nodes(tree):
-        if isinstance(node, ast.Import):
-            yield from (each.name for each in node.names)
-        elif isinstance(node, ast.ImportFrom):
-            up = package.split(".")[: 1 - node.level or None] if node.level else []
-            where = ".".join([*up, *([node.module] if node.module else [])])
-            yield from (f"{where}.{each.name}" for each in node.names)
-        elif not isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
-            yield from imported(node, package)
-
-
-def test_studies_stand_below_pictures_pages_and_study_files() -> None:
-    above = ("hoopgen.plots", "hoopgen.viewer", "hoopgen.studyfile", "hoopgen.cli")
-    files = sorted((ROOT / "hoopgen" / "study").rglob("*.py"))
-    assert files
-    found = [
-        f"{file.name} imports {name}"
-        for file in files
-        for name in imported(
-            ast.parse(file.read_text(encoding="utf-8")),
-            ".".join(file.relative_to(ROOT).parent.parts),
-        )
-        if f"{name}.".startswith(tuple(f"{room}." for room in above))
-    ]
-    assert found == []
-
-
-def test_no_room_of_the_derivation_needs_what_needs_it() -> None:
-    """Not even for a type alone: what only type checkers import counts, too."""
-    rooms = {
-        ".".join(file.relative_to(ROOT).with_suffix("").parts).removesuffix(".__init__"): file
-        for file in sorted((ROOT / "derive").rglob("*.py"))
-    }
-    needs: dict[str, set[str]] = {}
-    for room, file in rooms.items():
-        tree = ast.parse(file.read_text(encoding="utf-8"))
-        package = ".".join(file.relative_to(ROOT).parent.parts)
-        names = set(imported(tree, package))
-        needs[room] = {n if n in rooms else n.rpartition(".")[0] for n in names} & set(rooms)
-    assert needs["derive.search.clear"] >= {"derive.search.polar"}
-    TopologicalSorter(needs).prepare()

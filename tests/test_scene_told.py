@@ -21,7 +21,7 @@ pytest.importorskip("xarray")
 
 from hoopgen.parameters import NAMES, PRESETS  # noqa: E402
 from hoopgen.study.named import parameters_named  # noqa: E402
-from hoopgen.study.told import say_scatter, say_scene, told_by  # noqa: E402
+from hoopgen.told import say_scatter, say_scene, told_by  # noqa: E402
 from hoopgen.viewer.sample import sample  # noqa: E402
 
 SCENE = hoopgen.NBA | {"restitution": 0.75}

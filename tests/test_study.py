@@ -713,7 +713,7 @@ def test_bank_shots_are_those_of_the_library(whole: Path) -> None:
 
 
 def test_aims_and_optima_are_those_of_the_library(whole: Path) -> None:
-    from hoopgen.study.aim import aim_table
+    from hoopgen.study.aim_table import aim_table
 
     table = aim_table(
         [3.0, 13.75 * 0.3048],

@@ -17,10 +17,11 @@ from hoopgen.units import UNITS, column_name, parse_quantity
 pa = pytest.importorskip("pyarrow")
 pq = pytest.importorskip("pyarrow.parquet")
 
-from hoopgen.study import tables  # noqa: E402
+from hoopgen.study import columns, tables  # noqa: E402
+from hoopgen.study.columns import NAMED, Column, columns_of, values  # noqa: E402
 from hoopgen.study.measures import MEASURES  # noqa: E402
-from hoopgen.study.tables import Column, Source, columns_of, values  # noqa: E402
-from hoopgen.study.variables import STATE, VARIABLES  # noqa: E402
+from hoopgen.study.tables import Source  # noqa: E402
+from hoopgen.variables import STATE, VARIABLES  # noqa: E402
 
 FREE_THROW = ["speed", "elevation_deg", "height", "distance"]
 RELEASE = ["speed", "elevation", "height", "distance"]
@@ -78,9 +79,9 @@ def test_the_unit_is_in_the_name(name: str, variable: str, text: str) -> None:
 
 @pytest.mark.parametrize("name", [*VARIABLES, *STATE])
 def test_a_column_named_with_any_unit_is_read_in_that_unit(name: str) -> None:
-    kind = tables._KINDS[name]
+    kind = columns._KINDS[name]
     for unit, size in UNITS[kind].items():
-        assert tables.variable_of(column_name(name, unit)) == (name, size)
+        assert columns.variable_of(column_name(name, unit)) == (name, size)
 
 
 @pytest.mark.parametrize(
@@ -111,7 +112,7 @@ def test_bare_angles_are_radians_in_files_that_an_older_version_wrote() -> None:
     )
     old = columns.with_metadata({"hoopgen": json.dumps({"version": "0.1.0", "release": {}})})
     assert columns_of(old)["elevation"] == Column("elevation", 1.0)
-    new = columns.with_metadata({"hoopgen": json.dumps({"version": "0.1.0", tables.NAMED: True})})
+    new = columns.with_metadata({"hoopgen": json.dumps({"version": "0.1.0", NAMED: True})})
     for schema in (columns, new, columns.with_metadata({"hoopgen": "{"})):
         with pytest.raises(ValueError, match="column elevation has no unit"):
             columns_of(schema)

@@ -20,7 +20,7 @@ import hoopgen  # noqa: E402
 from benchmarks import validation_page  # noqa: E402
 from benchmarks import validation_results as validation  # noqa: E402
 from hoopgen.plots import save  # noqa: E402
-from hoopgen.study.bank import on_board  # noqa: E402
+from hoopgen.study.board import on_board  # noqa: E402
 
 EPS = float(np.finfo(float).eps)
 

@@ -187,6 +187,8 @@ def test_surfaces_have_the_colours_of_the_pictures(tmp_path: Path) -> None:
     given = re.findall(r"--([a-z]+): (#[0-9A-F]{6});", style)
     assert len(given) == len(dict(given)), "no colour is given twice"
     assert {name: dict(given)[name] for name in COLOURS} == dict(COLOURS)
+    own = (FOLDER / "page.css").read_text("utf-8").upper()
+    assert [colour for colour in COLOURS.values() if colour in own] == [], "they have names there"
 
 
 def test_three_is_the_release_that_its_notes_name_and_small() -> None:

@@ -18,7 +18,7 @@ import pyarrow as pa  # noqa: E402
 import hoopgen  # noqa: E402
 from hoopgen.cli import main  # noqa: E402
 from hoopgen.phrases import counted, doubtful, interval, percent, points  # noqa: E402
-from hoopgen.study.advice import advice  # noqa: E402
+from hoopgen.study.best import advice  # noqa: E402
 from hoopgen.study.folders import opened  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[1]

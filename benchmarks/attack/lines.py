@@ -11,7 +11,7 @@ import pyarrow.csv
 
 from hoopgen.cli import main
 from hoopgen.parameters import PAPER
-from hoopgen.study.variables import VARIABLES
+from hoopgen.variables import VARIABLES
 
 from .cases import Attack, Attempt, Result
 from .files import STUDY, table

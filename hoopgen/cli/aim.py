@@ -23,7 +23,7 @@ from hoopgen.cli.options import (
 )
 from hoopgen.cli.types import OUT, Parsed, quantity
 from hoopgen.layout import table
-from hoopgen.study.told import say_scene
+from hoopgen.told import say_scene
 from hoopgen.units import parse_quantity, shown
 
 if TYPE_CHECKING:
@@ -43,8 +43,6 @@ _MOST = 10_000
 _ENOUGH = 1e-6
 """Of a step: an end of a range that is short of a whole number of steps by no more is its last
 value, since 0.1 is no binary number."""
-
-_OFF = ("speed", "elevation", "azimuth")
 
 
 def _distances(text: str) -> tuple[float, ...]:
@@ -139,7 +137,7 @@ def aim(
     """
     from hoopgen.cli.progress import shown
     from hoopgen.study.aim import aim as aimed
-    from hoopgen.study.aim import aim_table, write_csv
+    from hoopgen.study.aim_table import aim_table, write_csv
 
     spins = {name: wanted.pop(name) for name in ("backspin", "sidespin")}
     if len(distance) == 1:
@@ -161,8 +159,9 @@ def aim(
 
 def _one(shot: Mapping[str, float], wanted: Mapping[str, float], by: str) -> str:
     """Say one release and what it forgives."""
-    from hoopgen.study.variables import VARIABLES
-    from hoopgen.study.words import say
+    from hoopgen.study.aim_table import OFF
+    from hoopgen.variables import VARIABLES
+    from hoopgen.words import say
 
     spins = [f"{name} {say(name, shot[name])}" for name in ("backspin", "sidespin") if shot[name]]
     depth = wanted["depth"]
@@ -177,7 +176,7 @@ def _one(shot: Mapping[str, float], wanted: Mapping[str, float], by: str) -> str
         way = {"any": "in", "direct": "in directly", "bank": "in off the board"}[by]
         return "\n".join([*lines, f"result  does not go {way}: hoopgen shot shows why"])
     rows = []
-    for name in _OFF:
+    for name in OFF:
         value, low, high = shot.get(name, 0.0), shot[f"low_{name}"], shot[f"high_{name}"]
         off = f"{_signed(name, low - value)} to {_signed(name, high - value)}"
         rows.append([VARIABLES[name].label, say(name, low), say(name, high), off])
@@ -186,7 +185,7 @@ def _one(shot: Mapping[str, float], wanted: Mapping[str, float], by: str) -> str
 
 
 def _signed(name: str, value: float) -> str:
-    from hoopgen.study.words import say
+    from hoopgen.words import say
 
     text = say(name, value)
     return text if value < 0 else f"+{text}"
@@ -194,8 +193,9 @@ def _signed(name: str, value: float) -> str:
 
 def _many(columns: Columns) -> str:
     """Lay out a table of releases."""
-    from hoopgen.study.variables import VARIABLES
-    from hoopgen.study.words import say
+    from hoopgen.study.aim_table import OFF
+    from hoopgen.variables import VARIABLES
+    from hoopgen.words import say
 
     def cell(name: str, value: float) -> str:
         return "-" if math.isnan(value) else say(name, value, unit=False)
@@ -205,7 +205,7 @@ def _many(columns: Columns) -> str:
         "speed": "speed",
         "elevation": "elevation",
         "entry_angle": "entry",
-        **{f"{end}_{name}": name for name in _OFF for end in ("low", "high")},
+        **{f"{end}_{name}": name for name in OFF for end in ("low", "high")},
     }
     rows = [
         [cell(kind, columns[name][row]) for name, kind in kinds.items()]
@@ -214,6 +214,6 @@ def _many(columns: Columns) -> str:
     symbols = {kind: shown(kind).symbol for kind in ("length", "speed", "angle")}
     head = [f"dist. ({symbols['length']})", f"speed ({symbols['speed']})"]
     head += [f"elev. ({symbols['angle']})", f"entry ({symbols['angle']})"]
-    head += [word for name in _OFF for word in (f"from ({symbols[VARIABLES[name].kind]})", "to")]
-    groups = [(4 + 2 * k, 5 + 2 * k, name) for k, name in enumerate(_OFF)]
+    head += [word for name in OFF for word in (f"from ({symbols[VARIABLES[name].kind]})", "to")]
+    groups = [(4 + 2 * k, 5 + 2 * k, name) for k, name in enumerate(OFF)]
     return table(head, rows, right=range(len(head)), groups=groups)

@@ -21,7 +21,7 @@ from hoopgen.cli.options import (
 )
 from hoopgen.cli.types import FILE, whole
 from hoopgen.layout import table
-from hoopgen.study.told import say_scene
+from hoopgen.told import say_scene
 
 if TYPE_CHECKING:
     from hoopgen.judge import Proof

@@ -63,7 +63,7 @@ def estimate(
     import hoopgen
     from hoopgen.cli.progress import shown
     from hoopgen.study.named import in_units
-    from hoopgen.study.words import say
+    from hoopgen.words import say
 
     setting = releasing.model()
     with shown() as progress:

@@ -32,7 +32,7 @@ def flown(
     """
     from hoopgen.study.origin import names_scene, origin_of
     from hoopgen.study.tables import Source
-    from hoopgen.study.told import say_scene
+    from hoopgen.told import say_scene
 
     context = click.get_current_context()
     settings = dict(context.params["settings"])
@@ -62,7 +62,7 @@ def _refuse_columns(
     source: Any, own: Sequence[str], preset: str | None, settings: dict[str, float]
 ) -> None:
     """Refuse what columns of the table say in its place."""
-    from hoopgen.study.tables import variable_of
+    from hoopgen.study.columns import variable_of
 
     columns = [name for name in source.schema().names if name not in own]
     said = {variable: name for name in columns if (variable := variable_of(name)[0]) in NAMES}

@@ -69,7 +69,7 @@ def map_(
     """
     import hoopgen
     from hoopgen.cli.progress import shown
-    from hoopgen.study.told import footer, told_by
+    from hoopgen.told import footer, told_by
 
     model, scene = releasing.model()
     with shown() as progress:
@@ -143,7 +143,7 @@ def _shared(dataset: xr.Dataset) -> dict[str, Any]:
 def _summary(dataset: xr.Dataset) -> str:
     """Say how large the map is, and its best cell or the shares of its outcomes."""
     from hoopgen.phrases import counted, interval, percent
-    from hoopgen.study.words import say
+    from hoopgen.words import say
 
     axes = [str(name) for name in dataset.dims if name != "kind"]
     cells = " × ".join(f"{dataset.sizes[name]} {name}" for name in axes)

@@ -26,7 +26,7 @@ from hoopgen.cli.releasing import Releasing, from_option, release_options
 from hoopgen.cli.types import BOUNDS, COUNT, once
 
 if TYPE_CHECKING:
-    from hoopgen.study.optimum import Optimum
+    from hoopgen.study.best import Optimum
     from hoopgen.study.player import By
 
 __all__ = ["optimum"]
@@ -92,7 +92,7 @@ def optimum(
     the release forgives comes with it: how far off each variable alone may be.
     """
     from hoopgen.cli.progress import shown
-    from hoopgen.study.advice import advice
+    from hoopgen.study.best import advice
     from hoopgen.study.margins import MARGINS
     from hoopgen.study.optimum import optimum as best_release
 

@@ -22,6 +22,7 @@ from hoopgen.cli.types import (
     variable_type,
     whole,
 )
+from hoopgen.inputs import MAX_CONTACTS
 from hoopgen.parameters import PRESETS
 from hoopgen.units import System, showing
 
@@ -160,7 +161,7 @@ def scene_options(command: Callable[..., Any]) -> Callable[..., Any]:
 max_contacts_option = click.option(
     "--max-contacts",
     type=whole(most=2**31 - 1),
-    default=40,
+    default=MAX_CONTACTS,
     show_default=True,
     help="Contacts after which a shot is given up as capped.",
 )

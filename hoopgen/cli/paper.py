@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import textwrap
 from pathlib import Path
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import click
 
 from hoopgen.brief import brief
 from hoopgen.cli.options import backend_option, examples
 from hoopgen.cli.types import FOLDER
+from hoopgen.inputs import Backend
 from hoopgen.layout import NO_BREAK, table
 from hoopgen.printable import printable
 
@@ -43,7 +44,7 @@ def paper(
     out: Path | None,
     formats: str,
     events: bool,
-    backend: Literal["auto", "c", "numpy"],
+    backend: Backend,
 ) -> None:
     """Simulate the seven shots of the article and compare them with its figures.
 
@@ -51,7 +52,7 @@ def paper(
     shot does not do what the article's figure shows.
     """
     from hoopgen.paper import run
-    from hoopgen.study.told import say_scene
+    from hoopgen.told import say_scene
 
     suffixes = [] if out is None else _suffixes(formats)
     if out is not None:

@@ -69,7 +69,7 @@ class Releasing:
         from hoopgen.parameters import NAMES
         from hoopgen.study.resample import Resample
         from hoopgen.study.scatter import Scatter
-        from hoopgen.study.variables import change_variables
+        from hoopgen.variables import change_variables
 
         values = change_variables({**self.measured, **self.values}, changes)
         scene = dict(self.parameters)
@@ -80,8 +80,6 @@ class Releasing:
 
     def read(self, file: Path, asked: Mapping[str, Any], override: bool) -> tuple[Releasing, int]:
         """Return this with what a file says of releases and their scene; and its contacts."""
-        import pyarrow as pa
-
         from hoopgen.study.origin import settle
         from hoopgen.study.tables import Source
 
@@ -92,14 +90,10 @@ class Releasing:
         source = Source(file)
         origin = settle(source, release=self.values, **asked, override=override)
         columns = source.columns(origin.own, origin.release)
-        measured = source.values(pa.concat_tables(source.tables(_ROWS)), columns)
+        measured = source.values(source.whole(), columns)
         scene, values = origin.parameters, origin.release
         found = replace(self, values=values, parameters=scene, measured=measured)
         return found, origin.max_contacts
-
-
-_ROWS = 1 << 20
-"""Read at a time."""
 
 
 _FROM = together(

@@ -6,7 +6,7 @@ import json
 import math
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
 import click
 
@@ -23,8 +23,9 @@ from hoopgen.cli.options import (
     units_option,
 )
 from hoopgen.cli.types import PAGE
+from hoopgen.inputs import Backend
 from hoopgen.phrases import counted
-from hoopgen.study.told import say_scene
+from hoopgen.told import say_scene
 
 if TYPE_CHECKING:
     import numpy as np
@@ -62,7 +63,7 @@ def shot(
     preset: str,
     settings: Mapping[str, float],
     max_contacts: int,
-    backend: Literal["auto", "c", "numpy"],
+    backend: Backend,
     picture: Path | None,
     page: Path | None,
     as_json: bool,

@@ -15,8 +15,8 @@ from hoopgen.brief import brief
 from hoopgen.outputs import MAPS, PAGES, PICTURES, check_folder, check_output
 from hoopgen.parameters import PAPER
 from hoopgen.sizes import evenly
-from hoopgen.study.variables import VARIABLES, Variable
 from hoopgen.units import NO_BARE, UNITS, Kind, parse_quantity
+from hoopgen.variables import VARIABLES, Variable
 
 __all__ = [
     "ASSIGNMENT",

@@ -10,10 +10,11 @@ import click
 
 from hoopgen.cli.options import backend_option, examples, seed_option, table_options
 from hoopgen.cli.types import PAGE, whole
+from hoopgen.inputs import Backend
 from hoopgen.printable import printable
 
 if TYPE_CHECKING:
-    from typing import Literal
+    pass
 
 __all__ = ["view"]
 
@@ -52,7 +53,7 @@ def view(
     override: bool,
     format: str | None,
     own: tuple[str, ...],
-    backend: Literal["auto", "c", "numpy"],
+    backend: Backend,
 ) -> None:
     """Show a sample of a table of releases in space, in motion.
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack, overload
 
 import numpy as np
 from matplotlib import colormaps
@@ -17,13 +17,13 @@ from numpy.typing import NDArray
 
 from hoopgen.plots.court import FLOOR, Court, add_floor, find_court, on_floor
 from hoopgen.plots.page import add_view, new_page
-from hoopgen.plots.panels import Limits, Panel
+from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scene import draw_hoop, scene_corners
-from hoopgen.plots.style import PAGE, style
-from hoopgen.plots.views import View
-from hoopgen.study.told import in_a_note, say_scene, told_by
-from hoopgen.units import UNITS
+from hoopgen.plots.style import DARK, NARROW, PAGE, style
+from hoopgen.plots.views import Limits, View
+from hoopgen.told import in_a_note, say_scene, told_by
+from hoopgen.units import INCH
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -31,8 +31,6 @@ if TYPE_CHECKING:
 __all__ = ["plot_aim_points"]
 
 Column = NDArray[np.float64]
-
-INCH = UNITS["length"]["in"]
 
 FRONT = View("front view", (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), ("y", "above the ring"))
 
@@ -53,9 +51,15 @@ _NOTE = "A colour is a direction from the ring. Lines on the floor lead along th
 # Inches.
 _LEFT, _RIGHT, _BETWEEN, _BELOW, _ABOVE = 0.58, 0.1, 0.5, 0.46, 0.1
 _LEGEND = 0.25
-_NARROW = 5.0  # a page with the views one above the other
 _MARGIN = 0.1  # m
 _AIRY = 0.25  # m, around the places
+
+
+class _Options(TypedDict, total=False):
+    court: str
+    title: str
+    note: str | None
+    width: float
 
 
 @overload
@@ -63,24 +67,14 @@ def plot_aim_points(
     dataset: xr.Dataset,
     parameters: Mapping[str, Any],
     *,
-    court: str = ...,
-    title: str = ...,
-    note: str | None = ...,
-    width: float = ...,
     ax: None = None,
+    **options: Unpack[_Options],
 ) -> Figure: ...
 
 
 @overload
 def plot_aim_points(
-    dataset: xr.Dataset,
-    parameters: Mapping[str, Any],
-    *,
-    court: str = ...,
-    title: str = ...,
-    note: str | None = ...,
-    width: float = ...,
-    ax: Axes,
+    dataset: xr.Dataset, parameters: Mapping[str, Any], *, ax: Axes, **options: Unpack[_Options]
 ) -> Axes: ...
 
 
@@ -114,7 +108,7 @@ def plot_aim_points(
         Said below it, after what colours and lines are; by default the scene, and release, scatter
         and seed as far as the dataset says them.
     width
-        Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+        Of the page, inches, as of `plot_fan`.
     ax
         To draw on, the board without the floor. The key is to the right of them: figures with
         ``layout="constrained"`` make room for it.
@@ -122,8 +116,7 @@ def plot_aim_points(
     Returns
     -------
     Figure or Axes
-        A page of its own, which notebooks show and `hoopgen.plots.save` writes, not known to
-        pyplot; or `ax`, where it is given.
+        A page of its own, or `ax`; as of `plot_fan`.
 
     Raises
     ------
@@ -244,7 +237,7 @@ def _arrange(aims: _Aims, parameters: Mapping[str, float], width: float) -> tupl
     wide = float(np.abs(aims.y).max()) + _AIRY
     floor = (-wide, wide, -float(aims.x.max()) - _AIRY, parameters["board_distance"] + _AIRY)
     bottom = _LEGEND + _BELOW
-    if width < _NARROW:
+    if width < NARROW:
         across = width - _LEFT - _RIGHT
         scales = [across / (limits[1] - limits[0]) for limits in (board, floor)]
         lower = Panel(FLOOR, floor, scales[1], _LEFT, bottom)
@@ -279,7 +272,7 @@ def _scatter(axes: Axes, points: NDArray[np.float64], aims: _Aims) -> None:
             s=size,
             marker=marker,
             facecolors=aims.colours[here] if filled else "white",
-            edgecolors="#222222" if filled else aims.colours[here],
+            edgecolors=DARK if filled else aims.colours[here],
             linewidths=0.5 if filled else 1.2,
             label=label,
             zorder=60.0,

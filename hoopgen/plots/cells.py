@@ -14,8 +14,8 @@ from hoopgen.brief import brief
 from hoopgen.parameters import NAMES
 from hoopgen.phrases import counted, interval, percent
 from hoopgen.plots.key import classify
-from hoopgen.study.told import told_by
-from hoopgen.study.words import Quantity, quantity
+from hoopgen.told import told_by
+from hoopgen.words import Quantity, quantity
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, overload
+from typing import Any, TypedDict, Unpack, overload
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -15,7 +15,6 @@ from matplotlib.patches import Rectangle
 from matplotlib.path import Path
 from numpy.typing import NDArray
 
-import hoopgen
 from hoopgen.brief import brief
 from hoopgen.phrases import counted, percent
 from hoopgen.plots.key import CLASSES, Class, classify, draw_key, key_height
@@ -23,53 +22,45 @@ from hoopgen.plots.page import add_view, new_page
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scene import draw_hoop, scene_corners
-from hoopgen.plots.style import MISSED_LINES, PAGE, style
-from hoopgen.plots.views import View
+from hoopgen.plots.style import EDGES, GRID, MISSED_LINES, NARROW, PAGE, style
+from hoopgen.plots.views import Limits, View
+from hoopgen.results import Outcome, Shots, Trajectory
 from hoopgen.study.measures import kinds
-from hoopgen.study.told import say_scene
+from hoopgen.told import say_scene
 
 __all__ = ["Fan", "draw_fan", "gather_fan", "plot_fan"]
 
-Limits = tuple[float, float, float, float]
 
 # Inches.
 _LEFT, _RIGHT, _BELOW, _ABOVE, _PAD = 0.55, 0.1, 0.48, 0.08, 0.08
 _BETWEEN = 0.68
 _TALLEST = 3.5
-_NARROW = 5.0  # a page with the panels one above the other
 
 _LINE = 0.45  # points
 _MARGIN = 0.08  # m around what is drawn
 
 
+class _Options(TypedDict, total=False):
+    paths: int
+    title: str
+    note: str
+    width: float
+
+
 @overload
 def plot_fan(
-    shots: hoopgen.Shots,
-    parameters: Mapping[str, Any],
-    *,
-    paths: int = ...,
-    title: str = ...,
-    note: str = ...,
-    width: float = ...,
-    ax: None = None,
+    shots: Shots, parameters: Mapping[str, Any], *, ax: None = None, **options: Unpack[_Options]
 ) -> Figure: ...
 
 
 @overload
 def plot_fan(
-    shots: hoopgen.Shots,
-    parameters: Mapping[str, Any],
-    *,
-    paths: int = ...,
-    title: str = ...,
-    note: str = ...,
-    width: float = ...,
-    ax: Axes,
+    shots: Shots, parameters: Mapping[str, Any], *, ax: Axes, **options: Unpack[_Options]
 ) -> Axes: ...
 
 
 def plot_fan(
-    shots: hoopgen.Shots,
+    shots: Shots,
     parameters: Mapping[str, Any],
     *,
     paths: int = 150,
@@ -121,7 +112,7 @@ def plot_fan(
         _as_line(CLASSES[one]): float(np.mean(place == one)) for one in np.unique(place).tolist()
     }
     fan = gather_fan(shots, parameters, range(min(paths, len(shots))))
-    made = percent(float(np.mean(shots.outcome == hoopgen.Outcome.MADE)))
+    made = percent(float(np.mean(shots.outcome == Outcome.MADE)))
     drawn = f"{len(fan.curves)} {'is' if len(fan.curves) == 1 else 'are'}"
     said = f"{counted(len(shots), 'shot')}, {made} made; {drawn} drawn."
     told = f"{said} Scene: {say_scene(parameters)}. {note}"
@@ -131,7 +122,7 @@ def plot_fan(
         return _draw(fan, shares, title, told, width)
 
 
-def gather_fan(shots: hoopgen.Shots, parameters: Mapping[str, Any], drawn: Iterable[int]) -> Fan:
+def gather_fan(shots: Shots, parameters: Mapping[str, Any], drawn: Iterable[int]) -> Fan:
     """Return the paths of those of some shots that have one; arguments as of `plot_fan`.
 
     Raises
@@ -195,7 +186,7 @@ def _from_the_side(releases: list[NDArray[np.float64]]) -> View:
     return View("side view", right, (0.0, 0.0, 1.0), labels)
 
 
-def _curve(trajectory: hoopgen.Trajectory, view: View) -> Path:
+def _curve(trajectory: Trajectory, view: View) -> Path:
     """Return a path as it is: each flight is a parabola, which is one quadratic Bézier curve."""
     events = trajectory.events
     states = np.concatenate([trajectory.release[np.newaxis], events["after"]])
@@ -235,7 +226,7 @@ def _arrange(fan: Fan, width: float, foot: float) -> tuple[Panel, Panel]:
     whole, near = fan.limits(), fan.near_the_ring()
     forms = [(right - left) / (top - bottom) for left, right, bottom, top in (whole, near)]
     bottom = foot + _BELOW
-    if width < _NARROW:
+    if width < NARROW:
         across = width - _LEFT - _RIGHT
         scales = [across / (limits[1] - limits[0]) for limits in (whole, near)]
         lower = Panel(fan.view, near, scales[1], _LEFT, bottom)
@@ -249,7 +240,7 @@ def _arrange(fan: Fan, width: float, foot: float) -> tuple[Panel, Panel]:
 
 def draw_fan(axes: Axes, panel: Panel, fan: Fan) -> None:
     """Draw hoop and paths on axes of `add_view`, missed shots below made ones."""
-    axes.grid(color="#ECECEC", lw=0.5)
+    axes.grid(color=GRID, lw=0.5)
     draw_hoop(axes, panel.view, fan.scene, panel.scale)
     order = sorted(range(len(fan.curves)), key=lambda shot: fan.classes[shot].outcome == "made")
     lines = PathCollection(
@@ -265,5 +256,5 @@ def draw_fan(axes: Axes, panel: Panel, fan: Fan) -> None:
 def _outline(axes: Axes, limits: Limits) -> None:
     """Show which part the other panel has."""
     left, right, bottom, top = limits
-    box = Rectangle((left, bottom), right - left, top - bottom, fill=False, ec="#777777", lw=0.5)
+    box = Rectangle((left, bottom), right - left, top - bottom, fill=False, ec=EDGES, lw=0.5)
     axes.add_patch(box)

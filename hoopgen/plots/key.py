@@ -11,10 +11,10 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from numpy.typing import ArrayLike, NDArray
 
-import hoopgen
 from hoopgen.phrases import percent
 from hoopgen.plots.page import add_axes
-from hoopgen.plots.style import MADE, MISSED, NEITHER
+from hoopgen.plots.style import EDGES, INK, MADE, MISSED, NEITHER
+from hoopgen.results import Outcome
 from hoopgen.study.measures import Kind
 
 __all__ = ["CLASSES", "Class", "classify", "draw_key", "key_height"]
@@ -27,7 +27,7 @@ class Class:
     Attributes
     ----------
     outcome
-        Name of a `hoopgen.Outcome`, in lower case.
+        Name of a `Outcome`, in lower case.
     kind
         Name of a `Kind`, in lower case; empty where the shot is neither made nor missed.
     colour
@@ -56,10 +56,10 @@ CLASSES = _classes()
 
 def _index() -> NDArray[np.int64]:
     """Return the place in `CLASSES` by outcome and kind; -1 where no shot can be that."""
-    index = np.full((len(hoopgen.Outcome), len(Kind)), -1)
+    index = np.full((len(Outcome), len(Kind)), -1)
     for place, one in enumerate(CLASSES):
         kinds = slice(None) if not one.kind else Kind[one.kind.upper()]
-        index[hoopgen.Outcome[one.outcome.upper()], kinds] = place
+        index[Outcome[one.outcome.upper()], kinds] = place
     return index
 
 
@@ -75,14 +75,14 @@ def classify(outcome: ArrayLike, kind: ArrayLike) -> NDArray[np.int64]:
         If there is an outcome or a kind that is none, or both together are no shot's.
     """
     outcomes, kinds = np.asarray(outcome, dtype=np.intp), np.asarray(kind, dtype=np.intp)
-    for name, codes, all_of in (("outcome", outcomes, hoopgen.Outcome), ("kind", kinds, Kind)):
+    for name, codes, all_of in (("outcome", outcomes, Outcome), ("kind", kinds, Kind)):
         if codes.size and not 0 <= codes.min() <= codes.max() < len(all_of):
             allowed = ", ".join(f"{one.value} {one.name}" for one in all_of)
             raise ValueError(f"{name}: expected codes of {allowed}")
     places = _INDEX[outcomes, kinds]
     if (places < 0).any():
         where = int(np.argmax(places.ravel() < 0))
-        what = hoopgen.Outcome(int(outcomes.flat[where])).name, Kind(int(kinds.flat[where])).name
+        what = Outcome(int(outcomes.flat[where])).name, Kind(int(kinds.flat[where])).name
         raise ValueError(f"kind: no shot is {what[0]} and {what[1]}")
     return np.asarray(places)
 
@@ -173,7 +173,7 @@ def draw_key(
 
     def write(cell: tuple[float, float], text: str, size: float = _SIZE) -> None:
         at = left + cell[0], top + cell[1]
-        axes.text(*at, text, va="center_baseline", fontsize=size, color="#333333", linespacing=1.0)
+        axes.text(*at, text, va="center_baseline", fontsize=size, color=INK, linespacing=1.0)
 
     for name, line in lines.items():
         words = name.replace("_", ",\n" if table.wrapped else ", ")
@@ -191,4 +191,4 @@ def draw_key(
 
 def _draw_swatch(axes: Axes, left: float, middle: float, colour: str) -> None:
     corner = left, middle - _SWATCH_HEIGHT / 2.0
-    axes.add_patch(Rectangle(corner, _SWATCH, _SWATCH_HEIGHT, fc=colour, ec="#777777", lw=0.4))
+    axes.add_patch(Rectangle(corner, _SWATCH, _SWATCH_HEIGHT, fc=colour, ec=EDGES, lw=0.4))

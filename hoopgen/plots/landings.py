@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, overload
+from typing import Any, TypedDict, Unpack, overload
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle
 from matplotlib.patheffects import withStroke
 from matplotlib.ticker import MaxNLocator
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from hoopgen.inputs import doubles
 from hoopgen.phrases import percent
@@ -21,14 +21,13 @@ from hoopgen.plots.court import FLOOR, Court, add_floor, draw_floor, find_court,
 from hoopgen.plots.page import add_axes, new_page
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import add_title, check_axes, fit_view
-from hoopgen.plots.style import COLOURS, PAGE, SHADES, style
-from hoopgen.study.told import say_scene
+from hoopgen.plots.style import COLOURS, DARK, PAGE, SHADES, style
+from hoopgen.plots.views import Limits, Points
+from hoopgen.told import say_scene
 from hoopgen.units import shown
 
 __all__ = ["plot_landings"]
 
-Points = NDArray[np.float64]
-Limits = tuple[float, float, float, float]
 
 # Inches.
 _LEFT, _BELOW, _ABOVE = 0.5, 0.46, 0.08
@@ -48,18 +47,22 @@ def _share() -> str:
     return f"balls that land there (% per {shown('length').symbol}²)"
 
 
+class _Options(TypedDict, total=False):
+    place: tuple[float, float] | None
+    court: str
+    title: str
+    note: str
+    width: float
+
+
 @overload
 def plot_landings(
     x: ArrayLike,
     y: ArrayLike,
     parameters: Mapping[str, Any],
     *,
-    place: tuple[float, float] | None = ...,
-    court: str = ...,
-    title: str = ...,
-    note: str = ...,
-    width: float = ...,
     ax: None = None,
+    **options: Unpack[_Options],
 ) -> Figure: ...
 
 
@@ -69,12 +72,8 @@ def plot_landings(
     y: ArrayLike,
     parameters: Mapping[str, Any],
     *,
-    place: tuple[float, float] | None = ...,
-    court: str = ...,
-    title: str = ...,
-    note: str = ...,
-    width: float = ...,
     ax: Axes,
+    **options: Unpack[_Options],
 ) -> Axes: ...
 
 
@@ -108,15 +107,14 @@ def plot_landings(
     note
         Said below it, after what the picture says itself: how many there are, and their scene.
     width
-        Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+        Of the page, inches, as of `plot_fan`.
     ax
         To draw on; the bar of colours takes its place from them.
 
     Returns
     -------
     Figure or Axes
-        A page of its own, which notebooks show and `hoopgen.plots.save` writes, not known to
-        pyplot; or `ax`, where it is given.
+        A page of its own, or `ax`; as of `plot_fan`.
 
     Raises
     ------
@@ -274,7 +272,7 @@ def _draw_density(axes: Axes, points: Points, limits: Limits, finest: float) -> 
 
 def _draw_circle(axes: Axes, radius: float, share: float) -> None:
     """Draw the circle about the point below the ring's centre that holds a share of the balls."""
-    axes.add_patch(Circle((0.0, 0.0), radius, fill=False, ec="#222222", lw=0.8, ls=(0, (4, 2))))
+    axes.add_patch(Circle((0.0, 0.0), radius, fill=False, ec=DARK, lw=0.8, ls=(0, (4, 2))))
     at = radius * np.sin(_LABELLED), -radius * np.cos(_LABELLED)
     unit = shown("length")
     axes.text(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack, overload
 
 import numpy as np
 from matplotlib import colormaps
@@ -22,7 +22,7 @@ from hoopgen.plots.cells import Cells, read_cells
 from hoopgen.plots.key import CLASSES, draw_key, key_height
 from hoopgen.plots.page import new_page
 from hoopgen.plots.picture import add_key, add_title, check_axes
-from hoopgen.plots.style import COLOURS, PAGE, SHADES, style
+from hoopgen.plots.style import COLOURS, DARK, EDGES, GRID, NARROW, PAGE, SHADES, SMALL, style
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -32,14 +32,13 @@ __all__ = ["draw_kinds", "plot_map"]
 _MADE = "shots made (%)"
 
 _BAND = "#A6CEE3"
-_DARK, _LIGHT = "#222222", "#FFFFFF"
+_LIGHT = COLOURS["paper"]
 
 _LEVELS, _FEW_LEVELS = (MaxNLocator(nbins=n, steps=[1, 2, 5, 10]) for n in (8, 4))
 
 _BEST = "\N{WHITE CIRCLE} best"
 
 # Inches.
-_NARROW = 5.0  # a page with one or two panels beside one another, and the key's kinds in a column
 _STRIP = 0.9
 _HEIGHT = 0.62  # of a panel, in its width
 _LABELS = 0.3
@@ -50,31 +49,20 @@ _EDGE = 0.07  # where contours are not labelled
 _APART = 0.11  # between labels, at least
 _SHORT = 0.15  # a contour without label
 
-_SMALL = 7.5  # points
+
+class _Options(TypedDict, total=False):
+    of: str | None
+    title: str
+    note: str | None
+    width: float
 
 
 @overload
-def plot_map(
-    dataset: xr.Dataset,
-    *,
-    of: str | None = ...,
-    title: str = ...,
-    note: str | None = ...,
-    width: float = ...,
-    ax: None = None,
-) -> Figure: ...
+def plot_map(dataset: xr.Dataset, *, ax: None = None, **options: Unpack[_Options]) -> Figure: ...
 
 
 @overload
-def plot_map(
-    dataset: xr.Dataset,
-    *,
-    of: str | None = ...,
-    title: str = ...,
-    note: str | None = ...,
-    width: float = ...,
-    ax: Axes,
-) -> Axes: ...
+def plot_map(dataset: xr.Dataset, *, ax: Axes, **options: Unpack[_Options]) -> Axes: ...
 
 
 def plot_map(
@@ -113,8 +101,7 @@ def plot_map(
     Returns
     -------
     Figure or Axes
-        A page of its own, which notebooks show and `hoopgen.plots.save` writes, not known to
-        pyplot; or `ax`, where it is given.
+        A page of its own, or `ax`; as of `plot_fan`.
 
     Raises
     ------
@@ -137,7 +124,7 @@ def plot_map(
 
 def _plot_line(shown: Cells, title: str, width: float) -> Figure:
     """Draw a probability over one variable."""
-    body = 2.4 if width < _NARROW else 3.2
+    body = 2.4 if width < NARROW else 3.2
     figure = new_page(width, body, title=title, note=shown.note, arrange=True)
     _draw_line(figure.subplots(), shown)
     return figure
@@ -164,7 +151,7 @@ def _draw_on(axes: Axes, shown: Cells, title: str, note: str) -> Axes:
     if panel.of == "kind":
         draw_kinds(axes, panel)
         present = [CLASSES[place] for place in np.unique(panel.values)]
-        add_key(axes, [Patch(fc=one.colour, ec="#777777", label=one.words) for one in present])
+        add_key(axes, [Patch(fc=one.colour, ec=EDGES, label=one.words) for one in present])
     elif len(panel.axes) > 1:
         figure = axes.figure
         assert figure is not None
@@ -184,22 +171,22 @@ def _draw_line(axes: Axes, shown: Cells) -> None:
     best = shown.best()
     if best is not None:
         _mark(axes, shown.at(best)[0], float(shown.values[best]))
-        axes.set_title(f"{_BEST} {shown.say(best)}", loc="left", fontsize=_SMALL)
+        axes.set_title(f"{_BEST} {shown.say(best)}", loc="left", fontsize=SMALL)
     axes.set_xlabel(axis.quantity.label, parse_math=False)
     axes.set_ylabel(_MADE)
     axes.yaxis.set_major_formatter(FuncFormatter(_in_percent))
     axes.set_ylim(0.0, 1.08 * float(np.nanmax(top, initial=0.01)))
     axes.margins(x=0.0)
-    axes.grid(color="#ECECEC", lw=0.5)
+    axes.grid(color=GRID, lw=0.5)
     axes.set_axisbelow(True)
     if shown.interval is not None:
-        axes.legend(frameon=False, fontsize=_SMALL)
+        axes.legend(frameon=False, fontsize=SMALL)
 
 
 def _plot_panels(shown: Cells, title: str, width: float) -> Figure:
     """Draw a map over two variables, one for each value of the third; a strip over one."""
     panels = shown.panels()
-    columns = min(len(panels), 2 if width < _NARROW else 3)
+    columns = min(len(panels), 2 if width < NARROW else 3)
     rows = -(-len(panels) // columns)
     present = [CLASSES[place] for place in np.unique(shown.values)] if shown.of == "kind" else []
     key = dict.fromkeys(present)
@@ -212,7 +199,7 @@ def _plot_panels(shown: Cells, title: str, width: float) -> Figure:
     places = list(grid.flat[: len(panels)])
     for axes, panel in zip(places, panels, strict=True):
         if len(panels) > 1:
-            axes.set_title(panel.note, loc="left", fontsize=_SMALL)
+            axes.set_title(panel.note, loc="left", fontsize=SMALL)
     for axes in places[-columns:]:
         axes.tick_params(labelbottom=True)
     across, *up = [axis.quantity.label for axis in shown.axes]
@@ -264,7 +251,7 @@ def _draw_probabilities(
             said = f"{_BEST} {panel.say(best)}"
             if len(panels) > 1:
                 said = f"{panel.note}\n{_BEST} {percent(float(panel.values[best]))}"
-            axes.set_title(said, loc="left", fontsize=_SMALL)
+            axes.set_title(said, loc="left", fontsize=SMALL)
     bar = figure.colorbar(mesh, ax=list(places), label=_MADE, ticks=levels, pad=0.02)
     bar.ax.yaxis.set_major_formatter(FuncFormatter(_in_percent))
     assert bar.solids is not None
@@ -275,7 +262,7 @@ def _draw_contours(axes: Axes, panel: Cells, levels: list[float], norm: Normaliz
     """Draw and label contours, each in the colour that stands out on its own."""
     across, up = panel.axes
     colours = [
-        _DARK if _lightness(colormaps[SHADES](norm(level))) > 0.5 else _LIGHT for level in levels
+        DARK if _lightness(colormaps[SHADES](norm(level))) > 0.5 else _LIGHT for level in levels
     ]
     lines = axes.contour(
         across.values, up.values, panel.values.T, levels, colors=colours, linewidths=0.6
@@ -311,7 +298,7 @@ def _lightness(colour: tuple[float, float, float, float]) -> float:
 
 def _mark(axes: Axes, x: float, y: float) -> None:
     (mark,) = axes.plot([x], [y], marker="o", ms=5.0, zorder=5.0, clip_on=False, label="_best")
-    mark.set(mfc=_LIGHT, mec=_DARK, mew=0.9)
+    mark.set(mfc=_LIGHT, mec=DARK, mew=0.9)
 
 
 def _in_percent(value: float, _: int | None = None) -> str:

@@ -10,21 +10,19 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-import hoopgen
 from hoopgen.plots.layout import Box, place_labels
-from hoopgen.plots.style import COLOURS
-from hoopgen.plots.views import View
+from hoopgen.plots.style import COLOURS, POINTS_PER_INCH
+from hoopgen.plots.views import Points, View
+from hoopgen.results import SURFACES, Outcome
 
 __all__ = ["KEY_ROW", "Mark", "collect_marks", "draw_badges", "draw_key", "key_rows"]
 
-Points = NDArray[np.float64]
 
 KEY_ROW = 0.22
 """Height of a row of the key, inches."""
 
 _KEY_COLUMN = 1.68
 _TEXT_SIZE = 7.0
-_POINTS_PER_INCH = 72.0
 _MOST = 60
 """Badges of contacts, at most; a shot of the article's has 40 contacts."""
 
@@ -56,10 +54,10 @@ class Mark:
 
 
 def collect_marks(
-    release: Points, events: NDArray[Any], ball_radius: float, outcome: hoopgen.Outcome | None
+    release: Points, events: NDArray[Any], ball_radius: float, outcome: Outcome | None
 ) -> tuple[Mark, ...]:
     """Turn a shot's events into badges: release, contacts, and the end."""
-    contacts = events[events["surface"] < len(hoopgen.SURFACES)]
+    contacts = events[events["surface"] < len(SURFACES)]
     marks = [Mark("release", "release", "", release)]
     groups = _groups(contacts, _HERE * ball_radius)
     marks += [_contact_mark(contacts, first, last) for first, last in groups]
@@ -74,9 +72,9 @@ def collect_marks(
     return tuple(marks)
 
 
-def _unended(outcome: hoopgen.Outcome, contacts: int) -> str:
+def _unended(outcome: Outcome, contacts: int) -> str:
     """Say why a shot has no end."""
-    if outcome == hoopgen.Outcome.CAPPED:
+    if outcome == Outcome.CAPPED:
         return f"capped after {contacts} contacts"
     return f"{outcome.name.lower()}: not down through the end plane"
 
@@ -102,7 +100,7 @@ def _groups(contacts: NDArray[Any], reach: float) -> list[tuple[int, int]]:
 
 
 def _contact_mark(contacts: NDArray[Any], first: int, last: int) -> Mark:
-    name = hoopgen.SURFACES[int(contacts["surface"][first])]
+    name = SURFACES[int(contacts["surface"][first])]
     start, stop = contacts["time"][first], contacts["time"][last]
     position = contacts["before"][first, :3]
     if first == last:
@@ -155,7 +153,7 @@ def draw_badges(
 
 
 def _box(mark: Mark, view: View, ball_radius: float, scale: float) -> Box:
-    points = _POINTS_PER_INCH * scale  # per metre
+    points = POINTS_PER_INCH * scale  # per metre
     width = (0.68 * _TEXT_SIZE * len(mark.label) + 6.0) / points
     at = view.flatten(mark.position)
     return Box(

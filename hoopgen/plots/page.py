@@ -10,6 +10,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import Picture
+from hoopgen.plots.style import INK, letter
 from hoopgen.plots.ticks import label_lengths
 from hoopgen.printable import printable
 
@@ -20,7 +21,6 @@ _MARGIN = 0.1
 _TITLE, _NOTE = 0.24, 0.15
 
 _NOTE_SIZE = 7.0  # points
-_LETTER = 0.56 * _NOTE_SIZE / 72.0  # inches: the mean width of a letter in DejaVu Sans
 
 
 def new_page(
@@ -48,7 +48,7 @@ def new_page(
         Whether matplotlib arranges subplots in the body; else axes are added by `add_axes`.
     """
     title, note = printable(title), printable(note)
-    lines = textwrap.wrap(note, int((width - 2.0 * _MARGIN) / _LETTER))
+    lines = textwrap.wrap(note, int((width - 2.0 * _MARGIN) / letter(_NOTE_SIZE)))
     head = _TITLE * bool(title) + _NOTE * len(lines) + (_MARGIN if title or lines else 0.0)
     height = body + head + foot
     figure = Picture(figsize=(width, height))
@@ -62,7 +62,7 @@ def new_page(
         y -= _TITLE
     for number, line in enumerate(lines):
         at = (_MARGIN / width, (y - (number + 0.5) * _NOTE) / height)
-        figure.text(*at, line, va="center_baseline", fontsize=_NOTE_SIZE, color="#333333")
+        figure.text(*at, line, va="center_baseline", fontsize=_NOTE_SIZE, color=INK)
     return figure
 
 

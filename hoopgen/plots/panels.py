@@ -9,24 +9,20 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MultipleLocator
-from numpy.typing import NDArray
 
 from hoopgen.plots.marks import Mark, draw_badges
 from hoopgen.plots.scene import draw_ball, draw_hoop, draw_path, scene_points
-from hoopgen.plots.style import COLOURS
+from hoopgen.plots.style import COLOURS, EDGES, FRAME, GRID, INK, POINTS_PER_INCH
 from hoopgen.plots.ticks import label_lengths, number
-from hoopgen.plots.views import View
+from hoopgen.plots.views import Limits, Points, View
 from hoopgen.units import shown
 
-__all__ = ["Drawing", "Limits", "Panel", "Room", "draw_panel", "draw_view", "some"]
+__all__ = ["Drawing", "Panel", "Room", "draw_panel", "draw_view", "some"]
 
-Points = NDArray[np.float64]
-Limits = tuple[float, float, float, float]
 Place = Sequence[float]
 
 _STEPS = (0.25, 0.5, 1.0, 2.0, 5.0, 10.0)  # between ticks, in the unit shown; with room for numbers
 _TICK_ROOM = 0.36  # inches
-_POINTS_PER_INCH = 72.0
 _FEW = 3  # ticks on an axis, at least
 _LEFT_VISIBLE = 5_000  # points of a path that badges stay clear of
 _CORNER = 0.3  # of a step: of two ticks at a corner of the room, one is left out
@@ -166,7 +162,7 @@ def _add_axes(figure: Figure, panel: Panel) -> Axes:
     axes.set_xlim(panel.limits[0], panel.limits[1])
     axes.set_ylim(panel.limits[2], panel.limits[3])
     axes.set_aspect("equal")
-    axes.set_title(panel.view.name, loc="left", fontsize=8.0, color="#444444", pad=4.0)
+    axes.set_title(panel.view.name, loc="left", fontsize=8.0, color=FRAME, pad=4.0)
     return axes
 
 
@@ -180,7 +176,7 @@ def _dress_flat(axes: Axes, panel: Panel, drawing: Drawing) -> None:
     for axis, span in ((axes.xaxis, right - left), (axes.yaxis, top - bottom)):
         axis.set_major_locator(MultipleLocator(_step(span, panel.scale)))
         axis.set_major_formatter(lambda value, _: number(value / metres))
-    axes.grid(color="#ECECEC", lw=0.5)
+    axes.grid(color=GRID, lw=0.5)
     axes.set_axisbelow(True)
     if view.up[2] == 1.0:
         depth = -drawing.parameters["end_depth"]
@@ -212,7 +208,7 @@ def _draw_floor(axes: Axes, panel: Panel, drawing: Drawing) -> list[Points]:
     for y in (room.low[1], *ys, room.high[1]):
         _line(axes, view, (room.low[0], y, floor), (room.high[0], y, floor))
     left = min(room.corners().tolist(), key=lambda corner: float(view.flatten(corner)[0]))
-    _line(axes, view, (left[0], left[1], floor), (left[0], left[1], room.high[2]), "#777777")
+    _line(axes, view, (left[0], left[1], floor), (left[0], left[1], room.high[2]), EDGES)
     clear = [x for x in xs if abs(x - near[0]) > _CORNER * steps[0]]
     written = [
         *_name_edge(axes, panel, room, 0, (0.0, near[1], floor), clear),
@@ -282,7 +278,7 @@ def _name_edge(
         _note(axes, at, offset, text, 7.5)
     turned = 90.0 if axis == 2 else 0.0
     _note(axes, middle, 29.0 * outward, f"{'xyz'[axis]} ({unit.symbol})", 8.5, turned)
-    point = 1.0 / (_POINTS_PER_INCH * panel.scale)  # in metres
+    point = 1.0 / (POINTS_PER_INCH * panel.scale)  # in metres
     texts = [middle + 29.0 * point * outward, *(at + offset * point for at, _ in notes)]
     reach = 5.0 * point * np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]])
     return [text + reach for text in texts]
@@ -300,6 +296,6 @@ def _note(
         va="center",
         fontsize=size,
         rotation=rotation,
-        color="#333333",
+        color=INK,
         annotation_clip=False,
     )

@@ -11,19 +11,16 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hoopgen.plots.panels import Limits, Panel
-from hoopgen.plots.style import style
+from hoopgen.plots.panels import Panel
+from hoopgen.plots.style import SMALL, letter, style
 from hoopgen.plots.ticks import label_lengths
-from hoopgen.plots.views import View
+from hoopgen.plots.views import Limits, View
 from hoopgen.printable import printable
 
 __all__ = ["Picture", "add_key", "add_title", "check_axes", "fit_view"]
 
 _DPI = 200
 """Pixels of a picture in a notebook, an inch; twice as many as are shown, for screens that can."""
-
-_SMALL = 7.5  # points
-_LETTER = 0.56 * _SMALL / 72.0  # inches: the mean width of a letter in DejaVu Sans
 
 
 class Picture(Figure):
@@ -76,12 +73,12 @@ def add_title(axes: Axes, title: str, *said: str, formulas: bool = False) -> Non
     formulas
         Whether there are some in what is said, which then is none of others'.
     """
-    wide = max(20, int(_width(axes) / _LETTER))
+    wide = max(20, int(_width(axes) / letter(SMALL)))
     head = printable(title)
     lines = [head.replace("$", r"\$") if formulas else head] if title else []
     for text in map(printable, said):
         lines += [line for part in text.splitlines() for line in textwrap.wrap(part, wide)]
-    axes.set_title("\n".join(lines), loc="left", fontsize=_SMALL, parse_math=formulas)
+    axes.set_title("\n".join(lines), loc="left", fontsize=SMALL, parse_math=formulas)
 
 
 def add_key(axes: Axes, handles: Sequence[Artist]) -> None:
@@ -93,7 +90,7 @@ def add_key(axes: Axes, handles: Sequence[Artist]) -> None:
             bbox_to_anchor=(1.02, 1.0),
             borderaxespad=0.0,
             frameon=False,
-            fontsize=_SMALL,
+            fontsize=SMALL,
         )
 
 

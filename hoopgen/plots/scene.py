@@ -8,14 +8,13 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.lines import Line2D
 from matplotlib.patches import Circle, Polygon
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from hoopgen.plots.style import COLOURS
-from hoopgen.plots.views import View
+from hoopgen.plots.style import COLOURS, POINTS_PER_INCH
+from hoopgen.plots.views import Points, View
 
 __all__ = ["draw_ball", "draw_hoop", "draw_path", "scene_corners", "scene_points"]
 
-Points = NDArray[np.float64]
 
 GLASS = 0.0127
 """Thickness of the board as drawn, m; the model knows its front only."""
@@ -23,7 +22,6 @@ GLASS = 0.0127
 # The eye is never behind the board, so nothing drawn is hidden by the board or by the bridge.
 _BEHIND = 4.0
 _RING_PIECES = 72
-_POINTS_PER_INCH = 72.0
 _PIECE, _PIECES = 4, 2_000  # points in a piece of a path, at least; pieces, at most
 
 
@@ -47,7 +45,7 @@ def draw_hoop(axes: Axes, view: View, parameters: Mapping[str, float], scale: fl
     for face in _prism(_bridge_outline(parameters), (0.0, 0.0, -thickness)):
         _draw_face(axes, view, face, COLOURS["bridge"], COLOURS["bridge"], _BEHIND + 0.5)
     wire = _ring_wire(parameters)
-    stroke = thickness * scale * _POINTS_PER_INCH
+    stroke = thickness * scale * POINTS_PER_INCH
     for start in range(_RING_PIECES):
         _draw_stroke(axes, view, wire[start : start + 2], COLOURS["ring"], stroke)
 

@@ -17,19 +17,39 @@ from hoopgen.outputs import PICTURES, check_output, written
 __all__ = [
     "COLOURS",
     "COLUMN",
+    "DARK",
+    "EDGES",
     "FORMATS",
+    "FRAME",
+    "GRID",
+    "INK",
     "MADE",
     "MISSED",
     "MISSED_LINES",
+    "NARROW",
     "NEITHER",
     "PAGE",
+    "POINTS_PER_INCH",
     "SHADES",
+    "SMALL",
+    "letter",
     "save",
     "style",
 ]
 
 COLUMN, PAGE = 3.5, 7.1
 """Widths of a journal's column and of its page, inches."""
+
+NARROW = 5.0
+"""Inches: on a page less wide, panels stand one above the other."""
+
+POINTS_PER_INCH = 72.0
+
+SMALL = 7.5
+"""Points: of what is said beside a picture."""
+
+INK, DARK, FRAME, EDGES, GRID = "#333333", "#222222", "#444444", "#777777", "#ECECEC"
+"""Of text, of lines over colours, of axes, around areas, and behind everything."""
 
 # The same hues, each kind of shot at a lightness of its own: made ones dark, missed ones pale. So
 # they are told apart in grey and by readers with any colour vision; tests/test_study_plots.py
@@ -83,7 +103,7 @@ _SETTINGS: Mapping[Any, Any] = {
     "font.size": 8.0,
     "axes.labelsize": 8.5,
     "axes.linewidth": 0.6,
-    "axes.edgecolor": "#444444",
+    "axes.edgecolor": FRAME,
     "xtick.labelsize": 8.0,
     "ytick.labelsize": 8.0,
     "xtick.major.width": 0.6,
@@ -105,6 +125,11 @@ _METADATA: Mapping[str, dict[str, str | None]] = MappingProxyType(
         "pdf": {"CreationDate": None, "Creator": "hoopgen"},
     }
 )
+
+
+def letter(size: float) -> float:
+    """Return the mean width of a letter in DejaVu Sans, inches; its size is in points."""
+    return 0.56 * size / POINTS_PER_INCH
 
 
 @contextmanager

@@ -6,7 +6,7 @@ import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, Protocol, overload
+from typing import Any, Protocol, TypedDict, Unpack, overload
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -14,26 +14,23 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 
-import hoopgen
 from hoopgen.plots.marks import KEY_ROW, Mark, collect_marks, draw_key, key_rows
 from hoopgen.plots.panels import Drawing, Panel, Room, draw_panel, draw_view, some
 from hoopgen.plots.picture import Picture, add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scene import scene_corners
-from hoopgen.plots.style import COLOURS, PAGE, style
-from hoopgen.plots.views import SIDE, TOP, View, oblique
+from hoopgen.plots.style import COLOURS, INK, PAGE, SMALL, letter, style
+from hoopgen.plots.views import SIDE, TOP, Limits, Points, View, oblique
 from hoopgen.printable import printable
 from hoopgen.releases import RING_HEIGHT
-from hoopgen.study.told import say_scene
+from hoopgen.results import Outcome
+from hoopgen.told import say_scene
 from hoopgen.units import shown, shown_system
 
 __all__ = ["plot_trajectory"]
 
-Points = NDArray[np.float64]
-Limits = tuple[float, float, float, float]
-
 
 class Path(Protocol):
-    """What of `hoopgen.Trajectory` is drawn."""
+    """What of `Trajectory` is drawn."""
 
     @property
     def events(self) -> NDArray[Any]: ...
@@ -65,35 +62,31 @@ _BOX_BELOW = 3.5
 _LABELS = 0.48  # around a 3D view
 _PAD = 0.06  # m
 _FLAT = 1e-6  # m
-_SMALL = 7.5  # points
-_LETTER = 0.56 * _SMALL / 72.0  # inches: the mean width of a letter in DejaVu Sans
 _ROUND = 0.25  # m: the room's sides
 _FAR = 1e290  # m: near the end of the doubles' range matplotlib computes with infinity
 _ELEVATION = np.radians(25.0)
 _ALONG, _ACROSS = np.radians(62.0), np.radians(36.0)  # azimuth, for a long and for a wide room
 
 
+class _Options(TypedDict, total=False):
+    outcome: Outcome | None
+    title: str
+    three_d: bool | None
+
+
 @overload
 def plot_trajectory(
     trajectory: Path,
     parameters: Mapping[str, float],
     *,
-    outcome: hoopgen.Outcome | None = ...,
-    title: str = ...,
-    three_d: bool | None = ...,
     ax: None = None,
+    **options: Unpack[_Options],
 ) -> Figure: ...
 
 
 @overload
 def plot_trajectory(
-    trajectory: Path,
-    parameters: Mapping[str, float],
-    *,
-    outcome: hoopgen.Outcome | None = ...,
-    title: str = ...,
-    three_d: bool | None = ...,
-    ax: Axes,
+    trajectory: Path, parameters: Mapping[str, float], *, ax: Axes, **options: Unpack[_Options]
 ) -> Axes: ...
 
 
@@ -101,7 +94,7 @@ def plot_trajectory(
     trajectory: Path,
     parameters: Mapping[str, float],
     *,
-    outcome: hoopgen.Outcome | None = None,
+    outcome: Outcome | None = None,
     title: str = "",
     three_d: bool | None = None,
     ax: Axes | None = None,
@@ -127,8 +120,7 @@ def plot_trajectory(
     Returns
     -------
     Figure or Axes
-        A page of its own, which notebooks show and `hoopgen.plots.save` writes, not known to
-        pyplot; or `ax`, where it is given.
+        A page of its own, or `ax`; as of `plot_fan`.
 
     Raises
     ------
@@ -150,7 +142,7 @@ def plot_trajectory(
         told = [
             line
             for text in _told(trajectory, parameters)
-            for line in textwrap.wrap(text, int((page.width - _LEFT) / _LETTER))
+            for line in textwrap.wrap(text, int((page.width - _LEFT) / letter(SMALL)))
         ]
         room = max(0, len(told) - _LINES) * _LINE
         figure = Picture(figsize=(page.width, page.height + room))
@@ -174,9 +166,7 @@ def _key_of(mark: Mark) -> Line2D:
     return Line2D([], [], color=colour, label=text, marker="o", markersize=5.0, linestyle="none")
 
 
-def _collect(
-    trajectory: Path, parameters: Mapping[str, float], outcome: hoopgen.Outcome | None
-) -> Drawing:
+def _collect(trajectory: Path, parameters: Mapping[str, float], outcome: Outcome | None) -> Drawing:
     events, duration = trajectory.events, trajectory.duration
     path = trajectory.at(_times(events["time"], duration))[:, :3]
     if not np.abs(path).max() < _FAR:
@@ -323,4 +313,4 @@ def _draw_title(figure: Figure, title: str, told: Sequence[str]) -> None:
     figure.text(x, 1.0 - 0.16 / height, head, fontsize=10, fontweight="bold", va="center")
     for number, line in enumerate(told):
         y = 1.0 - (0.34 + _LINE * number) / height
-        figure.text(x, y, line, fontsize=_SMALL, color="#333333", va="center", parse_math=True)
+        figure.text(x, y, line, fontsize=SMALL, color=INK, va="center", parse_math=True)

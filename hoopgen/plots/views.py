@@ -7,9 +7,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["SIDE", "TOP", "View", "oblique"]
+__all__ = ["SIDE", "TOP", "Limits", "Points", "View", "oblique"]
 
 Vector = tuple[float, float, float]
+Points = NDArray[np.float64]
+
+Limits = tuple[float, float, float, float]
+"""Of what is seen: left, right, bottom, top; m."""
 
 
 @dataclass(frozen=True)

@@ -12,35 +12,32 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-import hoopgen
 from hoopgen.inputs import check_count, doubles
+from hoopgen.installed import version
 from hoopgen.parameters import NAMES, PAPER
-from hoopgen.releases import release as release_states
-from hoopgen.results import SURFACES
-from hoopgen.simulation import simulate
 from hoopgen.sizes import check_room
+from hoopgen.told import model_told, say_scene
+from hoopgen.variables import ARGUMENTS, VARIABLES, change_variables
 
+from .best import paired
+from .board import on_board
 from .crew import crew
 from .draws import check_two_seeds
 from .intervals import wilson
-from .optimum import paired, scattering
-from .player import By, Player, Thrown, arguments_of
+from .optimum import scattering
+from .player import Bounds, By, Player, Thrown, arguments_of
 from .resample import Resample
 from .scatter import Scatter
 from .scattering import alike, scene_by_row
-from .search import Bounds, bounds_of, search
+from .search import bounds_of, search
 from .tallies import check_share
-from .told import model_told, say_scene
-from .variables import ARGUMENTS, VARIABLES, change_variables
 
-__all__ = ["WAYS", "Crossing", "bank_or_direct", "crossing", "on_board"]
+__all__ = ["WAYS", "Crossing", "bank_or_direct", "crossing"]
 
 WAYS: tuple[By, By] = ("direct", "bank")
 """In the order of the results."""
 
 _OVER = ("elevation", "aim", "azimuth")
-
-_BACKBOARD = SURFACES.index("backboard")
 
 _SHOT = 48
 """Bytes that what became of a shot takes, both ways, until it is counted."""
@@ -168,35 +165,6 @@ class _Question:
         )
 
 
-def on_board(arguments: Mapping[str, float], parameters: Mapping[str, float]) -> dict[str, float]:
-    """Return where the ball of a bank shot touches the board, and where its release points.
-
-    Parameters
-    ----------
-    arguments
-        Of `hoopgen.release`, one number each.
-    parameters
-        Of the scene.
-
-    Returns
-    -------
-    dict
-        `touch_y` and `touch_z`, m, z from the ring's height; and `sight_y`, m, where the vertical
-        plane of the release meets the board's front. NaN if the board is not touched first.
-    """
-    nowhere = {"touch_y": math.nan, "touch_z": math.nan, "sight_y": math.nan}
-    if math.isnan(arguments["speed"]):
-        return nowhere
-    state = release_states(**{name: arguments[name] for name in ARGUMENTS})
-    events = simulate(state, parameters, record=True).events
-    if not len(events) or events["surface"][0] != _BACKBOARD:
-        return nowhere
-    # The board's normal is along x: the ball touches at its centre's y and z.
-    _, y, z = events["before"][0][:3].tolist()
-    ahead = -parameters["board_distance"] - state[0]
-    return {"touch_y": y, "touch_z": z, "sight_y": state[1] + ahead * state[4] / state[3]}
-
-
 def _dataset(spots: Floats, columns: Mapping[str, Floats], question: _Question) -> xr.Dataset:
     named = {
         "probability": ("1", "probability of success"),
@@ -221,7 +189,7 @@ def _dataset(spots: Floats, columns: Mapping[str, Floats], question: _Question) 
     parameters = question.players[0].at(same).parameters
     scene = {n: v for n, v in parameters.items() if n not in (*question.over, *by_row)}
     told = {
-        "source": f"hoopgen {hoopgen.__version__}",
+        "source": f"hoopgen {version()}",
         "scene": say_scene(scene, by_row),
         "parameters": json.dumps(scene),
         "release": json.dumps({n: v for n, v in same.items() if n not in NAMES}),

@@ -22,21 +22,21 @@ from hoopgen.inputs import check_count, doubles
 from hoopgen.outputs import check_output, followed
 from hoopgen.parameters import resolve
 from hoopgen.releases import from_zero
-from hoopgen.results import SURFACES, Outcome, Shots
-from hoopgen.simulation import simulate
+from hoopgen.results import Outcome
+from hoopgen.told import say_scene
+from hoopgen.variables import VARIABLES, check_angles, check_names
 
 from .batched import Batch, in_memory
 from .chunks import check_workers, opened, run, written
+from .columns import Column, variable_of
+from .flights import Flights
 from .frames import sourced
-from .measures import MEASURES, Kind, kinds, measure
-from .models import from_columns
-from .named import UNIT_OF, named
+from .measures import MEASURES
+from .named import named
 from .origin import settle
 from .reasons import reasons
 from .sinks import RESULTS, check_sink, sink
-from .tables import Column, Source, Stamp, variable_of
-from .told import say_scene
-from .variables import STATE, VARIABLES, Releases, check_angles, check_names
+from .tables import Source, Stamp
 
 __all__ = ["ROWS", "Batch", "batch"]
 
@@ -79,9 +79,9 @@ def batch(
     ----------
     source
         CSV, Parquet or Arrow; or a table in memory of pandas (from 2.2), Polars, or whatever has
-        ``__arrow_c_stream__``. See `hoopgen.study.tables` for its columns. They say the releases,
-        or the states; and parameters of the scene, in place of those below. A row with no number
-        where one is needed becomes INVALID.
+        ``__arrow_c_stream__``. Its columns, see `hoopgen.study.columns`, say the releases, or the
+        states; and parameters of the scene, in place of those below. A row with no number where one
+        is needed becomes INVALID.
     out
         Parquet or CSV, as the suffix says; None keeps the results in memory. There are the columns
         of `source` as they are; of CSV those that are read as numbers, null where a cell is none,
@@ -97,7 +97,7 @@ def batch(
         Of the scene; one number each. By default those that `source` says, if it is such a file of
         results, else `PAPER`.
     release
-        Variables that all shots share, in place of columns; see `hoopgen.study.variables`.
+        Variables that all shots share, in place of columns; see `hoopgen.variables`.
     measures
         Names of `hoopgen.study.measures.MEASURES`, each a column.
     max_contacts
@@ -150,7 +150,7 @@ def batch(
     computed = partial(run, scheduler=scheduler, threads=threads, progress=progress, report=report)
     with sourced(source, format or "", delimiter or "") as table, _target(out, table) as target:
         origin = settle(table, parameters, release, max_contacts, own, override=override)
-        shots = _Shots(
+        shots = Flights(
             dict(origin.parameters), dict(origin.release), tuple(measures), origin.max_contacts
         )
         check_names("measures", shots.measures, MEASURES)
@@ -224,7 +224,7 @@ class _Results:
     source: Source
     columns: Mapping[str, Column]
     types: pa.Schema
-    shots: _Shots
+    shots: Flights
     prefix: str
     reason: bool
     outcomes: NDArray[np.int64] = field(default_factory=lambda: np.zeros(len(Outcome), np.int64))
@@ -313,7 +313,7 @@ class _Rows:
 
     table: Source
     columns: Mapping[str, Column]
-    shots: _Shots
+    shots: Flights
     rows: int
     digest: str
     count: int | None
@@ -344,63 +344,3 @@ class _Rows:
             self.table.check_unchanged(self.stamp)
             self.read.append(table)
             yield partial(self.shots.results, given)
-
-
-@dataclass(frozen=True)
-class _Shots:
-    """What is made of releases."""
-
-    parameters: dict[str, float]
-    release: dict[str, float]
-    measures: tuple[str, ...]
-    max_contacts: int
-
-    def releases(self, given: Mapping[str, NDArray[np.float64]]) -> Releases:
-        """Return the shots of columns, and of what they share."""
-        number = len(next(iter(given.values())))
-        shared = {name: np.full(number, value) for name, value in self.release.items()}
-        return from_columns({**given, **shared}, self.parameters)
-
-    def results(self, given: Mapping[str, NDArray[np.float64]]) -> pa.Table:
-        """Return the results of releases or states, a column each, with their units."""
-        releases = self.releases(given)
-        states, scene = releases.states, releases.parameters
-        shots = simulate(states, scene, max_contacts=self.max_contacts, threads=1)
-        columns = _ends(shots)
-        more = [name for name in self.measures if name not in columns]
-        columns |= measure(states, shots, scene, more)
-        cells = {name: pa.array(column) for name, column in columns.items()}
-        schema = [
-            pa.field(
-                named(name),
-                array.type,
-                metadata={"unit": UNIT_OF[name]} if name in UNIT_OF else None,
-            )
-            for name, array in cells.items()
-        ]
-        return pa.Table.from_arrays(list(cells.values()), schema=pa.schema(schema))
-
-
-def _ends(shots: Shots) -> dict[str, Any]:
-    """Return the columns that every table of results has."""
-    ended = (shots.outcome == Outcome.MADE) | (shots.outcome == Outcome.MISSED)
-    end = zip(("time", *STATE), (shots.time, *shots.state.T), strict=True)
-    return {
-        "outcome": _words(shots.outcome, [outcome.name for outcome in Outcome]),
-        "kind": _words(kinds(shots.outcome, shots.counts, shots.first), [k.name for k in Kind]),
-        "contacts": shots.contacts,
-        **{
-            f"{name}_contacts": column
-            for name, column in zip(SURFACES, shots.counts.T, strict=True)
-        },
-        "first": _words(shots.first, SURFACES),
-        **{f"end_{name}": np.where(ended, column, np.nan) for name, column in end},
-        "uncertain": shots.uncertain,
-    }
-
-
-def _words(indices: NDArray[Any], names: Sequence[str]) -> pa.DictionaryArray:
-    """Return names by index, in small letters; none where it is negative."""
-    return pa.DictionaryArray.from_arrays(
-        pa.array(indices.astype(np.int8), mask=indices < 0), [name.lower() for name in names]
-    )

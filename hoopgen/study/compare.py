@@ -10,18 +10,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.inputs import check_contacts
-from hoopgen.notebook import Said
+from hoopgen.inputs import MAX_CONTACTS, Backend, check_contacts
 from hoopgen.parameters import PAPER
 from hoopgen.phrases import decimals, percent, points
+from hoopgen.told import footer
+from hoopgen.words import for_json
 
 from .draws import check_seed
 from .estimate import NAMES, Estimate, estimated, told
 from .intervals import newcombe
+from .said import Said
 from .tallies import COLUMNS, check_share
-from .throws import Backend, Progress, Setting, Until, Work, most_shots, setting_of
-from .told import footer
-from .words import for_json
+from .throws import Progress, Setting, Until, Work, most_shots, setting_of
 
 __all__ = ["Comparison", "compare"]
 
@@ -111,7 +111,7 @@ def compare(
     precision: float | None = None,
     confidence: float = 0.95,
     seed: int = 0,
-    max_contacts: int = 40,
+    max_contacts: int = MAX_CONTACTS,
     backend: Backend = "auto",
     threads: int | None = None,
     folder: str | PathLike[str] | None = None,

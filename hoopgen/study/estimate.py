@@ -14,20 +14,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.inputs import check_contacts
-from hoopgen.notebook import Said
+from hoopgen.inputs import MAX_CONTACTS, Backend, check_contacts
 from hoopgen.parameters import PAPER
 from hoopgen.phrases import decimals, doubtful, interval, percent
 from hoopgen.results import Outcome
+from hoopgen.told import footer, told_setting
+from hoopgen.words import for_json
 
 from .draws import check_seed
 from .intervals import wilson
 from .measures import Kind
 from .models import ReleaseModel
+from .said import Said
 from .tallies import check_share
-from .throws import Backend, Progress, Until, Work, most_shots, setting_of, tally_of
-from .told import footer, told_setting
-from .words import for_json
+from .throws import Progress, Until, Work, most_shots, setting_of, tally_of
 
 __all__ = ["NAMES", "Estimate", "estimate", "estimated", "told"]
 
@@ -136,7 +136,7 @@ def estimate(
     precision: float | None = None,
     confidence: float = 0.95,
     seed: int = 0,
-    max_contacts: int = 40,
+    max_contacts: int = MAX_CONTACTS,
     backend: Backend = "auto",
     threads: int | None = None,
     folder: str | PathLike[str] | None = None,

@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 from hoopgen.brief import brief
 from hoopgen.inputs import doubles
 from hoopgen.parameters import PAPER
-
-from .models import check_drawn, from_columns
-from .variables import (
+from hoopgen.variables import (
     Releases,
     check_angles,
 )
+
+from .models import check_drawn, from_columns
 
 __all__ = ["Grid"]
 

@@ -8,21 +8,22 @@ from dataclasses import dataclass
 from enum import IntEnum
 from math import prod
 from os import PathLike
-from typing import Any, Literal, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 import pyarrow as pa
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-import hoopgen
 from hoopgen.brief import brief
-from hoopgen.inputs import check_contacts, check_count, doubles
+from hoopgen.inputs import MAX_CONTACTS, Backend, check_contacts, check_count, doubles
+from hoopgen.installed import version
 from hoopgen.parameters import PAPER
 from hoopgen.phrases import percent
 from hoopgen.results import Outcome, Shots
-from hoopgen.simulation import simulate
 from hoopgen.sizes import check_room
+from hoopgen.told import model_told, say_scene
+from hoopgen.variables import STANDS_FOR, VARIABLES, change_variables, check_angles, check_names
 
 from .chunks import run
 from .draws import check_seed
@@ -34,13 +35,11 @@ from .scattering import alike, check_thrown, scene_by_row
 from .tallies import (
     BLOCK,
     COLUMNS,
-    FIELDS,
     Tally,
     check_scene,
     check_share,
 )
-from .told import model_told, say_scene
-from .variables import STANDS_FOR, VARIABLES, change_variables, check_angles, check_names
+from .throws import flown
 
 __all__ = ["check_cells", "map"]
 
@@ -64,8 +63,8 @@ def map(
     shots: int | None = None,
     confidence: float = 0.95,
     seed: int = 0,
-    max_contacts: int = 40,
-    backend: Literal["auto", "c", "numpy"] = "auto",
+    max_contacts: int = MAX_CONTACTS,
+    backend: Backend = "auto",
     threads: int | None = None,
     folder: str | PathLike[str] | None = None,
     scheduler: str | None = None,
@@ -171,7 +170,7 @@ class _Work:
     shots: int
     seed: int
     max_contacts: int
-    backend: Literal["auto", "c", "numpy"]
+    backend: Backend
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -236,14 +235,7 @@ class _Work:
             for (name, axis), place in zip(self.axes.items(), places, strict=True)
         }
         releases = self.model.around(values, noise, self.parameters, shots)
-        return simulate(
-            releases.states,
-            releases.parameters,
-            max_contacts=self.max_contacts,
-            backend=self.backend,
-            threads=1,
-            fields=FIELDS,
-        )
+        return flown(releases, self.max_contacts, self.backend)
 
 
 def _row(shots: Shots) -> NDArray[np.int64]:
@@ -365,7 +357,7 @@ def _attributes(work: _Work, level: float) -> dict[str, Any]:
     scene = others | {n: v for n, v in alike(work.model).items() if n in others}
     return {
         "Conventions": "CF-1.11",
-        "source": f"hoopgen {hoopgen.__version__}",
+        "source": f"hoopgen {version()}",
         "scene": say_scene(scene, by_row),
         "parameters": json.dumps(scene),
         "max_contacts": work.max_contacts,

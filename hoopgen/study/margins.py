@@ -12,20 +12,21 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.inputs import check_count
-from hoopgen.notebook import Said
 from hoopgen.parameters import PAPER
 from hoopgen.phrases import counted
+from hoopgen.told import say_scene
+from hoopgen.units import DEGREE, TURN
+from hoopgen.variables import VARIABLES, check_names
+from hoopgen.words import between, for_json, say
 
 from .crew import crew
 from .draws import check_seed
-from .player import By, Player, arguments_of, one_each
+from .player import Bounds, By, Player, arguments_of, one_each
 from .resample import Resample
+from .said import Said
 from .scatter import Scatter
 from .scattering import check_thrown
 from .tallies import check_share
-from .told import say_scene
-from .variables import VARIABLES, check_names
-from .words import between, for_json, say
 
 __all__ = ["MARGINS", "Margin", "margins", "margins_about"]
 
@@ -39,14 +40,10 @@ intervals narrower than a step may be overlooked, and ends are found to the twel
 _SMOOTH = (24, 12)
 """The same with scatter, where the probability changes smoothly."""
 
-_DEGREE = math.pi / 180
-_TURN = 2 * math.pi
-
-Bounds = tuple[float, float]
 
 _ENDS: Mapping[str, Bounds] = {
-    "elevation": (-90 * _DEGREE, 90 * _DEGREE),
-    "entry": (-90 * _DEGREE, 90 * _DEGREE),
+    "elevation": (-90 * DEGREE, 90 * DEGREE),
+    "entry": (-90 * DEGREE, 90 * DEGREE),
     "restitution": (0.0, 1.0),
 }
 """Nothing is looked for beyond these, unless the release itself lies there."""
@@ -274,12 +271,12 @@ def _held(
 def _searched(name: str, value: float) -> Bounds:
     """Return where to look along a variable; the release itself is never outside."""
     away: dict[str, float] = {
-        "elevation": 25 * _DEGREE,
-        "entry": 25 * _DEGREE,
-        "azimuth": 25 * _DEGREE,
-        "angle": 25 * _DEGREE,
-        "backspin": 10 * _TURN,
-        "sidespin": 10 * _TURN,
+        "elevation": 25 * DEGREE,
+        "entry": 25 * DEGREE,
+        "azimuth": 25 * DEGREE,
+        "angle": 25 * DEGREE,
+        "backspin": 10 * TURN,
+        "sidespin": 10 * TURN,
         "aim": 1.0,
         "height": 1.0,
         "distance": min(1.0, abs(value)),

@@ -22,9 +22,9 @@ from hoopgen.parameters import NAMES, PAPER, Value, resolve
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
+from hoopgen.variables import check_names
 
 from .nearest import nearest, rows_of
-from .variables import check_names
 
 __all__ = ["MEASURES", "Kind", "Measure", "kinds", "measure"]
 

@@ -11,8 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.inputs import doubles
 from hoopgen.parameters import NAMES, PAPER
 from hoopgen.sizes import check_room
-
-from .variables import (
+from hoopgen.variables import (
     STATE,
     Releases,
     check_names,

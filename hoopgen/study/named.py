@@ -8,21 +8,17 @@ from typing import Any
 
 from hoopgen.parameters import NAMES
 from hoopgen.units import column_name
+from hoopgen.variables import STATE, STATE_UNITS, VARIABLES
 
 from .measures import MEASURES
-from .variables import STATE, VARIABLES
 
 __all__ = ["COMPONENTS", "UNIT_OF", "in_units", "named", "parameters_named"]
-
-_COMPONENT_UNITS = dict(
-    zip(STATE, (unit for unit in ("m", "m/s", "rad/s") for _ in "xyz"), strict=True)
-)
 
 _VARIABLE_UNITS = {name: variable.unit for name, variable in VARIABLES.items()}
 
 UNIT_OF: Mapping[str, str] = MappingProxyType(
     {
-        **_COMPONENT_UNITS,
+        **STATE_UNITS,
         **_VARIABLE_UNITS,
         **{
             f"{end}_{name}": unit
@@ -30,7 +26,7 @@ UNIT_OF: Mapping[str, str] = MappingProxyType(
             for name, unit in _VARIABLE_UNITS.items()
         },
         **{name: measure.unit for name, measure in MEASURES.items()},
-        **{f"end_{name}": unit for name, unit in _COMPONENT_UNITS.items()},
+        **{f"end_{name}": unit for name, unit in STATE_UNITS.items()},
         "time": "s",
         "end_time": "s",
     }

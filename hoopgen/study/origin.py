@@ -11,21 +11,19 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
-import hoopgen
-from hoopgen.inputs import check_contacts
+from hoopgen.inputs import MAX_CONTACTS, check_contacts
+from hoopgen.installed import version
 from hoopgen.parameters import NAMES, PAPER, nearest_preset
+from hoopgen.told import say_scene
+from hoopgen.variables import VARIABLES, change_variables, check_names
 
-from .tables import NAMED, Source, variable_of
+from .columns import NAMED, variable_of
+from .tables import Source
 from .tallies import check_scene
-from .told import say_scene
-from .variables import VARIABLES, change_variables, check_names
 
 __all__ = ["Origin", "names_scene", "origin_of", "settle"]
 
 _KEY = b"hoopgen"
-
-MAX_CONTACTS = 40
-"""Where nothing else is said."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +55,7 @@ class Origin:
     def metadata(self, scene: str) -> dict[bytes, bytes]:
         """Return what a schema says of it, with the scene in words."""
         preset, _ = nearest_preset(self.parameters)
-        said = {"version": hoopgen.__version__, "preset": preset, "scene": scene, NAMED: True}
+        said = {"version": version(), "preset": preset, "scene": scene, NAMED: True}
         return {_KEY: json.dumps({**said, **asdict(self)}).encode()}
 
 

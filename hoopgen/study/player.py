@@ -17,14 +17,17 @@ from hoopgen.inputs import doubles
 from hoopgen.parameters import NAMES, PAPER
 from hoopgen.results import SURFACES, Outcome
 from hoopgen.simulation import simulate
+from hoopgen.variables import ARGUMENTS, VARIABLES, check_angles, check_names, release_arguments
 
 from .crew import Crew, alone
 from .resample import Resample
 from .scatter import Scatter
 from .tallies import check_scene
-from .variables import ARGUMENTS, VARIABLES, check_angles, check_names, release_arguments
 
-__all__ = ["BY", "By", "Player", "Thrown", "arguments_of", "one_each"]
+__all__ = ["BY", "Bounds", "By", "Player", "Thrown", "arguments_of", "one_each"]
+
+Bounds = tuple[float, float]
+"""Of a variable: low, high."""
 
 By = Literal["any", "direct", "bank"]
 

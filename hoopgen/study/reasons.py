@@ -15,9 +15,9 @@ from hoopgen.brief import brief, cut
 from hoopgen.generated.numpy import hoop
 from hoopgen.parameters import PAPER
 from hoopgen.results import SURFACES
+from hoopgen.variables import Releases
 
-from .tables import Column
-from .variables import Releases
+from .columns import Column
 
 __all__ = ["reasons"]
 

@@ -15,10 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.inputs import doubles
 from hoopgen.parameters import NAMES, PAPER
 from hoopgen.releases import released
-
-from .draws import ROW_OF_RELEASES, uniforms
-from .models import Floats, Given, Scene, check_drawn, from_columns, is_state, spread
-from .variables import (
+from hoopgen.variables import (
     STANDS_FOR,
     VARIABLES,
     Releases,
@@ -27,6 +24,9 @@ from .variables import (
     check_names,
     release_arguments,
 )
+
+from .draws import ROW_OF_RELEASES, uniforms
+from .models import Floats, Given, Scene, check_drawn, from_columns, is_state, spread
 
 __all__ = ["Resample"]
 

@@ -13,10 +13,7 @@ from hoopgen.brief import brief
 from hoopgen.inputs import doubles
 from hoopgen.parameters import NAMES, PAPER
 from hoopgen.releases import released
-
-from .draws import normals
-from .models import Floats, Given, Scene, check_drawn, spread
-from .variables import (
+from hoopgen.variables import (
     ARGUMENTS,
     VARIABLES,
     Releases,
@@ -26,9 +23,12 @@ from .variables import (
     release_arguments,
 )
 
-__all__ = ["Scatter"]
+from .draws import normals
+from .models import Floats, Given, Scene, check_drawn, spread
 
-_SCATTERED = (*ARGUMENTS, *NAMES)
+__all__ = ["SCATTERED", "Scatter"]
+
+SCATTERED = (*ARGUMENTS, *NAMES)
 """What may scatter; its index is the stream of its random numbers."""
 
 
@@ -59,7 +59,7 @@ class Scatter:
 
     def __post_init__(self) -> None:
         check_names("release", self.release, VARIABLES)
-        check_names("sd", self.sd, _SCATTERED)
+        check_names("sd", self.sd, SCATTERED)
         for name, value in self.release.items():
             if doubles(f"release[{name!r}]", value).ndim:
                 raise ValueError(f"release[{name!r}]: expected one number, got {brief(value)}")
@@ -75,7 +75,7 @@ class Scatter:
         """Return what is added in shots `start` to `stop` - 1, by name, (n,) each."""
         check_drawn(start, stop)
         names = self._scattered()
-        draws = [normals(seed, _SCATTERED.index(name), start, stop) for name in names]
+        draws = [normals(seed, SCATTERED.index(name), start, stop) for name in names]
         mixed = {}
         for name, row in zip(names, self._mix(), strict=True):
             # A sum in a fixed order: a matrix product's could depend on the number of shots.
@@ -159,7 +159,7 @@ class Scatter:
         }
 
     def _scattered(self) -> list[str]:
-        return [name for name in _SCATTERED if self.sd.get(name)]
+        return [name for name in SCATTERED if self.sd.get(name)]
 
     def _mix(self) -> list[NDArray[np.float64]]:
         """Return the rows of the lower triangular factor of the correlation matrix."""

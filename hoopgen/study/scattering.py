@@ -7,12 +7,12 @@ from collections.abc import Iterable
 import numpy as np
 
 from hoopgen.parameters import NAMES
+from hoopgen.variables import (
+    VARIABLES,
+)
 
 from .resample import Resample
 from .scatter import Scatter
-from .variables import (
-    VARIABLES,
-)
 
 __all__ = ["alike", "check_thrown", "scene_by_row"]
 

@@ -21,16 +21,14 @@ from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
 from hoopgen.inputs import doubles
 from hoopgen.releases import RING_HEIGHT
+from hoopgen.units import DEGREE, TURN
+from hoopgen.variables import VARIABLES, check_angles, check_names
 
-from .player import By, Player
-from .variables import VARIABLES, check_angles, check_names
+from .player import Bounds, By, Player
 
-__all__ = ["Bounds", "bounds_of", "flat_about", "search"]
+__all__ = ["bounds_of", "flat_about", "search"]
 
-_DEGREE = math.pi / 180
-_TURN = 2 * math.pi
 
-Bounds = tuple[float, float]
 Floats = NDArray[np.float64]
 
 
@@ -72,13 +70,13 @@ def _usual(name: str, fixed: Mapping[str, float], player: Player) -> Bounds:
         if name == "speed":
             return 0.95 * float(speed), (1.2 if direct else 1.4) * float(speed)
         easiest = math.atan(slope)
-        return easiest - 15 * _DEGREE, min(easiest + 20 * _DEGREE, 85 * _DEGREE)
+        return easiest - 15 * DEGREE, min(easiest + 20 * DEGREE, 85 * DEGREE)
     bounds: dict[str, Bounds] = {
         "aim": (-0.25, 0.35) if direct else (-0.25, 2.0),
-        "entry": (25 * _DEGREE, 70 * _DEGREE),
-        "azimuth": (-5 * _DEGREE, 5 * _DEGREE) if direct else (-25 * _DEGREE, 25 * _DEGREE),
-        "backspin": (0.0, 6 * _TURN),
-        "sidespin": (-3 * _TURN, 3 * _TURN),
+        "entry": (25 * DEGREE, 70 * DEGREE),
+        "azimuth": (-5 * DEGREE, 5 * DEGREE) if direct else (-25 * DEGREE, 25 * DEGREE),
+        "backspin": (0.0, 6 * TURN),
+        "sidespin": (-3 * TURN, 3 * TURN),
     }
     if name not in bounds:
         raise ValueError(f"over[{name!r}]: expected (low, high); there are no usual bounds")

@@ -1,22 +1,19 @@
-"""Tables of releases: which columns say what, in which units, and reading them in chunks.
+"""Tables of releases in files, read in chunks; what their columns say, see `hoopgen.study.columns`.
 
-The unit is in the column's name: ``speed_mph``, ``elevation_deg``, ``height_ft``; SI where none is,
-but an angle or a spin has its unit there. CSV is read as `hoopgen.study.delimited` says. Reading is
-by pyarrow, and holds a few blocks in memory, whatever the file's size; of Arrow, record batches as
-they were written. What was read is validated before it is looked at.
+CSV is read as `hoopgen.study.delimited` says. Reading is by pyarrow, and holds a few blocks in
+memory, whatever the file's size; of Arrow, record batches as they were written. What was read is
+validated before it is looked at.
 """
 
 from __future__ import annotations
 
 import hashlib
-import json
 import os
-from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from shlex import quote
 from types import MappingProxyType
 from typing import TypeAlias
 
@@ -27,16 +24,11 @@ import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief, cut, listed
-from hoopgen.parameters import NAMES
-from hoopgen.units import NO_BARE, UNITS, Kind, column_name, unit_size
 
+from .columns import Column, columns_of, values
 from .delimited import check_delimiter, delimiter_of, parsed, read, survey
-from .measures import MEASURES
-from .models import from_columns
-from .near import near_variable
-from .variables import STATE, VARIABLES, check_angles
 
-__all__ = ["FORMATS", "NAMED", "Column", "Source", "Stamp", "columns_of", "values", "variable_of"]
+__all__ = ["FORMATS", "Source", "Stamp"]
 
 FORMATS: Mapping[str, tuple[str, ...]] = MappingProxyType(
     {
@@ -53,215 +45,13 @@ Stamp: TypeAlias = tuple[int, int]
 _BLOCK = 1 << 22
 """Bytes of a file that are read at a time; the longest row of CSV."""
 
+_ROWS = 1 << 20
+"""Read at a time where all are."""
+
 _SAID = 300
 """Characters of what Arrow says of a file, which may be in the words of that file."""
 
 _ARROW_FILE = b"ARROW1"
-
-
-# ------------------------------------------------------------------------------------ columns
-
-
-@dataclass(frozen=True)
-class Column:
-    """Where the numbers of a variable are.
-
-    Attributes
-    ----------
-    name
-        Of the column.
-    unit
-        Its size in SI.
-    """
-
-    name: str
-    unit: float
-
-
-def _kinds() -> dict[str, Kind]:
-    moving: dict[str, Kind] = {"v": "speed", "w": "spin"}
-    state = {name: moving.get(name[0], "length") for name in STATE}
-    return state | {name: variable.kind for name, variable in VARIABLES.items()}
-
-
-_KINDS = _kinds()
-
-NAMED = "units in names"
-"""Of what "hoopgen" says in a file's metadata: that its columns keep to this. Files of older
-versions do not say it, and their bare angles and spins are SI, as they were then."""
-
-
-def columns_of(
-    table: pa.Schema | Iterable[str], own: Iterable[str] = (), given: Iterable[str] = ()
-) -> dict[str, Column]:
-    """Return where a table has the variables of its shots, or their states.
-
-    Columns z or vx, vy, vz … say that rows are states. Those named like one of
-    `hoopgen.study.measures.MEASURES`, with a unit or without, are results, and let alone. Capital
-    letters are as good as small ones.
-
-    Parameters
-    ----------
-    table
-        Its columns: names; or its schema, which tells of files that older versions wrote, with bare
-        angles in radians and spins in rad/s.
-    own
-        Columns that are not to be read, though they are named like variables.
-    given
-        Variables that are known from elsewhere; columns of them are not read.
-
-    Returns
-    -------
-    dict
-        By variable or component of the state.
-
-    Raises
-    ------
-    ValueError
-        If a column's unit is unknown or needed and not there, two say the same, states and
-        releases are mixed, something is missing, or a name is nearly that of a variable which no
-        column says.
-    """
-    found: dict[str, Column] = {}
-    names = list(table.names if isinstance(table, pa.Schema) else table)
-    old = isinstance(table, pa.Schema) and _is_old(table)
-    own, given = list(own), list(given)
-    absent = [name for name in own if name not in names]
-    if absent:
-        raise ValueError(f"own: no column {listed(absent)}; there are {listed(names)}")
-    for column in names:
-        variable, unit = ("", None) if column in own else variable_of(column)
-        if variable in found:
-            raise ValueError(
-                f"columns {cut(found[variable].name)} and {cut(column)} both say {variable}; "
-                "keep one, or list the other in own"
-            )
-        if variable and variable not in given:
-            if unit is None and not old:
-                raise ValueError(_no_unit(column, variable))
-            found[variable] = Column(column, 1.0 if unit is None else unit)
-    _ask(names, {*own, *(column.name for column in found.values())}, {*found, *given})
-    _check(found, given, names)
-    return found
-
-
-def variable_of(column: str) -> tuple[str, float | None]:
-    """Return the variable that a column's name says, or none, and the size of its unit in SI.
-
-    There is no size where there is no variable, or the unit is needed and not there.
-    """
-    plain = column.strip().lower()
-    if plain in _KINDS:
-        return plain, None if _KINDS[plain] in NO_BARE else 1.0
-    longer = {
-        name: plain.removeprefix(f"{name}_") for name in _KINDS if plain.startswith(f"{name}_")
-    }
-    for name, unit in longer.items():
-        size = unit_size(unit.replace("_per_", "/").replace("_", "/"), _KINDS[name])
-        if size is not None:
-            return name, size
-    if any(f"{plain}_".startswith(f"{measure}_") for measure in MEASURES):
-        return "", None  # a result: entry_angle is no entry in angles
-    for name, unit in longer.items():
-        kind = _KINDS[name]
-        bare = [] if kind in NO_BARE else [name]
-        allowed = dict.fromkeys([*bare, *(column_name(name, one) for one in UNITS[kind])])
-        raise ValueError(
-            f"column {cut(column)}: {cut(unit)} is no unit of {name}; "
-            f"expected {', '.join(allowed)}. "
-            "If it is a column of your own, list it in own"
-        )
-    return "", None
-
-
-def _no_unit(column: str, variable: str) -> str:
-    *others, last = (column_name(variable, unit) for unit in NO_BARE[_KINDS[variable]])
-    return (
-        f"column {cut(column)} has no unit: name it {', '.join(others)} or {last}. "
-        "If it is a column of your own, list it in own"
-    )
-
-
-def _ask(names: Sequence[str], clear: Container[str], said: Container[str]) -> None:
-    """Refuse a column that is likely meant for a variable which nothing else says."""
-    for column in names:
-        variable = "" if column in clear else near_variable(column, _KINDS)
-        if variable and variable not in said:
-            kind = _KINDS[variable]
-            spelled = column_name(variable, next(iter(NO_BARE.get(kind, UNITS[kind]))))
-            raise ValueError(
-                f"column {cut(column)} nearly names {variable}: is it meant? Name it with its "
-                f"unit, such as {spelled}; if it is a column of your own, list it in own "
-                f"(--own {quote(cut(column))})"
-            )
-
-
-def _is_old(schema: pa.Schema) -> bool:
-    """Whether an older version wrote the file."""
-    told = (schema.metadata or {}).get(b"hoopgen")
-    try:
-        return told is not None and NAMED not in json.loads(told)
-    except ValueError:
-        return False
-
-
-def _check(found: Mapping[str, Column], given: Sequence[str], names: Sequence[str]) -> None:
-    """Refuse columns that do not say how a shot is released."""
-    if not found:
-        raise ValueError(f"no column says how a shot is released: {listed(names) or 'none'}")
-    said = {name: column.name for name, column in found.items()} | {name: name for name in given}
-    states = [said[name] for name in STATE[2:] if name in said]
-    others = [said[name] for name in said if name not in (*STATE, *NAMES)]
-    if states and others:
-        raise ValueError(
-            f"{', '.join(states)} say that the rows are states, and {', '.join(others)} "
-            "that they are releases; list in own those that are not to be read"
-        )
-    try:
-        from_columns({name: np.empty(0) for name in said})
-    except ValueError as error:
-        raise ValueError(f"{error}. The columns are {listed(names)}") from None
-
-
-def values(
-    table: pa.Table, columns: Mapping[str, Column], comma: bool = False
-) -> dict[str, NDArray[np.float64]]:
-    """Return the numbers of a table's columns, in SI; text may have decimal commas.
-
-    Returns
-    -------
-    dict
-        By variable, (n,) each; NaN where a cell is empty, no number, or not finite.
-
-    Raises
-    ------
-    ValueError
-        If a column can hold no numbers, or angles in radians are degrees.
-    """
-    numbers = {name: _numbers(table, column, comma) for name, column in columns.items()}
-    check_angles("columns", numbers)
-    return numbers
-
-
-def _numbers(table: pa.Table, column: Column, comma: bool) -> NDArray[np.float64]:
-    cells = table[column.name]
-    if pa.types.is_dictionary(cells.type):
-        cells = cells.cast(cells.type.value_type)
-    kind = cells.type
-    if pa.types.is_string(kind) or pa.types.is_large_string(kind):
-        cells = parsed(cells, pa.float64(), comma)
-    elif not (
-        pa.types.is_integer(kind)
-        or pa.types.is_floating(kind)
-        or pa.types.is_decimal(kind)
-        or pa.types.is_null(kind)
-    ):
-        raise ValueError(f"column {column.name}: expected numbers, got {kind}")
-    numbers = cells.cast(pa.float64(), safe=False).to_numpy() * column.unit
-    return np.where(np.isfinite(numbers), numbers, np.nan)
-
-
-# ------------------------------------------------------------------------------------ reading
 
 
 @dataclass(frozen=True)
@@ -355,6 +145,16 @@ class Source:
         """
         with self._opened() as (schema, batches):
             yield from _regrouped(schema, map(_validated, batches), rows)
+
+    def whole(self) -> pa.Table:
+        """Read all rows into one table.
+
+        Raises
+        ------
+        ValueError
+            If the file is not of its format.
+        """
+        return pa.concat_tables(self.tables(_ROWS))
 
     def typed(self, columns: Mapping[str, Column]) -> pa.Schema:
         """Return the schema with the types that columns of CSV have, once all of it was read.

@@ -7,17 +7,18 @@ from contextlib import closing
 from dataclasses import dataclass
 from math import ceil, sqrt
 from os import PathLike
-from typing import Any, Literal, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
-from hoopgen.inputs import check_count
+from hoopgen.inputs import Backend, check_count
 from hoopgen.results import Outcome, Shots
 from hoopgen.simulation import simulate
 from hoopgen.sizes import in_short
+from hoopgen.variables import Releases
 
 from .chunks import run
 from .grid import Grid
@@ -27,11 +28,11 @@ from .tallies import COLUMNS, FIELDS, Tally, blocks, check_scene, check_share
 
 __all__ = [
     "CHUNK",
-    "Backend",
     "Progress",
     "Setting",
     "Until",
     "Work",
+    "flown",
     "most_shots",
     "setting_of",
     "tally_of",
@@ -49,7 +50,6 @@ MOST = 1_000_000_000
 Setting: TypeAlias = ReleaseModel | tuple[ReleaseModel, Mapping[str, Any]]
 """A release model in the article's scene, or with parameters of its own."""
 
-Backend = Literal["auto", "c", "numpy"]
 Progress = Callable[[int, int | None], None]
 
 
@@ -103,14 +103,19 @@ class Work:
 
     def _simulate(self, setting: _Set, start: int, stop: int) -> Shots:
         releases = setting.model.draw(start, stop, self.seed, setting.parameters)
-        return simulate(
-            releases.states,
-            releases.parameters,
-            max_contacts=self.max_contacts,
-            backend=self.backend,
-            threads=1,
-            fields=FIELDS,
-        )
+        return flown(releases, self.max_contacts, self.backend)
+
+
+def flown(releases: Releases, max_contacts: int, backend: Backend) -> Shots:
+    """Simulate releases, as far as a tally needs it; the chunks have the threads."""
+    return simulate(
+        releases.states,
+        releases.parameters,
+        max_contacts=max_contacts,
+        backend=backend,
+        threads=1,
+        fields=FIELDS,
+    )
 
 
 def _pairs(first: Shots, second: Shots) -> NDArray[np.int64]:

@@ -13,10 +13,9 @@ from typing import Any
 
 import pyarrow as pa
 
-import hoopgen
 from hoopgen.brief import brief, cut
 from hoopgen.inputs import check_threads
-from hoopgen.installed import need
+from hoopgen.installed import need, version
 
 __all__ = ["Task", "Workers", "check_workers", "hired", "versions"]
 
@@ -34,7 +33,7 @@ def versions() -> dict[str, str]:
 
     Tangents and quantiles are those of NumPy and SciPy.
     """
-    return {"hoopgen": hoopgen.__version__, **{name: metadata.version(name) for name in _MATHS}}
+    return {"hoopgen": version(), **{name: metadata.version(name) for name in _MATHS}}
 
 
 _MATHS = ("numpy", "scipy")
@@ -297,13 +296,13 @@ class _Attendance:
 
 def _check_versions(client: Any, here: Mapping[str, str]) -> None:
     """Refuse workers that would compute something else, or nothing."""
-    for name, version in here.items():
+    for name, ours in here.items():
         # A function of Python's own: a worker without hoopgen has none of ours.
         for worker, there in client.run(metadata.version, name, on_error="return").items():
-            if there != version:
+            if there != ours:
                 said = there if isinstance(there, str) else "none"
                 raise RuntimeError(
-                    f"scheduler: the worker {worker} has {name} {said}, and here it is {version}; "
+                    f"scheduler: the worker {worker} has {name} {said}, and here it is {ours}; "
                     "install the same"
                 )
 
@@ -311,7 +310,7 @@ def _check_versions(client: Any, here: Mapping[str, str]) -> None:
 def _on_worker(wanted: Mapping[str, str], task: Task) -> pa.Table:
     """Compute a chunk, unless the worker, perhaps a late comer, has other versions."""
     there = versions()
-    for name, version in wanted.items():
-        if there[name] != version:
-            raise RuntimeError(f"scheduler: a worker has {name} {there[name]}, not {version}")
+    for name, ours in wanted.items():
+        if there[name] != ours:
+            raise RuntimeError(f"scheduler: a worker has {name} {there[name]}, not {ours}")
     return task()

@@ -11,7 +11,7 @@ from typing import Any
 from hoopgen import plots
 from hoopgen.parameters import NAMES
 from hoopgen.study.tables import Source
-from hoopgen.study.told import say_scene
+from hoopgen.told import say_scene
 
 from .schema import Batch, Compare, Given, Question, Study
 from .settings import Setting

@@ -9,8 +9,8 @@ from collections.abc import Container, Iterator
 from pydantic.fields import FieldInfo
 
 from hoopgen.parameters import NAMES, PRESETS
-from hoopgen.study.variables import ARGUMENTS, VARIABLES
 from hoopgen.units import UNITS
+from hoopgen.variables import ARGUMENTS, VARIABLES
 
 from .fields import Table
 from .schema import KINDS, Given, Question, Releases, Study

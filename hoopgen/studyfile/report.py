@@ -10,7 +10,7 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-import hoopgen
+from hoopgen.installed import version
 from hoopgen.phrases import percent
 from hoopgen.printable import printable
 
@@ -73,7 +73,7 @@ def _sections(
     if study.description.strip():
         yield _HTML.sub("&lt;", study.description.strip())
     yield (
-        f"By hoopgen {hoopgen.__version__} from [study.toml](study.toml), seed {study.seed}; "
+        f"By hoopgen {version()} from [study.toml](study.toml), seed {study.seed}; "
         f"intervals of {percent(study.confidence, None)} confidence. "
         "[versions.json](versions.json) says what computed."
     )

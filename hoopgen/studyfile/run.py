@@ -17,12 +17,12 @@ from importlib import metadata
 from pathlib import Path
 from typing import Any
 
-import hoopgen
+from hoopgen.installed import version
 from hoopgen.outputs import sync
 from hoopgen.phrases import counted
 from hoopgen.study.chunks import check_workers, versions
 from hoopgen.study.folders import differences, flat, in_short, opened, read_record, written
-from hoopgen.study.words import for_json
+from hoopgen.words import for_json
 
 from . import lines
 from .answers import answer, check
@@ -281,7 +281,7 @@ def _json(values: Mapping[str, Any]) -> bytes:
 
 def _versions() -> dict[str, str]:
     """Return what computes."""
-    made_with = {"hoopgen": hoopgen.__version__}
+    made_with = {"hoopgen": version()}
     made_with |= {name: metadata.version(name) for name in _MADE_WITH}
     system = {"python": platform.python_version(), "platform": platform.platform()}
     return made_with | system

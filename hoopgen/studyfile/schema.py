@@ -15,8 +15,9 @@ from hoopgen.study.lock import LOCK
 from hoopgen.study.margins import MARGINS
 from hoopgen.study.measures import MEASURES
 from hoopgen.study.player import BY, By
+from hoopgen.study.scatter import SCATTERED
 from hoopgen.study.tables import FORMATS
-from hoopgen.study.variables import ARGUMENTS, VARIABLES
+from hoopgen.variables import VARIABLES
 
 from .fields import Ends, Listed, Named, OneOf, Table, Values
 from .single import Name, Quantity, Share, Text, Whole, Word, meant, show, wrong
@@ -38,7 +39,6 @@ __all__ = [
 ]
 
 _RELEASE = tuple(name for name in VARIABLES if name not in NAMES)
-_SCATTERED = (*ARGUMENTS, *NAMES)
 
 
 def _quantity(name: str) -> Quantity:
@@ -56,7 +56,7 @@ def _correlation(_: str) -> Quantity:
 
 
 def _correlations(_: str) -> Named:
-    return Named(_SCATTERED, _correlation)
+    return Named(SCATTERED, _correlation)
 
 
 def _values(name: str) -> Values:
@@ -143,10 +143,10 @@ class Given(Table):
     release: Annotated[dict[str, float], Named(_RELEASE, _quantity)] = Field(
         {}, description="The release aimed at."
     )
-    scatter: Annotated[dict[str, float] | None, Named(_SCATTERED, _deviation, none=True)] = Field(
+    scatter: Annotated[dict[str, float] | None, Named(SCATTERED, _deviation, none=True)] = Field(
         {}, description="Standard deviations about it."
     )
-    correlation: Annotated[dict[str, dict[str, float]], Named(_SCATTERED, _correlations)] = Field(
+    correlation: Annotated[dict[str, dict[str, float]], Named(SCATTERED, _correlations)] = Field(
         {}, description="Of pairs that scatter."
     )
     releases: Releases | None = Field(None, description="Measured releases instead of scatter.")

@@ -10,21 +10,18 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pyarrow as pa
 
 from hoopgen.parameters import PAPER, PRESETS
+from hoopgen.study.columns import variable_of
 from hoopgen.study.origin import origin_of
 from hoopgen.study.resample import Resample
 from hoopgen.study.scatter import Scatter
-from hoopgen.study.tables import Source, variable_of
-from hoopgen.study.variables import STATE, change_variables
+from hoopgen.study.tables import Source
+from hoopgen.variables import STATE, change_variables
 
 from .schema import Given, Releases
 
 __all__ = ["Setting", "given_without"]
-
-_ROWS = 1 << 20
-"""Read at a time."""
 
 _PLACES = ({"x", "y"}, {"distance", "angle"})
 """Two ways to say a place."""
@@ -152,7 +149,7 @@ class Setting:
             **self.own,
         }
         columns = source.columns(sorted({*own, *passed}), given)
-        return {**source.values(pa.concat_tables(source.tables(_ROWS)), columns), **given}
+        return {**source.values(source.whole(), columns), **given}
 
     def _source(self, releases: Releases) -> Source:
         return Source(self.folder / releases.file, releases.format or "")

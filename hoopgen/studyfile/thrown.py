@@ -11,6 +11,7 @@ from hoopgen.phrases import counted, decimals, interval, percent, points
 from hoopgen.results import Outcome, Shots
 from hoopgen.simulation import check_log, simulate
 from hoopgen.study.batch import batch
+from hoopgen.study.best import PLOTTED
 from hoopgen.study.compare import compare
 from hoopgen.study.estimate import estimate
 from hoopgen.study.measures import measure
@@ -18,16 +19,14 @@ from hoopgen.study.named import in_units
 from hoopgen.study.origin import settle
 from hoopgen.study.tables import Source
 from hoopgen.study.throws import most_shots
-from hoopgen.study.told import in_a_note, told_setting
-from hoopgen.study.variables import Releases
+from hoopgen.told import in_a_note, told_setting
+from hoopgen.variables import Releases
 
 from .asked import Answer, Asked, Work, fenced
 from .schema import Batch, Compare, Estimate
 
 __all__ = ["answer_batch", "answer_compare", "answer_estimate", "check_batch", "check_throws"]
 
-_FAN = 2_000
-"""Shots whose shares are beside the fan; it shows the first of them."""
 
 _LANDINGS = 200_000
 """Shots whose misses are shown."""
@@ -43,7 +42,7 @@ def check_throws(asked: Asked, question: Estimate | Compare) -> None:
     most = most_shots(question.shots, question.precision, asked.study.confidence, paired=paired)
     contacts = check_contacts(question.max_contacts)
     if isinstance(question, Estimate) and "fan" in question.figures:
-        check_log(min(_FAN, most), contacts)
+        check_log(min(PLOTTED, most), contacts)
 
 
 def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
@@ -88,7 +87,7 @@ class _Shooting:
 
     def fan(self) -> Any:
         """Return the picture of paths."""
-        released, shots = self._simulated(_FAN, record=True)
+        released, shots = self._simulated(PLOTTED, record=True)
         note = in_a_note(self._told)
         return plots.plot_fan(shots, released.parameters, title=self.question.title, note=note)
 

@@ -19,7 +19,8 @@ from hoopgen.inputs import check_contacts
 from hoopgen.outputs import write
 from hoopgen.phrases import counted, interval, percent, points
 from hoopgen.sizes import check_room
-from hoopgen.study.aim import aim, aim_table, write_csv
+from hoopgen.study.aim import aim
+from hoopgen.study.aim_table import OFF, aim_table, write_csv
 from hoopgen.study.bank import bank_or_direct, check_kept
 from hoopgen.study.chunks import run
 from hoopgen.study.draws import check_two_seeds
@@ -30,7 +31,7 @@ from hoopgen.study.optimum import optimum, scattering
 from hoopgen.study.resample import Resample
 from hoopgen.study.scatter import Scatter
 from hoopgen.study.search import bounds_of
-from hoopgen.study.words import between, say
+from hoopgen.words import between, say
 
 from .asked import Answer, Asked, Work, fenced
 from .schema import Aim, Bank, Map, Optimum, Study
@@ -299,19 +300,18 @@ def answer_aim(asked: Asked, question: Aim, work: Work) -> Answer:
     rows = [
         [
             *(_one_of(columns, name, row) for name in _AIMED),
-            *(_ends_of(columns, name, row) for name in _OFF),
+            *(_ends_of(columns, name, row) for name in OFF),
         ]
         for row in range(len(columns["speed"]))
     ]
     good = int(np.isfinite(columns["low_speed"]).sum())
     line = f"{counted(len(rows), 'distance')}, {good} of them with a release that goes in"
-    table = _table([*_AIMED, *(f"goes in with {name}" for name in _OFF)], rows)
+    table = _table([*_AIMED, *(f"goes in with {name}" for name in OFF)], rows)
     numbers = {name: column.tolist() for name, column in columns.items()}
     return Answer(line, table, in_units(numbers))
 
 
 _AIMED = ("distance", "speed", "elevation")
-_OFF = ("speed", "elevation", "azimuth")
 
 
 def _one_of(columns: Mapping[str, NDArray[np.float64]], name: str, row: int) -> str:

@@ -7,32 +7,32 @@ import hashlib
 import html
 import inspect
 import json
-import os
 import re
 from collections.abc import Mapping, Sequence
 from functools import cache
 from importlib.resources import files
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-import hoopgen
 from hoopgen.brief import brief
 from hoopgen.colours import COLOURS
 from hoopgen.generated.numpy import hoop
-from hoopgen.outputs import PAGES, check_output, write
+from hoopgen.installed import version
+from hoopgen.outputs import write
 from hoopgen.parameters import NAMES, Value, resolve
 from hoopgen.phrases import counted
 from hoopgen.printable import printable
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.study.measures import Kind, kinds
-from hoopgen.study.told import say_scene
+from hoopgen.told import say_scene
 
 from .shown import Page
 
-__all__ = ["MOST", "page", "view"]
+__all__ = ["MOST", "page", "written"]
 
 MOST = 2000
 """Shots on a page; with more, browsers are slow and paths cannot be told apart."""
@@ -41,66 +41,20 @@ _SCRIPTS = ("flight.js", "scene.js", "camera.js", "badges.js", "picture.js", "pa
 _SLOT = re.compile(r"\{\{(\w+)\}\}")
 
 
-def view(
-    shots: Shots | str | os.PathLike[str],
-    parameters: Mapping[str, Any] | None = None,
-    path: str | os.PathLike[str] | None = None,
+def written(
+    shots: Shots,
+    parameters: Mapping[str, Any],
+    target: Path | None,
     *,
     title: str = "",
     about: str = "",
     labels: Sequence[str] | None = None,
 ) -> Page:
-    """Write a page on which shots are seen in motion; in a notebook, show it.
-
-    It is one file of about 0.7 MB, needs no network, and opens in any browser with WebGL. A
-    notebook that shows it becomes larger by as much. Invalid shots are left out; `about` may say
-    so.
-
-    Parameters
-    ----------
-    shots
-        Of `hoopgen.simulate` with ``record=True``, all fields; `MOST` at most. Or a file, a table
-        of releases or the results of `hoopgen.batch`: 50 of its rows are flown, in their own scene.
-    parameters
-        Of the scene, one number each or (n,); by default those they were simulated with,
-        or that a file of results says, else `PAPER`.
-    path
-        Where to; ends in .html. Without, no file is written.
-    title
-        At the top; by default the outcome, or the number of shots.
-    about
-        A line below it, after which the scene is said.
-    labels
-        What each shot is called, n words or lines; by default "Shot 1", "Shot 2", ...
-
-    Returns
-    -------
-    Page
-        It stands for the file written, its ``path``, wherever a path does; the same shots give the
-        same bytes.
-
-    Raises
-    ------
-    ValueError
-        If the path ends in something else, there is no valid shot or too many, or the labels or
-        parameters are not as described.
-    AttributeError
-        If the shots were simulated without ``record=True``.
-    OSError
-        If the file cannot be written; what was there before stays.
-    """
-    target = None if path is None else check_output(path, PAGES)
-    if not isinstance(shots, Shots):
-        from .table import view_table
-
-        if about or labels is not None:
-            raise ValueError("about, labels: of a file they are its rows; leave out")
-        return view_table(shots, target, title=title, parameters=parameters)
-    scene = shots.parameters if parameters is None else parameters
-    text = page(shots, scene, title=title, about=about, labels=labels)
+    """Return the page of shots, written to a file where one is given; see `hoopgen.view`."""
+    text = page(shots, parameters, title=title, about=about, labels=labels)
     if target is not None:
         write(target, text)
-    return Page(target, text, _about(about, scene))
+    return Page(target, text, _about(about, parameters))
 
 
 def page(
@@ -212,7 +166,7 @@ def _fill(data: Mapping[str, Any]) -> str:
     policy = f"default-src 'none'; img-src data:; script-src {allowed}; style-src {_digest(style)}"
     slots = {
         "policy": policy,
-        "version": html.escape(hoopgen.__version__),
+        "version": html.escape(version()),
         "title": html.escape(data["title"]),
         "style": style,
         "data": _json(data),

@@ -15,7 +15,7 @@ from hoopgen.study.draws import ROW_OF_SAMPLE, uniforms
 from hoopgen.study.models import from_columns
 from hoopgen.study.origin import settle
 from hoopgen.study.tables import Source
-from hoopgen.study.variables import Releases, check_angles
+from hoopgen.variables import Releases, check_angles
 
 __all__ = ["Sample", "sample"]
 
@@ -64,7 +64,7 @@ def sample(
     Parameters
     ----------
     source
-        CSV, Parquet or Arrow; see `hoopgen.study.tables` for its columns.
+        CSV, Parquet or Arrow; see `hoopgen.study.columns`.
     count
         How many, from 1; all of them if the table has no more.
     seed

@@ -5,15 +5,17 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 
+from hoopgen.inputs import Backend
+from hoopgen.outputs import PAGES, check_output
 from hoopgen.phrases import counted
 from hoopgen.results import Outcome
 from hoopgen.simulation import simulate
 
-from .page import view
+from .page import written
 from .sample import Sample, sample
 from .shown import Page
 
@@ -36,7 +38,7 @@ def view_table(
     override: bool = False,
     format: str | None = None,
     own: Sequence[str] = (),
-    backend: Literal["auto", "c", "numpy"] = "auto",
+    backend: Backend = "auto",
 ) -> Page:
     """Write a page on which a sample of a table is seen in motion; in a notebook, show it.
 
@@ -54,6 +56,7 @@ def view_table(
     ValueError, OSError
         As of those.
     """
+    target = None if path is None else check_output(path, PAGES)
     file = Path(source)
     chosen = sample(
         file,
@@ -71,7 +74,7 @@ def view_table(
     invalid = int(np.count_nonzero(shots.outcome == Outcome.INVALID))
     labels = [f"Row {row + 1}" for row in chosen.rows]
     about = _about(file, chosen, seed, invalid)
-    return view(shots, scene, path, title=title, about=about, labels=labels)
+    return written(shots, scene, target, title=title, about=about, labels=labels)
 
 
 def _about(file: Path, chosen: Sample, seed: int, invalid: int) -> str:

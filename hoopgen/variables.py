@@ -10,18 +10,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.brief import listed
 from hoopgen.generated.numpy import hoop
-from hoopgen.inputs import check_angles as check_radians
-from hoopgen.inputs import doubles
-from hoopgen.parameters import NAMES, PAPER
-from hoopgen.releases import RING_HEIGHT, released
-from hoopgen.units import UNITS, Kind
+
+from .brief import listed
+from .inputs import check_angles as check_radians
+from .inputs import doubles
+from .parameters import NAMES, PAPER
+from .releases import RING_HEIGHT, released
+from .units import UNITS, Kind
 
 __all__ = [
     "ARGUMENTS",
     "STANDS_FOR",
     "STATE",
+    "STATE_UNITS",
     "VARIABLES",
     "Releases",
     "Variable",
@@ -107,8 +109,13 @@ _PARAMETERS = _listed(
 VARIABLES: Mapping[str, Variable] = MappingProxyType({**ARGUMENTS, **_INSTEAD, **_PARAMETERS})
 """Every variable: arguments of a release, what stands for them, and the scene's parameters."""
 
-STATE = ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz")
-"""Components of a state, in order; m, m/s, rad/s."""
+STATE = hoop.STATE
+"""Components of a state, in order."""
+
+STATE_UNITS: Mapping[str, str] = MappingProxyType(
+    dict(zip(STATE, (unit for unit in ("m", "m/s", "rad/s") for _ in "xyz"), strict=True))
+)
+"""By component."""
 
 
 @dataclass(frozen=True)

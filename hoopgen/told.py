@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from hoopgen.parameters import NAMES, PRESETS, nearest_preset
-
+from .parameters import NAMES, PRESETS, nearest_preset
 from .variables import VARIABLES
 from .words import Quantity, quantity
 

@@ -1,0 +1,281 @@
+"""The best release that was found: what is known of it, its lead over another, and in words."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass, fields
+from typing import TYPE_CHECKING, Any
+
+from hoopgen.layout import table
+from hoopgen.phrases import counted, interval, percent, points
+from hoopgen.simulation import simulate
+from hoopgen.told import footer, in_a_note, say_release, told_setting
+from hoopgen.units import INCH
+from hoopgen.variables import VARIABLES
+from hoopgen.words import between, for_json, say
+
+from .board import on_board
+from .intervals import newcombe
+from .margins import Margin
+from .player import Bounds, By, Player, Thrown
+from .resample import Resample
+from .said import Said
+from .scatter import Scatter
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+__all__ = ["PLOTTED", "Optimum", "advice", "paired"]
+
+PLOTTED = 2_000
+"""Shots whose shares are beside their paths."""
+
+
+@dataclass(frozen=True, repr=False)
+class Optimum(Said):
+    """The release with the greatest probability of success.
+
+    Attributes
+    ----------
+    release
+        The variables searched over, at their best, and those given; SI.
+    arguments
+        The same as arguments of `hoopgen.release`.
+    entry_angle, depth
+        Of the shot without scatter, as `hoopgen.measure` gives them: angle below the horizontal at
+        the ring's plane, rad, and how far past the ring's centre it comes down, or without contact
+        would have come down, m.
+    by
+        What counts as success.
+    probability, low, high
+        Share of fresh shots, other than those of the search, that succeed; its Wilson interval.
+        An invalid shot is no trial.
+    made, shots, invalid
+        How many of them succeed, were drawn, and could not be simulated.
+    confidence
+        Of the interval.
+    seed
+        Of the search; the fresh shots are those of the next one.
+    tolerance
+        What `flat` and `Margin.steady` let the probability fall by.
+    flat
+        By variable searched over: the range in which, the others chosen to suit, the probability
+        was found to stay within the tolerance of the best.
+    bounds
+        Where was searched.
+    margins
+        By variable.
+    model
+        The player: where the shots about it come from.
+    parameters
+        Of the scene, those in `release` among them.
+    """
+
+    release: Mapping[str, float]
+    arguments: Mapping[str, float]
+    entry_angle: float
+    depth: float
+    by: By
+    probability: float
+    low: float
+    high: float
+    made: int
+    shots: int
+    invalid: int
+    confidence: float
+    seed: int
+    tolerance: float
+    flat: Mapping[str, Bounds]
+    bounds: Mapping[str, Bounds]
+    margins: Mapping[str, Margin]
+    model: Scatter | Resample
+    parameters: Mapping[str, float]
+
+    @property
+    def at_bounds(self) -> tuple[str, ...]:
+        """Variables whose flat range reaches a bound: the best may lie beyond it."""
+        return tuple(
+            name
+            for name, (low, high) in self.flat.items()
+            if low <= self.bounds[name][0] or high >= self.bounds[name][1]
+        )
+
+    def lead(self, other: Optimum) -> tuple[float, float, float]:
+        """Return by how much this probability is above another's, and the interval of it.
+
+        Of the same fresh shots for both: Newcombe's interval for paired data (1998). Pairs with an
+        invalid shot do not count.
+
+        Raises
+        ------
+        ValueError
+            If the two are not of as many shots and one seed.
+        """
+        if (self.shots, self.seed) != (other.shots, other.seed):
+            raise ValueError("other: expected an optimum of as many shots and the same seed")
+        mine, others = (
+            one._player().scored(one.point, one.shots, one.seed + 1) for one in (self, other)
+        )
+        return paired(mine, others, self.confidence)
+
+    def plot(self, **options: Any) -> Figure | Axes:
+        """Draw paths of its fresh shots; options, and what is returned, as for `plots.plot_fan`.
+
+        The shares in the key are those of the first 2000 at most.
+        """
+        player, few = self._player(), min(self.shots, PLOTTED)
+        noise = player.model.noise(0, few, self.seed + 1)
+        shots = player.model.around(self.point, noise, self.parameters, few)
+        options = {"note": in_a_note(self._drawn())} | options
+        return simulate(shots.states, shots.parameters, record=True).plot(**options)
+
+    def told(self) -> dict[str, str]:
+        """Return what it rests on, in words, by what it is: scene, release, scatter, seed."""
+        setting = {**self.model.identity(), "parameters": self.parameters}
+        return {**told_setting(setting), "seed": str(self.seed)}
+
+    def _drawn(self) -> dict[str, str]:
+        """Return what its fresh shots rest on."""
+        told = self.told()
+        if isinstance(self.model, Scatter):
+            release = say_release(self.release)
+        else:
+            moved = say_release({name: self.release[name] for name in self.bounds})
+            release = f"{told['release']}, their means at {moved}"
+        return told | {"release": release, "seed": str(self.seed + 1)}
+
+    @property
+    def point(self) -> dict[str, float]:
+        """What its shots are thrown about: the release, but for what measured releases say."""
+        fixed, _ = self.model.apart()
+        return fixed | {name: self.release[name] for name in self.bounds}
+
+    def _player(self) -> Player:
+        return Player(self.model.apart()[1], self.parameters, self.by)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return everything in types that JSON knows; SI. What is not a number is None."""
+        plain = {one.name: getattr(self, one.name) for one in fields(self)}
+        plain["scene"] = self.told()["scene"]
+        plain["margins"] = {name: asdict(margin) for name, margin in self.margins.items()}
+        plain["model"] = self.model.identity()
+        plain["at_bounds"] = list(self.at_bounds)
+        return {name: for_json(value) for name, value in plain.items()}
+
+    def __str__(self) -> str:
+        return advice(self)
+
+
+def paired(mine: Thrown, others: Thrown, confidence: float) -> tuple[float, float, float]:
+    """Return by how much the share of the first shots is above that of the second, and interval.
+
+    Of the pairs in which both are valid; the difference is NaN if there are none.
+    """
+    valid = mine.valid & others.valid
+    first, second = mine.made[valid], others.made[valid]
+    both, only_first, only_second, neither = (
+        int((a & b).sum()) for a in (first, ~first) for b in (second, ~second)
+    )
+    difference = (only_first - only_second) / len(first) if len(first) else math.nan
+    return difference, *newcombe(both, only_first, only_second, neither, confidence)
+
+
+# ------------------------------------------------------------------------------------ in words
+
+_GO_IN = {
+    "any": "go in",
+    "direct": "go in, the board not touched first",
+    "bank": "go in off the board",
+}
+
+
+def advice(best: Optimum, rival: Optimum | None = None) -> str:
+    """Say the release, how often it goes in, what it forgives, and what that rests on.
+
+    Parameters
+    ----------
+    best
+        What was found.
+    rival
+        Of another way in: said is how far the first one leads.
+    """
+    lines = [*_shot(best), *([_against(best, rival)] if rival is not None else [])]
+    margins = list(best.margins.values())
+    lines += ["", _margins(margins, best.tolerance)] if margins else []
+    return "\n".join([*lines, "", footer(9, best.told())])
+
+
+def _shot(best: Optimum) -> list[str]:
+    """Say the release, where the ball goes, and how often it goes in."""
+    given = best.arguments
+    spins = [f"{name} {say(name, given[name])}" for name in ("backspin", "sidespin") if given[name]]
+    shot = f"{say('speed', given['speed'])} at {say('elevation', given['elevation'])}"
+    lines = [
+        f"shoot    {', '.join([shot, _towards(given['azimuth']), *spins])}",
+        _where(best),
+        f"success  {percent(best.probability)} {_GO_IN[best.by]} ({interval(best.low, best.high)} "
+        f"with {percent(best.confidence, None)} confidence; {counted(best.shots, 'fresh shot')}"
+        f"{f', {best.invalid:,} of them invalid' * bool(best.invalid)}, seed {best.seed})",
+    ]
+    for name, ends in best.flat.items():
+        said = f"{VARIABLES[name].label} {between(name, *ends)}"
+        lines.append(f"as good  {said}, within {counted(100 * best.tolerance, 'point')}")
+    for name in best.at_bounds:
+        said = f"{VARIABLES[name].label} may lie beyond {between(name, *best.bounds[name])}"
+        lines.append(f"caution  the best {said}")
+    return lines
+
+
+def _where(best: Optimum) -> str:
+    """Say where the ball goes: on the board, or down into the ring."""
+    if best.by == "bank":
+        touch = on_board(best.arguments, best.parameters)
+        side = "right" if touch["touch_y"] >= 0 else "left"
+        return (
+            f"flight   touches the board {say('aim', touch['touch_z'])} above the ring, "
+            f"{say('aim', abs(touch['touch_y']))} to the {side} of its middle"
+        )
+    inside = best.parameters["ring_radius"] - best.parameters["wire_radius"]
+    return (
+        f"flight   comes down at {say('entry', best.entry_angle)}, {_past(best.depth)}: "
+        f"{(inside + best.depth) / INCH:.1f} in from the front of the ring"
+    )
+
+
+def _towards(azimuth: float) -> str:
+    said = say("azimuth", abs(azimuth))
+    if said == say("azimuth", 0.0):
+        return "straight at the ring"
+    return f"{said} to the {'left' if azimuth > 0 else 'right'} of the ring's centre"
+
+
+def _past(depth: float) -> str:
+    return f"{say('aim', abs(depth))} {'past' if depth >= 0 else 'short of'} the centre"
+
+
+def _against(best: Optimum, rival: Optimum) -> str:
+    difference, low, high = best.lead(rival)
+    given = rival.arguments
+    return (
+        f"versus   {percent(rival.probability)} {_GO_IN[rival.by]}, from "
+        f"{say('speed', given['speed'])} at {say('elevation', given['elevation'])}: "
+        f"{points(difference)} points ({points(low)} to {points(high)})"
+    )
+
+
+def _margins(margins: Sequence[Margin], tolerance: float) -> str:
+    rows = [
+        [
+            VARIABLES[margin.name].label,
+            say(margin.name, margin.value),
+            margin.said(margin.low, margin.high) + "*" * bool(margin.elsewhere),
+            margin.said(*margin.steady) if margin.steady else "",
+        ]
+        for margin in margins
+    ]
+    head = ["one of them off", "best", "goes in", f"within {counted(100 * tolerance, 'point')}"]
+    groups = [(2, 2, "without scatter"), (3, 3, "with scatter")]
+    note = "\n* and further out again, by another bounce: `elsewhere` has where"
+    return table(head, rows, right=(1,), groups=groups) + note * any(m.elsewhere for m in margins)

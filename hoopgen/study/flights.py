@@ -1,0 +1,93 @@
+"""What becomes of releases: their flights, as columns of a table with units."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import pyarrow as pa
+from numpy.typing import NDArray
+
+from hoopgen.results import SURFACES, Outcome, Shots
+from hoopgen.simulation import simulate
+from hoopgen.variables import STATE, Releases
+
+from .measures import Kind, kinds, measure
+from .models import from_columns
+from .named import UNIT_OF, named
+
+__all__ = ["Flights"]
+
+
+@dataclass(frozen=True)
+class Flights:
+    """What all flights of a table share, and what is wanted of them.
+
+    Attributes
+    ----------
+    parameters
+        Of the scene, where no column says otherwise.
+    release
+        Variables of the release that are the same for all.
+    measures
+        Names of `hoopgen.study.measures.MEASURES`.
+    max_contacts
+        With which a shot ends as capped.
+    """
+
+    parameters: dict[str, float]
+    release: dict[str, float]
+    measures: tuple[str, ...]
+    max_contacts: int
+
+    def releases(self, given: Mapping[str, NDArray[np.float64]]) -> Releases:
+        """Return the shots of columns, and of what they share."""
+        number = len(next(iter(given.values())))
+        shared = {name: np.full(number, value) for name, value in self.release.items()}
+        return from_columns({**given, **shared}, self.parameters)
+
+    def results(self, given: Mapping[str, NDArray[np.float64]]) -> pa.Table:
+        """Return the results of releases or states, a column each, with their units."""
+        releases = self.releases(given)
+        states, scene = releases.states, releases.parameters
+        shots = simulate(states, scene, max_contacts=self.max_contacts, threads=1)
+        columns = _ends(shots)
+        more = [name for name in self.measures if name not in columns]
+        columns |= measure(states, shots, scene, more)
+        cells = {name: pa.array(column) for name, column in columns.items()}
+        schema = [
+            pa.field(
+                named(name),
+                array.type,
+                metadata={"unit": UNIT_OF[name]} if name in UNIT_OF else None,
+            )
+            for name, array in cells.items()
+        ]
+        return pa.Table.from_arrays(list(cells.values()), schema=pa.schema(schema))
+
+
+def _ends(shots: Shots) -> dict[str, Any]:
+    """Return the columns that every table of results has."""
+    ended = (shots.outcome == Outcome.MADE) | (shots.outcome == Outcome.MISSED)
+    end = zip(("time", *STATE), (shots.time, *shots.state.T), strict=True)
+    return {
+        "outcome": _words(shots.outcome, [outcome.name for outcome in Outcome]),
+        "kind": _words(kinds(shots.outcome, shots.counts, shots.first), [k.name for k in Kind]),
+        "contacts": shots.contacts,
+        **{
+            f"{name}_contacts": column
+            for name, column in zip(SURFACES, shots.counts.T, strict=True)
+        },
+        "first": _words(shots.first, SURFACES),
+        **{f"end_{name}": np.where(ended, column, np.nan) for name, column in end},
+        "uncertain": shots.uncertain,
+    }
+
+
+def _words(indices: NDArray[Any], names: Sequence[str]) -> pa.DictionaryArray:
+    """Return names by index, in small letters; none where it is negative."""
+    return pa.DictionaryArray.from_arrays(
+        pa.array(indices.astype(np.int8), mask=indices < 0), [name.lower() for name in names]
+    )

@@ -1,0 +1,74 @@
+"""Shots, or some rows of a file of them, seen in motion."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from hoopgen.outputs import PAGES, check_output
+from hoopgen.results import Shots
+
+from .page import written
+from .shown import Page
+
+__all__ = ["view"]
+
+
+def view(
+    shots: Shots | str | os.PathLike[str],
+    parameters: Mapping[str, Any] | None = None,
+    path: str | os.PathLike[str] | None = None,
+    *,
+    title: str = "",
+    about: str = "",
+    labels: Sequence[str] | None = None,
+) -> Page:
+    """Write a page on which shots are seen in motion; in a notebook, show it.
+
+    It is one file of about 0.7 MB, needs no network, and opens in any browser with WebGL. A
+    notebook that shows it becomes larger by as much. Invalid shots are left out; `about` may say
+    so.
+
+    Parameters
+    ----------
+    shots
+        Of `hoopgen.simulate` with ``record=True``, all fields; `MOST` at most. Or a file, a table
+        of releases or the results of `hoopgen.batch`: 50 of its rows are flown, in their own scene.
+    parameters
+        Of the scene, one number each or (n,); by default those they were simulated with,
+        or that a file of results says, else `PAPER`.
+    path
+        Where to; ends in .html. Without, no file is written.
+    title
+        At the top; by default the outcome, or the number of shots.
+    about
+        A line below it, after which the scene is said.
+    labels
+        What each shot is called, n words or lines; by default "Shot 1", "Shot 2", ...
+
+    Returns
+    -------
+    Page
+        It stands for the file written, its ``path``, wherever a path does; the same shots give the
+        same bytes.
+
+    Raises
+    ------
+    ValueError
+        If the path ends in something else, there is no valid shot or too many, or the labels or
+        parameters are not as described.
+    AttributeError
+        If the shots were simulated without ``record=True``.
+    OSError
+        If the file cannot be written; what was there before stays.
+    """
+    target = None if path is None else check_output(path, PAGES)
+    if not isinstance(shots, Shots):
+        from .table import view_table  # reads by pyarrow, which shots do without
+
+        if about or labels is not None:
+            raise ValueError("about, labels: of a file they are its rows; leave out")
+        return view_table(shots, target, title=title, parameters=parameters)
+    scene = shots.parameters if parameters is None else parameters
+    return written(shots, scene, target, title=title, about=about, labels=labels)
