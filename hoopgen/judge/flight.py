@@ -111,12 +111,18 @@ def _follow(
 
 
 def _left(formulas: Formulas, state: list[arb], values: list[arb], leaving: int) -> int:
-    """Return what the ball leaves: of a surface of several parts, the first that it can be on."""
+    """Return what the ball leaves: of a surface of several parts, the nearest in its bounds."""
     own = [k for k, surface in enumerate(formulas.surfaces) if surface.face == leaving]
-    for k in own:
-        if any(_holds(p, state, values) is not False for p in formulas.surfaces[k].patches):
-            return k
-    return own[0] if own else -1
+    within = [
+        k
+        for k in own
+        if any(_holds(p, state, values) is not False for p in formulas.surfaces[k].patches)
+    ]
+
+    def away(k: int) -> float:
+        return abs(float(formulas.surfaces[k].distance(state, values)[0].mid()))
+
+    return min(within or own, key=away, default=-1)
 
 
 def _stops(surface: SurfaceFormulas, flown: Flown, values: list[arb]) -> bool:
