@@ -26,7 +26,7 @@ pq = pytest.importorskip("pyarrow.parquet")
 from hoopgen.study import batch as study_batch  # noqa: E402
 from hoopgen.study import chunks  # noqa: E402
 from hoopgen.study.columns import NAMED  # noqa: E402
-from hoopgen.study.measures import MEASURES, Kind, kinds, measure  # noqa: E402
+from hoopgen.study.measures import ENDED, MEASURES, Kind, kinds, measure  # noqa: E402
 from hoopgen.study.named import named  # noqa: E402
 from hoopgen.study.tables import Source  # noqa: E402
 from hoopgen.units import FOOT  # noqa: E402
@@ -131,9 +131,9 @@ def test_results_are_those_of_the_shots_row_by_row(source: Path, tmp_path: Path)
         np.testing.assert_array_equal(table[named(f"end_{name}")].to_numpy(), expected)
     for name, numbers in measure(states, shots, scene).items():
         np.testing.assert_array_equal(table[named(name)].to_numpy(), numbers)
-    counts = np.bincount(shots.outcome, minlength=len(hoopgen.Outcome))
+    counts = np.bincount(shots.outcome, minlength=len(ENDED))
     assert list(outcomes.values()) == counts.tolist()
-    assert list(outcomes) == [outcome.name.lower() for outcome in hoopgen.Outcome]
+    assert list(outcomes) == [outcome.name.lower() for outcome in ENDED]
     assert np.all(counts[: hoopgen.Outcome.INVALID] > 0), "throws of every kind"
 
 

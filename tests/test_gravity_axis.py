@@ -167,7 +167,8 @@ def test_studies_speak_of_heights_only_where_free_fall_is_down() -> None:
 
 def test_the_page_of_a_turned_scene_speaks_of_its_own_axes(made: Callable[[Scene], Made]) -> None:
     page = (made(WHEEL).folder / "derivation_wheel.md").read_text(encoding="utf-8")
-    assert "The plane `ground` counts where the ball crosses it against its normal only" in page
+    assert "A shot ends where it crosses a plane of an end against the plane's normal" in page
+    assert "| missed | ground | everywhere |" in page
     assert "way down" not in page
     assert r"v_x(t) &= v_{x} + \text{gravity}\, t" in page
 
