@@ -12,7 +12,10 @@ from hoopgen.layout import table
 __all__ = ["cache", "compile_"]
 
 
-@click.command("compile", epilog=examples("hoopgen compile netball.toml"))
+@click.command(
+    "compile",
+    epilog=examples("hoopgen compile netball.toml", "hoopgen compile examples/scenes/bowl.toml"),
+)
 @click.argument("file", type=click.Path(exists=True, dir_okay=False, path_type=Path))
 def compile_(file: Path) -> None:
     """Compile a scene file for this processor, and compare it with NumPy.
