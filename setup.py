@@ -7,28 +7,9 @@ from runpy import run_path
 from setuptools import Extension, find_namespace_packages, setup
 from setuptools.command.build_ext import build_ext
 
-WORD = run_path("hoopgen/engine/sources.py")["word"]
+BUILD = run_path("hoopgen/engine/sources.py")
 ROOMS = ("derive", "templates", "generated")
 
-# Every operation is done as it is written, and gives the bits of the NumPy target. These come after
-# CFLAGS and LDFLAGS, and take back each of their flags that would change that, by its name: with
-# -fno-fast-math alone GCC 12 compiles as it should, but still links the start-up code of fast-math.
-# The C file refuses to compile, or to run, with what is left.
-# No -march: the C file chooses its vector width at run time.
-UNIX_FLAGS = [
-    "-O3",
-    "-g0",
-    "-std=c11",
-    "-fno-fast-math",
-    "-fno-unsafe-math-optimizations",
-    "-fno-associative-math",
-    "-fno-reciprocal-math",
-    "-fno-finite-math-only",
-    "-fsigned-zeros",
-    "-ffp-contract=off",
-    "-fno-math-errno",
-    "-fno-trapping-math",
-]
 MSVC_FLAGS = ["/O2", "/std:c11", "/fp:precise"]
 
 
@@ -37,10 +18,10 @@ class BuildPlainLibrary(build_ext):
 
     def build_extension(self, ext: Extension) -> None:
         msvc = self.compiler.compiler_type == "msvc"
-        ext.extra_compile_args = MSVC_FLAGS if msvc else UNIX_FLAGS
+        ext.extra_compile_args = MSVC_FLAGS if msvc else BUILD["FLAGS"]
         # Linking with fast-math makes subnormals zero in every process that loads the library.
-        ext.extra_link_args = [] if msvc else UNIX_FLAGS
-        ext.define_macros = [("HOOP_SOURCES", WORD(Path("generated/c")))]
+        ext.extra_link_args = [] if msvc else BUILD["FLAGS"]
+        ext.define_macros = [("HOOP_SOURCES", BUILD["word"](Path("generated/c")))]
         super().build_extension(ext)
 
     def copy_extensions_to_source(self) -> None:

@@ -23,11 +23,11 @@ import hoopgen
 from benchmarks.families import FAMILIES, Family
 from benchmarks.machine import facts
 from benchmarks.report import number, table
+from hoopgen.engines import HOOP
 from hoopgen.judge import Certificate, Proof, certify
 from hoopgen.judge.audit import deepest
 from hoopgen.outputs import write
 from hoopgen.phrases import percent
-from hoopgen.simulation import FIELDS
 
 ERRORS = ("time", "position", "velocity", "spin")
 MAX_CONTACTS = 40
@@ -86,7 +86,7 @@ def _add(result: Tally, states: Floats, parameters: Mapping[str, Any], audited: 
         states,
         parameters,
         max_contacts=MAX_CONTACTS,
-        fields=(*FIELDS, "time_error", "state_error"),
+        fields=tuple(HOOP.layout.results),
         record=True,
     )
     proved = certify(states, parameters, max_contacts=MAX_CONTACTS)

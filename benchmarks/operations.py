@@ -12,6 +12,7 @@ import hoopgen
 from benchmarks.peers.native import COMPILER, OUR_FLAGS
 from benchmarks.workloads import States
 from hoopgen.engine import native
+from hoopgen.engines import HOOP
 
 GENERATED = Path(__file__).parents[1] / "generated" / "c"
 ARITHMETIC = ("addition", "subtraction", "multiplication", "division", "square root")
@@ -54,8 +55,8 @@ def operations(states: States) -> float | None:
         target = Path(folder) / "counting.so"
         command = [COMPILER, *OUR_FLAGS, "-w", "-shared", "-fPIC", f"{folder}/hoop.c"]
         subprocess.run([*command, "-o", str(target), "-lm"], check=True)
-        counting = OneLane(target, "hoop")
+        counting = OneLane(target, HOOP.kernels)
         counter = ctypes.c_double.in_dll(ctypes.CDLL(str(target)), "hoop_counter")
-    with patch.object(native, "installed", lambda: counting):
+    with patch.object(HOOP, "found", counting):
         hoopgen.simulate(states, backend="c", threads=1, fields=("outcome",))
     return counter.value / len(states)

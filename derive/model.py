@@ -29,6 +29,7 @@ from .ground.symbols import (
     velocity,
 )
 from .scenes import validity
+from .scenes.check import check
 from .scenes.names import check_kernels
 from .scenes.scene import Scene
 from .search import events, search
@@ -166,11 +167,7 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
         ),
         kernel(
             "displacement",
-            {
-                "margin": events.displacement(
-                    scene.flight, [p.symbol for p in scene.parameters if p.unit == "m"]
-                )
-            },
+            {"margin": events.displacement(scene.flight, scene.lengths)},
             order,
             "Bound on the error of a length at a computed arrival.",
             "running error analysis",
@@ -261,17 +258,21 @@ def _surface_kernels(
     surface: Surface, scene: Scene, order: tuple[sp.Symbol, ...]
 ) -> SurfaceKernels:
     found = search(surface, scene.flight)
-    formulas: dict[str, Formula] = {
-        "coefficients": (
-            _named("c", events.event_coefficients(surface, scene.flight)),
-            "Coefficients in time of the event polynomial, constant first.",
-            "Eq. 3 in Table 2",
-        ),
-        "deflated": (
-            _named("c", events.deflated_coefficients(surface, scene.flight)),
-            "Coefficients of the event polynomial over t, after a contact at t = 0.",
-            "Eq. 3 in Table 2, the exact root divided out",
-        ),
+    formulas: dict[str, Formula] = {}
+    if surface.polynomial:
+        formulas |= {
+            "coefficients": (
+                _named("c", events.event_coefficients(surface, scene.flight)),
+                "Coefficients in time of the event polynomial, constant first.",
+                "Eq. 3 in Table 2",
+            ),
+            "deflated": (
+                _named("c", events.deflated_coefficients(surface, scene.flight)),
+                "Coefficients of the event polynomial over t, after a contact at t = 0.",
+                "Eq. 3 in Table 2, the exact root divided out",
+            ),
+        }
+    formulas |= {
         "normal": (
             _components(NORMAL, surface.normal),
             "Outward unit normal n3 at a contact.",
@@ -298,7 +299,14 @@ def _surface_kernels(
 
 
 def build(scene: Scene) -> Model:
-    """Return all kernels of a scene, and its event loop."""
+    """Return all kernels of a scene, and its event loop.
+
+    Raises
+    ------
+    ValueError
+        If a formula of the scene is not what it is taken for, or two kernels have one name.
+    """
+    check(scene)
     order = _order(scene)
     common = {k.name: k for k in _common(scene, order)}
     choices = decisions.kernels(scene.faces, scene.outcomes, len(scene.gates))

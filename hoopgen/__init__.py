@@ -17,6 +17,7 @@ if find_spec(f"{__name__}.generated") is None:
     __path__.append(str(Path(__file__).resolve().parent.parent))
 
 if TYPE_CHECKING:
+    from .engines import HOOP
     from .parameters import FIBA, NBA, PAPER
     from .releases import release
     from .results import SURFACES, Outcome, Shots, Trajectory
@@ -25,7 +26,9 @@ if TYPE_CHECKING:
 __all__ = [
     "simulate",
     "certify",
+    "compile",
     "release",
+    "HOOP",
     "PAPER",
     "NBA",
     "FIBA",
@@ -38,6 +41,10 @@ __all__ = [
 
 _LATER = {
     "simulate": "simulation",
+    "compile": "scene.compile",
+    "Scene": "scene",
+    "load_scene": "scene",
+    "HOOP": "engines",
     "release": "releases",
     "PAPER": "parameters",
     "NBA": "parameters",
@@ -65,7 +72,7 @@ _LATER = {
 """Imported when first asked for, and from where: some stand on the extras, and all but `release` on
 generated/, which `hoopgen generate` writes."""
 
-_ROOMS = ("plots",)
+_ROOMS = ("plots", "scene")
 """Modules that are part of the interface, imported when first asked for too."""
 
 

@@ -10,16 +10,20 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.generated.numpy.hoop import BODIES as SURFACES
-from hoopgen.generated.numpy.hoop import Outcome
-
 from .installed import need
 from .notebook import ROWS, some_rows, table
 from .told import say_scene
 from .units import column_name
 from .variables import STATE, STATE_UNITS
 
-__all__ = ["contacts_frame", "contacts_html", "shots_dataset", "shots_frame", "shots_html"]
+__all__ = [
+    "contacts_frame",
+    "contacts_html",
+    "scene_of",
+    "shots_dataset",
+    "shots_frame",
+    "shots_html",
+]
 
 _ERRORS = {"position_error": "m", "velocity_error": "m/s", "spin_error": "rad/s"}
 
@@ -31,12 +35,19 @@ class Shots(Protocol):
     """What is read of `hoopgen.Shots`, which stands on this file; and its fields, by name."""
 
     parameters: Mapping[str, Any]
+    scene: Any
+
+    @property
+    def surfaces(self) -> tuple[str, ...]: ...
 
     def __len__(self) -> int: ...
 
 
 class Trajectory(Protocol):
     """What is read of `hoopgen.Trajectory`."""
+
+    @property
+    def scene(self) -> Any: ...
 
     @property
     def release(self) -> NDArray[np.float64]: ...
@@ -49,44 +60,54 @@ def _named(name: str, unit: str = "") -> str:
     return column_name(name, unit or UNITS.get(name, ""))
 
 
-_OUTCOMES = [outcome.name.lower() for outcome in Outcome]
-_END = (*SURFACES, "end")
+def _outcomes(shots: Shots) -> list[str]:
+    return [outcome.name.lower() for outcome in shots.scene.outcomes]
+
+
+def scene_of(shots: Shots) -> str:
+    """Say the scene of shots: of the hoop the preset and what differs, of others the name."""
+    if shots.scene.is_hoop:
+        return say_scene(shots.parameters)
+    usual = shots.scene.parameters
+    changed = [name for name, v in shots.parameters.items() if not np.all(np.equal(v, usual[name]))]
+    return ", ".join([shots.scene.name, *(f"another {name}" for name in changed)])
 
 
 def _columns(shots: Shots, rows: Any = slice(None)) -> dict[str, NDArray[Any]]:
     """Return the results that there are, a column each; outcome and first surface as codes."""
     columns: dict[str, NDArray[Any]] = {}
-    for name, split in _PARTS.items():
+    for name, split in _parts(shots).items():
         if hasattr(shots, name):
             part = getattr(shots, name)[rows]
             columns |= dict(zip(split, part.T if part.ndim > 1 else [part], strict=True))
     return columns
 
 
-_PARTS: Mapping[str, tuple[str, ...]] = {
-    "outcome": ("outcome",),
-    "contacts": ("contacts",),
-    "counts": tuple(f"{name}_contacts" for name in SURFACES),
-    "first": ("first",),
-    "time": ("time",),
-    "state": STATE,
-    "uncertain": ("uncertain",),
-    "time_error": ("time_error",),
-    "state_error": tuple(_ERRORS),
-}
-"""By field of `Shots`: its columns, in their order."""
+def _parts(shots: Shots) -> dict[str, tuple[str, ...]]:
+    """Return the columns of each field of `Shots`, in their order."""
+    return {
+        "outcome": ("outcome",),
+        "contacts": ("contacts",),
+        "counts": tuple(f"{name}_contacts" for name in shots.surfaces),
+        "first": ("first",),
+        "time": ("time",),
+        "state": STATE,
+        "uncertain": ("uncertain",),
+        "time_error": ("time_error",),
+        "state_error": tuple(_ERRORS),
+    }
 
 
 def shots_frame(shots: Shots) -> Any:
     """Return what `Shots.to_pandas` does."""
     pd = need("pandas", "to_pandas")
     columns: dict[str, Any] = dict(_columns(shots))
-    for name, words in (("outcome", _OUTCOMES), ("first", list(SURFACES))):
+    for name, words in (("outcome", _outcomes(shots)), ("first", list(shots.surfaces))):
         if name in columns:
             columns[name] = pd.Categorical.from_codes(columns[name], words)
     columns = {_named(name): column for name, column in columns.items()}
     frame = pd.DataFrame(columns, pd.RangeIndex(len(shots), name="shot"))
-    frame.attrs["scene"] = say_scene(shots.parameters)
+    frame.attrs["scene"] = scene_of(shots)
     return frame
 
 
@@ -95,12 +116,12 @@ def shots_dataset(shots: Shots) -> Any:
     xr = need("xarray", "to_xarray")
     data, coordinates = {}, {"shot": np.arange(len(shots))}
     second = {
-        "counts": ("surface", list(SURFACES)),
+        "counts": ("surface", list(shots.surfaces)),
         "state": ("component", list(STATE)),
         "state_error": ("part", [name.removesuffix("_error") for name in _ERRORS]),
     }
-    flags = {"outcome": (0, _OUTCOMES), "first": (-1, ["none", *SURFACES])}
-    for name in filter(partial(hasattr, shots), _PARTS):
+    flags = {"outcome": (0, _outcomes(shots)), "first": (-1, ["none", *shots.surfaces])}
+    for name in filter(partial(hasattr, shots), _parts(shots)):
         dimensions = ["shot"]
         if name in second:
             dimensions.append(second[name][0])
@@ -115,7 +136,7 @@ def shots_dataset(shots: Shots) -> Any:
     if "state" in data:
         dataset = dataset.assign_coords(unit=("component", list(STATE_UNITS.values())))
     alike = {name: value for name, value in shots.parameters.items() if np.ndim(value) == 0}
-    dataset.attrs["scene"] = say_scene(shots.parameters)
+    dataset.attrs["scene"] = scene_of(shots)
     dataset.attrs["parameters"] = json.dumps(alike)
     apart = {name: ("shot", v) for name, v in shots.parameters.items() if np.ndim(v)}
     return dataset.assign_coords(apart)
@@ -127,7 +148,7 @@ def shots_html(shots: Shots) -> str:
     columns: dict[str, list[Any]] = {
         name: column.tolist() for name, column in _columns(shots, np.array(rows, np.intp)).items()
     }
-    for name, words in (("outcome", _OUTCOMES), ("first", SURFACES)):
+    for name, words in (("outcome", _outcomes(shots)), ("first", shots.surfaces)):
         if name in columns:
             columns[name] = [words[code] if code >= 0 else "" for code in columns[name]]
     head = ["shot", *(_headed(name) for name in columns)]
@@ -136,11 +157,16 @@ def shots_html(shots: Shots) -> str:
     return table(about, head, zip(rows, *columns.values(), strict=True), gap=gap)
 
 
+def _ends(trajectory: Trajectory) -> tuple[str, ...]:
+    """Return what events are with, by number."""
+    return (*trajectory.scene.surfaces, "end")
+
+
 def contacts_frame(trajectory: Trajectory) -> Any:
     """Return what `Trajectory.to_pandas` does."""
     pd = need("pandas", "to_pandas")
     events = trajectory.events
-    words = pd.Categorical.from_codes(events["surface"], list(_END))
+    words = pd.Categorical.from_codes(events["surface"], list(_ends(trajectory)))
     columns = {_named("time"): events["time"], "surface": words}
     columns |= dict(zip(map(_named, STATE[:3]), events["before"].T, strict=False))
     for name in ("before", "after"):
@@ -158,7 +184,9 @@ def contacts_html(trajectory: Trajectory) -> str:
     for number, event in enumerate(trajectory.events, 1):
         where = event["before"][:3].tolist()
         speeds = _speed(event["before"]), _speed(event["after"])
-        rows.append((number, _END[event["surface"]], float(event["time"]), *where, *speeds))
+        rows.append(
+            (number, _ends(trajectory)[event["surface"]], float(event["time"]), *where, *speeds)
+        )
     head = ["", "event", "time (s)", "x (m)", "y (m)", "z (m)"]
     head += ["speed before (m/s)", "speed after (m/s)"]
     return table(repr(trajectory).partition("(")[2].removesuffix(")"), head, rows)

@@ -123,13 +123,20 @@ def check_states(states: ArrayLike) -> NDArray[np.float64]:
     return np.ascontiguousarray(array)
 
 
-def check_leaving(leaving: ArrayLike | None, shots: int) -> NDArray[np.int8] | None:
+def check_leaving(
+    leaving: ArrayLike | None, shots: int, surfaces: int = len(hoop.BODIES)
+) -> NDArray[np.int8] | None:
     """Return the surface that each shot leaves at the start, (shots,); None if none is given.
+
+    Parameters
+    ----------
+    surfaces
+        How many the scene has.
 
     Raises
     ------
     ValueError
-        If they are not indices into `hoopgen.SURFACES` or -1, one or so many.
+        If they are not indices into the surfaces or -1, one or so many.
     """
     if leaving is None:
         return None
@@ -140,8 +147,8 @@ def check_leaving(leaving: ArrayLike | None, shots: int) -> NDArray[np.int8] | N
     whole = array.dtype.kind in "iu" and not np.ma.is_masked(leaving)
     if not whole or array.shape not in ((), (shots,)):
         raise ValueError(f"leaving: expected whole numbers, one or {shots}, got {brief(leaving)}")
-    if np.any((array < -1) | (array >= len(hoop.BODIES))):
-        raise ValueError(f"leaving: expected -1 to {len(hoop.BODIES) - 1}, got {brief(leaving)}")
+    if np.any((array < -1) | (array >= surfaces)):
+        raise ValueError(f"leaving: expected -1 to {surfaces - 1}, got {brief(leaving)}")
     return np.ascontiguousarray(np.broadcast_to(array, shots), dtype=np.int8)
 
 

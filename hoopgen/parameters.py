@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from types import MappingProxyType
-from typing import Any
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType, ModuleType
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,9 +16,68 @@ from .brief import brief, listed
 from .inputs import doubles
 
 NAMES = tuple(hoop.PARAMETERS)
-_NAME_SET = frozenset(NAMES)
+
 
 Value = float | NDArray[np.float64]
+
+
+class Written(Protocol):
+    """A scene whose kernels take more than its parameters: sizes that are computed from them."""
+
+    @property
+    def defaults(self) -> Mapping[str, float]:
+        """The parameters' usual values."""
+
+    def values(self, parameters: Mapping[str, Any] | None = None) -> Sequence[Any]:
+        """Return what the kernels take, in order."""
+
+
+@dataclass(frozen=True)
+class Table:
+    """The parameters of a scene, in calling order.
+
+    Attributes
+    ----------
+    defaults
+        Their usual values, by name.
+    limits
+        The least and the largest value of those that have a largest.
+    written
+        The scene, where its kernels take more than them.
+    """
+
+    defaults: Mapping[str, float]
+    limits: Mapping[str, tuple[float, float]]
+    written: Written | None = None
+
+    @classmethod
+    def of(cls, kernels: ModuleType, written: Written | None = None) -> Table:
+        """Return the table of a generated module."""
+        usual = {name: default for name, (default, _, _) in kernels.PARAMETERS.items()}
+        return cls.made(usual, kernels.LIMITS, written)
+
+    @classmethod
+    def made(
+        cls,
+        taken: Mapping[str, float],
+        limits: Mapping[str, tuple[float, float]],
+        written: Written | None,
+    ) -> Table:
+        """Return the table of a scene, from what its kernels take."""
+        if written is None:
+            return cls(taken, limits)
+        own = written.defaults
+        return cls(own, {name: ends for name, ends in limits.items() if name in own}, written)
+
+    def inputs(self, parameters: Mapping[str, Value]) -> list[Value]:
+        """Return what the kernels take, in order, from all the parameters in theirs."""
+        if self.written is None:
+            return list(parameters.values())
+        values = self.written.values(parameters)
+        return [np.ascontiguousarray(v, np.float64) if np.ndim(v) else float(v) for v in values]
+
+
+HOOP_TABLE = Table.of(hoop)
 
 
 class Parameters(Mapping[str, Any]):
@@ -74,7 +134,7 @@ def _preset(
     }
 
 
-PAPER = Parameters({name: default for name, (default, _, _) in hoop.PARAMETERS.items()})
+PAPER = Parameters(HOOP_TABLE.defaults)
 """Inside the rule books' tolerances, and every sequence of the article's Table 3 comes out."""
 
 NBA = _preset(
@@ -125,41 +185,65 @@ def nearest_preset(parameters: Mapping[str, Any]) -> tuple[str, dict[str, Any]]:
     return nearest, differences[nearest]
 
 
-def resolve(parameters: Mapping[str, Any], shots: int) -> list[Value]:
+def completed(parameters: Mapping[str, Any] | None, table: Table = HOOP_TABLE) -> Mapping[str, Any]:
+    """Return all parameters of a scene in calling order: usual values for those left out.
+
+    Raises
+    ------
+    TypeError
+        If `parameters` is not a mapping.
+    ValueError
+        If a name is unknown; the message lists the right ones.
+    """
+    if parameters is None:
+        return table.defaults
+    if not isinstance(parameters, Mapping):
+        raise TypeError(
+            f"parameters: expected a mapping of names to values, got {brief(parameters)}"
+        )
+    unknown = parameters.keys() - table.defaults.keys()
+    if unknown:
+        named = listed(name for name in parameters if name in unknown)
+        names = ", ".join(table.defaults) or "none"
+        raise ValueError(f"parameters: unknown {named}. The names are {names}")
+    return {name: parameters.get(name, usual) for name, usual in table.defaults.items()}
+
+
+def resolve(
+    parameters: Mapping[str, Any] | None, shots: int, table: Table = HOOP_TABLE
+) -> list[Value]:
     """Return the parameters in calling order, each a number or of shape (shots,).
+
+    Parameters
+    ----------
+    parameters
+        Those that are given; the others have their usual values.
+    table
+        Those of the scene.
 
     Raises
     ------
     TypeError
         If `parameters` is not a mapping, or a value cannot become float64.
     ValueError
-        If a name is unknown or missing, a shape is wrong, or a restitution for all shots is
-        outside [0, 1].
+        If a name is unknown, a shape is wrong, or a number for all shots is not within its limits.
     """
-    if not isinstance(parameters, Mapping):
-        raise TypeError(
-            f"parameters: expected a mapping of names to values, got {brief(parameters)}"
-        )
-    if parameters.keys() != _NAME_SET:
-        unknown = [name for name in parameters if name not in NAMES]
-        missing = [name for name in NAMES if name not in parameters]
-        wrong = [f"unknown {listed(unknown)}"] if unknown else []
-        wrong += [f"missing {', '.join(missing)}"] if missing else []
-        raise ValueError(f"parameters: {'; '.join(wrong)}. The names are {', '.join(NAMES)}")
     values: list[Value] = []
-    for name in NAMES:
-        given = parameters[name]
+    for name, given in completed(parameters, table).items():
         if type(given) is float:  # the common case, without detours
             values.append(given)
             continue
-        value = doubles(f"parameters[{name!r}]", given)
-        if value.shape not in ((), (shots,)):
+        numbers = doubles(f"parameters[{name!r}]", given)
+        if numbers.shape not in ((), (shots,)):
             raise ValueError(
                 f"parameters[{name!r}]: expected one number or {shots}, one a shot; "
-                f"got shape {value.shape}"
+                f"got shape {numbers.shape}"
             )
-        values.append(np.ascontiguousarray(value) if value.ndim else float(value))
-    restitution = values[NAMES.index("restitution")]
-    if isinstance(restitution, float) and not 0.0 <= restitution <= 1.0:
-        raise ValueError(f"parameters['restitution']: expected 0 to 1, got {restitution}")
+        values.append(np.ascontiguousarray(numbers) if numbers.ndim else float(numbers))
+    own = dict(zip(table.defaults, values, strict=True))
+    for name, (low, high) in table.limits.items():
+        value = own[name]
+        if isinstance(value, float) and not low <= value <= high:
+            expected = f"{low:g} to {high:g}" if low > -np.inf else f"at most {high:g}"
+            raise ValueError(f"parameters[{name!r}]: expected {expected}, got {value}")
     return values

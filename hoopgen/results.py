@@ -4,28 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from enum import IntEnum
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.generated.numpy import hoop
 from hoopgen.generated.numpy.hoop import Outcome as Outcome
 
 from . import frames
 from .brief import brief
+from .engines import HOOP, Engine
 from .inputs import doubles
 from .phrases import counted, doubtful
-from .told import say_scene
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 
-SURFACES = hoop.BODIES
-"""Surfaces, in the order of ``Shots.counts``; the event log numbers the end plane after them."""
+SURFACES = HOOP.surfaces
+"""The hoop's, in the order of ``Shots.counts``; the event log numbers the end plane after them."""
 
 
 def _plots() -> Any:
@@ -53,17 +53,15 @@ class Trajectory:
         Of the scene, one number each.
     outcome
         If it was asked for.
+    scene
+        What it was simulated in.
     """
 
     release: NDArray[np.float64]
     events: NDArray[Any]
     parameters: Mapping[str, float]
-    outcome: Outcome | None = None
-
-    @property
-    def gravity(self) -> float:
-        """m/s²."""
-        return self.parameters["gravity"]
+    outcome: IntEnum | None = None
+    scene: Engine = HOOP
 
     @property
     def duration(self) -> float:
@@ -96,15 +94,12 @@ class Trajectory:
         starts = np.concatenate([[0.0], self.events["time"]])
         states = np.concatenate([self.release[None], self.events["after"]])
         segment = np.searchsorted(starts, times, side="right") - 1
-        origin = states[segment]
-        x, y, z, vx, vy, vz, *spin = np.moveaxis(origin, -1, 0)
-        moved = hoop.flight(times - starts[segment], x, y, z, vx, vy, vz, self.gravity)
-        return np.stack([*moved, *spin], -1)
+        return self.scene.fly(times - starts[segment], states[segment], self.parameters)
 
     def __repr__(self) -> str:
         runs = ((surface, len(list(run))) for surface, run in groupby(self.events["surface"]))
         names = [
-            f"{(*SURFACES, 'end')[surface]}{f' {times} times' if times > 1 else ''}"
+            f"{(*self.scene.surfaces, 'end')[surface]}{f' {times} times' if times > 1 else ''}"
             for surface, times in runs
         ]
         ended = "" if self.outcome is None else f"; {self.outcome.name.lower()}"
@@ -147,7 +142,7 @@ class Shots:
     contacts
         int32 (n,), contacts before the end.
     counts
-        int32 (n, k), contacts by surface, in the order of `SURFACES`.
+        int32 (n, k), contacts by surface, in the order of `surfaces`.
     first
         int8 (n,), first surface touched, -1 for none.
     time
@@ -163,6 +158,8 @@ class Shots:
         With ``record=True``: the event log, rows in order of shot, then time.
     parameters
         Of the scene, as they were simulated with: one number each or (n,).
+    scene
+        What they were simulated in.
     """
 
     outcome: NDArray[np.uint8]
@@ -182,17 +179,24 @@ class Shots:
         fields: dict[str, NDArray[Any]],
         states: NDArray[np.float64],
         parameters: Mapping[str, float | NDArray[np.float64]],
+        scene: Engine = HOOP,
     ) -> None:
         self._fields = fields
         self._states = states
         self.parameters = parameters
+        self.scene = scene
+
+    @property
+    def surfaces(self) -> tuple[str, ...]:
+        """What can be touched, in the order of the columns of `counts`."""
+        return self.scene.surfaces
 
     def __getattr__(self, name: str) -> NDArray[Any]:
         fields = self.__dict__.get("_fields", {})
         if name in fields:
             return fields[name]  # type: ignore[no-any-return]
-        if name == "made" and fields:
-            return np.asarray(self.outcome == Outcome.MADE)
+        if name == "made" and fields and "MADE" in self.scene.outcomes.__members__:
+            return np.asarray(self.outcome == self.scene.outcomes["MADE"])
         if name == "events":
             raise AttributeError("events: simulate with record=True to keep the event log")
         if name in Shots.__annotations__:
@@ -200,7 +204,7 @@ class Shots:
         raise AttributeError(f"Shots has no attribute {name!r}")
 
     def __dir__(self) -> list[str]:
-        made = ["made"] if "outcome" in self._fields else []
+        made = ["made"] if hasattr(self, "made") else []
         return sorted({*super().__dir__(), *self._fields, *made})
 
     def __len__(self) -> int:
@@ -209,15 +213,17 @@ class Shots:
     def __repr__(self) -> str:
         shots = counted(len(self), "shot")
         what = self._counts() if "outcome" in self._fields else ", ".join(self._fields)
-        return f"Shots({shots}{': ' if what else ''}{what}; {say_scene(self.parameters)})"
+        return f"Shots({shots}{': ' if what else ''}{what}; {frames.scene_of(self)})"
 
     def _counts(self) -> str:
         """Say how many ended how, and how many of them are uncertain."""
-        ended = {one.name.lower(): np.count_nonzero(self.outcome == one) for one in Outcome}
+        ended = {
+            one.name.lower(): np.count_nonzero(self.outcome == one) for one in self.scene.outcomes
+        }
         said = ", ".join(f"{count:,} {name}" for name, count in ended.items() if count)
         if "uncertain" not in self._fields or not self.uncertain.any():
             return said
-        capped = self.uncertain & (self.outcome == Outcome.CAPPED)
+        capped = self.uncertain & (self.outcome == self.scene.outcomes["CAPPED"])
         return f"{said}; {doubtful(int(self.uncertain.sum()), int(capped.sum()))}"
 
     def plot(self, **options: Any) -> Figure | Axes:
@@ -269,5 +275,6 @@ class Shots:
             name: float(value if np.ndim(value) == 0 else np.asarray(value)[index])
             for name, value in self.parameters.items()
         }
-        ended = Outcome(int(self.outcome[index])) if "outcome" in self._fields else None
-        return Trajectory(self._states[index], self.events[low:high], own, ended)
+        known = "outcome" in self._fields
+        ended = self.scene.outcomes(int(self.outcome[index])) if known else None
+        return Trajectory(self._states[index], self.events[low:high], own, ended, self.scene)

@@ -6,22 +6,21 @@ import sys
 import threading
 from collections.abc import Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.generated.numpy import hoop
-
 from .brief import brief, listed
 from .engine import native, numpy_backend
 from .engine.arithmetic import check_arithmetic
-from .engine.raw import BOUNDS, EVENT, FIELDS, Raw, allocate, allocate_events
+from .engine.raw import Raw
+from .engines import HOOP, Engine
 from .inputs import check_contacts, check_leaving, check_states, check_threads, check_time_limit
-from .parameters import NAMES, PAPER, Value, resolve
-from .results import SURFACES, Shots
+from .parameters import Value, resolve
+from .results import Shots
 from .sizes import check_room
 
 CHUNK = 1 << 17
@@ -34,7 +33,13 @@ SMALL = 1 << 12
 """A chunk that is small."""
 
 ROOM = 1 << 16
-"""Rows of the event log that a thread makes room for at a time: every contact that could be."""
+"""Rows of the event log that a thread makes room for at a time."""
+
+FEW = 40
+"""Contacts of a shot that there is room for in the log, at first; for those that have more, it
+grows as `MORE` says."""
+
+MORE = 8
 
 LEAST = 1 << 12
 """Fewest shots that a thread takes at a time in NumPy, whose every operation costs a call."""
@@ -45,6 +50,7 @@ AT_ONCE = 1 << 17
 
 @dataclass(frozen=True)
 class _Batch:
+    scene: Engine
     states: NDArray[np.float64]
     parameters: list[Value]
     leaving: NDArray[np.int8] | None
@@ -57,24 +63,56 @@ class _Batch:
         """Return whether no further shots are wanted."""
         return bool(self.stop[0])
 
-    def run(self, start: int, stop: int, out: Raw) -> None:
-        """Simulate some of the shots into their rows of `out`."""
-        states = self.states[start:stop]
-        parameters = [p if isinstance(p, float) else p[start:stop] for p in self.parameters]
-        leaving = None if self.leaving is None else self.leaving[start:stop]
-        given = (states, parameters, leaving, self.max_contacts, out)
+    def part(self, rows: slice | NDArray[np.intp]) -> _Batch:
+        """Return some of the shots."""
+        parameters = [p if isinstance(p, float) else p[rows] for p in self.parameters]
+        leaving = None if self.leaving is None else self.leaving[rows]
+        return replace(self, states=self.states[rows], parameters=parameters, leaving=leaving)
+
+    def run(self, out: Raw, most: int) -> None:
+        """Simulate the shots into `out`, with so many contacts at most."""
+        given = (self.states, self.parameters, self.leaving, most, out)
         if self.library is not None:
             self.library.run(*given, self.stop, time_limit=self.time_limit)
         else:
             check_arithmetic()  # the library looks for itself
-            numpy_backend.run(hoop, *given, self.stopped, time_limit=self.time_limit)
+            kernels, limit = self.scene.kernels, self.time_limit
+            numpy_backend.run(kernels, *given, self.stopped, time_limit=limit)
+
+    def record(self, out: Raw, most: int) -> NDArray[Any]:
+        """Simulate the shots into `out` and return their event log, in order.
+
+        Room is made for `most` contacts of each; shots that have more are simulated again.
+        """
+        layout, shots = self.scene.layout, len(self.states)
+        log = layout.allocate_events(shots, most)
+        ended = Raw() if out.outcome is not None else layout.allocate(shots, ["outcome"])
+        whole = out.joined(ended).joined(log)
+        self.run(whole, most)
+        assert whole.outcome is not None
+        again = np.zeros(shots, np.bool_)
+        if most < self.max_contacts and not self.stopped():
+            again = whole.outcome == self.scene.outcomes["CAPPED"]
+        used = np.arange(most + 1) < log.arrays["event_counts"][:, None]
+        logs = [log.arrays["events"][used & ~again[:, None]]]
+        more = min(MORE * most, self.max_contacts)
+        rows, size = np.flatnonzero(again), max(1, ROOM // (more + 1))
+        for some in (rows[k : k + size] for k in range(0, len(rows), size)):
+            longer = layout.allocate(len(some), out.arrays)
+            logs.append(self.part(some).record(longer, more))
+            logs[-1]["shot"] = some[logs[-1]["shot"]]
+            for name, array in longer.arrays.items():
+                out.arrays[name][some] = array
+        events = np.concatenate(logs)
+        return events[np.argsort(events["shot"], kind="stable")] if len(logs) > 1 else events
 
 
 def simulate(
     states: ArrayLike,
-    parameters: Mapping[str, Any] = PAPER,
+    parameters: Mapping[str, Any] | None = None,
     *,
-    max_contacts: int = 40,
+    scene: Any = None,
+    max_contacts: int | None = None,
     backend: Literal["auto", "c", "numpy"] = "auto",
     threads: int | None = None,
     fields: Literal["all"] | Iterable[str] = "all",
@@ -92,9 +130,13 @@ def simulate(
         centre, z up, backboard at negative x. Here and below, entries that are
         masked count as NaN.
     parameters
-        Name to value, one for all shots or (n,). `PAPER`, `NBA` and `FIBA` merge with ``|``.
+        Name to value, one for all shots or (n,); those left out have the scene's usual values. For
+        the hoop `PAPER`, its usual ones, `NBA` and `FIBA`; they merge with ``|``.
+    scene
+        None for `HOOP`, the article's; or what `compile` takes or has returned.
     max_contacts
-        A shot with so many contacts ends as capped; at least 1.
+        A shot with so many contacts ends as capped; at least 1. None: 40 in the hoop, as in the
+        article, elsewhere 1000.
     backend
         "auto" is "c" where it was built, else "numpy". The results are the same bits.
     threads
@@ -109,14 +151,14 @@ def simulate(
         Whether to keep the event log, which `Shots.trajectory` needs.
     leaving
         To go on from recorded `after` states: the surface that each shot touches at the start and
-        leaves, an index into `SURFACES` or -1 for none; one for all or (n,).
+        leaves, an index into `Shots.surfaces` or -1 for none; one for all or (n,).
     settle
         Whether to let `certify` decide the uncertain shots, which then are not; needs the extra
         "certify". A true tie, an exact touch or an exact edge stays uncertain.
     time_limit
         s since the release, of flight and contact: a shot that has not ended then ends as ENDLESS,
-        with its state at that time; None for no limit. A shot that can never reach the end plane is
-        SHORT all the same, unless the limit comes before its last contact.
+        with its state at that time. None: no limit in the hoop, elsewhere 60. A shot that can never
+        reach the end plane is SHORT all the same, unless the limit comes before its last contact.
 
     Returns
     -------
@@ -136,35 +178,38 @@ def simulate(
     """
     releases = check_states(states)
     shots = len(releases)
-    values = resolve(parameters, shots)
-    most = check_contacts(max_contacts)
-    wanted = _fields(fields)
+    engine = _engine(scene)
+    values = resolve(parameters, shots, engine.table)
+    named = dict(zip(engine.table.defaults, values, strict=True))
+    most = engine.max_contacts if max_contacts is None else check_contacts(max_contacts)
+    wanted = _fields(fields, engine)
     workers = check_threads(threads)
     if record:
         check_log(shots, most, workers)
     batch = _Batch(
+        engine,
         releases,
-        values,
-        check_leaving(leaving, shots),
+        engine.table.inputs(named),
+        check_leaving(leaving, shots, len(engine.surfaces)),
         most,
-        check_time_limit(time_limit),
-        _library(backend),
+        engine.time_limit if time_limit is None else check_time_limit(time_limit),
+        _library(backend, engine),
         np.zeros(1, np.int32),
     )
     computed = tuple(dict.fromkeys((*wanted, "uncertain"))) if settle else wanted
-    out = allocate(shots, len(SURFACES), computed)
+    out = engine.layout.allocate(shots, computed)
     logs = _run(batch, out, workers, record)
     results = dict(out.arrays)
     if record:
-        results["events"] = np.concatenate([np.empty(0, EVENT), *logs])
+        results["events"] = np.concatenate([np.empty(0, engine.layout.event), *logs])
     if settle:
         # Apart from the engines, and not needed without them: it stands on SymPy and python-flint.
         from .judge.settle import settle as decide
 
         left, limit = batch.leaving, batch.time_limit
-        decide(results, releases, parameters, most, leaving=left, time_limit=limit)
+        decide(results, releases, named, most, scene=engine, leaving=left, time_limit=limit)
     kept = {name: array for name, array in results.items() if name in (*wanted, "events")}
-    return Shots(kept, releases, dict(zip(NAMES, values, strict=True)))
+    return Shots(kept, releases, named, engine)
 
 
 def check_log(shots: int, max_contacts: int, threads: int | None = None) -> None:
@@ -178,7 +223,9 @@ def check_log(shots: int, max_contacts: int, threads: int | None = None) -> None
     # Room is made for every contact that could be, by each thread for the shots it has.
     at_once = min(shots, check_threads(threads) * max(1, ROOM // (max_contacts + 1)))
     rows = at_once * (max_contacts + 1)
-    check_room("max_contacts", rows, "events to be recorded at once", EVENT.itemsize + 16)
+    check_room(
+        "max_contacts", rows, "events to be recorded at once", HOOP.layout.event.itemsize + 16
+    )
 
 
 def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[Any]]:
@@ -187,20 +234,18 @@ def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[An
 
     def work(start: int) -> NDArray[Any] | None:
         stop = min(start + size, shots)
-        rows = out.rows(start, stop)
+        part, rows = batch.part(slice(start, stop)), out.rows(start, stop)
         if not record:
-            batch.run(start, stop, rows)
+            part.run(rows, batch.max_contacts)
             return None
-        room = allocate_events(stop - start, batch.max_contacts)
-        batch.run(start, stop, rows.joined(room))
-        used = np.arange(batch.max_contacts + 1) < room.arrays["event_counts"][:, None]
-        log = room.arrays["events"][used]
+        log = part.record(rows, first)
         log["shot"] += start
         return log
 
     size = _chunk(shots, threads, batch.library is not None)
+    first = min(FEW, batch.max_contacts)
     if record:
-        size = max(1, min(size, ROOM // (batch.max_contacts + 1)))
+        size = max(1, min(size, ROOM // (first + 1)))
     starts = range(0, shots, size)
     # Python sees no Ctrl-C while its main thread is in the engine, so another one goes there.
     main = threading.current_thread() is threading.main_thread()
@@ -227,33 +272,39 @@ def _chunk(shots: int, threads: int, in_c: bool) -> int:
     return max(1, min(own, CHUNK))
 
 
-def _fields(fields: str | Iterable[str]) -> tuple[str, ...]:
+def _fields(fields: str | Iterable[str], scene: Engine) -> tuple[str, ...]:
     if isinstance(fields, str):
-        fields = FIELDS if fields == "all" else (fields,)
+        fields = scene.layout.fields if fields == "all" else (fields,)
     if not isinstance(fields, Iterable):
         raise TypeError(f"fields: expected 'all' or names, got {brief(fields)}")
     wanted = tuple(fields)  # once: they may be an iterator
-    unknown = [name for name in wanted if name not in FIELDS + BOUNDS]
+    unknown = [name for name in wanted if name not in scene.layout.results]
     if unknown:
-        raise ValueError(
-            f"fields: unknown {listed(unknown)}. 'all', or some of {', '.join(FIELDS + BOUNDS)}"
-        )
+        names = ", ".join(scene.layout.fields + scene.layout.bounds)
+        raise ValueError(f"fields: unknown {listed(unknown)}. 'all', or some of {names}")
     return wanted
 
 
-def _library(backend: str) -> native.Library | None:
+def _engine(scene: Any) -> Engine:
+    if scene is None or isinstance(scene, Engine):
+        return scene or HOOP
+    from .scene.compile import compile  # runs compilers, which HOOP never needs
+
+    return compile(scene)
+
+
+def _library(backend: str, scene: Engine) -> native.Library | None:
     if backend not in ("auto", "c", "numpy"):
         raise ValueError(f"backend: expected 'auto', 'c' or 'numpy', got {brief(backend)}")
     if backend == "numpy":
         return None
-    library = native.installed()
-    if library is None:
-        refused = native.load()
-        assert isinstance(refused, native.Refused)
-        if backend == "c":
-            raise RuntimeError(f"backend: 'c' {refused.reason}; {refused.remedy}, or use 'numpy'")
-        _say_once(refused)
-    return library
+    found = scene.found
+    if not isinstance(found, native.Refused):
+        return found
+    if backend == "c":
+        raise RuntimeError(f"backend: 'c' {found.reason}; {found.remedy}, or use 'numpy'")
+    _say_once(found)
+    return None
 
 
 @cache

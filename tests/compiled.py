@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import ctypes
 import importlib.util
 import os
@@ -18,6 +17,8 @@ import pytest
 from hoopgen.derive.ground.choice import Truth
 from hoopgen.derive.ground.kernel import Kernel
 from numpy.typing import NDArray
+
+from hoopgen.engine.sources import FLAGS
 
 ROOT = Path(__file__).resolve().parents[1]
 COMPILER = (os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc").split()
@@ -81,14 +82,6 @@ void run_{name}(size_t rows, const double *const *in, double *const *out)
 _TRUTH = "lanes_not(lanes_equal(lanes_load(in[{}] + row), K(0.0)))"
 
 
-def setup_flags() -> list[str]:
-    """Return the compiler flags of setup.py, which does not run here."""
-    for statement in ast.parse((ROOT / "setup.py").read_text(encoding="utf-8")).body:
-        if isinstance(statement, ast.Assign) and ast.unparse(statement.targets[0]) == "UNIX_FLAGS":
-            return list(ast.literal_eval(statement.value))
-    raise LookupError("setup.py: no UNIX_FLAGS")
-
-
 def compiles(*arguments: str | Path) -> None:
     """Run the compiler; fail with what it says."""
     result = subprocess.run(
@@ -100,7 +93,7 @@ def compiles(*arguments: str | Path) -> None:
 def shared_library(source: Path, *flags: str) -> Path:
     """Compile a C file to a shared library beside it."""
     library = source.with_suffix(".so")
-    compiles(*setup_flags(), *flags, "-shared", "-fPIC", source, "-o", library, "-lm")
+    compiles(*FLAGS, *flags, "-shared", "-fPIC", source, "-o", library, "-lm")
     return library
 
 

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 import hoopgen
 from hoopgen.engine import native
+from hoopgen.engines import HOOP
 
 Simulate = Callable[..., hoopgen.Shots]
 Vector = list[Decimal]
@@ -38,7 +39,7 @@ class _OfWidth:
 def _simulate_on(engine: str) -> Simulate:
     if engine == "numpy":
         return partial(hoopgen.simulate, backend="numpy")
-    library = native.installed()
+    library = HOOP.library
     if library is None:
         pytest.skip("the C engine was not built")
     if engine == "c":
@@ -47,7 +48,7 @@ def _simulate_on(engine: str) -> Simulate:
 
     def simulate(*arguments: Any, **options: Any) -> hoopgen.Shots:
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(native, "installed", lambda: held)
+            patch.setattr(HOOP, "found", held)
             return hoopgen.simulate(*arguments, backend="c", **options)
 
     try:

@@ -177,9 +177,10 @@ def _look(path: Path, shots: int) -> Verdict:
 
     from benchmarks.families import FAMILIES
     from hoopgen.engine import native, trust
+    from hoopgen.engines import hoop_library
     from hoopgen.parameters import resolve
 
-    library = native.checked(path)
+    library = hoop_library(path)
     if isinstance(library, native.Refused):
         return Verdict("found", library.reason)
     made = (family.make(shots) for family in FAMILIES if shots)

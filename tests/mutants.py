@@ -23,6 +23,7 @@ from hoopgen.derive.ground.tree import Do, Node
 from hoopgen.derive.scenes.hoop import HOOP
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.surfaces import Surface
+from hoopgen.generated.numpy import hoop
 from numpy.typing import NDArray
 
 from hoopgen.codegen import render
@@ -167,7 +168,7 @@ def c_engine(files: dict[str, str], folder: Path) -> Run:
         if name.startswith("c/"):
             (folder / name.removeprefix("c/")).write_text(text, encoding="utf-8")
     library = shared_library(folder / "hoop.c", "-O1", "-DHOOP_WIDEST=1")
-    scene = native.Library(library, "hoop")
+    scene = native.Library(library, hoop)
 
     def run(states: NDArray[np.float64], parameters: list[Any], most: int, out: Raw) -> None:
         given = [p if isinstance(p, float) else np.ascontiguousarray(p) for p in parameters]

@@ -286,7 +286,7 @@ def test_gravity_is_the_scene_s_and_may_be_many() -> None:
         ({"distance": np.inf}, "distance: expected a finite number, got inf"),
         ({"distance": 1e200}, "aim: the numbers are too large or too small"),
         ({"parameters": {"gravity": 0.0}}, r"parameters\['gravity'\]: expected above 0"),
-        ({"parameters": {}}, "parameters: missing gravity"),
+        ({"parameters": {"bounce": 1}}, "parameters: unknown bounce. The names are ball_radius"),
         ({"height": [1, 2], "distance": [1, 2, 3]}, r"shapes do not broadcast: height \(2,\)"),
     ],
 )

@@ -13,6 +13,7 @@ from conftest import Batch, Simulate
 import hoopgen
 from hoopgen import PAPER, Outcome, simulation
 from hoopgen.engine import native
+from hoopgen.engines import HOOP, hoop_library
 
 FIELDS = ("outcome", "contacts", "counts", "first", "time", "state", "uncertain")
 NAMES = tuple(PAPER)
@@ -300,17 +301,20 @@ def test_an_unknown_parameter_is_named_and_the_right_ones_listed(
     assert f"The names are {', '.join(NAMES)}" in str(error.value)
 
 
-def test_a_missing_parameter_is_named_and_the_right_ones_listed() -> None:
-    some = {n: v for n, v in PAPER.items() if n not in ("gravity", "wire_radius")}
-    with pytest.raises(ValueError, match=r"^parameters: missing wire_radius, gravity") as error:
-        hoopgen.simulate(FREE_THROW, some)
-    assert f"The names are {', '.join(NAMES)}" in str(error.value)
-    wrong = dict(list(PAPER.items())[:-2]) | {"bounce": 0.7}
-    with pytest.raises(ValueError, match="unknown bounce; missing gravity, end_depth"):
-        hoopgen.simulate(FREE_THROW, wrong)
+def test_a_parameter_left_out_has_the_usual_value_and_an_unknown_one_is_an_error_still() -> None:
+    for some in (None, {}, {"restitution": 0.5}, {"gravity": np.full(40, 1.6)}):
+        batch = neighbours(40)
+        left_out = hoopgen.simulate(batch.states, some)
+        whole = hoopgen.simulate(batch.states, PAPER | (some or {}))
+        assert left_out.state.tobytes() == whole.state.tobytes()
+        assert list(left_out.parameters) == list(NAMES)
+    with pytest.raises(
+        ValueError, match=r"^parameters: unknown bounce\. The names are ball_radius"
+    ):
+        hoopgen.simulate(FREE_THROW, {"restitution": 0.7, "bounce": 0.7})
 
 
-@pytest.mark.parametrize("parameters", [None, 0.7, "PAPER", [0.1] * 11, list(PAPER.items())])
+@pytest.mark.parametrize("parameters", [0.7, "PAPER", [0.1] * 11, list(PAPER.items())])
 def test_parameters_that_are_no_mapping_are_an_error(parameters: Any) -> None:
     with pytest.raises(TypeError, match=r"^parameters: expected a mapping of names to values"):
         hoopgen.simulate(FREE_THROW, parameters)
@@ -341,7 +345,7 @@ def test_a_restitution_for_all_outside_0_to_1_is_an_error(value: float) -> None:
         hoopgen.simulate(FREE_THROW, PAPER | {"restitution": value})
 
 
-@pytest.mark.parametrize("value", [0, -1, 2**31, 1.5, 40.0, "40", None, np.nan])
+@pytest.mark.parametrize("value", [0, -1, 2**31, 1.5, 40.0, "40", np.nan])
 def test_max_contacts_must_be_a_whole_number_from_1(value: Any) -> None:
     said = f"max_contacts: expected a whole number from 1, got {value!r}"
     with pytest.raises(ValueError, match=f"^{re.escape(said)}"):
@@ -421,7 +425,7 @@ def test_options_are_given_by_name() -> None:
 @pytest.fixture
 def without_library(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     refused = native.Refused("was not built", "install again with a C compiler")
-    monkeypatch.setattr(native, "load", lambda: refused)
+    monkeypatch.setattr(HOOP, "found", refused)
     simulation._say_once.cache_clear()
     yield
     simulation._say_once.cache_clear()
@@ -465,17 +469,17 @@ def test_a_library_that_cannot_be_loaded_is_none(monkeypatch: pytest.MonkeyPatch
         raise OSError("cannot open shared object file")
 
     monkeypatch.setattr(native, "Library", broken)
-    found = native.load.__wrapped__()
+    found = hoop_library()
     assert isinstance(found, native.Refused)
     assert found.reason == "was not built"
 
 
 def test_a_width_that_is_not_there_is_an_error() -> None:
-    library = native.installed()
+    library = HOOP.library
     if library is None:
         pytest.skip("the C engine was not built")
     states = np.ascontiguousarray(FREE_THROW[None])
     values = [np.asarray(v) for v in PAPER.values()]
     stop = np.zeros(1, np.int32)
     with pytest.raises(ValueError, match=r"^width 3: this processor or build does not have it"):
-        library.run(states, values, None, 40, simulation.allocate(1, 3, ()), stop, width=3)
+        library.run(states, values, None, 40, HOOP.layout.allocate(1, ()), stop, width=3)

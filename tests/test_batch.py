@@ -414,7 +414,7 @@ def test_a_full_disk_is_told_and_the_old_file_stays(
         ({"max_contacts": 2.5}, "max_contacts: expected a whole number from 1, got 2.5"),
         ({"rows": 0}, "rows: expected a whole number from 1, got 0"),
         ({"rows": 2.5}, "rows: expected a whole number from 1, got 2.5"),
-        ({"parameters": {"gravity": 9.8}}, "parameters: missing ball_radius"),
+        ({"parameters": {"bounce": 9.8}}, "parameters: unknown bounce. The names are ball_radius"),
         (
             {"parameters": hoopgen.PAPER | {"gravity": [9.8]}},
             r"parameters\['gravity'\]: expected one number; those by shot are a column",

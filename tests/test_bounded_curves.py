@@ -22,7 +22,7 @@ from scenes.caps import CAPS
 
 from hoopgen.codegen import render
 from hoopgen.engine import native, numpy_backend
-from hoopgen.engine.raw import BOUNDS, FIELDS, Raw, allocate, allocate_events
+from hoopgen.engine.raw import Layout, Raw
 from hoopgen.judge.batch import prove
 from hoopgen.results import Outcome
 
@@ -67,12 +67,13 @@ def aimed(count: int, seed: int) -> NDArray[np.float64]:
     return states
 
 
-def room(shots: int) -> Raw:
-    return allocate(shots, 3, (*FIELDS, *BOUNDS)).joined(allocate_events(shots, MOST))
+def room(module: ModuleType, shots: int) -> Raw:
+    layout = Layout(module)
+    return layout.allocate(shots, layout.results).joined(layout.allocate_events(shots, MOST))
 
 
 def flown(module: ModuleType, states: NDArray[np.float64]) -> Raw:
-    out = room(len(states))
+    out = room(module, len(states))
     numpy_backend.run(module, states, DEFAULTS, None, MOST, out)
     return out
 
@@ -136,11 +137,11 @@ def test_both_engines_give_the_same_bits(module: ModuleType, folder: Path) -> No
     states = aimed(1500, seed=3)
     wanted = flown(module, states)
     source = folder / "c" / "caps.c"
-    library = native.Library(shared_library(source, "-O1", "-DCAPS_WIDEST=4"), "caps")
+    library = native.Library(shared_library(source, "-O1", "-DCAPS_WIDEST=4"), module)
     for width in (1, 4):
-        out = room(len(states))
+        out = room(module, len(states))
         library.run(states, DEFAULTS, None, MOST, out, np.zeros(1, np.int32), width)
-        for name in (*FIELDS, *BOUNDS):
+        for name in Layout(module).results:
             assert same_bits(wanted.arrays[name], out.arrays[name]).all(), (width, name)
         assert sequences(out) == sequences(wanted)
 

@@ -30,7 +30,6 @@ from benchmarks import exactness
 from benchmarks.families import FAMILIES
 from benchmarks.workloads import TABLE_3, WORKLOADS
 from hoopgen.cli.certify import certify as command
-from hoopgen.engine.raw import RESULT
 from hoopgen.judge import UNDECIDED, Enclosure, Proof, certify
 from hoopgen.judge.audit import deepest
 from hoopgen.judge.certificate import doubles, enclosure
@@ -42,7 +41,7 @@ from hoopgen.judge.settle import settle
 
 NAMES = (*hoopgen.SURFACES, "end")
 RING, BOARD, BRIDGE, END = range(4)
-GENEROUS = ("time_error", "state_error", *hoopgen.simulation.FIELDS)
+GENEROUS = ("time_error", "state_error", *hoopgen.HOOP.layout.fields)
 
 # Every length a multiple of 1/16, so that a tie can be a tie. The ball touches the board at
 # x = -1/2 and the bridge at z = 3/16.
@@ -597,7 +596,7 @@ def test_settled_shots_are_as_proved(record: bool) -> None:
 def test_settling_takes_parameters_by_shot(mixed: Batch) -> None:
     batch = mixed.take(slice(0, 600, 7))
     shots = hoopgen.simulate(batch.states, batch.parameters)
-    fields = {name: getattr(shots, name).copy() for name in hoopgen.simulation.FIELDS}
+    fields = {name: getattr(shots, name).copy() for name in hoopgen.HOOP.layout.fields}
     fields["uncertain"][:] = True
     settled = settle(fields, batch.states, batch.parameters)
     sure = np.intersect1d(settled, np.flatnonzero(~shots.uncertain))
@@ -619,7 +618,7 @@ def test_a_certificate_has_every_result_by_its_name() -> None:
     """Settling takes each from there, in the form that the engine gives it."""
     shots, states, parameters = flagged(False)
     certificate = certify(states, parameters)
-    for name in RESULT:
+    for name in hoopgen.HOOP.layout.results:
         given, proved = getattr(shots, name), getattr(certificate, name)
         assert (proved.dtype, proved.shape) == (given.dtype, given.shape), name
 

@@ -39,7 +39,7 @@ FIGURE_7 = [
 ]
 COMMANDS = [
     *("paper", "shot", "estimate", "map", "optimum", "aim", "batch", "study", "view"),
-    *("certify", "generate", "check", "bench"),
+    *("certify", "compile", "cache", "generate", "check", "bench"),
 ]
 
 

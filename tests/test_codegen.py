@@ -30,7 +30,6 @@ from compiled import (
     load_module,
     needs_compiler,
     same_bits,
-    setup_flags,
 )
 from hoopgen.derive.ground.choice import (
     AtMost,
@@ -58,6 +57,7 @@ from test_kernels import DIGITS, EXTREMES, Evaluator, model
 from hoopgen.codegen import render
 from hoopgen.codegen.printers import JS, NUMPY, C, Spelling, constant
 from hoopgen.codegen.program import lower
+from hoopgen.engine.sources import FLAGS
 
 # One worker: the derivation takes a few seconds.
 pytestmark = pytest.mark.xdist_group("codegen")
@@ -489,7 +489,7 @@ def test_the_c_compiles_without_a_warning(tmp_path: Path, files: dict[str, str])
     """As C11, all widths, with the optimisation that some warnings need."""
     for name, text in files.items():
         (tmp_path / Path(name).name).write_text(text, encoding="utf-8")
-    compiles(*setup_flags(), *WARNINGS, "-std=c11", "-c", tmp_path / "hoop.c", "-o", tmp_path / "o")
+    compiles(*FLAGS, *WARNINGS, "-std=c11", "-c", tmp_path / "hoop.c", "-o", tmp_path / "o")
 
 
 @pytest.mark.skipif(shutil.which("g++") is None, reason="no C++ compiler")

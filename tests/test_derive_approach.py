@@ -307,5 +307,7 @@ def test_margins_bound_what_gap_and_rate_are_off_by_in_every_window(
         gap, rate, _ = slopes(search, true, t)
         assert abs(gap - float(computed["gap"])) <= bounds["margin"]
         assert abs(rate - float(computed["rate"])) <= bounds["rate_margin"]
+        if search is OCTIC and not is_near(path, mpf(0)):
+            return  # its bound is for a ball that leaves the surface
         left = exactly(search.leaving_gap, true)
         assert abs(left - float(computed["leaving"])) <= bounds["leaving_margin"] * t

@@ -176,10 +176,28 @@ def test_an_exact_input_has_no_error() -> None:
     assert rounding(A[0], {}) == exact(A[0])
 
 
-@pytest.mark.parametrize("expression", [1 / A[0], sp.sqrt(A[0]), sp.sin(A[0])])
-def test_what_has_no_bound_is_refused(expression: sp.Expr) -> None:
+@pytest.mark.parametrize("power", [1, 2, 3])
+def test_the_inverse_of_an_exact_input_has_the_error_of_its_operations(power: int) -> None:
+    """The power's roundings, and the division's."""
+    size = sp.Abs(A[0]) ** -power
+    found = rounding(A[0] ** -power, {})
+    assert sp.simplify(found.magnitude - size) == 0
+    assert sp.simplify(found.error - power * UNIT_ROUNDOFF * size) == 0
+
+
+@pytest.mark.parametrize(
+    ("expression", "known"),
+    [
+        (1 / A[0], {A[0]: Rounded(sp.Integer(1))}),
+        (1 / (1 + A[0]), {}),
+        (sp.sqrt(A[0]), {}),
+        (sp.sin(A[0]), {}),
+    ],
+    ids=["inverse of what is bounded", "inverse of a sum", "root", "sine"],
+)
+def test_what_has_no_bound_is_refused(expression: sp.Expr, known: dict[sp.Expr, Rounded]) -> None:
     with pytest.raises(ValueError, match="no rounding bound"):
-        rounding(expression, {})
+        rounding(expression, known)
 
 
 # -- Flights and planes

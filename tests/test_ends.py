@@ -26,7 +26,7 @@ from scenes.table import TABLE
 
 from hoopgen.codegen import render
 from hoopgen.engine import native, numpy_backend
-from hoopgen.engine.raw import BOUNDS, FIELDS, Raw, allocate, allocate_events
+from hoopgen.engine.raw import Layout, Raw
 from hoopgen.judge import Certificate
 from hoopgen.judge.batch import prove
 
@@ -94,10 +94,11 @@ class Engines:
         """Simulate on both, look that the bits are the same, and return them."""
         given = [p.default for p in self.scene.parameters]
         outs = []
-        for fields in ((*FIELDS, *BOUNDS), FIELDS[:-1]):
+        layout = Layout(self.module)
+        for fields in (tuple(layout.results), layout.fields[:-1]):
             for in_c in (False, True):
-                out = allocate(len(states), len(self.scene.bodies), fields)
-                out = out.joined(allocate_events(len(states), most))
+                out = layout.allocate(len(states), fields)
+                out = out.joined(layout.allocate_events(len(states), most))
                 outs.append(out)
                 if in_c:
                     stop = np.zeros(1, np.int32)
@@ -109,7 +110,7 @@ class Engines:
         return outs[0]
 
     def _check_same(self, one: Raw, other: Raw) -> None:
-        for name in (*FIELDS, *BOUNDS, "event_counts"):
+        for name in (*Layout(self.module).results, "event_counts"):
             if getattr(other, name) is not None:
                 assert same_bits(getattr(one, name), getattr(other, name)).all(), name
         for shot in range(len(one.outcome)):
@@ -150,7 +151,7 @@ def made(scene: Scene, folder: Path) -> Engines:
     flags = (*WARNINGS, "-Wno-maybe-uninitialized", "-O1", width)
     library = shared_library(folder / "c" / f"{scene.name}.c", *flags)
     module = load_module(folder / "numpy" / f"{scene.name}.py")
-    return Engines(scene, module, native.Library(library, scene.name))
+    return Engines(scene, module, native.Library(library, module))
 
 
 def shots(count: int, seed: int) -> NDArray[np.float64]:
@@ -300,7 +301,7 @@ def test_a_limit_that_no_shot_comes_to_changes_nothing(
 ) -> None:
     own, states = engines[name], shots(200, seed=5)
     without, limited = own.run(states, ENDLESS), own.run(states, 1e3)
-    for field in (*FIELDS, *BOUNDS):
+    for field in Layout(own.module).results:
         assert same_bits(getattr(without, field), getattr(limited, field)).all(), field
 
 

@@ -443,7 +443,7 @@ def test_a_comparison_in_words() -> None:
         ({"max_contacts": 2.5}, ValueError, "max_contacts: expected a whole number from 1"),
         ({"backend": "gpu"}, ValueError, "backend: expected 'auto', 'c' or 'numpy'"),
         ({"threads": 0}, ValueError, "threads: expected a whole number from 1"),
-        ({"parameters": {}}, ValueError, "parameters: missing ball_radius"),
+        ({"parameters": {"bounce": 1}}, ValueError, "parameters: unknown bounce. The names are"),
         (
             {"parameters": hoopgen.PAPER | {"gravity": [9.8, 9.9]}},
             ValueError,

@@ -19,8 +19,12 @@ FLOORS = (
     {"brief", "colours", "installed", "layout", "notebook", "phrases", "printable"},
     {"outputs", "sizes", "units"},
     {"codegen", "engine", "inputs"},
-    # What is given, and in which words it is said.
+    # What is given.
     {"parameters", "releases"},
+    # What simulates a scene, and how one becomes that.
+    {"engines"},
+    {"scene"},
+    # In which words it is said.
     {"variables"},
     {"words"},
     {"told"},
@@ -39,7 +43,9 @@ FLOORS = (
 """Rooms, the lowest first. Those of one floor know nothing of each other."""
 
 UPWARDS = {
-    ("hoopgen.results", "hoopgen.plots"): "shots.plot(): the one method that leads up, when called",
+    ("hoopgen.engines", "hoopgen.simulation"): "engine.simulate(): leads up when it is called",
+    ("hoopgen.engines", "hoopgen.judge"): "engine.certify(): leads up when it is called",
+    ("hoopgen.results", "hoopgen.plots"): "shots.plot(): leads up when it is called",
 }
 """Every import that may lead up, and why."""
 

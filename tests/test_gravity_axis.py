@@ -19,7 +19,7 @@ from scenes.turned import ALONG_X, DOWN_Y, WHEEL, Turn, turned, turned_states
 from test_bounded_curves import MOST, aimed, sequences, written
 
 from hoopgen.engine import native, numpy_backend
-from hoopgen.engine.raw import BOUNDS, FIELDS, Raw, allocate, allocate_events
+from hoopgen.engine.raw import Layout, Raw
 from hoopgen.judge.batch import prove
 from hoopgen.results import Outcome
 
@@ -40,8 +40,8 @@ class Made:
         return [p.default for p in self.scene.parameters]
 
     def room(self, shots: int) -> Raw:
-        arrays = allocate(shots, len(self.scene.bodies), (*FIELDS, *BOUNDS))
-        return arrays.joined(allocate_events(shots, MOST))
+        layout = Layout(self.module)
+        return layout.allocate(shots, layout.results).joined(layout.allocate_events(shots, MOST))
 
     def numpy(self, states: NDArray[np.float64]) -> Raw:
         out = self.room(len(states))
@@ -131,11 +131,11 @@ def test_both_engines_give_the_same_bits(made: Callable[[Scene], Made], name: st
     wanted = own.numpy(states)
     source = own.folder / "c" / f"{name}.c"
     flags = ("-O1", f"-D{name.upper()}_WIDEST=4")
-    library = native.Library(shared_library(source, *flags), name)
+    library = native.Library(shared_library(source, *flags), own.module)
     for width in (1, 4):
         out = own.room(len(states))
         library.run(states, own.defaults, None, MOST, out, np.zeros(1, np.int32), width)
-        for field in (*FIELDS, *BOUNDS):
+        for field in Layout(own.module).results:
             assert same_bits(wanted.arrays[field], out.arrays[field]).all(), (width, field)
         assert sequences(out) == sequences(wanted)
 

@@ -88,7 +88,7 @@ def test_tab_completion_shows_the_interface_and_nothing_else() -> None:
         *("simulate", "certify", "release", "Outcome", "SURFACES", "Shots", "Trajectory"),
         *("PAPER", "NBA", "FIBA", "Scatter", "Resample", "Grid", "estimate", "compare", "map"),
         *("optimum", "margins", "bank_or_direct", "aim", "measure", "batch", "run_study"),
-        *("view", "plots"),
+        *("view", "plots", "HOOP", "Scene", "compile", "load_scene", "scene"),
     }
     assert {"__version__", "__doc__", "__path__"} <= set(dir(hoopgen))
 

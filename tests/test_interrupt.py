@@ -9,7 +9,7 @@ import sys
 
 import pytest
 
-from hoopgen.engine import native
+from hoopgen.engines import HOOP
 
 BOUNCING = """
 import hoopgen
@@ -28,7 +28,7 @@ except KeyboardInterrupt:
 @pytest.mark.parametrize("threads", [1, 2])
 @pytest.mark.parametrize("backend", ["c", "numpy"])
 def test_ctrl_c_stops_a_long_batch(backend: str, threads: int) -> None:
-    if backend == "c" and native.installed() is None:
+    if backend == "c" and HOOP.library is None:
         pytest.skip("the C engine was not built")
     command = [sys.executable, "-c", BOUNCING % (backend, threads)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:

@@ -308,7 +308,10 @@ def test_a_ball_off_the_board_alone_goes_where_it_is_said_to(
     for shot in banked[:50]:
         path = shots.trajectory(int(shot))
         contact, end = path.events["time"]
-        low, high = max(contact, contact + path.events["after"][0][5] / path.gravity), end
+        low, high = (
+            max(contact, contact + path.events["after"][0][5] / path.parameters["gravity"]),
+            end,
+        )
         for _ in range(60):
             middle = (low + high) / 2
             low, high = (middle, high) if path.at(middle)[2] > 0 else (low, middle)
@@ -360,11 +363,15 @@ def test_the_apex_is_the_highest_place_up_to_the_first_contact(
         first = path.events["time"][0]
         times = np.linspace(0.0, first, steps + 1)
         x, y, z, vx, vy, vz, *_ = path.release
-        heights = hoop.flight(times, x, y, z, vx, vy, vz, path.gravity)[2] + RING_HEIGHT
-        coarse = path.gravity * (first / steps) ** 2 / 8
-        roundings = 8 * EPS * (RING_HEIGHT + abs(vz) * first + path.gravity * first**2)
+        heights = (
+            hoop.flight(times, x, y, z, vx, vy, vz, path.parameters["gravity"])[2] + RING_HEIGHT
+        )
+        coarse = path.parameters["gravity"] * (first / steps) ** 2 / 8
+        roundings = (
+            8 * EPS * (RING_HEIGHT + abs(vz) * first + path.parameters["gravity"] * first**2)
+        )
         assert heights.max() - roundings <= apex[shot] <= heights.max() + coarse + roundings
-        before += first < vz / path.gravity
+        before += first < vz / path.parameters["gravity"]
     assert before > 20, "some balls touch something on their way up"
 
 

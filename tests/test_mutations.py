@@ -48,7 +48,8 @@ from test_diabolical import CASES, proof, spelled
 from benchmarks.families import FAMILIES
 from benchmarks.workloads import TABLE_3, WORKLOADS
 from hoopgen import PAPER, Outcome
-from hoopgen.engine.raw import Raw, allocate, allocate_events
+from hoopgen.engine.raw import Raw
+from hoopgen.engines import HOOP as ENGINE
 from hoopgen.judge import Certificate, Proof, certify
 
 # One worker: proofs are made once.
@@ -89,8 +90,8 @@ class Answer:
 
 
 def fly(run: Run, states: NDArray[np.float64], parameters: list[Any], most: int) -> Answer:
-    room = allocate_events(len(states), most)
-    out = allocate(len(states), 3, FIELDS).joined(room)
+    room = ENGINE.layout.allocate_events(len(states), most)
+    out = ENGINE.layout.allocate(len(states), FIELDS).joined(room)
     run(states, parameters, most, out)
     logs = list(zip(room.events, room.event_counts, strict=True))
     for row, (log, count) in enumerate(logs):

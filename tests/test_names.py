@@ -24,7 +24,6 @@ from compiled import (
     load_module,
     needs_compiler,
     same_bits,
-    setup_flags,
     shared_library,
 )
 from hoopgen.derive.contact.rolling import Rolling
@@ -43,7 +42,8 @@ from scenes.table import TABLE
 
 from hoopgen.codegen import names, render
 from hoopgen.engine import native, numpy_backend
-from hoopgen.engine.raw import BOUNDS, FIELDS, Raw, allocate, allocate_events
+from hoopgen.engine.raw import Layout, Raw
+from hoopgen.engine.sources import FLAGS
 
 pytestmark = pytest.mark.xdist_group("names")
 
@@ -73,9 +73,10 @@ class Engines:
         """Simulate the same shots on both, the parameters in their order."""
         parameters = [default for default, _, _ in self.module.PARAMETERS.values()]
         states, results = shots(), []
+        layout = Layout(self.module)
         for run in (self._numpy, self._c):
-            out = allocate(len(states), 1, (*FIELDS, *BOUNDS))
-            out = out.joined(allocate_events(len(states), CONTACTS))
+            out = layout.allocate(len(states), layout.results)
+            out = out.joined(layout.allocate_events(len(states), CONTACTS))
             run(states, parameters, out)
             results.append(out)
         return results[0], results[1]
@@ -108,7 +109,7 @@ def made(scene: Scene, folder: Path) -> Engines:
     width = f"-D{scene.name.upper()}_WIDEST=1"
     library = shared_library(source, *WARNINGS, "-O0", width)
     module = load_module(folder / "numpy" / f"{scene.name}.py")
-    return Engines(module, native.Library(library, scene.name))
+    return Engines(module, native.Library(library, module))
 
 
 @pytest.fixture(scope="module")
@@ -122,7 +123,7 @@ def tame(tmp_path_factory: pytest.TempPathFactory) -> Raw:
 
 def assert_same(left: Raw, right: Raw) -> None:
     """Check that results are the same bits."""
-    for name in (*FIELDS, *BOUNDS, "event_counts"):
+    for name in left.arrays.keys() - {"events"}:
         assert same_bits(getattr(left, name), getattr(right, name)).all(), name
 
 
@@ -378,7 +379,7 @@ def test_no_attack_becomes_code(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
     for name, source in files.items():
         (tmp_path / Path(name).name).write_text(source, encoding="utf-8")
     flags = ("-std=c11", "-fsyntax-only", "-DPLANK_WIDEST=1")
-    compiles(*setup_flags(), *WARNINGS, *flags, tmp_path / "plank.c")
+    compiles(*FLAGS, *WARNINGS, *flags, tmp_path / "plank.c")
 
 
 def test_a_page_has_texts_in_their_places(monkeypatch: pytest.MonkeyPatch) -> None:

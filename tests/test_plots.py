@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 import hoopgen
-from hoopgen.engine.raw import EVENT
+from hoopgen.engines import HOOP
 from hoopgen.paper import Result, run
 
 matplotlib = pytest.importorskip("matplotlib")
@@ -258,7 +258,7 @@ def test_a_shot_of_any_number_of_contacts_is_one_too() -> None:
 
 def test_contacts_without_room_for_a_badge_are_counted() -> None:
     release = np.zeros(3)
-    events = np.zeros(500, EVENT)
+    events = np.zeros(500, HOOP.layout.event)
     events["time"] = np.arange(500) / 100
     events["surface"] = np.arange(500) % 2
     marks = collect_marks(release, events, 0.12, hoopgen.Outcome.CAPPED)

@@ -238,7 +238,7 @@ def some_shots(**options: Any) -> hoopgen.Shots:
 
 def test_shots_are_a_table_of_pandas() -> None:
     pytest.importorskip("pandas")
-    shots = some_shots(fields=[*hoopgen.engine.raw.FIELDS, "state_error"])
+    shots = some_shots(fields=[*hoopgen.HOOP.layout.fields, "state_error"])
     frame = shots.to_pandas()
     assert len(frame) == 40
     assert frame.index.name == "shot"
@@ -359,7 +359,7 @@ def test_a_trajectory_holds_its_shots_events_and_release(shots: hoopgen.Shots) -
         np.testing.assert_array_equal(path.events, shots.events[shots.events["shot"] == row])
         assert path.duration == shots.time[row]
         assert isinstance(path.duration, float)
-    assert [shots.trajectory(row).gravity for row in (1, 4)] == [9.81, 1.6]
+    assert [shots.trajectory(row).parameters["gravity"] for row in (1, 4)] == [9.81, 1.6]
 
 
 def test_rows_count_from_the_end_too_and_stop_at_the_last(shots: hoopgen.Shots) -> None:
@@ -462,7 +462,7 @@ def test_a_shot_without_events_is_where_it_was_released(shots: hoopgen.Shots) ->
 
 def test_a_trajectory_is_frozen(shots: hoopgen.Shots) -> None:
     with pytest.raises(AttributeError):
-        shots.trajectory(1).gravity = 1.6  # type: ignore[misc]
+        shots.trajectory(1).outcome = None  # type: ignore[misc]
 
 
 def test_each_shots_own_gravity_bends_its_path(simulate: Simulate) -> None:

@@ -12,8 +12,9 @@ from numpy.typing import NDArray
 
 import hoopgen
 from benchmarks.families import FAMILIES, Family
-from hoopgen.engine.raw import BOUNDS, FIELDS
+from hoopgen.engines import HOOP
 
+FIELDS, BOUNDS = HOOP.layout.fields, HOOP.layout.bounds
 MILLION = 10**6
 HARD = [family for family in FAMILIES if not family.workload]
 SOURCES = [

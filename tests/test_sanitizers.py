@@ -13,11 +13,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from compiled import ROOT, SANITIZERS, compiles, needs_compiler, setup_flags
+from compiled import ROOT, SANITIZERS, compiles, needs_compiler
 
 from benchmarks.workloads import WORKLOADS
 from hoopgen import PAPER
 from hoopgen.engine import native
+from hoopgen.engine.sources import FLAGS
 
 # One worker: the driver is compiled once.
 pytestmark = [needs_compiler, pytest.mark.xdist_group("sanitizers")]
@@ -225,7 +226,7 @@ def driver(tmp_path_factory: pytest.TempPathFactory) -> Path:
     source, program = folder / "driver.c", folder / "driver"
     source.write_text(DRIVER, encoding="utf-8")
     scene = ROOT / "generated" / "c"
-    flags = (*setup_flags(), *SANITIZERS, "-Wno-psabi", f"-I{scene}")
+    flags = (*FLAGS, *SANITIZERS, "-Wno-psabi", f"-I{scene}")
     compiles(*flags, source, scene / "hoop.c", "-o", program, "-lm")
     return program
 
@@ -290,7 +291,7 @@ def test_the_sanitizers_are_at_work(tmp_path: Path, wrong: str, report: str) -> 
     """A program that is wrong, and compiled alike, ends with a report."""
     source, program = tmp_path / "wrong.c", tmp_path / "wrong"
     source.write_text(f"#include <stdlib.h>\nint main(void) {{ {wrong} }}\n", encoding="utf-8")
-    compiles(*setup_flags(), *SANITIZERS, source, "-o", program)
+    compiles(*FLAGS, *SANITIZERS, source, "-o", program)
     run = subprocess.run([program], capture_output=True, text=True, check=False, timeout=60)
     assert run.returncode != 0
     assert report in run.stderr

@@ -19,14 +19,15 @@ from numpy.typing import NDArray
 from scenes.table import TABLE
 
 from hoopgen.codegen import render
-from hoopgen.engine import native, numpy_backend, raw
-from hoopgen.engine.raw import BOUNDS, FIELDS, Raw, allocate, allocate_events
+from hoopgen.engine import native, numpy_backend
+from hoopgen.engine.raw import Layout, Raw
 
 # One worker: the scene is compiled once.
 pytestmark = [pytest.mark.xdist_group("second_scene"), needs_compiler]
 
 EPS = float(np.finfo(float).eps)
 PARAMETERS = {p.name: p.default for p in TABLE.parameters}
+STATE = ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz")
 TOP, DOME, GROUND = range(3)
 MADE, MISSED, CAPPED, SHORT, INVALID = range(5)
 MAX_CONTACTS = 12
@@ -51,7 +52,7 @@ class Engines:
 
     def numpy(self, states: NDArray[np.float64], parameters: Mapping[str, Any] = PARAMETERS) -> Raw:
         """Simulate on NumPy."""
-        out = room(len(states))
+        out = room(self.module, len(states))
         numpy_backend.run(
             self.module,
             states,
@@ -69,7 +70,7 @@ class Engines:
         width: int = 0,
     ) -> Raw:
         """Simulate in C."""
-        out = room(len(states))
+        out = room(self.module, len(states))
         self.library.run(
             states,
             self.values(parameters),
@@ -82,11 +83,11 @@ class Engines:
         return out
 
 
-def room(shots: int) -> Raw:
+def room(module: ModuleType, shots: int) -> Raw:
     """Return room for all results and the event log."""
-    arrays = allocate(shots, len(TABLE.surfaces), (*FIELDS, *BOUNDS))
-    log = allocate_events(shots, MAX_CONTACTS)
-    return arrays.joined(log)
+    layout = Layout(module)
+    log = layout.allocate_events(shots, MAX_CONTACTS)
+    return layout.allocate(shots, layout.results).joined(log)
 
 
 def events(out: Raw, shot: int) -> NDArray[Any]:
@@ -106,14 +107,13 @@ def engines(tmp_path_factory: pytest.TempPathFactory) -> Engines:
         path.parent.mkdir(exist_ok=True)
         path.write_text(text, encoding="utf-8")
     library = shared_library(root / "c" / "table.c", *WARNINGS)
-    return Engines(
-        load_module(root / "numpy" / "table.py"), native.Library(library, "table"), files
-    )
+    module = load_module(root / "numpy" / "table.py")
+    return Engines(module, native.Library(library, module), files)
 
 
 def state(**given: float) -> list[float]:
     """Return a state; what is not given is zero."""
-    return [given.get(name, 0.0) for name in raw.STATE]
+    return [given.get(name, 0.0) for name in STATE]
 
 
 def shots(count: int, seed: int) -> NDArray[np.float64]:
@@ -286,7 +286,7 @@ def test_both_engines_give_the_same_bits(engines: Engines, width: int, shared: b
         pytest.skip("this processor does not have the width")
     assert np.array_equal(numpy.outcome, c.outcome)
     assert set(range(5)) == set(np.unique(c.outcome))
-    for name in (*FIELDS, *BOUNDS, "event_counts"):
+    for name in (*Layout(engines.module).results, "event_counts"):
         assert same_bits(getattr(numpy, name), getattr(c, name)).all(), name
     for shot in range(len(states)):
         for name in ("shot", "surface", "time", "before", "after"):

@@ -15,9 +15,9 @@ from hoopgen.derive.scenes.hoop import HOOP
 
 import hoopgen
 from hoopgen import Outcome
-from hoopgen.engine.raw import BOUNDS, FIELDS
 
-EVERY = (*FIELDS, *BOUNDS)
+FIELDS = hoopgen.HOOP.layout.fields
+EVERY = tuple(hoopgen.HOOP.layout.results)
 END = len(hoopgen.SURFACES)
 SWIRL = [0.2286, -0.94488, -0.6096, -0.8382, 2.1336, 3.85572, 0.0, 0.0, 0.0]  # Table 3, case 6b
 

@@ -23,7 +23,9 @@ from hoopgen.generated.numpy import hoop
 import hoopgen
 from hoopgen import inputs, simulation
 from hoopgen.engine import arithmetic, native, sources, trust
+from hoopgen.engines import HOOP, hoop_library, hoop_shots
 
+SHOTS = hoop_shots()
 FREE_THROW = [4.191, 0, -0.6096, -4.5, 0, 5.577, 0, 18.85, 0]
 MACHINE = platform.machine()
 FUSES = "-mfma " if MACHINE in ("x86_64", "AMD64") else ""
@@ -116,7 +118,7 @@ def test_a_library_that_changes_the_process_is_not_used(tmp_path: Path) -> None:
         encoding="utf-8",
     )
     library = shared_library(source)
-    found = in_a_thread(lambda: native.checked(library))
+    found = in_a_thread(lambda: hoop_library(library))
     assert isinstance(found, native.Refused)
     assert "makes subnormals zero in this process" in found.reason
 
@@ -154,7 +156,7 @@ def set_control(bits: int) -> None:
 @pytest.mark.parametrize("backend", ["c", "numpy"])
 def test_a_thread_that_computes_otherwise_is_told(backend: Any, bits: int) -> None:
     """Subnormals to zero, of results and of operands; rounded down, up and towards zero."""
-    if backend == "c" and native.installed() is None:
+    if backend == "c" and HOOP.library is None:
         pytest.skip("the C engine was not built")
 
     def work() -> object:
@@ -171,7 +173,7 @@ def test_a_thread_that_computes_otherwise_is_told(backend: Any, bits: int) -> No
 def test_nothing_is_compared_in_a_thread_that_computes_otherwise() -> None:
     def work() -> object:
         set_control(0x8040)
-        return native.load.__wrapped__()
+        return hoop_library()
 
     assert isinstance(in_a_thread(work), RuntimeError)
 
@@ -212,7 +214,7 @@ class Counted:
         self.runs, self.wrong, self.width = 0, wrong, width
 
     def run(self, *arguments: Any, **options: Any) -> None:
-        library = native.installed()
+        library = HOOP.library
         assert library is not None
         library.run(*arguments, **options)
         states, _, _, _, out, _, width = arguments
@@ -231,7 +233,7 @@ class Counted:
 @pytest.fixture
 def library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     """A file in the place of the library, and a home of one's own."""
-    if native.installed() is None:
+    if HOOP.library is None:
         pytest.skip("the C engine was not built")
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     path = tmp_path / "engine" / "_hoop.so"
@@ -243,7 +245,7 @@ def library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
 def compared(library: Path) -> bool:
     """Return whether loading compares anything."""
     engine = Counted()
-    assert trust.trusted(library, engine, hoop) == ""
+    assert trust.trusted(library, engine, hoop, SHOTS) == ""
     return engine.runs > 0
 
 
@@ -312,7 +314,7 @@ def test_a_cache_that_others_write_to_is_not_used(library: Path, tmp_path: Path)
     + ["time_error", "state_error", "event_counts", "events"],
 )
 def test_one_wrong_bit_of_one_field_is_found_and_not_stamped(library: Path, field: str) -> None:
-    found = trust.trusted(library, Counted(field, width=4), hoop)
+    found = trust.trusted(library, Counted(field, width=4), hoop, SHOTS)
     assert found.startswith("width 4: ")
     assert field in found
     assert not (library.parent / "__pycache__").exists()
@@ -320,7 +322,7 @@ def test_one_wrong_bit_of_one_field_is_found_and_not_stamped(library: Path, fiel
 
 def test_the_shots_compared_show_every_outcome_surface_and_doubt() -> None:
     engine, seen = Counted(), []
-    if native.installed() is None:
+    if HOOP.library is None:
         pytest.skip("the C engine was not built")
     run = engine.run
 
@@ -329,7 +331,7 @@ def test_the_shots_compared_show_every_outcome_surface_and_doubt() -> None:
         seen.append(arguments[4])
 
     engine.run = kept  # type: ignore[method-assign]
-    assert trust.differences(engine, hoop) == ""
+    assert trust.differences(engine, hoop, SHOTS) == ""
     whole = [out for out in seen if out.uncertain is not None]
     outcomes = np.concatenate([out.outcome for out in whole])
     assert set(outcomes) == set(hoopgen.Outcome) - {hoopgen.Outcome.LODGED}
@@ -357,7 +359,7 @@ else:
 @pytest.fixture
 def package(tmp_path: Path) -> Path:
     """hoopgen as it is installed, in a folder of its own."""
-    if native.installed() is None:
+    if HOOP.library is None:
         pytest.skip("the C engine was not built")
     ignored = shutil.ignore_patterns("__pycache__")
     shutil.copytree(ROOT / "hoopgen", tmp_path / "hoopgen", ignore=ignored)

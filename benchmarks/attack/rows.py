@@ -12,6 +12,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
+from unittest.mock import patch
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +20,7 @@ from numpy.typing import NDArray
 import hoopgen
 from benchmarks.families import FAMILIES
 from hoopgen.engine import native
-from hoopgen.engine.raw import BOUNDS, FIELDS
+from hoopgen.engines import HOOP
 
 from .cases import Attack, Attempt, Result, random_of
 
@@ -30,6 +31,7 @@ from compiled import COMPILER, SANITIZERS, same_bits, shared_library  # noqa: E4
 
 Floats = NDArray[np.float64]
 
+EVERY = tuple(HOOP.layout.results)
 KEY = "rows"
 BATCHES = 2
 """Of a case."""
@@ -89,17 +91,13 @@ def _held(library: native.Library, width: int) -> Iterator[None]:
         def run(self, *arguments: Any, **options: Any) -> None:
             library.run(*arguments, **options, width=width)
 
-    installed = native.installed
-    native.installed = lambda: Held()  # type: ignore[assignment]
-    try:
+    with patch.object(HOOP, "found", Held()):
         yield
-    finally:
-        native.installed = installed
 
 
 def _differs(got: hoopgen.Shots, wanted: hoopgen.Shots, record: bool) -> str:
     """Name a field in which two results are not the same bits, and its first row."""
-    columns = {name: (getattr(got, name), getattr(wanted, name)) for name in FIELDS + BOUNDS}
+    columns = {name: (getattr(got, name), getattr(wanted, name)) for name in EVERY}
     if record:
         if len(got.events) != len(wanted.events):
             return f"events: {len(got.events)} and {len(wanted.events)}"
@@ -122,7 +120,7 @@ def fly(
     given: dict[str, Any] = {
         "max_contacts": 40 if random.integers(4) else int(random.integers(1, 12)),
         "leaving": None if random.integers(4) else random.integers(-1, 3, rows).astype(np.int8),
-        "fields": FIELDS + BOUNDS,
+        "fields": EVERY,
         "record": record,
         "threads": 1,
     }
@@ -143,10 +141,9 @@ def fly(
 
 
 def _fly_all(library: Path, seed: int, most: int) -> None:
-    libraries = {"sanitized": native.Library(library, "hoop")}
-    installed = native.installed()
-    if isinstance(installed, native.Library):
-        libraries["as installed"] = installed
+    libraries = {"sanitized": native.Library(library, HOOP.kernels)}
+    if HOOP.library is not None:
+        libraries["as installed"] = HOOP.library
     random, done = random_of(seed, KEY, 0), 0
     with np.errstate(all="ignore"):
         for _ in range(BATCHES):

@@ -95,3 +95,40 @@ def bernstein(coefficients: Sequence[sp.Expr], width: sp.Expr) -> Coefficients:
         )
         for i in range(degree + 1)
     ]
+
+
+def mean_rate(
+    expression: sp.Expr,
+    starts: Mapping[sp.Symbol, sp.Expr],
+    rates: Mapping[sp.Symbol, sp.Expr],
+) -> sp.Expr:
+    """Return by how much a polynomial has changed since a start, over the time, free of that time.
+
+    Parameters
+    ----------
+    expression
+        In symbols that stand for what they are now; sums, products and natural powers.
+    starts
+        What each of them was at the start.
+    rates
+        The mean rate of each since then.
+    """
+
+    def then(part: sp.Expr) -> sp.Expr:
+        return part.xreplace(dict(starts))
+
+    if expression in rates:
+        return rates[expression]
+    if not expression.free_symbols & set(rates):
+        return sp.Integer(0)
+    if expression.is_Add:
+        return sp.Add(*(mean_rate(term, starts, rates) for term in expression.args))
+    if expression.is_Pow and expression.exp.is_Integer and expression.exp > 0:
+        base, power = expression.base, int(expression.exp)
+        between = (base**k * then(base) ** (power - 1 - k) for k in range(power))
+        return mean_rate(base, starts, rates) * sp.Add(*between)
+    if expression.is_Mul:
+        first, rest = expression.as_two_terms()
+        of_first, of_rest = (mean_rate(part, starts, rates) for part in (first, rest))
+        return of_first * rest + then(first) * of_rest
+    raise ValueError(f"not polynomial in the flight's coordinates: {expression}")

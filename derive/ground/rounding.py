@@ -47,8 +47,8 @@ def rounding(expression: sp.Expr, known: Mapping[sp.Expr, Rounded]) -> Rounded:
         Sums, products and integer powers of what `known` holds, parameters and constants.
     known
         Bounds of subexpressions, found before their parts are looked at: inputs, and whatever is
-        better bounded by geometry than by its formula. A divisor must be entered as its inverse.
-        Any other symbol is an exact input.
+        better bounded by geometry than by its formula. A divisor must be entered as its inverse,
+        unless it is a power of another symbol, which is an exact input.
 
     Raises
     ------
@@ -68,6 +68,10 @@ def rounding(expression: sp.Expr, known: Mapping[sp.Expr, Rounded]) -> Rounded:
     if expression.is_Pow and expression.exp.is_Integer and expression.exp > 0:
         factors = [rounding(expression.base, known)] * int(expression.exp)
         return _product(factors)
+    power = expression.is_Pow and expression.exp.is_Integer
+    if power and expression.base.is_Symbol and expression.base not in known:
+        size = sp.Abs(expression)  # of an exact input: its powers, and one division
+        return Rounded(size, -expression.exp * UNIT_ROUNDOFF * size)
     parts = [rounding(argument, known) for argument in expression.args]
     if expression.is_Add:
         magnitude = sum(part.magnitude for part in parts)

@@ -58,7 +58,7 @@ def gates(ends: Sequence[End]) -> tuple[Gate, ...]:
             ends[own[0]].plane.direction,
             ends[own[0]].plane.offset,
             ends[own[0]].plane.reach,
-            parts=tuple(ends[k].plane.limits for k in own),
+            parts=tuple(ends[k].plane.bounds for k in own),
             outcomes=tuple(own),
         )
         for own in planes.values()

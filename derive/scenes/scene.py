@@ -8,6 +8,7 @@ import sympy as sp
 
 from ..contact.law import Law
 from ..flight.parabola import Parabola
+from ..ground.choice import release
 from ..ground.symbols import ParameterSymbol
 from ..surfaces import Body, Gate, Surface
 from . import names
@@ -139,6 +140,15 @@ class Scene:
     def symbols(self) -> tuple[sp.Symbol, ...]:
         """The parameters' symbols, in order."""
         return tuple(parameter.symbol for parameter in self.parameters)
+
+    @property
+    def lengths(self) -> tuple[sp.Expr, ...]:
+        """What roundings of positions are measured by besides them: parameters, and numbers."""
+        given: tuple[sp.Expr, ...] = tuple(p.symbol for p in self.parameters if p.unit == "m")
+        said = (e for s in self.surfaces for e in (s.distance, *s.bounds, *s.inside))
+        sums = {part for e in said for part in release(e).atoms(sp.Add)}
+        numbers = {abs(n) for part in sums for n in part.args if n.is_Rational}
+        return (*given, sp.Add(*numbers)) if numbers else given
 
 
 def parameter(

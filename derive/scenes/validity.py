@@ -26,7 +26,7 @@ def valid(scene: Scene) -> dict[str, sp.Expr]:
     A ball is inside a surface if the largest of the surface's `inside` is negative; in doubt if
     it is within the rounding of its evaluation. The surface that the ball leaves is not asked.
     """
-    lengths = [sp.Abs(plain(p.symbol)) for p in scene.parameters if p.unit == "m"]
+    lengths = [sp.Abs(plain(length)) for length in scene.lengths]
     slack = hold(16 * UNIT_ROUNDOFF * hold(sum(map(sp.Abs, POSITION)) + sum(lengths)))
     verdict: sp.Expr = sp.Integer(1)
     doubt: sp.Expr = sp.Integer(0)

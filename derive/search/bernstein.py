@@ -1,4 +1,8 @@
-"""The search for any surface with a polynomial condition: bounds from Bernstein coefficients."""
+"""The search for any surface with a polynomial condition: bounds from Bernstein coefficients.
+
+The condition is taken from a point that the surface is about, and along the flight from the time
+that the search is at: its coefficients there are as small as the surface, however far the flight.
+"""
 
 from __future__ import annotations
 
@@ -6,13 +10,30 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..ground.choice import largest
-from ..ground.polynomials import Coefficients, bernstein, derivative, horner, taylor
-from ..ground.rounding import SAFETY, Rounded, rounding, start_rounding
-from ..ground.symbols import POSITION, VELOCITY, t
+from ..ground.choice import IfLess, hold, largest, smallest
+from ..ground.polynomials import Coefficients, bernstein, compose, derivative, mean_rate
+from ..ground.rounding import (
+    SAFETY,
+    Rounded,
+    extent,
+    position_error,
+    rounding,
+    speed,
+    velocity_error,
+)
+from ..ground.symbols import POSITION, UNIT_ROUNDOFF, VELOCITY, t
 from ..surfaces import Surface
 from .approach import Approach
 from .events import Window, ceiling, event_coefficients, horizon, time_rounding
+from .windows import clear, lost, windows
+
+STARTS = sp.symbols("x_start y_start z_start", real=True)
+"""Where the ball was at the start of the flight, from the surface's point."""
+
+BEYOND = sp.Rational(5, 4)
+"""Newton's steps that a clearance promises may leave the box that holds the surface, though no
+further than this. They go no further than twice F / |F'| < sqrt(F / C) / 8, and |F| within the box
+is at most 3 h² and C at least 2 v² on a sphere or a cylinder, 16 h^4 and 160 h² v² on a torus."""
 
 
 @dataclass(frozen=True)
@@ -25,10 +46,33 @@ class PolynomialApproach(Approach):
     def _coefficients(self) -> Coefficients:
         return event_coefficients(self.surface, self.flight)
 
+    @property
+    def _boxed(self) -> bool:
+        return any(half is not None for half in self.surface.halves)
+
     def _along(self, expression: sp.Expr) -> sp.Expr:
-        there = [component for vector in self.flight.named() for component in vector]
-        moved = dict(zip((*POSITION, *VELOCITY), there, strict=True))
-        return expression.subs(moved, simultaneous=True)
+        """Return what is said of the offset and the velocity, at time t."""
+        there, moving = self.flight.named()
+        offsets = (hold(p - c) for p, c in zip(there, self.surface.about, strict=True))
+        now = dict(zip((*POSITION, *VELOCITY), (*offsets, *moving), strict=True))
+        return expression.xreplace(now)
+
+    @property
+    def _local(self) -> Coefficients:
+        """Of the condition along the flight after an offset and a velocity, constant first."""
+        found = compose(self.surface.shape, self.flight.path)
+        return found + [sp.Integer(0)] * (3 - len(found))
+
+    @property
+    def _change(self) -> sp.Expr:
+        """F/t since the start, in the offsets now and then; velocities are the mean ones."""
+        starts = dict(zip(POSITION, STARTS, strict=True))
+        return mean_rate(self.surface.shape, starts, dict(zip(POSITION, VELOCITY, strict=True)))
+
+    @property
+    def _rate(self) -> sp.Expr:
+        gradient = [sp.diff(self.surface.shape, place) for place in POSITION]
+        return sp.Add(*(g * v for g, v in zip(gradient, VELOCITY, strict=True)))
 
     @property
     def constants(self) -> dict[str, sp.Expr]:
@@ -37,57 +81,104 @@ class PolynomialApproach(Approach):
 
     @property
     def windows(self) -> list[Window]:
-        """Up to Cauchy's bound on the roots."""
+        """When the ball is within the surface's box; without one, up to Cauchy's bound."""
+        centre, halves = self.surface.about, self.surface.halves
+        if not self._boxed:
+            return [(sp.Integer(0), self._last_root())]
+        offsets = (hold(p - c) for p, c in zip(POSITION, centre, strict=True))
+        found = windows(list(zip(offsets, VELOCITY, self.flight.acceleration, strict=True)), halves)
+        if None in halves:
+            last = self._last_root()
+            found = [(low, smallest(high, last)) for low, high in found]
+        return found
+
+    def _last_root(self) -> sp.Expr:
+        """Cauchy's bound on the roots, infinite where the degree is not certain."""
+        share = sp.Rational(1, 2**20)  # errors beyond that exceed what a search allows for
+        known = {place: Rounded(extent, share * extent) for place in POSITION}
+        known |= {v: Rounded(speed, share * speed) for v in VELOCITY}
         *rest, leading = self._coefficients
-        return [(sp.Integer(0), 1 + sum(sp.Abs(c) for c in rest) / sp.Abs(leading))]
+        least = hold(sp.Abs(leading) - rounding(leading, known).error)
+        most = (c.magnitude + c.error for c in (rounding(c, known) for c in rest))
+        return IfLess(0, least, 1 + hold(sp.Add(*most)) / least, sp.oo)
+
+    @property
+    def lost(self) -> sp.Expr:
+        """Errors near to what the box is wider by."""
+        if not self._boxed:
+            return sp.Integer(0)
+        return lost(self.surface.about, self.surface.halves, self.flight.strength)
+
+    @property
+    def clear(self) -> sp.Expr:
+        """Positive if no window opens before the horizon."""
+        if not self._boxed:
+            return sp.Integer(0)
+        return clear(self.windows, self.lost)
 
     @property
     def gap(self) -> sp.Expr:
-        """The condition at the position at time t, which loses less than its coefficients do."""
-        return self._along(self.surface.condition)
+        """The condition at the offset at time t, which loses less than its coefficients do."""
+        return self._along(self.surface.shape)
 
     @property
     def leaving_gap(self) -> sp.Expr:
-        """The deflated polynomial, times t."""
-        return t * horner(self._coefficients[1:], t)
+        """The change since the start, with its factor t in the open."""
+        falls = zip(VELOCITY, self.flight.acceleration, strict=True)
+        rates = (hold(v + a * t / 2) for v, a in falls)
+        starts = (hold(p - c) for p, c in zip(POSITION, self.surface.about, strict=True))
+        there, _ = self.flight.named()
+        offsets = (hold(p - c) for p, c in zip(there, self.surface.about, strict=True))
+        now = dict(zip((*POSITION, *VELOCITY, *STARTS), (*offsets, *rates, *starts), strict=True))
+        return t * hold(self._change.xreplace(now))
 
     @property
     def rate(self) -> sp.Expr:
         """Gradient times velocity."""
-        gradient = [sp.diff(self.surface.condition, coordinate) for coordinate in POSITION]
-        return self._along(sum(g * v for g, v in zip(gradient, VELOCITY, strict=True)))
+        return self._along(self._rate)
 
     @property
     def bend(self) -> sp.Expr:
-        """The polynomial's second derivative."""
-        return horner(derivative(derivative(self._coefficients)), t)
+        """The second derivative at time t."""
+        return 2 * hold(self._along(self._local[2]))
 
     def curvature(self, width: sp.Expr) -> sp.Expr:
         """The largest Bernstein coefficient of -F'' on the window, rounding included."""
-        second = derivative(derivative(self._coefficients))
-        upper = largest(*(-c for c in bernstein(taylor(second, t), width)))
-        return upper + sp.Rational(1, 2**40) * ceiling
+        second = derivative(derivative([hold(self._along(c)) for c in self._local]))
+        upper = largest(*(-hold(c) for c in bernstein(second, width)))
+        return upper + sp.Rational(1, 2**36) * ceiling
+
+    def _sizes(self, share: sp.Expr) -> dict[sp.Expr, Rounded]:
+        """Return bounds of offset and velocity at any time of a window; the box's times a share."""
+        there, moved = self.flight.rounding(horizon)
+        known: dict[sp.Expr, Rounded] = dict.fromkeys(VELOCITY, moved)
+        places = zip(POSITION, self.surface.about, self.surface.halves, strict=True)
+        for place, centre, half in places:
+            offset = rounding(place - centre, {place: there})
+            known[place] = offset if half is None else Rounded(share * half, hold(offset.error))
+        return known
 
     @property
     def ceiling(self) -> sp.Expr:
-        """|F''| with every term taken positive, up to the horizon."""
-        second = derivative(derivative(self._coefficients))
-        return horner([rounding(c, start_rounding()).magnitude for c in second], horizon)
+        """|F''| with every term taken positive, up to the horizon and somewhat outside the box."""
+        return rounding(2 * self._local[2], self._sizes(BEYOND)).magnitude
 
     @property
     def margins(self) -> dict[str, sp.Expr]:
-        """By running error analysis of the gap, the deflated polynomial and the rate."""
-        there, moved = self.flight.rounding(horizon)
-        moving = dict.fromkeys(POSITION, there) | dict.fromkeys(VELOCITY, moved)
-        start = start_rounding()
-        start[t] = Rounded(horizon)
-        condition = self.surface.condition
-        gradient = [sp.diff(condition, coordinate) for coordinate in POSITION]
-        gap = rounding(condition, moving)
-        deflated = rounding(horner(self._coefficients[1:], t), start)
-        rate = rounding(sum(g * v for g, v in zip(gradient, VELOCITY, strict=True)), moving)
+        """By running error analysis of the gap, its mean rate since the start and its rate."""
+        now = self._sizes(1 + sp.Rational(1, 2**10))
+        _, fastest = self.flight.size(horizon)
+        mean = Rounded(fastest, hold(velocity_error + 3 * UNIT_ROUNDOFF * fastest))
+        start = {place: Rounded(extent, position_error) for place in POSITION}
+        since = now | dict.fromkeys(VELOCITY, mean)
+        for own, place, centre in zip(STARTS, POSITION, self.surface.about, strict=True):
+            # It is where the ball left the surface, or this bound is not used.
+            since[own] = Rounded(now[place].magnitude, hold(rounding(place - centre, start).error))
+        gap = rounding(self.surface.shape, now)
+        change = rounding(self._change, since)
+        rate = rounding(self._rate, now)
         return {
             "margin": SAFETY * (gap.error + time_rounding(rate) * horizon),
-            "leaving_margin": SAFETY * (deflated.error + time_rounding(rate)),
+            "leaving_margin": SAFETY * (change.error + time_rounding(rate)),
             "rate_margin": SAFETY * rate.error,
         }

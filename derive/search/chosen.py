@@ -7,9 +7,10 @@ from typing import Any
 
 from ..flight.flight import Flight
 from ..flight.parabola import Parabola
-from ..surfaces import Gate, Plane, Ring, Surface
+from ..surfaces import Box, Gate, Plane, Ring, Surface
 from .approach import Approach
 from .bernstein import PolynomialApproach
+from .box import BoxApproach
 from .curved import CurvedSearch
 from .gate import GateSearch
 from .plane import PlaneSearch
@@ -27,6 +28,10 @@ def _ring(surface: Ring, flight: Parabola) -> Search | None:
     return CurvedSearch(surface, flight, RingApproach(flight, surface))
 
 
+def _box(surface: Box, flight: Parabola) -> Search:
+    return CurvedSearch(surface, flight, BoxApproach(flight, surface))
+
+
 def _general(surface: Surface, flight: Flight) -> Search | None:
     # The polynomial in time is that of the path: no more is known of what is beside it.
     if not flight.exact:
@@ -38,6 +43,7 @@ CHOICES: tuple[tuple[type[Surface], type[Flight], Make], ...] = (
     (Gate, Parabola, GateSearch),
     (Plane, Parabola, PlaneSearch),
     (Ring, Parabola, _ring),
+    (Box, Parabola, _box),
     (Surface, Flight, _general),
 )
 """Kinds of surface and flight, and their search; the first that fits both and serves is taken."""

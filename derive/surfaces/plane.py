@@ -8,7 +8,8 @@ import sympy as sp
 
 from ..ground.choice import hold
 from ..ground.symbols import position
-from .surface import Surface
+from .bounds import length
+from .surface import Surface, overlap
 
 
 @dataclass(frozen=True)
@@ -48,7 +49,7 @@ class Plane(Surface):
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The bounds of the plate."""
-        return self.limits
+        return tuple(map(length, self.limits))
 
     @property
     def normal(self) -> sp.Matrix:
@@ -58,4 +59,4 @@ class Plane(Surface):
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
         """Within reach of the plate from either side, and within its bounds."""
-        return (self.distance, -self.distance - 2 * self.reach, *self.limits)
+        return overlap(self.distance, self.limits, self.reach)

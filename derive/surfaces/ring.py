@@ -48,6 +48,12 @@ class Ring(Surface):
         ) ** 2 - 4 * self.ring_radius**2 * rho_squared
 
     @property
+    def halves(self) -> tuple[sp.Expr | None, ...]:
+        """R_H + R across the axis, R along it."""
+        widest = self.ring_radius + self.reach
+        return (widest, widest, self.reach)
+
+    @property
     def normal(self) -> sp.Matrix:
         """From the nearest point of the wire's centre circle, (x_C, y_C, 0), over R."""
         x, y, z = POSITION

@@ -1,4 +1,4 @@
-"""A fixed sphere, or the part of one within bounds, touched from outside."""
+"""A fixed sphere, or the part of one within bounds, touched from outside or from inside."""
 
 from __future__ import annotations
 
@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..ground.symbols import position
-from .surface import Surface
+from ..ground.symbols import POSITION, position
+from .bounds import length
+from .surface import Point, Surface, moved, overlap
 
 
 @dataclass(frozen=True)
@@ -19,19 +20,30 @@ class Sphere(Surface):
     centre
         Of the sphere.
     radius
-        Its own radius and the ball's together.
+        From there to the ball's centre at a contact: the sphere's own radius and the ball's
+        together, or, from inside, the one less the other.
     limits
-        The bounds (Eq. 2): lengths whose gradient is at most 1.
+        The bounds (Eq. 2).
+    inward
+        Whether the ball touches it from inside.
+    reach
+        Of a thin shell: the ball's radius. Without, all beyond the surface is body.
     """
 
-    centre: tuple[sp.Expr, sp.Expr, sp.Expr]
+    centre: Point
     radius: sp.Expr
     limits: tuple[sp.Expr, ...] = ()
+    inward: bool = False
+    reach: sp.Expr | None = None
 
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The bounds of the part."""
-        return self.limits
+        return tuple(map(length, self.limits))
+
+    @property
+    def _side(self) -> int:
+        return -1 if self.inward else 1
 
     @property
     def _offset(self) -> sp.Matrix:
@@ -39,18 +51,34 @@ class Sphere(Surface):
 
     @property
     def distance(self) -> sp.Expr:
-        """|p - c| - r."""
-        return sp.sqrt(sum(component**2 for component in self._offset)) - self.radius
+        """|p - c| - r, from inside r - |p - c|."""
+        away = sp.sqrt(sum(component**2 for component in self._offset))
+        return self._side * away - self._side * self.radius
+
+    @property
+    def about(self) -> Point:
+        """Its centre."""
+        return self.centre
+
+    @property
+    def shape(self) -> sp.Expr:
+        """x² + y² + z² - r², from inside r² - x² - y² - z²."""
+        return sp.Add(*(self._side * c**2 for c in POSITION), -self._side * self.radius**2)
+
+    @property
+    def halves(self) -> tuple[sp.Expr | None, ...]:
+        """The radius."""
+        return (self.radius,) * 3
 
     @property
     def condition(self) -> sp.Expr:
-        """|p - c|² - r²: free of the root."""
-        return sum(component**2 for component in self._offset) - self.radius**2
+        """|p - c|² - r², free of the root, or the same with the other sign."""
+        return moved(self.shape, self.centre)
 
     @property
     def normal(self) -> sp.Matrix:
         """Radial; |p - c| = r at a contact."""
-        return self._offset / self.radius
+        return self._offset * (self._side / self.radius)
 
     @property
     def curvature(self) -> sp.Expr:
@@ -60,4 +88,4 @@ class Sphere(Surface):
     @property
     def inside(self) -> tuple[sp.Expr, ...]:
         """Nearer than touching, and within the bounds."""
-        return (self.distance, *self.limits)
+        return overlap(self.distance, self.limits, self.reach)

@@ -7,9 +7,34 @@ outside. The same distance, made polynomial, becomes the event condition (`event
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
+
+from ..ground.symbols import POSITION
+from .bounds import length
+
+Point = tuple[sp.Expr, sp.Expr, sp.Expr]
+
+_ORIGIN = (sp.Integer(0), sp.Integer(0), sp.Integer(0))
+
+
+def moved(shape: sp.Expr, centre: Point) -> sp.Expr:
+    """Return a formula in x, y, z as one of the position from a centre."""
+    offsets = (place - own for place, own in zip(POSITION, centre, strict=True))
+    return shape.xreplace(dict(zip(POSITION, offsets, strict=True)))
+
+
+def overlap(
+    distance: sp.Expr, limits: Sequence[sp.Expr], reach: sp.Expr | None
+) -> tuple[sp.Expr, ...]:
+    """Return what is negative where a ball overlaps a surface within its bounds.
+
+    With a reach the surface is thin, and behind it is free space again; else all of it is body.
+    """
+    behind = () if reach is None else (-distance - 2 * reach,)
+    return (distance, *behind, *map(length, limits))
 
 
 @dataclass(frozen=True)
@@ -33,6 +58,26 @@ class Surface(ABC):
     @abstractmethod
     def condition(self) -> sp.Expr:
         """Polynomial in x, y, z that is zero at a contact and positive outside."""
+
+    @property
+    def polynomial(self) -> bool:
+        """Whether the condition is one polynomial; else it is one on each of several parts."""
+        return True
+
+    @property
+    def about(self) -> Point:
+        """A point that the surface is about; by default the origin."""
+        return _ORIGIN
+
+    @property
+    def shape(self) -> sp.Expr:
+        """The condition in x, y, z as seen from that point."""
+        return self.condition
+
+    @property
+    def halves(self) -> tuple[sp.Expr | None, ...]:
+        """Half sizes of a box about that point that holds every contact; None: not known."""
+        return (None, None, None)
 
     @property
     def bounds(self) -> tuple[sp.Expr, ...]:

@@ -53,6 +53,13 @@ _Static_assert(sizeof 0.1 == sizeof(double), "compile without -fsingle-precision
 #endif
 #endif
 
+/* Which widths are compiled; a build may ask for one alone, which takes least time. */
+#ifdef HOOP_ONLY
+#define BUILT(width) (HOOP_ONLY == (width))
+#else
+#define BUILT(width) (HOOP_WIDEST >= (width))
+#endif
+
 /* What the build says of the sources: a word. */
 #ifndef HOOP_SOURCES
 #define HOOP_SOURCES unknown
@@ -90,14 +97,14 @@ typedef struct {
 /* Idle lanes for which the next shots are fetched. */
 #define LANES_SPARE (LANES_WIDTH < 4 ? 1 : LANES_WIDTH / 4)
 
-#if HOOP_WIDEST >= 4
+#if BUILT(4)
 #define LANES_WIDTH 4
 #include "hoop_exact.h"
 #include "hoop_engine.h"
 #undef LANES_WIDTH
 #endif
 
-#if HOOP_WIDEST >= 8
+#if BUILT(8)
 #ifdef __clang__
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
 #else
@@ -115,7 +122,7 @@ typedef struct {
 #endif
 #endif
 
-#if HOOP_WIDEST >= 16
+#if BUILT(16)
 #ifdef __clang__
 #pragma clang attribute push(__attribute__((target("avx512f,avx512dq,avx512vl"))), apply_to = function)
 #else
@@ -133,23 +140,29 @@ typedef struct {
 #endif
 #endif
 
+#if BUILT(1)
 #define LANES_WIDTH 1
 #include "hoop_exact.h"
 #include "hoop_engine.h"
 #undef LANES_WIDTH
+#endif
 
 static int widest(void)
 {
-#if HOOP_WIDEST >= 16
+#ifdef HOOP_ONLY
+    return HOOP_ONLY; /* who asks for one alone knows the processor */
+#else
+#if BUILT(16)
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512vl"))
         return 16;
 #endif
-#if HOOP_WIDEST >= 8
+#if BUILT(8)
     if (__builtin_cpu_supports("avx2"))
         return 8;
 #endif
-    return HOOP_WIDEST < 4 ? 1 : 4;
+    return BUILT(4) ? 4 : 1;
+#endif
 }
 
 const char *hoop_sources(void) { return TEXT(HOOP_SOURCES); }
@@ -175,14 +188,16 @@ int hoop_simulate(size_t shots, const double *states, const double *const *param
         hoop_run_w##width(&job); \
         return width;
     switch (width) {
+#if BUILT(1)
         RUN(1)
-#if HOOP_WIDEST >= 4
+#endif
+#if BUILT(4)
         RUN(4)
 #endif
-#if HOOP_WIDEST >= 8
+#if BUILT(8)
         RUN(8)
 #endif
-#if HOOP_WIDEST >= 16
+#if BUILT(16)
         RUN(16)
 #endif
     default:

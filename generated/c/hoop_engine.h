@@ -25,41 +25,11 @@ LANES_INLINE void LANES(hoop_ahead)(const hoop_job *job, size_t shot)
 #endif
 }
 
-/* What depends on the parameters alone, and kernels share. */
-typedef struct {
-    V _q0, _q1, _q2, _q3, _q4, _q5, _q6, _q7, _q8, _q9, _q10, _q11, _q12, _q13, _q14, _q15, _q16, _q17, _q18, _q19, _q20, _q21, _q22, _q23, _q24, _q25, _q26, _q27, _q28, _q29, _q30, _q31;
-} LANES(hoop_shared);
-
-LANES_INLINE LANES(hoop_shared) LANES(hoop_share)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_restitution, V p_gravity, V p_end_depth)
-{
-    const V _s0 = lanes_div(K(1.0), p_gravity);
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_half_width), p_bridge_half_width), p_end_depth), p_ring_radius), p_wire_radius);
-    const V _s2 = lanes_abs(p_board_bottom);
-    const V _s3 = lanes_abs(p_board_top);
-    const V _s4 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
-    const V _s5 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s6 = lanes_mul(K(2.0), p_ball_radius);
-    const V _s7 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), _s2), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), _s3), lanes_abs(p_bridge_half_width));
-    const V _s8 = lanes_mul(K(1.00006103515625), _s5);
-    const V _s9 = lanes_add(p_ring_radius, _s8);
-    const V _s10 = lanes_mul(_s9, _s9);
-    const V _s11 = lanes_mul(K(9.313225746154785e-10), _s10);
-    const V _s12 = lanes_sub(p_ring_radius, _s8);
-    const V _s13 = lanes_mul(K(0.0001220703125), p_ring_radius);
-    const V _s14 = lanes_max(_s12, _s13);
-    const V _s15 = lanes_mul(_s14, _s14);
-    const V _s16 = lanes_div(K(1.0), _s14);
-    const V _s17 = lanes_div(_s8, _s14);
-    const V _s18 = lanes_mul(K(6.667843360785852e-16), p_ball_radius);
-    const V _s19 = lanes_neg(_s0);
-    return (LANES(hoop_shared)){ _s0, lanes_add(lanes_add(_s1, _s2), _s3), _s4, lanes_mul(_s5, _s5), lanes_sub(lanes_sub(p_ball_radius, p_board_distance), _s6), lanes_sub(lanes_sub(_s5, _s6), lanes_mul(K(2.0), p_wire_radius)), lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)), lanes_add(lanes_add(lanes_add(_s7, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)), lanes_div(K(1.0), p_ball_radius), lanes_div(K(1.0), _s5), lanes_div(K(1.0), lanes_min(_s4, _s5)), lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s5)), _s8, lanes_mul(K(5.820766091346741e-11), _s9), lanes_mul(K(65536.0), _s9), _s10, _s11, lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s5), _s15, lanes_mul(_s14, _s15), lanes_add(_s11, _s15), lanes_mul(_s16, lanes_mul(_s16, _s16)), _s9, lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s5), _s9), lanes_mul(K(5.00030517578125), _s5), lanes_max(K(1.0), _s17), lanes_mul(K(9.094947017729282e-13), _s9), _s14, lanes_add(_s18, lanes_mul(K(8.890457814381136e-16), p_board_distance)), _s19, lanes_mul(K(0.5), _s19), lanes_add(_s18, lanes_mul(K(6.667843360785852e-16), p_wire_radius)) };
-}
-
 /* Where the parameters are finite and allowed. */
-LANES_INLINE M LANES(hoop_permit)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_restitution, V p_gravity, V p_end_depth, V _q0, V _q1, V _q2, V _q3, V _q4, V _q5, V _q6, V _q7, V _q8, V _q9, V _q10, V _q11, V _q12, V _q13, V _q14, V _q15, V _q16, V _q17, V _q18, V _q19, V _q20, V _q21, V _q22, V _q23, V _q24, V _q25, V _q26, V _q27, V _q28, V _q29, V _q30, V _q31)
+LANES_INLINE M LANES(hoop_permit)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_restitution, V p_gravity, V p_end_depth)
 {
     const LANES(hoop_allowed_out) _o1 =
-        LANES(hoop_allowed)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_bridge_half_width, p_restitution, p_gravity, p_end_depth, _q2);
+        LANES(hoop_allowed)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_bridge_half_width, p_restitution, p_gravity, p_end_depth);
     V allowed = _o1.allowed;
     const LANES(hoop_finite_parameters_out) _o2 =
         LANES(hoop_finite_parameters)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth, allowed);
@@ -87,7 +57,7 @@ typedef struct {
     LANES(hoop_column) count_1; /* contacts with backboard */
     LANES(hoop_column) count_2; /* contacts with bridge */
     LANES(hoop_column) outcome; /* how it ended, -1: in flight */
-    LANES(hoop_column) p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth, _q0, _q1, _q2, _q3, _q4, _q5, _q6, _q7, _q8, _q9, _q10, _q11, _q12, _q13, _q14, _q15, _q16, _q17, _q18, _q19, _q20, _q21, _q22, _q23, _q24, _q25, _q26, _q27, _q28, _q29, _q30, _q31;
+    LANES(hoop_column) p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth;
     LANES(hoop_column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
     LANES(hoop_column) body;
     LANES(hoop_column) limited;
@@ -95,20 +65,6 @@ typedef struct {
     LANES(hoop_column) when;
     LANES(hoop_column) which;
     LANES(hoop_column) open_row;
-    LANES(hoop_column) open__q0;
-    LANES(hoop_column) open__q11;
-    LANES(hoop_column) open__q12;
-    LANES(hoop_column) open__q15;
-    LANES(hoop_column) open__q17;
-    LANES(hoop_column) open__q18;
-    LANES(hoop_column) open__q21;
-    LANES(hoop_column) open__q22;
-    LANES(hoop_column) open__q23;
-    LANES(hoop_column) open__q24;
-    LANES(hoop_column) open__q25;
-    LANES(hoop_column) open__q26;
-    LANES(hoop_column) open__q27;
-    LANES(hoop_column) open__q3;
     LANES(hoop_column) open_extent;
     LANES(hoop_column) open_last;
     LANES(hoop_column) open_p_ball_radius;
@@ -131,14 +87,6 @@ typedef struct {
     LANES(hoop_column) open_rho_start;
     LANES(hoop_column) open_tilt;
     LANES(hoop_column) open_searching_row;
-    LANES(hoop_column) open_searching__q12;
-    LANES(hoop_column) open_searching__q22;
-    LANES(hoop_column) open_searching__q23;
-    LANES(hoop_column) open_searching__q24;
-    LANES(hoop_column) open_searching__q25;
-    LANES(hoop_column) open_searching__q26;
-    LANES(hoop_column) open_searching__q27;
-    LANES(hoop_column) open_searching__q3;
     LANES(hoop_column) open_searching_arrival;
     LANES(hoop_column) open_searching_ceiling;
     LANES(hoop_column) open_searching_certain;
@@ -173,44 +121,6 @@ typedef struct {
     LANES(hoop_column) open_searching_y;
     LANES(hoop_column) open_searching_z;
 } LANES(hoop_plain_lists);
-
-/* Compute what kernels share for the shots in the rows from one on. */
-LANES_INLINE void LANES(hoop_plain_shares)(LANES(hoop_plain_lists) *lists, size_t row)
-{
-    const LANES(hoop_shared) shared = LANES(hoop_share)(lanes_load(lists->p_ball_radius + row), lanes_load(lists->p_ring_radius + row), lanes_load(lists->p_wire_radius + row), lanes_load(lists->p_board_distance + row), lanes_load(lists->p_board_half_width + row), lanes_load(lists->p_board_bottom + row), lanes_load(lists->p_board_top + row), lanes_load(lists->p_bridge_half_width + row), lanes_load(lists->p_restitution + row), lanes_load(lists->p_gravity + row), lanes_load(lists->p_end_depth + row));
-    lanes_store(lists->_q0 + row, shared._q0);
-    lanes_store(lists->_q1 + row, shared._q1);
-    lanes_store(lists->_q2 + row, shared._q2);
-    lanes_store(lists->_q3 + row, shared._q3);
-    lanes_store(lists->_q4 + row, shared._q4);
-    lanes_store(lists->_q5 + row, shared._q5);
-    lanes_store(lists->_q6 + row, shared._q6);
-    lanes_store(lists->_q7 + row, shared._q7);
-    lanes_store(lists->_q8 + row, shared._q8);
-    lanes_store(lists->_q9 + row, shared._q9);
-    lanes_store(lists->_q10 + row, shared._q10);
-    lanes_store(lists->_q11 + row, shared._q11);
-    lanes_store(lists->_q12 + row, shared._q12);
-    lanes_store(lists->_q13 + row, shared._q13);
-    lanes_store(lists->_q14 + row, shared._q14);
-    lanes_store(lists->_q15 + row, shared._q15);
-    lanes_store(lists->_q16 + row, shared._q16);
-    lanes_store(lists->_q17 + row, shared._q17);
-    lanes_store(lists->_q18 + row, shared._q18);
-    lanes_store(lists->_q19 + row, shared._q19);
-    lanes_store(lists->_q20 + row, shared._q20);
-    lanes_store(lists->_q21 + row, shared._q21);
-    lanes_store(lists->_q22 + row, shared._q22);
-    lanes_store(lists->_q23 + row, shared._q23);
-    lanes_store(lists->_q24 + row, shared._q24);
-    lanes_store(lists->_q25 + row, shared._q25);
-    lanes_store(lists->_q26 + row, shared._q26);
-    lanes_store(lists->_q27 + row, shared._q27);
-    lanes_store(lists->_q28 + row, shared._q28);
-    lanes_store(lists->_q29 + row, shared._q29);
-    lanes_store(lists->_q30 + row, shared._q30);
-    lanes_store(lists->_q31 + row, shared._q31);
-}
 
 /* Put the next shots into rows, from one on. */
 LANES_INLINE void LANES(hoop_plain_begin)(LANES(hoop_plain_lists) *lists, size_t row, size_t count, const hoop_job *job, size_t first)
@@ -256,9 +166,6 @@ LANES_INLINE void LANES(hoop_plain_begin)(LANES(hoop_plain_lists) *lists, size_t
             lists->p_gravity[row + k] = job->parameters[9][job->strides[9] * (int64_t)(first + k)];
             lists->p_end_depth[row + k] = job->parameters[10][job->strides[10] * (int64_t)(first + k)];
         }
-    if (job->varying)
-        for (k = 0; k < count; k += LANES_WIDTH)
-            LANES(hoop_plain_shares)(lists, row + k);
     for (k = 0; k < count; k++)
         lists->shot[row + k] = first + k;
     for (k = 0; k < count; k += LANES_WIDTH) {
@@ -395,38 +302,6 @@ LANES_INLINE size_t LANES(hoop_plain_leave)(LANES(hoop_plain_lists) *lists, size
                 lanes_pack(lists->p_restitution + kept, going, lanes_load(lists->p_restitution + i));
                 lanes_pack(lists->p_gravity + kept, going, lanes_load(lists->p_gravity + i));
                 lanes_pack(lists->p_end_depth + kept, going, lanes_load(lists->p_end_depth + i));
-                lanes_pack(lists->_q0 + kept, going, lanes_load(lists->_q0 + i));
-                lanes_pack(lists->_q1 + kept, going, lanes_load(lists->_q1 + i));
-                lanes_pack(lists->_q2 + kept, going, lanes_load(lists->_q2 + i));
-                lanes_pack(lists->_q3 + kept, going, lanes_load(lists->_q3 + i));
-                lanes_pack(lists->_q4 + kept, going, lanes_load(lists->_q4 + i));
-                lanes_pack(lists->_q5 + kept, going, lanes_load(lists->_q5 + i));
-                lanes_pack(lists->_q6 + kept, going, lanes_load(lists->_q6 + i));
-                lanes_pack(lists->_q7 + kept, going, lanes_load(lists->_q7 + i));
-                lanes_pack(lists->_q8 + kept, going, lanes_load(lists->_q8 + i));
-                lanes_pack(lists->_q9 + kept, going, lanes_load(lists->_q9 + i));
-                lanes_pack(lists->_q10 + kept, going, lanes_load(lists->_q10 + i));
-                lanes_pack(lists->_q11 + kept, going, lanes_load(lists->_q11 + i));
-                lanes_pack(lists->_q12 + kept, going, lanes_load(lists->_q12 + i));
-                lanes_pack(lists->_q13 + kept, going, lanes_load(lists->_q13 + i));
-                lanes_pack(lists->_q14 + kept, going, lanes_load(lists->_q14 + i));
-                lanes_pack(lists->_q15 + kept, going, lanes_load(lists->_q15 + i));
-                lanes_pack(lists->_q16 + kept, going, lanes_load(lists->_q16 + i));
-                lanes_pack(lists->_q17 + kept, going, lanes_load(lists->_q17 + i));
-                lanes_pack(lists->_q18 + kept, going, lanes_load(lists->_q18 + i));
-                lanes_pack(lists->_q19 + kept, going, lanes_load(lists->_q19 + i));
-                lanes_pack(lists->_q20 + kept, going, lanes_load(lists->_q20 + i));
-                lanes_pack(lists->_q21 + kept, going, lanes_load(lists->_q21 + i));
-                lanes_pack(lists->_q22 + kept, going, lanes_load(lists->_q22 + i));
-                lanes_pack(lists->_q23 + kept, going, lanes_load(lists->_q23 + i));
-                lanes_pack(lists->_q24 + kept, going, lanes_load(lists->_q24 + i));
-                lanes_pack(lists->_q25 + kept, going, lanes_load(lists->_q25 + i));
-                lanes_pack(lists->_q26 + kept, going, lanes_load(lists->_q26 + i));
-                lanes_pack(lists->_q27 + kept, going, lanes_load(lists->_q27 + i));
-                lanes_pack(lists->_q28 + kept, going, lanes_load(lists->_q28 + i));
-                lanes_pack(lists->_q29 + kept, going, lanes_load(lists->_q29 + i));
-                lanes_pack(lists->_q30 + kept, going, lanes_load(lists->_q30 + i));
-                lanes_pack(lists->_q31 + kept, going, lanes_load(lists->_q31 + i));
             }
         }
         kept += lanes_many(going);
@@ -458,8 +333,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
     lanes_store(lists->p_restitution, K(*job->parameters[8]));
     lanes_store(lists->p_gravity, K(*job->parameters[9]));
     lanes_store(lists->p_end_depth, K(*job->parameters[10]));
-    LANES(hoop_plain_shares)(lists, 0);
-    const M all_permitted = LANES(hoop_permit)(lanes_load(lists->p_ball_radius), lanes_load(lists->p_ring_radius), lanes_load(lists->p_wire_radius), lanes_load(lists->p_board_distance), lanes_load(lists->p_board_half_width), lanes_load(lists->p_board_bottom), lanes_load(lists->p_board_top), lanes_load(lists->p_bridge_half_width), lanes_load(lists->p_restitution), lanes_load(lists->p_gravity), lanes_load(lists->p_end_depth), lanes_load(lists->_q0), lanes_load(lists->_q1), lanes_load(lists->_q2), lanes_load(lists->_q3), lanes_load(lists->_q4), lanes_load(lists->_q5), lanes_load(lists->_q6), lanes_load(lists->_q7), lanes_load(lists->_q8), lanes_load(lists->_q9), lanes_load(lists->_q10), lanes_load(lists->_q11), lanes_load(lists->_q12), lanes_load(lists->_q13), lanes_load(lists->_q14), lanes_load(lists->_q15), lanes_load(lists->_q16), lanes_load(lists->_q17), lanes_load(lists->_q18), lanes_load(lists->_q19), lanes_load(lists->_q20), lanes_load(lists->_q21), lanes_load(lists->_q22), lanes_load(lists->_q23), lanes_load(lists->_q24), lanes_load(lists->_q25), lanes_load(lists->_q26), lanes_load(lists->_q27), lanes_load(lists->_q28), lanes_load(lists->_q29), lanes_load(lists->_q30), lanes_load(lists->_q31));
+    const M all_permitted = LANES(hoop_permit)(lanes_load(lists->p_ball_radius), lanes_load(lists->p_ring_radius), lanes_load(lists->p_wire_radius), lanes_load(lists->p_board_distance), lanes_load(lists->p_board_half_width), lanes_load(lists->p_board_bottom), lanes_load(lists->p_board_top), lanes_load(lists->p_bridge_half_width), lanes_load(lists->p_restitution), lanes_load(lists->p_gravity), lanes_load(lists->p_end_depth));
     for (;;) {
         if (job->stop && *job->stop)
             return;
@@ -476,38 +350,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
 
         /* A new shot is looked at once. */
         for (size_t i = fresh; i < count; i += LANES_WIDTH) {
-            const V _q0 = lanes_load(lists->_q0 + (i & varying));
-            const V _q1 = lanes_load(lists->_q1 + (i & varying));
-            const V _q10 = lanes_load(lists->_q10 + (i & varying));
-            const V _q11 = lanes_load(lists->_q11 + (i & varying));
-            const V _q12 = lanes_load(lists->_q12 + (i & varying));
-            const V _q13 = lanes_load(lists->_q13 + (i & varying));
-            const V _q14 = lanes_load(lists->_q14 + (i & varying));
-            const V _q15 = lanes_load(lists->_q15 + (i & varying));
-            const V _q16 = lanes_load(lists->_q16 + (i & varying));
-            const V _q17 = lanes_load(lists->_q17 + (i & varying));
-            const V _q18 = lanes_load(lists->_q18 + (i & varying));
-            const V _q19 = lanes_load(lists->_q19 + (i & varying));
-            const V _q2 = lanes_load(lists->_q2 + (i & varying));
-            const V _q20 = lanes_load(lists->_q20 + (i & varying));
-            const V _q21 = lanes_load(lists->_q21 + (i & varying));
-            const V _q22 = lanes_load(lists->_q22 + (i & varying));
-            const V _q23 = lanes_load(lists->_q23 + (i & varying));
-            const V _q24 = lanes_load(lists->_q24 + (i & varying));
-            const V _q25 = lanes_load(lists->_q25 + (i & varying));
-            const V _q26 = lanes_load(lists->_q26 + (i & varying));
-            const V _q27 = lanes_load(lists->_q27 + (i & varying));
-            const V _q28 = lanes_load(lists->_q28 + (i & varying));
-            const V _q29 = lanes_load(lists->_q29 + (i & varying));
-            const V _q3 = lanes_load(lists->_q3 + (i & varying));
-            const V _q30 = lanes_load(lists->_q30 + (i & varying));
-            const V _q31 = lanes_load(lists->_q31 + (i & varying));
-            const V _q4 = lanes_load(lists->_q4 + (i & varying));
-            const V _q5 = lanes_load(lists->_q5 + (i & varying));
-            const V _q6 = lanes_load(lists->_q6 + (i & varying));
-            const V _q7 = lanes_load(lists->_q7 + (i & varying));
-            const V _q8 = lanes_load(lists->_q8 + (i & varying));
-            const V _q9 = lanes_load(lists->_q9 + (i & varying));
             V last = lanes_load(lists->last + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
             const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
@@ -531,12 +373,12 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V z = lanes_load(lists->z + i);
             M permitted = all_permitted;
             if (varying)
-                permitted = LANES(hoop_permit)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth, _q0, _q1, _q2, _q3, _q4, _q5, _q6, _q7, _q8, _q9, _q10, _q11, _q12, _q13, _q14, _q15, _q16, _q17, _q18, _q19, _q20, _q21, _q22, _q23, _q24, _q25, _q26, _q27, _q28, _q29, _q30, _q31);
+                permitted = LANES(hoop_permit)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth);
             const LANES(hoop_finite_state_out) _o1 =
                 LANES(hoop_finite_state)(vx, vy, vz, wx, wy, wz, x, y, z);
             M finite = _o1.finite;
             const LANES(hoop_valid_out) _o2 =
-                LANES(hoop_valid)(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth, _q3, _q4, _q5, _q6, _q7);
+                LANES(hoop_valid)(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
             V valid = _o2.valid;
             const LANES(hoop_admitted_out) _o3 =
                 LANES(hoop_admitted)(K(INFINITY), finite, permitted, valid);
@@ -557,27 +399,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
         for (size_t i = 0; i < count; i += LANES_WIDTH) {
             const M rows = lanes_first(count - i);
             LANES(hoop_ahead)(job, begun + i);
-            const V _q0 = lanes_load(lists->_q0 + (i & varying));
-            const V _q11 = lanes_load(lists->_q11 + (i & varying));
-            const V _q12 = lanes_load(lists->_q12 + (i & varying));
-            const V _q13 = lanes_load(lists->_q13 + (i & varying));
-            const V _q14 = lanes_load(lists->_q14 + (i & varying));
-            const V _q15 = lanes_load(lists->_q15 + (i & varying));
-            const V _q16 = lanes_load(lists->_q16 + (i & varying));
-            const V _q17 = lanes_load(lists->_q17 + (i & varying));
-            const V _q18 = lanes_load(lists->_q18 + (i & varying));
-            const V _q19 = lanes_load(lists->_q19 + (i & varying));
-            const V _q20 = lanes_load(lists->_q20 + (i & varying));
-            const V _q21 = lanes_load(lists->_q21 + (i & varying));
-            const V _q22 = lanes_load(lists->_q22 + (i & varying));
-            const V _q23 = lanes_load(lists->_q23 + (i & varying));
-            const V _q24 = lanes_load(lists->_q24 + (i & varying));
-            const V _q25 = lanes_load(lists->_q25 + (i & varying));
-            const V _q26 = lanes_load(lists->_q26 + (i & varying));
-            const V _q27 = lanes_load(lists->_q27 + (i & varying));
-            const V _q29 = lanes_load(lists->_q29 + (i & varying));
-            const V _q3 = lanes_load(lists->_q3 + (i & varying));
-            const V _q30 = lanes_load(lists->_q30 + (i & varying));
             V last = lanes_load(lists->last + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
             const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
@@ -599,7 +420,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 LANES(hoop_error_bounds)(K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0));
             V time_error = _o4.time_error;
             const LANES(hoop_scale_out) _o5 =
-                LANES(hoop_scale)(x, y, z, vx, vy, vz, p_gravity, _q0);
+                LANES(hoop_scale)(x, y, z, vx, vy, vz, p_gravity);
             V extent = _o5.extent;
             V speed = _o5.speed;
             V excess = _o5.excess;
@@ -614,7 +435,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 LANES(hoop_left)(K(3.0), last);
             V leaving = _o8.leaving;
             const LANES(hoop_end_arrival_out) _o9 =
-                LANES(hoop_end_arrival)(leaving, z, vz, p_gravity, p_end_depth, _q29, _q30);
+                LANES(hoop_end_arrival)(leaving, z, vz, p_gravity, p_end_depth);
             V time = _o9.time;
             V rate = _o9.rate;
             V bend = _o9.bend;
@@ -669,7 +490,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 LANES(hoop_left)(K(2.0), last);
             leaving = _o23.leaving;
             const LANES(hoop_bridge_arrival_out) _o24 =
-                LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity, _q29, _q30);
+                LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
             time = _o24.time;
             rate = _o24.rate;
             bend = _o24.bend;
@@ -701,10 +522,10 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 which = lanes_select(_m27, _o31.which, which);
             }
             const LANES(hoop_horizon_out) _o32 =
-                LANES(hoop_horizon)(when, speed, p_gravity, _q0);
+                LANES(hoop_horizon)(when, speed, p_gravity);
             V until = _o32.horizon;
             const LANES(hoop_ring_clear_out) _o33 =
-                LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q11, _q12, _q13, _q14, _q0, _q3, _q15, _q16, _q17, _q18, _q19, _q20);
+                LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             V clear = _o33.clear;
             const LANES(hoop_opens_out) _o34 =
                 LANES(hoop_opens)(clear);
@@ -716,34 +537,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_row + open_count, packed, lanes_add(lanes_count_up(), K((double)i)));
-                if (varying)
-                    lanes_pack(lists->open__q0 + open_count, packed, _q0);
-                if (varying)
-                    lanes_pack(lists->open__q11 + open_count, packed, _q11);
-                if (varying)
-                    lanes_pack(lists->open__q12 + open_count, packed, _q12);
-                if (varying)
-                    lanes_pack(lists->open__q15 + open_count, packed, _q15);
-                if (varying)
-                    lanes_pack(lists->open__q17 + open_count, packed, _q17);
-                if (varying)
-                    lanes_pack(lists->open__q18 + open_count, packed, _q18);
-                if (varying)
-                    lanes_pack(lists->open__q21 + open_count, packed, _q21);
-                if (varying)
-                    lanes_pack(lists->open__q22 + open_count, packed, _q22);
-                if (varying)
-                    lanes_pack(lists->open__q23 + open_count, packed, _q23);
-                if (varying)
-                    lanes_pack(lists->open__q24 + open_count, packed, _q24);
-                if (varying)
-                    lanes_pack(lists->open__q25 + open_count, packed, _q25);
-                if (varying)
-                    lanes_pack(lists->open__q26 + open_count, packed, _q26);
-                if (varying)
-                    lanes_pack(lists->open__q27 + open_count, packed, _q27);
-                if (varying)
-                    lanes_pack(lists->open__q3 + open_count, packed, _q3);
                 lanes_pack(lists->open_extent + open_count, packed, extent);
                 lanes_pack(lists->open_last + open_count, packed, last);
                 if (varying)
@@ -770,20 +563,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
         size_t open_searching_count = 0;
         for (size_t i = 0; i < open_count; i += LANES_WIDTH) {
             const M rows = lanes_first(open_count - i);
-            const V _q0 = lanes_load(varying ? lists->open__q0 + i : lists->_q0);
-            const V _q11 = lanes_load(varying ? lists->open__q11 + i : lists->_q11);
-            const V _q12 = lanes_load(varying ? lists->open__q12 + i : lists->_q12);
-            const V _q15 = lanes_load(varying ? lists->open__q15 + i : lists->_q15);
-            const V _q17 = lanes_load(varying ? lists->open__q17 + i : lists->_q17);
-            const V _q18 = lanes_load(varying ? lists->open__q18 + i : lists->_q18);
-            const V _q21 = lanes_load(varying ? lists->open__q21 + i : lists->_q21);
-            const V _q22 = lanes_load(varying ? lists->open__q22 + i : lists->_q22);
-            const V _q23 = lanes_load(varying ? lists->open__q23 + i : lists->_q23);
-            const V _q24 = lanes_load(varying ? lists->open__q24 + i : lists->_q24);
-            const V _q25 = lanes_load(varying ? lists->open__q25 + i : lists->_q25);
-            const V _q26 = lanes_load(varying ? lists->open__q26 + i : lists->_q26);
-            const V _q27 = lanes_load(varying ? lists->open__q27 + i : lists->_q27);
-            const V _q3 = lanes_load(varying ? lists->open__q3 + i : lists->_q3);
             V extent = lanes_load(lists->open_extent + i);
             V last = lanes_load(lists->open_last + i);
             const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
@@ -799,7 +578,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
             const LANES(hoop_ring_prepare_out) _o35 =
-                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q12, _q0, _q15, _q18, _q17, _q21, _q11);
+                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             V steady = _o35.steady;
             V swing = _o35.swing;
             V rho_start = _o35.rho_start;
@@ -821,7 +600,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V position_level = _o37.position_level;
             V velocity_level = _o37.velocity_level;
             const LANES(hoop_ring_margins_out) _o38 =
-                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q12, _q22, _q23, _q24, _q25);
+                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             V flat = _o38.margin;
             V tilt = _o38.leaving_margin;
             V rate_slack = _o38.rate_margin;
@@ -838,22 +617,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_searching_row + open_searching_count, packed, lanes_add(lanes_count_up(), K((double)i)));
-                if (varying)
-                    lanes_pack(lists->open_searching__q12 + open_searching_count, packed, _q12);
-                if (varying)
-                    lanes_pack(lists->open_searching__q22 + open_searching_count, packed, _q22);
-                if (varying)
-                    lanes_pack(lists->open_searching__q23 + open_searching_count, packed, _q23);
-                if (varying)
-                    lanes_pack(lists->open_searching__q24 + open_searching_count, packed, _q24);
-                if (varying)
-                    lanes_pack(lists->open_searching__q25 + open_searching_count, packed, _q25);
-                if (varying)
-                    lanes_pack(lists->open_searching__q26 + open_searching_count, packed, _q26);
-                if (varying)
-                    lanes_pack(lists->open_searching__q27 + open_searching_count, packed, _q27);
-                if (varying)
-                    lanes_pack(lists->open_searching__q3 + open_searching_count, packed, _q3);
                 lanes_pack(lists->open_searching_arrival + open_searching_count, packed, arrival);
                 lanes_pack(lists->open_searching_ceiling + open_searching_count, packed, ceiling);
                 lanes_pack(lists->open_searching_certain + open_searching_count, packed, lanes_select(certain, K(1.0), K(0.0)));
@@ -897,14 +660,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
             size_t taken = 0, busy = 0;
             M active = lanes_nowhere();
             V row = K(0.0), turns = K(0.0);
-            V _q12 = lanes_load(lists->_q12);
-            V _q22 = lanes_load(lists->_q22);
-            V _q23 = lanes_load(lists->_q23);
-            V _q24 = lanes_load(lists->_q24);
-            V _q25 = lanes_load(lists->_q25);
-            V _q26 = lanes_load(lists->_q26);
-            V _q27 = lanes_load(lists->_q27);
-            V _q3 = lanes_load(lists->_q3);
             V p_ball_radius = lanes_load(lists->p_ball_radius);
             V p_gravity = lanes_load(lists->p_gravity);
             V p_ring_radius = lanes_load(lists->p_ring_radius);
@@ -971,14 +726,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     y = lanes_expand(lists->open_searching_y + taken, idle, y);
                     z = lanes_expand(lists->open_searching_z + taken, idle, z);
                     if (varying) {
-                        _q12 = lanes_expand(lists->open_searching__q12 + taken, idle, _q12);
-                        _q22 = lanes_expand(lists->open_searching__q22 + taken, idle, _q22);
-                        _q23 = lanes_expand(lists->open_searching__q23 + taken, idle, _q23);
-                        _q24 = lanes_expand(lists->open_searching__q24 + taken, idle, _q24);
-                        _q25 = lanes_expand(lists->open_searching__q25 + taken, idle, _q25);
-                        _q26 = lanes_expand(lists->open_searching__q26 + taken, idle, _q26);
-                        _q27 = lanes_expand(lists->open_searching__q27 + taken, idle, _q27);
-                        _q3 = lanes_expand(lists->open_searching__q3 + taken, idle, _q3);
                         p_ball_radius = lanes_expand(lists->open_searching_p_ball_radius + taken, idle, p_ball_radius);
                         p_gravity = lanes_expand(lists->open_searching_p_gravity + taken, idle, p_gravity);
                         p_ring_radius = lanes_expand(lists->open_searching_p_ring_radius + taken, idle, p_ring_radius);
@@ -997,7 +744,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 V leaving = _o40.leaving;
                 V margin = _o40.margin;
                 const LANES(hoop_ring_advance_out) _o41 =
-                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q3, _q12, _q26, _q27);
+                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
                 V gap = _o41.gap;
                 V rate = _o41.rate;
                 V bend = _o41.bend;
@@ -1020,7 +767,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                     V position_level = _o45.position_level;
                     V velocity_level = _o45.velocity_level;
                     const LANES(hoop_ring_margins_out) _o46 =
-                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q12, _q22, _q23, _q24, _q25);
+                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
                     flat = lanes_select(_m43, _o46.margin, flat);
                     tilt = lanes_select(_m43, _o46.leaving_margin, tilt);
                     rate_slack = lanes_select(_m43, _o46.rate_margin, rate_slack);
@@ -1067,7 +814,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
             }
         }
         for (size_t i = 0; i < open_count; i += LANES_WIDTH) {
-            const V _q3 = lanes_load(varying ? lists->open__q3 + i : lists->_q3);
             V arrival = lanes_load(lists->open_arrival + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
             V flat = lanes_load(lists->open_flat + i);
@@ -1093,13 +839,13 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
             V leaving = _o51.leaving;
             const LANES(hoop_ring_refine_out) _o52 =
-                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q3);
+                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             V refined = _o52.time;
             const LANES(hoop_polished_out) _o53 =
                 LANES(hoop_polished)(arrival, certain, refined);
             arrival = _o53.arrival;
             const LANES(hoop_ring_refine_out) _o54 =
-                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q3);
+                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             refined = _o54.time;
             const LANES(hoop_polished_out) _o55 =
                 LANES(hoop_polished)(arrival, certain, refined);
@@ -1121,8 +867,6 @@ static void LANES(hoop_plain)(const hoop_job *job)
         }
         for (size_t i = 0; i < count; i += LANES_WIDTH) {
             const M rows = lanes_first(count - i);
-            const V _q8 = lanes_load(lists->_q8 + (i & varying));
-            const V _q9 = lanes_load(lists->_q9 + (i & varying));
             V clock = lanes_load(lists->clock + i);
             V contacts = lanes_load(lists->contacts + i);
             V count_0 = lanes_load(lists->count_0 + i);
@@ -1236,7 +980,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 const M _m77 = lanes_both(_m74, here);
                 {
                     const LANES(hoop_ring_normal_out) _o78 =
-                        LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, _q9);
+                        LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
                     nx = lanes_select(_m77, _o78.nx, nx);
                     ny = lanes_select(_m77, _o78.ny, ny);
                     nz = lanes_select(_m77, _o78.nz, nz);
@@ -1275,7 +1019,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 const M _m88 = lanes_both(_m74, touches);
                 if (lanes_any(_m88)) {
                     const LANES(hoop_impact_out) _o89 =
-                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution, _q8);
+                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
                     vx = lanes_select(_m88, _o89.vx, vx);
                     vy = lanes_select(_m88, _o89.vy, vy);
                     vz = lanes_select(_m88, _o89.vz, vz);
@@ -1408,7 +1152,7 @@ typedef struct {
     LANES(hoop_column) spin_claim; /* bound on the error at the end */
     LANES(hoop_column) time_claim; /* bound on the error at the end */
     LANES(hoop_column) outcome; /* how it ended, -1: in flight */
-    LANES(hoop_column) p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth, _q0, _q1, _q2, _q3, _q4, _q5, _q6, _q7, _q8, _q9, _q10, _q11, _q12, _q13, _q14, _q15, _q16, _q17, _q18, _q19, _q20, _q21, _q22, _q23, _q24, _q25, _q26, _q27, _q28, _q29, _q30, _q31;
+    LANES(hoop_column) p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth;
     LANES(hoop_column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
     LANES(hoop_column) body;
     LANES(hoop_column) doubt;
@@ -1422,20 +1166,6 @@ typedef struct {
     LANES(hoop_column) when;
     LANES(hoop_column) which;
     LANES(hoop_column) open_row;
-    LANES(hoop_column) open__q0;
-    LANES(hoop_column) open__q11;
-    LANES(hoop_column) open__q12;
-    LANES(hoop_column) open__q15;
-    LANES(hoop_column) open__q17;
-    LANES(hoop_column) open__q18;
-    LANES(hoop_column) open__q21;
-    LANES(hoop_column) open__q22;
-    LANES(hoop_column) open__q23;
-    LANES(hoop_column) open__q24;
-    LANES(hoop_column) open__q25;
-    LANES(hoop_column) open__q26;
-    LANES(hoop_column) open__q27;
-    LANES(hoop_column) open__q3;
     LANES(hoop_column) open_doubt;
     LANES(hoop_column) open_extent;
     LANES(hoop_column) open_last;
@@ -1467,14 +1197,6 @@ typedef struct {
     LANES(hoop_column) open_t;
     LANES(hoop_column) open_tilt;
     LANES(hoop_column) open_searching_row;
-    LANES(hoop_column) open_searching__q12;
-    LANES(hoop_column) open_searching__q22;
-    LANES(hoop_column) open_searching__q23;
-    LANES(hoop_column) open_searching__q24;
-    LANES(hoop_column) open_searching__q25;
-    LANES(hoop_column) open_searching__q26;
-    LANES(hoop_column) open_searching__q27;
-    LANES(hoop_column) open_searching__q3;
     LANES(hoop_column) open_searching_arrival;
     LANES(hoop_column) open_searching_ceiling;
     LANES(hoop_column) open_searching_certain;
@@ -1512,9 +1234,6 @@ typedef struct {
     LANES(hoop_column) open_searching_y;
     LANES(hoop_column) open_searching_z;
     LANES(hoop_column) meeting_row;
-    LANES(hoop_column) meeting__q10;
-    LANES(hoop_column) meeting__q8;
-    LANES(hoop_column) meeting__q9;
     LANES(hoop_column) meeting_body;
     LANES(hoop_column) meeting_clock;
     LANES(hoop_column) meeting_clock_error;
@@ -1554,7 +1273,6 @@ typedef struct {
     LANES(hoop_column) meeting_y;
     LANES(hoop_column) meeting_z;
     LANES(hoop_column) meeting_touches_row;
-    LANES(hoop_column) meeting_touches__q8;
     LANES(hoop_column) meeting_touches_contacts;
     LANES(hoop_column) meeting_touches_dnx;
     LANES(hoop_column) meeting_touches_dny;
@@ -1578,44 +1296,6 @@ typedef struct {
     LANES(hoop_column) meeting_touches_wy;
     LANES(hoop_column) meeting_touches_wz;
 } LANES(hoop_bounded_lists);
-
-/* Compute what kernels share for the shots in the rows from one on. */
-LANES_INLINE void LANES(hoop_bounded_shares)(LANES(hoop_bounded_lists) *lists, size_t row)
-{
-    const LANES(hoop_shared) shared = LANES(hoop_share)(lanes_load(lists->p_ball_radius + row), lanes_load(lists->p_ring_radius + row), lanes_load(lists->p_wire_radius + row), lanes_load(lists->p_board_distance + row), lanes_load(lists->p_board_half_width + row), lanes_load(lists->p_board_bottom + row), lanes_load(lists->p_board_top + row), lanes_load(lists->p_bridge_half_width + row), lanes_load(lists->p_restitution + row), lanes_load(lists->p_gravity + row), lanes_load(lists->p_end_depth + row));
-    lanes_store(lists->_q0 + row, shared._q0);
-    lanes_store(lists->_q1 + row, shared._q1);
-    lanes_store(lists->_q2 + row, shared._q2);
-    lanes_store(lists->_q3 + row, shared._q3);
-    lanes_store(lists->_q4 + row, shared._q4);
-    lanes_store(lists->_q5 + row, shared._q5);
-    lanes_store(lists->_q6 + row, shared._q6);
-    lanes_store(lists->_q7 + row, shared._q7);
-    lanes_store(lists->_q8 + row, shared._q8);
-    lanes_store(lists->_q9 + row, shared._q9);
-    lanes_store(lists->_q10 + row, shared._q10);
-    lanes_store(lists->_q11 + row, shared._q11);
-    lanes_store(lists->_q12 + row, shared._q12);
-    lanes_store(lists->_q13 + row, shared._q13);
-    lanes_store(lists->_q14 + row, shared._q14);
-    lanes_store(lists->_q15 + row, shared._q15);
-    lanes_store(lists->_q16 + row, shared._q16);
-    lanes_store(lists->_q17 + row, shared._q17);
-    lanes_store(lists->_q18 + row, shared._q18);
-    lanes_store(lists->_q19 + row, shared._q19);
-    lanes_store(lists->_q20 + row, shared._q20);
-    lanes_store(lists->_q21 + row, shared._q21);
-    lanes_store(lists->_q22 + row, shared._q22);
-    lanes_store(lists->_q23 + row, shared._q23);
-    lanes_store(lists->_q24 + row, shared._q24);
-    lanes_store(lists->_q25 + row, shared._q25);
-    lanes_store(lists->_q26 + row, shared._q26);
-    lanes_store(lists->_q27 + row, shared._q27);
-    lanes_store(lists->_q28 + row, shared._q28);
-    lanes_store(lists->_q29 + row, shared._q29);
-    lanes_store(lists->_q30 + row, shared._q30);
-    lanes_store(lists->_q31 + row, shared._q31);
-}
 
 /* Put the next shots into rows, from one on. */
 LANES_INLINE void LANES(hoop_bounded_begin)(LANES(hoop_bounded_lists) *lists, size_t row, size_t count, const hoop_job *job, size_t first)
@@ -1661,9 +1341,6 @@ LANES_INLINE void LANES(hoop_bounded_begin)(LANES(hoop_bounded_lists) *lists, si
             lists->p_gravity[row + k] = job->parameters[9][job->strides[9] * (int64_t)(first + k)];
             lists->p_end_depth[row + k] = job->parameters[10][job->strides[10] * (int64_t)(first + k)];
         }
-    if (job->varying)
-        for (k = 0; k < count; k += LANES_WIDTH)
-            LANES(hoop_bounded_shares)(lists, row + k);
     for (k = 0; k < count; k++)
         lists->shot[row + k] = first + k;
     for (k = 0; k < count; k += LANES_WIDTH) {
@@ -1855,38 +1532,6 @@ LANES_INLINE size_t LANES(hoop_bounded_leave)(LANES(hoop_bounded_lists) *lists, 
                 lanes_pack(lists->p_restitution + kept, going, lanes_load(lists->p_restitution + i));
                 lanes_pack(lists->p_gravity + kept, going, lanes_load(lists->p_gravity + i));
                 lanes_pack(lists->p_end_depth + kept, going, lanes_load(lists->p_end_depth + i));
-                lanes_pack(lists->_q0 + kept, going, lanes_load(lists->_q0 + i));
-                lanes_pack(lists->_q1 + kept, going, lanes_load(lists->_q1 + i));
-                lanes_pack(lists->_q2 + kept, going, lanes_load(lists->_q2 + i));
-                lanes_pack(lists->_q3 + kept, going, lanes_load(lists->_q3 + i));
-                lanes_pack(lists->_q4 + kept, going, lanes_load(lists->_q4 + i));
-                lanes_pack(lists->_q5 + kept, going, lanes_load(lists->_q5 + i));
-                lanes_pack(lists->_q6 + kept, going, lanes_load(lists->_q6 + i));
-                lanes_pack(lists->_q7 + kept, going, lanes_load(lists->_q7 + i));
-                lanes_pack(lists->_q8 + kept, going, lanes_load(lists->_q8 + i));
-                lanes_pack(lists->_q9 + kept, going, lanes_load(lists->_q9 + i));
-                lanes_pack(lists->_q10 + kept, going, lanes_load(lists->_q10 + i));
-                lanes_pack(lists->_q11 + kept, going, lanes_load(lists->_q11 + i));
-                lanes_pack(lists->_q12 + kept, going, lanes_load(lists->_q12 + i));
-                lanes_pack(lists->_q13 + kept, going, lanes_load(lists->_q13 + i));
-                lanes_pack(lists->_q14 + kept, going, lanes_load(lists->_q14 + i));
-                lanes_pack(lists->_q15 + kept, going, lanes_load(lists->_q15 + i));
-                lanes_pack(lists->_q16 + kept, going, lanes_load(lists->_q16 + i));
-                lanes_pack(lists->_q17 + kept, going, lanes_load(lists->_q17 + i));
-                lanes_pack(lists->_q18 + kept, going, lanes_load(lists->_q18 + i));
-                lanes_pack(lists->_q19 + kept, going, lanes_load(lists->_q19 + i));
-                lanes_pack(lists->_q20 + kept, going, lanes_load(lists->_q20 + i));
-                lanes_pack(lists->_q21 + kept, going, lanes_load(lists->_q21 + i));
-                lanes_pack(lists->_q22 + kept, going, lanes_load(lists->_q22 + i));
-                lanes_pack(lists->_q23 + kept, going, lanes_load(lists->_q23 + i));
-                lanes_pack(lists->_q24 + kept, going, lanes_load(lists->_q24 + i));
-                lanes_pack(lists->_q25 + kept, going, lanes_load(lists->_q25 + i));
-                lanes_pack(lists->_q26 + kept, going, lanes_load(lists->_q26 + i));
-                lanes_pack(lists->_q27 + kept, going, lanes_load(lists->_q27 + i));
-                lanes_pack(lists->_q28 + kept, going, lanes_load(lists->_q28 + i));
-                lanes_pack(lists->_q29 + kept, going, lanes_load(lists->_q29 + i));
-                lanes_pack(lists->_q30 + kept, going, lanes_load(lists->_q30 + i));
-                lanes_pack(lists->_q31 + kept, going, lanes_load(lists->_q31 + i));
             }
         }
         kept += lanes_many(going);
@@ -1919,8 +1564,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
     lanes_store(lists->p_restitution, K(*job->parameters[8]));
     lanes_store(lists->p_gravity, K(*job->parameters[9]));
     lanes_store(lists->p_end_depth, K(*job->parameters[10]));
-    LANES(hoop_bounded_shares)(lists, 0);
-    const M all_permitted = LANES(hoop_permit)(lanes_load(lists->p_ball_radius), lanes_load(lists->p_ring_radius), lanes_load(lists->p_wire_radius), lanes_load(lists->p_board_distance), lanes_load(lists->p_board_half_width), lanes_load(lists->p_board_bottom), lanes_load(lists->p_board_top), lanes_load(lists->p_bridge_half_width), lanes_load(lists->p_restitution), lanes_load(lists->p_gravity), lanes_load(lists->p_end_depth), lanes_load(lists->_q0), lanes_load(lists->_q1), lanes_load(lists->_q2), lanes_load(lists->_q3), lanes_load(lists->_q4), lanes_load(lists->_q5), lanes_load(lists->_q6), lanes_load(lists->_q7), lanes_load(lists->_q8), lanes_load(lists->_q9), lanes_load(lists->_q10), lanes_load(lists->_q11), lanes_load(lists->_q12), lanes_load(lists->_q13), lanes_load(lists->_q14), lanes_load(lists->_q15), lanes_load(lists->_q16), lanes_load(lists->_q17), lanes_load(lists->_q18), lanes_load(lists->_q19), lanes_load(lists->_q20), lanes_load(lists->_q21), lanes_load(lists->_q22), lanes_load(lists->_q23), lanes_load(lists->_q24), lanes_load(lists->_q25), lanes_load(lists->_q26), lanes_load(lists->_q27), lanes_load(lists->_q28), lanes_load(lists->_q29), lanes_load(lists->_q30), lanes_load(lists->_q31));
+    const M all_permitted = LANES(hoop_permit)(lanes_load(lists->p_ball_radius), lanes_load(lists->p_ring_radius), lanes_load(lists->p_wire_radius), lanes_load(lists->p_board_distance), lanes_load(lists->p_board_half_width), lanes_load(lists->p_board_bottom), lanes_load(lists->p_board_top), lanes_load(lists->p_bridge_half_width), lanes_load(lists->p_restitution), lanes_load(lists->p_gravity), lanes_load(lists->p_end_depth));
     for (;;) {
         if (job->stop && *job->stop)
             return;
@@ -1937,38 +1581,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
 
         /* A new shot is looked at once. */
         for (size_t i = fresh; i < count; i += LANES_WIDTH) {
-            const V _q0 = lanes_load(lists->_q0 + (i & varying));
-            const V _q1 = lanes_load(lists->_q1 + (i & varying));
-            const V _q10 = lanes_load(lists->_q10 + (i & varying));
-            const V _q11 = lanes_load(lists->_q11 + (i & varying));
-            const V _q12 = lanes_load(lists->_q12 + (i & varying));
-            const V _q13 = lanes_load(lists->_q13 + (i & varying));
-            const V _q14 = lanes_load(lists->_q14 + (i & varying));
-            const V _q15 = lanes_load(lists->_q15 + (i & varying));
-            const V _q16 = lanes_load(lists->_q16 + (i & varying));
-            const V _q17 = lanes_load(lists->_q17 + (i & varying));
-            const V _q18 = lanes_load(lists->_q18 + (i & varying));
-            const V _q19 = lanes_load(lists->_q19 + (i & varying));
-            const V _q2 = lanes_load(lists->_q2 + (i & varying));
-            const V _q20 = lanes_load(lists->_q20 + (i & varying));
-            const V _q21 = lanes_load(lists->_q21 + (i & varying));
-            const V _q22 = lanes_load(lists->_q22 + (i & varying));
-            const V _q23 = lanes_load(lists->_q23 + (i & varying));
-            const V _q24 = lanes_load(lists->_q24 + (i & varying));
-            const V _q25 = lanes_load(lists->_q25 + (i & varying));
-            const V _q26 = lanes_load(lists->_q26 + (i & varying));
-            const V _q27 = lanes_load(lists->_q27 + (i & varying));
-            const V _q28 = lanes_load(lists->_q28 + (i & varying));
-            const V _q29 = lanes_load(lists->_q29 + (i & varying));
-            const V _q3 = lanes_load(lists->_q3 + (i & varying));
-            const V _q30 = lanes_load(lists->_q30 + (i & varying));
-            const V _q31 = lanes_load(lists->_q31 + (i & varying));
-            const V _q4 = lanes_load(lists->_q4 + (i & varying));
-            const V _q5 = lanes_load(lists->_q5 + (i & varying));
-            const V _q6 = lanes_load(lists->_q6 + (i & varying));
-            const V _q7 = lanes_load(lists->_q7 + (i & varying));
-            const V _q8 = lanes_load(lists->_q8 + (i & varying));
-            const V _q9 = lanes_load(lists->_q9 + (i & varying));
             V last = lanes_load(lists->last + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
             const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
@@ -1992,12 +1604,12 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V z = lanes_load(lists->z + i);
             M permitted = all_permitted;
             if (varying)
-                permitted = LANES(hoop_permit)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth, _q0, _q1, _q2, _q3, _q4, _q5, _q6, _q7, _q8, _q9, _q10, _q11, _q12, _q13, _q14, _q15, _q16, _q17, _q18, _q19, _q20, _q21, _q22, _q23, _q24, _q25, _q26, _q27, _q28, _q29, _q30, _q31);
+                permitted = LANES(hoop_permit)(p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_restitution, p_gravity, p_end_depth);
             const LANES(hoop_finite_state_out) _o1 =
                 LANES(hoop_finite_state)(vx, vy, vz, wx, wy, wz, x, y, z);
             M finite = _o1.finite;
             const LANES(hoop_valid_out) _o2 =
-                LANES(hoop_valid)(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth, _q3, _q4, _q5, _q6, _q7);
+                LANES(hoop_valid)(last, x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_end_depth);
             V valid = _o2.valid;
             V doubt = _o2.doubt;
             const LANES(hoop_admitted_out) _o3 =
@@ -2021,30 +1633,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         for (size_t i = 0; i < count; i += LANES_WIDTH) {
             const M rows = lanes_first(count - i);
             LANES(hoop_ahead)(job, begun + i);
-            const V _q0 = lanes_load(lists->_q0 + (i & varying));
-            const V _q1 = lanes_load(lists->_q1 + (i & varying));
-            const V _q11 = lanes_load(lists->_q11 + (i & varying));
-            const V _q12 = lanes_load(lists->_q12 + (i & varying));
-            const V _q13 = lanes_load(lists->_q13 + (i & varying));
-            const V _q14 = lanes_load(lists->_q14 + (i & varying));
-            const V _q15 = lanes_load(lists->_q15 + (i & varying));
-            const V _q16 = lanes_load(lists->_q16 + (i & varying));
-            const V _q17 = lanes_load(lists->_q17 + (i & varying));
-            const V _q18 = lanes_load(lists->_q18 + (i & varying));
-            const V _q19 = lanes_load(lists->_q19 + (i & varying));
-            const V _q20 = lanes_load(lists->_q20 + (i & varying));
-            const V _q21 = lanes_load(lists->_q21 + (i & varying));
-            const V _q22 = lanes_load(lists->_q22 + (i & varying));
-            const V _q23 = lanes_load(lists->_q23 + (i & varying));
-            const V _q24 = lanes_load(lists->_q24 + (i & varying));
-            const V _q25 = lanes_load(lists->_q25 + (i & varying));
-            const V _q26 = lanes_load(lists->_q26 + (i & varying));
-            const V _q27 = lanes_load(lists->_q27 + (i & varying));
-            const V _q28 = lanes_load(lists->_q28 + (i & varying));
-            const V _q29 = lanes_load(lists->_q29 + (i & varying));
-            const V _q3 = lanes_load(lists->_q3 + (i & varying));
-            const V _q30 = lanes_load(lists->_q30 + (i & varying));
-            const V _q31 = lanes_load(lists->_q31 + (i & varying));
             V clock_error = lanes_load(lists->clock_error + i);
             V dvx = lanes_load(lists->dvx + i);
             V dvy = lanes_load(lists->dvy + i);
@@ -2078,7 +1666,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V velocity_error = _o4.velocity_error;
             V time_error = _o4.time_error;
             const LANES(hoop_scale_out) _o5 =
-                LANES(hoop_scale)(x, y, z, vx, vy, vz, p_gravity, _q0);
+                LANES(hoop_scale)(x, y, z, vx, vy, vz, p_gravity);
             V extent = _o5.extent;
             V speed = _o5.speed;
             V excess = _o5.excess;
@@ -2095,7 +1683,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 LANES(hoop_left)(K(3.0), last);
             V leaving = _o8.leaving;
             const LANES(hoop_end_arrival_out) _o9 =
-                LANES(hoop_end_arrival)(leaving, z, vz, p_gravity, p_end_depth, _q29, _q30);
+                LANES(hoop_end_arrival)(leaving, z, vz, p_gravity, p_end_depth);
             V time = _o9.time;
             V rate = _o9.rate;
             V bend = _o9.bend;
@@ -2150,7 +1738,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             arrives = _o22.arrives;
             ceiling = _o22.ceiling;
             const LANES(hoop_backboard_margin_out) _o23 =
-                LANES(hoop_backboard_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity, _q28);
+                LANES(hoop_backboard_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
             margin = _o23.margin;
             const LANES(hoop_crossing_out) _o24 =
                 LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
@@ -2160,7 +1748,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 LANES(hoop_timely)(arrives, delay, late, time, when);
             possible = _o25.possible;
             const LANES(hoop_backboard_margin_out) _o26 =
-                LANES(hoop_backboard_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity, _q28);
+                LANES(hoop_backboard_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_board_distance, p_gravity);
             margin = _o26.margin;
             const LANES(hoop_grazed_out) _o27 =
                 LANES(hoop_grazed)(apex, doubt, height, margin);
@@ -2178,7 +1766,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 V g2 = _o30.g2;
                 V g3 = _o30.g3;
                 const LANES(hoop_displacement_out) _o31 =
-                    LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth, _q1);
+                    LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
                 V slack = _o31.margin;
                 const LANES(hoop_backboard_edges_out) _o32 =
                     LANES(hoop_backboard_edges)(clearance, g0, g1, g2, g3, slack);
@@ -2202,7 +1790,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 LANES(hoop_left)(K(2.0), last);
             leaving = _o37.leaving;
             const LANES(hoop_bridge_arrival_out) _o38 =
-                LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity, _q29, _q30);
+                LANES(hoop_bridge_arrival)(leaving, z, vz, p_ball_radius, p_wire_radius, p_gravity);
             time = _o38.time;
             rate = _o38.rate;
             bend = _o38.bend;
@@ -2213,7 +1801,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             arrives = _o39.arrives;
             ceiling = _o39.ceiling;
             const LANES(hoop_bridge_margin_out) _o40 =
-                LANES(hoop_bridge_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity, _q31);
+                LANES(hoop_bridge_margin)(time, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
             margin = _o40.margin;
             const LANES(hoop_crossing_out) _o41 =
                 LANES(hoop_crossing)(margin, K(0.0), rate, ceiling);
@@ -2223,7 +1811,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 LANES(hoop_timely)(arrives, delay, late, time, when);
             possible = _o42.possible;
             const LANES(hoop_bridge_margin_out) _o43 =
-                LANES(hoop_bridge_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity, _q31);
+                LANES(hoop_bridge_margin)(apex, extent, speed, position_error, velocity_error, p_ball_radius, p_wire_radius, p_gravity);
             margin = _o43.margin;
             const LANES(hoop_grazed_out) _o44 =
                 LANES(hoop_grazed)(apex, doubt, height, margin);
@@ -2242,7 +1830,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 V g3 = _o47.g3;
                 V g4 = _o47.g4;
                 const LANES(hoop_displacement_out) _o48 =
-                    LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth, _q1);
+                    LANES(hoop_displacement)(delay, time, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
                 V slack = _o48.margin;
                 const LANES(hoop_bridge_edges_out) _o49 =
                     LANES(hoop_bridge_edges)(clearance, g0, g1, g2, g3, g4, slack);
@@ -2263,11 +1851,11 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 which = lanes_select(_m45, _o53.which, which);
             }
             const LANES(hoop_horizon_out) _o54 =
-                LANES(hoop_horizon)(when, speed, p_gravity, _q0);
+                LANES(hoop_horizon)(when, speed, p_gravity);
             V until = _o54.horizon;
             V pad = _o54.pad;
             const LANES(hoop_ring_clear_out) _o55 =
-                LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q11, _q12, _q13, _q14, _q0, _q3, _q15, _q16, _q17, _q18, _q19, _q20);
+                LANES(hoop_ring_clear)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             V clear = _o55.clear;
             const LANES(hoop_opens_out) _o56 =
                 LANES(hoop_opens)(clear);
@@ -2285,34 +1873,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_row + open_count, packed, lanes_add(lanes_count_up(), K((double)i)));
-                if (varying)
-                    lanes_pack(lists->open__q0 + open_count, packed, _q0);
-                if (varying)
-                    lanes_pack(lists->open__q11 + open_count, packed, _q11);
-                if (varying)
-                    lanes_pack(lists->open__q12 + open_count, packed, _q12);
-                if (varying)
-                    lanes_pack(lists->open__q15 + open_count, packed, _q15);
-                if (varying)
-                    lanes_pack(lists->open__q17 + open_count, packed, _q17);
-                if (varying)
-                    lanes_pack(lists->open__q18 + open_count, packed, _q18);
-                if (varying)
-                    lanes_pack(lists->open__q21 + open_count, packed, _q21);
-                if (varying)
-                    lanes_pack(lists->open__q22 + open_count, packed, _q22);
-                if (varying)
-                    lanes_pack(lists->open__q23 + open_count, packed, _q23);
-                if (varying)
-                    lanes_pack(lists->open__q24 + open_count, packed, _q24);
-                if (varying)
-                    lanes_pack(lists->open__q25 + open_count, packed, _q25);
-                if (varying)
-                    lanes_pack(lists->open__q26 + open_count, packed, _q26);
-                if (varying)
-                    lanes_pack(lists->open__q27 + open_count, packed, _q27);
-                if (varying)
-                    lanes_pack(lists->open__q3 + open_count, packed, _q3);
                 lanes_pack(lists->open_doubt + open_count, packed, doubt);
                 lanes_pack(lists->open_extent + open_count, packed, extent);
                 lanes_pack(lists->open_last + open_count, packed, last);
@@ -2344,20 +1904,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         size_t open_searching_count = 0;
         for (size_t i = 0; i < open_count; i += LANES_WIDTH) {
             const M rows = lanes_first(open_count - i);
-            const V _q0 = lanes_load(varying ? lists->open__q0 + i : lists->_q0);
-            const V _q11 = lanes_load(varying ? lists->open__q11 + i : lists->_q11);
-            const V _q12 = lanes_load(varying ? lists->open__q12 + i : lists->_q12);
-            const V _q15 = lanes_load(varying ? lists->open__q15 + i : lists->_q15);
-            const V _q17 = lanes_load(varying ? lists->open__q17 + i : lists->_q17);
-            const V _q18 = lanes_load(varying ? lists->open__q18 + i : lists->_q18);
-            const V _q21 = lanes_load(varying ? lists->open__q21 + i : lists->_q21);
-            const V _q22 = lanes_load(varying ? lists->open__q22 + i : lists->_q22);
-            const V _q23 = lanes_load(varying ? lists->open__q23 + i : lists->_q23);
-            const V _q24 = lanes_load(varying ? lists->open__q24 + i : lists->_q24);
-            const V _q25 = lanes_load(varying ? lists->open__q25 + i : lists->_q25);
-            const V _q26 = lanes_load(varying ? lists->open__q26 + i : lists->_q26);
-            const V _q27 = lanes_load(varying ? lists->open__q27 + i : lists->_q27);
-            const V _q3 = lanes_load(varying ? lists->open__q3 + i : lists->_q3);
             V doubt = lanes_load(lists->open_doubt + i);
             V extent = lanes_load(lists->open_extent + i);
             V last = lanes_load(lists->open_last + i);
@@ -2378,7 +1924,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
             const LANES(hoop_ring_prepare_out) _o57 =
-                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q12, _q0, _q15, _q18, _q17, _q21, _q11);
+                LANES(hoop_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             V steady = _o57.steady;
             V swing = _o57.swing;
             V rho_start = _o57.rho_start;
@@ -2402,7 +1948,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V velocity_level = _o59.velocity_level;
             V excess = _o59.excess;
             const LANES(hoop_ring_margins_out) _o60 =
-                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q12, _q22, _q23, _q24, _q25);
+                LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             V flat = _o60.margin;
             V tilt = _o60.leaving_margin;
             V rate_slack = _o60.rate_margin;
@@ -2427,22 +1973,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
                 lanes_pack(lists->open_searching_row + open_searching_count, packed, lanes_add(lanes_count_up(), K((double)i)));
-                if (varying)
-                    lanes_pack(lists->open_searching__q12 + open_searching_count, packed, _q12);
-                if (varying)
-                    lanes_pack(lists->open_searching__q22 + open_searching_count, packed, _q22);
-                if (varying)
-                    lanes_pack(lists->open_searching__q23 + open_searching_count, packed, _q23);
-                if (varying)
-                    lanes_pack(lists->open_searching__q24 + open_searching_count, packed, _q24);
-                if (varying)
-                    lanes_pack(lists->open_searching__q25 + open_searching_count, packed, _q25);
-                if (varying)
-                    lanes_pack(lists->open_searching__q26 + open_searching_count, packed, _q26);
-                if (varying)
-                    lanes_pack(lists->open_searching__q27 + open_searching_count, packed, _q27);
-                if (varying)
-                    lanes_pack(lists->open_searching__q3 + open_searching_count, packed, _q3);
                 lanes_pack(lists->open_searching_arrival + open_searching_count, packed, arrival);
                 lanes_pack(lists->open_searching_ceiling + open_searching_count, packed, ceiling);
                 lanes_pack(lists->open_searching_certain + open_searching_count, packed, lanes_select(certain, K(1.0), K(0.0)));
@@ -2489,14 +2019,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             size_t taken = 0, busy = 0;
             M active = lanes_nowhere();
             V row = K(0.0), turns = K(0.0);
-            V _q12 = lanes_load(lists->_q12);
-            V _q22 = lanes_load(lists->_q22);
-            V _q23 = lanes_load(lists->_q23);
-            V _q24 = lanes_load(lists->_q24);
-            V _q25 = lanes_load(lists->_q25);
-            V _q26 = lanes_load(lists->_q26);
-            V _q27 = lanes_load(lists->_q27);
-            V _q3 = lanes_load(lists->_q3);
             V p_ball_radius = lanes_load(lists->p_ball_radius);
             V p_gravity = lanes_load(lists->p_gravity);
             V p_ring_radius = lanes_load(lists->p_ring_radius);
@@ -2569,14 +2091,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     y = lanes_expand(lists->open_searching_y + taken, idle, y);
                     z = lanes_expand(lists->open_searching_z + taken, idle, z);
                     if (varying) {
-                        _q12 = lanes_expand(lists->open_searching__q12 + taken, idle, _q12);
-                        _q22 = lanes_expand(lists->open_searching__q22 + taken, idle, _q22);
-                        _q23 = lanes_expand(lists->open_searching__q23 + taken, idle, _q23);
-                        _q24 = lanes_expand(lists->open_searching__q24 + taken, idle, _q24);
-                        _q25 = lanes_expand(lists->open_searching__q25 + taken, idle, _q25);
-                        _q26 = lanes_expand(lists->open_searching__q26 + taken, idle, _q26);
-                        _q27 = lanes_expand(lists->open_searching__q27 + taken, idle, _q27);
-                        _q3 = lanes_expand(lists->open_searching__q3 + taken, idle, _q3);
                         p_ball_radius = lanes_expand(lists->open_searching_p_ball_radius + taken, idle, p_ball_radius);
                         p_gravity = lanes_expand(lists->open_searching_p_gravity + taken, idle, p_gravity);
                         p_ring_radius = lanes_expand(lists->open_searching_p_ring_radius + taken, idle, p_ring_radius);
@@ -2595,7 +2109,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 V leaving = _o63.leaving;
                 V margin = _o63.margin;
                 const LANES(hoop_ring_advance_out) _o64 =
-                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q3, _q12, _q26, _q27);
+                    LANES(hoop_ring_advance)(t, end, leaving, margin, rate_slack, ceiling, x, y, z, vx, vy, vz, steady, swing, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
                 V gap = _o64.gap;
                 V rate = _o64.rate;
                 V bend = _o64.bend;
@@ -2619,7 +2133,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                     V velocity_level = _o68.velocity_level;
                     V excess = _o68.excess;
                     const LANES(hoop_ring_margins_out) _o69 =
-                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q12, _q22, _q23, _q24, _q25);
+                        LANES(hoop_ring_margins)(latest, extent, speed, position_level, velocity_level, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
                     flat = lanes_select(_m66, _o69.margin, flat);
                     tilt = lanes_select(_m66, _o69.leaving_margin, tilt);
                     rate_slack = lanes_select(_m66, _o69.rate_margin, rate_slack);
@@ -2678,12 +2192,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             }
         }
         for (size_t i = 0; i < open_count; i += LANES_WIDTH) {
-            const V _q12 = lanes_load(varying ? lists->open__q12 + i : lists->_q12);
-            const V _q22 = lanes_load(varying ? lists->open__q22 + i : lists->_q22);
-            const V _q23 = lanes_load(varying ? lists->open__q23 + i : lists->_q23);
-            const V _q24 = lanes_load(varying ? lists->open__q24 + i : lists->_q24);
-            const V _q25 = lanes_load(varying ? lists->open__q25 + i : lists->_q25);
-            const V _q3 = lanes_load(varying ? lists->open__q3 + i : lists->_q3);
             V arrival = lanes_load(lists->open_arrival + i);
             V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
@@ -2722,20 +2230,20 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 LANES(hoop_nearby)(flat, K(0.0), last, arrival, tilt);
             V leaving = _o76.leaving;
             const LANES(hoop_ring_refine_out) _o77 =
-                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q3);
+                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             V refined = _o77.time;
             const LANES(hoop_polished_out) _o78 =
                 LANES(hoop_polished)(arrival, certain, refined);
             arrival = _o78.arrival;
             const LANES(hoop_ring_refine_out) _o79 =
-                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q3);
+                LANES(hoop_ring_refine)(arrival, leaving, x, y, z, vx, vy, vz, rho_start, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             refined = _o79.time;
             V rate = _o79.rate;
             const LANES(hoop_polished_out) _o80 =
                 LANES(hoop_polished)(arrival, certain, refined);
             arrival = _o80.arrival;
             const LANES(hoop_ring_margins_out) _o81 =
-                LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity, _q12, _q22, _q23, _q24, _q25);
+                LANES(hoop_ring_margins)(latest, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             flat = _o81.margin;
             tilt = _o81.leaving_margin;
             V rate_margin = _o81.rate_margin;
@@ -2776,10 +2284,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         size_t meeting_count = 0;
         for (size_t i = 0; i < count; i += LANES_WIDTH) {
             const M rows = lanes_first(count - i);
-            const V _q1 = lanes_load(lists->_q1 + (i & varying));
-            const V _q10 = lanes_load(lists->_q10 + (i & varying));
-            const V _q8 = lanes_load(lists->_q8 + (i & varying));
-            const V _q9 = lanes_load(lists->_q9 + (i & varying));
             V clock = lanes_load(lists->clock + i);
             V clock_error = lanes_load(lists->clock_error + i);
             V contacts = lanes_load(lists->contacts + i);
@@ -2879,7 +2383,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 ends = lanes_choose(_m97, _o98.ends, ends);
             }
             const LANES(hoop_displacement_out) _o99 =
-                LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth, _q1);
+                LANES(hoop_displacement)(late, when, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_bridge_half_width, p_gravity, p_end_depth);
             V slack = _o99.margin;
             const LANES(hoop_here_out) _o100 =
                 LANES(hoop_here)(K(3.0), which);
@@ -2933,12 +2437,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const M packed = lanes_both(rows, meeting);
             if (lanes_any(packed)) {
                 lanes_pack(lists->meeting_row + meeting_count, packed, lanes_add(lanes_count_up(), K((double)i)));
-                if (varying)
-                    lanes_pack(lists->meeting__q10 + meeting_count, packed, _q10);
-                if (varying)
-                    lanes_pack(lists->meeting__q8 + meeting_count, packed, _q8);
-                if (varying)
-                    lanes_pack(lists->meeting__q9 + meeting_count, packed, _q9);
                 lanes_pack(lists->meeting_body + meeting_count, packed, body);
                 lanes_pack(lists->meeting_clock + meeting_count, packed, clock);
                 lanes_pack(lists->meeting_clock_error + meeting_count, packed, clock_error);
@@ -2989,9 +2487,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         size_t meeting_touches_count = 0;
         for (size_t i = 0; i < meeting_count; i += LANES_WIDTH) {
             const M rows = lanes_first(meeting_count - i);
-            const V _q10 = lanes_load(varying ? lists->meeting__q10 + i : lists->_q10);
-            const V _q8 = lanes_load(varying ? lists->meeting__q8 + i : lists->_q8);
-            const V _q9 = lanes_load(varying ? lists->meeting__q9 + i : lists->_q9);
             V clock = lanes_load(lists->meeting_clock + i);
             V clock_error = lanes_load(lists->meeting_clock_error + i);
             V contacts = lanes_load(lists->meeting_contacts + i);
@@ -3038,7 +2533,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const M _m110 = lanes_both(rows, here);
             {
                 const LANES(hoop_ring_normal_out) _o111 =
-                    LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius, _q9);
+                    LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
                 nx = lanes_select(_m110, _o111.nx, nx);
                 ny = lanes_select(_m110, _o111.ny, ny);
                 nz = lanes_select(_m110, _o111.nz, nz);
@@ -3083,7 +2578,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const M _m123 = lanes_both(rows, again);
             {
                 const LANES(hoop_ring_curvature_out) _o124 =
-                    LANES(hoop_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius, _q10);
+                    LANES(hoop_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
                 curving = lanes_select(_m123, _o124.curvature, curving);
             }
             const LANES(hoop_again_out) _o125 =
@@ -3137,7 +2632,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const M _m137 = lanes_both(rows, here);
             if (lanes_any(_m137)) {
                 const LANES(hoop_ring_carry_normal_out) _o138 =
-                    LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius, _q9, _q10);
+                    LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
                 dnx = lanes_select(_m137, _o138.dnx, dnx);
                 dny = lanes_select(_m137, _o138.dny, dny);
                 dnz = lanes_select(_m137, _o138.dnz, dnz);
@@ -3156,8 +2651,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const M packed = lanes_both(rows, touches);
             if (lanes_any(packed)) {
                 lanes_pack(lists->meeting_touches_row + meeting_touches_count, packed, lanes_add(lanes_count_up(), K((double)i)));
-                if (varying)
-                    lanes_pack(lists->meeting_touches__q8 + meeting_touches_count, packed, _q8);
                 lanes_pack(lists->meeting_touches_contacts + meeting_touches_count, packed, contacts);
                 lanes_pack(lists->meeting_touches_dnx + meeting_touches_count, packed, dnx);
                 lanes_pack(lists->meeting_touches_dny + meeting_touches_count, packed, dny);
@@ -3186,7 +2679,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             }
         }
         for (size_t i = 0; i < meeting_touches_count; i += LANES_WIDTH) {
-            const V _q8 = lanes_load(varying ? lists->meeting_touches__q8 + i : lists->_q8);
             V contacts = lanes_load(lists->meeting_touches_contacts + i);
             V dnx = lanes_load(lists->meeting_touches_dnx + i);
             V dny = lanes_load(lists->meeting_touches_dny + i);
@@ -3210,7 +2702,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V wy = lanes_load(lists->meeting_touches_wy + i);
             V wz = lanes_load(lists->meeting_touches_wz + i);
             const LANES(hoop_carry_impact_out) _o139 =
-                LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution, _q8);
+                LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
             dvx = _o139.dvx;
             dvy = _o139.dvy;
             dvz = _o139.dvz;
@@ -3218,7 +2710,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             dwy = _o139.dwy;
             dwz = _o139.dwz;
             const LANES(hoop_impact_out) _o140 =
-                LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution, _q8);
+                LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
             vx = _o140.vx;
             vy = _o140.vy;
             vz = _o140.vz;

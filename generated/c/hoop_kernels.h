@@ -68,9 +68,9 @@ typedef struct {
 } LANES(hoop_horizon_out);
 
 LANES_INLINE LANES(hoop_horizon_out)
-LANES(hoop_horizon)(V t, V speed, V p_gravity, V _q0)
+LANES(hoop_horizon)(V t, V speed, V p_gravity)
 {
-    const V _s0 = lanes_mul(K(9.5367431640625e-07), lanes_add(t, lanes_mul(speed, _q0)));
+    const V _s0 = lanes_mul(K(9.5367431640625e-07), lanes_add(t, lanes_mul(speed, lanes_div(K(1.0), p_gravity))));
     return (LANES(hoop_horizon_out)){ lanes_add(t, _s0), _s0 };
 }
 
@@ -83,7 +83,7 @@ typedef struct {
 } LANES(hoop_scale_out);
 
 LANES_INLINE LANES(hoop_scale_out)
-LANES(hoop_scale)(V x, V y, V z, V vx, V vy, V vz, V p_gravity, V _q0)
+LANES(hoop_scale)(V x, V y, V z, V vx, V vy, V vz, V p_gravity)
 {
     const V _s0 = lanes_abs(x);
     const V _s1 = lanes_abs(y);
@@ -91,12 +91,13 @@ LANES(hoop_scale)(V x, V y, V z, V vx, V vy, V vz, V p_gravity, V _q0)
     const V _s3 = lanes_abs(vx);
     const V _s4 = lanes_abs(vy);
     const V _s5 = lanes_abs(vz);
-    const V _s6 = lanes_max(_q0, _s0);
-    const V _s7 = lanes_max(_s6, _s1);
-    const V _s8 = lanes_max(_s7, _s2);
-    const V _s9 = lanes_max(_s8, _s3);
-    const V _s10 = lanes_max(_s9, _s4);
-    return (LANES(hoop_scale_out)){ lanes_add(lanes_add(_s0, _s1), _s2), lanes_add(lanes_add(_s3, _s4), _s5), lanes_sub(lanes_max(_s10, _s5), K(2.9073548971824276e+135)) };
+    const V _s6 = lanes_div(K(1.0), p_gravity);
+    const V _s7 = lanes_max(_s6, _s0);
+    const V _s8 = lanes_max(_s7, _s1);
+    const V _s9 = lanes_max(_s8, _s2);
+    const V _s10 = lanes_max(_s9, _s3);
+    const V _s11 = lanes_max(_s10, _s4);
+    return (LANES(hoop_scale_out)){ lanes_add(lanes_add(_s0, _s1), _s2), lanes_add(lanes_add(_s3, _s4), _s5), lanes_sub(lanes_max(_s11, _s5), K(2.9073548971824276e+135)) };
 }
 
 /* Bound on the error of a length at a computed arrival.
@@ -106,12 +107,13 @@ typedef struct {
 } LANES(hoop_displacement_out);
 
 LANES_INLINE LANES(hoop_displacement_out)
-LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_gravity, V p_end_depth, V _q1)
+LANES(hoop_displacement)(V delay, V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_gravity, V p_end_depth)
 {
     const V _s0 = lanes_add(speed, lanes_mul(p_gravity, horizon));
     const V _s1 = lanes_add(extent, lanes_mul(horizon, _s0));
-    const V _s2 = lanes_add(lanes_mul(lanes_mul(K(1.0009765625), delay), _s0), lanes_mul(K(4.445228907190568e-16), lanes_add(_s1, _q1)));
-    return (LANES(hoop_displacement_out)){ lanes_add(_s2, lanes_mul(K(3.0029296875), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s1)))) };
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_half_width), p_bridge_half_width), p_end_depth), p_ring_radius), p_wire_radius);
+    const V _s3 = lanes_add(lanes_mul(lanes_mul(K(1.0009765625), delay), _s0), lanes_mul(K(4.445228907190568e-16), lanes_add(_s1, lanes_add(lanes_add(_s2, lanes_abs(p_board_bottom)), lanes_abs(p_board_top)))));
+    return (LANES(hoop_displacement_out)){ lanes_add(_s3, lanes_mul(K(3.0029296875), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s1)))) };
 }
 
 /* Errors of a state at the end of a flight to a surface, from those at its start.
@@ -268,9 +270,9 @@ typedef struct {
 } LANES(hoop_allowed_out);
 
 LANES_INLINE LANES(hoop_allowed_out)
-LANES(hoop_allowed)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_bridge_half_width, V p_restitution, V p_gravity, V p_end_depth, V _q2)
+LANES(hoop_allowed)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_bridge_half_width, V p_restitution, V p_gravity, V p_end_depth)
 {
-    const V _s0 = lanes_select(lanes_less(K(0.0), p_ring_radius), lanes_select(lanes_less(K(0.0), p_ball_radius), lanes_select(lanes_less(K(0.0), _q2), K(1.0), K(0.0)), K(0.0)), K(0.0));
+    const V _s0 = lanes_select(lanes_less(K(0.0), p_ring_radius), lanes_select(lanes_less(K(0.0), p_ball_radius), lanes_select(lanes_less(K(0.0), lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius)), K(1.0), K(0.0)), K(0.0)), K(0.0));
     const V _s1 = lanes_select(lanes_at_most(K(0.0), p_restitution), lanes_select(lanes_less(K(0.0), p_bridge_half_width), lanes_select(lanes_less(K(0.0), p_board_half_width), lanes_select(lanes_less(K(0.0), p_board_distance), lanes_select(lanes_less(K(0.0), p_wire_radius), _s0, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
     return (LANES(hoop_allowed_out)){ lanes_select(lanes_less(K(0.0), p_end_depth), lanes_select(lanes_less(K(0.0), p_gravity), lanes_select(lanes_at_most(p_restitution, K(1.0)), _s1, K(0.0)), K(0.0)), K(0.0)) };
 }
@@ -297,46 +299,48 @@ typedef struct {
 } LANES(hoop_valid_out);
 
 LANES_INLINE LANES(hoop_valid_out)
-LANES(hoop_valid)(V last, V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_end_depth, V _q3, V _q4, V _q5, V _q6, V _q7)
+LANES(hoop_valid)(V last, V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_bridge_half_width, V p_end_depth)
 {
     const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
     const V _s1 = lanes_sub(_s0, p_ring_radius);
     const V _s2 = lanes_add(p_ball_radius, p_wire_radius);
-    const V _s3 = lanes_sub(lanes_add(lanes_mul(z, z), lanes_mul(_s1, _s1)), _q3);
+    const V _s3 = lanes_sub(lanes_add(lanes_mul(z, z), lanes_mul(_s1, _s1)), lanes_mul(_s2, _s2));
     const M _s4 = lanes_less(lanes_abs(last), K(0.5));
     const V _s5 = lanes_select(_s4, K(1.0), lanes_select(lanes_at_most(K(0.0), _s3), K(1.0), K(0.0)));
     const V _s6 = lanes_sub(p_ball_radius, p_board_distance);
     const V _s7 = lanes_sub(x, _s6);
-    const V _s8 = lanes_sub(_q4, x);
-    const V _s9 = lanes_max(_s7, _s8);
-    const V _s10 = lanes_neg(lanes_add(p_board_half_width, y));
-    const V _s11 = lanes_max(_s9, _s10);
-    const V _s12 = lanes_sub(y, p_board_half_width);
-    const V _s13 = lanes_max(_s11, _s12);
-    const V _s14 = lanes_sub(p_board_bottom, z);
-    const V _s15 = lanes_max(_s13, _s14);
-    const V _s16 = lanes_sub(z, p_board_top);
-    const V _s17 = lanes_max(_s15, _s16);
-    const M _s18 = lanes_less(lanes_abs(lanes_sub(last, K(1.0))), K(0.5));
-    const V _s19 = lanes_select(_s18, _s5, lanes_select(lanes_at_most(K(0.0), _s17), _s5, K(0.0)));
-    const V _s20 = lanes_sub(z, _s2);
-    const V _s21 = lanes_sub(_q5, z);
-    const V _s22 = lanes_max(_s20, _s21);
-    const V _s23 = lanes_neg(lanes_add(p_bridge_half_width, y));
-    const V _s24 = lanes_max(_s22, _s23);
-    const V _s25 = lanes_sub(y, p_bridge_half_width);
-    const V _s26 = lanes_max(_s24, _s25);
-    const V _s27 = lanes_sub(p_ring_radius, _s0);
-    const V _s28 = lanes_max(_s26, _s27);
-    const V _s29 = lanes_max(_s28, x);
-    const V _s30 = lanes_neg(lanes_add(p_board_distance, x));
-    const V _s31 = lanes_max(_s29, _s30);
-    const M _s32 = lanes_less(lanes_abs(lanes_sub(last, K(2.0))), K(0.5));
-    const V _s33 = lanes_add(lanes_add(_q7, lanes_abs(x)), lanes_abs(y));
-    const V _s34 = lanes_mul(K(1.7763568394002505e-15), lanes_add(_s33, lanes_abs(z)));
-    const V _s35 = lanes_select(_s4, K(0.0), lanes_select(lanes_at_most(lanes_abs(_s3), lanes_mul(_q6, _s34)), K(1.0), K(0.0)));
-    const V _s36 = lanes_select(_s18, _s35, lanes_select(lanes_at_most(lanes_abs(_s17), _s34), K(1.0), _s35));
-    return (LANES(hoop_valid_out)){ lanes_select(_s32, _s19, lanes_select(lanes_at_most(K(0.0), _s31), _s19, K(0.0))), lanes_select(_s32, _s36, lanes_select(lanes_at_most(lanes_abs(_s31), _s34), K(1.0), _s36)) };
+    const V _s8 = lanes_mul(K(2.0), p_ball_radius);
+    const V _s9 = lanes_sub(lanes_sub(_s6, _s8), x);
+    const V _s10 = lanes_max(_s7, _s9);
+    const V _s11 = lanes_neg(lanes_add(p_board_half_width, y));
+    const V _s12 = lanes_max(_s10, _s11);
+    const V _s13 = lanes_sub(y, p_board_half_width);
+    const V _s14 = lanes_max(_s12, _s13);
+    const V _s15 = lanes_sub(p_board_bottom, z);
+    const V _s16 = lanes_max(_s14, _s15);
+    const V _s17 = lanes_sub(z, p_board_top);
+    const V _s18 = lanes_max(_s16, _s17);
+    const M _s19 = lanes_less(lanes_abs(lanes_sub(last, K(1.0))), K(0.5));
+    const V _s20 = lanes_select(_s19, _s5, lanes_select(lanes_at_most(K(0.0), _s18), _s5, K(0.0)));
+    const V _s21 = lanes_sub(z, _s2);
+    const V _s22 = lanes_sub(lanes_sub(lanes_sub(_s2, _s8), lanes_mul(K(2.0), p_wire_radius)), z);
+    const V _s23 = lanes_max(_s21, _s22);
+    const V _s24 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s25 = lanes_max(_s23, _s24);
+    const V _s26 = lanes_sub(y, p_bridge_half_width);
+    const V _s27 = lanes_max(_s25, _s26);
+    const V _s28 = lanes_sub(p_ring_radius, _s0);
+    const V _s29 = lanes_max(_s27, _s28);
+    const V _s30 = lanes_max(_s29, x);
+    const V _s31 = lanes_neg(lanes_add(p_board_distance, x));
+    const V _s32 = lanes_max(_s30, _s31);
+    const M _s33 = lanes_less(lanes_abs(lanes_sub(last, K(2.0))), K(0.5));
+    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_top)), lanes_abs(p_bridge_half_width));
+    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s34, lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius)), lanes_abs(x)), lanes_abs(y));
+    const V _s36 = lanes_mul(K(1.7763568394002505e-15), lanes_add(_s35, lanes_abs(z)));
+    const V _s37 = lanes_select(_s4, K(0.0), lanes_select(lanes_at_most(lanes_abs(_s3), lanes_mul(lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)), _s36)), K(1.0), K(0.0)));
+    const V _s38 = lanes_select(_s19, _s37, lanes_select(lanes_at_most(lanes_abs(_s18), _s36), K(1.0), _s37));
+    return (LANES(hoop_valid_out)){ lanes_select(_s33, _s20, lanes_select(lanes_at_most(K(0.0), _s32), _s20, K(0.0))), lanes_select(_s33, _s38, lanes_select(lanes_at_most(lanes_abs(_s32), _s36), K(1.0), _s38)) };
 }
 
 /* 1 where the ball leaves a surface.
@@ -938,7 +942,7 @@ typedef struct {
 } LANES(hoop_impact_out);
 
 LANES_INLINE LANES(hoop_impact_out)
-LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ball_radius, V p_restitution, V _q8)
+LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ball_radius, V p_restitution)
 {
     const V _s0 = lanes_mul(K(0.4), p_ball_radius);
     const V _s1 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
@@ -946,7 +950,8 @@ LANES(hoop_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_bal
     const V _s3 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, _s1))));
     const V _s4 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, _s1))));
     const V _s5 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
-    return (LANES(hoop_impact_out)){ lanes_sub(_s2, lanes_mul(lanes_mul(nx, p_restitution), _s1)), lanes_sub(_s3, lanes_mul(lanes_mul(ny, p_restitution), _s1)), lanes_sub(_s4, lanes_mul(lanes_mul(nz, p_restitution), _s1)), lanes_add(lanes_mul(nx, _s5), lanes_mul(_q8, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s3)))), lanes_add(lanes_mul(ny, _s5), lanes_mul(_q8, lanes_sub(lanes_mul(nz, _s2), lanes_mul(nx, _s4)))), lanes_add(lanes_mul(nz, _s5), lanes_mul(_q8, lanes_sub(lanes_mul(nx, _s3), lanes_mul(ny, _s2)))) };
+    const V _s6 = lanes_div(K(1.0), p_ball_radius);
+    return (LANES(hoop_impact_out)){ lanes_sub(_s2, lanes_mul(lanes_mul(nx, p_restitution), _s1)), lanes_sub(_s3, lanes_mul(lanes_mul(ny, p_restitution), _s1)), lanes_sub(_s4, lanes_mul(lanes_mul(nz, p_restitution), _s1)), lanes_add(lanes_mul(nx, _s5), lanes_mul(_s6, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s3)))), lanes_add(lanes_mul(ny, _s5), lanes_mul(_s6, lanes_sub(lanes_mul(nz, _s2), lanes_mul(nx, _s4)))), lanes_add(lanes_mul(nz, _s5), lanes_mul(_s6, lanes_sub(lanes_mul(nx, _s3), lanes_mul(ny, _s2)))) };
 }
 
 /* Errors of velocity and spin after a contact, from those before it.
@@ -961,7 +966,7 @@ typedef struct {
 } LANES(hoop_carry_impact_out);
 
 LANES_INLINE LANES(hoop_carry_impact_out)
-LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V p_ball_radius, V p_restitution, V _q8)
+LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V p_ball_radius, V p_restitution)
 {
     const V _s0 = lanes_mul(K(0.4), p_ball_radius);
     const V _s1 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
@@ -993,20 +998,21 @@ LANES(hoop_carry_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V
     const V _s27 = lanes_add(_s26, lanes_select(lanes_less(_s26, K(0.0)), _s8, _s7));
     const V _s28 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
     const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, wx), lanes_mul(dny, wy)), lanes_mul(dnz, wz)), lanes_mul(dwx, nx)), lanes_mul(dwy, ny)), lanes_mul(dwz, nz));
-    const V _s30 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, _s1))));
-    const V _s31 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, _s1))));
-    const V _s32 = lanes_add(lanes_add(lanes_mul(dnx, _s28), lanes_mul(nx, _s29)), lanes_mul(_q8, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s30), lanes_mul(ny, _s25)), lanes_mul(dnz, _s31)), lanes_mul(nz, _s22))));
-    const V _s33 = lanes_div(_s7, p_ball_radius);
-    const V _s34 = lanes_neg(_s33);
-    const V _s35 = lanes_add(_s32, lanes_select(lanes_less(_s32, K(0.0)), _s34, _s33));
-    const V _s36 = lanes_div(_s19, lanes_mul(p_ball_radius, _s10));
-    const V _s37 = lanes_neg(_s36);
-    const V _s38 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))), lanes_mul(K(0.6), lanes_sub(vx, lanes_mul(nx, _s1))));
-    const V _s39 = lanes_add(lanes_add(lanes_mul(dny, _s28), lanes_mul(ny, _s29)), lanes_mul(_q8, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s38), lanes_mul(nz, _s3)), lanes_mul(dnx, _s30)), lanes_mul(nx, _s25))));
-    const V _s40 = lanes_add(_s39, lanes_select(lanes_less(_s39, K(0.0)), _s34, _s33));
-    const V _s41 = lanes_add(lanes_add(lanes_mul(dnz, _s28), lanes_mul(nz, _s29)), lanes_mul(_q8, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s31), lanes_mul(nx, _s22)), lanes_mul(dny, _s38)), lanes_mul(ny, _s3))));
-    const V _s42 = lanes_add(_s41, lanes_select(lanes_less(_s41, K(0.0)), _s34, _s33));
-    return (LANES(hoop_carry_impact_out)){ lanes_select(lanes_less(lanes_abs(_s9), _s20), lanes_select(lanes_less(_s9, K(0.0)), _s21, _s20), _s9), lanes_select(lanes_less(lanes_abs(_s24), _s20), lanes_select(lanes_less(_s24, K(0.0)), _s21, _s20), _s24), lanes_select(lanes_less(lanes_abs(_s27), _s20), lanes_select(lanes_less(_s27, K(0.0)), _s21, _s20), _s27), lanes_select(lanes_less(lanes_abs(_s35), _s36), lanes_select(lanes_less(_s35, K(0.0)), _s37, _s36), _s35), lanes_select(lanes_less(lanes_abs(_s40), _s36), lanes_select(lanes_less(_s40, K(0.0)), _s37, _s36), _s40), lanes_select(lanes_less(lanes_abs(_s42), _s36), lanes_select(lanes_less(_s42, K(0.0)), _s37, _s36), _s42) };
+    const V _s30 = lanes_div(K(1.0), p_ball_radius);
+    const V _s31 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))), lanes_mul(K(0.6), lanes_sub(vz, lanes_mul(nz, _s1))));
+    const V _s32 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))), lanes_mul(K(0.6), lanes_sub(vy, lanes_mul(ny, _s1))));
+    const V _s33 = lanes_add(lanes_add(lanes_mul(dnx, _s28), lanes_mul(nx, _s29)), lanes_mul(_s30, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s31), lanes_mul(ny, _s25)), lanes_mul(dnz, _s32)), lanes_mul(nz, _s22))));
+    const V _s34 = lanes_div(_s7, p_ball_radius);
+    const V _s35 = lanes_neg(_s34);
+    const V _s36 = lanes_add(_s33, lanes_select(lanes_less(_s33, K(0.0)), _s35, _s34));
+    const V _s37 = lanes_div(_s19, lanes_mul(p_ball_radius, _s10));
+    const V _s38 = lanes_neg(_s37);
+    const V _s39 = lanes_add(lanes_mul(_s0, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))), lanes_mul(K(0.6), lanes_sub(vx, lanes_mul(nx, _s1))));
+    const V _s40 = lanes_add(lanes_add(lanes_mul(dny, _s28), lanes_mul(ny, _s29)), lanes_mul(_s30, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s39), lanes_mul(nz, _s3)), lanes_mul(dnx, _s31)), lanes_mul(nx, _s25))));
+    const V _s41 = lanes_add(_s40, lanes_select(lanes_less(_s40, K(0.0)), _s35, _s34));
+    const V _s42 = lanes_add(lanes_add(lanes_mul(dnz, _s28), lanes_mul(nz, _s29)), lanes_mul(_s30, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s32), lanes_mul(nx, _s22)), lanes_mul(dny, _s39)), lanes_mul(ny, _s3))));
+    const V _s43 = lanes_add(_s42, lanes_select(lanes_less(_s42, K(0.0)), _s35, _s34));
+    return (LANES(hoop_carry_impact_out)){ lanes_select(lanes_less(lanes_abs(_s9), _s20), lanes_select(lanes_less(_s9, K(0.0)), _s21, _s20), _s9), lanes_select(lanes_less(lanes_abs(_s24), _s20), lanes_select(lanes_less(_s24, K(0.0)), _s21, _s20), _s24), lanes_select(lanes_less(lanes_abs(_s27), _s20), lanes_select(lanes_less(_s27, K(0.0)), _s21, _s20), _s27), lanes_select(lanes_less(lanes_abs(_s36), _s37), lanes_select(lanes_less(_s36, K(0.0)), _s38, _s37), _s36), lanes_select(lanes_less(lanes_abs(_s41), _s37), lanes_select(lanes_less(_s41, K(0.0)), _s38, _s37), _s41), lanes_select(lanes_less(lanes_abs(_s43), _s37), lanes_select(lanes_less(_s43, K(0.0)), _s38, _s37), _s43) };
 }
 
 /* Outward unit normal n3 at a contact.
@@ -1018,11 +1024,12 @@ typedef struct {
 } LANES(hoop_ring_normal_out);
 
 LANES_INLINE LANES(hoop_ring_normal_out)
-LANES(hoop_ring_normal)(V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius, V _q9)
+LANES(hoop_ring_normal)(V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius)
 {
-    const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s1 = lanes_mul(lanes_mul(_q9, lanes_sub(_s0, p_ring_radius)), lanes_div(K(1.0), _s0));
-    return (LANES(hoop_ring_normal_out)){ lanes_mul(x, _s1), lanes_mul(y, _s1), lanes_mul(z, _q9) };
+    const V _s0 = lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius));
+    const V _s1 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s2 = lanes_mul(lanes_mul(_s0, lanes_sub(_s1, p_ring_radius)), lanes_div(K(1.0), _s1));
+    return (LANES(hoop_ring_normal_out)){ lanes_mul(x, _s2), lanes_mul(y, _s2), lanes_mul(z, _s0) };
 }
 
 /* Bound on the rate at which the normal turns along the contact surface.
@@ -1032,9 +1039,11 @@ typedef struct {
 } LANES(hoop_ring_curvature_out);
 
 LANES_INLINE LANES(hoop_ring_curvature_out)
-LANES(hoop_ring_curvature)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V _q10)
+LANES(hoop_ring_curvature)(V p_ball_radius, V p_ring_radius, V p_wire_radius)
 {
-    return (LANES(hoop_ring_curvature_out)){ _q10 };
+    const V _s0 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+    const V _s1 = lanes_add(p_ball_radius, p_wire_radius);
+    return (LANES(hoop_ring_curvature_out)){ lanes_div(K(1.0), lanes_min(_s0, _s1)) };
 }
 
 /* Error of the normal, from that of the position.
@@ -1047,15 +1056,18 @@ typedef struct {
 } LANES(hoop_ring_carry_normal_out);
 
 LANES_INLINE LANES(hoop_ring_carry_normal_out)
-LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V p_ball_radius, V p_ring_radius, V p_wire_radius, V _q9, V _q10)
+LANES(hoop_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V p_ball_radius, V p_ring_radius, V p_wire_radius)
 {
-    const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
-    const V _s1 = lanes_sub(_s0, p_ring_radius);
-    const V _s2 = lanes_div(K(1.0), _s0);
-    const V _s3 = lanes_mul(lanes_mul(_q9, _s1), _s2);
-    const V _s4 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), dx), x), lanes_mul(lanes_mul(K(2.0), dy), y))), _s0);
-    const V _s5 = lanes_add(lanes_mul(lanes_mul(_s4, _q9), _s2), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s4, lanes_mul(_s2, _s2))), _q9), _s1));
-    return (LANES(hoop_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, _s3), lanes_mul(x, _s5)), lanes_add(lanes_mul(dy, _s3), lanes_mul(y, _s5)), lanes_mul(dz, _q9), lanes_mul(shift, _q10) };
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_div(K(1.0), _s0);
+    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s3 = lanes_sub(_s2, p_ring_radius);
+    const V _s4 = lanes_div(K(1.0), _s2);
+    const V _s5 = lanes_mul(lanes_mul(_s1, _s3), _s4);
+    const V _s6 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), dx), x), lanes_mul(lanes_mul(K(2.0), dy), y))), _s2);
+    const V _s7 = lanes_add(lanes_mul(lanes_mul(_s6, _s1), _s4), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s6, lanes_mul(_s4, _s4))), _s1), _s3));
+    const V _s8 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+    return (LANES(hoop_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, _s5), lanes_mul(x, _s7)), lanes_add(lanes_mul(dy, _s5), lanes_mul(y, _s7)), lanes_mul(dz, _s1), lanes_mul(shift, lanes_div(K(1.0), lanes_min(_s8, _s0))) };
 }
 
 /* Positive if there certainly is no contact before the horizon.
@@ -1065,38 +1077,50 @@ typedef struct {
 } LANES(hoop_ring_clear_out);
 
 LANES_INLINE LANES(hoop_ring_clear_out)
-LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity, V _q11, V _q12, V _q13, V _q14, V _q0, V _q3, V _q15, V _q16, V _q17, V _q18, V _q19, V _q20)
+LANES(hoop_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
-    const V _s0 = lanes_add(position_error, lanes_mul(horizon, velocity_error));
-    const V _s1 = lanes_sub(lanes_sub(_s0, lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
-    const V _s2 = lanes_mul(vz, vz);
-    const V _s3 = lanes_add(_s2, lanes_mul(lanes_mul(K(2.0), p_gravity), lanes_sub(z, _q12)));
-    const V _s4 = lanes_sqrt(_s3);
-    const V _s5 = lanes_mul(_q0, lanes_sub(vz, _s4));
-    const V _s6 = lanes_mul(_q0, lanes_add(vz, _s4));
-    const V _s7 = lanes_add(x, lanes_mul(vx, _s6));
-    const V _s8 = lanes_add(y, lanes_mul(vy, _s6));
-    const V _s9 = lanes_add(lanes_mul(_s7, _s7), lanes_mul(_s8, _s8));
-    const V _s10 = lanes_sqrt(_s9);
-    const V _s11 = lanes_sub(_s10, p_ring_radius);
-    const V _s12 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), _s6)), _s6));
-    const V _s13 = lanes_sub(lanes_sub(lanes_add(lanes_mul(_s11, _s11), lanes_mul(_s12, _s12)), _q3), _q16);
-    const V _s14 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
-    const V _s15 = lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), _s2), lanes_mul(lanes_mul(K(4.0), p_gravity), z)), lanes_mul(K(2.0), _s14)), _q17), _q19);
-    const V _s16 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
-    const V _s17 = lanes_mul(_s16, _s16);
-    const V _s18 = lanes_sub(_s15, lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s17));
-    const V _s19 = lanes_add(lanes_mul(_s11, lanes_add(lanes_mul(vx, _s7), lanes_mul(vy, _s8))), lanes_mul(lanes_mul(_s12, lanes_sub(vz, lanes_mul(p_gravity, _s6))), _s10));
-    const V _s20 = lanes_add(x, lanes_mul(horizon, vx));
-    const V _s21 = lanes_add(y, lanes_mul(horizon, vy));
-    const V _s22 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(_q16, lanes_mul(_s20, _s20)), lanes_mul(_s21, _s21)), _q18), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(_s14, _q20), _s17), K(0.0)), K(1.0), K(0.0)));
-    const V _s23 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s19, _s19)), _q19), lanes_mul(lanes_mul(lanes_mul(K(2.0), _s18), _s9), _s13)), K(0.0)), _s22, K(0.0));
-    const V _s24 = lanes_select(lanes_less(horizon, lanes_sub(_s6, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), _s13), lanes_select(lanes_less(K(0.0), _s18), _s23, K(0.0)), K(0.0)));
-    const V _s25 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
-    const V _s26 = lanes_add(lanes_mul(_s5, _s14), _s25);
-    const V _s27 = lanes_select(lanes_less(_s26, K(0.0)), lanes_select(lanes_less(_q15, lanes_add(lanes_mul(_s5, lanes_add(_s25, _s26)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), _s24, K(0.0)), K(0.0));
-    const V _s28 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon)))), _q14), lanes_select(lanes_less(K(0.0), _s3), lanes_select(lanes_less(_s5, K(0.0)), _s24, _s27), K(0.0)), K(0.0));
-    return (LANES(hoop_ring_clear_out)){ lanes_select(lanes_less(K(0.0), lanes_max(_q11, _s1)), K(0.0), lanes_select(lanes_less(_s0, _q13), _s28, K(0.0))) };
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0));
+    const V _s2 = lanes_add(position_error, lanes_mul(horizon, velocity_error));
+    const V _s3 = lanes_sub(lanes_sub(_s2, lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
+    const V _s4 = lanes_mul(K(1.00006103515625), _s0);
+    const V _s5 = lanes_add(p_ring_radius, _s4);
+    const V _s6 = lanes_mul(vz, vz);
+    const V _s7 = lanes_add(_s6, lanes_mul(lanes_mul(K(2.0), p_gravity), lanes_sub(z, _s4)));
+    const V _s8 = lanes_div(K(1.0), p_gravity);
+    const V _s9 = lanes_sqrt(_s7);
+    const V _s10 = lanes_mul(_s8, lanes_sub(vz, _s9));
+    const V _s11 = lanes_mul(_s8, lanes_add(vz, _s9));
+    const V _s12 = lanes_add(x, lanes_mul(vx, _s11));
+    const V _s13 = lanes_add(y, lanes_mul(vy, _s11));
+    const V _s14 = lanes_add(lanes_mul(_s12, _s12), lanes_mul(_s13, _s13));
+    const V _s15 = lanes_sqrt(_s14);
+    const V _s16 = lanes_sub(_s15, p_ring_radius);
+    const V _s17 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), _s11)), _s11));
+    const V _s18 = lanes_mul(_s5, _s5);
+    const V _s19 = lanes_mul(K(9.313225746154785e-10), _s18);
+    const V _s20 = lanes_sub(lanes_sub(lanes_add(lanes_mul(_s16, _s16), lanes_mul(_s17, _s17)), lanes_mul(_s0, _s0)), _s19);
+    const V _s21 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
+    const V _s22 = lanes_sub(p_ring_radius, _s4);
+    const V _s23 = lanes_mul(K(0.0001220703125), p_ring_radius);
+    const V _s24 = lanes_max(_s22, _s23);
+    const V _s25 = lanes_mul(_s24, _s24);
+    const V _s26 = lanes_mul(_s24, _s25);
+    const V _s27 = lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), _s6), lanes_mul(lanes_mul(K(4.0), p_gravity), z)), lanes_mul(K(2.0), _s21)), lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0)), _s26);
+    const V _s28 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V _s29 = lanes_mul(_s28, _s28);
+    const V _s30 = lanes_sub(_s27, lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s29));
+    const V _s31 = lanes_add(lanes_mul(_s16, lanes_add(lanes_mul(vx, _s12), lanes_mul(vy, _s13))), lanes_mul(lanes_mul(_s17, lanes_sub(vz, lanes_mul(p_gravity, _s11))), _s15));
+    const V _s32 = lanes_add(x, lanes_mul(horizon, vx));
+    const V _s33 = lanes_add(y, lanes_mul(horizon, vy));
+    const V _s34 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(_s19, lanes_mul(_s32, _s32)), lanes_mul(_s33, _s33)), _s25), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(_s21, lanes_add(_s19, _s25)), _s29), K(0.0)), K(1.0), K(0.0)));
+    const V _s35 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s31, _s31)), _s26), lanes_mul(lanes_mul(lanes_mul(K(2.0), _s30), _s14), _s20)), K(0.0)), _s34, K(0.0));
+    const V _s36 = lanes_select(lanes_less(horizon, lanes_sub(_s11, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), _s20), lanes_select(lanes_less(K(0.0), _s30), _s35, K(0.0)), K(0.0)));
+    const V _s37 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s38 = lanes_add(lanes_mul(_s10, _s21), _s37);
+    const V _s39 = lanes_select(lanes_less(_s38, K(0.0)), lanes_select(lanes_less(_s18, lanes_add(lanes_mul(_s10, lanes_add(_s37, _s38)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), _s36, K(0.0)), K(0.0));
+    const V _s40 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon)))), lanes_mul(K(65536.0), _s5)), lanes_select(lanes_less(K(0.0), _s7), lanes_select(lanes_less(_s10, K(0.0)), _s36, _s39), K(0.0)), K(0.0));
+    return (LANES(hoop_ring_clear_out)){ lanes_select(lanes_less(K(0.0), lanes_max(_s1, _s3)), K(0.0), lanes_select(lanes_less(_s2, lanes_mul(K(5.820766091346741e-11), _s5)), _s40, K(0.0))) };
 }
 
 /* Constants and windows of the search along a flight, and the errors it allows for.
@@ -1117,7 +1141,7 @@ typedef struct {
 } LANES(hoop_ring_prepare_out);
 
 LANES_INLINE LANES(hoop_ring_prepare_out)
-LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity, V _q12, V _q0, V _q15, V _q18, V _q17, V _q21, V _q11)
+LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
     const V _s0 = lanes_mul(vz, vz);
     const V _s1 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
@@ -1126,50 +1150,60 @@ LANES(hoop_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_
     const V _s4 = lanes_mul(_s3, _s3);
     const V _s5 = lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s4);
     const V _s6 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
-    const V _s7 = lanes_mul(K(2.0), p_gravity);
-    const V _s8 = lanes_mul(K(8.881784197001252e-16), lanes_add(_s0, lanes_mul(_s7, lanes_add(lanes_abs(z), _q12))));
-    const V _s9 = lanes_add(lanes_add(_s0, lanes_mul(_s7, lanes_add(z, _q12))), _s8);
-    const V _s10 = lanes_sqrt(_s9);
-    const V _s11 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_abs(vz), _s10));
-    const M _s12 = lanes_at_most(K(0.0), _s9);
-    const V _s13 = lanes_select(_s12, lanes_mul(_q0, lanes_sub(lanes_sub(vz, _s10), _s11)), K(INFINITY));
-    const V _s14 = lanes_mul(lanes_mul(K(1.7763568394002505e-15), _s1), lanes_add(_q15, _s6));
-    const V _s15 = lanes_sub(lanes_add(lanes_mul(_q15, _s1), _s14), _s4);
-    const V _s16 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
-    const V _s17 = lanes_sqrt(_s15);
-    const V _s18 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_abs(_s16), lanes_abs(_s3)), _s17));
-    const V _s19 = lanes_div(K(1.0), _s1);
-    const M _s20 = lanes_at_most(K(0.0), _s15);
-    const M _s21 = lanes_less(K(2.409919865102884e-181), _s1);
-    const V _s22 = lanes_select(_s21, lanes_select(_s20, lanes_mul(lanes_neg(lanes_add(lanes_add(_s16, _s17), _s18)), _s19), K(INFINITY)), K(-INFINITY));
-    const V _s23 = lanes_max(_s13, _s22);
-    const V _s24 = lanes_sub(lanes_sub(lanes_mul(_s1, _q18), _s14), _s4);
-    const V _s25 = lanes_sqrt(lanes_max(_s24, K(0.0)));
-    const V _s26 = lanes_select(_s21, lanes_select(_s20, lanes_mul(lanes_sub(lanes_add(_s17, _s18), _s16), _s19), K(-INFINITY)), K(INFINITY));
-    const M _s27 = lanes_less(K(0.0), lanes_select(_s21, _s24, K(0.0)));
-    const V _s28 = lanes_select(_s27, lanes_mul(lanes_sub(lanes_sub(_s18, _s16), _s25), _s19), _s26);
-    const V _s29 = lanes_sub(lanes_add(_s0, lanes_mul(_s7, lanes_sub(z, _q12))), _s8);
-    const V _s30 = lanes_sqrt(lanes_max(_s29, K(0.0)));
-    const V _s31 = lanes_select(_s12, lanes_mul(_q0, lanes_add(lanes_add(vz, _s10), _s11)), K(-INFINITY));
-    const M _s32 = lanes_less(K(0.0), _s29);
-    const V _s33 = lanes_select(_s32, lanes_mul(_q0, lanes_sub(lanes_add(vz, _s11), _s30)), _s31);
-    const V _s34 = lanes_min(_s28, _s33);
-    const V _s35 = lanes_select(_s27, lanes_mul(lanes_sub(lanes_sub(_s25, _s16), _s18), _s19), K(INFINITY));
-    const V _s36 = lanes_max(_s35, _s28);
-    const V _s37 = lanes_max(_s13, _s36);
-    const V _s38 = lanes_min(_s26, _s33);
-    const V _s39 = lanes_select(_s32, lanes_mul(_q0, lanes_sub(lanes_add(vz, _s30), _s11)), K(INFINITY));
-    const V _s40 = lanes_max(_s39, _s33);
-    const M _s41 = lanes_at_most(_s37, _s38);
-    const V _s42 = lanes_select(_s41, _s37, lanes_max(_s40, _s22));
-    const V _s43 = lanes_select(_s41, _s38, lanes_min(_s28, _s31));
-    const V _s44 = lanes_max(_s40, _s36);
-    const V _s45 = lanes_min(_s26, _s31);
-    const V _s46 = lanes_max(K(0.0), _s34);
-    const V _s47 = lanes_max(_s46, _s43);
-    const V _s48 = lanes_max(_s47, _s45);
-    const V _s49 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
-    return (LANES(hoop_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_max(K(0.0), _s23), lanes_min(_s34, horizon), lanes_max(K(0.0), _s42), lanes_min(_s43, horizon), lanes_max(K(0.0), _s44), lanes_min(_s45, horizon), lanes_add(lanes_add(_q17, lanes_mul(_s5, _q21)), lanes_abs(_s2)), lanes_min(_s48, horizon), lanes_max(_q11, _s49) };
+    const V _s7 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s8 = lanes_mul(K(1.00006103515625), _s7);
+    const V _s9 = lanes_mul(K(2.0), p_gravity);
+    const V _s10 = lanes_mul(K(8.881784197001252e-16), lanes_add(_s0, lanes_mul(_s9, lanes_add(lanes_abs(z), _s8))));
+    const V _s11 = lanes_add(lanes_add(_s0, lanes_mul(_s9, lanes_add(z, _s8))), _s10);
+    const V _s12 = lanes_div(K(1.0), p_gravity);
+    const V _s13 = lanes_sqrt(_s11);
+    const V _s14 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_abs(vz), _s13));
+    const M _s15 = lanes_at_most(K(0.0), _s11);
+    const V _s16 = lanes_select(_s15, lanes_mul(_s12, lanes_sub(lanes_sub(vz, _s13), _s14)), K(INFINITY));
+    const V _s17 = lanes_add(p_ring_radius, _s8);
+    const V _s18 = lanes_mul(_s17, _s17);
+    const V _s19 = lanes_mul(lanes_mul(K(1.7763568394002505e-15), _s1), lanes_add(_s18, _s6));
+    const V _s20 = lanes_sub(lanes_add(lanes_mul(_s18, _s1), _s19), _s4);
+    const V _s21 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s22 = lanes_sqrt(_s20);
+    const V _s23 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_abs(_s21), lanes_abs(_s3)), _s22));
+    const V _s24 = lanes_div(K(1.0), _s1);
+    const M _s25 = lanes_at_most(K(0.0), _s20);
+    const M _s26 = lanes_less(K(2.409919865102884e-181), _s1);
+    const V _s27 = lanes_select(_s26, lanes_select(_s25, lanes_mul(lanes_neg(lanes_add(lanes_add(_s21, _s22), _s23)), _s24), K(INFINITY)), K(-INFINITY));
+    const V _s28 = lanes_max(_s16, _s27);
+    const V _s29 = lanes_sub(p_ring_radius, _s8);
+    const V _s30 = lanes_mul(K(0.0001220703125), p_ring_radius);
+    const V _s31 = lanes_max(_s29, _s30);
+    const V _s32 = lanes_sub(lanes_sub(lanes_mul(_s1, lanes_mul(_s31, _s31)), _s19), _s4);
+    const V _s33 = lanes_sqrt(lanes_max(_s32, K(0.0)));
+    const V _s34 = lanes_select(_s26, lanes_select(_s25, lanes_mul(lanes_sub(lanes_add(_s22, _s23), _s21), _s24), K(-INFINITY)), K(INFINITY));
+    const M _s35 = lanes_less(K(0.0), lanes_select(_s26, _s32, K(0.0)));
+    const V _s36 = lanes_select(_s35, lanes_mul(lanes_sub(lanes_sub(_s23, _s21), _s33), _s24), _s34);
+    const V _s37 = lanes_sub(lanes_add(_s0, lanes_mul(_s9, lanes_sub(z, _s8))), _s10);
+    const V _s38 = lanes_sqrt(lanes_max(_s37, K(0.0)));
+    const V _s39 = lanes_select(_s15, lanes_mul(_s12, lanes_add(lanes_add(vz, _s13), _s14)), K(-INFINITY));
+    const M _s40 = lanes_less(K(0.0), _s37);
+    const V _s41 = lanes_select(_s40, lanes_mul(_s12, lanes_sub(lanes_add(vz, _s14), _s38)), _s39);
+    const V _s42 = lanes_min(_s36, _s41);
+    const V _s43 = lanes_select(_s35, lanes_mul(lanes_sub(lanes_sub(_s33, _s21), _s23), _s24), K(INFINITY));
+    const V _s44 = lanes_max(_s43, _s36);
+    const V _s45 = lanes_max(_s16, _s44);
+    const V _s46 = lanes_min(_s34, _s41);
+    const V _s47 = lanes_select(_s40, lanes_mul(_s12, lanes_sub(lanes_add(vz, _s38), _s14)), K(INFINITY));
+    const V _s48 = lanes_max(_s47, _s41);
+    const M _s49 = lanes_at_most(_s45, _s46);
+    const V _s50 = lanes_select(_s49, _s45, lanes_max(_s48, _s27));
+    const V _s51 = lanes_select(_s49, _s46, lanes_min(_s36, _s39));
+    const V _s52 = lanes_max(_s48, _s44);
+    const V _s53 = lanes_min(_s34, _s39);
+    const V _s54 = lanes_div(K(1.0), _s31);
+    const V _s55 = lanes_max(K(0.0), _s42);
+    const V _s56 = lanes_max(_s55, _s51);
+    const V _s57 = lanes_max(_s56, _s53);
+    const V _s58 = lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s7));
+    const V _s59 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
+    return (LANES(hoop_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_max(K(0.0), _s28), lanes_min(_s42, horizon), lanes_max(K(0.0), _s50), lanes_min(_s51, horizon), lanes_max(K(0.0), _s52), lanes_min(_s53, horizon), lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s7), lanes_mul(_s5, lanes_mul(_s54, lanes_mul(_s54, _s54)))), lanes_abs(_s2)), lanes_min(_s57, horizon), lanes_max(_s58, _s59) };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
@@ -1181,15 +1215,22 @@ typedef struct {
 } LANES(hoop_ring_margins_out);
 
 LANES_INLINE LANES(hoop_ring_margins_out)
-LANES(hoop_ring_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity, V _q12, V _q22, V _q23, V _q24, V _q25)
+LANES(hoop_ring_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
-    const V _s0 = lanes_add(speed, lanes_mul(p_gravity, horizon));
-    const V _s1 = lanes_mul(_q12, _s0);
-    const V _s2 = lanes_add(extent, lanes_mul(horizon, _s0));
-    const V _s3 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s2));
-    const V _s4 = lanes_mul(K(5.0), lanes_add(lanes_mul(lanes_mul(_s0, _q25), _s3), lanes_mul(_q12, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s0)))));
-    const V _s5 = lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(3.552713678800501e-15), _s0), lanes_add(lanes_mul(_s2, _q25), _q22)), lanes_mul(K(4.440892098500626e-16), _s1)), _s4));
-    return (LANES(hoop_ring_margins_out)){ lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(4.440892098500626e-16), horizon), _s1), _q23), lanes_mul(_q24, _s3))), _s5, lanes_mul(K(1.0009765625), lanes_add(lanes_mul(K(3.552713678800501e-15), lanes_mul(_q22, _s0)), _s4)) };
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s2 = lanes_mul(K(1.00006103515625), _s0);
+    const V _s3 = lanes_mul(_s2, _s1);
+    const V _s4 = lanes_add(p_ring_radius, _s2);
+    const V _s5 = lanes_add(extent, lanes_mul(horizon, _s1));
+    const V _s6 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s5));
+    const V _s7 = lanes_sub(p_ring_radius, _s2);
+    const V _s8 = lanes_mul(K(0.0001220703125), p_ring_radius);
+    const V _s9 = lanes_div(_s2, lanes_max(_s7, _s8));
+    const V _s10 = lanes_max(K(1.0), _s9);
+    const V _s11 = lanes_mul(K(5.0), lanes_add(lanes_mul(lanes_mul(_s1, _s10), _s6), lanes_mul(_s2, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s1)))));
+    const V _s12 = lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(3.552713678800501e-15), _s1), lanes_add(lanes_mul(_s5, _s10), _s4)), lanes_mul(K(4.440892098500626e-16), _s3)), _s11));
+    return (LANES(hoop_ring_margins_out)){ lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(4.440892098500626e-16), horizon), _s3), lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s4)), lanes_mul(lanes_mul(K(5.00030517578125), _s0), _s6))), _s12, lanes_mul(K(1.0009765625), lanes_add(lanes_mul(K(3.552713678800501e-15), lanes_mul(_s4, _s1)), _s11)) };
 }
 
 /* Newton's next value of a root near t, and the rate there.
@@ -1200,7 +1241,7 @@ typedef struct {
 } LANES(hoop_ring_refine_out);
 
 LANES_INLINE LANES(hoop_ring_refine_out)
-LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_start, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity, V _q3)
+LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_start, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
     const V _s0 = lanes_add(x, lanes_mul(t, vx));
     const V _s1 = lanes_add(y, lanes_mul(t, vy));
@@ -1212,8 +1253,9 @@ LANES(hoop_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_s
     const V _s7 = lanes_add(z, lanes_mul(t, _s6));
     const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(lanes_mul(_s3, _s4), lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1))), _s5), lanes_mul(lanes_sub(vz, lanes_mul(p_gravity, t)), _s7)));
     const V _s9 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, p_ring_radius), _s5)), lanes_mul(_s2, _s4));
-    const V _s10 = lanes_div(lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s9, lanes_mul(lanes_add(z, _s7), _s6))), lanes_sub(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s7, _s7)), _q3)), _s8);
-    return (LANES(hoop_ring_refine_out)){ lanes_sub(t, _s10), _s8 };
+    const V _s10 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s11 = lanes_div(lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s9, lanes_mul(lanes_add(z, _s7), _s6))), lanes_sub(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s7, _s7)), lanes_mul(_s10, _s10))), _s8);
+    return (LANES(hoop_ring_refine_out)){ lanes_sub(t, _s11), _s8 };
 }
 
 /* Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
@@ -1229,7 +1271,7 @@ typedef struct {
 } LANES(hoop_ring_advance_out);
 
 LANES_INLINE LANES(hoop_ring_advance_out)
-LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity, V _q3, V _q12, V _q26, V _q27)
+LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
     const V _s0 = lanes_add(x, lanes_mul(t, vx));
     const V _s1 = lanes_add(y, lanes_mul(t, vy));
@@ -1240,36 +1282,41 @@ LANES(hoop_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceili
     const V _s6 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, p_ring_radius), _s3)), lanes_mul(_s2, _s5));
     const V _s7 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
     const V _s8 = lanes_add(z, lanes_mul(t, _s7));
-    const V _s9 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s6, lanes_mul(lanes_add(z, _s8), _s7))), lanes_sub(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s8, _s8)), _q3));
-    const V _s10 = lanes_mul(_s4, _s5);
-    const V _s11 = lanes_mul(_s10, lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1)));
-    const V _s12 = lanes_sub(vz, lanes_mul(p_gravity, t));
-    const V _s13 = lanes_add(lanes_mul(_s11, _s3), lanes_mul(_s12, _s8));
-    const V _s14 = lanes_mul(K(2.0), _s13);
-    const V _s15 = lanes_mul(K(6.0), p_gravity);
-    const V _s16 = lanes_mul(_s15, _s8);
-    const V _s17 = lanes_mul(swing, lanes_mul(_s10, lanes_mul(_s10, _s10)));
-    const V _s18 = lanes_sub(_s14, rate_margin);
-    const V _s19 = lanes_sub(_s9, margin);
-    const V _s20 = lanes_max(_s19, K(0.0));
-    const V _s21 = lanes_sub(lanes_add(_s16, _s17), steady);
-    const M _s22 = lanes_less(_s18, K(0.0));
-    const V _s23 = lanes_mul(K(2.0), _s20);
-    const V _s24 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s18), _s20, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s22, _s23, lanes_mul(K(4.0), _s18)), lanes_select(_s22, lanes_neg(_s18), lanes_max(K(0.0), _s21))));
-    const V _s25 = lanes_sub(end, t);
-    const V _s26 = lanes_min(_s24, _s25);
-    const V _s27 = lanes_add(lanes_mul(_s26, lanes_max(_s12, K(0.0))), _s8);
-    const V _s28 = lanes_mul(_s15, lanes_min(_q12, _s27));
-    const V _s29 = lanes_sub(lanes_add(lanes_mul(_s26, lanes_min(K(0.0), _s11)), _s2), _q26);
-    const V _s30 = lanes_div(K(1.0), lanes_max(_s29, _q27));
-    const V _s31 = lanes_mul(swing, lanes_mul(_s30, lanes_mul(_s30, _s30)));
-    const V _s32 = lanes_sub(lanes_add(lanes_add(_s28, _s31), lanes_mul(K(9.094947017729282e-13), lanes_add(lanes_add(_s31, lanes_abs(steady)), lanes_abs(_s28)))), steady);
-    const V _s33 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s32), _s20), lanes_mul(_s18, _s18));
-    const V _s34 = lanes_sqrt(_s33);
-    const V _s35 = lanes_select(lanes_at_most(K(0.0), _s33), lanes_div(lanes_select(_s22, _s23, lanes_add(_s18, _s34)), lanes_select(_s22, lanes_sub(_s34, _s18), lanes_max(K(0.0), _s32))), K(INFINITY));
-    const V _s36 = lanes_min(_s35, _s26);
-    const V _s37 = lanes_neg(lanes_add(rate_margin, _s14));
-    return (LANES(hoop_ring_advance_out)){ _s9, _s14, lanes_sub(lanes_sub(steady, _s16), _s17), _s36, lanes_add(t, _s36), lanes_sub(t, lanes_div(lanes_mul(K(0.5), _s9), _s13)), lanes_select(lanes_less(K(0.0), _s37), lanes_sub(lanes_mul(_s37, _s37), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, lanes_mul(K(32.0), _s20)))), _s37) };
+    const V _s9 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s10 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s6, lanes_mul(lanes_add(z, _s8), _s7))), lanes_sub(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s8, _s8)), lanes_mul(_s9, _s9)));
+    const V _s11 = lanes_mul(_s4, _s5);
+    const V _s12 = lanes_mul(_s11, lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1)));
+    const V _s13 = lanes_sub(vz, lanes_mul(p_gravity, t));
+    const V _s14 = lanes_add(lanes_mul(_s12, _s3), lanes_mul(_s13, _s8));
+    const V _s15 = lanes_mul(K(2.0), _s14);
+    const V _s16 = lanes_mul(K(6.0), p_gravity);
+    const V _s17 = lanes_mul(_s16, _s8);
+    const V _s18 = lanes_mul(swing, lanes_mul(_s11, lanes_mul(_s11, _s11)));
+    const V _s19 = lanes_mul(K(1.00006103515625), _s9);
+    const V _s20 = lanes_sub(_s15, rate_margin);
+    const V _s21 = lanes_sub(_s10, margin);
+    const V _s22 = lanes_max(_s21, K(0.0));
+    const V _s23 = lanes_sub(lanes_add(_s17, _s18), steady);
+    const M _s24 = lanes_less(_s20, K(0.0));
+    const V _s25 = lanes_mul(K(2.0), _s22);
+    const V _s26 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s20), _s22, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s24, _s25, lanes_mul(K(4.0), _s20)), lanes_select(_s24, lanes_neg(_s20), lanes_max(K(0.0), _s23))));
+    const V _s27 = lanes_sub(end, t);
+    const V _s28 = lanes_min(_s26, _s27);
+    const V _s29 = lanes_add(lanes_mul(_s28, lanes_max(_s13, K(0.0))), _s8);
+    const V _s30 = lanes_mul(_s16, lanes_min(_s19, _s29));
+    const V _s31 = lanes_sub(lanes_add(lanes_mul(_s28, lanes_min(K(0.0), _s12)), _s2), lanes_mul(K(9.094947017729282e-13), lanes_add(p_ring_radius, _s19)));
+    const V _s32 = lanes_sub(p_ring_radius, _s19);
+    const V _s33 = lanes_mul(K(0.0001220703125), p_ring_radius);
+    const V _s34 = lanes_max(_s32, _s33);
+    const V _s35 = lanes_div(K(1.0), lanes_max(_s31, _s34));
+    const V _s36 = lanes_mul(swing, lanes_mul(_s35, lanes_mul(_s35, _s35)));
+    const V _s37 = lanes_sub(lanes_add(lanes_add(_s30, _s36), lanes_mul(K(9.094947017729282e-13), lanes_add(lanes_add(_s36, lanes_abs(steady)), lanes_abs(_s30)))), steady);
+    const V _s38 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s37), _s22), lanes_mul(_s20, _s20));
+    const V _s39 = lanes_sqrt(_s38);
+    const V _s40 = lanes_select(lanes_at_most(K(0.0), _s38), lanes_div(lanes_select(_s24, _s25, lanes_add(_s20, _s39)), lanes_select(_s24, lanes_sub(_s39, _s20), lanes_max(K(0.0), _s37))), K(INFINITY));
+    const V _s41 = lanes_min(_s40, _s28);
+    const V _s42 = lanes_neg(lanes_add(rate_margin, _s15));
+    return (LANES(hoop_ring_advance_out)){ _s10, _s15, lanes_sub(lanes_sub(steady, _s17), _s18), _s41, lanes_add(t, _s41), lanes_sub(t, lanes_div(lanes_mul(K(0.5), _s10), _s14)), lanes_select(lanes_less(K(0.0), _s42), lanes_sub(lanes_mul(_s42, _s42), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, lanes_mul(K(32.0), _s22)))), _s42) };
 }
 
 /* The first window that begins no earlier than a time, if there is one.
@@ -1354,10 +1401,10 @@ typedef struct {
 } LANES(hoop_backboard_margin_out);
 
 LANES_INLINE LANES(hoop_backboard_margin_out)
-LANES(hoop_backboard_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_board_distance, V p_gravity, V _q28)
+LANES(hoop_backboard_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_board_distance, V p_gravity)
 {
     const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))));
-    return (LANES(hoop_backboard_margin_out)){ lanes_add(lanes_add(_q28, lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
+    return (LANES(hoop_backboard_margin_out)){ lanes_add(lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), p_ball_radius), lanes_mul(K(8.890457814381136e-16), p_board_distance)), lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
 }
 
 /* The point of the contact plane nearest to a position.
@@ -1453,13 +1500,14 @@ typedef struct {
 } LANES(hoop_bridge_arrival_out);
 
 LANES_INLINE LANES(hoop_bridge_arrival_out)
-LANES(hoop_bridge_arrival)(V leaving, V z, V vz, V p_ball_radius, V p_wire_radius, V p_gravity, V _q29, V _q30)
+LANES(hoop_bridge_arrival)(V leaving, V z, V vz, V p_ball_radius, V p_wire_radius, V p_gravity)
 {
     const V _s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(z, lanes_add(p_ball_radius, p_wire_radius)));
     const V _s1 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), p_gravity), _s0));
     const V _s2 = lanes_sqrt(_s1);
     const M _s3 = lanes_less(vz, K(0.0));
-    return (LANES(hoop_bridge_arrival_out)){ lanes_div(lanes_select(_s3, lanes_mul(K(2.0), _s0), lanes_add(vz, _s2)), lanes_select(_s3, lanes_sub(_s2, vz), p_gravity)), lanes_neg(_s2), lanes_neg(p_gravity), lanes_neg(lanes_mul(vz, _q29)), lanes_neg(lanes_mul(_q30, _s1)) };
+    const V _s4 = lanes_neg(lanes_div(K(1.0), p_gravity));
+    return (LANES(hoop_bridge_arrival_out)){ lanes_div(lanes_select(_s3, lanes_mul(K(2.0), _s0), lanes_add(vz, _s2)), lanes_select(_s3, lanes_sub(_s2, vz), p_gravity)), lanes_neg(_s2), lanes_neg(p_gravity), lanes_neg(lanes_mul(vz, _s4)), lanes_neg(lanes_mul(lanes_mul(K(0.5), _s4), _s1)) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.
@@ -1469,10 +1517,10 @@ typedef struct {
 } LANES(hoop_bridge_margin_out);
 
 LANES_INLINE LANES(hoop_bridge_margin_out)
-LANES(hoop_bridge_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_wire_radius, V p_gravity, V _q31)
+LANES(hoop_bridge_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_wire_radius, V p_gravity)
 {
     const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))));
-    return (LANES(hoop_bridge_margin_out)){ lanes_add(lanes_add(_q31, lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
+    return (LANES(hoop_bridge_margin_out)){ lanes_add(lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), p_ball_radius), lanes_mul(K(6.667843360785852e-16), p_wire_radius)), lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
 }
 
 /* The point of the contact plane nearest to a position.
@@ -1541,13 +1589,14 @@ typedef struct {
 } LANES(hoop_end_arrival_out);
 
 LANES_INLINE LANES(hoop_end_arrival_out)
-LANES(hoop_end_arrival)(V leaving, V z, V vz, V p_gravity, V p_end_depth, V _q29, V _q30)
+LANES(hoop_end_arrival)(V leaving, V z, V vz, V p_gravity, V p_end_depth)
 {
     const V _s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(z, lanes_neg(p_end_depth)));
     const V _s1 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), p_gravity), _s0));
     const V _s2 = lanes_sqrt(_s1);
     const M _s3 = lanes_less(vz, K(0.0));
-    return (LANES(hoop_end_arrival_out)){ lanes_div(lanes_select(_s3, lanes_mul(K(2.0), _s0), lanes_add(vz, _s2)), lanes_select(_s3, lanes_sub(_s2, vz), p_gravity)), lanes_neg(_s2), lanes_neg(p_gravity), lanes_neg(lanes_mul(vz, _q29)), lanes_neg(lanes_mul(_q30, _s1)) };
+    const V _s4 = lanes_neg(lanes_div(K(1.0), p_gravity));
+    return (LANES(hoop_end_arrival_out)){ lanes_div(lanes_select(_s3, lanes_mul(K(2.0), _s0), lanes_add(vz, _s2)), lanes_select(_s3, lanes_sub(_s2, vz), p_gravity)), lanes_neg(_s2), lanes_neg(p_gravity), lanes_neg(lanes_mul(vz, _s4)), lanes_neg(lanes_mul(lanes_mul(K(0.5), _s4), _s1)) };
 }
 
 /* Rounding-error bound of the gap up to the horizon.

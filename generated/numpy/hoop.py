@@ -24,6 +24,8 @@ from numpy import ndim as _ndim
 from numpy import sqrt as _sqrt
 from numpy import where as _where
 
+SCENE = "hoop"
+
 PARAMETERS: dict[str, tuple[float, str, str]] = {
     "ball_radius": (0.12128, "m", "R_B, radius of the ball"),
     "ring_radius": (0.235, "m", "R_H, radius of the wire's centre circle"),
@@ -38,6 +40,11 @@ PARAMETERS: dict[str, tuple[float, str, str]] = {
     "end_depth": (0.024256, "m", "H, of the end plane below the ring"),
 }
 """Parameters in calling order: default, unit, meaning."""
+
+LIMITS: dict[str, tuple[float, float]] = {
+    "restitution": (0.0, 1.0),
+}
+"""Of parameters with a largest value: between which they are."""
 
 VARIABLES: dict[str, str] = {
     "ball_radius": "p_ball_radius",

@@ -34,11 +34,16 @@ _COMMANDS = {
     "study": "study",
     "view": "view",
     "certify": "certify",
+    "compile": "scenes",
+    "cache": "scenes",
     "generate": "develop",
     "check": "develop",
     "bench": "develop",
 }
 """Each command, and the module that has it."""
+
+_NAMES = {"map": "map_", "compile": "compile_"}
+"""What commands are called in their modules, where Python has the name."""
 
 
 class _Commands(UserDict[str, click.Command]):
@@ -46,7 +51,7 @@ class _Commands(UserDict[str, click.Command]):
 
     def __getitem__(self, name: str) -> click.Command:
         module = import_module(f"hoopgen.cli.{_COMMANDS[name]}")
-        command: click.Command = getattr(module, "map_" if name == "map" else name)
+        command: click.Command = getattr(module, _NAMES.get(name, name))
         return command
 
     def __iter__(self) -> Iterator[str]:

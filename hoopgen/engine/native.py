@@ -6,28 +6,21 @@ It serves if it was built from the sources that are here, and has given NumPy's 
 from __future__ import annotations
 
 import ctypes
-import importlib.machinery
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.generated.numpy import hoop
-from hoopgen.generated.numpy.hoop import RESULTS
-
 from . import arithmetic, sources, trust
 from .raw import LOG, Raw
-from .trust import WIDTHS
+from .trust import WIDTHS, Batch
 
-__all__ = ["WIDTHS", "Library", "Refused", "checked", "installed", "load"]
-
-_ARRAYS = (*(result.name for result in RESULTS), *LOG)
-"""Pointers of the C struct, in order."""
+__all__ = ["WIDTHS", "Library", "Refused", "checked"]
 
 
 _INEXACT = -2
@@ -37,10 +30,6 @@ _INEXACT = -2
 _AGAIN = "install again without CFLAGS and LDFLAGS of your own"
 
 
-class _Results(ctypes.Structure):
-    _fields_ = [(name, ctypes.c_void_p) for name in _ARRAYS]
-
-
 class Library:
     """A compiled scene.
 
@@ -48,8 +37,9 @@ class Library:
     ----------
     path
         The shared library.
-    scene
-        Name of the scene, which its functions' names begin with.
+    kernels
+        The generated NumPy module of its scene: its name, which those of the functions begin with,
+        and its table of results.
 
     Raises
     ------
@@ -57,7 +47,14 @@ class Library:
         If it cannot be loaded.
     """
 
-    def __init__(self, path: Path, scene: str) -> None:
+    def __init__(self, path: Path, kernels: ModuleType) -> None:
+        scene: str = kernels.SCENE
+        self._arrays = (*(result.name for result in kernels.RESULTS), *LOG)
+        self._results: type[ctypes.Structure] = type(
+            "Results",
+            (ctypes.Structure,),
+            {"_fields_": [(name, ctypes.c_void_p) for name in self._arrays]},
+        )
         library = ctypes.CDLL(str(path))
         self._simulate = getattr(library, f"{scene}_simulate")
         self._simulate.restype = ctypes.c_int
@@ -128,7 +125,7 @@ class Library:
             )
         )
         strides = (ctypes.c_int64 * count)(*(not isinstance(p, float) for p in parameters))
-        results = _Results(*(_address(getattr(out, name)) for name in _ARRAYS))
+        results = self._results(*(_address(getattr(out, name)) for name in self._arrays))
         used = self._simulate(
             len(states),
             _address(states),
@@ -161,33 +158,21 @@ class Refused:
     remedy: str
 
 
-def installed() -> Library | None:
-    """Return the hoop's compiled engine, None where there is none that can be trusted.
+def checked(
+    path: Path, kernels: ModuleType, c_sources: Path, shots: Sequence[Batch]
+) -> Library | Refused:
+    """Return the engine of a library that came with hoopgen, or why it cannot be trusted.
 
-    Raises
-    ------
-    RuntimeError
-        If this thread does not compute doubles as IEEE 754 says, so that nothing can be compared.
-    """
-    found = load()
-    return found if isinstance(found, Library) else None
-
-
-@cache
-def load() -> Library | Refused:
-    """Return the hoop's compiled engine, or why there is none that can be trusted.
-
-    Raises
-    ------
-    RuntimeError
-        If this thread does not compute doubles as IEEE 754 says, so that nothing can be compared.
-    """
-    suffix = importlib.machinery.EXTENSION_SUFFIXES[0]
-    return checked(Path(__file__).with_name("_hoop" + suffix))
-
-
-def checked(path: Path) -> Library | Refused:
-    """Return the hoop's engine from a library, or why it cannot be trusted.
+    Parameters
+    ----------
+    path
+        The shared library.
+    kernels
+        The generated NumPy module of its scene.
+    c_sources
+        The folder of what it should have been built from.
+    shots
+        With which it is compared with NumPy.
 
     Raises
     ------
@@ -196,15 +181,15 @@ def checked(path: Path) -> Library | Refused:
     """
     arithmetic.check_arithmetic()
     try:
-        library = Library(path, "hoop")
+        library = Library(path, kernels)
     except (OSError, AttributeError):
         return Refused("was not built", "install again with a C compiler")
     if not arithmetic.exact():
         return Refused("makes subnormals zero in this process when it is loaded", _AGAIN)
     # Without the sources, as in a bundle, there is nothing that could be newer.
-    if sources.word(Path(hoop.__file__).parents[1] / "c") not in ("", library.sources):
+    if sources.word(c_sources) not in ("", library.sources):
         return Refused("was built from other sources than these", "`pip install -e .` again")
-    differences = trust.trusted(path, library, hoop)
+    differences = trust.trusted(path, library, kernels, shots)
     if differences:
         return Refused(f"does not give NumPy's results ({differences})", _AGAIN)
     return library

@@ -139,7 +139,7 @@ def run(
         "time_limit": time_limit,
         "claims": float(claimed),
     }
-    flights = Flights(kernels, out.certified, job)
+    flights = Flights(kernels, bounded(kernels, out), job)
     begun = 0
     with np.errstate(all="ignore"):
         while not stopped():
@@ -154,6 +154,11 @@ def run(
                     continue
                 return
             flights.advance(out)
+
+
+def bounded(kernels: ModuleType, out: Raw) -> bool:
+    """Return whether anything that bounds errors is wanted."""
+    return any(r.bounds and getattr(out, r.name) is not None for r in kernels.RESULTS)
 
 
 def _given(

@@ -52,8 +52,11 @@ def deepest(
     with ctx.workprec(AUDIT_BITS):
         start, values = [arb(c) for c in state], [arb(p) for p in parameters]
         own, end = formulas(scene), arb(duration)
-        places = range(own.faces)
-        return tuple(_depth(own, k, start, end, values, k == leaving) for k in places)
+        depths = [0.0] * len(own.solids)
+        for k, surface in enumerate(own.surfaces[: own.faces]):
+            depth = _depth(own, k, start, end, values, surface.face == leaving)
+            depths[surface.face] = max(depths[surface.face], depth)
+        return tuple(depths)
 
 
 def _depth(

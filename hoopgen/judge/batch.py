@@ -16,7 +16,6 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.inputs import (
     check_contacts,
@@ -25,7 +24,8 @@ from hoopgen.inputs import (
     check_states,
     check_time_limit,
 )
-from hoopgen.parameters import PAPER, resolve
+from hoopgen.parameters import resolve
+from hoopgen.scene.definition import definition, table_of, usual_contacts, usual_limit
 
 from .certificate import UNDECIDED, Certificate, Proof, ProvedEvent, doubles, enclosure
 from .flight import Flown, Undecided, fly
@@ -43,9 +43,10 @@ _FORKS = sys.platform == "linux"
 
 def certify(
     states: ArrayLike,
-    parameters: Mapping[str, Any] = PAPER,
+    parameters: Mapping[str, Any] | None = None,
     *,
-    max_contacts: int = 40,
+    scene: Any = None,
+    max_contacts: int | None = None,
     max_bits: int = MAX_BITS,
     record: bool = False,
     leaving: ArrayLike | None = None,
@@ -61,8 +62,8 @@ def certify(
 
     Parameters
     ----------
-    states, parameters, max_contacts
-        As in `simulate`.
+    states, parameters, scene, max_contacts
+        As in `simulate`. Of a scene, its definition is what counts: nothing is compiled for it.
     max_bits
         Where to give up; at least 128.
     record
@@ -83,12 +84,15 @@ def certify(
         If an argument is not as described; the message says what is.
     """
     releases = check_states(states)
-    values = resolve(parameters, len(releases))
-    left = check_leaving(leaving, len(releases))
-    most = check_contacts(max_contacts)
+    derived = definition(scene)
+    table = table_of(scene, derived)
+    own = resolve(parameters, len(releases), table)
+    values = table.inputs(dict(zip(table.defaults, own, strict=True)))
+    left = check_leaving(leaving, len(releases), len(derived.bodies))
+    most = usual_contacts(derived) if max_contacts is None else check_contacts(max_contacts)
     bits = check_count("max_bits", max_bits, least=FIRST_BITS)
-    limit = check_time_limit(time_limit)
-    return prove(HOOP, releases, values, left, most, bits, record, processes, limit)
+    limit = usual_limit(derived) if time_limit is None else check_time_limit(time_limit)
+    return prove(derived, releases, values, left, most, bits, record, processes, limit)
 
 
 def prove(

@@ -5,13 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
 
 from hoopgen.phrases import counted
+
+if TYPE_CHECKING:
+    from hoopgen.results import Shots
 
 UNDECIDED = 255
 """In `Certificate.outcome`: none was proved."""
@@ -152,6 +155,38 @@ class Certificate:
         self.time_radius: NDArray[np.float64] = np.array([p.time_radius for p in proofs], float)
         states = [p.state for p in proofs], [p.state_radii for p in proofs]
         self.state, self.state_radius = (np.array(s, float).reshape(shots, 9) for s in states)
+
+    def agrees(self, shots: Shots) -> NDArray[np.bool_]:
+        """Return where shots are as it is proved here, or marked as uncertain.
+
+        Parameters
+        ----------
+        shots
+            Of the same releases; with their event log, ``record=True``.
+
+        Returns
+        -------
+        ndarray
+            bool (n,): the same surfaces in the same order, and the same outcome; or uncertain. Of
+            an undecided proof, that it is uncertain.
+
+        Raises
+        ------
+        ValueError
+            If they are not as many.
+        AttributeError
+            If they have no event log, or were simulated without "outcome" or "uncertain".
+        """
+        if len(shots) != len(self):
+            raise ValueError(
+                f"shots: expected {len(self)}, as many as were proved; got {len(shots)}"
+            )
+        ends = np.searchsorted(shots.events["shot"], np.arange(1, len(self)))
+        found = np.split(shots.events["surface"], ends) if len(self) else []
+        proved = (proof.surfaces for proof in self.proofs)
+        same = [list(one) == other for one, other in zip(found, proved, strict=True)]
+        right = self.decided & (shots.outcome == self.outcome) & np.array(same, np.bool_)
+        return np.asarray(right | shots.uncertain)
 
     @property
     def uncertain(self) -> NDArray[np.bool_]:

@@ -67,7 +67,8 @@ def fly(
     try:
         if not _valid(formulas, now, values, leaving):
             return Flown(formulas.outcomes["invalid"], arb.nan(), [arb.nan()] * len(now))
-        _follow(formulas, values, max_contacts, leaving, time_limit, flown)
+        left = _left(formulas, now, values, leaving)
+        _follow(formulas, values, max_contacts, left, time_limit, flown)
     except Undecided as question:
         raise Undecided(question.args[0], flown) from None
     return flown
@@ -107,6 +108,21 @@ def _follow(
         if len(flown.events) >= max_contacts:
             flown.outcome = formulas.outcomes["capped"]
             return
+
+
+def _left(formulas: Formulas, state: list[arb], values: list[arb], leaving: int) -> int:
+    """Return what the ball leaves: of a surface of several parts, the nearest in its bounds."""
+    own = [k for k, surface in enumerate(formulas.surfaces) if surface.face == leaving]
+    within = [
+        k
+        for k in own
+        if any(_holds(p, state, values) is not False for p in formulas.surfaces[k].patches)
+    ]
+
+    def away(k: int) -> float:
+        return abs(float(formulas.surfaces[k].distance(state, values)[0].mid()))
+
+    return min(within or own, key=away, default=-1)
 
 
 def _stops(surface: SurfaceFormulas, flown: Flown, values: list[arb]) -> bool:
@@ -158,17 +174,17 @@ def _valid(formulas: Formulas, state: list[arb], values: list[arb], leaving: int
             raise Undecided("the parameters are on the edge of what is allowed")
         if side <= 0:
             return False
-    faces = formulas.surfaces[: formulas.faces]
-    others = [s for k, s in enumerate(faces) if k != leaving]
-    return not any(_overlaps(surface, state, values) for surface in others)
+    others = [k for k in range(len(formulas.solids)) if k != leaving]
+    return not any(_overlaps(formulas, k, state, values) for k in others)
 
 
-def _overlaps(surface: SurfaceFormulas, state: list[arb], values: list[arb]) -> bool:
-    sides = [sign(part) for part in surface.inside(state, values)]
+def _overlaps(formulas: Formulas, face: int, state: list[arb], values: list[arb]) -> bool:
+    sides = [sign(part) for part in formulas.solids[face](state, values)]
     if any(side is not None and side >= 0 for side in sides):
         return False
     if None in sides:
-        raise Undecided(f"the ball starts on the edge of the {surface.name}")
+        name = next(surface.name for surface in formulas.surfaces if surface.face == face)
+        raise Undecided(f"the ball starts on the edge of the {name}")
     return True
 
 
@@ -207,10 +223,20 @@ def _next(
     best = min(certain, key=lambda k: float(arrivals[k].time.mid()), default=-1)
     for k, arrival in arrivals.items():
         if k != best and not (best >= 0 and arrivals[best].time < arrival.time):
+            if arrival.certain and _seam(formulas, k, best):
+                continue
             if not arrival.certain:
                 raise Undecided(f"whether the ball meets the {names[k]}")
             raise Undecided(f"whether the {names[k]} or the {names[best]} comes first")
     return best, arrivals[best].time
+
+
+def _seam(formulas: Formulas, one: int, other: int) -> bool:
+    """Return whether both are parts of one surface, which is smooth where they meet."""
+    last = len(formulas.surfaces)  # the time limit
+    if last in (one, other):
+        return False
+    return formulas.surfaces[one].face == formulas.surfaces[other].face
 
 
 def arrival_at(

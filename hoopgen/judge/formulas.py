@@ -12,6 +12,7 @@ from functools import cache
 from typing import Any
 
 import sympy as sp
+from flint import fmpq
 
 from hoopgen.derive.ground.choice import Held
 from hoopgen.derive.ground.symbols import (
@@ -27,7 +28,9 @@ from hoopgen.derive.ground.symbols import (
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
 from hoopgen.derive.search.events import event_coefficients
-from hoopgen.derive.surfaces import Gate, Plane, Surface
+from hoopgen.derive.surfaces import Box, Gate, Plane, Surface
+
+from .parts import box_solid, parts
 
 Function = Callable[..., list[Any]]
 
@@ -57,7 +60,7 @@ def compiled(expressions: Sequence[sp.Expr], *arguments: Sequence[sp.Symbol]) ->
     results = [writer.write(sp.sympify(expression)) for expression in expressions]
     head = f"def function({', '.join(f'a{place}' for place in range(len(arguments)))}):"
     source = "\n    ".join([head, *writer.lines, f"return [{', '.join(results)}]"])
-    namespace: dict[str, Any] = {}
+    namespace: dict[str, Any] = {"fmpq": fmpq}
     exec(source, namespace)  # made above, from derive/ alone
     made: Function = namespace["function"]
     return made
@@ -86,6 +89,8 @@ class _Writer:
     def _formula(self, expression: sp.Expr) -> str:
         if expression.is_Integer:
             return f"({int(expression)})"
+        if expression.is_Rational:
+            return f"fmpq({expression.p}, {expression.q})"
         if expression.is_Add:
             return " + ".join(self.write(term) for term in expression.args)
         if expression.is_Mul:
@@ -137,11 +142,11 @@ class SurfaceFormulas:
     normal
         n3 at the state's position.
     inside
-        Expressions that are all negative exactly when the ball overlaps the body.
+        Expressions that are all negative exactly when the ball overlaps it.
     distance
         Signed distance, as a list of one.
-    body
-        The body that it belongs to.
+    face, body
+        The surface of the scene that it is, or is a part of, and the body that it belongs to.
     bounded
         Whether it has bounds.
     impact
@@ -161,6 +166,7 @@ class SurfaceFormulas:
     normal: Function
     inside: Function
     distance: Function
+    face: int
     body: int
     bounded: bool
     axis: int
@@ -177,9 +183,12 @@ class Formulas:
     Attributes
     ----------
     surfaces
-        What can be touched, then the planes that end a shot.
+        What can be touched, of a box each face, edge and corner; then the planes that end a shot.
+    solids
+        (state, parameters), by surface of the scene: all negative exactly where the ball overlaps
+        the body.
     faces, bodies
-        How many can be touched.
+        How many of the surfaces can be touched, and how many bodies there are.
     outcomes
         The number of each outcome by name.
     order
@@ -193,6 +202,7 @@ class Formulas:
     """
 
     surfaces: tuple[SurfaceFormulas, ...]
+    solids: tuple[Function, ...]
     faces: int
     bodies: int
     outcomes: dict[str, int]
@@ -204,7 +214,7 @@ class Formulas:
     uppers: tuple[float | None, ...]
 
 
-def _surface(surface: Surface, body: int, scene: Scene) -> SurfaceFormulas:
+def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFormulas:
     place, motion = (*POSITION, *VELOCITY), scene.symbols
     axis, offset = -1, sp.Integer(0)
     if isinstance(surface, Plane):
@@ -234,6 +244,7 @@ def _surface(surface: Surface, body: int, scene: Scene) -> SurfaceFormulas:
         by_state(list(surface.normal)),
         by_state(surface.inside),
         by_state([surface.distance]),
+        face,
         body,
         bool(surface.bounds),
         axis,
@@ -244,18 +255,28 @@ def _surface(surface: Surface, body: int, scene: Scene) -> SurfaceFormulas:
     )
 
 
+def _solid(surface: Surface) -> tuple[sp.Expr, ...]:
+    return box_solid(surface) if isinstance(surface, Box) else surface.inside
+
+
 @cache
 def formulas(scene: Scene = HOOP) -> Formulas:
     """Return the scene's formulas, compiled once."""
     state = (*POSITION, *VELOCITY, *SPIN)
     parameters = scene.symbols
     there = scene.flight.at()
-    gates = [(gate, len(scene.bodies)) for gate in scene.gates]
-    faces = [*zip(scene.surfaces, scene.faces, strict=True), *gates]
-    surfaces = tuple(_surface(surface, body, scene) for surface, body in faces)
+    faces = zip(scene.surfaces, scene.faces, strict=True)
+    touched = [
+        (part, face, body) for face, (surface, body) in enumerate(faces) for part in parts(surface)
+    ]
+    gates = [
+        (gate, len(scene.surfaces) + k, len(scene.bodies)) for k, gate in enumerate(scene.gates)
+    ]
+    surfaces = tuple(_surface(*place, scene) for place in (*touched, *gates))
     return Formulas(
         surfaces,
-        len(scene.surfaces),
+        tuple(compiled(_solid(s), (*POSITION, *VELOCITY), parameters) for s in scene.surfaces),
+        len(touched),
         len(scene.bodies),
         scene.outcomes,
         tuple(sorted(range(len(surfaces)), key=lambda k: surfaces[k].axis < 0)),

@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.engine.raw import EVENT, RESULT
+from hoopgen.engines import HOOP, Engine
 from hoopgen.inputs import doubles
-from hoopgen.parameters import PAPER
 
 from .batch import certify
 from .certificate import Certificate
@@ -22,9 +21,10 @@ SETTLING_BITS = 1024
 def settle(
     fields: dict[str, NDArray[Any]],
     states: NDArray[np.float64],
-    parameters: Mapping[str, Any] = PAPER,
+    parameters: Mapping[str, Any] = HOOP.parameters,
     max_contacts: int = 40,
     *,
+    scene: Engine = HOOP,
     leaving: ArrayLike | None = None,
     time_limit: float | None = None,
     max_bits: int = SETTLING_BITS,
@@ -37,7 +37,7 @@ def settle(
     fields
         Results by name, as in `Shots`; "uncertain" is among them. Arrays by shot are written in
         place; "events", if there, is replaced by a new log.
-    states, parameters, max_contacts, leaving, time_limit
+    states, parameters, max_contacts, scene, leaving, time_limit
         Of the simulation that the results are from.
     max_bits, processes
         As in `certify`.
@@ -54,6 +54,7 @@ def settle(
     certificate = certify(
         states[rows],
         own,
+        scene=scene,
         max_contacts=max_contacts,
         max_bits=max_bits,
         record="events" in fields,
@@ -63,7 +64,7 @@ def settle(
     )
     proved = certificate.decided
     settled = rows[proved]
-    for name in RESULT.keys() & fields.keys():
+    for name in scene.layout.results.keys() & fields.keys():
         fields[name][settled] = getattr(certificate, name)[proved]
     if "events" in fields:
         fields["events"] = _log(fields["events"], rows, certificate)
@@ -89,5 +90,5 @@ def _log(events: NDArray[Any], rows: NDArray[np.int64], certificate: Certificate
         for event in proof.events
     ]
     kept = events[~np.isin(events["shot"], rows[certificate.decided])]
-    merged = np.concatenate([kept, np.array(fresh, EVENT)])
+    merged = np.concatenate([kept, np.array(fresh, events.dtype)])
     return merged[np.argsort(merged["shot"], kind="stable")]

@@ -17,7 +17,7 @@ from hoopgen.generated.numpy import hoop
 from hoopgen.inputs import check_angles, doubles
 from hoopgen.installed import need
 from hoopgen.notebook import ROWS, some_rows, table
-from hoopgen.parameters import PAPER
+from hoopgen.parameters import PAPER, completed
 from hoopgen.releases import RING_HEIGHT, from_zero
 
 from .named import UNIT_OF, named
@@ -138,8 +138,7 @@ def aim(
     """
     if arc not in ("high", "low"):
         raise ValueError(f"arc: expected 'high' or 'low', got {brief(arc)}")
-    if "gravity" not in parameters:
-        raise ValueError("parameters: missing gravity")
+    parameters = completed(parameters)
     wanted = {"entry": entry, "elevation": elevation, "speed": speed}
     chosen = [name for name, value in wanted.items() if value is not None]
     if len(chosen) > 1:

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from hoopgen.brief import listed
 from hoopgen.inputs import check_count, doubles
 from hoopgen.outputs import check_output, followed
-from hoopgen.parameters import resolve
+from hoopgen.parameters import completed, resolve
 from hoopgen.releases import from_zero
 from hoopgen.results import Outcome
 from hoopgen.told import say_scene
@@ -140,8 +140,8 @@ def batch(
     if out is not None and Path(out).suffix.lower() not in RESULTS:
         raise ValueError(f"out: expected a file {' or '.join(RESULTS)}, got {out}")
     if parameters is not None:
-        resolve(parameters, 1)  # all of them, and none else
-        parameters = _numbers("parameters", parameters)
+        resolve(parameters, 1)  # none but them
+        parameters = _numbers("parameters", completed(parameters))
     check_names("release", release or {}, VARIABLES)
     release = _numbers("release", release or {})
     check_angles("release", release)

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.brief import brief
 from hoopgen.inputs import doubles
-from hoopgen.parameters import NAMES, PAPER
+from hoopgen.parameters import NAMES, PAPER, completed
 from hoopgen.results import SURFACES, Outcome
 from hoopgen.simulation import simulate
 from hoopgen.variables import ARGUMENTS, VARIABLES, check_angles, check_names, release_arguments
@@ -99,6 +99,7 @@ class Player:
         if self.by not in BY:
             raise ValueError(f"by: expected {', '.join(BY)}, got {brief(self.by)}")
         check_scene(self.parameters)
+        object.__setattr__(self, "parameters", completed(self.parameters))
 
     def at(self, values: Mapping[str, float]) -> Player:
         """Return the player in the scene whose parameters are among the values, or as they were."""

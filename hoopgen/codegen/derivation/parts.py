@@ -110,6 +110,8 @@ def _polynomial(
     surface: Surface, flight: Parabola, brief: Brief
 ) -> tuple[tuple[Line, ...], tuple[Line, ...], tuple[Line, ...]]:
     """Return the inner polynomials of a condition, their coefficients, and its own in theirs."""
+    if not surface.polynomial:
+        return (), (), ()
     condition = release(surface.condition)
     paths: dict[sp.Symbol, list[sp.Expr]] = dict(flight.path)
     named, inner, polynomials = {}, [], []

@@ -1,0 +1,195 @@
+"""What a scene cannot be: formulas that are not what they are taken for, each with its reason.
+
+What can be seen is looked at; what cannot, on random points where the ball touches the surface, in
+more digits than doubles have and with the parameters' usual values.
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import mpmath
+import sympy as sp
+
+from ..ground.choice import release
+from ..ground.symbols import POSITION
+from ..surfaces import Surface
+
+if TYPE_CHECKING:
+    from .scene import Scene
+
+DEGREE = 4
+"""The highest degree of a condition in x, y, z: twice that in time."""
+
+_POINTS = 4
+_STEPS = 60
+_DIGITS = 30
+_NEAR = mpmath.mpf(10) ** -10
+"""Far above what is left of a formula that is zero, far below any mistake."""
+
+Function = Callable[..., list[Any]]
+
+
+def check(scene: Scene) -> None:
+    """Refuse surfaces and laws whose formulas are not what they are taken for.
+
+    Raises
+    ------
+    ValueError
+        Naming the scene, the surface, what is wrong with it, and what is expected.
+    """
+    known = {*POSITION, *scene.symbols}
+    for surface in scene.surfaces:
+        try:
+            _formulas(surface, known)
+            _places(surface, scene)
+        except _Refused as reason:
+            raise ValueError(f"scene {scene.name}: surface {surface.name}: {reason}") from None
+    for law in scene.laws:
+        arriving = sp.Symbol("speed", positive=True)
+        given = (known - set(POSITION)) | {arriving}
+        for symbol in _unknown([law.restitution_at(arriving)], given):
+            raise ValueError(
+                f"scene {scene.name}: law {law.name}: unknown symbol {symbol}; {_known(known)}"
+            )
+
+
+class _Refused(Exception):
+    """Why a surface is refused."""
+
+
+def _unknown(expressions: Sequence[sp.Basic], known: set[sp.Symbol]) -> list[str]:
+    return sorted({str(s) for e in expressions for s in e.free_symbols - known})
+
+
+def _known(known: set[sp.Symbol]) -> str:
+    return f"expected of {', '.join(sorted(str(symbol) for symbol in known))}"
+
+
+def _formulas(surface: Surface, known: set[sp.Symbol]) -> None:
+    """Refuse what can be seen: symbols, numbers that are not exact, no polynomial, its degree."""
+    condition = release(surface.condition)
+    for symbol in _unknown([condition, surface.distance, *surface.normal], known):
+        raise _Refused(f"unknown symbol {symbol}; {_known(known)}")
+    for place, bound in enumerate(surface.bounds):
+        for symbol in _unknown([bound], known):
+            raise _Refused(f"bound {place}: unknown symbol {symbol}; {_known(known)}")
+    for number in condition.atoms(sp.Float).union(*(b.atoms(sp.Float) for b in surface.bounds)):
+        raise _Refused(f"{number} is not exact; expected whole numbers and fractions")
+    if not surface.polynomial:
+        return
+    if not condition.is_polynomial(*POSITION):
+        raise _Refused(f"expected a condition polynomial in x, y and z, got {condition}")
+    degree = sp.Poly(condition, *POSITION).total_degree()
+    if not 0 < degree <= DEGREE:
+        raise _Refused(
+            f"expected a condition of degree 1 to {DEGREE} in x, y and z, got one of {degree}"
+        )
+
+
+def _places(surface: Surface, scene: Scene) -> None:
+    """Refuse a normal, a distance or a bound that is not one, on random points."""
+    values = {p.symbol: sp.Rational(p.default) for p in scene.parameters}
+    condition, distance = _function([surface.condition], values), surface.distance
+    there = _function([distance, *surface.normal], values)
+    bounds = [_function([bound], values) for bound in surface.bounds]
+    about = [mpmath.mpf(str(sp.N(c.xreplace(values), 20))) for c in map(sp.sympify, surface.about)]
+    halves = (sp.sympify(h).xreplace(values) for h in surface.halves if h is not None)
+    reach = 2 * max((mpmath.mpf(str(sp.N(h, 20))) for h in halves), default=mpmath.mpf(1))
+    chance = random.Random(surface.name)
+    with mpmath.workdps(_DIGITS):
+        for _ in range(_POINTS):
+            start = [c + reach * mpmath.mpf(chance.uniform(-1, 1)) for c in about]
+            for place, bound in enumerate(bounds):
+                _check_bound(place, surface, bound, start)
+            point = _touching(condition, start)
+            if point is not None:
+                _check_contact(condition, there, point)
+
+
+def _function(expressions: Sequence[sp.Expr], values: dict[sp.Symbol, sp.Expr]) -> Function:
+    """Return x, y, z to the expressions' values, with the parameters' values put in.
+
+    Only our own symbols and numbers are left in what is made into a function.
+    """
+    choices = {
+        "IfLess": lambda left, right, then, other: then if left < right else other,
+        "IfAtMost": lambda left, right, then, other: then if left <= right else other,
+    }
+    bare = [release(sp.sympify(e)).xreplace(values) for e in expressions]
+    made: Function = sp.lambdify(POSITION, bare, modules=[choices, "mpmath"])
+    return made
+
+
+def _slopes(function: Function, point: Sequence[Any]) -> list[list[Any]]:
+    """Return the derivative of each value along each axis."""
+    step = mpmath.mpf(10) ** (-_DIGITS // 3)
+    columns = []
+    for axis in range(3):
+        sides = []
+        for way in (step, -step):
+            moved = list(point)
+            moved[axis] += way
+            sides.append(function(*moved))
+        columns.append([(a - b) / (2 * step) for a, b in zip(*sides, strict=True)])
+    return [list(row) for row in zip(*columns, strict=True)]
+
+
+def _norm(vector: Sequence[Any]) -> Any:
+    return mpmath.sqrt(sum(component**2 for component in vector))
+
+
+def _touching(condition: Function, start: Sequence[Any]) -> list[Any] | None:
+    """Return a point where the condition is zero; None if Newton's steps find none."""
+    point = list(start)
+    steepest = mpmath.mpf(0)
+    for _ in range(_STEPS):
+        value, slope = condition(*point)[0], _slopes(condition, point)[0]
+        steep = _norm(slope)
+        steepest = max(steepest, steep)
+        if not mpmath.isfinite(value) or steep == 0:
+            return None
+        away = value / steep
+        if abs(away) < _NEAR**2 * (1 + _norm(point)):
+            return point
+        if abs(away) < _NEAR and steep < _NEAR / 100 * steepest:
+            break
+        point = [c - away * s / steep for c, s in zip(point, slope, strict=True)]
+    # Steps that only halve what is left approach a point where the gradient is zero, too.
+    if abs(away) < mpmath.mpf(10) ** -6 and steep < mpmath.mpf(10) ** -6 * steepest:
+        raise _Refused("the gradient of its condition is zero where the ball touches it")
+    return None
+
+
+def _check_contact(condition: Function, there: Function, point: Sequence[Any]) -> None:
+    distance, *normal = there(*point)
+    where = ", ".join(mpmath.nstr(c, 4) for c in point)
+    if not abs(distance) < _NEAR * (1 + _norm(point)):
+        raise _Refused(
+            f"its distance is {mpmath.nstr(distance, 4)} at ({where}), where its condition is "
+            "zero; expected zero"
+        )
+    slope = _slopes(there, point)[0]
+    off = _norm([n - s for n, s in zip(normal, slope, strict=True)])
+    if not (off < 1e-6 and abs(_norm(normal) - 1) < _NEAR):
+        raise _Refused(
+            f"its normal at ({where}) is ({', '.join(mpmath.nstr(n, 4) for n in normal)}); "
+            "expected the gradient of its distance there, a unit vector: "
+            f"({', '.join(mpmath.nstr(s, 4) for s in slope)})"
+        )
+    rising = sum(n * s for n, s in zip(normal, _slopes(condition, point)[0], strict=True))
+    if not rising > 0:
+        raise _Refused("its condition falls where its distance rises; expected one sign of both")
+
+
+def _check_bound(place: int, surface: Surface, bound: Function, point: Sequence[Any]) -> None:
+    if release(surface.bounds[place]).has(sp.Abs):
+        return  # made a length by whoever divided it by its gradient
+    steep = _norm(_slopes(bound, point)[0])
+    if steep > 1 + 1e-6:
+        raise _Refused(
+            f"bound {place}: expected a polynomial in x, y and z, or a length; it is no polynomial "
+            f"and changes by {mpmath.nstr(steep, 4)} a metre"
+        )

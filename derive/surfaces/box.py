@@ -1,0 +1,84 @@
+"""A box: faces, edges and corners as one surface, on which the distance is smooth throughout."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..ground.choice import hold, largest
+from ..ground.symbols import POSITION
+from .surface import Point, Surface, overlap
+
+
+@dataclass(frozen=True)
+class Box(Surface):
+    """A box along the axes, touched from outside.
+
+    Seen from the ball's centre it is a box with round edges and corners. The squared distance from
+    the box less R_B² is a polynomial on each of 27 parts, by the coordinates that are beyond a
+    face; where they meet it and its gradient are continuous, so that no seam is ever in doubt.
+
+    Attributes
+    ----------
+    low, high
+        Its corners of least and largest coordinates.
+    radius
+        R_B, the ball's.
+    """
+
+    low: Point
+    high: Point
+    radius: sp.Expr
+
+    @property
+    def polynomial(self) -> bool:
+        """No: one on each part."""
+        return False
+
+    @property
+    def excess(self) -> list[sp.Expr]:
+        """How far each coordinate is beyond a face, negative beyond the lower one."""
+        faces = zip(POSITION, self.low, self.high, strict=True)
+        return [
+            hold(hold(largest(hold(place - high), 0)) - hold(largest(hold(low - place), 0)))
+            for place, low, high in faces
+        ]
+
+    @property
+    def distance(self) -> sp.Expr:
+        """The distance from the box less R_B; no less than -R_B within it."""
+        return sp.sqrt(hold(sp.Add(*(e**2 for e in self.excess)))) - self.radius
+
+    @property
+    def condition(self) -> sp.Expr:
+        """The squared distance from the box less R_B²."""
+        return sp.Add(*(e**2 for e in self.excess), -(self.radius**2))
+
+    @property
+    def about(self) -> Point:
+        """Its middle."""
+        x, y, z = ((low + high) / 2 for low, high in zip(self.low, self.high, strict=True))
+        return (x, y, z)
+
+    @property
+    def halves(self) -> tuple[sp.Expr | None, ...]:
+        """Half its sides, and R_B."""
+        sides = zip(self.low, self.high, strict=True)
+        return tuple((high - low) / 2 + self.radius for low, high in sides)
+
+    @property
+    def normal(self) -> sp.Matrix:
+        """From the nearest point of the box, over R_B."""
+        per = hold(1 / self.radius)
+        return sp.Matrix([e * per for e in self.excess])
+
+    @property
+    def curvature(self) -> sp.Expr:
+        """1/R_B around edges and corners."""
+        return 1 / self.radius
+
+    @property
+    def inside(self) -> tuple[sp.Expr, ...]:
+        """Nearer to the box than touching, or in it."""
+        return overlap(self.distance, (), None)

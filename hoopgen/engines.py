@@ -1,0 +1,238 @@
+"""A scene that is ready to be simulated, whichever it is; and the one that comes so: the hoop."""
+
+from __future__ import annotations
+
+import importlib.machinery
+import math
+from collections.abc import Callable, Mapping
+from enum import IntEnum
+from functools import cached_property
+from pathlib import Path
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.generated.numpy import hoop
+
+from .engine import native, trust
+from .engine.raw import Layout
+from .parameters import Parameters, Table, Written
+
+if TYPE_CHECKING:
+    from .derive.scenes.scene import Scene
+
+__all__ = ["HOOP", "Engine", "hoop_library", "hoop_shots"]
+
+
+class Engine:
+    """A scene, compiled: `hoopgen.compile` returns one, and `hoopgen.HOOP` is the article's.
+
+    Attributes
+    ----------
+    kernels
+        Its generated NumPy module.
+    layout
+        Of the arrays of its results.
+    max_contacts
+        With which a shot ends as capped, where nothing else is asked for.
+    time_limit
+        At which it ends, likewise, s.
+    found
+        Its compiled C, or why there is none.
+    """
+
+    def __init__(
+        self,
+        kernels: ModuleType,
+        *,
+        find: Callable[[], native.Library | native.Refused],
+        sources: Callable[[], Mapping[str, str]],
+        scene: Callable[[], Scene],
+        max_contacts: int = 1000,
+        time_limit: float = 60.0,
+        again: tuple[Callable[..., Engine], tuple[Any, ...]] | None = None,
+        written: Written | None = None,
+    ) -> None:
+        self.kernels = kernels
+        self.layout = Layout(kernels)
+        self.max_contacts, self.time_limit = max_contacts, time_limit
+        self.table = Table.of(kernels, written)
+        self._find, self._sources, self._scene, self._again = find, sources, scene, again
+
+    @cached_property
+    def found(self) -> native.Library | native.Refused:
+        """Its compiled C, or why there is none that can be trusted."""
+        return self._find()
+
+    @cached_property
+    def scene(self) -> Scene:
+        """What it is derived from; needs SymPy."""
+        return self._scene()
+
+    @property
+    def name(self) -> str:
+        """Of the scene."""
+        return str(self.kernels.SCENE)
+
+    @property
+    def is_hoop(self) -> bool:
+        """Whether it is the article's scene, of which some things are known that no other has."""
+        return self.kernels is hoop
+
+    @property
+    def library(self) -> native.Library | None:
+        """Its compiled C, None where there is none that can be trusted."""
+        return None if isinstance(self.found, native.Refused) else self.found
+
+    @property
+    def backend(self) -> str:
+        """What simulates where nothing else is asked for: "c", or "numpy"."""
+        return "numpy" if self.library is None else "c"
+
+    @property
+    def parameters(self) -> Parameters:
+        """The usual value of each parameter; SI units."""
+        return Parameters(self.table.defaults)
+
+    @property
+    def surfaces(self) -> tuple[str, ...]:
+        """What can be touched, in the order of the columns of ``Shots.counts``."""
+        return tuple(self.kernels.BODIES)
+
+    @property
+    def outcomes(self) -> type[IntEnum]:
+        """How a shot can end."""
+        outcomes: type[IntEnum] = self.kernels.Outcome
+        return outcomes
+
+    def simulate(
+        self, states: ArrayLike, parameters: Mapping[str, Any] | None = None, **options: Any
+    ) -> Any:
+        """Simulate shots in this scene; all else as for `hoopgen.simulate`."""
+        from . import simulation  # which stands on this file
+
+        return simulation.simulate(states, parameters, scene=self, **options)
+
+    def certify(
+        self, states: ArrayLike, parameters: Mapping[str, Any] | None = None, **options: Any
+    ) -> Any:
+        """Prove what shots do in this scene; all else as for `hoopgen.certify`."""
+        from . import judge  # which stands on this file, and on SymPy
+
+        return judge.certify(states, parameters, scene=self, **options)
+
+    def source(self, target: str) -> dict[str, str]:
+        """Return the generated files of a target, "c" or "numpy": their names, and their texts.
+
+        Raises
+        ------
+        ValueError
+            If it is another target.
+        """
+        if target not in ("c", "numpy"):
+            raise ValueError(f"target: expected 'c' or 'numpy', got {target!r}")
+        return {
+            name.removeprefix(f"{target}/"): text
+            for name, text in self._sources().items()
+            if name.startswith(f"{target}/")
+        }
+
+    def fly(
+        self, times: Any, states: NDArray[np.float64], parameters: Mapping[str, Any]
+    ) -> NDArray[np.float64]:
+        """Return states (..., 9) some times after others, with nothing touched in between."""
+        own = dict(zip(self.kernels.VARIABLES.values(), self.table.inputs(parameters), strict=True))
+        own |= dict(zip(self.kernels.STATE, np.moveaxis(states, -1, 0), strict=True))
+        code = self.kernels.flight.__code__
+        asked = code.co_varnames[1 : code.co_argcount]
+        moved = self.kernels.flight(times, *(own[name] for name in asked))
+        return np.stack([*moved, *np.moveaxis(states[..., len(moved) :], -1, 0)], -1)
+
+    def __repr__(self) -> str:
+        touched = ", ".join(self.surfaces)
+        return f"Engine({self.name}: {touched}; {self.backend})"
+
+    def __reduce__(self) -> tuple[Callable[..., Engine], tuple[Any, ...]]:
+        if self._again is None:
+            raise TypeError(f"the engine of the scene {self.name} cannot be sent to a process")
+        return self._again
+
+
+EACH = 32
+"""Shots of a kind."""
+
+# A release, and how far its shots lie apart, by kind: x y z, vx vy vz, wx wy wz.
+_KINDS = (
+    # a free throw, through the ring, onto it and short of it
+    ((4.19, 0, -0.61, -4.5, 0, 5.577, 0, 19, 0), (0, 0, 0, 0.3, 0.1, 0.3, 2, 8, 2)),
+    # a bank shot, 45 degrees from the side
+    ((2.1, 2.1, -0.85, -3.2, -2.4, 5.6, 3, 4, 0), (0, 0, 0, 0.5, 0.5, 0.4, 9, 9, 9)),
+    # a swirl
+    ((0.2286, -0.945, -0.61, -0.838, 2.134, 3.856, 0, 0, 1), (0, 0, 0, 4e-3, 9e-3, 1e-2, 0, 0, 2)),
+    # dropped onto the ring
+    ((0, 0, 1.1, 0, 0, 0, 0, 0, 0), (0.7, 0.7, 1.8, 0.6, 0.6, 0.6, 40, 40, 40)),
+    # dropped onto the bridge
+    ((-0.247, 0, 0.36, 0, 0, 0, 0, 0, 0), (0.03, 0.16, 0.46, 0.6, 0.6, 2, 9, 9, 9)),
+    # over the board from behind
+    ((-1.2, 0, 0.1, 2.2, 0, 4, 0, 0, 0), (1.4, 1, 1.8, 3.4, 0.6, 3, 0, 0, 0)),
+    # a side of the backboard
+    ((1, 0.9, 0.2, -2.5, 0, 3, 0, 0, 0), (0, 0.2, 0.8, 1, 0.2, 2, 30, 30, 30)),
+    # from anywhere
+    ((0.7, 0, 0.2, 0, 0, 2, 0, 0, 0), (4, 3, 2.5, 9, 9, 9, 60, 60, 60)),
+)
+
+
+def hoop_shots() -> list[trust.Batch]:
+    """Return the shots with which the hoop's C is compared."""
+    apart = trust.spread(EACH, len(hoop.STATE))
+    kinds = [np.asarray(centre) + np.asarray(width) * apart for centre, width in _KINDS]
+    return trust.batches(hoop, np.concatenate(kinds))
+
+
+def hoop_library(path: Path | None = None) -> native.Library | native.Refused:
+    """Return the hoop's C engine, or why it cannot be trusted.
+
+    Parameters
+    ----------
+    path
+        The shared library; by default the one that is installed.
+
+    Raises
+    ------
+    RuntimeError
+        If this thread does not compute doubles as IEEE 754 says, so that nothing can be compared.
+    """
+    suffix = importlib.machinery.EXTENSION_SUFFIXES[0]
+    installed = Path(native.__file__).with_name("_hoop" + suffix)
+    folder = Path(hoop.__file__).parents[1] / "c"
+    return native.checked(path or installed, hoop, folder, hoop_shots())
+
+
+def _hoop_sources() -> dict[str, str]:
+    root = Path(hoop.__file__).parents[1]
+    files = (*sorted((root / "c").glob("hoop*.[ch]")), root / "numpy" / "hoop.py")
+    return {f.relative_to(root).as_posix(): f.read_text(encoding="utf-8") for f in files}
+
+
+def _hoop_scene() -> Scene:
+    from .derive.scenes import HOOP as SCENE
+
+    return SCENE
+
+
+def _hoop() -> Engine:
+    return HOOP
+
+
+HOOP = Engine(
+    hoop,
+    find=hoop_library,
+    sources=_hoop_sources,
+    scene=_hoop_scene,
+    max_contacts=40,
+    time_limit=math.inf,
+    again=(_hoop, ()),
+)
+"""The article's scene."""

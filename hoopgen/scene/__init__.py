@@ -1,0 +1,22 @@
+"""Scenes of one's own: what they are made of, and the files that they are in."""
+
+from __future__ import annotations
+
+from .files import load_scene
+from .inputs import SceneError
+from .pieces import Box, Cylinder, End, Parameter, Plane, Sphere, Surface, Torus
+from .scene import Scene
+
+__all__ = [
+    "Box",
+    "Cylinder",
+    "End",
+    "Parameter",
+    "Plane",
+    "Scene",
+    "SceneError",
+    "Sphere",
+    "Surface",
+    "Torus",
+    "load_scene",
+]

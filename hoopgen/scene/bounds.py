@@ -1,0 +1,127 @@
+"""Bounds (Eq. 2) and surfaces of one's own as polynomials of the ball's centre.
+
+A user's bound is a polynomial in the coordinates of a point of the body; it counts where that is at
+most 0. The search asks it of the ball's centre, which is a linear map away.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from hoopgen.brief import brief
+
+from .formulas import ONE, POSITION, ZERO, Formula, FormulaError
+from .inputs import Inputs
+from .polynomials import Polynomial, polynomial, product, total
+
+__all__ = ["Map", "Terms", "bounds", "terms"]
+
+Powers = tuple[int, int, int]
+
+Terms = tuple[tuple[Powers, Formula], ...]
+"""Powers of x, y, z and what they are multiplied by: a whole number, or the name of an input."""
+
+
+@dataclass(frozen=True)
+class Map:
+    """From the ball's centre p to the point that it touches: q_k = scale_k p_k + shift_k."""
+
+    scale: tuple[Formula, Formula, Formula] = (ONE, ONE, ONE)
+    shift: tuple[Formula, Formula, Formula] = (ZERO, ZERO, ZERO)
+
+    def put(self, terms: Polynomial) -> Polynomial:
+        """Return a polynomial in q as one in p, or, if it is flat, as one of the same sign."""
+        steep = {self.scale[k] for powers in terms for k in range(3) if powers[k]}
+        if max(map(sum, terms)) == 1 and len(steep) == 1:
+            # Divided by the scale, which is positive: what it is multiplied by stays as it was.
+            (scale,) = steep
+            moved = [
+                {(0, 0, 0): terms[_axis(k)] * self.shift[k]} for k in range(3) if _axis(k) in terms
+            ]
+            constant = total([{(0, 0, 0): terms.get((0, 0, 0), ZERO)}, *moved])
+            slopes = {powers: factor for powers, factor in terms.items() if any(powers)}
+            return slopes | {powers: factor / scale for powers, factor in constant.items()}
+        there = [total([{_axis(k): self.scale[k]}, {(0, 0, 0): self.shift[k]}]) for k in range(3)]
+
+        def term(powers: Powers, factor: Formula) -> Polynomial:
+            found: Polynomial = {(0, 0, 0): factor}
+            for place, power in zip(there, powers, strict=True):
+                for _ in range(power):
+                    found = product(found, place)
+            return found
+
+        return total(term(powers, factor) for powers, factor in terms.items())
+
+
+def bounds(
+    inputs: Inputs, owner: str, within: object, there: Map | None = None
+) -> tuple[Terms, ...]:
+    """Return the bounds of a body or an end.
+
+    Parameters
+    ----------
+    inputs
+        Of the scene; what the bounds need is added.
+    owner
+        Whose they are, for complaints and names.
+    within
+        What a user wrote: polynomials that are at most 0 where the body is there.
+    there
+        From the centre to the body; None: the bounds are the centre's own.
+
+    Raises
+    ------
+    SceneError
+        If one is not polynomial.
+    """
+    if isinstance(within, str) or not isinstance(within, Sequence):
+        raise inputs.wrong(owner, "within", f"expected a list of formulas, got {brief(within)}")
+    return tuple(
+        terms(inputs, owner, f"within {number}", given, there or Map())
+        for number, given in enumerate(within, start=1)
+    )
+
+
+def terms(
+    inputs: Inputs, owner: str, argument: str, given: object, there: Map | None = None
+) -> Terms:
+    """Return a polynomial of the ball's centre, from one of where it touches.
+
+    Raises
+    ------
+    SceneError
+        If it is not a polynomial in x, y and z.
+    """
+    formula = inputs.read(owner, argument, given, POSITION)
+    try:
+        found = polynomial(formula)
+        if not any(map(any, found)):
+            raise FormulaError(f"{formula} has none of x, y, z")
+        found = (there or Map()).put(found)
+    except FormulaError as error:
+        raise inputs.wrong(owner, argument, error) from None
+    flat = max(map(sum, found)) == 1
+    named = []
+    for powers, factor in sorted(found.items(), reverse=True):
+        unit = "m" if flat and not any(powers) else "1"
+        said = f"{argument} {_said(powers)}".strip()
+        named.append((powers, _factor(inputs, owner, said, factor, unit)))
+    return tuple(named)
+
+
+def _factor(inputs: Inputs, owner: str, argument: str, factor: Formula, unit: str) -> Formula:
+    """Return a whole number as it is, anything else as an input."""
+    number = factor.number
+    if number is not None and number.denominator == 1 and abs(number) <= 16:
+        return factor
+    return inputs.add(owner, argument, factor, unit=unit)
+
+
+def _axis(axis: int) -> Powers:
+    powers = [int(k == axis) for k in range(3)]
+    return powers[0], powers[1], powers[2]
+
+
+def _said(powers: Iterable[int]) -> str:
+    return "".join(axis * power for axis, power in zip(POSITION, powers, strict=True))

@@ -1,0 +1,138 @@
+"""Scene files: TOML that says what a `Scene` says. Nothing in one is run, and it names no path."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Mapping
+from dataclasses import fields
+from os import PathLike
+from pathlib import Path
+from typing import Any
+
+from hoopgen.brief import brief, listed
+from hoopgen.printable import printable
+
+from . import pieces
+from .inputs import SceneError, wrong
+from .scene import Scene
+
+__all__ = ["load_scene", "scene_of"]
+
+KINDS = {
+    kind.__name__.lower(): kind
+    for kind in (
+        pieces.Plane,
+        pieces.Sphere,
+        pieces.Cylinder,
+        pieces.Torus,
+        pieces.Box,
+        pieces.Surface,
+    )
+}
+"""Bodies, by what files call them."""
+
+LARGEST = 1_000_000
+"""Bytes of a file."""
+
+
+def load_scene(file: str | PathLike[str]) -> Scene:
+    """Return the scene that a TOML file says.
+
+    Its tables are ``[parameters]``, ``[bodies.<name>]``, each with its ``kind``, and
+    ``[ends.<name>]``; their keys are the arguments of the pieces in `hoopgen.scene`. A formula is
+    read by a parser of its own: nothing in the file is run.
+
+    Raises
+    ------
+    OSError
+        If the file cannot be read.
+    SceneError
+        If it is not TOML, or not a scene; names the file, the body and the argument.
+    """
+    path = Path(file)
+    with path.open("rb") as opened:
+        content = opened.read(LARGEST + 1)
+    try:
+        return scene_of(content)
+    except SceneError as error:
+        raise SceneError(printable(f"{path}: {error}")) from None
+
+
+def scene_of(content: bytes) -> Scene:
+    """Return the scene that the bytes of a file say.
+
+    Raises
+    ------
+    SceneError
+        As of `load_scene`, without the file's name.
+    """
+    if len(content) > LARGEST:
+        raise SceneError(f"expected at most {LARGEST:,} bytes")
+    try:
+        document = tomllib.loads(content.decode("utf-8-sig"))
+    except UnicodeDecodeError as error:
+        raise SceneError(
+            f"expected text in UTF-8; got the byte {content[error.start]:#x}"
+        ) from None
+    except tomllib.TOMLDecodeError as error:
+        raise SceneError(f"this is not TOML: {error}") from None
+    except (RecursionError, ValueError):  # nested too deep; a whole number of too many digits
+        raise SceneError("this is not TOML that can be read") from None
+    own = brief(document.get("name", ""))
+    given: dict[str, Any] = dict(document)
+    given["parameters"] = [
+        _made(own, pieces.Parameter, f"parameter {name}", table, name)
+        for name, table in _table(own, "parameters", document).items()
+    ]
+    given["bodies"] = [
+        _body(own, name, table) for name, table in _table(own, "bodies", document).items()
+    ]
+    given["ends"] = {
+        name: _made(own, pieces.End, f"end {name}", table)
+        for name, table in _table(own, "ends", document).items()
+    }
+    made: Scene = _made(own, Scene, "", given)
+    return made
+
+
+def _table(scene: str, argument: str, document: Mapping[str, Any]) -> Mapping[str, Any]:
+    found = document.get(argument, {})
+    if not isinstance(found, Mapping):
+        raise wrong(scene, "", argument, f"expected tables by name, got {brief(found)}")
+    return found
+
+
+def _body(scene: str, name: str, table: object) -> pieces.Body:
+    owner = f"body {name}"
+    if not isinstance(table, Mapping):
+        raise wrong(scene, owner, "", f"expected a table, got {brief(table)}")
+    kind = table.get("kind")
+    if not isinstance(kind, str) or kind not in KINDS:
+        raise wrong(scene, owner, "kind", f"expected one of {listed(KINDS)}; got {brief(kind)}")
+    rest = {argument: value for argument, value in table.items() if argument != "kind"}
+    made: pieces.Body = _made(scene, KINDS[kind], owner, rest, name)
+    return made
+
+
+def _made(scene: str, kind: type, owner: str, table: object, name: str | None = None) -> Any:
+    """Return a piece from the keys of a table; a parameter may be its default alone."""
+    if kind is pieces.Parameter and not isinstance(table, Mapping):
+        table = {"default": table}
+    if not isinstance(table, Mapping):
+        raise wrong(scene, owner, "", f"expected a table, got {brief(table)}")
+    arguments = dict(table)
+    if kind is pieces.Cylinder and isinstance(arguments.get("span"), list):
+        # TOML has no null: an end that is not there is "".
+        arguments["span"] = [None if end == "" else end for end in arguments["span"]]
+    allowed = [f.name for f in fields(kind) if f.init and not (f.name == "name" and name)]
+    strange = [argument for argument in arguments if argument not in allowed]
+    if strange:
+        said = f"unknown {listed(strange)}. There are {listed(allowed)}"
+        raise wrong(scene, owner, "", said)
+    if name is not None:
+        arguments["name"] = name
+    try:
+        return kind(**arguments)
+    except TypeError as error:
+        missing = str(error).rpartition(": ")[2]
+        raise wrong(scene, owner, missing.strip("'"), "missing") from None

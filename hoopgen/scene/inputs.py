@@ -1,0 +1,193 @@
+"""The sizes of a scene as data: what its kernels get for each shot, from its own parameters.
+
+Every size that is a parameter's name is that parameter; every other one, a number or a formula, is
+an input of its own, computed in doubles from the parameters before a shot. So no number is compiled
+in, formulas cost nothing in a shot, and to kernels and judge every size is an exact double.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from hoopgen.brief import brief, listed
+
+from .formulas import Formula, FormulaError, name, read
+
+__all__ = ["Input", "Inputs", "SceneError"]
+
+
+class SceneError(ValueError):
+    """What is wrong with a scene: names the scene, the body and the argument."""
+
+
+@dataclass(frozen=True)
+class Input:
+    """A number that the kernels of a scene get.
+
+    Attributes
+    ----------
+    name
+        A parameter's, or that of a body and its argument.
+    formula
+        Its value, of the scene's parameters; a parameter's is its own name.
+    unit, summary, sign, upper, latex
+        As those of a `Parameter`.
+    default
+        Its value at the parameters' defaults.
+    argument
+        What it is to the body that it is named after: what is the same to another shares it.
+    """
+
+    name: str
+    formula: Formula
+    default: float
+    unit: str = "m"
+    summary: str = ""
+    sign: str = "any"
+    upper: float | None = None
+    latex: str = ""
+    argument: str = ""
+
+    @property
+    def own(self) -> bool:
+        """Whether it is one of the scene's parameters."""
+        return self.formula == name(self.name)
+
+    def allows(self, value: float) -> bool:
+        """Return whether a number is one of those allowed."""
+        least = {"positive": value > 0, "nonnegative": value >= 0}.get(self.sign, True)
+        return bool(np.isfinite(value)) and least and (self.upper is None or value <= self.upper)
+
+    @property
+    def allowed(self) -> str:
+        """Which numbers are allowed, in words."""
+        words = {"positive": "above 0", "nonnegative": "of at least 0"}.get(self.sign, "")
+        most = "" if self.upper is None else f"at most {self.upper:g}"
+        return " and ".join(filter(None, (words, most))) or "that is finite"
+
+
+class Inputs:
+    """Gathers the inputs of a scene, in order: its parameters, then what its bodies add.
+
+    Parameters
+    ----------
+    scene
+        Its name, for complaints.
+    parameters
+        Its parameters, as inputs.
+    """
+
+    def __init__(self, scene: str, parameters: tuple[Input, ...]) -> None:
+        self._scene = scene
+        self._inputs = {parameter.name: parameter for parameter in parameters}
+        self.declared = tuple(self._inputs)
+
+    @property
+    def all(self) -> tuple[Input, ...]:
+        """Those gathered so far."""
+        return tuple(self._inputs.values())
+
+    @property
+    def defaults(self) -> Mapping[str, float]:
+        """The defaults of the scene's parameters."""
+        return {given: self._inputs[given].default for given in self.declared}
+
+    def wrong(self, owner: str, argument: str, said: object) -> SceneError:
+        """Return the error that says what is wrong with an argument."""
+        return wrong(self._scene, owner, argument, said)
+
+    def read(self, owner: str, argument: str, value: object, also: tuple[str, ...] = ()) -> Formula:
+        """Return an argument as a formula of the parameters, and of the names in `also`.
+
+        Raises
+        ------
+        SceneError
+            If it is none.
+        """
+        try:
+            return read(value, (*self.declared, *also))
+        except FormulaError as error:
+            raise self.wrong(owner, argument, error) from None
+
+    def number(self, owner: str, argument: str, formula: Formula) -> float:
+        """Return what a formula of the parameters is at their defaults."""
+        value = float(formula.evaluate(self.defaults))
+        if not np.isfinite(value):
+            raise self.wrong(owner, argument, f"{formula} is {value} at the defaults")
+        return value
+
+    def add(
+        self,
+        owner: str,
+        argument: str,
+        formula: Formula,
+        *,
+        sign: str = "any",
+        upper: float | None = None,
+        unit: str = "m",
+    ) -> Formula:
+        """Return the name of an input for a formula of the parameters; of zero, zero.
+
+        A parameter that is one itself is held to what is allowed here, too.
+
+        Raises
+        ------
+        SceneError
+            If it is not allowed at the defaults.
+        """
+        short = f"{owner.partition(' ')[2]} {argument}".strip()
+        made = Input(
+            _free(short.replace(" ", "_"), self._inputs),
+            formula,
+            self.number(owner, argument, formula),
+            unit,
+            f"{argument} of {owner}: {formula}" if owner else argument.replace("_", " "),
+            sign,
+            upper,
+            argument=argument,
+        )
+        if not made.allows(made.default):
+            raise self.wrong(
+                owner, argument, f"expected a number {made.allowed}, got {made.default:g}"
+            )
+        if formula.number == 0:
+            return formula
+        if formula.kind == "name":
+            mine = str(formula.value)
+            self._inputs[mine] = _stricter(self._inputs[mine], made)
+            return formula
+        for there in self._inputs.values():
+            alike = (there.formula, there.sign, there.upper) == (formula, sign, upper)
+            if alike and there.argument == argument:
+                return name(there.name)
+        self._inputs[made.name] = made
+        return name(made.name)
+
+
+def wrong(scene: str, owner: str, argument: str, said: object) -> SceneError:
+    """Return the error that says what is wrong with an argument of a scene."""
+    where = ": ".join(filter(None, (f"scene {brief(scene)}", owner, argument)))
+    return SceneError(f"{where}: {said}")
+
+
+def _stricter(own: Input, asked: Input) -> Input:
+    """Return a parameter with what it allows narrowed to what a body allows."""
+    order = ("any", "nonnegative", "positive")
+    # Zero is a restitution, whatever a parameter allows that says nothing.
+    sign = asked.sign if asked.upper == 1.0 else max(own.sign, asked.sign, key=order.index)
+    uppers = [upper for upper in (own.upper, asked.upper) if upper is not None]
+    return replace(own, sign=sign, upper=min(uppers, default=None))
+
+
+def _free(wanted: str, taken: Mapping[str, Input]) -> str:
+    while wanted in taken:
+        wanted += "_"
+    return wanted
+
+
+def unknown(names: list[str], there: tuple[str, ...]) -> str:
+    """Say which names are not there, and which are."""
+    return f"unknown {listed(names)}. The names are {listed(there)}"

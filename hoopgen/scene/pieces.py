@@ -1,0 +1,195 @@
+"""What a scene is made of, as its author writes it: parameters, bodies, ends.
+
+Plain data. A size is a number, the name of a parameter, or a small formula of them (`formulas.py`),
+and it is the body's own: the ball's radius is added where the scene is derived.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import KW_ONLY, dataclass
+from typing import Any
+
+__all__ = [
+    "Body",
+    "Box",
+    "Cylinder",
+    "End",
+    "Parameter",
+    "Plane",
+    "Sphere",
+    "Surface",
+    "Torus",
+]
+
+Size = float | str | Any
+"""A number, a formula as text, or an expression of SymPy."""
+
+Point = tuple[Size, Size, Size]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A number of the scene that each shot may have another value of.
+
+    Attributes
+    ----------
+    name
+        A small letter, then small letters, digits and ``_``; not ``x``, ``y`` or ``z``.
+    default
+        Its value where none is given.
+    unit
+        As text; lengths are in "m".
+    summary
+        What it is, in a few words.
+    sign
+        Which values are allowed: "positive", "nonnegative" or "any".
+    upper
+        The largest value allowed, if there is one.
+    latex
+        How formulas on the derivation's page write it; "": its name.
+    """
+
+    name: str
+    default: float
+    unit: str = "m"
+    summary: str = ""
+    sign: str = "positive"
+    upper: float | None = None
+    latex: str = ""
+
+
+@dataclass(frozen=True)
+class Body:
+    """What the ball can touch, with one column of results.
+
+    Attributes
+    ----------
+    name
+        As that of a parameter.
+    restitution
+        Of its contacts, 0 to 1; None: that of the scene.
+    within
+        Formulas in x, y and z, of a point of the body: it is there where all are at most 0. Each is
+        flat, such as ``"x - half_width"``, or, on a plane, round: ``"x**2 + y**2 - r**2"``.
+    """
+
+    name: str
+    _: KW_ONLY
+    restitution: Size | None = None
+    within: Sequence[Size] = ()
+
+
+@dataclass(frozen=True)
+class Plane(Body):
+    """A flat body, touched from the side that its axis points to.
+
+    Attributes
+    ----------
+    axis
+        Its normal: "x", "y", "z", or one of them with a minus.
+    at
+        The coordinate of the plane along that axis: with "-z", at 2 is at z = -2.
+    """
+
+    _: KW_ONLY
+    axis: str = "z"
+    at: Size = 0.0
+
+
+@dataclass(frozen=True)
+class Sphere(Body):
+    """A sphere, touched from outside or, as a bowl, from inside.
+
+    From inside, one with bounds is a thin shell; else no ball is outside of it.
+    """
+
+    _: KW_ONLY
+    radius: Size
+    centre: Point = (0.0, 0.0, 0.0)
+    inside: bool = False
+
+
+@dataclass(frozen=True)
+class Cylinder(Body):
+    """The curved side of a round cylinder; its ends are open.
+
+    Attributes
+    ----------
+    radius, centre, axis
+        Its radius, a point of its axis, and "x", "y" or "z".
+    span
+        From where to where it goes along its axis, in coordinates; None: without end.
+    inside
+        Whether it is touched from inside, as a pipe; with ends or bounds it is a thin shell.
+    """
+
+    _: KW_ONLY
+    radius: Size
+    centre: Point = (0.0, 0.0, 0.0)
+    axis: str = "z"
+    span: tuple[Size | None, Size | None] = (None, None)
+    inside: bool = False
+
+
+@dataclass(frozen=True)
+class Torus(Body):
+    """A ring, touched from outside: the wire circle's radius, and the wire's own.
+
+    A wire of radius 0 is an edge, such as that of a hole.
+    """
+
+    _: KW_ONLY
+    radius: Size
+    wire: Size = 0.0
+    centre: Point = (0.0, 0.0, 0.0)
+    axis: str = "z"
+
+
+@dataclass(frozen=True)
+class Box(Body):
+    """A box along the axes, touched from outside: faces, edges and corners.
+
+    Attributes
+    ----------
+    size
+        Its three lengths.
+    centre
+        The middle of it.
+    """
+
+    _: KW_ONLY
+    size: Point
+    centre: Point = (0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True)
+class Surface(Body):
+    """A surface of one's own, where a polynomial is zero.
+
+    Attributes
+    ----------
+    condition
+        A polynomial in x, y and z of the *ball's centre*: positive where the ball is free, zero
+        where it touches. Its gradient must not vanish there.
+    """
+
+    _: KW_ONLY
+    condition: Size
+
+
+@dataclass(frozen=True)
+class End:
+    """A plane on which a shot ends, crossed by the ball's centre against its axis.
+
+    Attributes
+    ----------
+    axis, at
+        As those of a `Plane`.
+    within
+        Formulas in x, y and z of the ball's centre: it ends there where all are at most 0.
+    """
+
+    axis: str = "z"
+    at: Size = 0.0
+    within: Sequence[Size] = ()

@@ -1,0 +1,137 @@
+"""A scene of one's own: a ball among bodies, refused when it is made if something is wrong with it.
+
+Nothing is derived, and SymPy is not imported, before `Scene.derive`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import KW_ONLY, dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from hoopgen.brief import brief
+
+from .inputs import Input, unknown
+from .pieces import Body, End, Parameter, Size
+from .shapes import Read, read_scene
+
+if TYPE_CHECKING:
+    from hoopgen.derive.scenes.scene import Scene as Derived
+
+__all__ = ["Scene"]
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A ball among bodies.
+
+    Attributes
+    ----------
+    name
+        As that of a parameter.
+    parameters
+        In calling order.
+    bodies
+        In the order of the results' columns.
+    ends
+        By name, in order: where a shot is, of those that it crosses at once, the first counts. It
+        may be empty: a time ends such shots.
+    ball_radius, gravity
+        Sizes, too.
+    down
+        Where gravity points, "-z" or along another axis.
+    restitution
+        That of bodies without one of their own.
+    axes, remarks
+        For readers, in plain sentences: where origin and axes lie, and what else there is to say.
+
+    Raises
+    ------
+    SceneError
+        If something is wrong with it; names the body and the argument.
+    """
+
+    name: str
+    _: KW_ONLY
+    parameters: Sequence[Parameter] = ()
+    bodies: Sequence[Body]
+    ends: Mapping[str, End] = field(default_factory=dict)
+    ball_radius: Size
+    gravity: Size
+    down: str = "-z"
+    restitution: Size | None = None
+    axes: str = ""
+    remarks: str = ""
+
+    def __post_init__(self) -> None:
+        _ = self.read  # what is wrong is refused now
+
+    @cached_property
+    def read(self) -> Read:
+        """All of it, as formulas."""
+        return read_scene(self)
+
+    def __hash__(self) -> int:
+        return hash(self.key)
+
+    @cached_property
+    def key(self) -> str:
+        """All that decides what is derived, as text, the same in any process."""
+        return repr((self.read, self.axes, self.remarks))
+
+    @property
+    def inputs(self) -> tuple[Input, ...]:
+        """What kernels get for each shot: the parameters, then the sizes computed from them."""
+        return self.read.inputs
+
+    @property
+    def defaults(self) -> dict[str, float]:
+        """The parameters' names and defaults."""
+        return {i.name: i.default for i in self.inputs if i.own}
+
+    def values(self, parameters: Mapping[str, Any] | None = None) -> list[Any]:
+        """Return the inputs in order, each a number or (n,), from the scene's parameters.
+
+        Parameters
+        ----------
+        parameters
+            Names and values, a number or (n,) each; what is left out has its default.
+
+        Raises
+        ------
+        TypeError
+            If it is not a mapping.
+        ValueError
+            If a name is not one of the scene's.
+        """
+        if parameters is not None and not isinstance(parameters, Mapping):
+            raise TypeError(
+                f"parameters: expected a mapping of names to values, got {brief(parameters)}"
+            )
+        given = self.defaults | dict(parameters or {})
+        strange = [name for name in given if name not in self.defaults]
+        if strange:
+            raise ValueError(f"parameters: {unknown(strange, tuple(self.defaults))}")
+        numbers = {name: np.asarray(value, dtype=np.float64)[()] for name, value in given.items()}
+        return [made.formula.evaluate(numbers) for made in self.inputs]
+
+    def derive(self) -> Derived:
+        """Return the scene for derivation, in SymPy."""
+        from .derived import derived
+
+        return derived(self)
+
+    def explain(self) -> str:
+        """Return the derivation's page for the scene, in Markdown with LaTeX.
+
+        Raises
+        ------
+        ImportError
+            Without SymPy and Jinja2, which the extra `generate` brings.
+        """
+        from .explain import page
+
+        return page(self)

@@ -1,0 +1,356 @@
+"""A scene as its author wrote it, read: every argument a formula, every wrong one refused."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import islice
+from typing import TYPE_CHECKING, Any
+
+from hoopgen.brief import brief, listed
+
+from . import pieces
+from .bounds import Map, Terms, bounds, terms
+from .formulas import (
+    ONE,
+    POSITION,
+    ZERO,
+    Formula,
+    constant,
+    name,
+)
+from .inputs import Input, Inputs, wrong
+
+if TYPE_CHECKING:
+    from .scene import Scene
+
+PUBLIC = re.compile(r"[a-z][a-z0-9_]*", re.ASCII)
+"""What names match: derive/ demands the same of them, but would import SymPy to say so."""
+
+RESERVED = (*POSITION, "sqrt")
+"""Names that formulas have already."""
+
+MOST = 1000
+"""Bodies, and ends: deriving more would take hours."""
+
+SIGNS = ("positive", "nonnegative", "any")
+
+AXES = {
+    f"{sign}{axis}": (k, -1 if sign else 1) for sign in ("", "-") for k, axis in enumerate("xyz")
+}
+"""Which coordinate, and which way."""
+
+
+@dataclass(frozen=True)
+class Shape:
+    """A body, or an end, as formulas; each is zero, a whole number or the name of an input.
+
+    Attributes
+    ----------
+    name, kind
+        Its own, and that of its class in small letters.
+    sizes
+        By argument.
+    axis
+        Coordinate and direction of its axis.
+    inside
+        Whether it is touched from inside.
+    restitution
+        Of its contacts; zero of an end.
+    bounds
+        Where it is there, asked of the ball's centre.
+    condition
+        Of a surface of one's own.
+    """
+
+    name: str
+    kind: str
+    sizes: tuple[tuple[str, Formula], ...]
+    axis: tuple[int, int] = (2, 1)
+    inside: bool = False
+    restitution: Formula = ZERO
+    bounds: tuple[Terms, ...] = ()
+    condition: Terms = ()
+
+    def __getitem__(self, argument: str) -> Formula:
+        return dict(self.sizes)[argument]
+
+
+@dataclass(frozen=True)
+class Read:
+    """A scene, read."""
+
+    name: str
+    inputs: tuple[Input, ...]
+    ball_radius: Formula
+    gravity: Formula
+    down: tuple[int, int]
+    bodies: tuple[Shape, ...]
+    ends: tuple[Shape, ...]
+
+
+def read_scene(scene: Scene) -> Read:
+    """Return a scene as formulas.
+
+    Raises
+    ------
+    SceneError
+        If something is wrong; names the body and the argument.
+    """
+    _check_name(scene.name, "", "name", scene.name)
+    inputs = Inputs(scene.name, _parameters(scene))
+    reader = _Reader(inputs)
+    ball = reader.size("", "ball_radius", scene.ball_radius, sign="positive")
+    gravity = reader.size("", "gravity", scene.gravity, sign="positive", unit="m/s²")
+    down = reader.axis("", "down", scene.down)
+    bodies = _listed(scene, "bodies", scene.bodies, pieces.Body)
+    if not isinstance(scene.ends, Mapping):
+        raise wrong(scene.name, "", "ends", f"expected names and ends, got {brief(scene.ends)}")
+    ends = _listed(scene, "ends", list(scene.ends.values()), pieces.End)
+    _names(scene.name, "body", (body.name for body in bodies))
+    _names(scene.name, "end", scene.ends)
+    radius = reader.formula("", "ball_radius", scene.ball_radius)
+    shapes = tuple(_body(reader, body, radius, scene.restitution) for body in bodies)
+    finished = tuple(_end(reader, own, end) for own, end in zip(scene.ends, ends, strict=True))
+    return Read(scene.name, inputs.all, ball, gravity, down, shapes, finished)
+
+
+def _listed(scene: Scene, argument: str, given: Any, kind: type) -> list[Any]:
+    if isinstance(given, str | Mapping) or not isinstance(given, Iterable):
+        raise wrong(scene.name, "", argument, f"expected a list, got {brief(given)}")
+    found = list(islice(given, MOST + 1))
+    if len(found) > MOST:
+        raise wrong(scene.name, "", argument, f"expected at most {MOST}")
+    for one in found:
+        if not isinstance(one, kind) or type(one) is pieces.Body:
+            expected = "Plane, Sphere, Cylinder, Torus, Box or Surface"
+            expected = "End" if kind is pieces.End else expected
+            raise wrong(scene.name, "", argument, f"expected {expected}, got {brief(one)}")
+    return found
+
+
+def _check_name(scene: object, kind: str, argument: str, given: object) -> None:
+    if not isinstance(given, str) or not PUBLIC.fullmatch(given):
+        raise wrong(
+            str(scene),
+            f"{kind} {brief(given)}" if kind else "",
+            argument,
+            "expected a small letter, then small letters, digits and _",
+        )
+
+
+def _names(scene: str, kind: str, names: Iterable[str]) -> None:
+    for own, count in Counter(list(names)).items():
+        _check_name(scene, kind, "name", own)
+        if count > 1:
+            raise wrong(scene, f"{kind} {own}", "name", f"{count} have this name")
+
+
+def _parameters(scene: Scene) -> tuple[Input, ...]:
+    found = scene.parameters
+    if isinstance(found, str | Mapping) or not isinstance(found, Iterable):
+        raise wrong(scene.name, "", "parameters", f"expected a list, got {brief(found)}")
+    inputs = []
+    for one in found:
+        if not isinstance(one, pieces.Parameter):
+            raise wrong(scene.name, "", "parameters", f"expected Parameter, got {brief(one)}")
+        inputs.append(_parameter(scene.name, one))
+    _names(scene.name, "parameter", (made.name for made in inputs))
+    return tuple(inputs)
+
+
+def _parameter(scene: str, given: pieces.Parameter) -> Input:
+    _check_name(scene, "parameter", "name", given.name)
+    owner = f"parameter {given.name}"
+    if given.name in RESERVED:
+        raise wrong(scene, owner, "name", f"{listed(RESERVED)} are taken")
+    if given.sign not in SIGNS:
+        raise wrong(scene, owner, "sign", f"expected {listed(SIGNS)}; got {brief(given.sign)}")
+    for argument in ("unit", "summary", "latex"):
+        if not isinstance(getattr(given, argument), str):
+            raise wrong(scene, owner, argument, "expected text")
+    plain = Inputs(scene, ())
+    default = plain.number(owner, "default", plain.read(owner, "default", given.default))
+    upper = given.upper
+    if upper is not None:
+        upper = plain.number(owner, "upper", plain.read(owner, "upper", upper))
+    made = Input(
+        given.name,
+        name(given.name),
+        default,
+        given.unit,
+        given.summary,
+        given.sign,
+        upper,
+        given.latex,
+    )
+    if not made.allows(default):
+        raise wrong(scene, owner, "default", f"expected a number {made.allowed}, got {default:g}")
+    return made
+
+
+@dataclass(frozen=True)
+class _Reader:
+    """Arguments to formulas."""
+
+    inputs: Inputs
+
+    def formula(self, owner: str, argument: str, given: object) -> Formula:
+        """Return a size as a formula of the parameters."""
+        return self.inputs.read(owner, argument, given)
+
+    def size(self, owner: str, argument: str, given: object, **allowed: Any) -> Formula:
+        """Return a size as an input."""
+        return self.inputs.add(owner, argument, self.formula(owner, argument, given), **allowed)
+
+    def point(self, owner: str, argument: str, given: object) -> dict[str, Formula]:
+        """Return three sizes as formulas, by name."""
+        if isinstance(given, str) or not isinstance(given, Sequence) or len(given) != 3:
+            raise self.inputs.wrong(owner, argument, f"expected three sizes, got {brief(given)}")
+        return {
+            f"{argument} {axis}": self.formula(owner, f"{argument} {axis}", value)
+            for axis, value in zip(POSITION, given, strict=True)
+        }
+
+    def add(self, owner: str, formulas: Mapping[str, Formula]) -> dict[str, Formula]:
+        """Return formulas as inputs."""
+        return {argument: self.inputs.add(owner, argument, f) for argument, f in formulas.items()}
+
+    def axis(self, owner: str, argument: str, given: object) -> tuple[int, int]:
+        """Return coordinate and direction."""
+        if not isinstance(given, str) or given not in AXES:
+            raise self.inputs.wrong(
+                owner, argument, f"expected one of {listed(AXES)}; got {brief(given)}"
+            )
+        return AXES[given]
+
+    def flag(self, owner: str, argument: str, given: object) -> bool:
+        """Return whether."""
+        if not isinstance(given, bool):
+            raise self.inputs.wrong(owner, argument, f"expected true or false, got {brief(given)}")
+        return given
+
+
+def _body(reader: _Reader, body: pieces.Body, ball: Formula, usual: object) -> Shape:
+    owner, kind = f"body {body.name}", type(body).__name__.lower()
+    own = usual if body.restitution is None else body.restitution
+    if own is None:
+        raise reader.inputs.wrong(owner, "restitution", "missing, and the scene has none either")
+    restitution = reader.size(owner, "restitution", own, sign="nonnegative", upper=1.0, unit="1")
+    if isinstance(body, pieces.Plane):
+        shape, there = _plane(reader, owner, body, ball)
+    elif isinstance(body, pieces.Sphere | pieces.Cylinder):
+        shape, there = _curved(reader, owner, body, ball)
+    elif isinstance(body, pieces.Torus):
+        shape, there = _torus(reader, owner, body, ball), None
+    elif isinstance(body, pieces.Box):
+        shape, there = _box(reader, owner, body), None
+    elif isinstance(body, pieces.Surface):
+        shape, there = _surface(reader, owner, body), Map()
+    else:
+        raise reader.inputs.wrong(owner, "", f"no such body: {type(body).__name__}")
+    if there is None and body.within:
+        raise reader.inputs.wrong(owner, "within", f"a {kind} has no bounds")
+    extra = shape.bounds + bounds(reader.inputs, owner, body.within, there)
+    return Shape(
+        body.name, kind, shape.sizes, shape.axis, shape.inside, restitution, extra, shape.condition
+    )
+
+
+def _plane(reader: _Reader, owner: str, body: pieces.Plane, ball: Formula) -> tuple[Shape, Map]:
+    axis, way = reader.axis(owner, "axis", body.axis)
+    sizes = (("at", reader.size(owner, "at", body.at)),)
+    shift = [constant(-way) * ball if k == axis else ZERO for k in range(3)]
+    there = Map(shift=(shift[0], shift[1], shift[2]))
+    return Shape(body.name, "plane", sizes, (axis, way)), there
+
+
+def _curved(
+    reader: _Reader, owner: str, body: pieces.Sphere | pieces.Cylinder, ball: Formula
+) -> tuple[Shape, Map]:
+    """Return a sphere or a cylinder: what is touched lies on the way to its centre or axis."""
+    radius = reader.formula(owner, "radius", body.radius)
+    centre = reader.point(owner, "centre", body.centre)
+    inside = reader.flag(owner, "inside", body.inside)
+    sizes = {"radius": reader.inputs.add(owner, "radius", radius, sign="positive")}
+    room = radius - ball if inside else radius + ball
+    if reader.inputs.number(owner, "radius", room) <= 0:
+        raise reader.inputs.wrong(owner, "radius", "the ball does not fit inside")
+    factor, axis = radius / room, (2, 1)
+    across: tuple[int, ...] = (0, 1, 2)
+    extra: tuple[Terms, ...] = ()
+    if isinstance(body, pieces.Cylinder):
+        axis = reader.axis(owner, "axis", body.axis)
+        across = tuple(k for k in range(3) if k != axis[0])
+        extra = _span(reader, owner, body.span, axis[0])
+    if body.within or extra:
+        scale = [factor if k in across else ONE for k in range(3)]
+        parts = list(centre.values())
+        shift = [parts[k] - factor * parts[k] if k in across else ZERO for k in range(3)]
+    else:
+        scale, shift = [ONE] * 3, [ZERO] * 3
+    if isinstance(body, pieces.Cylinder):
+        centre = {a: f for k, (a, f) in enumerate(centre.items()) if k in across}
+    sizes |= reader.add(owner, centre)
+    made = Shape(body.name, "", tuple(sizes.items()), axis, inside, ZERO, extra)
+    return made, Map((scale[0], scale[1], scale[2]), (shift[0], shift[1], shift[2]))
+
+
+def _span(reader: _Reader, owner: str, given: object, axis: int) -> tuple[Terms, ...]:
+    if isinstance(given, str) or not isinstance(given, Sequence) or len(given) != 2:
+        raise reader.inputs.wrong(owner, "span", f"expected two ends, got {brief(given)}")
+    found: list[Terms] = []
+    ends: list[float] = []
+    for argument, way, end in (("span from", -1, given[0]), ("span to", 1, given[1])):
+        if end is None:
+            continue
+        formula = reader.formula(owner, argument, end)
+        ends.append(reader.inputs.number(owner, argument, formula))
+        offset = reader.inputs.add(owner, argument, constant(-way) * formula)
+        powers = tuple(int(k == axis) for k in range(3))
+        found.append((((powers[0], powers[1], powers[2]), constant(way)), ((0, 0, 0), offset)))
+    if ends != sorted(ends):
+        raise reader.inputs.wrong(owner, "span", f"it ends at {ends[1]:g} before {ends[0]:g}")
+    return tuple(found)
+
+
+def _torus(reader: _Reader, owner: str, body: pieces.Torus, ball: Formula) -> Shape:
+    room = [
+        reader.formula(owner, argument, getattr(body, argument)) for argument in ("radius", "wire")
+    ]
+    sizes = {
+        "radius": reader.size(owner, "radius", body.radius, sign="positive"),
+        "wire": reader.size(owner, "wire", body.wire, sign="nonnegative"),
+    }
+    if reader.inputs.number(owner, "radius", room[0] - room[1] - ball) <= 0:
+        raise reader.inputs.wrong(owner, "radius", "the ball does not fit through")
+    sizes |= reader.add(owner, reader.point(owner, "centre", body.centre))
+    return Shape(body.name, "", tuple(sizes.items()), reader.axis(owner, "axis", body.axis))
+
+
+def _box(reader: _Reader, owner: str, body: pieces.Box) -> Shape:
+    size = reader.point(owner, "size", body.size)
+    centre = reader.point(owner, "centre", body.centre)
+    sizes: dict[str, Formula] = {}
+    for (argument, length), middle in zip(size.items(), centre.values(), strict=True):
+        if reader.inputs.number(owner, argument, length) <= 0:
+            raise reader.inputs.wrong(owner, argument, "expected a number above 0")
+        half = length / constant(2)
+        axis = argument.rpartition(" ")[2]
+        sizes |= reader.add(owner, {f"from {axis}": middle - half, f"to {axis}": middle + half})
+    return Shape(body.name, "", tuple(sizes.items()))
+
+
+def _surface(reader: _Reader, owner: str, body: pieces.Surface) -> Shape:
+    condition = terms(reader.inputs, owner, "condition", body.condition)
+    return Shape(body.name, "", (), condition=condition)
+
+
+def _end(reader: _Reader, own: str, end: pieces.End) -> Shape:
+    owner = f"end {own}"
+    axis = reader.axis(owner, "axis", end.axis)
+    sizes = (("at", reader.size(owner, "at", end.at)),)
+    found = bounds(reader.inputs, owner, end.within)
+    return Shape(own, "end", sizes, axis, bounds=found)
