@@ -206,12 +206,15 @@ def models() -> tuple[Model, ...]:
 def test_no_name_of_ours_is_one_of_a_parameter_a_printer_a_driver_or_a_language() -> None:
     """The driver in C shares its scope with the loop's variables."""
     engine = (ROOT / "templates/c/engine.h.j2").read_text(encoding="utf-8")
-    shots_in_flight = engine.partition("typedef struct {")[2].partition("} LANES(")[0]
-    driver = shots_in_flight + engine.partition("{% for variant in loops %}")[2]
-    kinds = r"(?:V|M|int|size_t|double|int32_t \*|LANES\(\{\{ N \}\}_\w+\)|\{\{ N \}\}_\w+ \*)"
-    declared = set(re.findall(rf"\b{kinds} ?\*?([a-z]\w*)\s*(?:[\[;=]|$)", driver, re.MULTILINE))
+    printers = [ROOT / "hoopgen/codegen" / name for name in ("lists.py", "view.py")]
+    printed = "".join(file.read_text(encoding="utf-8") for file in printers)
+    columns, _, driver = engine.partition("typedef struct {")[2].partition("} LANES(")
+    ours_in_c = r"LANES\(\{\{ [NT] \}\}_\w+\)|\{\{ N \}\}_\w+ \*"
+    kinds = rf"(?:V|M|int|unsigned|size_t|double|int32_t \*|{ours_in_c})"
+    found = rf"\b{kinds} ?\*?(?:const \*?)?([a-z]\w*)\s*(?:[\[;=,]|$)"
+    declared = set(re.findall(found, columns + driver + printed, re.MULTILINE))
     shared = {"permitted", "most_contacts", "time_limit", "claims"}
-    assert {"pool", "zero", "flying", "lane", "surface", "occupied", *shared} <= declared
+    assert {"rows", "packed", "active", "row", "lane", "fresh", "shots", *shared} <= declared
     for model in models():
         ours: set[str] = set()
         for kernel in model.kernels:

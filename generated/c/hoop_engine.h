@@ -123,11 +123,11 @@ typedef struct {
 } LANES(hoop_plain_lists);
 
 /* Put the next shots into rows, from one on. */
-LANES_INLINE void LANES(hoop_plain_begin)(LANES(hoop_plain_lists) *lists, size_t row, size_t count, const hoop_job *job, size_t first)
+LANES_INLINE void LANES(hoop_plain_begin)(LANES(hoop_plain_lists) *lists, size_t row, size_t shots, const hoop_job *job, size_t start)
 {
-    const double *state = job->states + HOOP_STATE * first;
+    const double *state = job->states + HOOP_STATE * start;
     size_t k = 0;
-    for (; k + LANES_WIDTH <= count; k += LANES_WIDTH) {
+    for (; k + LANES_WIDTH <= shots; k += LANES_WIDTH) {
         double *const columns[] = {
             lists->x + row + k,
             lists->y + row + k,
@@ -141,7 +141,7 @@ LANES_INLINE void LANES(hoop_plain_begin)(LANES(hoop_plain_lists) *lists, size_t
         };
         lanes_columns(columns, state + HOOP_STATE * k, HOOP_STATE);
     }
-    for (; k < count; k++) {
+    for (; k < shots; k++) {
         lists->x[row + k] = state[HOOP_STATE * k + 0];
         lists->y[row + k] = state[HOOP_STATE * k + 1];
         lists->z[row + k] = state[HOOP_STATE * k + 2];
@@ -153,22 +153,22 @@ LANES_INLINE void LANES(hoop_plain_begin)(LANES(hoop_plain_lists) *lists, size_t
         lists->wz[row + k] = state[HOOP_STATE * k + 8];
     }
     if (job->varying)
-        for (k = 0; k < count; k++) {
-            lists->p_ball_radius[row + k] = job->parameters[0][job->strides[0] * (int64_t)(first + k)];
-            lists->p_ring_radius[row + k] = job->parameters[1][job->strides[1] * (int64_t)(first + k)];
-            lists->p_wire_radius[row + k] = job->parameters[2][job->strides[2] * (int64_t)(first + k)];
-            lists->p_board_distance[row + k] = job->parameters[3][job->strides[3] * (int64_t)(first + k)];
-            lists->p_board_half_width[row + k] = job->parameters[4][job->strides[4] * (int64_t)(first + k)];
-            lists->p_board_bottom[row + k] = job->parameters[5][job->strides[5] * (int64_t)(first + k)];
-            lists->p_board_top[row + k] = job->parameters[6][job->strides[6] * (int64_t)(first + k)];
-            lists->p_bridge_half_width[row + k] = job->parameters[7][job->strides[7] * (int64_t)(first + k)];
-            lists->p_restitution[row + k] = job->parameters[8][job->strides[8] * (int64_t)(first + k)];
-            lists->p_gravity[row + k] = job->parameters[9][job->strides[9] * (int64_t)(first + k)];
-            lists->p_end_depth[row + k] = job->parameters[10][job->strides[10] * (int64_t)(first + k)];
+        for (k = 0; k < shots; k++) {
+            lists->p_ball_radius[row + k] = job->parameters[0][job->strides[0] * (int64_t)(start + k)];
+            lists->p_ring_radius[row + k] = job->parameters[1][job->strides[1] * (int64_t)(start + k)];
+            lists->p_wire_radius[row + k] = job->parameters[2][job->strides[2] * (int64_t)(start + k)];
+            lists->p_board_distance[row + k] = job->parameters[3][job->strides[3] * (int64_t)(start + k)];
+            lists->p_board_half_width[row + k] = job->parameters[4][job->strides[4] * (int64_t)(start + k)];
+            lists->p_board_bottom[row + k] = job->parameters[5][job->strides[5] * (int64_t)(start + k)];
+            lists->p_board_top[row + k] = job->parameters[6][job->strides[6] * (int64_t)(start + k)];
+            lists->p_bridge_half_width[row + k] = job->parameters[7][job->strides[7] * (int64_t)(start + k)];
+            lists->p_restitution[row + k] = job->parameters[8][job->strides[8] * (int64_t)(start + k)];
+            lists->p_gravity[row + k] = job->parameters[9][job->strides[9] * (int64_t)(start + k)];
+            lists->p_end_depth[row + k] = job->parameters[10][job->strides[10] * (int64_t)(start + k)];
         }
-    for (k = 0; k < count; k++)
-        lists->shot[row + k] = first + k;
-    for (k = 0; k < count; k += LANES_WIDTH) {
+    for (k = 0; k < shots; k++)
+        lists->shot[row + k] = start + k;
+    for (k = 0; k < shots; k += LANES_WIDTH) {
         lanes_store(lists->clock + row + k, K(0.0));
         lanes_store(lists->first + row + k, K(-1.0));
         lanes_store(lists->contacts + row + k, K(0.0));
@@ -179,48 +179,48 @@ LANES_INLINE void LANES(hoop_plain_begin)(LANES(hoop_plain_lists) *lists, size_t
         lanes_store(lists->last + row + k, K(-1.0));
     }
     if (job->leaving)
-        for (k = 0; k < count; k++)
-            lists->last[row + k] = (double)job->leaving[first + k];
+        for (k = 0; k < shots; k++)
+            lists->last[row + k] = (double)job->leaving[start + k];
 }
 
 /* Write the results of the shots in rows that follow one another, none of them invalid. */
-LANES_INLINE void LANES(hoop_plain_finish_all)(const LANES(hoop_plain_lists) *lists, size_t count, const hoop_job *job)
+LANES_INLINE void LANES(hoop_plain_finish_all)(const LANES(hoop_plain_lists) *lists, size_t shots, const hoop_job *job)
 {
     const hoop_results *out = job->results;
-    const size_t first = lists->shot[0];
+    const size_t start = lists->shot[0];
     if (out->outcome)
-        for (size_t k = 0; k < count; k++) {
-            out->outcome[first + k] = (uint8_t)(int32_t)lists->outcome[k];
+        for (size_t k = 0; k < shots; k++) {
+            out->outcome[start + k] = (uint8_t)(int32_t)lists->outcome[k];
         }
     if (out->contacts)
-        for (size_t k = 0; k < count; k++) {
-            out->contacts[first + k] = (int32_t)(int32_t)lists->contacts[k];
+        for (size_t k = 0; k < shots; k++) {
+            out->contacts[start + k] = (int32_t)(int32_t)lists->contacts[k];
         }
     if (out->counts)
-        for (size_t k = 0; k < count; k++) {
-            out->counts[3 * (first + k) + 0] = (int32_t)(int32_t)lists->count_0[k];
-            out->counts[3 * (first + k) + 1] = (int32_t)(int32_t)lists->count_1[k];
-            out->counts[3 * (first + k) + 2] = (int32_t)(int32_t)lists->count_2[k];
+        for (size_t k = 0; k < shots; k++) {
+            out->counts[3 * (start + k) + 0] = (int32_t)(int32_t)lists->count_0[k];
+            out->counts[3 * (start + k) + 1] = (int32_t)(int32_t)lists->count_1[k];
+            out->counts[3 * (start + k) + 2] = (int32_t)(int32_t)lists->count_2[k];
         }
     if (out->first)
-        for (size_t k = 0; k < count; k++) {
-            out->first[first + k] = (int8_t)(int32_t)lists->first[k];
+        for (size_t k = 0; k < shots; k++) {
+            out->first[start + k] = (int8_t)(int32_t)lists->first[k];
         }
     if (out->time)
-        for (size_t k = 0; k < count; k++) {
-            out->time[first + k] = (double)lists->clock[k];
+        for (size_t k = 0; k < shots; k++) {
+            out->time[start + k] = (double)lists->clock[k];
         }
     if (out->state)
-        for (size_t k = 0; k < count; k++) {
-            out->state[9 * (first + k) + 0] = (double)lists->x[k];
-            out->state[9 * (first + k) + 1] = (double)lists->y[k];
-            out->state[9 * (first + k) + 2] = (double)lists->z[k];
-            out->state[9 * (first + k) + 3] = (double)lists->vx[k];
-            out->state[9 * (first + k) + 4] = (double)lists->vy[k];
-            out->state[9 * (first + k) + 5] = (double)lists->vz[k];
-            out->state[9 * (first + k) + 6] = (double)lists->wx[k];
-            out->state[9 * (first + k) + 7] = (double)lists->wy[k];
-            out->state[9 * (first + k) + 8] = (double)lists->wz[k];
+        for (size_t k = 0; k < shots; k++) {
+            out->state[9 * (start + k) + 0] = (double)lists->x[k];
+            out->state[9 * (start + k) + 1] = (double)lists->y[k];
+            out->state[9 * (start + k) + 2] = (double)lists->z[k];
+            out->state[9 * (start + k) + 3] = (double)lists->vx[k];
+            out->state[9 * (start + k) + 4] = (double)lists->vy[k];
+            out->state[9 * (start + k) + 5] = (double)lists->vz[k];
+            out->state[9 * (start + k) + 6] = (double)lists->wx[k];
+            out->state[9 * (start + k) + 7] = (double)lists->wy[k];
+            out->state[9 * (start + k) + 8] = (double)lists->wz[k];
         }
 }
 
@@ -261,11 +261,11 @@ LANES_INLINE void LANES(hoop_plain_finish)(const LANES(hoop_plain_lists) *lists,
 }
 
 /* Write the results of the shots that have ended, from a row on; the others close up. */
-LANES_INLINE size_t LANES(hoop_plain_leave)(LANES(hoop_plain_lists) *lists, size_t first, size_t count, const hoop_job *job)
+LANES_INLINE size_t LANES(hoop_plain_leave)(LANES(hoop_plain_lists) *lists, size_t start, size_t shots, const hoop_job *job)
 {
-    size_t kept = first;
-    for (size_t i = first; i < count; i += LANES_WIDTH) {
-        const M rows = lanes_first(count - i);
+    size_t kept = start;
+    for (size_t i = start; i < shots; i += LANES_WIDTH) {
+        const M rows = lanes_first(shots - i);
         const M going = lanes_both(rows, lanes_less(lanes_load(lists->outcome + i), K(0.0)));
         for (unsigned bits = lanes_bits(rows) & ~lanes_bits(going); bits; bits &= bits - 1)
             LANES(hoop_plain_finish)(lists, i + (size_t)LANES_LOWEST(bits), job);
@@ -318,7 +318,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
     const V time_limit = K(job->time_limit);
     const size_t varying = job->varying ? ~(size_t)0 : 0;
     const int recording = job->results->events != NULL;
-    size_t begun = 0, count = 0;
+    size_t begun = 0, shots = 0;
 
     if (recording)
         memset(job->results->event_counts, 0, job->shots * sizeof(int32_t));
@@ -337,19 +337,19 @@ static void LANES(hoop_plain)(const hoop_job *job)
     for (;;) {
         if (job->stop && *job->stop)
             return;
-        int following = count == 0;
-        const size_t fresh = count;
+        int following = shots == 0;
+        const size_t fresh = shots;
         if (begun < job->shots) {
-            const size_t room = LANES_SHOTS - count, left = job->shots - begun;
-            count += left < room ? left : room;
-            LANES(hoop_plain_begin)(lists, fresh, count - fresh, job, begun);
-            begun += count - fresh;
+            const size_t room = LANES_SHOTS - shots, left = job->shots - begun;
+            shots += left < room ? left : room;
+            LANES(hoop_plain_begin)(lists, fresh, shots - fresh, job, begun);
+            begun += shots - fresh;
         }
-        if (count == 0)
+        if (shots == 0)
             return;
 
         /* A new shot is looked at once. */
-        for (size_t i = fresh; i < count; i += LANES_WIDTH) {
+        for (size_t i = fresh; i < shots; i += LANES_WIDTH) {
             V last = lanes_load(lists->last + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
             const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
@@ -387,17 +387,17 @@ static void LANES(hoop_plain)(const hoop_job *job)
         }
 
         M refused = lanes_nowhere();
-        for (size_t i = fresh; i < count; i += LANES_WIDTH)
-            refused = lanes_either(refused, lanes_both(lanes_first(count - i), lanes_at_most(K(0.0), lanes_load(lists->outcome + i))));
+        for (size_t i = fresh; i < shots; i += LANES_WIDTH)
+            refused = lanes_either(refused, lanes_both(lanes_first(shots - i), lanes_at_most(K(0.0), lanes_load(lists->outcome + i))));
         if (lanes_any(refused)) {
-            count = LANES(hoop_plain_leave)(lists, fresh, count, job);
+            shots = LANES(hoop_plain_leave)(lists, fresh, shots, job);
             following = 0;
         }
 
         /* To the next event, and what it does to the ball. */
-        size_t open_count = 0;
-        for (size_t i = 0; i < count; i += LANES_WIDTH) {
-            const M rows = lanes_first(count - i);
+        size_t open_shots = 0;
+        for (size_t i = 0; i < shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(shots - i);
             LANES(hoop_ahead)(job, begun + i);
             V last = lanes_load(lists->last + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
@@ -536,33 +536,33 @@ static void LANES(hoop_plain)(const hoop_job *job)
             lanes_store(lists->which + i, which);
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
-                lanes_pack(lists->open_row + open_count, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->open_extent + open_count, packed, extent);
-                lanes_pack(lists->open_last + open_count, packed, last);
+                lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->open_extent + open_shots, packed, extent);
+                lanes_pack(lists->open_last + open_shots, packed, last);
                 if (varying)
-                    lanes_pack(lists->open_p_ball_radius + open_count, packed, p_ball_radius);
+                    lanes_pack(lists->open_p_ball_radius + open_shots, packed, p_ball_radius);
                 if (varying)
-                    lanes_pack(lists->open_p_gravity + open_count, packed, p_gravity);
+                    lanes_pack(lists->open_p_gravity + open_shots, packed, p_gravity);
                 if (varying)
-                    lanes_pack(lists->open_p_ring_radius + open_count, packed, p_ring_radius);
+                    lanes_pack(lists->open_p_ring_radius + open_shots, packed, p_ring_radius);
                 if (varying)
-                    lanes_pack(lists->open_p_wire_radius + open_count, packed, p_wire_radius);
-                lanes_pack(lists->open_speed + open_count, packed, speed);
-                lanes_pack(lists->open_until + open_count, packed, until);
-                lanes_pack(lists->open_vx + open_count, packed, vx);
-                lanes_pack(lists->open_vy + open_count, packed, vy);
-                lanes_pack(lists->open_vz + open_count, packed, vz);
-                lanes_pack(lists->open_when + open_count, packed, when);
-                lanes_pack(lists->open_which + open_count, packed, which);
-                lanes_pack(lists->open_x + open_count, packed, x);
-                lanes_pack(lists->open_y + open_count, packed, y);
-                lanes_pack(lists->open_z + open_count, packed, z);
-                open_count += lanes_many(packed);
+                    lanes_pack(lists->open_p_wire_radius + open_shots, packed, p_wire_radius);
+                lanes_pack(lists->open_speed + open_shots, packed, speed);
+                lanes_pack(lists->open_until + open_shots, packed, until);
+                lanes_pack(lists->open_vx + open_shots, packed, vx);
+                lanes_pack(lists->open_vy + open_shots, packed, vy);
+                lanes_pack(lists->open_vz + open_shots, packed, vz);
+                lanes_pack(lists->open_when + open_shots, packed, when);
+                lanes_pack(lists->open_which + open_shots, packed, which);
+                lanes_pack(lists->open_x + open_shots, packed, x);
+                lanes_pack(lists->open_y + open_shots, packed, y);
+                lanes_pack(lists->open_z + open_shots, packed, z);
+                open_shots += lanes_many(packed);
             }
         }
-        size_t open_searching_count = 0;
-        for (size_t i = 0; i < open_count; i += LANES_WIDTH) {
-            const M rows = lanes_first(open_count - i);
+        size_t open_searching_shots = 0;
+        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(open_shots - i);
             V extent = lanes_load(lists->open_extent + i);
             V last = lanes_load(lists->open_last + i);
             const V p_ball_radius = lanes_load(varying ? lists->open_p_ball_radius + i : lists->p_ball_radius);
@@ -616,44 +616,44 @@ static void LANES(hoop_plain)(const hoop_job *job)
             lanes_store(lists->open_tilt + i, tilt);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
-                lanes_pack(lists->open_searching_row + open_searching_count, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->open_searching_arrival + open_searching_count, packed, arrival);
-                lanes_pack(lists->open_searching_ceiling + open_searching_count, packed, ceiling);
-                lanes_pack(lists->open_searching_certain + open_searching_count, packed, lanes_select(certain, K(1.0), K(0.0)));
-                lanes_pack(lists->open_searching_end + open_searching_count, packed, end);
-                lanes_pack(lists->open_searching_extent + open_searching_count, packed, extent);
-                lanes_pack(lists->open_searching_flat + open_searching_count, packed, flat);
-                lanes_pack(lists->open_searching_high0 + open_searching_count, packed, high0);
-                lanes_pack(lists->open_searching_high1 + open_searching_count, packed, high1);
-                lanes_pack(lists->open_searching_high2 + open_searching_count, packed, high2);
-                lanes_pack(lists->open_searching_last + open_searching_count, packed, last);
-                lanes_pack(lists->open_searching_latest + open_searching_count, packed, latest);
-                lanes_pack(lists->open_searching_low0 + open_searching_count, packed, low0);
-                lanes_pack(lists->open_searching_low1 + open_searching_count, packed, low1);
-                lanes_pack(lists->open_searching_low2 + open_searching_count, packed, low2);
+                lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->open_searching_arrival + open_searching_shots, packed, arrival);
+                lanes_pack(lists->open_searching_ceiling + open_searching_shots, packed, ceiling);
+                lanes_pack(lists->open_searching_certain + open_searching_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->open_searching_end + open_searching_shots, packed, end);
+                lanes_pack(lists->open_searching_extent + open_searching_shots, packed, extent);
+                lanes_pack(lists->open_searching_flat + open_searching_shots, packed, flat);
+                lanes_pack(lists->open_searching_high0 + open_searching_shots, packed, high0);
+                lanes_pack(lists->open_searching_high1 + open_searching_shots, packed, high1);
+                lanes_pack(lists->open_searching_high2 + open_searching_shots, packed, high2);
+                lanes_pack(lists->open_searching_last + open_searching_shots, packed, last);
+                lanes_pack(lists->open_searching_latest + open_searching_shots, packed, latest);
+                lanes_pack(lists->open_searching_low0 + open_searching_shots, packed, low0);
+                lanes_pack(lists->open_searching_low1 + open_searching_shots, packed, low1);
+                lanes_pack(lists->open_searching_low2 + open_searching_shots, packed, low2);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_ball_radius + open_searching_count, packed, p_ball_radius);
+                    lanes_pack(lists->open_searching_p_ball_radius + open_searching_shots, packed, p_ball_radius);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_gravity + open_searching_count, packed, p_gravity);
+                    lanes_pack(lists->open_searching_p_gravity + open_searching_shots, packed, p_gravity);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_ring_radius + open_searching_count, packed, p_ring_radius);
+                    lanes_pack(lists->open_searching_p_ring_radius + open_searching_shots, packed, p_ring_radius);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_wire_radius + open_searching_count, packed, p_wire_radius);
-                lanes_pack(lists->open_searching_rate_slack + open_searching_count, packed, rate_slack);
-                lanes_pack(lists->open_searching_rho_start + open_searching_count, packed, rho_start);
-                lanes_pack(lists->open_searching_share + open_searching_count, packed, share);
-                lanes_pack(lists->open_searching_speed + open_searching_count, packed, speed);
-                lanes_pack(lists->open_searching_steady + open_searching_count, packed, steady);
-                lanes_pack(lists->open_searching_swing + open_searching_count, packed, swing);
-                lanes_pack(lists->open_searching_t + open_searching_count, packed, t);
-                lanes_pack(lists->open_searching_tilt + open_searching_count, packed, tilt);
-                lanes_pack(lists->open_searching_vx + open_searching_count, packed, vx);
-                lanes_pack(lists->open_searching_vy + open_searching_count, packed, vy);
-                lanes_pack(lists->open_searching_vz + open_searching_count, packed, vz);
-                lanes_pack(lists->open_searching_x + open_searching_count, packed, x);
-                lanes_pack(lists->open_searching_y + open_searching_count, packed, y);
-                lanes_pack(lists->open_searching_z + open_searching_count, packed, z);
-                open_searching_count += lanes_many(packed);
+                    lanes_pack(lists->open_searching_p_wire_radius + open_searching_shots, packed, p_wire_radius);
+                lanes_pack(lists->open_searching_rate_slack + open_searching_shots, packed, rate_slack);
+                lanes_pack(lists->open_searching_rho_start + open_searching_shots, packed, rho_start);
+                lanes_pack(lists->open_searching_share + open_searching_shots, packed, share);
+                lanes_pack(lists->open_searching_speed + open_searching_shots, packed, speed);
+                lanes_pack(lists->open_searching_steady + open_searching_shots, packed, steady);
+                lanes_pack(lists->open_searching_swing + open_searching_shots, packed, swing);
+                lanes_pack(lists->open_searching_t + open_searching_shots, packed, t);
+                lanes_pack(lists->open_searching_tilt + open_searching_shots, packed, tilt);
+                lanes_pack(lists->open_searching_vx + open_searching_shots, packed, vx);
+                lanes_pack(lists->open_searching_vy + open_searching_shots, packed, vy);
+                lanes_pack(lists->open_searching_vz + open_searching_shots, packed, vz);
+                lanes_pack(lists->open_searching_x + open_searching_shots, packed, x);
+                lanes_pack(lists->open_searching_y + open_searching_shots, packed, y);
+                lanes_pack(lists->open_searching_z + open_searching_shots, packed, z);
+                open_searching_shots += lanes_many(packed);
             }
         }
         {
@@ -693,7 +693,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             V y = K(0.0);
             V z = K(0.0);
             for (;;) {
-                if (taken < open_searching_count && busy + LANES_SPARE <= LANES_WIDTH) {
+                if (taken < open_searching_shots && busy + LANES_SPARE <= LANES_WIDTH) {
                     const M idle = lanes_not(active);
                     row = lanes_expand(lists->open_searching_row + taken, idle, row);
                     turns = lanes_select(idle, K(0.0), turns);
@@ -731,7 +731,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                         p_ring_radius = lanes_expand(lists->open_searching_p_ring_radius + taken, idle, p_ring_radius);
                         p_wire_radius = lanes_expand(lists->open_searching_p_wire_radius + taken, idle, p_wire_radius);
                     }
-                    const size_t room = LANES_WIDTH - busy, left = open_searching_count - taken;
+                    const size_t room = LANES_WIDTH - busy, left = open_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
                     busy += left < room ? left : room;
@@ -813,7 +813,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 }
             }
         }
-        for (size_t i = 0; i < open_count; i += LANES_WIDTH) {
+        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             V arrival = lanes_load(lists->open_arrival + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
             V flat = lanes_load(lists->open_flat + i);
@@ -860,13 +860,13 @@ static void LANES(hoop_plain)(const hoop_job *job)
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
-        for (size_t k = 0; k < open_count; k++) {
+        for (size_t k = 0; k < open_shots; k++) {
             const size_t row = (size_t)lists->open_row[k];
             lists->when[row] = lists->open_when[k];
             lists->which[row] = lists->open_which[k];
         }
-        for (size_t i = 0; i < count; i += LANES_WIDTH) {
-            const M rows = lanes_first(count - i);
+        for (size_t i = 0; i < shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(shots - i);
             V clock = lanes_load(lists->clock + i);
             V contacts = lanes_load(lists->contacts + i);
             V count_0 = lanes_load(lists->count_0 + i);
@@ -1076,7 +1076,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             lanes_store(lists->z + i, z);
         }
         if (recording)
-            for (size_t k = 0; k < count; k++) {
+            for (size_t k = 0; k < shots; k++) {
                 if (lists->body[k] < 0.0)
                     continue;
                 const size_t shot = lists->shot[k];
@@ -1106,14 +1106,14 @@ static void LANES(hoop_plain)(const hoop_job *job)
             }
 
         M going = lanes_nowhere();
-        for (size_t i = 0; i < count; i += LANES_WIDTH)
-            going = lanes_either(going, lanes_both(lanes_first(count - i), lanes_less(lanes_load(lists->outcome + i), K(0.0))));
+        for (size_t i = 0; i < shots; i += LANES_WIDTH)
+            going = lanes_either(going, lanes_both(lanes_first(shots - i), lanes_less(lanes_load(lists->outcome + i), K(0.0))));
         if (following && !lanes_any(going)) {
-            LANES(hoop_plain_finish_all)(lists, count, job);
-            count = 0;
+            LANES(hoop_plain_finish_all)(lists, shots, job);
+            shots = 0;
             continue;
         }
-        count = LANES(hoop_plain_leave)(lists, 0, count, job);
+        shots = LANES(hoop_plain_leave)(lists, 0, shots, job);
     }
 }
 
@@ -1298,11 +1298,11 @@ typedef struct {
 } LANES(hoop_bounded_lists);
 
 /* Put the next shots into rows, from one on. */
-LANES_INLINE void LANES(hoop_bounded_begin)(LANES(hoop_bounded_lists) *lists, size_t row, size_t count, const hoop_job *job, size_t first)
+LANES_INLINE void LANES(hoop_bounded_begin)(LANES(hoop_bounded_lists) *lists, size_t row, size_t shots, const hoop_job *job, size_t start)
 {
-    const double *state = job->states + HOOP_STATE * first;
+    const double *state = job->states + HOOP_STATE * start;
     size_t k = 0;
-    for (; k + LANES_WIDTH <= count; k += LANES_WIDTH) {
+    for (; k + LANES_WIDTH <= shots; k += LANES_WIDTH) {
         double *const columns[] = {
             lists->x + row + k,
             lists->y + row + k,
@@ -1316,7 +1316,7 @@ LANES_INLINE void LANES(hoop_bounded_begin)(LANES(hoop_bounded_lists) *lists, si
         };
         lanes_columns(columns, state + HOOP_STATE * k, HOOP_STATE);
     }
-    for (; k < count; k++) {
+    for (; k < shots; k++) {
         lists->x[row + k] = state[HOOP_STATE * k + 0];
         lists->y[row + k] = state[HOOP_STATE * k + 1];
         lists->z[row + k] = state[HOOP_STATE * k + 2];
@@ -1328,22 +1328,22 @@ LANES_INLINE void LANES(hoop_bounded_begin)(LANES(hoop_bounded_lists) *lists, si
         lists->wz[row + k] = state[HOOP_STATE * k + 8];
     }
     if (job->varying)
-        for (k = 0; k < count; k++) {
-            lists->p_ball_radius[row + k] = job->parameters[0][job->strides[0] * (int64_t)(first + k)];
-            lists->p_ring_radius[row + k] = job->parameters[1][job->strides[1] * (int64_t)(first + k)];
-            lists->p_wire_radius[row + k] = job->parameters[2][job->strides[2] * (int64_t)(first + k)];
-            lists->p_board_distance[row + k] = job->parameters[3][job->strides[3] * (int64_t)(first + k)];
-            lists->p_board_half_width[row + k] = job->parameters[4][job->strides[4] * (int64_t)(first + k)];
-            lists->p_board_bottom[row + k] = job->parameters[5][job->strides[5] * (int64_t)(first + k)];
-            lists->p_board_top[row + k] = job->parameters[6][job->strides[6] * (int64_t)(first + k)];
-            lists->p_bridge_half_width[row + k] = job->parameters[7][job->strides[7] * (int64_t)(first + k)];
-            lists->p_restitution[row + k] = job->parameters[8][job->strides[8] * (int64_t)(first + k)];
-            lists->p_gravity[row + k] = job->parameters[9][job->strides[9] * (int64_t)(first + k)];
-            lists->p_end_depth[row + k] = job->parameters[10][job->strides[10] * (int64_t)(first + k)];
+        for (k = 0; k < shots; k++) {
+            lists->p_ball_radius[row + k] = job->parameters[0][job->strides[0] * (int64_t)(start + k)];
+            lists->p_ring_radius[row + k] = job->parameters[1][job->strides[1] * (int64_t)(start + k)];
+            lists->p_wire_radius[row + k] = job->parameters[2][job->strides[2] * (int64_t)(start + k)];
+            lists->p_board_distance[row + k] = job->parameters[3][job->strides[3] * (int64_t)(start + k)];
+            lists->p_board_half_width[row + k] = job->parameters[4][job->strides[4] * (int64_t)(start + k)];
+            lists->p_board_bottom[row + k] = job->parameters[5][job->strides[5] * (int64_t)(start + k)];
+            lists->p_board_top[row + k] = job->parameters[6][job->strides[6] * (int64_t)(start + k)];
+            lists->p_bridge_half_width[row + k] = job->parameters[7][job->strides[7] * (int64_t)(start + k)];
+            lists->p_restitution[row + k] = job->parameters[8][job->strides[8] * (int64_t)(start + k)];
+            lists->p_gravity[row + k] = job->parameters[9][job->strides[9] * (int64_t)(start + k)];
+            lists->p_end_depth[row + k] = job->parameters[10][job->strides[10] * (int64_t)(start + k)];
         }
-    for (k = 0; k < count; k++)
-        lists->shot[row + k] = first + k;
-    for (k = 0; k < count; k += LANES_WIDTH) {
+    for (k = 0; k < shots; k++)
+        lists->shot[row + k] = start + k;
+    for (k = 0; k < shots; k += LANES_WIDTH) {
         lanes_store(lists->dx + row + k, K(0.0));
         lanes_store(lists->dy + row + k, K(0.0));
         lanes_store(lists->dz + row + k, K(0.0));
@@ -1369,62 +1369,62 @@ LANES_INLINE void LANES(hoop_bounded_begin)(LANES(hoop_bounded_lists) *lists, si
         lanes_store(lists->last + row + k, K(-1.0));
     }
     if (job->leaving)
-        for (k = 0; k < count; k++)
-            lists->last[row + k] = (double)job->leaving[first + k];
+        for (k = 0; k < shots; k++)
+            lists->last[row + k] = (double)job->leaving[start + k];
 }
 
 /* Write the results of the shots in rows that follow one another, none of them invalid. */
-LANES_INLINE void LANES(hoop_bounded_finish_all)(const LANES(hoop_bounded_lists) *lists, size_t count, const hoop_job *job)
+LANES_INLINE void LANES(hoop_bounded_finish_all)(const LANES(hoop_bounded_lists) *lists, size_t shots, const hoop_job *job)
 {
     const hoop_results *out = job->results;
-    const size_t first = lists->shot[0];
+    const size_t start = lists->shot[0];
     if (out->outcome)
-        for (size_t k = 0; k < count; k++) {
-            out->outcome[first + k] = (uint8_t)(int32_t)lists->outcome[k];
+        for (size_t k = 0; k < shots; k++) {
+            out->outcome[start + k] = (uint8_t)(int32_t)lists->outcome[k];
         }
     if (out->contacts)
-        for (size_t k = 0; k < count; k++) {
-            out->contacts[first + k] = (int32_t)(int32_t)lists->contacts[k];
+        for (size_t k = 0; k < shots; k++) {
+            out->contacts[start + k] = (int32_t)(int32_t)lists->contacts[k];
         }
     if (out->counts)
-        for (size_t k = 0; k < count; k++) {
-            out->counts[3 * (first + k) + 0] = (int32_t)(int32_t)lists->count_0[k];
-            out->counts[3 * (first + k) + 1] = (int32_t)(int32_t)lists->count_1[k];
-            out->counts[3 * (first + k) + 2] = (int32_t)(int32_t)lists->count_2[k];
+        for (size_t k = 0; k < shots; k++) {
+            out->counts[3 * (start + k) + 0] = (int32_t)(int32_t)lists->count_0[k];
+            out->counts[3 * (start + k) + 1] = (int32_t)(int32_t)lists->count_1[k];
+            out->counts[3 * (start + k) + 2] = (int32_t)(int32_t)lists->count_2[k];
         }
     if (out->first)
-        for (size_t k = 0; k < count; k++) {
-            out->first[first + k] = (int8_t)(int32_t)lists->first[k];
+        for (size_t k = 0; k < shots; k++) {
+            out->first[start + k] = (int8_t)(int32_t)lists->first[k];
         }
     if (out->time)
-        for (size_t k = 0; k < count; k++) {
-            out->time[first + k] = (double)lists->clock[k];
+        for (size_t k = 0; k < shots; k++) {
+            out->time[start + k] = (double)lists->clock[k];
         }
     if (out->state)
-        for (size_t k = 0; k < count; k++) {
-            out->state[9 * (first + k) + 0] = (double)lists->x[k];
-            out->state[9 * (first + k) + 1] = (double)lists->y[k];
-            out->state[9 * (first + k) + 2] = (double)lists->z[k];
-            out->state[9 * (first + k) + 3] = (double)lists->vx[k];
-            out->state[9 * (first + k) + 4] = (double)lists->vy[k];
-            out->state[9 * (first + k) + 5] = (double)lists->vz[k];
-            out->state[9 * (first + k) + 6] = (double)lists->wx[k];
-            out->state[9 * (first + k) + 7] = (double)lists->wy[k];
-            out->state[9 * (first + k) + 8] = (double)lists->wz[k];
+        for (size_t k = 0; k < shots; k++) {
+            out->state[9 * (start + k) + 0] = (double)lists->x[k];
+            out->state[9 * (start + k) + 1] = (double)lists->y[k];
+            out->state[9 * (start + k) + 2] = (double)lists->z[k];
+            out->state[9 * (start + k) + 3] = (double)lists->vx[k];
+            out->state[9 * (start + k) + 4] = (double)lists->vy[k];
+            out->state[9 * (start + k) + 5] = (double)lists->vz[k];
+            out->state[9 * (start + k) + 6] = (double)lists->wx[k];
+            out->state[9 * (start + k) + 7] = (double)lists->wy[k];
+            out->state[9 * (start + k) + 8] = (double)lists->wz[k];
         }
     if (out->time_error)
-        for (size_t k = 0; k < count; k++) {
-            out->time_error[first + k] = (double)lists->time_claim[k];
+        for (size_t k = 0; k < shots; k++) {
+            out->time_error[start + k] = (double)lists->time_claim[k];
         }
     if (out->state_error)
-        for (size_t k = 0; k < count; k++) {
-            out->state_error[3 * (first + k) + 0] = (double)lists->position_claim[k];
-            out->state_error[3 * (first + k) + 1] = (double)lists->velocity_claim[k];
-            out->state_error[3 * (first + k) + 2] = (double)lists->spin_claim[k];
+        for (size_t k = 0; k < shots; k++) {
+            out->state_error[3 * (start + k) + 0] = (double)lists->position_claim[k];
+            out->state_error[3 * (start + k) + 1] = (double)lists->velocity_claim[k];
+            out->state_error[3 * (start + k) + 2] = (double)lists->spin_claim[k];
         }
     if (out->uncertain)
-        for (size_t k = 0; k < count; k++) {
-            out->uncertain[first + k] = (uint8_t)(int32_t)lists->uncertain[k];
+        for (size_t k = 0; k < shots; k++) {
+            out->uncertain[start + k] = (uint8_t)(int32_t)lists->uncertain[k];
         }
 }
 
@@ -1476,11 +1476,11 @@ LANES_INLINE void LANES(hoop_bounded_finish)(const LANES(hoop_bounded_lists) *li
 }
 
 /* Write the results of the shots that have ended, from a row on; the others close up. */
-LANES_INLINE size_t LANES(hoop_bounded_leave)(LANES(hoop_bounded_lists) *lists, size_t first, size_t count, const hoop_job *job)
+LANES_INLINE size_t LANES(hoop_bounded_leave)(LANES(hoop_bounded_lists) *lists, size_t start, size_t shots, const hoop_job *job)
 {
-    size_t kept = first;
-    for (size_t i = first; i < count; i += LANES_WIDTH) {
-        const M rows = lanes_first(count - i);
+    size_t kept = start;
+    for (size_t i = start; i < shots; i += LANES_WIDTH) {
+        const M rows = lanes_first(shots - i);
         const M going = lanes_both(rows, lanes_less(lanes_load(lists->outcome + i), K(0.0)));
         for (unsigned bits = lanes_bits(rows) & ~lanes_bits(going); bits; bits &= bits - 1)
             LANES(hoop_bounded_finish)(lists, i + (size_t)LANES_LOWEST(bits), job);
@@ -1549,7 +1549,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
     const V claims = K(job->results->time_error || job->results->state_error ? 1.0 : 0.0);
     const size_t varying = job->varying ? ~(size_t)0 : 0;
     const int recording = job->results->events != NULL;
-    size_t begun = 0, count = 0;
+    size_t begun = 0, shots = 0;
 
     if (recording)
         memset(job->results->event_counts, 0, job->shots * sizeof(int32_t));
@@ -1568,19 +1568,19 @@ static void LANES(hoop_bounded)(const hoop_job *job)
     for (;;) {
         if (job->stop && *job->stop)
             return;
-        int following = count == 0;
-        const size_t fresh = count;
+        int following = shots == 0;
+        const size_t fresh = shots;
         if (begun < job->shots) {
-            const size_t room = LANES_SHOTS - count, left = job->shots - begun;
-            count += left < room ? left : room;
-            LANES(hoop_bounded_begin)(lists, fresh, count - fresh, job, begun);
-            begun += count - fresh;
+            const size_t room = LANES_SHOTS - shots, left = job->shots - begun;
+            shots += left < room ? left : room;
+            LANES(hoop_bounded_begin)(lists, fresh, shots - fresh, job, begun);
+            begun += shots - fresh;
         }
-        if (count == 0)
+        if (shots == 0)
             return;
 
         /* A new shot is looked at once. */
-        for (size_t i = fresh; i < count; i += LANES_WIDTH) {
+        for (size_t i = fresh; i < shots; i += LANES_WIDTH) {
             V last = lanes_load(lists->last + i);
             const V p_ball_radius = lanes_load(lists->p_ball_radius + (i & varying));
             const V p_board_bottom = lanes_load(lists->p_board_bottom + (i & varying));
@@ -1621,17 +1621,17 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         }
 
         M refused = lanes_nowhere();
-        for (size_t i = fresh; i < count; i += LANES_WIDTH)
-            refused = lanes_either(refused, lanes_both(lanes_first(count - i), lanes_at_most(K(0.0), lanes_load(lists->outcome + i))));
+        for (size_t i = fresh; i < shots; i += LANES_WIDTH)
+            refused = lanes_either(refused, lanes_both(lanes_first(shots - i), lanes_at_most(K(0.0), lanes_load(lists->outcome + i))));
         if (lanes_any(refused)) {
-            count = LANES(hoop_bounded_leave)(lists, fresh, count, job);
+            shots = LANES(hoop_bounded_leave)(lists, fresh, shots, job);
             following = 0;
         }
 
         /* To the next event, and what it does to the ball. */
-        size_t open_count = 0;
-        for (size_t i = 0; i < count; i += LANES_WIDTH) {
-            const M rows = lanes_first(count - i);
+        size_t open_shots = 0;
+        for (size_t i = 0; i < shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(shots - i);
             LANES(hoop_ahead)(job, begun + i);
             V clock_error = lanes_load(lists->clock_error + i);
             V dvx = lanes_load(lists->dvx + i);
@@ -1872,38 +1872,38 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lanes_store(lists->which + i, which);
             const M packed = lanes_both(rows, open);
             if (lanes_any(packed)) {
-                lanes_pack(lists->open_row + open_count, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->open_doubt + open_count, packed, doubt);
-                lanes_pack(lists->open_extent + open_count, packed, extent);
-                lanes_pack(lists->open_last + open_count, packed, last);
-                lanes_pack(lists->open_late + open_count, packed, late);
+                lanes_pack(lists->open_row + open_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->open_doubt + open_shots, packed, doubt);
+                lanes_pack(lists->open_extent + open_shots, packed, extent);
+                lanes_pack(lists->open_last + open_shots, packed, last);
+                lanes_pack(lists->open_late + open_shots, packed, late);
                 if (varying)
-                    lanes_pack(lists->open_p_ball_radius + open_count, packed, p_ball_radius);
+                    lanes_pack(lists->open_p_ball_radius + open_shots, packed, p_ball_radius);
                 if (varying)
-                    lanes_pack(lists->open_p_gravity + open_count, packed, p_gravity);
+                    lanes_pack(lists->open_p_gravity + open_shots, packed, p_gravity);
                 if (varying)
-                    lanes_pack(lists->open_p_ring_radius + open_count, packed, p_ring_radius);
+                    lanes_pack(lists->open_p_ring_radius + open_shots, packed, p_ring_radius);
                 if (varying)
-                    lanes_pack(lists->open_p_wire_radius + open_count, packed, p_wire_radius);
-                lanes_pack(lists->open_pad + open_count, packed, pad);
-                lanes_pack(lists->open_position_error + open_count, packed, position_error);
-                lanes_pack(lists->open_speed + open_count, packed, speed);
-                lanes_pack(lists->open_until + open_count, packed, until);
-                lanes_pack(lists->open_velocity_error + open_count, packed, velocity_error);
-                lanes_pack(lists->open_vx + open_count, packed, vx);
-                lanes_pack(lists->open_vy + open_count, packed, vy);
-                lanes_pack(lists->open_vz + open_count, packed, vz);
-                lanes_pack(lists->open_when + open_count, packed, when);
-                lanes_pack(lists->open_which + open_count, packed, which);
-                lanes_pack(lists->open_x + open_count, packed, x);
-                lanes_pack(lists->open_y + open_count, packed, y);
-                lanes_pack(lists->open_z + open_count, packed, z);
-                open_count += lanes_many(packed);
+                    lanes_pack(lists->open_p_wire_radius + open_shots, packed, p_wire_radius);
+                lanes_pack(lists->open_pad + open_shots, packed, pad);
+                lanes_pack(lists->open_position_error + open_shots, packed, position_error);
+                lanes_pack(lists->open_speed + open_shots, packed, speed);
+                lanes_pack(lists->open_until + open_shots, packed, until);
+                lanes_pack(lists->open_velocity_error + open_shots, packed, velocity_error);
+                lanes_pack(lists->open_vx + open_shots, packed, vx);
+                lanes_pack(lists->open_vy + open_shots, packed, vy);
+                lanes_pack(lists->open_vz + open_shots, packed, vz);
+                lanes_pack(lists->open_when + open_shots, packed, when);
+                lanes_pack(lists->open_which + open_shots, packed, which);
+                lanes_pack(lists->open_x + open_shots, packed, x);
+                lanes_pack(lists->open_y + open_shots, packed, y);
+                lanes_pack(lists->open_z + open_shots, packed, z);
+                open_shots += lanes_many(packed);
             }
         }
-        size_t open_searching_count = 0;
-        for (size_t i = 0; i < open_count; i += LANES_WIDTH) {
-            const M rows = lanes_first(open_count - i);
+        size_t open_searching_shots = 0;
+        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(open_shots - i);
             V doubt = lanes_load(lists->open_doubt + i);
             V extent = lanes_load(lists->open_extent + i);
             V last = lanes_load(lists->open_last + i);
@@ -1972,47 +1972,47 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lanes_store(lists->open_tilt + i, tilt);
             const M packed = lanes_both(rows, searching);
             if (lanes_any(packed)) {
-                lanes_pack(lists->open_searching_row + open_searching_count, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->open_searching_arrival + open_searching_count, packed, arrival);
-                lanes_pack(lists->open_searching_ceiling + open_searching_count, packed, ceiling);
-                lanes_pack(lists->open_searching_certain + open_searching_count, packed, lanes_select(certain, K(1.0), K(0.0)));
-                lanes_pack(lists->open_searching_doubt + open_searching_count, packed, doubt);
-                lanes_pack(lists->open_searching_end + open_searching_count, packed, end);
-                lanes_pack(lists->open_searching_extent + open_searching_count, packed, extent);
-                lanes_pack(lists->open_searching_flat + open_searching_count, packed, flat);
-                lanes_pack(lists->open_searching_high0 + open_searching_count, packed, high0);
-                lanes_pack(lists->open_searching_high1 + open_searching_count, packed, high1);
-                lanes_pack(lists->open_searching_high2 + open_searching_count, packed, high2);
-                lanes_pack(lists->open_searching_last + open_searching_count, packed, last);
-                lanes_pack(lists->open_searching_latest + open_searching_count, packed, latest);
-                lanes_pack(lists->open_searching_low0 + open_searching_count, packed, low0);
-                lanes_pack(lists->open_searching_low1 + open_searching_count, packed, low1);
-                lanes_pack(lists->open_searching_low2 + open_searching_count, packed, low2);
+                lanes_pack(lists->open_searching_row + open_searching_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->open_searching_arrival + open_searching_shots, packed, arrival);
+                lanes_pack(lists->open_searching_ceiling + open_searching_shots, packed, ceiling);
+                lanes_pack(lists->open_searching_certain + open_searching_shots, packed, lanes_select(certain, K(1.0), K(0.0)));
+                lanes_pack(lists->open_searching_doubt + open_searching_shots, packed, doubt);
+                lanes_pack(lists->open_searching_end + open_searching_shots, packed, end);
+                lanes_pack(lists->open_searching_extent + open_searching_shots, packed, extent);
+                lanes_pack(lists->open_searching_flat + open_searching_shots, packed, flat);
+                lanes_pack(lists->open_searching_high0 + open_searching_shots, packed, high0);
+                lanes_pack(lists->open_searching_high1 + open_searching_shots, packed, high1);
+                lanes_pack(lists->open_searching_high2 + open_searching_shots, packed, high2);
+                lanes_pack(lists->open_searching_last + open_searching_shots, packed, last);
+                lanes_pack(lists->open_searching_latest + open_searching_shots, packed, latest);
+                lanes_pack(lists->open_searching_low0 + open_searching_shots, packed, low0);
+                lanes_pack(lists->open_searching_low1 + open_searching_shots, packed, low1);
+                lanes_pack(lists->open_searching_low2 + open_searching_shots, packed, low2);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_ball_radius + open_searching_count, packed, p_ball_radius);
+                    lanes_pack(lists->open_searching_p_ball_radius + open_searching_shots, packed, p_ball_radius);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_gravity + open_searching_count, packed, p_gravity);
+                    lanes_pack(lists->open_searching_p_gravity + open_searching_shots, packed, p_gravity);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_ring_radius + open_searching_count, packed, p_ring_radius);
+                    lanes_pack(lists->open_searching_p_ring_radius + open_searching_shots, packed, p_ring_radius);
                 if (varying)
-                    lanes_pack(lists->open_searching_p_wire_radius + open_searching_count, packed, p_wire_radius);
-                lanes_pack(lists->open_searching_position_error + open_searching_count, packed, position_error);
-                lanes_pack(lists->open_searching_rate_slack + open_searching_count, packed, rate_slack);
-                lanes_pack(lists->open_searching_rho_start + open_searching_count, packed, rho_start);
-                lanes_pack(lists->open_searching_share + open_searching_count, packed, share);
-                lanes_pack(lists->open_searching_speed + open_searching_count, packed, speed);
-                lanes_pack(lists->open_searching_steady + open_searching_count, packed, steady);
-                lanes_pack(lists->open_searching_swing + open_searching_count, packed, swing);
-                lanes_pack(lists->open_searching_t + open_searching_count, packed, t);
-                lanes_pack(lists->open_searching_tilt + open_searching_count, packed, tilt);
-                lanes_pack(lists->open_searching_velocity_error + open_searching_count, packed, velocity_error);
-                lanes_pack(lists->open_searching_vx + open_searching_count, packed, vx);
-                lanes_pack(lists->open_searching_vy + open_searching_count, packed, vy);
-                lanes_pack(lists->open_searching_vz + open_searching_count, packed, vz);
-                lanes_pack(lists->open_searching_x + open_searching_count, packed, x);
-                lanes_pack(lists->open_searching_y + open_searching_count, packed, y);
-                lanes_pack(lists->open_searching_z + open_searching_count, packed, z);
-                open_searching_count += lanes_many(packed);
+                    lanes_pack(lists->open_searching_p_wire_radius + open_searching_shots, packed, p_wire_radius);
+                lanes_pack(lists->open_searching_position_error + open_searching_shots, packed, position_error);
+                lanes_pack(lists->open_searching_rate_slack + open_searching_shots, packed, rate_slack);
+                lanes_pack(lists->open_searching_rho_start + open_searching_shots, packed, rho_start);
+                lanes_pack(lists->open_searching_share + open_searching_shots, packed, share);
+                lanes_pack(lists->open_searching_speed + open_searching_shots, packed, speed);
+                lanes_pack(lists->open_searching_steady + open_searching_shots, packed, steady);
+                lanes_pack(lists->open_searching_swing + open_searching_shots, packed, swing);
+                lanes_pack(lists->open_searching_t + open_searching_shots, packed, t);
+                lanes_pack(lists->open_searching_tilt + open_searching_shots, packed, tilt);
+                lanes_pack(lists->open_searching_velocity_error + open_searching_shots, packed, velocity_error);
+                lanes_pack(lists->open_searching_vx + open_searching_shots, packed, vx);
+                lanes_pack(lists->open_searching_vy + open_searching_shots, packed, vy);
+                lanes_pack(lists->open_searching_vz + open_searching_shots, packed, vz);
+                lanes_pack(lists->open_searching_x + open_searching_shots, packed, x);
+                lanes_pack(lists->open_searching_y + open_searching_shots, packed, y);
+                lanes_pack(lists->open_searching_z + open_searching_shots, packed, z);
+                open_searching_shots += lanes_many(packed);
             }
         }
         {
@@ -2055,7 +2055,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             V y = K(0.0);
             V z = K(0.0);
             for (;;) {
-                if (taken < open_searching_count && busy + LANES_SPARE <= LANES_WIDTH) {
+                if (taken < open_searching_shots && busy + LANES_SPARE <= LANES_WIDTH) {
                     const M idle = lanes_not(active);
                     row = lanes_expand(lists->open_searching_row + taken, idle, row);
                     turns = lanes_select(idle, K(0.0), turns);
@@ -2096,7 +2096,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                         p_ring_radius = lanes_expand(lists->open_searching_p_ring_radius + taken, idle, p_ring_radius);
                         p_wire_radius = lanes_expand(lists->open_searching_p_wire_radius + taken, idle, p_wire_radius);
                     }
-                    const size_t room = LANES_WIDTH - busy, left = open_searching_count - taken;
+                    const size_t room = LANES_WIDTH - busy, left = open_searching_shots - taken;
                     active = lanes_leading(idle, left, active);
                     taken += left < room ? left : room;
                     busy += left < room ? left : room;
@@ -2191,7 +2191,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 }
             }
         }
-        for (size_t i = 0; i < open_count; i += LANES_WIDTH) {
+        for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             V arrival = lanes_load(lists->open_arrival + i);
             V ceiling = lanes_load(lists->open_ceiling + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
@@ -2274,16 +2274,16 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lanes_store(lists->open_when + i, when);
             lanes_store(lists->open_which + i, which);
         }
-        for (size_t k = 0; k < open_count; k++) {
+        for (size_t k = 0; k < open_shots; k++) {
             const size_t row = (size_t)lists->open_row[k];
             lists->doubt[row] = lists->open_doubt[k];
             lists->late[row] = lists->open_late[k];
             lists->when[row] = lists->open_when[k];
             lists->which[row] = lists->open_which[k];
         }
-        size_t meeting_count = 0;
-        for (size_t i = 0; i < count; i += LANES_WIDTH) {
-            const M rows = lanes_first(count - i);
+        size_t meeting_shots = 0;
+        for (size_t i = 0; i < shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(shots - i);
             V clock = lanes_load(lists->clock + i);
             V clock_error = lanes_load(lists->clock_error + i);
             V contacts = lanes_load(lists->contacts + i);
@@ -2436,57 +2436,57 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lanes_store(lists->z + i, z);
             const M packed = lanes_both(rows, meeting);
             if (lanes_any(packed)) {
-                lanes_pack(lists->meeting_row + meeting_count, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->meeting_body + meeting_count, packed, body);
-                lanes_pack(lists->meeting_clock + meeting_count, packed, clock);
-                lanes_pack(lists->meeting_clock_error + meeting_count, packed, clock_error);
-                lanes_pack(lists->meeting_contacts + meeting_count, packed, contacts);
-                lanes_pack(lists->meeting_count_0 + meeting_count, packed, count_0);
-                lanes_pack(lists->meeting_count_1 + meeting_count, packed, count_1);
-                lanes_pack(lists->meeting_count_2 + meeting_count, packed, count_2);
-                lanes_pack(lists->meeting_dvx + meeting_count, packed, dvx);
-                lanes_pack(lists->meeting_dvy + meeting_count, packed, dvy);
-                lanes_pack(lists->meeting_dvz + meeting_count, packed, dvz);
-                lanes_pack(lists->meeting_dwx + meeting_count, packed, dwx);
-                lanes_pack(lists->meeting_dwy + meeting_count, packed, dwy);
-                lanes_pack(lists->meeting_dwz + meeting_count, packed, dwz);
-                lanes_pack(lists->meeting_dx + meeting_count, packed, dx);
-                lanes_pack(lists->meeting_dy + meeting_count, packed, dy);
-                lanes_pack(lists->meeting_dz + meeting_count, packed, dz);
-                lanes_pack(lists->meeting_ends + meeting_count, packed, lanes_select(ends, K(1.0), K(0.0)));
-                lanes_pack(lists->meeting_first + meeting_count, packed, first);
-                lanes_pack(lists->meeting_last + meeting_count, packed, last);
-                lanes_pack(lists->meeting_late + meeting_count, packed, late);
+                lanes_pack(lists->meeting_row + meeting_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->meeting_body + meeting_shots, packed, body);
+                lanes_pack(lists->meeting_clock + meeting_shots, packed, clock);
+                lanes_pack(lists->meeting_clock_error + meeting_shots, packed, clock_error);
+                lanes_pack(lists->meeting_contacts + meeting_shots, packed, contacts);
+                lanes_pack(lists->meeting_count_0 + meeting_shots, packed, count_0);
+                lanes_pack(lists->meeting_count_1 + meeting_shots, packed, count_1);
+                lanes_pack(lists->meeting_count_2 + meeting_shots, packed, count_2);
+                lanes_pack(lists->meeting_dvx + meeting_shots, packed, dvx);
+                lanes_pack(lists->meeting_dvy + meeting_shots, packed, dvy);
+                lanes_pack(lists->meeting_dvz + meeting_shots, packed, dvz);
+                lanes_pack(lists->meeting_dwx + meeting_shots, packed, dwx);
+                lanes_pack(lists->meeting_dwy + meeting_shots, packed, dwy);
+                lanes_pack(lists->meeting_dwz + meeting_shots, packed, dwz);
+                lanes_pack(lists->meeting_dx + meeting_shots, packed, dx);
+                lanes_pack(lists->meeting_dy + meeting_shots, packed, dy);
+                lanes_pack(lists->meeting_dz + meeting_shots, packed, dz);
+                lanes_pack(lists->meeting_ends + meeting_shots, packed, lanes_select(ends, K(1.0), K(0.0)));
+                lanes_pack(lists->meeting_first + meeting_shots, packed, first);
+                lanes_pack(lists->meeting_last + meeting_shots, packed, last);
+                lanes_pack(lists->meeting_late + meeting_shots, packed, late);
                 if (varying)
-                    lanes_pack(lists->meeting_p_ball_radius + meeting_count, packed, p_ball_radius);
+                    lanes_pack(lists->meeting_p_ball_radius + meeting_shots, packed, p_ball_radius);
                 if (varying)
-                    lanes_pack(lists->meeting_p_board_distance + meeting_count, packed, p_board_distance);
+                    lanes_pack(lists->meeting_p_board_distance + meeting_shots, packed, p_board_distance);
                 if (varying)
-                    lanes_pack(lists->meeting_p_gravity + meeting_count, packed, p_gravity);
+                    lanes_pack(lists->meeting_p_gravity + meeting_shots, packed, p_gravity);
                 if (varying)
-                    lanes_pack(lists->meeting_p_restitution + meeting_count, packed, p_restitution);
+                    lanes_pack(lists->meeting_p_restitution + meeting_shots, packed, p_restitution);
                 if (varying)
-                    lanes_pack(lists->meeting_p_ring_radius + meeting_count, packed, p_ring_radius);
+                    lanes_pack(lists->meeting_p_ring_radius + meeting_shots, packed, p_ring_radius);
                 if (varying)
-                    lanes_pack(lists->meeting_p_wire_radius + meeting_count, packed, p_wire_radius);
-                lanes_pack(lists->meeting_touches + meeting_count, packed, lanes_select(touches, K(1.0), K(0.0)));
-                lanes_pack(lists->meeting_vx + meeting_count, packed, vx);
-                lanes_pack(lists->meeting_vy + meeting_count, packed, vy);
-                lanes_pack(lists->meeting_vz + meeting_count, packed, vz);
-                lanes_pack(lists->meeting_when + meeting_count, packed, when);
-                lanes_pack(lists->meeting_which + meeting_count, packed, which);
-                lanes_pack(lists->meeting_wx + meeting_count, packed, wx);
-                lanes_pack(lists->meeting_wy + meeting_count, packed, wy);
-                lanes_pack(lists->meeting_wz + meeting_count, packed, wz);
-                lanes_pack(lists->meeting_x + meeting_count, packed, x);
-                lanes_pack(lists->meeting_y + meeting_count, packed, y);
-                lanes_pack(lists->meeting_z + meeting_count, packed, z);
-                meeting_count += lanes_many(packed);
+                    lanes_pack(lists->meeting_p_wire_radius + meeting_shots, packed, p_wire_radius);
+                lanes_pack(lists->meeting_touches + meeting_shots, packed, lanes_select(touches, K(1.0), K(0.0)));
+                lanes_pack(lists->meeting_vx + meeting_shots, packed, vx);
+                lanes_pack(lists->meeting_vy + meeting_shots, packed, vy);
+                lanes_pack(lists->meeting_vz + meeting_shots, packed, vz);
+                lanes_pack(lists->meeting_when + meeting_shots, packed, when);
+                lanes_pack(lists->meeting_which + meeting_shots, packed, which);
+                lanes_pack(lists->meeting_wx + meeting_shots, packed, wx);
+                lanes_pack(lists->meeting_wy + meeting_shots, packed, wy);
+                lanes_pack(lists->meeting_wz + meeting_shots, packed, wz);
+                lanes_pack(lists->meeting_x + meeting_shots, packed, x);
+                lanes_pack(lists->meeting_y + meeting_shots, packed, y);
+                lanes_pack(lists->meeting_z + meeting_shots, packed, z);
+                meeting_shots += lanes_many(packed);
             }
         }
-        size_t meeting_touches_count = 0;
-        for (size_t i = 0; i < meeting_count; i += LANES_WIDTH) {
-            const M rows = lanes_first(meeting_count - i);
+        size_t meeting_touches_shots = 0;
+        for (size_t i = 0; i < meeting_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(meeting_shots - i);
             V clock = lanes_load(lists->meeting_clock + i);
             V clock_error = lanes_load(lists->meeting_clock_error + i);
             V contacts = lanes_load(lists->meeting_contacts + i);
@@ -2650,35 +2650,35 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lanes_store(lists->meeting_dz + i, dz);
             const M packed = lanes_both(rows, touches);
             if (lanes_any(packed)) {
-                lanes_pack(lists->meeting_touches_row + meeting_touches_count, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->meeting_touches_contacts + meeting_touches_count, packed, contacts);
-                lanes_pack(lists->meeting_touches_dnx + meeting_touches_count, packed, dnx);
-                lanes_pack(lists->meeting_touches_dny + meeting_touches_count, packed, dny);
-                lanes_pack(lists->meeting_touches_dnz + meeting_touches_count, packed, dnz);
-                lanes_pack(lists->meeting_touches_dvx + meeting_touches_count, packed, dvx);
-                lanes_pack(lists->meeting_touches_dvy + meeting_touches_count, packed, dvy);
-                lanes_pack(lists->meeting_touches_dvz + meeting_touches_count, packed, dvz);
-                lanes_pack(lists->meeting_touches_dwx + meeting_touches_count, packed, dwx);
-                lanes_pack(lists->meeting_touches_dwy + meeting_touches_count, packed, dwy);
-                lanes_pack(lists->meeting_touches_dwz + meeting_touches_count, packed, dwz);
-                lanes_pack(lists->meeting_touches_nx + meeting_touches_count, packed, nx);
-                lanes_pack(lists->meeting_touches_ny + meeting_touches_count, packed, ny);
-                lanes_pack(lists->meeting_touches_nz + meeting_touches_count, packed, nz);
+                lanes_pack(lists->meeting_touches_row + meeting_touches_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
+                lanes_pack(lists->meeting_touches_contacts + meeting_touches_shots, packed, contacts);
+                lanes_pack(lists->meeting_touches_dnx + meeting_touches_shots, packed, dnx);
+                lanes_pack(lists->meeting_touches_dny + meeting_touches_shots, packed, dny);
+                lanes_pack(lists->meeting_touches_dnz + meeting_touches_shots, packed, dnz);
+                lanes_pack(lists->meeting_touches_dvx + meeting_touches_shots, packed, dvx);
+                lanes_pack(lists->meeting_touches_dvy + meeting_touches_shots, packed, dvy);
+                lanes_pack(lists->meeting_touches_dvz + meeting_touches_shots, packed, dvz);
+                lanes_pack(lists->meeting_touches_dwx + meeting_touches_shots, packed, dwx);
+                lanes_pack(lists->meeting_touches_dwy + meeting_touches_shots, packed, dwy);
+                lanes_pack(lists->meeting_touches_dwz + meeting_touches_shots, packed, dwz);
+                lanes_pack(lists->meeting_touches_nx + meeting_touches_shots, packed, nx);
+                lanes_pack(lists->meeting_touches_ny + meeting_touches_shots, packed, ny);
+                lanes_pack(lists->meeting_touches_nz + meeting_touches_shots, packed, nz);
                 if (varying)
-                    lanes_pack(lists->meeting_touches_p_ball_radius + meeting_touches_count, packed, p_ball_radius);
+                    lanes_pack(lists->meeting_touches_p_ball_radius + meeting_touches_shots, packed, p_ball_radius);
                 if (varying)
-                    lanes_pack(lists->meeting_touches_p_restitution + meeting_touches_count, packed, p_restitution);
-                lanes_pack(lists->meeting_touches_turn + meeting_touches_count, packed, turn);
-                lanes_pack(lists->meeting_touches_vx + meeting_touches_count, packed, vx);
-                lanes_pack(lists->meeting_touches_vy + meeting_touches_count, packed, vy);
-                lanes_pack(lists->meeting_touches_vz + meeting_touches_count, packed, vz);
-                lanes_pack(lists->meeting_touches_wx + meeting_touches_count, packed, wx);
-                lanes_pack(lists->meeting_touches_wy + meeting_touches_count, packed, wy);
-                lanes_pack(lists->meeting_touches_wz + meeting_touches_count, packed, wz);
-                meeting_touches_count += lanes_many(packed);
+                    lanes_pack(lists->meeting_touches_p_restitution + meeting_touches_shots, packed, p_restitution);
+                lanes_pack(lists->meeting_touches_turn + meeting_touches_shots, packed, turn);
+                lanes_pack(lists->meeting_touches_vx + meeting_touches_shots, packed, vx);
+                lanes_pack(lists->meeting_touches_vy + meeting_touches_shots, packed, vy);
+                lanes_pack(lists->meeting_touches_vz + meeting_touches_shots, packed, vz);
+                lanes_pack(lists->meeting_touches_wx + meeting_touches_shots, packed, wx);
+                lanes_pack(lists->meeting_touches_wy + meeting_touches_shots, packed, wy);
+                lanes_pack(lists->meeting_touches_wz + meeting_touches_shots, packed, wz);
+                meeting_touches_shots += lanes_many(packed);
             }
         }
-        for (size_t i = 0; i < meeting_touches_count; i += LANES_WIDTH) {
+        for (size_t i = 0; i < meeting_touches_shots; i += LANES_WIDTH) {
             V contacts = lanes_load(lists->meeting_touches_contacts + i);
             V dnx = lanes_load(lists->meeting_touches_dnx + i);
             V dny = lanes_load(lists->meeting_touches_dny + i);
@@ -2730,7 +2730,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lanes_store(lists->meeting_touches_wy + i, wy);
             lanes_store(lists->meeting_touches_wz + i, wz);
         }
-        for (size_t k = 0; k < meeting_touches_count; k++) {
+        for (size_t k = 0; k < meeting_touches_shots; k++) {
             const size_t row = (size_t)lists->meeting_touches_row[k];
             lists->meeting_dvx[row] = lists->meeting_touches_dvx[k];
             lists->meeting_dvy[row] = lists->meeting_touches_dvy[k];
@@ -2745,8 +2745,8 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lists->meeting_wy[row] = lists->meeting_touches_wy[k];
             lists->meeting_wz[row] = lists->meeting_touches_wz[k];
         }
-        for (size_t i = 0; i < meeting_count; i += LANES_WIDTH) {
-            const M rows = lanes_first(meeting_count - i);
+        for (size_t i = 0; i < meeting_shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(meeting_shots - i);
             V body = lanes_load(lists->meeting_body + i);
             V first = lanes_load(lists->meeting_first + i);
             V last = lanes_load(lists->meeting_last + i);
@@ -2793,7 +2793,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lanes_store(lists->meeting_y + i, y);
             lanes_store(lists->meeting_z + i, z);
         }
-        for (size_t k = 0; k < meeting_count; k++) {
+        for (size_t k = 0; k < meeting_shots; k++) {
             const size_t row = (size_t)lists->meeting_row[k];
             lists->clock_error[row] = lists->meeting_clock_error[k];
             lists->count_0[row] = lists->meeting_count_0[k];
@@ -2820,8 +2820,8 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lists->y[row] = lists->meeting_y[k];
             lists->z[row] = lists->meeting_z[k];
         }
-        for (size_t i = 0; i < count; i += LANES_WIDTH) {
-            const M rows = lanes_first(count - i);
+        for (size_t i = 0; i < shots; i += LANES_WIDTH) {
+            const M rows = lanes_first(shots - i);
             V clock = lanes_load(lists->clock + i);
             V clock_error = lanes_load(lists->clock_error + i);
             V dvx = lanes_load(lists->dvx + i);
@@ -2891,7 +2891,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lanes_store(lists->velocity_claim + i, velocity_claim);
         }
         if (recording)
-            for (size_t k = 0; k < count; k++) {
+            for (size_t k = 0; k < shots; k++) {
                 if (lists->body[k] < 0.0)
                     continue;
                 const size_t shot = lists->shot[k];
@@ -2921,14 +2921,14 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             }
 
         M going = lanes_nowhere();
-        for (size_t i = 0; i < count; i += LANES_WIDTH)
-            going = lanes_either(going, lanes_both(lanes_first(count - i), lanes_less(lanes_load(lists->outcome + i), K(0.0))));
+        for (size_t i = 0; i < shots; i += LANES_WIDTH)
+            going = lanes_either(going, lanes_both(lanes_first(shots - i), lanes_less(lanes_load(lists->outcome + i), K(0.0))));
         if (following && !lanes_any(going)) {
-            LANES(hoop_bounded_finish_all)(lists, count, job);
-            count = 0;
+            LANES(hoop_bounded_finish_all)(lists, shots, job);
+            shots = 0;
             continue;
         }
-        count = LANES(hoop_bounded_leave)(lists, 0, count, job);
+        shots = LANES(hoop_bounded_leave)(lists, 0, shots, job);
     }
 }
 

@@ -39,7 +39,7 @@ class Frame:
     @property
     def count(self) -> str:
         """The C variable of its length."""
-        return f"{self.prefix}count"
+        return f"{self.prefix}shots"
 
     def column(self, name: str) -> str:
         """Return the array of a variable."""
