@@ -88,11 +88,13 @@ def __getattr__(name: str) -> Any:
     try:
         if name in _ROOMS:
             return import_module(f"{__name__}.{name}")
-        return getattr(import_module(f"{__name__}.{_LATER[name]}"), name)
+        found = getattr(import_module(f"{__name__}.{_LATER[name]}"), name)
     except ImportError as error:
         from .installed import explained
 
         raise explained(error, f"hoopgen.{name}") from None
+    globals()[name] = found  # the next time it is there
+    return found
 
 
 def __dir__() -> list[str]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 import threading
 from collections.abc import Iterable, Mapping
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any, Literal
@@ -14,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .brief import brief, listed
-from .engine import native, numpy_backend
+from .engine import native, numpy_backend, pools
 from .engine.arithmetic import check_arithmetic
 from .engine.raw import Raw
 from .engines import HOOP, Engine
@@ -45,7 +44,10 @@ LEAST = 1 << 12
 """Fewest shots that a thread takes at a time in NumPy, whose every operation costs a call."""
 
 AT_ONCE = 1 << 17
-"""Contacts that could be, up to which no thread is started: some hundredths of a second."""
+"""Contacts that could be, up to which no thread is asked: some hundredths of a second in NumPy."""
+
+AT_ONCE_IN_C = 1 << 20
+"""The same for one thread in C."""
 
 
 @dataclass(frozen=True)
@@ -249,16 +251,18 @@ def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[An
     starts = range(0, shots, size)
     # Python sees no Ctrl-C while its main thread is in the engine, so another one goes there.
     main = threading.current_thread() is threading.main_thread()
-    if shots * batch.max_contacts <= AT_ONCE or (threads == 1 and not main):
+    alone = AT_ONCE_IN_C if threads == 1 and batch.library is not None else AT_ONCE
+    if shots * batch.max_contacts <= alone or (threads == 1 and not main):
         logs = [work(start) for start in starts]
     else:
-        with ThreadPoolExecutor(threads) as pool:
-            try:
-                logs = list(pool.map(work, starts))
-            except BaseException:
-                batch.stop[0] = 1
-                pool.shutdown(wait=False, cancel_futures=True)
-                raise
+        pool = pools.take(threads)
+        try:
+            logs = list(pool.map(work, starts))
+        except BaseException:
+            batch.stop[0] = 1
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise
+        pools.leave(pool, threads)
     return [log for log in logs if log is not None]
 
 

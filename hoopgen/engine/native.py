@@ -55,6 +55,10 @@ class Library:
             (ctypes.Structure,),
             {"_fields_": [(name, ctypes.c_void_p) for name in self._arrays]},
         )
+        count = len(kernels.PARAMETERS)
+        self._numbers = ctypes.c_double * count
+        self._pointers = ctypes.c_void_p * count
+        self._strides = ctypes.c_int64 * count
         library = ctypes.CDLL(str(path))
         self._simulate = getattr(library, f"{scene}_simulate")
         self._simulate.restype = ctypes.c_int
@@ -114,18 +118,15 @@ class Library:
         RuntimeError
             If doubles are not computed as IEEE 754 says: in this thread, or by how it was built.
         """
-        count = len(parameters)
-        shared = [p if isinstance(p, float) else 0.0 for p in parameters]
-        numbers = (ctypes.c_double * count)(*shared)
+        numbers = self._numbers(*[p if isinstance(p, float) else 0.0 for p in parameters])
         start = ctypes.addressof(numbers)
-        pointers = (ctypes.c_void_p * count)(
-            *(
-                start + 8 * k if isinstance(p, float) else _address(p)
-                for k, p in enumerate(parameters)
-            )
-        )
-        strides = (ctypes.c_int64 * count)(*(not isinstance(p, float) for p in parameters))
-        results = self._results(*(_address(getattr(out, name)) for name in self._arrays))
+        pointers = self._pointers(*range(start, start + ctypes.sizeof(numbers), 8))
+        strides = self._strides()
+        for k, own in enumerate(parameters):
+            if not isinstance(own, float):
+                pointers[k], strides[k] = _address(own), 1
+        arrays = out.arrays
+        results = self._results(*[_address(arrays.get(name)) for name in self._arrays])
         used = self._simulate(
             len(states),
             _address(states),
