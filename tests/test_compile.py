@@ -542,7 +542,7 @@ def test_what_matters_is_in_the_key(
     script = next(wrapped.folder.glob("cc*"))
     script.write_text(script.read_text().replace("echo 1.0", "echo 1.1"))
     compiled()
-    monkeypatch.setattr(compiling, "FLAGS", [*compiling.FLAGS, "-O1"])
+    monkeypatch.setattr(compilers, "FLAGS", [*compilers.FLAGS, "-O2"])
     compiled()
     monkeypatch.setattr(compilers, "processor_width", lambda: 4)
     compiled()

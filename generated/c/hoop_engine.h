@@ -395,6 +395,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
         }
 
         /* To the next event, and what it does to the ball. */
+        {
         size_t open_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
@@ -560,6 +561,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 open_shots += lanes_many(packed);
             }
         }
+        {
         size_t open_searching_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
@@ -813,6 +815,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
                 }
             }
         }
+        }
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             V arrival = lanes_load(lists->open_arrival + i);
             M certain = lanes_less(K(0.0), lanes_load(lists->open_certain + i));
@@ -864,6 +867,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             const size_t row = (size_t)lists->open_row[k];
             lists->when[row] = lists->open_when[k];
             lists->which[row] = lists->open_which[k];
+        }
         }
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
@@ -1629,6 +1633,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
         }
 
         /* To the next event, and what it does to the ball. */
+        {
         size_t open_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
@@ -1901,6 +1906,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 open_shots += lanes_many(packed);
             }
         }
+        {
         size_t open_searching_shots = 0;
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(open_shots - i);
@@ -2191,6 +2197,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 }
             }
         }
+        }
         for (size_t i = 0; i < open_shots; i += LANES_WIDTH) {
             V arrival = lanes_load(lists->open_arrival + i);
             V ceiling = lanes_load(lists->open_ceiling + i);
@@ -2281,6 +2288,8 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lists->when[row] = lists->open_when[k];
             lists->which[row] = lists->open_which[k];
         }
+        }
+        {
         size_t meeting_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
@@ -2484,6 +2493,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
                 meeting_shots += lanes_many(packed);
             }
         }
+        {
         size_t meeting_touches_shots = 0;
         for (size_t i = 0; i < meeting_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(meeting_shots - i);
@@ -2745,6 +2755,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lists->meeting_wy[row] = lists->meeting_touches_wy[k];
             lists->meeting_wz[row] = lists->meeting_touches_wz[k];
         }
+        }
         for (size_t i = 0; i < meeting_shots; i += LANES_WIDTH) {
             const M rows = lanes_first(meeting_shots - i);
             V body = lanes_load(lists->meeting_body + i);
@@ -2819,6 +2830,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lists->x[row] = lists->meeting_x[k];
             lists->y[row] = lists->meeting_y[k];
             lists->z[row] = lists->meeting_z[k];
+        }
         }
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);

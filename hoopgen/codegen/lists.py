@@ -83,12 +83,15 @@ class CLists(CLoop):
             if isinstance(node, Do) or not self._listed(node):
                 continue
             later = live_before(nodes[index + 1 :], after)
+            # Lists of one name follow one another, and share their columns.
+            self.lines.append("{")
             own = self._pass(nodes[start:index], frame, later, node, _within(note, start, index))
             if isinstance(node, Guard):
                 self._rows(node.body, own, set(scope(node, later).gives))
                 self._return(frame, own, scope(node, later).gives)
             else:
                 self._turns(node, frame, own, later)
+            self.lines.append("}")
             start = index + 1
         if start < len(nodes):
             last = _within(note, start, len(nodes))

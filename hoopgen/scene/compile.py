@@ -25,7 +25,6 @@ import numpy as np
 
 from hoopgen import engines
 from hoopgen.engine import native, trust
-from hoopgen.engine.sources import FLAGS
 from hoopgen.engines import HOOP, Engine
 
 from . import compilers
@@ -173,7 +172,7 @@ class _Tools:
     def _said(self, compiler: str) -> str:
         python = importlib.util.MAGIC_NUMBER.hex()
         versions = f"NumPy {np.__version__}, Python {python}"
-        return f"{compiler}; {FLAGS}; {self.width} lanes, {get_platform()}; {versions}"
+        return f"{compiler}; {compilers.FLAGS}; {self.width} lanes, {get_platform()}; {versions}"
 
 
 def _build(
