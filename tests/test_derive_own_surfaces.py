@@ -7,6 +7,7 @@ from itertools import pairwise
 from typing import Any
 
 import mpmath
+import numpy as np
 import pytest
 import sympy as sp
 from flint import arb, ctx
@@ -52,30 +53,31 @@ def numbers(chance: random.Random, names: list[str], size: float = 1.0) -> dict[
 @pytest.mark.parametrize("endless", [False, True])
 def test_windows_hold_every_time_within_the_box(fall: tuple[int, ...], endless: bool) -> None:
     """And are in order, and apart: a search takes one after the other."""
-    chance = random.Random(1)
+    chance = np.random.default_rng(1)
     accelerations = [part * GRAVITY for part in fall]
     halves = [sp.Rational(1, 2), None if endless else sp.Rational(1, 5), sp.Rational(1, 3)]
     axes = list(zip(POSITION, VELOCITY, accelerations, strict=True))
-    found = windows(axes, halves)
-    inside = 0
-    for _ in range(300):
-        values = numbers(chance, PLACES) | {"g": chance.uniform(1, 20)}
-        for axis in chance.sample(("vx", "vy", "vz"), chance.choice((0, 0, 1, 2))):
-            values[axis] = 0.0
-        spans = [tuple(float(v) for v in in_doubles({"a": a, "b": b}, values).values())
-                 for a, b in found]  # fmt: skip
-        opened = [(low, high) for low, high in spans if low < high]
+    values = {name: chance.uniform(-1, 1, 300) for name in PLACES} | {
+        "g": chance.uniform(1, 20, 300)
+    }
+    for v in VELOCITY:
+        values[str(v)][chance.random(300) < 0.25] = 0.0
+    spans = [
+        np.broadcast_arrays(*in_doubles({"a": a, "b": b}, values).values())
+        for a, b in windows(axes, halves)
+    ]
+    for row in np.transpose(spans, (2, 0, 1)):
+        opened = [(low, high) for low, high in row if low < high]
         assert all(a[1] <= b[0] for a, b in pairwise(opened))
-        for k in range(200):
-            time = k / 200
-            there = [
-                values[str(p)] + time * (values[str(v)] + time * a * values["g"] / 2)
-                for p, v, a in zip(POSITION, VELOCITY, fall, strict=True)
-            ]
-            if all(h is None or abs(c) <= h for c, h in zip(there, halves, strict=True)):
-                inside += 1
-                assert any(low <= time <= high for low, high in opened), (values, time)
-    assert inside > 300
+    times = np.linspace(0, 1, 200)[:, None]
+    inside, covered = np.full((200, 300), True), np.full((200, 300), False)
+    for p, v, a, h in zip(POSITION, VELOCITY, fall, halves, strict=True):
+        there = values[str(p)] + times * (values[str(v)] + times * a * values["g"] / 2)
+        inside &= True if h is None else abs(there) <= float(h)
+    for low, high in spans:
+        covered |= (low < high) & (low <= times) & (times <= high)
+    assert inside.sum() > 300
+    assert not (inside & ~covered).any()
 
 
 def test_a_ball_that_never_comes_near_has_no_window() -> None:
