@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import signal
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal, localcontext
@@ -19,6 +20,10 @@ from hoopgen.engines import HOOP
 
 Simulate = Callable[..., hoopgen.Shots]
 Vector = list[Decimal]
+
+if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
+    # A shell's job in the background ignores Ctrl-C, and so would what tests start and stop.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 # ---------------------------------------------------------------------------------------- engines
 

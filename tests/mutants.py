@@ -140,6 +140,7 @@ def derived(fault: Fault) -> dict[str, str]:
     """Return the generated files of the hoop with a fault: a module of NumPy, and all of C."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(render, "derivation_context", lambda _: None)  # no engine reads it
+        patch.setattr(model, "check", lambda _: None)  # what it refuses is to trip engines, too
         outputs = {k: v for k, v in render.OUTPUTS.items() if k.startswith(("numpy/", "c/"))}
         patch.setattr(render, "OUTPUTS", outputs)
         fault.patch(patch)

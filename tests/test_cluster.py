@@ -23,7 +23,8 @@ pytest.importorskip("pyarrow.parquet")
 distributed = pytest.importorskip("distributed")
 
 import hoopgen  # noqa: E402
-from hoopgen.study import aim, chunks, scatter, workers  # noqa: E402
+from hoopgen.study import chunks, scatter, workers  # noqa: E402
+from hoopgen.study.aim_table import aim_table  # noqa: E402
 
 pytestmark = pytest.mark.xdist_group("cluster")
 
@@ -124,8 +125,8 @@ def test_a_search_and_an_aim_find_the_same(cluster: Any, tmp_path: Path) -> None
     assert there == here
     assert contents(tmp_path / "there") == contents(tmp_path / "here")
     rows = np.linspace(3.0, 5.0, 20)
-    table = aim.aim_table(rows, height=2.1, scheduler=address)
-    for name, column in aim.aim_table(rows, height=2.1).items():
+    table = aim_table(rows, height=2.1, scheduler=address)
+    for name, column in aim_table(rows, height=2.1).items():
         np.testing.assert_array_equal(table[name], column)
 
 

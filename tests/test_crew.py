@@ -125,7 +125,7 @@ def test_what_is_wrong_shows_before_a_folder_is_made(tmp_path: Path) -> None:
         lambda **how: hoopgen.optimum(PLAYER, ["elevation", "aim"], margins=["wind"], **how),
         lambda **how: hoopgen.margins(AIMED, names=["aim"], **how),
         lambda **how: aim_table([3.0], height=2.0, by="luck", **how),  # type: ignore[arg-type]
-        lambda **how: aim_table([3.0], height=2.0, parameters={"gravity": 9.8}, **how),
+        lambda **how: aim_table([3.0], height=2.0, parameters={"weight": 9.8}, **how),
     ):
         with pytest.raises(ValueError, match=r"missing|unknown|no variable|by: expected"):
             work(folder=tmp_path / "kept")

@@ -6,6 +6,8 @@ import random
 from itertools import pairwise
 from typing import Any
 
+import mpmath
+import numpy as np
 import pytest
 import sympy as sp
 from flint import arb, ctx
@@ -15,10 +17,11 @@ from hoopgen.derive.ground.choice import release
 from hoopgen.derive.ground.polynomials import mean_rate
 from hoopgen.derive.ground.symbols import POSITION, VELOCITY, t
 from hoopgen.derive.scenes import validity
+from hoopgen.derive.scenes.ends import End
 from hoopgen.derive.scenes.scene import Scene, parameter
 from hoopgen.derive.search import approach
 from hoopgen.derive.search.box import BoxApproach
-from hoopgen.derive.search.windows import windows
+from hoopgen.derive.search.windows import WIDER, lost, windows
 from hoopgen.derive.surfaces import Box, Cylinder, Plane, Sphere, Surface, Torus, body
 from mpmath import mpf
 from scenes.chamber import CHAMBER
@@ -29,7 +32,6 @@ from test_derive_evaluation import digits, exactly, in_doubles
 
 from hoopgen.judge.flight import Undecided, fly
 from hoopgen.judge.formulas import formulas
-from hoopgen.results import Outcome
 
 GRAVITY = sp.Symbol("g", positive=True)
 DOWN = Parabola((sp.Integer(0), sp.Integer(0), -GRAVITY))
@@ -51,30 +53,31 @@ def numbers(chance: random.Random, names: list[str], size: float = 1.0) -> dict[
 @pytest.mark.parametrize("endless", [False, True])
 def test_windows_hold_every_time_within_the_box(fall: tuple[int, ...], endless: bool) -> None:
     """And are in order, and apart: a search takes one after the other."""
-    chance = random.Random(1)
+    chance = np.random.default_rng(1)
     accelerations = [part * GRAVITY for part in fall]
     halves = [sp.Rational(1, 2), None if endless else sp.Rational(1, 5), sp.Rational(1, 3)]
     axes = list(zip(POSITION, VELOCITY, accelerations, strict=True))
-    found = windows(axes, halves)
-    inside = 0
-    for _ in range(300):
-        values = numbers(chance, PLACES) | {"g": chance.uniform(1, 20)}
-        for axis in chance.sample(("vx", "vy", "vz"), chance.choice((0, 0, 1, 2))):
-            values[axis] = 0.0
-        spans = [tuple(float(v) for v in in_doubles({"a": a, "b": b}, values).values())
-                 for a, b in found]  # fmt: skip
-        opened = [(low, high) for low, high in spans if low < high]
+    values = {name: chance.uniform(-1, 1, 300) for name in PLACES} | {
+        "g": chance.uniform(1, 20, 300)
+    }
+    for v in VELOCITY:
+        values[str(v)][chance.random(300) < 0.25] = 0.0
+    spans = [
+        np.broadcast_arrays(*in_doubles({"a": a, "b": b}, values).values())
+        for a, b in windows(axes, halves)
+    ]
+    for row in np.transpose(spans, (2, 0, 1)):
+        opened = [(low, high) for low, high in row if low < high]
         assert all(a[1] <= b[0] for a, b in pairwise(opened))
-        for k in range(200):
-            time = k / 200
-            there = [
-                values[str(p)] + time * (values[str(v)] + time * a * values["g"] / 2)
-                for p, v, a in zip(POSITION, VELOCITY, fall, strict=True)
-            ]
-            if all(h is None or abs(c) <= h for c, h in zip(there, halves, strict=True)):
-                inside += 1
-                assert any(low <= time <= high for low, high in opened), (values, time)
-    assert inside > 300
+    times = np.linspace(0, 1, 200)[:, None]
+    inside, covered = np.full((200, 300), True), np.full((200, 300), False)
+    for p, v, a, h in zip(POSITION, VELOCITY, fall, halves, strict=True):
+        there = values[str(p)] + times * (values[str(v)] + times * a * values["g"] / 2)
+        inside &= True if h is None else abs(there) <= float(h)
+    for low, high in spans:
+        covered |= (low < high) & (low <= times) & (times <= high)
+    assert inside.sum() > 300
+    assert not (inside & ~covered).any()
 
 
 def test_a_ball_that_never_comes_near_has_no_window() -> None:
@@ -84,6 +87,55 @@ def test_a_ball_that_never_comes_near_has_no_window() -> None:
     for low, high in found:
         span = in_doubles({"a": low, "b": high}, values)
         assert not float(span["a"]) < float(span["b"])
+
+
+@pytest.mark.parametrize(
+    "fall", [(0, 0, -1), (0, 0, 1), (1, 0, 0), (-1, 0, -2)], ids=["down", "up", "aside", "oblique"]
+)
+@pytest.mark.parametrize("endless", [False, True])
+def test_errors_are_small_whenever_the_true_ball_is_in_the_box(
+    fall: tuple[int, ...], endless: bool
+) -> None:
+    """Even where nothing ends the flight, with errors as large as are not lost, all one way."""
+    chance = random.Random(3)
+    accelerations = [part * GRAVITY for part in fall]
+    halves = [sp.Rational(1, 2), None if endless else sp.Rational(1, 5), sp.Rational(1, 3)]
+    centre = [sp.Rational(1, 3), sp.Integer(0), sp.Rational(-1, 4)]
+    verdict = lost(centre, halves, accelerations)
+    nearest = 0.0
+    for _ in range(200):
+        size, fastest = 10 ** chance.uniform(-1, 4), chance.choice((0, 1, 30))
+        values: dict[str, Any] = numbers(chance, PLACES[:3], size)
+        values |= numbers(chance, PLACES[3:], fastest) | {"g": mpf(9.81), "horizon": mpf("inf")}
+        for axis, part in zip("xyz", fall, strict=True):
+            if part and chance.random() < 0.5:  # all of it against the fall: the longest way
+                values |= dict.fromkeys(("x", "y", "z", "vx", "vy", "vz"), 0.0)
+                values |= {axis: -part * size, f"v{axis}": -part * float(fastest)}
+        values["extent"] = sum(abs(values[str(p)]) for p in POSITION)
+        values["speed"] = sum(abs(values[str(v)]) for v in VELOCITY)
+        with digits(40):
+            least, one = (
+                exactly(verdict, values | {"position_error": 0, "velocity_error": e})
+                for e in (0, 1)
+            )
+            if least > 0:
+                continue
+            share = chance.uniform(0, 1)
+            place_error, error = -least * share, -least * (1 - share) / (one - least)
+            bound = exactly(WIDER / 4 * min(h for h in halves if h is not None), {})
+            for axis, a, c, h in zip("xyz", fall, centre, halves, strict=True):
+                if not a:
+                    continue
+                g, way = abs(a) * values["g"], -1 if a > 0 else 1
+                up = way * values[f"v{axis}"] + error
+                drop = way * (values[axis] - mpf(c.p) / c.q) + mpf(h.p) / h.q + place_error
+                if up**2 + 2 * g * drop < 0:
+                    continue
+                last = (up + mpmath.sqrt(up**2 + 2 * g * drop)) / g
+                now = place_error + error * last
+                assert now <= bound
+                nearest = max(nearest, now / bound)
+    assert nearest > 0.9
 
 
 @pytest.mark.parametrize("power", [1, 2, 3, 4])
@@ -222,8 +274,7 @@ def _far() -> Scene:
         name="far",
         parameters=sizes,
         bodies=(body(far, Rolling("impact", sp.Rational(1, 2))),),
-        finish=Plane("ground", (0, 0, 1), sp.Integer(-9), ZERO),
-        target=POSITION[0],
+        ends=(End("ground", Plane("ground", (0, 0, 1), sp.Integer(-9), ZERO)),),
         ball_radius=ball,
         gravity=gravity,
     )
@@ -262,10 +313,10 @@ def test_a_start_within_rounding_of_a_surface_is_in_doubt_or_right(scene: Scene)
         except Undecided as question:
             if "starts" in question.args[0]:
                 continue
-            outcome = Outcome.SHORT
+            outcome = scene.outcomes["short"]
         decided += 1
         doubted += bool(found["doubt"])
-        right = (outcome != Outcome.INVALID) == bool(found["valid"])
+        right = (outcome != scene.outcomes["invalid"]) == bool(found["valid"])
         assert right or found["doubt"], (surface.name, start)
     assert decided > 10
     assert 0 < doubted < decided

@@ -269,6 +269,8 @@ def test_a_planes_margin_bounds_the_gap_at_its_computed_arrival(
         for name, way, fall in zip("xyz", plane.direction, flight.acceleration, strict=True):
             if way * fall != 0 and (way * fall).is_positive:
                 approaching[f"v{name}"] = -20 - abs(start[f"v{name}"])
+            elif way != 0 and fall == 0:
+                approaching[f"v{name}"] = -way * (1 + abs(start[f"v{name}"]))
         values = with_sizes(start | approaching)
         arrival = in_doubles(plane_arrival(plane, flight), values)
         time = float(arrival["time"])

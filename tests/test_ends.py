@@ -65,11 +65,18 @@ def _rows() -> Scene:
 
 
 def _nested() -> Scene:
-    """Return the caps over a target: rings about the origin, each end around the one before it."""
+    """Return the caps over a target: rings about the origin, each end around the one before it.
+
+    What bounds them is a length, or a polynomial, that is made one.
+    """
     own = symbols(CAPS)
-    rho = sp.sqrt(x**2 + y**2)
-    rings = {"gold": own["goal"] / 2, "red": own["goal"], "blue": 2 * own["goal"]}
-    ends = [End(name, floor("ground", own["depth"], rho - r)) for name, r in rings.items()]
+    rho, square = sp.sqrt(x**2 + y**2), x**2 + y**2
+    rings = {
+        "gold": square - (own["goal"] / 2) ** 2,
+        "red": rho - own["goal"],
+        "blue": square - 4 * own["goal"] ** 2,
+    }
+    ends = [End(name, floor("ground", own["depth"], ring)) for name, ring in rings.items()]
     return replace(CAPS, name="nested", ends=(*ends, End("out", floor("ground", own["depth"]))))
 
 

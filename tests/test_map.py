@@ -285,7 +285,7 @@ def test_whole_numbers_may_be_numpy_s(tmp_path: Path) -> None:
         ({"sd": {"aim": 0.1}}, ValueError, "sd: unknown aim"),
         ({"sd": {}, "shots": 10}, ValueError, "shots: without scatter all shots of a cell are one"),
         ({"shots": 0}, ValueError, "shots: expected a whole number from 1"),
-        ({"parameters": {"gravity": 9.8}}, ValueError, "parameters: missing"),
+        ({"parameters": {"weight": 9.8}}, ValueError, "parameters: unknown weight"),
         ({"confidence": 0}, ValueError, "confidence: expected a number within 0 and 1"),
         ({"seed": 1.5}, ValueError, "seed: expected a whole number"),
         ({"max_contacts": 0}, ValueError, "max_contacts: expected a whole number from 1"),

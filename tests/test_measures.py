@@ -577,5 +577,5 @@ def test_wrong_arguments_are_named() -> None:
         measure(state, shots, names=["entry"])
     with pytest.raises(ValueError, match=r"^states: expected the 1 releases of shots, got 2$"):
         measure(np.stack([state, state]), shots)
-    with pytest.raises(ValueError, match="parameters: "):
-        measure(state, shots, {"gravity": 9.81})
+    with pytest.raises(ValueError, match="parameters: unknown weight"):
+        measure(state, shots, {"weight": 9.81})

@@ -11,8 +11,9 @@ from hoopgen.derive.ground.symbols import POSITION
 from hoopgen.derive.model import build
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.check import check
+from hoopgen.derive.scenes.ends import End
 from hoopgen.derive.scenes.scene import Scene
-from hoopgen.derive.surfaces import Cylinder, Free, Sphere, Surface, Torus, body, length
+from hoopgen.derive.surfaces import Cylinder, Free, Plane, Sphere, Surface, Torus, body, length
 from scenes.caps import CAPS
 from scenes.chamber import CHAMBER
 from scenes.crate import CRATE
@@ -106,6 +107,33 @@ WRONG = {
 def test_a_wrong_surface_is_refused_with_the_reason(face: Surface, reason: str) -> None:
     with pytest.raises(ValueError, match=f"^scene table: surface odd: .*{reason}"):
         build(having(face))
+
+
+@pytest.mark.parametrize(
+    ("bound", "reason"),
+    [
+        (7 * sp.sqrt(x**2 + y**2) - z, "bound 0: expected a polynomial .* changes by 7"),
+        (x - UNKNOWN, "bound 0: unknown symbol size"),
+        (x - sp.Float(0.3), ".* is not exact"),
+    ],
+    ids=["steep", "symbol", "float"],
+)
+def test_an_ends_wrong_bound_is_refused_with_the_reason(bound: sp.Expr, reason: str) -> None:
+    ground = Plane("ground", (0, 0, 1), sp.Integer(-9), ZERO, (bound,))
+    with pytest.raises(ValueError, match=f"^scene table: end low: {reason}"):
+        build(replace(TABLE, ends=(End("low", ground),)))
+
+
+def test_an_ends_bound_of_any_degree_is_a_length() -> None:
+    """A large circle's square: at its edge it changes by no more than the way to it."""
+    circle = x**2 + y**2 - 400
+    ground = Plane("ground", (0, 0, 1), sp.Integer(-9), ZERO, (circle,))
+    (gate,) = replace(TABLE, ends=(End("low", ground),)).gates
+    (side,) = gate.sides
+    off = sp.Rational(1, 10**9)
+    for way in (-1, 1):
+        found = side.xreplace({x: 12 + way * off * 3 / 5, y: 16 + way * off * 4 / 5}).doit()
+        assert off / 3 < way * found <= off
 
 
 def test_a_law_of_an_unknown_restitution_is_refused() -> None:

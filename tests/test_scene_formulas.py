@@ -14,9 +14,10 @@ import sympy as sp
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from hoopgen.scene import formulas
-from hoopgen.scene.formulas import POSITION, Formula, FormulaError, constant, parse
+from hoopgen.scene import formulas, reading
+from hoopgen.scene.formulas import POSITION, Formula, FormulaError, constant
 from hoopgen.scene.polynomials import polynomial
+from hoopgen.scene.reading import parse
 
 NAMES = ("a", "b", "radius", *POSITION)
 VALUES = {"a": 0.3, "b": -1.7, "radius": 0.25, "x": 1.1, "y": -0.4, "z": 0.6}
@@ -92,7 +93,7 @@ def test_any_text_is_a_formula_or_refused_and_nothing_is_run(text: str) -> None:
     found = read_or_refused(text)
     if found is not None:
         assert found.names <= set(NAMES)
-        assert found.degree <= formulas.DEGREE
+        assert found.degree <= reading.DEGREE
 
 
 @settings(max_examples=300, deadline=None)
@@ -184,7 +185,7 @@ def test_a_number_is_its_double() -> None:
 )
 def test_what_is_no_size_is_refused(given: Any) -> None:
     with pytest.raises(FormulaError, match="expected"):
-        formulas.read(given, NAMES)
+        reading.read(given, NAMES)
 
 
 def test_an_expression_of_sympy_is_read_by_the_same_whitelist() -> None:
@@ -195,14 +196,14 @@ def test_an_expression_of_sympy_is_read_by_the_same_whitelist() -> None:
         (a ** sp.Rational(3, 2) + sp.Float("0.5"), "sqrt(a)**3 + 0.5"),
         (1 / (a * b) ** 2, "1/(a*b)**2"),
     ):
-        found = formulas.read(expression, NAMES)
+        found = reading.read(expression, NAMES)
         values = VALUES | {"b": 1.7}
         assert found.evaluate(values) == pytest.approx(
             parse(text, NAMES).evaluate(values), rel=1e-15
         )
     for wrong in (sp.sin(a), sp.Symbol("q"), a**x, sp.pi, x**20, sp.oo, sp.nan, sp.I, x > 0):
         with pytest.raises(FormulaError):
-            formulas.read(wrong, NAMES)
+            reading.read(wrong, NAMES)
 
 
 def test_a_polynomial_has_its_like_terms_together() -> None:

@@ -135,7 +135,9 @@ def test_options_of_every_example_are_understood(
     monkeypatch.chdir(tmp_path)
     name, *arguments = shlex.split(line)
     for word in arguments:
-        if re.fullmatch(r"[\w-]+\.\w+", word):
+        if re.fullmatch(r"[\w/-]+\.\w+", word):
+            assert "/" not in word or (README.parent / word).exists()
+            (tmp_path / word).parent.mkdir(parents=True, exist_ok=True)
             (tmp_path / word).touch()
     command = _commands()[name]
     with command.make_context(name, arguments):

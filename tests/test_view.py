@@ -157,7 +157,7 @@ def test_parameters_by_shot_go_with_the_shot() -> None:
         ({"path": "shot.txt"}, r"'shot\.txt' ends in none of \.html, \.htm"),
         ({"labels": ["one"]}, "labels: expected 2"),
         ({"labels": "ab"}, "labels: expected 2"),
-        ({"parameters": {}}, "parameters: missing"),
+        ({"parameters": {"weight": 1.0}}, "parameters: unknown weight"),
         (
             {"shots": simulate(np.full((2, 9), np.nan))},
             "shots: expected 1 to 2000 valid ones, got 0",

@@ -33,20 +33,22 @@ Function = Callable[..., list[Any]]
 
 
 def check(scene: Scene) -> None:
-    """Refuse surfaces and laws whose formulas are not what they are taken for.
+    """Refuse surfaces, ends and laws whose formulas are not what they are taken for.
 
     Raises
     ------
     ValueError
-        Naming the scene, the surface, what is wrong with it, and what is expected.
+        Naming the scene, the surface or end, what is wrong with it, and what is expected.
     """
     known = {*POSITION, *scene.symbols}
-    for surface in scene.surfaces:
+    surfaces = [(f"surface {surface.name}", surface) for surface in scene.surfaces]
+    ends = [(f"end {end.name}", end.plane) for end in scene.ends]
+    for owner, surface in (*surfaces, *ends):
         try:
             _formulas(surface, known)
             _places(surface, scene)
         except _Refused as reason:
-            raise ValueError(f"scene {scene.name}: surface {surface.name}: {reason}") from None
+            raise ValueError(f"scene {scene.name}: {owner}: {reason}") from None
     for law in scene.laws:
         arriving = sp.Symbol("speed", positive=True)
         given = (known - set(POSITION)) | {arriving}

@@ -107,7 +107,7 @@ class PolynomialApproach(Approach):
         """Errors near to what the box is wider by."""
         if not self._boxed:
             return sp.Integer(0)
-        return lost(self.surface.about, self.surface.halves, self.flight.strength)
+        return lost(self.surface.about, self.surface.halves, self.flight.acceleration)
 
     @property
     def clear(self) -> sp.Expr:

@@ -54,7 +54,7 @@ class BoxApproach(Approach):
     @property
     def lost(self) -> sp.Expr:
         """Errors near to what the windows are wider by."""
-        return lost(self.box.about, self.box.halves, self.flight.strength)
+        return lost(self.box.about, self.box.halves, self.flight.acceleration)
 
     @property
     def clear(self) -> sp.Expr:

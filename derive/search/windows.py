@@ -40,23 +40,40 @@ def windows(axes: Sequence[Axis], halves: Sequence[sp.Expr | None]) -> list[Wind
     return found
 
 
-def lost(centre: Sequence[sp.Expr], halves: Sequence[sp.Expr | None], g: sp.Expr) -> sp.Expr:
+def lost(
+    centre: Sequence[sp.Expr], halves: Sequence[sp.Expr | None], acceleration: Sequence[sp.Expr]
+) -> sp.Expr:
     """Positive where what is not exact comes near to what the box is wider by.
 
-    Errors grow for ever where nothing ends the flight, but count only while the ball may be in the
-    box: it has left it for good after 2 v / g + sqrt(2 d / g), d to its far side.
+    Errors grow for ever where nothing ends the flight, but count only while the true ball may be in
+    the box, until `_left` at the latest.
     """
-    half = smallest(*(h for h in halves if h is not None))
-    far = hold(extent + sp.Add(*map(sp.Abs, centre)) + half)
+    known = [half for half in halves if half is not None]
+    half, widest = smallest(*known), largest(*known)
+    far = hold(extent + sp.Add(*map(sp.Abs, centre)) + widest)
+    falls = [(a, h) for a, h in zip(acceleration, halves, strict=True) if a != 0]
+    per_g = hold(1 / smallest(*(sp.Abs(a) for a, _ in falls)))
     latest: sp.Expr = horizon
-    if all(h is not None for h in halves):
-        beyond = hold(far + largest(*(h for h in halves if h is not None)))
-        latest = smallest(
-            horizon, hold(2 * speed * hold(1 / g) + sp.sqrt(2 * beyond * hold(1 / g)))
-        )
-    moved = hold(position_error + velocity_error * hold(latest))
-    rounded = hold(far + speed**2 * hold(1 / g)) * sp.Rational(1, 2**48)
+    if all(h is not None for _, h in falls):
+        latest = hold(smallest(horizon, _left(hold(far + half), per_g)))
+    moved = hold(position_error + velocity_error * latest)
+    rounded = hold(far + speed**2 * per_g) * sp.Rational(1, 2**48)
     return hold(moved + rounded) - WIDER / 4 * half
+
+
+def _left(far: sp.Expr, per_g: sp.Expr) -> sp.Expr:
+    """Return T = 2 v / g + sqrt(2 d / g): the ball has left the box for good, the true one too.
+
+    Along an axis that the ball falls along let p be the computed place from the centre, |p| + h
+    less than d by the smallest half size or more. Within the box
+
+        f(t) = (p + h + e_p) + (v + e_v) t - g t²/2 >= 0
+
+    for one sign of p, with errors of place and velocity that are not lost, e_p + e_v T <= w with w
+    a tiny part of that half size. Then f(T) <= d - half + w - v sqrt(2 d / g) - d < 0, and f falls
+    from T on: f'(T) = e_v - v - g sqrt(2 d / g), where e_v <= w / T < sqrt(2 d g).
+    """
+    return 2 * speed * per_g + sp.sqrt(2 * far * per_g)
 
 
 def clear(found: Sequence[Window], lost: sp.Expr) -> sp.Expr:

@@ -6,7 +6,6 @@ The one file of this room that imports SymPy, with `derive/` and what it stands 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 import sympy as sp
 
@@ -22,16 +21,20 @@ from .formulas import Formula
 from .inputs import SceneError
 from .shapes import Read, Shape
 
-if TYPE_CHECKING:
-    from .scene import Scene
-
 __all__ = ["derived"]
 
 Point = tuple[sp.Expr, sp.Expr, sp.Expr]
 
 
-def derived(scene: Scene) -> derive.Scene:
+def derived(read: Read, axes: str, remarks: str) -> derive.Scene:
     """Return a scene for derivation. Its parameters are the scene's inputs, in order.
+
+    Parameters
+    ----------
+    read
+        The scene.
+    axes, remarks
+        What it says to readers.
 
     Raises
     ------
@@ -39,7 +42,7 @@ def derived(scene: Scene) -> derive.Scene:
         If a name is taken.
     """
     try:
-        return _Derived(scene.read).scene(scene.axes, scene.remarks)
+        return _Derived(read).scene(axes, remarks)
     except ValueError as error:  # of names that derivation has taken
         raise SceneError(str(error)) from None
 

@@ -1,24 +1,14 @@
-"""Formulas of sizes and bounds: read from text without running it, and evaluated.
-
-Text goes through Python's `ast` and a whitelist: `+ - * /`, whole powers, `sqrt`, numbers, and the
-names that are declared. Nothing is evaluated by Python, SymPy or NumPy as text, and what is read is
-small: its length, depth and degree are limited, so that no formula takes long.
-"""
+"""Formulas of sizes and bounds, as trees: put together, evaluated and written."""
 
 from __future__ import annotations
 
-import ast
-import re
-import sys
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 from typing import Any
 
 import numpy as np
-
-from hoopgen.brief import brief, listed
 
 __all__ = [
     "ONE",
@@ -28,21 +18,7 @@ __all__ = [
     "FormulaError",
     "constant",
     "name",
-    "parse",
-    "read",
 ]
-
-LONGEST = 300
-"""Characters of a formula."""
-
-DEEPEST = 30
-"""Operations within one another."""
-
-DEGREE = 8
-"""Factors in a product, all powers multiplied out."""
-
-SMALLEST, LARGEST = Fraction(1, 10**100), Fraction(10**100)
-"""Sizes of a number that is not zero: no product of a few overflows."""
 
 POSITION = ("x", "y", "z")
 """Where the ball's centre is, in bounds and free surfaces."""
@@ -230,172 +206,3 @@ ZERO, ONE = constant(0), constant(1)
 def name(text: str) -> Formula:
     """Return a name as a formula."""
     return Formula("name", (), text)
-
-
-def read(value: object, names: Collection[str]) -> Formula:
-    """Return what a user gave as a formula: a number, text, or an expression of SymPy.
-
-    Raises
-    ------
-    FormulaError
-        If it is none of them, not finite, or not what formulas may be.
-    """
-    if isinstance(value, Formula):
-        return value
-    if isinstance(value, str):
-        return parse(value, names)
-    if isinstance(value, bool | np.bool_):
-        raise FormulaError(f"expected a number or a formula, got {brief(value)}")
-    if isinstance(value, int | float | np.integer | np.floating):
-        return _number(value.item() if isinstance(value, np.generic) else value)
-    sympy = sys.modules.get("sympy")
-    if sympy is not None and isinstance(value, sympy.Basic):
-        return _from_sympy(value, names, 0)
-    raise FormulaError(f"expected a number or a formula, got {brief(value)}")
-
-
-def _number(value: float | int) -> Formula:
-    try:
-        exact = Fraction(float(value))  # the double: what engines compute with
-    except (OverflowError, ValueError):
-        raise FormulaError(f"expected a finite number, got {brief(value)}") from None
-    if exact and not SMALLEST <= abs(exact) <= LARGEST:
-        raise FormulaError(f"expected a number from 1e-100 to 1e100 in size, got {brief(value)}")
-    return constant(exact)
-
-
-_TOKEN = re.compile(
-    r"\s*(?:(?P<number>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)(?![\w.])"
-    r"|(?P<name>[A-Za-z_]\w*)|\*\*|[-+*/()])",
-    re.ASCII,
-)
-
-
-def parse(text: str, names: Collection[str]) -> Formula:
-    """Return the formula that a text says. Nothing in it is run.
-
-    Parameters
-    ----------
-    text
-        With `+ - * /`, whole powers `**`, `sqrt(...)`, numbers and names.
-    names
-        That it may have.
-
-    Raises
-    ------
-    FormulaError
-        If it is anything else, or too large.
-    """
-    if len(text) > LONGEST:
-        raise FormulaError(f"expected at most {LONGEST} characters, got {len(text)}")
-    text = text.strip(" \t")
-    if text in names:
-        return name(text)  # whatever Python makes of it
-    place = 0
-    while place < len(text):
-        token = _TOKEN.match(text, place)
-        if token is None:
-            raise FormulaError(f"{brief(text)}: {brief(text[place:].strip()[:1])} is not allowed")
-        found = token["name"]
-        if found is not None and found != "sqrt" and found not in names:
-            raise FormulaError(
-                f"{brief(text)}: unknown name {brief(found)}; there are {listed(sorted(names))}"
-            )
-        place = token.end()
-    try:
-        tree = ast.parse(text.replace("\t", " "), mode="eval")
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        raise FormulaError(f"{brief(text)} is not a formula") from None
-    try:
-        return _Reader(names).read(tree.body, 0)
-    except FormulaError as error:
-        raise FormulaError(f"{brief(text)}: {error}") from None
-
-
-def _limited(formula: Formula) -> Formula:
-    """Refuse too high a degree; round what is a number, so that no power of it grows long."""
-    if formula.degree > DEGREE:
-        raise FormulaError(f"expected a degree of at most {DEGREE}")
-    number = formula.number
-    if number and not SMALLEST <= abs(number) <= LARGEST:
-        raise FormulaError("expected numbers from 1e-100 to 1e100 in size")
-    return formula if number is None else constant(Fraction(float(number)))
-
-
-@dataclass(frozen=True)
-class _Reader:
-    """Python's syntax tree to ours: one line for each node that is allowed."""
-
-    names: Collection[str]
-
-    def read(self, node: ast.expr, depth: int) -> Formula:
-        """Return the node as a formula."""
-        if depth > DEEPEST:
-            raise FormulaError(f"more than {DEEPEST} operations deep")
-        return _limited(self._node(node, depth + 1))
-
-    def _node(self, node: ast.expr, depth: int) -> Formula:
-        match node:
-            case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
-                return _number(value)
-            case ast.Name(id=found) if found in self.names:
-                return name(found)
-            case ast.UnaryOp(op=ast.USub(), operand=operand):
-                return -self.read(operand, depth)
-            case ast.UnaryOp(op=ast.UAdd(), operand=operand):
-                return self.read(operand, depth)
-            case ast.BinOp(left=base, op=ast.Pow(), right=exponent):
-                return self._power(base, exponent, depth)
-            case ast.BinOp(left=left, op=operation, right=right):
-                return self._binary(operation, self.read(left, depth), self.read(right, depth))
-            case ast.Call(func=ast.Name(id="sqrt"), args=[operand], keywords=[]):
-                return self.read(operand, depth).sqrt()
-        raise FormulaError(f"{type(node).__name__} is not allowed; + - * / ** sqrt( ) are")
-
-    def _binary(self, operation: ast.operator, left: Formula, right: Formula) -> Formula:
-        match operation:
-            case ast.Add():
-                return left + right
-            case ast.Sub():
-                return left - right
-            case ast.Mult():
-                return left * right
-            case ast.Div():
-                return left / right
-        raise FormulaError(f"{type(operation).__name__} is not allowed")
-
-    def _power(self, base: ast.expr, exponent: ast.expr, depth: int) -> Formula:
-        if not (
-            isinstance(exponent, ast.Constant)
-            and type(exponent.value) is int
-            and 0 <= exponent.value <= DEGREE
-        ):
-            raise FormulaError(f"expected a whole power from 0 to {DEGREE}, as in x**2")
-        return self.read(base, depth) ** int(exponent.value)
-
-
-def _from_sympy(expression: Any, names: Collection[str], depth: int) -> Formula:
-    """Return an expression of SymPy as a formula, by the same whitelist."""
-    if depth > DEEPEST:
-        raise FormulaError(f"more than {DEEPEST} operations deep")
-    if expression.is_Symbol:
-        if expression.name not in names:
-            raise FormulaError(
-                f"unknown symbol {brief(expression.name)}; there are {listed(sorted(names))}"
-            )
-        return name(expression.name)
-    if expression.is_Rational or expression.is_Float:
-        return _number(float(expression))
-    if expression.is_Pow and expression.exp.is_Rational and expression.exp.q <= 2:
-        power = int(expression.exp.p)
-        if abs(power) > DEGREE:
-            raise FormulaError(f"expected a degree of at most {DEGREE}")
-        base = _from_sympy(expression.base, names, depth + 1)
-        result = (base.sqrt() if expression.exp.q == 2 else base) ** abs(power)
-        return _limited(ONE / result if power < 0 else result)
-    if not (expression.is_Add or expression.is_Mul):
-        raise FormulaError(f"{type(expression).__name__} is not allowed; + - * / ** sqrt are")
-    result, *rest = (_from_sympy(part, names, depth + 1) for part in expression.args)
-    for part in rest:
-        result = _limited(result + part if expression.is_Add else result * part)
-    return result

@@ -14,7 +14,8 @@ import numpy as np
 
 from hoopgen.brief import brief, listed
 
-from .formulas import Formula, FormulaError, name, read
+from .formulas import Formula, FormulaError, name
+from .reading import read
 
 __all__ = ["Input", "Inputs", "SceneError"]
 

@@ -1,6 +1,6 @@
 """What a scene is made of, as its author writes it: parameters, bodies, ends.
 
-Plain data. A size is a number, the name of a parameter, or a small formula of them (`formulas.py`),
+Plain data. A size is a number, the name of a parameter, or a small formula of them (`reading.py`),
 and it is the body's own: the ball's radius is added where the scene is derived.
 """
 

@@ -72,7 +72,16 @@ class Scene:
     @cached_property
     def read(self) -> Read:
         """All of it, as formulas."""
-        return read_scene(self)
+        return read_scene(
+            self.name,
+            parameters=self.parameters,
+            bodies=self.bodies,
+            ends=self.ends,
+            ball_radius=self.ball_radius,
+            gravity=self.gravity,
+            down=self.down,
+            restitution=self.restitution,
+        )
 
     def __hash__(self) -> int:
         return hash(self.key)
@@ -122,7 +131,7 @@ class Scene:
         """Return the scene for derivation, in SymPy."""
         from .derived import derived
 
-        return derived(self)
+        return derived(self.read, self.axes, self.remarks)
 
     def explain(self) -> str:
         """Return the derivation's page for the scene, in Markdown with LaTeX.
@@ -132,6 +141,12 @@ class Scene:
         ImportError
             Without SymPy and Jinja2, which the extra `generate` brings.
         """
-        from .explain import page
+        try:
+            from hoopgen.codegen.render import PAGE, render_scene
+        except ImportError as error:
+            from hoopgen.installed import explained
 
-        return page(self)
+            raise explained(error, "Scene.explain") from None
+        files = render_scene(self.derive())
+        stem = PAGE.partition(".")[0]
+        return next(text for name, text in files.items() if name.startswith(stem))

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import islice
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from hoopgen.brief import brief, listed
 
@@ -22,9 +22,6 @@ from .formulas import (
     name,
 )
 from .inputs import Input, Inputs, wrong
-
-if TYPE_CHECKING:
-    from .scene import Scene
 
 PUBLIC = re.compile(r"[a-z][a-z0-9_]*", re.ASCII)
 """What names match: derive/ demands the same of them, but would import SymPy to say so."""
@@ -91,43 +88,60 @@ class Read:
     ends: tuple[Shape, ...]
 
 
-def read_scene(scene: Scene) -> Read:
+def read_scene(
+    scene: str,
+    *,
+    parameters: Sequence[pieces.Parameter],
+    bodies: Sequence[pieces.Body],
+    ends: Mapping[str, pieces.End],
+    ball_radius: pieces.Size,
+    gravity: pieces.Size,
+    down: str,
+    restitution: pieces.Size | None,
+) -> Read:
     """Return a scene as formulas.
+
+    Parameters
+    ----------
+    scene
+        Its name.
+    parameters, bodies, ends, ball_radius, gravity, down, restitution
+        As its author gave them: of any type.
 
     Raises
     ------
     SceneError
         If something is wrong; names the body and the argument.
     """
-    _check_name(scene.name, "", "name", scene.name)
-    inputs = Inputs(scene.name, _parameters(scene))
+    _check_name(scene, "", "name", scene)
+    inputs = Inputs(scene, _parameters(scene, parameters))
     reader = _Reader(inputs)
-    ball = reader.size("", "ball_radius", scene.ball_radius, sign="positive")
-    gravity = reader.size("", "gravity", scene.gravity, sign="positive", unit="m/s²")
-    down = reader.axis("", "down", scene.down)
-    bodies = _listed(scene, "bodies", scene.bodies, pieces.Body)
-    if not isinstance(scene.ends, Mapping):
-        raise wrong(scene.name, "", "ends", f"expected names and ends, got {brief(scene.ends)}")
-    ends = _listed(scene, "ends", list(scene.ends.values()), pieces.End)
-    _names(scene.name, "body", (body.name for body in bodies))
-    _names(scene.name, "end", scene.ends)
-    radius = reader.formula("", "ball_radius", scene.ball_radius)
-    shapes = tuple(_body(reader, body, radius, scene.restitution) for body in bodies)
-    finished = tuple(_end(reader, own, end) for own, end in zip(scene.ends, ends, strict=True))
-    return Read(scene.name, inputs.all, ball, gravity, down, shapes, finished)
+    ball = reader.size("", "ball_radius", ball_radius, sign="positive")
+    fall = reader.size("", "gravity", gravity, sign="positive", unit="m/s²")
+    way = reader.axis("", "down", down)
+    bodies = _listed(scene, "bodies", bodies, pieces.Body)
+    if not isinstance(ends, Mapping):
+        raise wrong(scene, "", "ends", f"expected names and ends, got {brief(ends)}")
+    finishes = _listed(scene, "ends", list(ends.values()), pieces.End)
+    _names(scene, "body", (body.name for body in bodies))
+    _names(scene, "end", ends)
+    radius = reader.formula("", "ball_radius", ball_radius)
+    shapes = tuple(_body(reader, body, radius, restitution) for body in bodies)
+    finished = tuple(_end(reader, own, end) for own, end in zip(ends, finishes, strict=True))
+    return Read(scene, inputs.all, ball, fall, way, shapes, finished)
 
 
-def _listed(scene: Scene, argument: str, given: Any, kind: type) -> list[Any]:
+def _listed(scene: str, argument: str, given: Any, kind: type) -> list[Any]:
     if isinstance(given, str | Mapping) or not isinstance(given, Iterable):
-        raise wrong(scene.name, "", argument, f"expected a list, got {brief(given)}")
+        raise wrong(scene, "", argument, f"expected a list, got {brief(given)}")
     found = list(islice(given, MOST + 1))
     if len(found) > MOST:
-        raise wrong(scene.name, "", argument, f"expected at most {MOST}")
+        raise wrong(scene, "", argument, f"expected at most {MOST}")
     for one in found:
         if not isinstance(one, kind) or type(one) is pieces.Body:
             expected = "Plane, Sphere, Cylinder, Torus, Box or Surface"
             expected = "End" if kind is pieces.End else expected
-            raise wrong(scene.name, "", argument, f"expected {expected}, got {brief(one)}")
+            raise wrong(scene, "", argument, f"expected {expected}, got {brief(one)}")
     return found
 
 
@@ -148,16 +162,15 @@ def _names(scene: str, kind: str, names: Iterable[str]) -> None:
             raise wrong(scene, f"{kind} {own}", "name", f"{count} have this name")
 
 
-def _parameters(scene: Scene) -> tuple[Input, ...]:
-    found = scene.parameters
-    if isinstance(found, str | Mapping) or not isinstance(found, Iterable):
-        raise wrong(scene.name, "", "parameters", f"expected a list, got {brief(found)}")
+def _parameters(scene: str, given: Any) -> tuple[Input, ...]:
+    if isinstance(given, str | Mapping) or not isinstance(given, Iterable):
+        raise wrong(scene, "", "parameters", f"expected a list, got {brief(given)}")
     inputs = []
-    for one in found:
+    for one in given:
         if not isinstance(one, pieces.Parameter):
-            raise wrong(scene.name, "", "parameters", f"expected Parameter, got {brief(one)}")
-        inputs.append(_parameter(scene.name, one))
-    _names(scene.name, "parameter", (made.name for made in inputs))
+            raise wrong(scene, "", "parameters", f"expected Parameter, got {brief(one)}")
+        inputs.append(_parameter(scene, one))
+    _names(scene, "parameter", (made.name for made in inputs))
     return tuple(inputs)
 
 
