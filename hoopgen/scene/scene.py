@@ -45,6 +45,8 @@ class Scene:
         Where gravity points, "-z" or along another axis.
     restitution
         That of bodies without one of their own.
+    friction, tangential, restitution_speed
+        The same; infinite, 0 and infinite, as in the article, where there is none.
     axes, remarks
         For readers, in plain sentences: where origin and axes lie, and what else there is to say.
 
@@ -63,6 +65,9 @@ class Scene:
     gravity: Size
     down: str = "-z"
     restitution: Size | None = None
+    friction: Size | None = None
+    tangential: Size | None = None
+    restitution_speed: Size | None = None
     axes: str = ""
     remarks: str = ""
 

@@ -1,0 +1,58 @@
+"""What contacts with a body are like: restitution, friction, and what a grip gives back."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from .formulas import ZERO, Formula
+from .inputs import Inputs
+
+if TYPE_CHECKING:
+    from .pieces import Body
+    from .scene import Scene
+
+__all__ = ["Contact", "contact", "is_infinite"]
+
+
+@dataclass(frozen=True)
+class Contact:
+    """What contacts with a body are like; no friction and no speed: infinite ones."""
+
+    restitution: Formula
+    friction: Formula | None = None
+    tangential: Formula = ZERO
+    speed: Formula | None = None
+
+
+def contact(inputs: Inputs, owner: str, body: Body, scene: Scene) -> Contact:
+    """Return what contacts with a body are like, by its own arguments or else the scene's.
+
+    Raises
+    ------
+    SceneError
+        If one is missing or not allowed.
+    """
+
+    def size(argument: str, **allowed: Any) -> Formula | None:
+        own = getattr(body, argument)
+        given = getattr(scene, argument) if own is None else own
+        if given is None or (allowed.get("infinite") and is_infinite(given)):
+            return None
+        return inputs.add(owner, argument, inputs.read(owner, argument, given), **allowed)
+
+    restitution = size("restitution", sign="nonnegative", upper=1.0, unit="1")
+    if restitution is None:
+        raise inputs.wrong(owner, "restitution", "missing, and the scene has none either")
+    return Contact(
+        restitution,
+        size("friction", sign="nonnegative", unit="1", infinite=True),
+        size("tangential", lower=-1.0, upper=1.0, unit="1") or ZERO,
+        size("restitution_speed", sign="positive", unit="m/s", infinite=True),
+    )
+
+
+def is_infinite(given: object) -> bool:
+    """Return whether a number is infinite and not negative."""
+    return isinstance(given, float) and given == math.inf
