@@ -8,8 +8,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+import sympy as sp
 from compiled import load_module, needs_compiler, same_bits, shared_library
 from conftest import _families
+from flint import arb
+from hoopgen.derive.ground.choice import IfAtMost, IfLess
 from numpy.typing import NDArray
 from scenes.rough import ROUGH
 
@@ -19,6 +22,7 @@ from hoopgen.engine import native, numpy_backend
 from hoopgen.engine.raw import Layout, Raw
 from hoopgen.judge.batch import prove
 from hoopgen.judge.certificate import Certificate
+from hoopgen.judge.formulas import compiled
 from hoopgen.results import Outcome
 
 # One worker: the scene is compiled once.
@@ -42,10 +46,10 @@ class Engines:
     module: Any
     library: native.Library
 
-    def room(self, shots: int) -> Raw:
+    def room(self, shots: int, most: int = MOST) -> Raw:
         """Return room for all results and the event log."""
         layout = Layout(self.module)
-        log = layout.allocate_events(shots, MOST)
+        log = layout.allocate_events(shots, most)
         return layout.allocate(shots, layout.results).joined(log)
 
     def numpy(self, states: Floats, parameters: Mapping[str, Any]) -> Raw:
@@ -55,11 +59,13 @@ class Engines:
         numpy_backend.run(self.module, states, values, None, MOST, out)
         return out
 
-    def c(self, states: Floats, parameters: Mapping[str, Any], width: int = 0) -> Raw:
+    def c(
+        self, states: Floats, parameters: Mapping[str, Any], width: int = 0, most: int = MOST
+    ) -> Raw:
         """Simulate in C."""
-        out = self.room(len(states))
+        out = self.room(len(states), most)
         values, stop = list(parameters.values()), np.zeros(1, np.int32)
-        self.library.run(states, values, None, MOST, out, stop, width)
+        self.library.run(states, values, None, most, out, stop, width)
         return out
 
 
@@ -287,14 +293,32 @@ def test_without_friction_or_with_grip_there_is_no_switch_to_doubt(
     states[:, :3] = -0.25, 0.02, 0.25
     states[1, 8] = 3.0
     law = TIE | {"bridge_friction": friction, "bridge_restitution": 0.7}
-    out = engines.c(states, law)
-    assert (out.arrays["counts"][:, BRIDGE] > 3).all()
+    out = engines.c(states, law, most=4)
+    assert (out.arrays["counts"][:, BRIDGE] == 4).all()
+    assert not out.arrays["uncertain"].any()
     proof = prove(ROUGH, states, list(law.values()), None, 4)
     assert proof.decided.all()
     assert np.isfinite(out.arrays["state"]).all()
+    assert np.isfinite(out.arrays["state_error"]).all()
 
 
 # -- The judge
+
+
+def test_what_balls_do_not_decide_is_no_number_unless_it_is_not_asked_for() -> None:
+    a, b, c = sp.symbols("a b c")
+    inner = IfAtMost(a, 1, 2, 1 / a)
+    function = compiled([IfLess(b, sp.oo, inner, c), IfLess(a, 1, 2, 3)], (a, b, c))
+    near, infinite = arb(1, 1e-9), arb.pos_inf()
+    for given, expected in (
+        ((arb(4), arb(0), arb(5)), (arb(1) / 4, arb(3))),
+        ((arb(1), arb(0), arb(5)), (arb(2), arb(3))),
+        ((near, infinite, arb(5)), (arb(5), None)),
+        ((near, arb(0), arb(5)), (None, None)),
+        ((arb(0), infinite, arb(5)), (arb(5), arb(2))),
+    ):
+        for found, wanted in zip(function(given), expected, strict=True):
+            assert found.is_nan() if wanted is None else found == wanted
 
 
 def wrong(out: Raw, proof: Certificate) -> list[str]:

@@ -4,14 +4,10 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from .formulas import ZERO, Formula
 from .inputs import Inputs
-
-if TYPE_CHECKING:
-    from .pieces import Body
-    from .scene import Scene
 
 __all__ = ["Contact", "contact", "is_infinite"]
 
@@ -26,8 +22,10 @@ class Contact:
     speed: Formula | None = None
 
 
-def contact(inputs: Inputs, owner: str, body: Body, scene: Scene) -> Contact:
-    """Return what contacts with a body are like, by its own arguments or else the scene's.
+def contact(inputs: Inputs, owner: str, body: object, scene: object) -> Contact:
+    """Return what contacts with a body are like, by its own arguments or else those of the scene.
+
+    Both have them by the same names: `restitution`, `friction`, `tangential`, `restitution_speed`.
 
     Raises
     ------
