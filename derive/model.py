@@ -242,14 +242,14 @@ def _law_kernels(law: Law, scene: Scene, order: tuple[sp.Symbol, ...]) -> dict[s
             _components(MOTION, *law.after(normal, velocity, spin, ball_radius)),
             order,
             "Velocity and spin after a contact, frame-free.",
-            "Eqs. 11-17, the frame eliminated",
+            law.source,
         ),
         "carry": kernel(
             f"carry_{law.name}",
             tangent.carried_through_impact(law, ball_radius),
             order,
             "Errors of velocity and spin after a contact, from those before it.",
-            "derivative of the frame-free Eq. 17, with roundings",
+            f"derivative of {law.called}, with roundings",
         ),
     }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Mapping
 from functools import partial
 from typing import Any, Protocol
@@ -135,9 +136,11 @@ def shots_dataset(shots: Shots) -> Any:
     dataset = xr.Dataset(data, coordinates)
     if "state" in data:
         dataset = dataset.assign_coords(unit=("component", list(STATE_UNITS.values())))
-    alike = {name: value for name, value in shots.parameters.items() if np.ndim(value) == 0}
+    alike = {name: float(v) for name, v in shots.parameters.items() if np.ndim(v) == 0}
+    # JSON has no infinite number: what is not finite is a text, which float() reads.
+    told_alike = {name: v if math.isfinite(v) else str(v) for name, v in alike.items()}
     dataset.attrs["scene"] = scene_of(shots)
-    dataset.attrs["parameters"] = json.dumps(alike)
+    dataset.attrs["parameters"] = json.dumps(told_alike)
     apart = {name: ("shot", v) for name, v in shots.parameters.items() if np.ndim(v)}
     return dataset.assign_coords(apart)
 

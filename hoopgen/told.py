@@ -151,7 +151,7 @@ def told_by(dataset: xr.Dataset) -> dict[str, str]:
     told = {}
     columns = json.loads(attributes.get("columns", "[]"))
     if "parameters" in attributes:
-        parameters = json.loads(attributes["parameters"])
+        parameters = {n: float(v) for n, v in json.loads(attributes["parameters"]).items()}
         by_row = [name for name in columns if name not in (*parameters, *dataset.coords)]
         told["scene"] = say_scene(parameters, by_row)
     same = {

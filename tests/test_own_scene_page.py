@@ -7,8 +7,10 @@ from pathlib import Path
 
 import pytest
 from compiled import ROOT
+from hoopgen.derive.contact.slipping import Slipping
 
 from hoopgen.scene import SceneError, compilers, load_scene
+from hoopgen.scene.files import scene_of
 
 PAGE = (ROOT / "docs" / "your-own-scene.md").read_text(encoding="utf-8")
 
@@ -23,7 +25,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     monkeypatch.setattr(compilers, "compiler", lambda: None)
-    (file,) = blocks("toml")
+    file, _ = blocks("toml")
     Path("hole.toml").write_text(file, encoding="utf-8")
     return tmp_path
 
@@ -61,3 +63,14 @@ def test_what_the_page_says_of_a_wrong_scene_is_said(folder: Path, was: str, wri
         if line.startswith("    scene ")
     ]
     assert any(str(refusal.value).startswith(f"hole.toml: {one}".rstrip()) for one in said)
+
+
+def test_what_the_page_says_of_friction_is_a_scene() -> None:
+    _, friction = blocks("toml")
+    made = scene_of(f'name = "own"\nball_radius = 0.1\ngravity = 9.81\n{friction}'.encode())
+    (law,) = made.derive().laws
+    assert isinstance(law, Slipping)
+    said = (law.restitution, law.friction, law.tangential, law.falling)
+    named = {i.name: i.default for i in made.inputs}
+    assert [named[symbol.name] for symbol in said] == [0.8, 0.4, 0.1, 40.0]
+    assert made.values({"mu": float("inf")})[0] == float("inf")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
+from typing import ClassVar
 
 import sympy as sp
 
@@ -16,9 +17,14 @@ class Law(ABC):
     ----------
     name
         Names its kernels; bodies that share a law share them.
+    source, called
+        The equations, or the laws, that it is made from, and what it is called beside its errors.
     """
 
     name: str
+
+    source: ClassVar[str] = "Eqs. 11-17, the frame eliminated"
+    called: ClassVar[str] = "the frame-free Eq. 17"
 
     @abstractmethod
     def restitution_at(self, speed: sp.Expr) -> sp.Expr:

@@ -177,13 +177,18 @@ def carried_normal(surface: Surface) -> dict[str, sp.Expr]:
     return outputs | {"turn": shift * hold(surface.curvature)}
 
 
+def before_impact(ball_radius: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
+    """Return the size of a motion at a contact, as velocities, and what it may at worst be off."""
+    speed = hold(sum(map(size, velocity)) + ball_radius * hold(sum(map(size, spin))))
+    return speed, hold(_greatest(dv) + ball_radius * _greatest(dw) + speed * turn)
+
+
 def carried_through_impact(law: Law, ball_radius: sp.Expr) -> dict[str, sp.Expr]:
     """Return the errors of velocity and spin after a contact, from those before it."""
     inputs = (*velocity, *spin, *normal)
     tangents = dict(zip(inputs, (*dv, *dw, *dn), strict=True))
     after = law.after(normal, velocity, spin, ball_radius)
-    speed = hold(sum(map(size, velocity)) + ball_radius * hold(sum(map(size, spin))))
-    worst = hold(_greatest(dv) + ball_radius * _greatest(dw) + speed * turn)
+    speed, worst = before_impact(ball_radius)
     outputs = {}
     for names, vector, scale in ((dv, after[0], speed), (dw, after[1], speed / ball_radius)):
         for name, component in zip(names, vector, strict=True):

@@ -93,7 +93,8 @@ def _formulas(surface: Surface, known: set[sp.Symbol]) -> None:
 
 def _places(surface: Surface, scene: Scene) -> None:
     """Refuse a normal, a distance or a bound that is not one, on random points."""
-    values = {p.symbol: sp.Rational(p.default) for p in scene.parameters}
+    finite = (p for p in scene.parameters if not p.infinite)  # a body is not infinite
+    values = {p.symbol: sp.Rational(p.default) for p in finite}
     condition, distance = _function([surface.condition], values), surface.distance
     there = _function([distance, *surface.normal], values)
     bounds = [_function([bound], values) for bound in surface.bounds]

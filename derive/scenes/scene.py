@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -38,6 +39,10 @@ class Parameter:
         The largest value allowed, if there is one.
     latex
         How formulas write it; "": its name in words.
+    lower
+        The smallest value allowed, if it is not what the sign says.
+    infinite
+        Whether it may be infinite, with the sign that it may have.
     """
 
     symbol: sp.Symbol
@@ -47,11 +52,20 @@ class Parameter:
     sign: str = "positive"
     upper: float | None = None
     latex: str = ""
+    lower: float | None = None
+    infinite: bool = False
 
     @property
     def name(self) -> str:
         """Its public name."""
         return str(self.symbol.name)
+
+    @property
+    def least(self) -> float:
+        """What it is never below."""
+        if self.lower is not None:
+            return self.lower
+        return -math.inf if self.sign == "any" else 0.0
 
 
 @dataclass(frozen=True)
@@ -144,7 +158,8 @@ class Scene:
     @property
     def lengths(self) -> tuple[sp.Expr, ...]:
         """What roundings of positions are measured by besides them: parameters, and numbers."""
-        given: tuple[sp.Expr, ...] = tuple(p.symbol for p in self.parameters if p.unit == "m")
+        lengths = (p for p in self.parameters if p.unit == "m" and not p.infinite)
+        given: tuple[sp.Expr, ...] = tuple(p.symbol for p in lengths)
         said = (e for s in self.surfaces for e in (s.distance, *s.bounds, *s.inside))
         sums = {part for e in said for part in release(e).atoms(sp.Add)}
         numbers = {abs(n) for part in sums for n in part.args if n.is_Rational}
@@ -159,8 +174,10 @@ def parameter(
     sign: str = "positive",
     upper: float | None = None,
     latex: str = "",
+    lower: float | None = None,
+    infinite: bool = False,
 ) -> Parameter:
     """Return a parameter with a symbol of its name, assumed to be of the sign allowed."""
     assumption = {"positive": "positive", "nonnegative": "nonnegative", "any": "real"}[sign]
     symbol = ParameterSymbol(name, **{assumption: True})
-    return Parameter(symbol, unit, summary, default, sign, upper, latex)
+    return Parameter(symbol, unit, summary, default, sign, upper, latex, lower, infinite)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sympy as sp
 
-from ..ground.choice import IfAtMost, IfLess, Less, every, hold, largest, size
+from ..ground.choice import AtMost, IfAtMost, IfLess, Less, every, hold, largest, size
 from ..ground.symbols import POSITION, UNIT_ROUNDOFF
 from .scene import Scene
 
@@ -50,12 +50,16 @@ def allowed(scene: Scene) -> dict[str, sp.Expr]:
             verdict = IfLess(0, value, verdict, 0)
         if parameter.sign == "nonnegative":
             verdict = IfAtMost(0, value, verdict, 0)
+        if parameter.lower is not None:
+            verdict = IfAtMost(parameter.lower, value, verdict, 0)
         if parameter.upper is not None:
             verdict = IfAtMost(value, parameter.upper, verdict, 0)
     return {"allowed": verdict}
 
 
 def finite(scene: Scene) -> dict[str, sp.Expr]:
-    """Return where every parameter is finite, and all are allowed."""
-    finite = (Less(size(plain(p.symbol)), sp.oo) for p in scene.parameters)
+    """Return where every parameter is a number, finite if it must be, and all are allowed."""
+    finite = (
+        (AtMost if p.infinite else Less)(size(plain(p.symbol)), sp.oo) for p in scene.parameters
+    )
     return {"permitted": every(Less(0, permission), *finite)}

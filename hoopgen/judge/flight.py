@@ -159,15 +159,10 @@ def _holds(bounds: Function, state: list[arb], values: list[arb]) -> bool | None
 
 def _valid(formulas: Formulas, state: list[arb], values: list[arb], leaving: int) -> bool:
     """Decide whether parameters are allowed and the ball is inside no surface."""
-    if not all(value.is_finite() for value in (*state, *values)):
+    if not all(component.is_finite() for component in state):
         return False
-    for value, allowed, upper in zip(values, formulas.signs, formulas.uppers, strict=True):
-        if allowed == "positive" and not value > 0:  # the values are exact
-            return False
-        if allowed == "nonnegative" and not value >= 0:
-            return False
-        if upper is not None and not value <= upper:
-            return False
+    if not all(_allowed(formulas, index, value) for index, value in enumerate(values)):
+        return False
     for requirement in formulas.requirements(values):
         side = sign(requirement)
         if side is None:
@@ -176,6 +171,16 @@ def _valid(formulas: Formulas, state: list[arb], values: list[arb], leaving: int
             return False
     others = [k for k in range(len(formulas.solids)) if k != leaving]
     return not any(_overlaps(formulas, k, state, values) for k in others)
+
+
+def _allowed(formulas: Formulas, index: int, value: arb) -> bool:
+    """Return whether a parameter has one of the values that it may have, which are exact."""
+    if value.is_nan() or not (formulas.infinite[index] or value.is_finite()):
+        return False
+    sign, lower, upper = formulas.signs[index], formulas.lowers[index], formulas.uppers[index]
+    if not (value > 0 if sign == "positive" else sign == "any" or value >= 0):
+        return False
+    return (lower is None or value >= lower) and (upper is None or value <= upper)
 
 
 def _overlaps(formulas: Formulas, face: int, state: list[arb], values: list[arb]) -> bool:
@@ -385,6 +390,8 @@ def _bounce(surface: SurfaceFormulas, before: list[arb], values: list[arb]) -> l
     """Return the state after a contact, what is exact by construction kept so."""
     assert surface.impact is not None
     after = before[:3] + surface.impact(before, values, surface.normal(before, values))
+    if any(component.is_nan() for component in after):
+        raise Undecided(f"whether the ball slips on the {surface.name}")
     if surface.axis >= 0:
         after[surface.axis] = surface.offset(values)[0]
         after[3 + surface.axis] = -_restitution(surface, before, values) * before[3 + surface.axis]

@@ -12,9 +12,9 @@ from functools import cache
 from typing import Any
 
 import sympy as sp
-from flint import fmpq
+from flint import arb, fmpq
 
-from hoopgen.derive.ground.choice import Held
+from hoopgen.derive.ground.choice import Held, IfAtMost, IfLess
 from hoopgen.derive.ground.symbols import (
     NORMAL,
     POSITION,
@@ -44,7 +44,7 @@ def compiled(expressions: Sequence[sp.Expr], *arguments: Sequence[sp.Symbol]) ->
     Parameters
     ----------
     expressions
-        Sums, products, powers by whole and half numbers, absolute values.
+        Sums, products, powers by whole and half numbers, absolute values, choices.
     arguments
         The symbols of each argument, in the order of its items.
 
@@ -60,10 +60,17 @@ def compiled(expressions: Sequence[sp.Expr], *arguments: Sequence[sp.Symbol]) ->
     results = [writer.write(sp.sympify(expression)) for expression in expressions]
     head = f"def function({', '.join(f'a{place}' for place in range(len(arguments)))}):"
     source = "\n    ".join([head, *writer.lines, f"return [{', '.join(results)}]"])
-    namespace: dict[str, Any] = {"fmpq": fmpq}
+    namespace: dict[str, Any] = {"fmpq": fmpq, "chosen": _chosen, "infinity": arb.pos_inf()}
     exec(source, namespace)  # made above, from derive/ alone
     made: Function = namespace["function"]
     return made
+
+
+def _chosen(holds: bool, fails: bool, then: Any, other: Any) -> Any:
+    """Return what a comparison chooses; if it is not certain, what is no number."""
+    if holds or fails:
+        return then if holds else other
+    return arb.nan()
 
 
 class _Writer:
@@ -99,6 +106,12 @@ class _Writer:
             return self._power(expression.base, expression.exp)
         if isinstance(expression, sp.Abs):
             return f"abs({self.write(expression.args[0])})"
+        if isinstance(expression, IfLess | IfAtMost):
+            left, right, then, other = (self.write(part) for part in expression.args)
+            less, more = ("<", ">=") if isinstance(expression, IfLess) else ("<=", ">")
+            return f"chosen({left} {less} {right}, {left} {more} {right}, {then}, {other})"
+        if expression is sp.oo:
+            return "infinity"
         raise TypeError(f"no ball arithmetic for {expression}")
 
     def _product(self, expression: sp.Expr) -> str:
@@ -150,7 +163,8 @@ class SurfaceFormulas:
     bounded
         Whether it has bounds.
     impact
-        (state, parameters, normal) to velocity and spin; None where a shot ends.
+        (state, parameters, normal) to velocity and spin, of which some are no number where balls do
+        not decide what happens; None where a shot ends.
     restitution
         (parameters, (speed,)): of its law at a normal speed, as a list of one; None at the end.
     axis, offset
@@ -197,8 +211,9 @@ class Formulas:
         (state, parameters, (time,)) to position and velocity.
     requirements
         (parameters,): each must be positive.
-    names, signs, uppers
-        Of the parameters, in order: name, allowed sign, largest value or None.
+    names, signs, lowers, uppers, infinite
+        Of the parameters, in order: name, allowed sign, smallest and largest value or None, and
+        whether it may be infinite.
     """
 
     surfaces: tuple[SurfaceFormulas, ...]
@@ -211,7 +226,9 @@ class Formulas:
     requirements: Function
     names: tuple[str, ...]
     signs: tuple[str, ...]
+    lowers: tuple[float | None, ...]
     uppers: tuple[float | None, ...]
+    infinite: tuple[bool, ...]
 
 
 def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFormulas:
@@ -284,5 +301,7 @@ def formulas(scene: Scene = HOOP) -> Formulas:
         compiled(scene.requirements, parameters),
         tuple(p.name for p in scene.parameters),
         tuple(p.sign for p in scene.parameters),
+        tuple(p.lower for p in scene.parameters),
         tuple(p.upper for p in scene.parameters),
+        tuple(p.infinite for p in scene.parameters),
     )

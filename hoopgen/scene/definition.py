@@ -48,9 +48,7 @@ def table_of(scene: Any, derived: Scene) -> Table:
     if isinstance(scene, Engine):
         return scene.table
     limits = {
-        p.name: (-math.inf if p.sign == "any" else 0.0, float(p.upper))
-        for p in derived.parameters
-        if p.upper is not None
+        p.name: (float(p.least), float(p.upper)) for p in derived.parameters if p.upper is not None
     }
     taken = {p.name: float(p.default) for p in derived.parameters}
     return Table.made(taken, limits, scene if isinstance(scene, pieces.Scene) else None)

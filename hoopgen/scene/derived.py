@@ -11,12 +11,14 @@ import sympy as sp
 
 from hoopgen.derive.contact.law import Law
 from hoopgen.derive.contact.rolling import Rolling
+from hoopgen.derive.contact.slipping import Slipping
 from hoopgen.derive.ground.symbols import POSITION
 from hoopgen.derive.scenes import scene as derive
 from hoopgen.derive.scenes.ends import End
 from hoopgen.derive.surfaces import Body, Box, Cylinder, Free, Plane, Sphere, Surface, torus
 
 from .bounds import Terms
+from .contacts import Contact
 from .formulas import Formula
 from .inputs import SceneError
 from .shapes import Read, Shape
@@ -51,12 +53,22 @@ class _Derived:
     def __init__(self, read: Read) -> None:
         self._read = read
         self._parameters = tuple(
-            derive.parameter(i.name, i.unit, i.summary, i.default, i.sign, i.upper, i.latex)
+            derive.parameter(
+                i.name,
+                i.unit,
+                i.summary,
+                i.default,
+                i.sign,
+                i.upper,
+                i.latex,
+                i.lower,
+                i.infinite,
+            )
             for i in read.inputs
         )
         self._symbols = {p.name: p.symbol for p in self._parameters}
         self._requirements: list[sp.Expr] = []
-        self._laws: dict[sp.Expr, Law] = {}
+        self._laws: dict[Contact | None, Law] = {}
         self._ball = self._sympy(read.ball_radius)
 
     def scene(self, axes: str, remarks: str) -> derive.Scene:
@@ -94,11 +106,20 @@ class _Derived:
         return Body(shape.name, make[shape.kind](shape), self._law(shape))
 
     def _law(self, shape: Shape) -> Law:
-        """Return the law of a body; bodies of one restitution share it."""
-        restitution = self._sympy(shape.restitution)
-        shared = {body.restitution for body in self._read.bodies}
+        """Return the law of a body, the article's if it can; bodies with the same share it."""
+        shared = {body.law for body in self._read.bodies}
         name = "impact" if len(shared) == 1 else f"{shape.name}_impact"
-        return self._laws.setdefault(restitution, Rolling(name, restitution))
+        return self._laws.setdefault(shape.law, self._named(name, shape.law))
+
+    def _named(self, name: str, given: Contact | None) -> Law:
+        assert given is not None  # an end has none, and no law
+        restitution = self._sympy(given.restitution)
+        if given == Contact(given.restitution):
+            return Rolling(name, restitution)
+        friction, speed = (
+            sp.oo if size is None else self._sympy(size) for size in (given.friction, given.speed)
+        )
+        return Slipping(name, restitution, friction, self._sympy(given.tangential), speed)
 
     def _plane(self, shape: Shape) -> tuple[Surface, ...]:
         offset = self._sympy(shape["at"]) + self._ball

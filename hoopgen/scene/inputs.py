@@ -7,6 +7,7 @@ in, formulas cost nothing in a shot, and to kernels and judge every size is an e
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
@@ -18,6 +19,10 @@ from .formulas import Formula, FormulaError, name
 from .reading import read
 
 __all__ = ["Input", "Inputs", "SceneError"]
+
+
+OF_CONTACTS = ("restitution", "friction", "tangential")
+"""Arguments of bodies that zero is one of."""
 
 
 class SceneError(ValueError):
@@ -34,12 +39,14 @@ class Input:
         A parameter's, or that of a body and its argument.
     formula
         Its value, of the scene's parameters; a parameter's is its own name.
-    unit, summary, sign, upper, latex
+    unit, summary, sign, upper, latex, infinite
         As those of a `Parameter`.
     default
         Its value at the parameters' defaults.
     argument
         What it is to the body that it is named after: what is the same to another shares it.
+    lower
+        The smallest value allowed, if it is not what the sign says.
     """
 
     name: str
@@ -51,6 +58,8 @@ class Input:
     upper: float | None = None
     latex: str = ""
     argument: str = ""
+    lower: float | None = None
+    infinite: bool = False
 
     @property
     def own(self) -> bool:
@@ -60,14 +69,20 @@ class Input:
     def allows(self, value: float) -> bool:
         """Return whether a number is one of those allowed."""
         least = {"positive": value > 0, "nonnegative": value >= 0}.get(self.sign, True)
-        return bool(np.isfinite(value)) and least and (self.upper is None or value <= self.upper)
+        finite = bool(np.isfinite(value)) or (self.infinite and value == math.inf)
+        low, high = self.lower, self.upper
+        return (
+            finite and least and (low is None or value >= low) and (high is None or value <= high)
+        )
 
     @property
     def allowed(self) -> str:
         """Which numbers are allowed, in words."""
         words = {"positive": "above 0", "nonnegative": "of at least 0"}.get(self.sign, "")
+        least = "" if self.lower is None else f"of at least {self.lower:g}"
         most = "" if self.upper is None else f"at most {self.upper:g}"
-        return " and ".join(filter(None, (words, most))) or "that is finite"
+        said = " and ".join(filter(None, (words, least, most)))
+        return f"{said}, or inf".strip(", ") if self.infinite else said or "that is finite"
 
 
 class Inputs:
@@ -113,10 +128,10 @@ class Inputs:
         except FormulaError as error:
             raise self.wrong(owner, argument, error) from None
 
-    def number(self, owner: str, argument: str, formula: Formula) -> float:
-        """Return what a formula of the parameters is at their defaults."""
+    def number(self, owner: str, argument: str, formula: Formula, infinite: bool = False) -> float:
+        """Return what a formula of the parameters is at their defaults, finite if it must be."""
         value = float(formula.evaluate(self.defaults))
-        if not np.isfinite(value):
+        if not np.isfinite(value) and not (infinite and value == math.inf):
             raise self.wrong(owner, argument, f"{formula} is {value} at the defaults")
         return value
 
@@ -129,6 +144,8 @@ class Inputs:
         sign: str = "any",
         upper: float | None = None,
         unit: str = "m",
+        lower: float | None = None,
+        infinite: bool = False,
     ) -> Formula:
         """Return the name of an input for a formula of the parameters; of zero, zero.
 
@@ -143,12 +160,14 @@ class Inputs:
         made = Input(
             _free(short.replace(" ", "_"), self._inputs),
             formula,
-            self.number(owner, argument, formula),
+            self.number(owner, argument, formula, infinite),
             unit,
             f"{argument} of {owner}: {formula}" if owner else argument.replace("_", " "),
             sign,
             upper,
             argument=argument,
+            lower=lower,
+            infinite=infinite,
         )
         if not made.allows(made.default):
             raise self.wrong(
@@ -162,7 +181,7 @@ class Inputs:
             return formula
         for there in self._inputs.values():
             alike = (there.formula, there.sign, there.upper) == (formula, sign, upper)
-            if alike and there.argument == argument:
+            if alike and (there.argument, there.lower) == (argument, lower):
                 return name(there.name)
         self._inputs[made.name] = made
         return name(made.name)
@@ -177,10 +196,19 @@ def wrong(scene: str, owner: str, argument: str, said: object) -> SceneError:
 def _stricter(own: Input, asked: Input) -> Input:
     """Return a parameter with what it allows narrowed to what a body allows."""
     order = ("any", "nonnegative", "positive")
-    # Zero is a restitution, whatever a parameter allows that says nothing.
-    sign = asked.sign if asked.upper == 1.0 else max(own.sign, asked.sign, key=order.index)
+    sign = max(own.sign, asked.sign, key=order.index)
+    if own.sign == "positive" and asked.argument in OF_CONTACTS:
+        # Zero is a restitution, whatever a parameter allows that says nothing.
+        sign = asked.sign
     uppers = [upper for upper in (own.upper, asked.upper) if upper is not None]
-    return replace(own, sign=sign, upper=min(uppers, default=None))
+    lowers = [lower for lower in (own.lower, asked.lower) if lower is not None]
+    return replace(
+        own,
+        sign=sign,
+        upper=min(uppers, default=None),
+        lower=max(lowers, default=None),
+        infinite=own.infinite and asked.infinite,
+    )
 
 
 def _free(wanted: str, taken: Mapping[str, Input]) -> str:

@@ -48,6 +48,8 @@ class Parameter:
         The largest value allowed, if there is one.
     latex
         How formulas on the derivation's page write it; "": its name.
+    infinite
+        Whether it may be infinite: a friction, or the speed of a restitution.
     """
 
     name: str
@@ -57,6 +59,7 @@ class Parameter:
     sign: str = "positive"
     upper: float | None = None
     latex: str = ""
+    infinite: bool = False
 
 
 @dataclass(frozen=True)
@@ -69,6 +72,13 @@ class Body:
         As that of a parameter.
     restitution
         Of its contacts, 0 to 1; None: that of the scene.
+    friction
+        Coulomb's coefficient, 0 to infinite, at which every contact grips; None: that of the scene.
+    tangential
+        What a contact that grips leaves of the slip, turned about, -1 to 1; None: the scene's.
+    restitution_speed
+        The normal speed at which the restitution is half of what it is without speed; infinite: it
+        is the same at any. None: that of the scene.
     within
         Formulas in x, y and z, of a point of the body: it is there where all are at most 0. Each is
         flat, such as ``"x - half_width"``, or, on a plane, round: ``"x**2 + y**2 - r**2"``.
@@ -77,6 +87,9 @@ class Body:
     name: str
     _: KW_ONLY
     restitution: Size | None = None
+    friction: Size | None = None
+    tangential: Size | None = None
+    restitution_speed: Size | None = None
     within: Sequence[Size] = ()
 
 

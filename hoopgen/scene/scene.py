@@ -14,6 +14,7 @@ import numpy as np
 
 from hoopgen.brief import brief
 
+from .contacts import CONTACTS
 from .inputs import Input, unknown
 from .pieces import Body, End, Parameter, Size
 from .shapes import Read, read_scene
@@ -45,6 +46,8 @@ class Scene:
         Where gravity points, "-z" or along another axis.
     restitution
         That of bodies without one of their own.
+    friction, tangential, restitution_speed
+        The same; infinite, 0 and infinite, as in the article, where there is none.
     axes, remarks
         For readers, in plain sentences: where origin and axes lie, and what else there is to say.
 
@@ -63,6 +66,9 @@ class Scene:
     gravity: Size
     down: str = "-z"
     restitution: Size | None = None
+    friction: Size | None = None
+    tangential: Size | None = None
+    restitution_speed: Size | None = None
     axes: str = ""
     remarks: str = ""
 
@@ -80,7 +86,7 @@ class Scene:
             ball_radius=self.ball_radius,
             gravity=self.gravity,
             down=self.down,
-            restitution=self.restitution,
+            contacts={name: getattr(self, name) for name in CONTACTS},
         )
 
     def __hash__(self) -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
@@ -13,6 +14,7 @@ from hoopgen.brief import brief, listed
 
 from . import pieces
 from .bounds import Map, Terms, bounds, terms
+from .contacts import Contact, contact, is_infinite
 from .formulas import (
     ONE,
     POSITION,
@@ -54,8 +56,8 @@ class Shape:
         Coordinate and direction of its axis.
     inside
         Whether it is touched from inside.
-    restitution
-        Of its contacts; zero of an end.
+    law
+        Of its contacts; None of an end.
     bounds
         Where it is there, asked of the ball's centre.
     condition
@@ -67,7 +69,7 @@ class Shape:
     sizes: tuple[tuple[str, Formula], ...]
     axis: tuple[int, int] = (2, 1)
     inside: bool = False
-    restitution: Formula = ZERO
+    law: Contact | None = None
     bounds: tuple[Terms, ...] = ()
     condition: Terms = ()
 
@@ -97,7 +99,7 @@ def read_scene(
     ball_radius: pieces.Size,
     gravity: pieces.Size,
     down: str,
-    restitution: pieces.Size | None,
+    contacts: Mapping[str, pieces.Size | None],
 ) -> Read:
     """Return a scene as formulas.
 
@@ -105,8 +107,10 @@ def read_scene(
     ----------
     scene
         Its name.
-    parameters, bodies, ends, ball_radius, gravity, down, restitution
+    parameters, bodies, ends, ball_radius, gravity, down
         As its author gave them: of any type.
+    contacts
+        What contacts are like with bodies that do not say it themselves.
 
     Raises
     ------
@@ -126,7 +130,7 @@ def read_scene(
     _names(scene, "body", (body.name for body in bodies))
     _names(scene, "end", ends)
     radius = reader.formula("", "ball_radius", ball_radius)
-    shapes = tuple(_body(reader, body, radius, restitution) for body in bodies)
+    shapes = tuple(_body(reader, body, radius, contacts) for body in bodies)
     finished = tuple(_end(reader, own, end) for own, end in zip(ends, finishes, strict=True))
     return Read(scene, inputs.all, ball, fall, way, shapes, finished)
 
@@ -184,8 +188,13 @@ def _parameter(scene: str, given: pieces.Parameter) -> Input:
     for argument in ("unit", "summary", "latex"):
         if not isinstance(getattr(given, argument), str):
             raise wrong(scene, owner, argument, "expected text")
+    if not isinstance(given.infinite, bool):
+        said = f"expected true or false, got {brief(given.infinite)}"
+        raise wrong(scene, owner, "infinite", said)
     plain = Inputs(scene, ())
-    default = plain.number(owner, "default", plain.read(owner, "default", given.default))
+    default = math.inf
+    if not (given.infinite and is_infinite(given.default)):
+        default = plain.number(owner, "default", plain.read(owner, "default", given.default))
     upper = given.upper
     if upper is not None:
         upper = plain.number(owner, "upper", plain.read(owner, "upper", upper))
@@ -198,6 +207,7 @@ def _parameter(scene: str, given: pieces.Parameter) -> Input:
         given.sign,
         upper,
         given.latex,
+        infinite=given.infinite,
     )
     if not made.allows(default):
         raise wrong(scene, owner, "default", f"expected a number {made.allowed}, got {default:g}")
@@ -246,12 +256,11 @@ class _Reader:
         return given
 
 
-def _body(reader: _Reader, body: pieces.Body, ball: Formula, usual: object) -> Shape:
+def _body(
+    reader: _Reader, body: pieces.Body, ball: Formula, contacts: Mapping[str, pieces.Size | None]
+) -> Shape:
     owner, kind = f"body {body.name}", type(body).__name__.lower()
-    own = usual if body.restitution is None else body.restitution
-    if own is None:
-        raise reader.inputs.wrong(owner, "restitution", "missing, and the scene has none either")
-    restitution = reader.size(owner, "restitution", own, sign="nonnegative", upper=1.0, unit="1")
+    law = contact(reader.inputs, owner, body, contacts)
     if isinstance(body, pieces.Plane):
         shape, there = _plane(reader, owner, body, ball)
     elif isinstance(body, pieces.Sphere | pieces.Cylinder):
@@ -268,7 +277,7 @@ def _body(reader: _Reader, body: pieces.Body, ball: Formula, usual: object) -> S
         raise reader.inputs.wrong(owner, "within", f"a {kind} has no bounds")
     extra = shape.bounds + bounds(reader.inputs, owner, body.within, there)
     return Shape(
-        body.name, kind, shape.sizes, shape.axis, shape.inside, restitution, extra, shape.condition
+        body.name, kind, shape.sizes, shape.axis, shape.inside, law, extra, shape.condition
     )
 
 
@@ -307,7 +316,7 @@ def _curved(
     if isinstance(body, pieces.Cylinder):
         centre = {a: f for k, (a, f) in enumerate(centre.items()) if k in across}
     sizes |= reader.add(owner, centre)
-    made = Shape(body.name, "", tuple(sizes.items()), axis, inside, ZERO, extra)
+    made = Shape(body.name, "", tuple(sizes.items()), axis, inside, None, extra)
     return made, Map((scale[0], scale[1], scale[2]), (shift[0], shift[1], shift[2]))
 
 

@@ -1,0 +1,59 @@
+"""What contacts with a body are like: restitution, friction, and what a grip gives back."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from .formulas import ZERO, Formula
+from .inputs import Inputs
+
+__all__ = ["CONTACTS", "Contact", "contact", "is_infinite"]
+
+
+@dataclass(frozen=True)
+class Contact:
+    """What contacts with a body are like; no friction and no speed: infinite ones."""
+
+    restitution: Formula
+    friction: Formula | None = None
+    tangential: Formula = ZERO
+    speed: Formula | None = None
+
+
+CONTACTS = ("restitution", "friction", "tangential", "restitution_speed")
+"""The arguments of a body, and of a scene for those that do not have them."""
+
+
+def contact(inputs: Inputs, owner: str, body: object, usual: Mapping[str, Any]) -> Contact:
+    """Return what contacts with a body are like, by its own arguments or else those of the scene.
+
+    Raises
+    ------
+    SceneError
+        If one is missing or not allowed.
+    """
+
+    def size(argument: str, **allowed: Any) -> Formula | None:
+        own = getattr(body, argument)
+        given = usual[argument] if own is None else own
+        if given is None or (allowed.get("infinite") and is_infinite(given)):
+            return None
+        return inputs.add(owner, argument, inputs.read(owner, argument, given), **allowed)
+
+    restitution = size("restitution", sign="nonnegative", upper=1.0, unit="1")
+    if restitution is None:
+        raise inputs.wrong(owner, "restitution", "missing, and the scene has none either")
+    return Contact(
+        restitution,
+        size("friction", sign="nonnegative", unit="1", infinite=True),
+        size("tangential", lower=-1.0, upper=1.0, unit="1") or ZERO,
+        size("restitution_speed", sign="positive", unit="m/s", infinite=True),
+    )
+
+
+def is_infinite(given: object) -> bool:
+    """Return whether a number is infinite and not negative."""
+    return isinstance(given, float) and given == math.inf
