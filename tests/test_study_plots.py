@@ -241,7 +241,9 @@ def test_every_outcome_and_kind_together_has_one_class() -> None:
             assert CLASSES[int(classify(Outcome[outcome.upper()], kind))].outcome == outcome
 
 
-@pytest.mark.parametrize(("outcome", "kind", "named"), [(5, 0, "outcome"), (0, 7, "kind")])
+@pytest.mark.parametrize(
+    ("outcome", "kind", "named"), [(len(Outcome), 0, "outcome"), (0, 7, "kind")]
+)
 def test_a_code_that_is_none_is_refused(outcome: int, kind: int, named: str) -> None:
     with pytest.raises(ValueError, match=f"{named}: expected codes of 0 "):
         classify([outcome], [kind])
