@@ -32,6 +32,27 @@ BODIES = (
 )
 """Of other scenes, in their bodies' order, and again from the first; white is legible on them."""
 
+_KNOWN = ("ring", "backboard")
+"""What is drawn as the hoop's."""
+
+
+def colours(names: Iterable[str]) -> dict[str, str]:
+    """Return a colour for each body; those of one family, such as wall_1 and wall_2, share it."""
+    own = list(names)
+    families = list(dict.fromkeys(map(_family, own)))
+    others = [family for family in families if family not in _KNOWN]
+    taken = {COLOURS[family] for family in families if family in _KNOWN}
+    free = [colour for colour in BODIES if colour not in taken]
+    found = {family: free[k % len(free)] for k, family in enumerate(others)}
+    found |= {family: COLOURS[family] for family in families if family in _KNOWN}
+    return {name: found[_family(name)] for name in own}
+
+
+def _family(name: str) -> str:
+    stem, _, last = name.rpartition("_")
+    return stem if stem and (last.isdigit() or len(last) == 1) else name
+
+
 _ENDS = ("#0072B2", "#D98200", "#00795C", "#A8487E", "#5A55C8", "#9A2F2F")
 _OTHERS = ("#000000", "#8A8A8A", "#A6A6A6", "#5F5F5F", "#C4C4C4")
 

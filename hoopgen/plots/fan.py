@@ -88,8 +88,8 @@ def plot_fan(
     width
         Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
     ax
-        To draw on, without the part near the ring, which other scenes never have. The key is to the right of them: figures with
-        ``layout="constrained"`` make room for it.
+        To draw on, without the part near the ring, which is the hoop's alone. The key is to the
+        right of them: figures with ``layout="constrained"`` make room for it.
 
     Returns
     -------

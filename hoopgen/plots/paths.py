@@ -130,4 +130,5 @@ def _limits(paths: list[Path], view: View, scenery: Scenery) -> Limits:
     low = np.min([*(box.min for box in boxes), corners.min(axis=0)], axis=0)
     high = np.max([*(box.max for box in boxes), corners.max(axis=0)], axis=0)
     air = _MARGIN * float((high - low).max())
-    return tuple(np.stack([low - air, high + air], axis=1).ravel().tolist())  # type: ignore[return-value]
+    (left, bottom), (right, top) = low - air, high + air
+    return float(left), float(right), float(bottom), float(top)

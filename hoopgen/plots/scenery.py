@@ -19,13 +19,14 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 from numpy.typing import NDArray
 
+from hoopgen.colours import colours
 from hoopgen.engines import Engine
 from hoopgen.plots.scene import draw_hoop, order_of, scene_corners, scene_points
 from hoopgen.plots.style import COLOURS
 from hoopgen.plots.views import Points, View
 from hoopgen.results import SURFACES
 from hoopgen.scene.meshes import Mesh, chains, clip, loops
-from hoopgen.scene.seen import Body, Seen, colours, upright
+from hoopgen.scene.seen import Body, Seen, upright
 
 __all__ = ["Hoop", "Scenery", "scenery_of"]
 

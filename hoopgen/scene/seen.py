@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.colours import BODIES, COLOURS
 from hoopgen.engines import Engine
 
 from .bounds import Terms
@@ -19,13 +18,10 @@ from .meshes import Bound, Box, Floats, Mesh, cut_all, flat, grid, level, turned
 from .scene import Scene
 from .shapes import Shape
 
-__all__ = ["Body", "Seen", "colours", "upright"]
+__all__ = ["Body", "Seen", "upright"]
 
 _ROUND, _UP, _WIRE, _SECTOR = 48, 24, 12, 4
 """Pieces of a turn, of a half one, of a wire's, and of a ring's that are drawn together."""
-
-_KNOWN = ("ring", "backboard")
-"""What is drawn as the hoop's."""
 
 _AIR = 1.25
 """Ball radii that are seen around a path."""
@@ -79,23 +75,6 @@ def upright(way: tuple[int, int]) -> tuple[NDArray[np.int64], tuple[str, str, st
         k = int(np.flatnonzero(row)[0])
         names.append(f"{chr(0x2212) if row[k] < 0 else ''}{'xyz'[k]}")
     return turn, (names[0], names[1], names[2])
-
-
-def colours(names: Iterable[str]) -> dict[str, str]:
-    """Return a colour for each body; those of one family, such as wall_1 and wall_2, share it."""
-    own = list(names)
-    families = list(dict.fromkeys(map(_family, own)))
-    others = [family for family in families if family not in _KNOWN]
-    taken = {COLOURS[family] for family in families if family in _KNOWN}
-    free = [colour for colour in BODIES if colour not in taken]
-    found = {family: free[k % len(free)] for k, family in enumerate(others)}
-    found |= {family: COLOURS[family] for family in families if family in _KNOWN}
-    return {name: found[_family(name)] for name in own}
-
-
-def _family(name: str) -> str:
-    stem, _, last = name.rpartition("_")
-    return stem if stem and (last.isdigit() or len(last) == 1) else name
 
 
 @dataclass(frozen=True)
