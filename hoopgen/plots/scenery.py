@@ -44,6 +44,7 @@ _PLANES, _INSIDES, _RIMS, _ENDS = 3.0, 3.5, 4.2, 5.0  # drawing order, below pat
 _EDGE_ON = 1e-6
 _SPREAD = 4.0  # of the drawing order, over the depth of a room
 _OBSTACLES = 600
+_NEAR, _PASSES = 2e-4, 6  # of a shape's size, and how often points of its outline are left out
 
 
 class Scenery(Protocol):
@@ -323,10 +324,27 @@ def _patch(corners: Points, view: View, **look: Any) -> PathPatch:
     """Return the triangles as one shape, without the lines between them."""
     vertices, codes = [], []
     for line in loops(corners[..., :3]):
-        vertices.append(view.flatten(line))
-        codes += [Path.MOVETO, *[Path.LINETO] * (len(line) - 2), Path.CLOSEPOLY]
+        flat = _fewer(view.flatten(line))
+        vertices.append(flat)
+        codes += [Path.MOVETO, *[Path.LINETO] * (len(flat) - 2), Path.CLOSEPOLY]
     shape = Path(np.concatenate([np.empty((0, 2)), *vertices]), codes)
     return PathPatch(shape, joinstyle="round", **look)
+
+
+def _fewer(line: Points) -> Points:
+    """Return a line without the points that are as good as between their neighbours."""
+    near = _NEAR * float(np.ptp(line, axis=0).max())
+    for _ in range(_PASSES):
+        if len(line) < 5:
+            break
+        before, at, after = line[:-2:2], line[1:-1:2], line[2::2]
+        way, off = after - before[: len(after)], at - before[: len(at)]
+        across = np.abs(way[:, 0] * off[:, 1] - way[:, 1] * off[:, 0])
+        needed = across > near * np.linalg.norm(way, axis=1)
+        keep = np.ones(len(line), np.bool_)
+        keep[1:-1:2] = needed
+        line = line[keep]
+    return line
 
 
 def _draw_lines(

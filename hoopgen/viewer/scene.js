@@ -40,7 +40,7 @@ const Scene = (() => {
         mesh.material = new THREE.MeshBasicMaterial({ color: body.colour, ...pale });
         mesh.renderOrder = -1; // under what stands on it
       }
-      if (body.inside) mesh.material.color.lerp(new THREE.Color("#FFFFFF"), 0.62); // paths before it
+      if (body.inside) mesh.material.color.lerp(new THREE.Color("#FFFFFF"), 0.3); // paths before it
       if (body.flat || body.inside) mesh.castShadow = mesh.receiveShadow = false;
       if (body.points.length) group.add(mesh);
       if (body.rims.length) group.add(lines(body.rims, { color: body.colour, linewidth: 1 }));

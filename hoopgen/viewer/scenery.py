@@ -86,7 +86,7 @@ def _body(body: Body, colour: str, turn: NDArray[np.int64]) -> dict[str, Any]:
     return {
         "colour": colour,
         "flat": body.behind and _is_flat(body),
-        "inside": body.behind,
+        "inside": body.behind and not _is_flat(body),
         "points": _rounded(rows[:, :3] @ turn.T).tolist(),
         "triangles": index.ravel().tolist(),
         "lines": _lines(body.lines, turn),
