@@ -146,8 +146,15 @@ def released(needed: Sequence[str], options: Mapping[str, Any]) -> list[float]:
     return [*options["position"], *options["velocity"], *spin]
 
 
-def state_of(release: Mapping[str, float | None]) -> list[float]:
+def state_of(release: Mapping[str, float | None], needed: Sequence[str]) -> list[float]:
     """Return the state in which a shot at the hoop is released.
+
+    Parameters
+    ----------
+    release
+        Arguments of `hoopgen.release`, None where they are not given.
+    needed
+        Those that have no default.
 
     Raises
     ------
@@ -155,11 +162,10 @@ def state_of(release: Mapping[str, float | None]) -> list[float]:
         If an argument that has no default is missing.
     """
     import hoopgen
-    from hoopgen.cli.options import NEEDED
 
     context = click.get_current_context()
     for option in context.command.params:
-        if option.name in NEEDED and release[option.name] is None:
+        if option.name in needed and release[option.name] is None:
             raise click.MissingParameter(ctx=context, param=option)
     given = {name: value for name, value in release.items() if value is not None}
     state: list[float] = hoopgen.release(**given).reshape(9).tolist()

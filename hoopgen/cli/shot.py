@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from hoopgen.cli.options import (
+    NEEDED,
     UNITS_IN_WORDS,
     argument_options,
     backend_option,
@@ -88,7 +89,7 @@ def shot(
     engine = engine_of()
     if engine is None:
         parameters = scene(preset, settings)
-        state = np.array(state_of(release))
+        state = np.array(state_of(release, NEEDED))
     else:
         parameters = engine.parameters | settings
         own = {"position": position, "velocity": velocity, "spin": spin}
