@@ -336,6 +336,13 @@ def test_the_browser_draws_any_scene(
         assert "ring’s centre" not in tab.text("#panel")
 
 
+def test_docs_show_a_picture_of_each_example() -> None:
+    shown = (ROOT / "docs" / "your-own-scene.md").read_text(encoding="utf-8")
+    names = {file.stem for file in EXAMPLES.iterdir() if file.suffix in (".toml", ".py")}
+    assert set(re.findall(r"\]\(scene-(\w+)\.svg\)", shown)) == names == set(pictures.OWN)
+    assert all((ROOT / "docs" / f"scene-{name}.svg").is_file() for name in names)
+
+
 # The command line
 
 
