@@ -24,6 +24,7 @@ from test_own_scenes import numpy_engine
 from test_view import Tab, browser, data_of, drawn, show  # noqa: F401
 
 import hoopgen
+from benchmarks import pictures
 from hoopgen.cli import main
 from hoopgen.colours import colours
 from hoopgen.engines import Engine
