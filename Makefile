@@ -41,7 +41,7 @@ bench: $(VENV)/with-bench ## speed, beside the other methods or, ARGS="--base RE
 exactness: $(VENV)/with-certify ## results against ball arithmetic
 	$(BIN)/python -m benchmarks.exactness $(ARGS)
 
-pictures: $(VENV)/with-study ## docs' pictures
+pictures: $(VENV)/with-study $(VENV)/with-generate ## docs' pictures
 	$(BIN)/python -m benchmarks.pictures $(ARGS)
 
 validate: $(VENV)/with-study ## results beside those of the literature

@@ -1,11 +1,14 @@
 """`python -m benchmarks.pictures`: the pictures of the README and of docs/.
 
-All show one free throw, of a shooter whose scatter is that of a 70% one (Slegers 2021), and bank
-shots from the places around. Random numbers have seed 0: the same pictures every time.
+Most show one free throw, of a shooter whose scatter is that of a 70% one (Slegers 2021), and bank
+shots from the places around; the others a shot in each scene of examples/scenes. Random numbers
+have seed 0: the same pictures every time.
 """
 
 import argparse
+import runpy
 from collections.abc import Callable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +16,15 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import hoopgen
-from hoopgen.plots import plot_aim_points, plot_fan, plot_landings, plot_map, save, style
+from hoopgen.plots import (
+    plot_aim_points,
+    plot_fan,
+    plot_landings,
+    plot_map,
+    plot_trajectory,
+    save,
+    style,
+)
 from hoopgen.plots.cells import read_cells
 from hoopgen.plots.fan import draw_fan, gather_fan
 from hoopgen.plots.key import CLASSES, draw_key, key_height
@@ -122,7 +133,36 @@ def aim_points() -> Figure:
     return plot_aim_points(dataset, SCENE)
 
 
+# Shots in the scenes of examples/scenes: x y z, vx vy vz, wx wy wz, and contacts at most.
+OWN: Mapping[str, tuple[tuple[float, ...], int | None]] = {
+    "netball": ((1.6, 0.258, -0.35, -2.317, -0.301, 4.649, 0.0, -12.0, 0.0), None),
+    "bowl": ((-0.6, 0.1, 0.35, 1.2, 0.9, 0.5, 0.0, 0.0, 0.0), 7),
+    "bumpers": ((0.03, 0.044, 0.6, 1.259, -0.651, 0.248, 0.0, 0.0, 0.0), None),
+    "golf": ((-0.55, -0.037, 0.12, 1.57, 0.156, 0.706, 0.0, 30.0, 0.0), None),
+}
+
+
+def own(name: str) -> Figure:
+    """One shot in a scene of one's own."""
+    folder = Path(__file__).resolve().parents[1] / "examples" / "scenes"
+    if name == "bumpers":
+        scene = runpy.run_path(str(folder / f"{name}.py"))["SCENE"]
+    else:
+        scene = hoopgen.load_scene(folder / f"{name}.toml")
+    state, most = OWN[name]
+    shots = hoopgen.simulate(state, scene=scene, max_contacts=most, record=True)
+    trajectory = shots.trajectory(0)
+    return plot_trajectory(
+        trajectory,
+        trajectory.parameters,
+        outcome=trajectory.outcome,
+        title=name.capitalize(),
+        three_d=True,
+    )
+
+
 PICTURES: Mapping[str, Callable[[], Figure]] = {
+    **{f"scene-{name}": partial(own, name) for name in OWN},
     "free-throws": free_throws,
     "outcome-map": outcome_map,
     "probability-map": probability_map,

@@ -1,8 +1,8 @@
-"""The colours of the hoop, in pictures and on pages."""
+"""The colours of the hoop, and of other scenes' bodies, in pictures and on pages."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 
 # Okabe and Ito's palette: told apart by readers with any colour vision, and in grey.
@@ -19,3 +19,46 @@ COLOURS: Mapping[str, str] = MappingProxyType(
         "paper": "#FFFFFF",
     }
 )
+
+BODIES = (
+    "#00795C",
+    "#D55E00",
+    "#3D5A73",
+    "#A8487E",
+    "#8A6100",
+    "#5A55C8",
+    "#9A2F2F",
+    "#4F6B1F",
+)
+"""Of other scenes, in their bodies' order, and again from the first; white is legible on them."""
+
+_KNOWN = ("ring", "backboard")
+"""What is drawn as the hoop's."""
+
+
+def colours(names: Iterable[str]) -> dict[str, str]:
+    """Return a colour for each body; those of one family, such as wall_1 and wall_2, share it."""
+    own = list(names)
+    families = list(dict.fromkeys(map(_family, own)))
+    others = [family for family in families if family not in _KNOWN]
+    taken = {COLOURS[family] for family in families if family in _KNOWN}
+    free = [colour for colour in BODIES if colour not in taken]
+    found = {family: free[k % len(free)] for k, family in enumerate(others)}
+    found |= {family: COLOURS[family] for family in families if family in _KNOWN}
+    return {name: found[_family(name)] for name in own}
+
+
+def _family(name: str) -> str:
+    stem, _, last = name.rpartition("_")
+    return stem if stem and (last.isdigit() or len(last) == 1) else name
+
+
+_ENDS = ("#0072B2", "#D98200", "#00795C", "#A8487E", "#5A55C8", "#9A2F2F")
+_OTHERS = ("#000000", "#8A8A8A", "#A6A6A6", "#5F5F5F", "#C4C4C4")
+
+
+def ended(outcomes: Iterable[str], ends: int) -> dict[str, str]:
+    """Return a colour for each outcome of a scene, of which so many, the first, are its ends."""
+    names = list(outcomes)
+    found = {name: _ENDS[k % len(_ENDS)] for k, name in enumerate(names[:ends])}
+    return found | {name: _OTHERS[k % len(_OTHERS)] for k, name in enumerate(names[ends:])}

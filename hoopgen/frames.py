@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from .installed import need
 from .notebook import ROWS, some_rows, table
-from .told import say_scene
+from .told import say_of
 from .units import column_name
 from .variables import STATE, STATE_UNITS
 
@@ -66,12 +66,8 @@ def _outcomes(shots: Shots) -> list[str]:
 
 
 def scene_of(shots: Shots) -> str:
-    """Say the scene of shots: of the hoop the preset and what differs, of others the name."""
-    if shots.scene.is_hoop:
-        return say_scene(shots.parameters)
-    usual = shots.scene.parameters
-    changed = [name for name, v in shots.parameters.items() if not np.all(np.equal(v, usual[name]))]
-    return ", ".join([shots.scene.name, *(f"another {name}" for name in changed)])
+    """Say the scene of shots."""
+    return say_of(shots.scene, shots.parameters)
 
 
 def _columns(shots: Shots, rows: Any = slice(None)) -> dict[str, NDArray[Any]]:

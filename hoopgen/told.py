@@ -18,10 +18,13 @@ from .words import Quantity, quantity
 if TYPE_CHECKING:
     import xarray as xr
 
+    from .engines import Engine
+
 __all__ = [
     "footer",
     "in_a_note",
     "model_told",
+    "say_of",
     "say_release",
     "say_scatter",
     "say_scene",
@@ -53,6 +56,27 @@ def say_scene(parameters: Mapping[str, Any], by_row: Iterable[str] = ()) -> str:
     preset = f"{name.upper()}{_ARTICLE if name == 'paper' else ''}"
     changed = [_apart(one, value, PRESETS[name][one]) for one, value in differences.items()]
     return ", ".join([preset, *changed, *(f"{quantity(n).name} by row" for n in apart)])
+
+
+def say_of(scene: Engine, parameters: Mapping[str, Any]) -> str:
+    """Say any scene: the hoop as `say_scene` does, another by its name and what differs.
+
+    Parameters
+    ----------
+    scene
+        Whose.
+    parameters
+        Of it, one number each or (n,), of which the ends are said.
+    """
+    if scene.is_hoop:
+        return say_scene(parameters)
+    said = [scene.name]
+    for name, usual in scene.parameters.items():
+        value = np.asarray(parameters[name])
+        if not np.all(value == usual):
+            low, high = (f"{end(value):.{_DIGITS}g}" for end in (np.min, np.max))
+            said.append(f"{name} {low if low == high else f'{low} to {high}'}")
+    return ", ".join(said)
 
 
 def _apart(name: str, value: Any, usual: float) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,11 +19,12 @@ from hoopgen.cli.options import (
     preset_options,
     scene,
 )
+from hoopgen.cli.own import engine_of, max_contacts_of, own_options, released
 from hoopgen.cli.types import FILE, whole
 from hoopgen.layout import table
-from hoopgen.told import say_scene
 
 if TYPE_CHECKING:
+    from hoopgen.engines import Engine
     from hoopgen.judge import Proof
 
 __all__ = ["certify"]
@@ -39,6 +40,7 @@ __all__ = ["certify"]
 )
 @click.argument("file", required=False, type=FILE)
 @argument_options(required=False)
+@own_options
 @preset_options
 @max_contacts_option
 @click.option(
@@ -59,6 +61,10 @@ def certify(
     max_contacts: int,
     max_bits: int,
     as_json: bool,
+    scene_file: Path | None,
+    position: Sequence[float] | None,
+    velocity: Sequence[float] | None,
+    spin: Sequence[float] | None,
     **release: float | None,
 ) -> None:
     """Prove what one shot does: its contacts, their order, its outcome.
@@ -67,20 +73,30 @@ def certify(
     flown in ball arithmetic with more and more bits, until every decision is proved. Exit status 1
     if one cannot be: two contacts at once, an exact touch, an exact edge.
     """
+    from hoopgen.engines import HOOP
     from hoopgen.judge import certify as prove
     from hoopgen.study.named import in_units
+    from hoopgen.told import say_of
 
-    if file is None:
+    own = engine_of()
+    engine = HOOP if own is None else own
+    if file is not None:
+        state, written = _read(file)
+        parameters: Mapping[str, float] = {**written, **settings}
+    elif own is None:
         state, parameters = _released(release), scene(preset, settings)
     else:
-        state, written = _read(file)
-        parameters = {**written, **settings}
-    proof = prove(state, parameters, max_contacts=max_contacts, max_bits=max_bits, record=True)[0]
-    scene_told = say_scene(parameters)
+        there = {"position": position, "velocity": velocity, "spin": spin}
+        state, parameters = released(tuple(release), there), own.parameters | settings
+    most = max_contacts_of(max_contacts)
+    proof = prove(state, parameters, scene=own, max_contacts=most, max_bits=max_bits, record=True)[
+        0
+    ]
+    scene_told = say_of(engine, parameters)
     if as_json:
-        click.echo(json.dumps({**in_units(_record(proof)), "scene": scene_told}, indent=2))
+        click.echo(json.dumps({**in_units(_record(proof, engine)), "scene": scene_told}, indent=2))
     else:
-        click.echo(f"{_summary(proof)}\nscene      {scene_told}")
+        click.echo(f"{_summary(proof, engine)}\nscene      {scene_told}")
     if not proof.decided:
         ctx.exit(1)
 
@@ -108,17 +124,15 @@ def _read(file: Path) -> tuple[list[float], dict[str, float]]:
         ) from None
 
 
-def _outcome(proof: Proof) -> str:
-    import hoopgen
-
-    return hoopgen.Outcome(proof.outcome).name.lower() if proof.decided else "undecided"
+def _outcome(proof: Proof, engine: Engine) -> str:
+    return engine.outcomes(proof.outcome).name.lower() if proof.decided else "undecided"
 
 
-def _summary(proof: Proof) -> str:
+def _summary(proof: Proof, engine: Engine) -> str:
     from hoopgen.cli.report import surface_name
 
     rows = [
-        [str(number), surface_name(event.surface), str(event.time)]
+        [str(number), surface_name(event.surface, engine.surfaces), str(event.time)]
         for number, event in enumerate(proof.events, 1)
     ]
     lines = (
@@ -127,17 +141,17 @@ def _summary(proof: Proof) -> str:
     if not proof.decided:
         lines.append(f"undecided  at {proof.bits} bits: {proof.question}")
         return "\n".join(lines)
-    lines += [f"outcome    {_outcome(proof)}", f"proved     with {proof.bits} bits"]
+    lines += [f"outcome    {_outcome(proof, engine)}", f"proved     with {proof.bits} bits"]
     return "\n".join(lines)
 
 
-def _record(proof: Proof) -> dict[str, Any]:
+def _record(proof: Proof, engine: Engine) -> dict[str, Any]:
     from hoopgen.cli.report import surface_name
     from hoopgen.study.named import COMPONENTS
 
     events: list[dict[str, Any]] = [
         {
-            "surface": surface_name(event.surface),
+            "surface": surface_name(event.surface, engine.surfaces),
             "time": str(event.time),
             "before": [str(component) for component in event.before],
             "after": [str(component) for component in event.after],
@@ -145,7 +159,7 @@ def _record(proof: Proof) -> dict[str, Any]:
         for event in proof.events
     ]
     return {
-        "outcome": _outcome(proof),
+        "outcome": _outcome(proof, engine),
         "bits": proof.bits,
         "question": proof.question,
         "events": events,

@@ -11,14 +11,15 @@ import click
 
 from hoopgen.cli.examples import examples
 from hoopgen.cli.flown import flown
+from hoopgen.cli.own import Setting
 from hoopgen.cli.types import (
     ASSIGNMENT,
     COUNT,
     FILE,
     FOLDER,
     PICTURE,
-    SETTING,
     once,
+    setting,
     variable_type,
     whole,
 )
@@ -130,7 +131,7 @@ preset_options = together(
     click.option(
         "--set",
         "settings",
-        type=SETTING,
+        type=Setting(setting, "NAME=VALUE"),
         multiple=True,
         callback=once,
         help="Change one parameter of the preset; may be repeated.",

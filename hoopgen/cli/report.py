@@ -18,9 +18,9 @@ __all__ = ["event_table", "story", "surface_name"]
 _FEW = 3  # events in a row on one surface that are told one by one
 
 
-def surface_name(index: int) -> str:
+def surface_name(index: int, surfaces: Sequence[str] = hoopgen.SURFACES) -> str:
     """Name a surface of the event log; the plane after the last is the end."""
-    return hoopgen.SURFACES[index] if index < len(hoopgen.SURFACES) else "end"
+    return surfaces[index] if index < len(surfaces) else "end"
 
 
 def story(events: NDArray[Any]) -> str:
@@ -42,7 +42,11 @@ def _runs(events: NDArray[Any]) -> Iterable[str]:
             yield from (f"{name}{NO_BREAK}{time:.3f}" for time in times)
 
 
-def event_table(release: NDArray[np.float64], events: NDArray[Any]) -> str:
+def event_table(
+    release: NDArray[np.float64],
+    events: NDArray[Any],
+    surfaces: Sequence[str] = hoopgen.SURFACES,
+) -> str:
     """Lay out a shot's events, the release first, with times in s."""
     unit, speed = shown("length"), shown("speed")
 
@@ -58,12 +62,12 @@ def event_table(release: NDArray[np.float64], events: NDArray[Any]) -> str:
     for number, event in enumerate(events, 1):
         before, after = event["before"], event["after"]
         surface = int(event["surface"])
-        ended = surface >= len(hoopgen.SURFACES)
+        ended = surface >= len(surfaces)
         rows.append(
             [
                 "" if ended else str(number),
                 _time(float(event["time"])),
-                surface_name(surface),
+                surface_name(surface, surfaces),
                 *places(before),
                 *speeds(before),
                 *([""] * 3 if ended else speeds(after)),

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from hoopgen.cli.options import (
+    NEEDED,
     UNITS_IN_WORDS,
     argument_options,
     backend_option,
@@ -22,10 +23,11 @@ from hoopgen.cli.options import (
     scene,
     units_option,
 )
+from hoopgen.cli.own import engine_of, max_contacts_of, own_options, released, state_of
 from hoopgen.cli.types import PAGE
 from hoopgen.inputs import Backend
 from hoopgen.phrases import counted
-from hoopgen.told import say_scene
+from hoopgen.told import say_of
 
 if TYPE_CHECKING:
     import numpy as np
@@ -46,7 +48,8 @@ __all__ = ["shot"]
         "    --preset nba --set restitution=0.75 --picture shot.svg --view shot.html",
     )
 )
-@argument_options(required=True)
+@argument_options(required=False)
+@own_options
 @preset_options
 @max_contacts_option
 @backend_option
@@ -67,31 +70,45 @@ def shot(
     picture: Path | None,
     page: Path | None,
     as_json: bool,
-    **release: float,
+    scene_file: Path | None,
+    position: Sequence[float] | None,
+    velocity: Sequence[float] | None,
+    spin: Sequence[float] | None,
+    **release: float | None,
 ) -> None:
     """Simulate one shot: its events, its outcome, its picture, a page to turn it in space.
 
     The ball is released at a height and a distance, with a speed and an angle. Each contact is
-    listed with its time and place and with the velocity before and after it.
+    listed with its time and place and with the velocity before and after it. In a scene of one's
+    own, the ball is released at a position, with a velocity.
     """
+    import numpy as np
+
     import hoopgen
 
-    parameters = scene(preset, settings)
-    state = hoopgen.release(**release).reshape(9)
+    engine = engine_of()
+    if engine is None:
+        parameters = scene(preset, settings)
+        state = np.array(state_of(release, NEEDED))
+    else:
+        parameters = engine.parameters | settings
+        own = {"position": position, "velocity": velocity, "spin": spin}
+        state = np.array(released(tuple(release), own))
     shots = hoopgen.simulate(
         state.reshape(1, 9),
         parameters=parameters,
-        max_contacts=max_contacts,
+        scene=engine,
+        max_contacts=max_contacts_of(max_contacts),
         backend=backend,
         record=True,
     )
-    if shots.outcome[0] == hoopgen.Outcome.INVALID:
+    if shots.outcome[0] == shots.scene.outcomes["INVALID"]:
         raise click.ClickException(
             "this shot is invalid: the ball starts inside a surface, is too big for the ring, "
             "or a size or gravity is not above zero"
         )
     if picture is not None:
-        _draw(shots, parameters, picture)
+        _draw(shots, picture)
     if page is not None:
         from hoopgen.viewer import view
 
@@ -100,17 +117,16 @@ def shot(
         click.echo(json.dumps(_record(shots, state, parameters), indent=2, allow_nan=False))
     else:
         click.echo(_summary(shots, state))
-        click.echo(f"scene      {say_scene(parameters)}")
+        click.echo(f"scene      {say_of(shots.scene, parameters)}")
 
 
 def _summary(shots: hoopgen.Shots, state: NDArray[np.float64]) -> str:
-    import hoopgen
     from hoopgen.cli.report import event_table
 
-    counts = zip(hoopgen.SURFACES, shots.counts[0], strict=True)
+    counts = zip(shots.surfaces, shots.counts[0], strict=True)
     by_surface = ", ".join(f"{name} {count}" for name, count in counts)
     lines = [
-        event_table(state, shots.trajectory(0).events),
+        event_table(state, shots.trajectory(0).events, shots.surfaces),
         "",
         f"outcome    {_outcome_text(shots)}",
         f"contacts   {shots.contacts[0]} ({by_surface})",
@@ -125,8 +141,10 @@ def _outcome_text(shots: hoopgen.Shots) -> str:
     import hoopgen
     from hoopgen.units import shown
 
-    outcome = hoopgen.Outcome(int(shots.outcome[0]))
+    outcome = shots.scene.outcomes(int(shots.outcome[0]))
     said = outcome.name.lower()
+    if not shots.scene.is_hoop:
+        return f"{said}, after {shots.time[0]:.3f} s"
     if outcome == hoopgen.Outcome.CAPPED:
         return f"{said}: {counted(shots.contacts[0], 'contact')}, and not yet at the end plane"
     if outcome == hoopgen.Outcome.SHORT:
@@ -137,13 +155,17 @@ def _outcome_text(shots: hoopgen.Shots) -> str:
     return f"{said}, {far} from the centre of the ring after {shots.time[0]:.3f} s"
 
 
-def _draw(shots: hoopgen.Shots, parameters: Mapping[str, float], picture: Path) -> None:
-    import hoopgen
+def _draw(shots: hoopgen.Shots, picture: Path) -> None:
     from hoopgen import plots
 
-    outcome = hoopgen.Outcome(int(shots.outcome[0]))
-    title = outcome.name.capitalize()
-    figure = plots.plot_trajectory(shots.trajectory(0), parameters, outcome=outcome, title=title)
+    title = shots.scene.outcomes(int(shots.outcome[0])).name
+    trajectory = shots.trajectory(0)
+    figure = plots.plot_trajectory(
+        trajectory,
+        trajectory.parameters,
+        outcome=trajectory.outcome,
+        title=title.capitalize(),
+    )
     plots.save(figure, picture)
 
 
@@ -151,25 +173,24 @@ def _record(
     shots: hoopgen.Shots, state: NDArray[np.float64], parameters: Mapping[str, float]
 ) -> dict[str, Any]:
     """Collect everything about the shot in types that JSON knows."""
-    import hoopgen
     from hoopgen.cli.report import surface_name
     from hoopgen.study.named import COMPONENTS, in_units
 
     first = int(shots.first[0])
     record = {
-        "outcome": hoopgen.Outcome(int(shots.outcome[0])).name.lower(),
+        "outcome": shots.scene.outcomes(int(shots.outcome[0])).name.lower(),
         "uncertain": bool(shots.uncertain[0]),
         "contacts": int(shots.contacts[0]),
-        "counts": dict(zip(hoopgen.SURFACES, shots.counts[0].tolist(), strict=True)),
-        "first": surface_name(first) if first >= 0 else None,
+        "counts": dict(zip(shots.surfaces, shots.counts[0].tolist(), strict=True)),
+        "first": surface_name(first, shots.surfaces) if first >= 0 else None,
         "time": float(shots.time[0]),
         "state": shots.state[0].tolist(),
         "release": state.tolist(),
-        "scene": say_scene(parameters),
+        "scene": say_of(shots.scene, parameters),
         "parameters": {name: float(value) for name, value in parameters.items()},
         "events": [
             {
-                "surface": surface_name(int(event["surface"])),
+                "surface": surface_name(int(event["surface"]), shots.surfaces),
                 "time": float(event["time"]),
                 "before": event["before"].tolist(),
                 "after": event["after"].tolist(),

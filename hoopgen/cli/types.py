@@ -30,11 +30,11 @@ __all__ = [
     "OUT",
     "PAGE",
     "PICTURE",
-    "SETTING",
     "Checked",
     "Parsed",
     "quantity",
     "once",
+    "setting",
     "variable_type",
     "whole",
 ]
@@ -221,8 +221,11 @@ def once(ctx: click.Context, option: click.Parameter, given: Iterable[tuple[Any,
 ASSIGNMENT = Parsed(_assignment, "NAME=VALUE")
 """A variable and its value, ``elevation=52deg``."""
 
-SETTING = Parsed(lambda text: _assignment(text, PAPER), "NAME=VALUE")
-"""A parameter of the scene and its value, ``restitution=0.75``."""
+
+def setting(text: str) -> tuple[str, float]:
+    """Read a parameter of the hoop and its value, ``restitution=0.75``."""
+    return _assignment(text, PAPER)
+
 
 AXIS = Parsed(_axis, "NAME=FROM:TO:COUNT")
 """A variable and its values, ``elevation=45deg:60deg:61`` or ``restitution=0.6,0.7,0.8``."""

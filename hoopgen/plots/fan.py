@@ -20,6 +20,7 @@ from hoopgen.phrases import counted, percent
 from hoopgen.plots.key import CLASSES, Class, classify, draw_key, key_height
 from hoopgen.plots.page import add_view, new_page
 from hoopgen.plots.panels import Panel
+from hoopgen.plots.paths import bezier, draw_paths
 from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scene import draw_hoop, scene_corners
 from hoopgen.plots.style import EDGES, GRID, MISSED_LINES, NARROW, PAGE, style
@@ -87,8 +88,8 @@ def plot_fan(
     width
         Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
     ax
-        To draw on, without the part near the ring. The key is to the right of them: figures with
-        ``layout="constrained"`` make room for it.
+        To draw on, without the part near the ring, which is the hoop's alone. The key is to the
+        right of them: figures with ``layout="constrained"`` make room for it.
 
     Returns
     -------
@@ -107,6 +108,9 @@ def plot_fan(
     """
     if paths < 1:
         raise ValueError(f"paths: expected a number above 0, got {brief(paths)}")
+    if not shots.scene.is_hoop:
+        some = range(min(paths, len(shots)))
+        return draw_paths(shots, parameters, some, title=title, note=note, width=width, ax=ax)
     place = classify(shots.outcome, kinds(shots.outcome, shots.counts, shots.first))
     shares = {
         _as_line(CLASSES[one]): float(np.mean(place == one)) for one in np.unique(place).tolist()
@@ -187,15 +191,11 @@ def _from_the_side(releases: list[NDArray[np.float64]]) -> View:
 
 
 def _curve(trajectory: Trajectory, view: View) -> Path:
-    """Return a path as it is: each flight is a parabola, which is one quadratic Bézier curve."""
-    events = trajectory.events
-    states = np.concatenate([trajectory.release[np.newaxis], events["after"]])
-    lasting = np.diff(events["time"], prepend=0.0)[:, np.newaxis]
-    start, velocity = states[:-1, :3], states[:-1, 3:6]
-    points = np.stack([start + velocity * lasting / 2.0, states[1:, :3]], axis=1).reshape(-1, 3)
-    codes = np.full(len(points) + 1, Path.CURVE3)
+    """Return a path, flat."""
+    points = bezier(trajectory)
+    codes = np.full(len(points), Path.CURVE3)
     codes[0] = Path.MOVETO
-    return Path(view.flatten(np.concatenate([states[:1, :3], points])), codes)
+    return Path(view.flatten(points), codes)
 
 
 def _draw(fan: Fan, shares: Mapping[Class, float], title: str, note: str, width: float) -> Figure:

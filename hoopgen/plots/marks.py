@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from enum import IntEnum
 from typing import Any
 
 import numpy as np
@@ -13,7 +15,7 @@ from numpy.typing import NDArray
 from hoopgen.plots.layout import Box, place_labels
 from hoopgen.plots.style import COLOURS, POINTS_PER_INCH
 from hoopgen.plots.views import Points, View
-from hoopgen.results import SURFACES, Outcome
+from hoopgen.results import SURFACES
 
 __all__ = ["KEY_ROW", "Mark", "collect_marks", "draw_badges", "draw_key", "key_rows"]
 
@@ -40,27 +42,54 @@ class Mark:
     label
         In the badge: ``"2"``, ``"9-40"``, ``"end"``; empty for what has no place.
     kind
-        A surface's name, ``"release"`` or ``"end"``.
+        A surface's name, ``"release"`` or ``"end"``; of another scene, ``"body"``.
     text
         In the key; empty for none.
     position
         Of the ball's centre, shape (3,), m.
+    own
+        The colour of a body of another scene.
     """
 
     label: str
     kind: str
     text: str
     position: Points
+    own: str = ""
+
+    @property
+    def colour(self) -> str:
+        """What it is drawn in."""
+        return self.own or COLOURS[self.kind]
 
 
 def collect_marks(
-    release: Points, events: NDArray[Any], ball_radius: float, outcome: Outcome | None
+    release: Points,
+    events: NDArray[Any],
+    ball_radius: float,
+    outcome: IntEnum | None,
+    bodies: Mapping[str, str] | None = None,
 ) -> tuple[Mark, ...]:
-    """Turn a shot's events into badges: release, contacts, and the end."""
-    contacts = events[events["surface"] < len(SURFACES)]
+    """Turn a shot's events into badges: release, contacts, and the end.
+
+    Parameters
+    ----------
+    release
+        Where the ball starts.
+    events
+        Of the shot.
+    ball_radius
+        m.
+    outcome
+        If it is to be said.
+    bodies
+        Of another scene than the hoop, in the order of its results, and their colours.
+    """
+    names = SURFACES if bodies is None else tuple(bodies)
+    contacts = events[events["surface"] < len(names)]
     marks = [Mark("release", "release", "", release)]
     groups = _groups(contacts, _HERE * ball_radius)
-    marks += [_contact_mark(contacts, first, last) for first, last in groups]
+    marks += [_contact_mark(contacts, first, last, bodies) for first, last in groups]
     if groups and (more := len(contacts) - 1 - groups[-1][1]):
         marks.append(Mark("", "end", f"and {more:,} contacts more", release))
     said = "" if outcome is None else f", {outcome.name.lower()}"
@@ -68,15 +97,16 @@ def collect_marks(
         end = events[-1]
         marks.append(Mark("end", "end", f"{end['time']:.3f} s{said}", end["before"][:3]))
     elif outcome is not None:
-        marks.append(Mark("", "end", _unended(outcome, len(contacts)), release))
+        said = _unended(outcome, len(contacts), hoop=bodies is None)
+        marks.append(Mark("", "end", said, release))
     return tuple(marks)
 
 
-def _unended(outcome: Outcome, contacts: int) -> str:
+def _unended(outcome: IntEnum, contacts: int, *, hoop: bool) -> str:
     """Say why a shot has no end."""
-    if outcome == Outcome.CAPPED:
+    if outcome.name == "CAPPED":
         return f"capped after {contacts} contacts"
-    return f"{outcome.name.lower()}: not down through the end plane"
+    return f"{outcome.name.lower()}{': not down through the end plane' if hoop else ''}"
 
 
 def _groups(contacts: NDArray[Any], reach: float) -> list[tuple[int, int]]:
@@ -99,14 +129,17 @@ def _groups(contacts: NDArray[Any], reach: float) -> list[tuple[int, int]]:
     return groups
 
 
-def _contact_mark(contacts: NDArray[Any], first: int, last: int) -> Mark:
-    name = SURFACES[int(contacts["surface"][first])]
+def _contact_mark(
+    contacts: NDArray[Any], first: int, last: int, bodies: Mapping[str, str] | None
+) -> Mark:
+    name = (*(bodies or SURFACES),)[int(contacts["surface"][first])]
+    kind, own = (name, "") if bodies is None else ("body", bodies[name])
     start, stop = contacts["time"][first], contacts["time"][last]
     position = contacts["before"][first, :3]
     if first == last:
-        return Mark(f"{first + 1}", name, f"{name} {start:.3f} s", position)
+        return Mark(f"{first + 1}", kind, f"{name} {start:.3f} s", position, own)
     text = f"{name} {start:.3f}\N{EN DASH}{stop:.3f} s"
-    return Mark(f"{first + 1}\N{EN DASH}{last + 1}", name, text, position)
+    return Mark(f"{first + 1}\N{EN DASH}{last + 1}", kind, text, position, own)
 
 
 def draw_badges(
@@ -138,7 +171,7 @@ def draw_badges(
     shown = [mark for mark in marks if mark.label]
     boxes = [_box(mark, view, ball_radius, scale) for mark in shown]
     for mark, box, centre in zip(shown, boxes, place_labels(boxes, obstacles, bounds), strict=True):
-        colour = COLOURS[mark.kind]
+        colour = mark.colour
         axes.plot(
             [box.anchor[0], centre[0]],
             [box.anchor[1], centre[1]],
@@ -162,8 +195,8 @@ def _box(mark: Mark, view: View, ball_radius: float, scale: float) -> Box:
 
 
 def _write_badge(axes: Axes, centre: tuple[float, float], mark: Mark) -> None:
-    colour = COLOURS[mark.kind]
-    disc = mark.kind == "ring" and len(mark.label) == 1
+    colour = mark.colour
+    disc = mark.kind in ("ring", "body") and len(mark.label) == 1
     hollow = mark.kind in ("bridge", "release", "end")
     axes.text(
         *centre,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,7 +11,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MultipleLocator
 
 from hoopgen.plots.marks import Mark, draw_badges
-from hoopgen.plots.scene import draw_ball, draw_hoop, draw_path, scene_points
+from hoopgen.plots.scene import draw_ball, draw_path
+from hoopgen.plots.scenery import Scenery
 from hoopgen.plots.style import COLOURS, EDGES, FRAME, GRID, INK, POINTS_PER_INCH
 from hoopgen.plots.ticks import label_lengths, number
 from hoopgen.plots.views import Limits, Points, View
@@ -22,6 +23,7 @@ __all__ = ["Drawing", "Panel", "Room", "draw_panel", "draw_view", "some"]
 Place = Sequence[float]
 
 _STEPS = (0.25, 0.5, 1.0, 2.0, 5.0, 10.0)  # between ticks, in the unit shown; with room for numbers
+_SMALL = (0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1)
 _TICK_ROOM = 0.36  # inches
 _FEW = 3  # ticks on an axis, at least
 _LEFT_VISIBLE = 5_000  # points of a path that badges stay clear of
@@ -56,8 +58,8 @@ class Drawing:
         Where it is at its contacts, shape (k, 3).
     marks
         What is labelled.
-    parameters
-        Of the scene.
+    scenery
+        What stands around it.
     room
         What is shown.
     """
@@ -66,7 +68,7 @@ class Drawing:
     beats: Points
     dots: Points
     marks: tuple[Mark, ...]
-    parameters: Mapping[str, float]
+    scenery: Scenery
     room: Room
 
 
@@ -127,18 +129,18 @@ def draw_panel(figure: Figure, panel: Panel, drawing: Drawing) -> Axes:
 
 def draw_view(axes: Axes, panel: Panel, drawing: Drawing) -> None:
     """Draw a view of a shot on axes that show it."""
-    view = panel.view
+    view = drawing.scenery.look(panel.view)
     written = _draw_floor(axes, panel, drawing) if view.labels is None else []
     if view.labels is not None:
         _dress_flat(axes, panel, drawing)
-    radius = drawing.parameters["ball_radius"]
-    draw_hoop(axes, view, drawing.parameters, panel.scale)
+    radius = drawing.scenery.ball_radius
+    drawing.scenery.draw(axes, view, panel.scale)
     draw_path(axes, view, drawing.path)
     for mark in drawing.marks:
         if mark.label:
             draw_ball(axes, view, mark.position, radius, ghost=mark.kind == "release")
     _draw_dots(axes, view, drawing)
-    lines = np.vstack([some(drawing.path, _LEFT_VISIBLE), scene_points(drawing.parameters)])
+    lines = np.vstack([some(drawing.path, _LEFT_VISIBLE), drawing.scenery.points()])
     obstacles = np.vstack([view.flatten(lines), *written])
     draw_badges(axes, view, drawing.marks, obstacles, panel.limits, radius, panel.scale)
 
@@ -170,17 +172,19 @@ def _dress_flat(axes: Axes, panel: Panel, drawing: Drawing) -> None:
     """Give a side or top view its labels, and the end plane where it is seen edge on."""
     view = panel.view
     assert view.labels is not None
-    label_lengths(axes, view.labels)
+    named = dict(zip("xyz", drawing.scenery.axes, strict=True))
+    across, up = (named.get(name, name) for name in view.labels)
+    label_lengths(axes, (across, up))
     metres = shown("length").size
     left, right, bottom, top = panel.limits
     for axis, span in ((axes.xaxis, right - left), (axes.yaxis, top - bottom)):
-        axis.set_major_locator(MultipleLocator(_step(span, panel.scale)))
+        axis.set_major_locator(
+            MultipleLocator(_step(span, panel.scale, small=drawing.scenery.small))
+        )
         axis.set_major_formatter(lambda value, _: number(value / metres))
     axes.grid(color=GRID, lw=0.5)
     axes.set_axisbelow(True)
-    if view.up[2] == 1.0:
-        depth = -drawing.parameters["end_depth"]
-        axes.axhline(depth, color=COLOURS["end"], lw=0.7, ls=(0, (5, 3)), zorder=5)
+    drawing.scenery.draw_ends(axes, view)
 
 
 def _draw_dots(axes: Axes, view: View, drawing: Drawing) -> None:
@@ -200,9 +204,11 @@ def _draw_floor(axes: Axes, panel: Panel, drawing: Drawing) -> list[Points]:
     axes.set_axis_off()
     view, room, floor = panel.view, drawing.room, drawing.room.low[2]
     seen = panel.scale * np.linalg.norm(view.flatten(np.eye(3)), axis=1)
-    steps = [_step(*side) for side in zip(np.subtract(room.high, room.low), seen, strict=True)]
+    sides = zip(np.subtract(room.high, room.low), seen, strict=True)
+    steps = [_step(*side, small=drawing.scenery.small) for side in sides]
     xs, ys, zs = map(_ticks, room.low, room.high, steps)
     near = np.where(view.towards > 0.0, room.high, room.low)
+    names = drawing.scenery.axes
     for x in (room.low[0], *xs, room.high[0]):
         _line(axes, view, (x, room.low[1], floor), (x, room.high[1], floor))
     for y in (room.low[1], *ys, room.high[1]):
@@ -211,11 +217,11 @@ def _draw_floor(axes: Axes, panel: Panel, drawing: Drawing) -> list[Points]:
     _line(axes, view, (left[0], left[1], floor), (left[0], left[1], room.high[2]), EDGES)
     clear = [x for x in xs if abs(x - near[0]) > _CORNER * steps[0]]
     written = [
-        *_name_edge(axes, panel, room, 0, (0.0, near[1], floor), clear),
-        *_name_edge(axes, panel, room, 1, (near[0], 0.0, floor), ys),
+        *_name_edge(axes, panel, room, 0, names[0], (0.0, near[1], floor), clear),
+        *_name_edge(axes, panel, room, 1, names[1], (near[0], 0.0, floor), ys),
     ]
     high = [z for z in zs if z - floor > _CORNER * steps[2]]
-    written += _name_edge(axes, panel, room, 2, (left[0], left[1], 0.0), high)
+    written += _name_edge(axes, panel, room, 2, names[2], (left[0], left[1], 0.0), high)
     shadow = view.flatten(_dropped(drawing.path, floor))
     axes.plot(shadow[:, 0], shadow[:, 1], color="#B0B0B0", lw=1.0, zorder=1)
     for mark in drawing.marks:
@@ -229,10 +235,12 @@ def _dropped(points: Points, floor: float) -> Points:
     return points * (1.0, 1.0, 0.0) + (0.0, 0.0, floor)
 
 
-def _step(span: float, scale: float) -> float:
+def _step(span: float, scale: float, *, small: bool = False) -> float:
     """Choose the distance of ticks, m, on an axis of that many metres, so many inches each."""
     metres = shown("length").size
     fine = _STEPS if span < _FEW * _STEPS[1] * metres else _STEPS[1:]
+    if small and span < _FEW * _STEPS[0] * metres:
+        fine = (*_SMALL, *fine)
     coarse = [float(f"{digit}e{k}") for k in range(1, 308) for digit in (2, 5, 10)]
     steps: list[float] = [*fine, *coarse]
     return next(step * metres for step in steps if step * metres * scale >= _TICK_ROOM)
@@ -258,7 +266,7 @@ def _line(
 
 
 def _name_edge(
-    axes: Axes, panel: Panel, room: Room, axis: int, edge: Place, ticks: list[float]
+    axes: Axes, panel: Panel, room: Room, axis: int, name: str, edge: Place, ticks: list[float]
 ) -> list[Points]:
     """Write the ticks of an edge of the room, and the axis' name, on its outer side.
 
@@ -277,7 +285,7 @@ def _name_edge(
     for at, text in notes:
         _note(axes, at, offset, text, 7.5)
     turned = 90.0 if axis == 2 else 0.0
-    _note(axes, middle, 29.0 * outward, f"{'xyz'[axis]} ({unit.symbol})", 8.5, turned)
+    _note(axes, middle, 29.0 * outward, f"{name} ({unit.symbol})", 8.5, turned)
     point = 1.0 / (POINTS_PER_INCH * panel.scale)  # in metres
     texts = [middle + 29.0 * point * outward, *(at + offset * point for at, _ in notes)]
     reach = 5.0 * point * np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]])

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from hoopgen.plots.style import COLOURS, POINTS_PER_INCH
 from hoopgen.plots.views import Points, View
 
-__all__ = ["draw_ball", "draw_hoop", "draw_path", "scene_corners", "scene_points"]
+__all__ = ["draw_ball", "draw_hoop", "draw_path", "order_of", "scene_corners", "scene_points"]
 
 
 GLASS = 0.0127
@@ -62,7 +62,7 @@ def draw_ball(
 ) -> None:
     """Draw the ball to scale; as a ghost, its outline only, dashed."""
     at = view.flatten(centre)
-    depth = _order(view, np.asarray(centre))
+    depth = order_of(view, np.asarray(centre))
     outline = Circle((at[0], at[1]), radius, fill=False, lw=0.8, ec="#8F5F00", zorder=depth + 0.01)
     if ghost:
         outline.set_linestyle((0, (3, 2)))
@@ -139,11 +139,11 @@ def _draw_stroke(axes: Axes, view: View, points: Points, colour: str, width: flo
             color=colour,
             lw=width,
             solid_capstyle="round",
-            zorder=_order(view, points.mean(axis=0)),
+            zorder=order_of(view, points.mean(axis=0)),
         )
     )
 
 
-def _order(view: View, point: Points) -> float:
+def order_of(view: View, point: Points) -> float:
     """Give the drawing order of a point: the near over the far, all over grid and axes."""
     return 10.0 + float(view.depth(point))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from enum import IntEnum
 from itertools import pairwise
 from typing import Any, Protocol, TypedDict, Unpack, overload
 
@@ -14,16 +15,16 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.engines import Engine
 from hoopgen.plots.marks import KEY_ROW, Mark, collect_marks, draw_key, key_rows
 from hoopgen.plots.panels import Drawing, Panel, Room, draw_panel, draw_view, some
 from hoopgen.plots.picture import Picture, add_key, add_title, check_axes, fit_view
-from hoopgen.plots.scene import scene_corners
+from hoopgen.plots.scenery import Scenery, scenery_of
 from hoopgen.plots.style import COLOURS, INK, PAGE, SMALL, letter, style
 from hoopgen.plots.views import SIDE, TOP, Limits, Points, View, oblique
 from hoopgen.printable import printable
 from hoopgen.releases import RING_HEIGHT
-from hoopgen.results import Outcome
-from hoopgen.told import say_scene
+from hoopgen.told import say_of
 from hoopgen.units import shown, shown_system
 
 __all__ = ["plot_trajectory"]
@@ -36,6 +37,8 @@ class Path(Protocol):
     def events(self) -> NDArray[Any]: ...
     @property
     def duration(self) -> float: ...
+    @property
+    def scene(self) -> Engine: ...
     def at(self, t: ArrayLike) -> NDArray[np.float64]: ...
 
 
@@ -69,7 +72,7 @@ _ALONG, _ACROSS = np.radians(62.0), np.radians(36.0)  # azimuth, for a long and 
 
 
 class _Options(TypedDict, total=False):
-    outcome: Outcome | None
+    outcome: IntEnum | None
     title: str
     three_d: bool | None
 
@@ -94,7 +97,7 @@ def plot_trajectory(
     trajectory: Path,
     parameters: Mapping[str, float],
     *,
-    outcome: Outcome | None = None,
+    outcome: IntEnum | None = None,
     title: str = "",
     three_d: bool | None = None,
     ax: Axes | None = None,
@@ -166,15 +169,21 @@ def _key_of(mark: Mark) -> Line2D:
     return Line2D([], [], color=colour, label=text, marker="o", markersize=5.0, linestyle="none")
 
 
-def _collect(trajectory: Path, parameters: Mapping[str, float], outcome: Outcome | None) -> Drawing:
+def _collect(trajectory: Path, parameters: Mapping[str, float], outcome: IntEnum | None) -> Drawing:
     events, duration = trajectory.events, trajectory.duration
     path = trajectory.at(_times(events["time"], duration))[:, :3]
     if not np.abs(path).max() < _FAR:
         raise ValueError(f"trajectory: it leads further than can be drawn, {_FAR:g} m")
-    beats = trajectory.at(_beats(duration))[:, :3]
+    scenery = scenery_of(trajectory.scene, parameters, path)
+    path = scenery.upright(path)
+    beats = scenery.upright(trajectory.at(_beats(duration))[:, :3])
+    events = events.copy()
+    events["before"][:, :3] = scenery.upright(events["before"][:, :3])
     dots = some(events["before"], _PATH // 2)[:, :3]
-    marks = collect_marks(path[0], events, parameters["ball_radius"], outcome)
-    return Drawing(path, beats, dots, marks, parameters, _room(path, parameters))
+    hoop = trajectory.scene.is_hoop
+    bodies = None if hoop else {name: scenery.colours[name] for name in scenery.names}
+    marks = collect_marks(path[0], events, scenery.ball_radius, outcome, bodies)
+    return Drawing(path, beats, dots, marks, scenery, _room(path, scenery))
 
 
 def _beats(duration: float) -> NDArray[np.float64]:
@@ -202,11 +211,14 @@ def _times(contacts: NDArray[np.float64], duration: float) -> NDArray[np.float64
     return np.concatenate([*flights, [duration]])
 
 
-def _room(path: Points, parameters: Mapping[str, float]) -> Room:
-    radius = parameters["ball_radius"]
-    points = np.vstack([path - radius, path + radius, scene_corners(parameters)])
+def _room(path: Points, scenery: Scenery) -> Room:
+    radius = scenery.ball_radius
+    points = np.vstack([path - radius, path + radius, scenery.corners()])
     low, high = points.min(axis=0), points.max(axis=0)
-    low, high = np.floor(low / _ROUND) * _ROUND, np.ceil(high / _ROUND) * _ROUND
+    coarse = _ROUND
+    if scenery.small:
+        coarse = min(_ROUND, 10.0 ** np.floor(np.log10((high - low).max())) / 4.0)
+    low, high = np.floor(low / coarse) * coarse, np.ceil(high / coarse) * coarse
     return Room((low[0], low[1], low[2]), (high[0], high[1], high[2]))
 
 
@@ -245,9 +257,9 @@ def _arrange(drawing: Drawing, three_d: bool) -> _Page:
 
 def _flat_limits(drawing: Drawing, view: View) -> Limits:
     """Bound what a side or top view shows: the scene and the ball all along its path."""
-    radius = drawing.parameters["ball_radius"]
+    radius = drawing.scenery.ball_radius
     path = view.flatten(drawing.path)
-    scene = view.flatten(scene_corners(drawing.parameters))
+    scene = view.flatten(drawing.scenery.corners())
     points = np.vstack([path - radius, path + radius, scene])
     low, high = points.min(axis=0) - _PAD, points.max(axis=0) + _PAD
     return float(low[0]), float(high[0]), float(low[1]), float(high[1])
@@ -259,7 +271,7 @@ def _space_panel(drawing: Drawing, box: tuple[float, float, float, float]) -> Pa
     azimuth = _ALONG if length > 1.5 * breadth else _ACROSS
     from_left = drawing.path[:, 1].mean() < 0.0
     view = oblique(-azimuth if from_left else azimuth, _ELEVATION)
-    corners = view.flatten(drawing.room.corners())
+    corners = view.flatten(_in_space(drawing, view))
     low, high = corners.min(axis=0), corners.max(axis=0)
     size = high - low
     scale = min((box[2] - 2 * _LABELS) / size[0], (box[3] - 2 * _LABELS) / size[1])
@@ -267,6 +279,19 @@ def _space_panel(drawing: Drawing, box: tuple[float, float, float, float]) -> Pa
     (left, bottom), (right, top) = middle - half, middle + half
     limits = (float(left), float(right), float(bottom), float(top))
     return Panel(view, limits, float(scale), box[0], box[1])
+
+
+def _in_space(drawing: Drawing, view: View) -> Points:
+    """Give points that bound a 3D view: the room, or if all of it is never filled what is in it."""
+    corners = drawing.room.corners()
+    if not drawing.scenery.small:
+        return corners
+    radius = drawing.scenery.ball_radius
+    floor = corners[corners[:, 2] == drawing.room.low[2]]
+    left = corners[np.argmin(view.flatten(corners)[:, 0])]
+    edge = [left[0], left[1], drawing.room.high[2]]
+    points = [floor, [edge], drawing.path - radius, drawing.path + radius]
+    return np.vstack([*points, drawing.scenery.points()])
 
 
 def _told(trajectory: Path, parameters: Mapping[str, float]) -> tuple[str, str]:
@@ -285,15 +310,18 @@ def _told(trajectory: Path, parameters: Mapping[str, float]) -> tuple[str, str]:
         for axis, w in zip("xyz", spin, strict=True)
         if w
     ]
+    scene = say_of(trajectory.scene, parameters)
+    dots = f"Scene: {scene}. Dots on the path every {_beat(trajectory.duration):g} s."
+    turns = ", ".join(turning) or "no spin"
+    if not trajectory.scene.is_hoop:
+        at = ", ".join(f"{one / length.size:.3f}" for one in (x, y, z))
+        fast = f"{speed / unit.size:.2f} {unit.symbol}"
+        return f"Released at {fast}, {turns}; from ({at}) {length.symbol}.", dots
     away, high = (
         f"{one / length.size:.3f} {length.symbol}" for one in (np.hypot(x, y), RING_HEIGHT + z)
     )
     place = f"{away} from the ring's centre, {high} high"
-    beat = _beat(trajectory.duration)
-    return (
-        f"{said}, {', '.join(turning) or 'no spin'}; {place}.",
-        f"Scene: {say_scene(parameters)}. Dots on the path every {beat:g} s.",
-    )
+    return f"{said}, {turns}; {place}.", dots
 
 
 def _aside(x: float, y: float, vx: float, vy: float) -> str:

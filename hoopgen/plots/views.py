@@ -28,12 +28,16 @@ class View:
         Unit vectors of the picture's axes, orthogonal.
     labels
         Names of the picture's axes; None where they are no coordinate axes.
+    middle, near
+        From where depth counts, m, and how much a metre is.
     """
 
     name: str
     right: Vector
     up: Vector
     labels: tuple[str, str] | None = None
+    middle: float = 0.0
+    near: float = 1.0
 
     @property
     def towards(self) -> NDArray[np.float64]:
@@ -46,7 +50,7 @@ class View:
 
     def depth(self, points: ArrayLike) -> NDArray[np.float64]:
         """How near to the eye points are; the larger, the nearer."""
-        return np.asarray(np.asarray(points) @ self.towards)
+        return np.asarray((np.asarray(points) @ self.towards - self.middle) * self.near)
 
 
 SIDE = View("side view", (1.0, 0.0, 0.0), (0.0, 0.0, 1.0), ("x", "z"))

@@ -21,6 +21,7 @@ from hoopgen.parameters import PAPER, completed
 from hoopgen.releases import RING_HEIGHT, from_zero
 
 from .named import UNIT_OF, named
+from .of_hoop import of_hoop
 
 __all__ = ["Aim", "Arc", "aim"]
 
@@ -85,6 +86,7 @@ class Aim:
         return table("", head, zip(*(c.tolist() for c in shown), strict=True), gap=gap)
 
 
+@of_hoop
 def aim(
     *,
     height: ArrayLike,

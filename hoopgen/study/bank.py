@@ -24,6 +24,7 @@ from .board import on_board
 from .crew import crew
 from .draws import check_two_seeds
 from .intervals import wilson
+from .of_hoop import of_hoop
 from .optimum import scattering
 from .player import Bounds, By, Player, Thrown, arguments_of
 from .resample import Resample
@@ -45,6 +46,7 @@ _SHOT = 48
 Floats = NDArray[np.float64]
 
 
+@of_hoop
 def bank_or_direct(
     model: Scatter | Resample,
     places: ArrayLike,

@@ -33,6 +33,7 @@ from .flights import Flights
 from .frames import sourced
 from .measures import ENDED, MEASURES
 from .named import named
+from .of_hoop import of_hoop
 from .origin import settle
 from .reasons import reasons
 from .sinks import RESULTS, check_sink, sink
@@ -48,6 +49,7 @@ ROWS = 1 << 16
 """Rows in a chunk: a small part of a second, and few megabytes."""
 
 
+@of_hoop
 def batch(
     source: Any,
     out: str | os.PathLike[str] | None = None,

@@ -19,6 +19,7 @@ from hoopgen.words import for_json
 from .draws import check_seed
 from .estimate import NAMES, Estimate, estimated, told
 from .intervals import newcombe
+from .of_hoop import of_hoop
 from .said import Said
 from .tallies import COLUMNS, check_share
 from .throws import Progress, Setting, Until, Work, most_shots, setting_of
@@ -103,6 +104,7 @@ class Comparison(Said):
         )
 
 
+@of_hoop
 def compare(
     first: Setting,
     second: Setting,

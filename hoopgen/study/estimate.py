@@ -25,6 +25,7 @@ from .draws import check_seed
 from .intervals import wilson
 from .measures import ENDED, Kind
 from .models import ReleaseModel
+from .of_hoop import of_hoop
 from .said import Said
 from .tallies import check_share
 from .throws import Progress, Until, Work, most_shots, setting_of, tally_of
@@ -128,6 +129,7 @@ class Estimate(Said):
         return "\n".join([*lines, "", footer(NAMES, told(self))])
 
 
+@of_hoop
 def estimate(
     model: ReleaseModel,
     parameters: Mapping[str, Any] = PAPER,

@@ -29,6 +29,7 @@ from .chunks import run
 from .draws import check_seed
 from .intervals import wilson
 from .measures import Kind, kinds
+from .of_hoop import of_hoop
 from .resample import Resample
 from .scatter import Scatter
 from .scattering import alike, check_thrown, scene_by_row
@@ -55,6 +56,7 @@ _CELL, _TALLIED = 48, 720
 Floats: TypeAlias = NDArray[np.float64]
 
 
+@of_hoop
 def map(
     model: Scatter | Resample,
     over: Mapping[str, ArrayLike],

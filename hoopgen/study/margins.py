@@ -21,6 +21,7 @@ from hoopgen.words import between, for_json, say
 
 from .crew import crew
 from .draws import check_seed
+from .of_hoop import of_hoop
 from .player import Bounds, By, Player, arguments_of, one_each
 from .resample import Resample
 from .said import Said
@@ -110,6 +111,7 @@ class Margin(Said):
         return between(self.name, low, high)
 
 
+@of_hoop
 def margins(
     model: Scatter | Resample,
     parameters: Mapping[str, Any] = PAPER,

@@ -25,6 +25,7 @@ from hoopgen.simulation import simulate
 from hoopgen.variables import check_names
 
 from .nearest import nearest, rows_of
+from .of_hoop import check_hoop
 
 __all__ = ["MEASURES", "Kind", "Measure", "kinds", "measure"]
 
@@ -125,10 +126,11 @@ def measure(
     Raises
     ------
     TypeError, ValueError
-        If an argument is not as described.
+        If an argument is not as described, or the shots are not a hoop's.
     AttributeError
         If `shots` lacks a field.
     """
+    check_hoop("measure", shots.scene)
     wanted = check_names("names", MEASURES if names is None else names, MEASURES)
     releases = check_states(states)
     if len(releases) != len(shots):

@@ -23,6 +23,7 @@ from .draws import check_two_seeds
 from .intervals import wilson
 from .margins import MARGINS, margins_about
 from .measures import measure
+from .of_hoop import of_hoop
 from .player import Bounds, By, Player, arguments_of
 from .resample import Resample
 from .scatter import Scatter
@@ -33,6 +34,7 @@ from .tallies import check_scene, check_share
 __all__ = ["optimum", "scattering"]
 
 
+@of_hoop
 def optimum(
     model: Scatter | Resample,
     over: Mapping[str, Bounds | None] | Sequence[str],

@@ -31,10 +31,10 @@ const Badges = (() => {
 
   /**
    * Draw badges into an SVG element of the picture's size. `project` takes a point of the scene
-   * to pixels, or to null behind the eye; `avoid` are pixels better left visible. What is out of
-   * the picture has no badge.
+   * to pixels, or to null behind the eye; `avoid` are pixels better left visible; `paint` gives an
+   * element the colour of a surface. What is out of the picture has no badge.
    */
-  function draw(svg, shown, project, avoid) {
+  function draw(svg, shown, project, avoid, paint) {
     const { clientWidth: width, clientHeight: height } = svg.parentElement;
     svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
     const boxes = shown.flatMap((mark) => {
@@ -44,7 +44,8 @@ const Badges = (() => {
       return seen ? [{ ...mark, anchor, wide }] : [];
     });
     place(boxes, avoid, width, height);
-    svg.replaceChildren(...boxes.map(leader), ...boxes.map(badge));
+    const parts = [leader, badge].flatMap((make) => boxes.map((box) => paint(make(box), box.surface)));
+    svg.replaceChildren(...parts);
   }
 
   /** Give each box a place: of those around its anchor, the one that covers least. */
@@ -100,6 +101,7 @@ const Badges = (() => {
 
   /** A surface is told by the shape of its badge as well as by its colour. */
   function rounding(surface) {
+    if (surface.startsWith("body-")) return HEIGHT / 2;
     return { ring: HEIGHT / 2, backboard: 0, bridge: 5 }[surface] ?? 5;
   }
 

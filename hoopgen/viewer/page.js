@@ -15,7 +15,24 @@
   let picture = null; // none without WebGL; the words stay
   let frame = 0; // asked for by what runs
 
+  const { scenery } = page; // of any scene but the hoop
+  const VIEWS = scenery ? Camera.VIEWS.slice(0, 3) : Camera.VIEWS;
+
   const chosen = () => shots[state.shot];
+
+  /** Return what a surface is called: of other scenes, `body-0` and so on stand for the bodies. */
+  function named(surface) {
+    return scenery && surface !== "end" ? page.surfaces[surface.slice(5)] : surface;
+  }
+
+  /** Give an element the colour of a surface, which style sheets have of the hoop alone. */
+  function paint(element, surface) {
+    if (scenery && surface.startsWith("body-")) {
+      element.style.color = scenery.bodies[surface.slice(5)].colour;
+      element.classList.add("body");
+    }
+    return element;
+  }
 
   function make(tag, properties = {}, ...children) {
     const element = Object.assign(document.createElement(tag), properties);
@@ -23,7 +40,7 @@
     return element;
   }
 
-  const said = (word) => word.replaceAll("_", ", ");
+  const said = (word) => word.replaceAll("_", scenery ? " " : ", ");
   const seconds = (time) => `${time.toFixed(3)} s`;
   const metres = (length) => `${length.toFixed(2)} m`;
   const hertz = (rate) => `${(rate / (2 * Math.PI)).toFixed(2)} Hz`;
@@ -37,6 +54,11 @@
       capped: `${shot.events.length} contact${shot.events.length === 1 ? "" : "s"}, and not yet at the end plane`,
       short: "never comes down through the end plane",
     };
+    if (scenery) {
+      const ended = shot.events.at(-1)?.surface === "end";
+      const many = `${shot.events.length} contact${shot.events.length === 1 ? "" : "s"}`;
+      return ended ? `after ${seconds(shot.duration)}` : `after ${many}, ${seconds(shot.duration)}`;
+    }
     const away = `${Math.hypot(x, y).toFixed(3)} m from the ring’s centre`;
     return words[shot.outcome] ?? `${away} after ${seconds(shot.duration)}`;
   }
@@ -48,6 +70,13 @@
   function releaseRows(shot) {
     const [, x, y, z, vx, vy, vz, wx, wy, wz] = shot.flights[0];
     const level = Math.hypot(vx, vy);
+    if (scenery) {
+      return [
+        ["Speed", `${Math.hypot(level, vz).toFixed(3)} m/s`],
+        [`From ${scenery.axes.join(", ")}`, place([x, y, z])],
+        ["Spin", hertz(Math.hypot(wx, wy, wz))],
+      ];
+    }
     const rows = [
       ["Speed", `${Math.hypot(level, vz).toFixed(3)} m/s`],
       ["Elevation", degrees(Math.atan2(vz, level))],
@@ -62,13 +91,16 @@
 
   function nowRows(shot, time) {
     const [x, y, z, vx, vy, vz, ...spin] = Flight.stateAt(shot, time);
+    const above = [["Above the floor", metres(z + page.ring_height)]];
     return [
-      ["x, y, z", `${[x, y, z].map((value) => fixed(value, 3)).join(", ")} m`],
-      ["Above the floor", metres(z + page.ring_height)],
+      [scenery ? scenery.axes.join(", ") : "x, y, z", place([x, y, z])],
+      ...(scenery ? [] : above),
       ["Speed", `${Math.hypot(vx, vy, vz).toFixed(2)} m/s`],
       ["Spin", hertz(Math.hypot(...spin))],
     ];
   }
+
+  const place = (point) => `${point.map((value) => fixed(value, 3)).join(", ")} m`;
 
   function fixed(value, digits) {
     return (Number(value.toFixed(digits)) + 0).toFixed(digits).replace("-", "−");
@@ -100,8 +132,10 @@
 
   function tag(surface, label) {
     const words = make("span", { textContent: label });
-    return make("span", { className: `tag ${surface}` }, words);
+    return paint(make("span", { className: `tag ${surface}` }, words), surface);
   }
+
+  const endWord = scenery ? "end" : "end plane";
 
   function listEvents(shot) {
     const rows = shot.events.map((event, k) => {
@@ -110,7 +144,7 @@
         "button",
         { type: "button", onclick: () => seek(event.time, false) },
         tag(event.surface, ends ? "end" : `${k + 1}`),
-        make("span", { textContent: ends ? "end plane" : event.surface }),
+        make("span", { textContent: ends ? endWord : named(event.surface) }),
         make("span", { textContent: seconds(event.time) }),
       );
       button.dataset.surface = event.surface;
@@ -120,7 +154,7 @@
     if (!rows.length) rows.push(make("li", { textContent: "none" }));
     $("events").replaceChildren(...rows);
     const ticks = shot.events.map((event) => {
-      const tick = make("i", { className: event.surface });
+      const tick = paint(make("i", { className: event.surface }), event.surface);
       tick.style.left = `${(100 * event.time) / shot.duration}%`;
       return tick;
     });
@@ -130,20 +164,23 @@
   function legend() {
     const touched = new Set(shots.flatMap((shot) => shot.events.map((event) => event.surface)));
     const entries = [
-      ...page.surfaces.map((name) => [name, "", name]),
-      ...(touched.has("end") ? [["end", "hoop", "end plane"]] : []),
+      ...page.surfaces.map((name, k) => [scenery ? `body-${k}` : name, "", name]),
+      ...(touched.has("end") ? [["end", "hoop", endWord]] : []),
     ];
     entries.push([shots.length > 1 ? "" : "path", "dots", `every ${Scene.beatOf(shots)} s`]);
     const items = entries.map(([name, form, words]) =>
-      make("li", {}, make("span", { className: `swatch ${form} ${name}` }), words),
+      make("li", {}, paint(make("span", { className: `swatch ${form} ${name}` }), name), words),
     );
     $("legend").replaceChildren(...items);
     const height = `${page.ring_height} m`;
-    $("scale").textContent = `To scale. The floor’s grid is 1 m; the ring hangs at ${height}.`;
+    $("scale").textContent = scenery
+      ? `To scale. The grid below is ${scenery.step} m.`
+      : `To scale. The floor’s grid is 1 m; the ring hangs at ${height}.`;
   }
 
   function filters() {
-    const fieldsets = GROUPS.map((group) => {
+    const there = GROUPS.filter((group) => page[`${group}s`].length);
+    const fieldsets = there.map((group) => {
       const words = group === "outcome" ? "Outcome" : "Kind";
       const boxes = count(group).map(([value, number]) => {
         const box = make("input", { type: "checkbox", checked: true, onchange: sift });
@@ -151,7 +188,7 @@
         const label = make("label", {}, box);
         if (group === "outcome") {
           const swatch = make("span", { className: "swatch line" });
-          swatch.style.color = `var(--${value})`;
+          swatch.style.color = scenery ? scenery.inks[value] : `var(--${value})`;
           label.append(swatch);
         }
         label.append(`${said(value)} ${number}`);
@@ -178,7 +215,8 @@
   function sift() {
     const shown = passing();
     const options = shown.map((k) => {
-      const words = [shots[k].label, said(shots[k].outcome), said(shots[k].kind)];
+      const words = [shots[k].label, said(shots[k].outcome)];
+      if (!scenery) words.push(said(shots[k].kind));
       return make("option", { value: k, textContent: words.join(" · ") });
     });
     $("shot").replaceChildren(...options);
@@ -202,7 +240,7 @@
     const shot = chosen();
     $("shot").value = k;
     $("outcome").replaceChildren(
-      make("b", { textContent: shot.outcome[0].toUpperCase() + shot.outcome.slice(1) }),
+      make("b", { textContent: said(shot.outcome[0].toUpperCase() + shot.outcome.slice(1)) }),
       make("span", { textContent: `${kindWords(shot)}, ${outcomeWords(shot)}` }),
     );
     if (shot.uncertain) {
@@ -261,7 +299,7 @@
     if (shot >= 0) choose(shot);
     const time = Number.parseFloat(asked.get("time"));
     if (Number.isFinite(time)) seek(time, false);
-    views[Camera.VIEWS.findIndex((view) => view.toLowerCase() === asked.get("view"))]?.click();
+    views[VIEWS.findIndex((view) => view.toLowerCase() === asked.get("view"))]?.click();
   }
 
   function keys(event) {
@@ -291,6 +329,8 @@
       $("badges"),
       shots,
       page.ring_height,
+      scenery,
+      paint,
       choose,
     );
   } catch (error) {
@@ -300,7 +340,7 @@
     console.error(error);
   }
   choices($("speeds"), SPEEDS.map((speed) => `${speed}×`), (k) => (state.speed = SPEEDS[k]));
-  const views = choices($("views"), Camera.VIEWS, (k) => picture?.look(Camera.VIEWS[k]));
+  const views = choices($("views"), VIEWS, (k) => picture?.look(VIEWS[k]));
   $("play").onclick = toggle;
   $("slider").oninput = () => seek($("slider").valueAsNumber, false);
   $("shot").onchange = () => choose(Number($("shot").value));

@@ -19,17 +19,17 @@ from numpy.typing import NDArray
 
 from hoopgen.brief import brief
 from hoopgen.colours import COLOURS
-from hoopgen.generated.numpy import hoop
 from hoopgen.installed import version
 from hoopgen.outputs import write
-from hoopgen.parameters import NAMES, Value, resolve
+from hoopgen.parameters import Value, resolve
 from hoopgen.phrases import counted
 from hoopgen.printable import printable
 from hoopgen.releases import RING_HEIGHT
-from hoopgen.results import SURFACES, Outcome, Shots
+from hoopgen.results import Shots
 from hoopgen.study.measures import Kind, kinds
-from hoopgen.told import say_scene
+from hoopgen.told import say_of
 
+from .scenery import ball_radius, scenery, shown_parameters, turned
 from .shown import Page
 
 __all__ = ["MOST", "page", "written"]
@@ -54,7 +54,7 @@ def written(
     text = page(shots, parameters, title=title, about=about, labels=labels)
     if target is not None:
         write(target, text)
-    return Page(target, text, _about(about, parameters))
+    return Page(target, text, _about(about, shots, parameters))
 
 
 def page(
@@ -66,19 +66,23 @@ def page(
     labels: Sequence[str] | None = None,
 ) -> str:
     """Return the HTML that `view` writes."""
-    values = dict(zip(NAMES, resolve(parameters, len(shots)), strict=True))
+    table, hoop = shots.scene.table, shots.scene.is_hoop
+    values = dict(zip(table.defaults, resolve(parameters, len(shots), table), strict=True))
     names = _labels(labels, len(shots))
-    valid = np.flatnonzero(shots.outcome != Outcome.INVALID)
+    valid = np.flatnonzero(shots.outcome != shots.scene.outcomes["INVALID"])
     if not 1 <= len(valid) <= MOST:
         raise ValueError(f"shots: expected 1 to {MOST} valid ones, got {len(valid)}")
     touched = _touched(shots, values)
-    words = [Kind(kind).name.lower() for kind in kinds(shots.outcome, shots.counts, shots.first)]
+    words = ["none"] * len(shots)
+    if hoop:
+        found = kinds(shots.outcome, shots.counts, shots.first)
+        words = [Kind(kind).name.lower() for kind in found]
     data = {
         "title": printable(title) or _title(shots, valid),
-        "about": _about(about, parameters),
+        "about": _about(about, shots, parameters),
         "ring_height": RING_HEIGHT,
-        "surfaces": SURFACES,
-        "outcomes": [outcome.name.lower() for outcome in Outcome],
+        "surfaces": shots.surfaces,
+        "outcomes": [outcome.name.lower() for outcome in shots.scene.outcomes],
         "kinds": [kind.name.lower() for kind in Kind],
         "parameters": {name: v for name, v in values.items() if isinstance(v, float)},
         "shots": [
@@ -86,17 +90,19 @@ def page(
             for row in valid
         ],
     }
+    if not hoop:
+        data |= {"kinds": [], "parameters": {}, "scenery": scenery(shots, values)}
     return _fill(data)
 
 
-def _about(about: str, parameters: Mapping[str, Any]) -> str:
-    return f"{printable(about)}{'; s' if about else 'S'}cene {say_scene(parameters)}"
+def _about(about: str, shots: Shots, parameters: Mapping[str, Any]) -> str:
+    return f"{printable(about)}{'; s' if about else 'S'}cene {say_of(shots.scene, parameters)}"
 
 
 def _title(shots: Shots, valid: NDArray[np.intp]) -> str:
     if len(valid) > 1:
         return counted(len(valid), "shot")
-    return Outcome(int(shots.outcome[valid[0]])).name.capitalize()
+    return shots.scene.outcomes(int(shots.outcome[valid[0]])).name.capitalize()
 
 
 def _labels(labels: Sequence[str] | None, shots: int) -> list[str]:
@@ -121,17 +127,23 @@ def _shot(
     trajectory = shots.trajectory(row)
     events = trajectory.events
     low = int(np.searchsorted(shots.events["shot"], row))
-    states = np.vstack([trajectory.release, events["after"]])
+    states = turned(shots, np.vstack([trajectory.release, events["after"]]))
     starts = np.concatenate([[0.0], events["time"]])
+    surfaces = (*shots.surfaces, "end")
+    own = {n: float(v[row]) for n, v in values.items() if not isinstance(v, float)}
+    if not shots.scene.is_hoop:
+        # No name of a scene's author is a class of the page's style.
+        surfaces = (*(f"body-{k}" for k in range(len(shots.surfaces))), "end")
+        own = shown_parameters(shots, values, row)
     return {
         "label": label,
-        "outcome": Outcome(int(shots.outcome[row])).name.lower(),
+        "outcome": shots.scene.outcomes(int(shots.outcome[row])).name.lower(),
         "kind": kind,
         "uncertain": bool(shots.uncertain[row]),
-        "parameters": {n: float(v[row]) for n, v in values.items() if not isinstance(v, float)},
+        "parameters": own,
         "flights": np.column_stack([starts, states]).tolist(),
         "events": [
-            {"surface": (*SURFACES, "end")[surface], "time": float(time), "at": at.tolist()}
+            {"surface": surfaces[surface], "time": float(time), "at": at.tolist()}
             for surface, time, at in zip(
                 events["surface"], events["time"], touched[low : low + len(events)], strict=True
             )
@@ -141,21 +153,33 @@ def _shot(
 
 def _touched(shots: Shots, values: Mapping[str, Value]) -> NDArray[np.float64]:
     """Return where the ball touches at each event, (m, 3); at the end, the ball's centre."""
-    events = shots.events
+    events, scene = shots.events, shots.scene
     centres = np.array(events["before"][:, :3])
-    for index, name in enumerate(SURFACES):
+    for index, name in enumerate(scene.surfaces):
         rows = np.flatnonzero(events["surface"] == index)
         shot = events["shot"][rows]
+        inputs = scene.table.inputs(values)
+        variables = scene.kernels.VARIABLES.values()
         columns = {
-            hoop.VARIABLES[n]: v if isinstance(v, float) else v[shot] for n, v in values.items()
+            n: v if isinstance(v, float) else v[shot]
+            for n, v in zip(variables, inputs, strict=True)
         }
         columns |= dict(zip("xyz", centres[rows].T, strict=True))
-        kernel = getattr(hoop, f"{name}_normal")
+        kernel = getattr(scene.kernels, f"{name}_normal")
         normal = kernel(*[columns[n] for n in inspect.signature(kernel).parameters])
-        ball = columns[hoop.VARIABLES["ball_radius"]]
+        ball = _ball(shots, values, shot)
         for axis, component in enumerate(normal):
             centres[rows, axis] -= ball * component
-    return centres
+    return turned(shots, centres)
+
+
+def _ball(shots: Shots, values: Mapping[str, Value], rows: NDArray[np.intp]) -> Any:
+    """Return the ball's radius, one or by row."""
+    if shots.scene.is_hoop:
+        found = values["ball_radius"]
+    else:
+        found = ball_radius(shots, values)
+    return found if isinstance(found, float) else found[rows]
 
 
 def _fill(data: Mapping[str, Any]) -> str:

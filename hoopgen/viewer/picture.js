@@ -14,8 +14,9 @@ const Picture = (() => {
     "-": (controls) => controls.dollyOut(0.9),
   };
 
-  /** Set up the picture; `pick` is told the index of a shot whose path is clicked. */
-  function create(stage, canvas, svg, shots, ringHeight, pick) {
+  /** Set up the picture; `pick` is told the index of a shot whose path is clicked. Without a
+   * scenery, which other scenes have, there is a hoop. */
+  function create(stage, canvas, svg, shots, ringHeight, scenery, paint, pick) {
     const renderer = new THREE.WebGLRenderer({
       canvas,
       antialias: true,
@@ -29,11 +30,15 @@ const Picture = (() => {
     const camera = new THREE.PerspectiveCamera();
     camera.up.set(0, 0, 1);
     const controls = new THREE.OrbitControls(camera, canvas);
-    Object.assign(controls, { minDistance: 0.3, maxDistance: 300 });
+    const size = scenery ? Math.hypot(...scenery.room[0].map((v, k) => scenery.room[1][k] - v)) : 3;
+    Object.assign(controls, { minDistance: 0.1 * size, maxDistance: 100 * size });
 
     const colour = Scene.colours();
+    if (scenery) for (const [name, ink] of Object.entries(scenery.inks)) colour[`of ${name}`] = ink;
+    const inkOf = (outcome) => colour[scenery ? `of ${outcome}` : outcome];
+    const middle = [0, 1, 2].map((k) => (scenery ? (scenery.room[0][k] + scenery.room[1][k]) / 2 : 0));
     const beat = Scene.beatOf(shots);
-    const paths = shots.map((shot) => Flight.pathOf(shot));
+    const paths = shots.map((shot) => Flight.pathOf(shot, scenery ? Math.min(0.02, shot.duration / 150) : 0.02));
     const things = {}; // what is in the scene, by what it is
     let chosen = shots[0];
     let shown = shots.map((_, k) => k);
@@ -53,14 +58,15 @@ const Picture = (() => {
     // What is shown
 
     function choose(shot) {
-      const scenery = JSON.stringify(shot.parameters);
-      if (things.hoop?.userData.scenery !== scenery) {
-        put("hoop", Scene.hoop(shot.parameters, colour));
+      const sizes = JSON.stringify(shot.parameters);
+      if (things.hoop?.userData.sizes !== sizes) {
+        const drawn = scenery ? Scene.bodies(scenery, colour) : Scene.hoop(shot.parameters, colour);
+        put("hoop", drawn);
         put("ball", Scene.ball(shot.parameters.ball_radius, colour));
-        things.hoop.userData.scenery = scenery;
+        things.hoop.userData.sizes = sizes;
       }
       const path = paths[shots.indexOf(shot)];
-      const ink = shots.length > 1 ? colour[shot.outcome] : colour.path;
+      const ink = shots.length > 1 ? inkOf(shot.outcome) : colour.path;
       const parts = path.length > 1 ? strokes(path, ink) : [];
       const pixels = (shots.length > 1 ? 9 : 7) * renderer.getPixelRatio();
       parts.push(Scene.beats(shot, beat, ink, pixels));
@@ -87,7 +93,7 @@ const Picture = (() => {
       const outcomes = [...new Set(shots.map((shot) => shot.outcome))];
       const crowd = outcomes.flatMap((outcome) => {
         const own = shown.filter((k) => shots[k].outcome === outcome && paths[k].length > 1);
-        const ink = { color: colour[outcome], linewidth: 1.25, opacity: 0.4, depthWrite: false };
+        const ink = { color: inkOf(outcome), linewidth: 1.25, opacity: 0.4, depthWrite: false };
         return own.length ? [Scene.lines(own.map((k) => paths[k]), ink)] : [];
       });
       if (shots.length > 1) put("crowd", ...crowd);
@@ -116,13 +122,14 @@ const Picture = (() => {
       const own = [paths[shots.indexOf(chosen)]];
       const starts = (view === "Shooter" ? own : places).map(([start]) => start);
       const mean = (axis) => starts.reduce((sum, at) => sum + at[axis], 0) / starts.length;
-      const eye = Camera.direction(view, mean(0), mean(1), camera.aspect);
+      const [east, north] = [0, 1].map((k) => mean(k) - middle[k]);
+      const eye = Camera.direction(view, east, north, camera.aspect);
       const margin = [width, height].map((size) => Math.min((2 * MARGIN) / size, 0.5));
       const radius = chosen.parameters.ball_radius;
       const flown = view === "Hoop" ? [] : places.flat();
       const spheres = [
         ...flown.map((point) => [...point, radius]),
-        ...Scene.corners(chosen.parameters).map((point) => [...point, 0]),
+        ...(scenery ? Scene.room(scenery) : Scene.corners(chosen.parameters)).map((p) => [...p, 0]),
       ];
       camera.fov = Camera.field(view);
       Camera.fit(camera, controls.target, spheres, eye, margin);
@@ -163,14 +170,15 @@ const Picture = (() => {
     function draw() {
       drawing = false;
       camera.near = controls.getDistance() / 50;
-      camera.far = controls.getDistance() + 100;
+      camera.far = controls.getDistance() + 100 * Math.max(1, size / 3);
       camera.updateProjectionMatrix();
       renderer.render(scene, camera);
       canvas.dataset.triangles = renderer.info.render.triangles;
       if (marked) return;
       marked = true;
-      const obstacles = [...paths[shots.indexOf(chosen)], ...Scene.outline(chosen)];
-      Badges.draw(svg, shown.length ? marks : [], project, obstacles.map(project).filter(Boolean));
+      const drawn = scenery ? Scene.edges(scenery, chosen) : Scene.outline(chosen);
+      const obstacles = [...paths[shots.indexOf(chosen)], ...drawn];
+      Badges.draw(svg, shown.length ? marks : [], project, obstacles.map(project).filter(Boolean), paint);
     }
 
     /** Return where a point of the scene is in the picture, px; null behind the eye. */
@@ -204,7 +212,13 @@ const Picture = (() => {
     });
     controls.addEventListener("start", () => (turned = true));
     controls.addEventListener("change", update);
-    scene.add(...Scene.lights(), Scene.floor(paths, -ringHeight, colour));
+    if (scenery) {
+      const level = scenery.room[0][2] - 0.02 * size;
+      scene.add(...Scene.lights(size / 2, middle));
+      scene.add(Scene.floor([...paths, Scene.room(scenery)], level, colour, scenery.step));
+    } else {
+      scene.add(...Scene.lights(), Scene.floor(paths, -ringHeight, colour));
+    }
     choose(chosen);
     new ResizeObserver(resize).observe(stage);
     resize();

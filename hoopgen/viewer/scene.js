@@ -26,6 +26,31 @@ const Scene = (() => {
     return group;
   }
 
+  /** Return the bodies of any other scene, each a mesh seen from the side that is touched. */
+  function bodies(scenery, colour) {
+    const group = new THREE.Group();
+    for (const body of scenery.bodies) {
+      const corners = body.points.map((point) => new THREE.Vector3(...point));
+      const geometry = new THREE.BufferGeometry().setFromPoints(corners);
+      geometry.setIndex(body.triangles);
+      geometry.computeVertexNormals();
+      const mesh = solid(geometry, body.colour, 0.6);
+      if (body.flat) {
+        const pale = { transparent: true, opacity: 0.22, depthWrite: false };
+        mesh.material = new THREE.MeshBasicMaterial({ color: body.colour, ...pale });
+        mesh.renderOrder = -1; // under what stands on it
+      }
+      if (body.inside) mesh.material.color.lerp(new THREE.Color("#FFFFFF"), 0.3); // paths before it
+      if (body.flat || body.inside) mesh.castShadow = mesh.receiveShadow = false;
+      if (body.points.length) group.add(mesh);
+      if (body.rims.length) group.add(lines(body.rims, { color: body.colour, linewidth: 1 }));
+      if (body.lines.length) group.add(lines(body.lines, { color: body.colour, linewidth: 3 }));
+    }
+    const faint = { color: colour.end, linewidth: 1.25, opacity: 0.7 };
+    if (scenery.ends.length) group.add(lines(scenery.ends, faint));
+    return group;
+  }
+
   function ring(parameters, colour) {
     const { ring_radius: radius, wire_radius: wire } = parameters;
     return solid(new THREE.TorusGeometry(radius, wire, 20, 160), colour.ring, 0.45);
@@ -229,12 +254,12 @@ const Scene = (() => {
     return canvas;
   }
 
-  /** Return a grid of 1 m, or more for a wide one, on the floor, under the hoop and all paths. */
-  function floor(paths, level, colour) {
+  /** Return a grid of 1 m, or another step, or more for a wide one, under the scene and all paths. */
+  function floor(paths, level, colour, least = 1) {
     const reach = paths
       .flat()
       .reduce((most, [x, y]) => Math.max(most, Math.abs(x), Math.abs(y)), 0);
-    const step = stepTo(reach, 1, LINES - 3);
+    const step = stepTo(reach, least, LINES - 3);
     const end = step * (Math.ceil(reach / step) + 3);
     const grid = [];
     for (let k = -end; k <= end; k += step) {
@@ -251,27 +276,48 @@ const Scene = (() => {
     return [...board, ...circle(parameters.ring_radius + parameters.wire_radius, 0)];
   }
 
-  /** Return points all over ring, bridge and the ball at release, better not covered by words. */
-  function outline(shot) {
-    const { board_distance: distance, ring_radius: radius, ball_radius: ball } = shot.parameters;
-    const steps = Array.from({ length: 9 }, (_, k) => -distance + ((distance - radius) * k) / 8);
-    const [, x, y, z] = shot.flights[0];
-    const rounds = [-0.8, -0.4, 0, 0.4, 0.8].flatMap((up) =>
-      circle(ball * Math.sqrt(1 - up ** 2), z + ball * up, x, y),
-    );
-    return [...circle(radius, 0), ...steps.map((back) => [back, 0, 0]), ...rounds];
+  /** Return the corners of another scene's room. */
+  function room({ room: [low, high] }) {
+    const ends = low.map((value, axis) => [value, high[axis]]);
+    return ends[0].flatMap((x) => ends[1].flatMap((y) => ends[2].map((z) => [x, y, z])));
   }
 
-  function lights() {
+  /** Return points all along the lines of another scene, and the ball at release. */
+  function edges(scenery, shot) {
+    const along = scenery.bodies.flatMap((body) => [...body.rims, ...body.lines].flat());
+    const every = Math.ceil(along.length / 300) || 1;
+    return [...along.filter((_, k) => k % every === 0), ...ballPoints(shot)];
+  }
+
+  /** Return points all over ring, bridge and the ball at release, better not covered by words. */
+  function outline(shot) {
+    const { board_distance: distance, ring_radius: radius } = shot.parameters;
+    const steps = Array.from({ length: 9 }, (_, k) => -distance + ((distance - radius) * k) / 8);
+    return [...circle(radius, 0), ...steps.map((back) => [back, 0, 0]), ...ballPoints(shot)];
+  }
+
+  function ballPoints(shot) {
+    const { ball_radius: ball } = shot.parameters;
+    const [, x, y, z] = shot.flights[0];
+    return [-0.8, -0.4, 0, 0.4, 0.8].flatMap((up) =>
+      circle(ball * Math.sqrt(1 - up ** 2), z + ball * up, x, y),
+    );
+  }
+
+  /** Return lights for a hoop, or for a scene so many times as large round another middle. */
+  function lights(size = 1, middle = [0, 0, 0]) {
     const sun = new THREE.DirectionalLight("#ffffff", 2.0);
-    sun.position.set(1.6, 0.9, 3.2);
+    const target = new THREE.Vector3(...middle);
+    sun.position.set(1.6, 0.9, 3.2).multiplyScalar(size).add(target);
+    sun.target.position.copy(target);
     sun.castShadow = true;
     sun.shadow.mapSize.set(1024, 1024);
     sun.shadow.radius = 5;
     sun.shadow.bias = -0.002;
-    Object.assign(sun.shadow.camera, { left: -1.4, right: 1.4, top: 1.4, bottom: -1.4 });
-    Object.assign(sun.shadow.camera, { near: 0.5, far: 6 });
-    return [new THREE.HemisphereLight("#ffffff", "#d8d2ca", 2.3), sun];
+    const reach = 1.4 * size;
+    Object.assign(sun.shadow.camera, { left: -reach, right: reach, top: reach, bottom: -reach });
+    Object.assign(sun.shadow.camera, { near: 0.5 * size, far: 6 * size });
+    return [new THREE.HemisphereLight("#ffffff", "#d8d2ca", 2.3), sun, sun.target];
   }
 
   /** Free what an object holds on the graphics card. */
@@ -285,7 +331,7 @@ const Scene = (() => {
   }
 
   return {
-    ball, beatOf, beats, colours, corners, dispose, floor, hoop, lights, line, lines, orientations,
-    outline, turn,
+    ball, beatOf, beats, bodies, colours, corners, dispose, edges, floor, hoop, lights, line, lines,
+    orientations, outline, room, turn,
   };
 })();

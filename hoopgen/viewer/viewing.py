@@ -57,7 +57,8 @@ def view(
     ------
     ValueError
         If the path ends in something else, there is no valid shot or too many, or the labels or
-        parameters are not as described.
+        parameters are not as described; or the scene cannot be drawn: of those of one's own, those
+        of the pieces of `hoopgen.scene` can.
     AttributeError
         If the shots were simulated without ``record=True``.
     OSError

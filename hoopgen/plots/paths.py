@@ -1,0 +1,134 @@
+"""The paths of many shots in any scene but the hoop, from the side, coloured by how they end."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import PathCollection
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.path import Path
+from numpy.typing import NDArray
+
+from hoopgen.colours import ended
+from hoopgen.phrases import counted, percent
+from hoopgen.plots.page import add_view, new_page
+from hoopgen.plots.panels import Panel
+from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
+from hoopgen.plots.scenery import Scenery, scenery_of
+from hoopgen.plots.style import GRID, style
+from hoopgen.plots.views import Limits, View
+from hoopgen.results import Shots, Trajectory
+from hoopgen.told import say_of
+
+__all__ = ["bezier", "draw_paths"]
+
+# Inches.
+_LEFT, _RIGHT, _BELOW, _ABOVE, _KEY = 0.6, 0.12, 0.5, 0.12, 0.24
+_TALLEST = 4.5
+_LINE = 0.6  # points
+_MARGIN = 0.03  # of what is drawn
+
+
+def draw_paths(
+    shots: Shots,
+    parameters: Mapping[str, Any],
+    drawn: Sequence[int],
+    *,
+    title: str,
+    note: str,
+    width: float,
+    ax: Axes | None,
+) -> Figure | Axes:
+    """Draw the paths of some shots; all else as for `hoopgen.plots.plot_fan`."""
+    flown = {shot: shots.trajectory(shot) for shot in drawn}
+    flown = {shot: trajectory for shot, trajectory in flown.items() if len(trajectory.events)}
+    if not flown:
+        raise ValueError("shots: expected one at least that touches something or ends, got none")
+    curves = {shot: bezier(trajectory) for shot, trajectory in flown.items()}
+    points = np.concatenate(list(curves.values()))
+    scenery = scenery_of(shots.scene, parameters, points)
+    view = scenery.look(_from_the_side(scenery, points))
+    codes = np.asarray(shots.outcome)
+    shares = {one.name: float(np.mean(codes == one)) for one in shots.scene.outcomes}
+    colour = ended(shots.scene.outcomes.__members__, len(shots.scene.kernels.ENDS))
+    paths = [
+        Path(view.flatten(scenery.upright(curve)), [Path.MOVETO, *[Path.CURVE3] * (len(curve) - 1)])
+        for curve in curves.values()
+    ]
+    names = [shots.scene.outcomes(int(codes[shot])).name for shot in flown]
+    lines = PathCollection(
+        paths,
+        facecolors="none",
+        edgecolors=[colour[name] for name in names],
+        linewidths=_LINE,
+        zorder=10.0,
+    )
+    key = [
+        Line2D([], [], color=colour[name], label=f"{name.lower()} {percent(share)}")
+        for name, share in shares.items()
+        if share
+    ]
+    limits = _limits(paths, view, scenery)
+    told = (
+        f"{counted(len(shots), 'shot')}, {len(paths)} {'is' if len(paths) == 1 else 'are'} drawn. "
+        f"Scene: {say_of(shots.scene, parameters)}. {note}"
+    )
+    with style():
+        if ax is not None:
+            axes = check_axes(ax)
+            panel = fit_view(axes, view, limits)
+            add_title(axes, title, told)
+            add_key(axes, key)
+            _draw(axes, panel, scenery, lines)
+            return axes
+        across = width - _LEFT - _RIGHT
+        scale = min(across / (limits[1] - limits[0]), _TALLEST / (limits[3] - limits[2]))
+        panel = Panel(view, limits, scale, _LEFT, _KEY + _BELOW)
+        page = _BELOW + panel.height + _ABOVE
+        figure = new_page(width, page, title=title, note=told, foot=_KEY)
+        _draw(add_view(figure, panel), panel, scenery, lines)
+        figure.legend(handles=key, loc="lower left", ncols=6, frameon=False, fontsize=7.5)
+        return figure
+
+
+def bezier(trajectory: Trajectory) -> NDArray[np.float64]:
+    """Return a path as it is: its start, then two points for each flight (2 n + 1, 3).
+
+    Each flight is a parabola, which is one quadratic Bézier curve.
+    """
+    events = trajectory.events
+    states = np.concatenate([trajectory.release[np.newaxis], events["after"]])
+    lasting = np.diff(events["time"], prepend=0.0)[:, np.newaxis]
+    start, velocity = states[:-1, :3], states[:-1, 3:6]
+    points = np.stack([start + velocity * lasting / 2.0, states[1:, :3]], axis=1).reshape(-1, 3)
+    return np.concatenate([states[:1, :3], points])
+
+
+def _draw(axes: Axes, panel: Panel, scenery: Scenery, lines: PathCollection) -> None:
+    axes.grid(color=GRID, lw=0.5)
+    scenery.draw(axes, panel.view, panel.scale)
+    scenery.draw_ends(axes, panel.view)
+    axes.add_collection(lines)
+
+
+def _from_the_side(scenery: Scenery, points: NDArray[np.float64]) -> View:
+    """Look along whichever horizontal axis the paths are shorter along."""
+    size = np.ptp(scenery.upright(points), axis=0)
+    x, y, z = scenery.axes
+    if size[1] > size[0]:
+        return View("side view", (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (y, z))
+    return View("side view", (1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (x, z))
+
+
+def _limits(paths: list[Path], view: View, scenery: Scenery) -> Limits:
+    boxes = [path.get_extents() for path in paths]
+    corners = view.flatten(scenery.corners())
+    low = np.min([*(box.min for box in boxes), corners.min(axis=0)], axis=0)
+    high = np.max([*(box.max for box in boxes), corners.max(axis=0)], axis=0)
+    air = _MARGIN * float((high - low).max())
+    (left, bottom), (right, top) = low - air, high + air
+    return float(left), float(right), float(bottom), float(top)

@@ -1,0 +1,380 @@
+"""What stands around the ball in a picture: the hoop as it is, or the bodies of any other scene.
+
+Bodies are drawn in flat colours, lighter where they face the light. Of what is touched from one
+side only, planes and the insides of bowls, that side is drawn: the other one would hide the ball.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from typing import Any, Protocol
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
+from matplotlib.colors import to_rgb
+from matplotlib.patches import PathPatch
+from matplotlib.path import Path
+from numpy.typing import NDArray
+
+from hoopgen.colours import colours
+from hoopgen.engines import Engine
+from hoopgen.plots.scene import draw_hoop, order_of, scene_corners, scene_points
+from hoopgen.plots.style import COLOURS
+from hoopgen.plots.views import Points, View
+from hoopgen.results import SURFACES
+from hoopgen.scene.meshes import Mesh, chains, clip, loops
+from hoopgen.scene.seen import Body, Seen, upright
+
+__all__ = ["Hoop", "Scenery", "scenery_of"]
+
+_LIGHT = (-0.35, 0.5, 0.79)
+"""Where the light comes from: to the right, up and towards the eye."""
+
+_TONES = ((-2.0, 0.0), (0.1, 0.12), (0.4, 0.26), (0.65, 0.4), (0.85, 0.54))
+"""Least share of the light, and how far a colour then is on the way to white."""
+
+_PALE = 0.34
+"""How much further what is seen from inside is, so that paths stand out before it."""
+
+_FAINT = 0.13  # opacity of a plane
+_PLANES, _INSIDES, _RIMS, _ENDS = 3.0, 3.5, 4.2, 5.0  # drawing order, below paths
+_EDGE_ON = 1e-6
+_SPREAD = 4.0  # of the drawing order, over the depth of a room
+_OBSTACLES = 600
+_NEAR, _PASSES = 2e-4, 6  # of a shape's size, and how often points of its outline are left out
+
+
+class Scenery(Protocol):
+    """What of a scene is drawn, in metres, with gravity down."""
+
+    @property
+    def ball_radius(self) -> float:
+        """Of the ball, m."""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of what can be touched, in the order of results."""
+
+    @property
+    def colours(self) -> Mapping[str, str]:
+        """Of what can be touched, by name."""
+
+    @property
+    def axes(self) -> tuple[str, str, str]:
+        """What the axes are called, with a minus where one is turned round."""
+
+    def upright(self, points: Points) -> Points:
+        """Return points (..., 3) turned so that gravity points down."""
+
+    @property
+    def small(self) -> bool:
+        """Whether it may be much smaller than a hoop, so that ticks lie closer."""
+
+    def look(self, view: View) -> View:
+        """Return a view that orders what is drawn as this needs."""
+
+    def corners(self) -> Points:
+        """Return points that span it."""
+
+    def points(self) -> Points:
+        """Return points all along it, which labels leave visible."""
+
+    def draw(self, axes: Axes, view: View, scale: float) -> None:
+        """Draw it; `scale` is inches of the picture per metre."""
+
+    def draw_ends(self, axes: Axes, view: View) -> None:
+        """Draw where shots end, in a flat view."""
+
+
+@dataclass(frozen=True)
+class Hoop:
+    """Ring, backboard and bridge."""
+
+    parameters: Mapping[str, float]
+    names: tuple[str, ...] = SURFACES
+    axes: tuple[str, str, str] = ("x", "y", "z")
+
+    @property
+    def ball_radius(self) -> float:
+        """Of the ball, m."""
+        return self.parameters["ball_radius"]
+
+    @property
+    def colours(self) -> Mapping[str, str]:
+        """Of what it is made of."""
+        return COLOURS
+
+    @property
+    def small(self) -> bool:
+        """A hoop is as large as it is."""
+        return False
+
+    def upright(self, points: Points) -> Points:
+        """Return the points: the hoop's gravity points down."""
+        return points
+
+    def look(self, view: View) -> View:
+        """Return the view."""
+        return view
+
+    def corners(self) -> Points:
+        """Return points that span it."""
+        return scene_corners(self.parameters)
+
+    def points(self) -> Points:
+        """Return points all along it."""
+        return scene_points(self.parameters)
+
+    def draw(self, axes: Axes, view: View, scale: float) -> None:
+        """Draw it."""
+        draw_hoop(axes, view, self.parameters, scale)
+
+    def draw_ends(self, axes: Axes, view: View) -> None:
+        """Draw the end plane where it is seen edge on."""
+        if view.up[2] == 1.0:
+            depth = -self.parameters["end_depth"]
+            axes.axhline(depth, color=COLOURS["end"], lw=0.7, ls=(0, (5, 3)), zorder=_ENDS)
+
+
+def scenery_of(scene: Engine, parameters: Mapping[str, Any], paths: Points) -> Scenery:
+    """Return what is drawn around paths.
+
+    Parameters
+    ----------
+    scene
+        Whose.
+    parameters
+        Of it; of those that differ from shot to shot, the mean is drawn.
+    paths
+        Points of all of them, (n, 3).
+    """
+    if scene.is_hoop:
+        return Hoop(parameters)
+    seen = Seen.of(scene, parameters)
+    turn, names = upright(seen.scene.read.down)
+    room = seen.room(paths.min(axis=0), paths.max(axis=0))
+    bodies = tuple(_turned(body, turn) for body in seen.bodies(room))
+    ends = tuple(_turned(body, turn) for body in seen.ends(room))
+    span = np.sort(np.stack(room) @ turn.T, axis=0)
+    own = colours(seen.names)
+    return _Bodies(seen.ball_radius, seen.names, own, names, turn, bodies, ends, span)
+
+
+def _turned(body: Body, turn: NDArray[np.int64]) -> Body:
+    mesh = body.mesh
+    points = np.stack([mesh.corners[..., :3], mesh.corners[..., 3:]], -2) @ turn.T
+    corners = points.reshape(*points.shape[:2], 6)
+    return replace(
+        body, mesh=Mesh(corners, mesh.rims @ turn.T, mesh.parts), lines=body.lines @ turn.T
+    )
+
+
+@dataclass(frozen=True)
+class _Bodies:
+    """Bodies of a scene; `room` is its lowest and highest corner."""
+
+    ball_radius: float
+    names: tuple[str, ...]
+    colours: Mapping[str, str]
+    axes: tuple[str, str, str]
+    turn: NDArray[np.int64]
+    bodies: tuple[Body, ...]
+    ends: tuple[Body, ...]
+    room: Points
+
+    @property
+    def small(self) -> bool:
+        return True
+
+    def upright(self, points: Points) -> Points:
+        return np.asarray(points @ self.turn.T)
+
+    def look(self, view: View) -> View:
+        middle = float(view.depth(self.room.mean(axis=0)))
+        size = float(np.linalg.norm(self.room[1] - self.room[0]))
+        return replace(view, middle=middle, near=_SPREAD / size)
+
+    def corners(self) -> Points:
+        grid = np.stack(np.meshgrid(*self.room.T, indexing="ij"), axis=-1)
+        return grid.reshape(-1, 3)
+
+    def points(self) -> Points:
+        solid = [body.mesh.corners[:, 0, :3] for body in self.bodies if not body.behind]
+        lines = [part.reshape(-1, 3) for b in self.bodies for part in (b.mesh.rims, b.lines)]
+        found = np.concatenate([np.empty((0, 3)), *solid, *lines])
+        return found[:: max(1, len(found) // _OBSTACLES)]
+
+    def draw(self, axes: Axes, view: View, scale: float) -> None:
+        light = np.array(_LIGHT) @ np.array([view.right, view.up, view.towards])
+        for body in self.bodies:
+            colour = self.colours[body.name]
+            if body.behind:
+                self._draw_behind(axes, view, body, light, colour)
+            else:
+                self._draw_solid(axes, view, body, light, colour)
+            for lines, wide in ((body.mesh.rims, 0.7), (body.lines, 1.4)):
+                _draw_lines(axes, view, lines, colour, wide, behind=body.behind)
+
+    def draw_ends(self, axes: Axes, view: View) -> None:
+        for end in self.ends:
+            outline = [view.flatten(line) for line in chains(end.mesh.rims)]
+            if _edge_on(end.mesh, view):
+                outline = _spans(view.flatten(end.mesh.corners[..., :3]))
+            lines = LineCollection(
+                outline,
+                colors=COLOURS["end"],
+                linewidths=0.7,
+                linestyles=[(0, (5, 3))],
+                zorder=_ENDS,
+            )
+            axes.add_collection(lines)
+
+    # One body
+
+    def _normals(self, corners: Points) -> Points:
+        return np.asarray((corners[..., 3:] - corners[..., :3]) / self.ball_radius)
+
+    def _draw_behind(self, axes: Axes, view: View, body: Body, light: Points, colour: str) -> None:
+        """Draw a plane, or the far side of what is touched from inside."""
+        corners = body.mesh.corners
+        if _edge_on(body.mesh, view):
+            lines = _spans(view.flatten(corners[..., :3]))
+            axes.add_collection(
+                LineCollection(lines, colors=[colour], linewidths=1.1, zorder=_RIMS)
+            )
+            return
+        facing = self._normals(corners) @ view.towards
+        corners = clip(corners, -facing)[0]
+        if not len(corners):
+            return
+        if np.ptp(self._normals(corners).reshape(-1, 3), axis=0).max() < _EDGE_ON:
+            patch = _patch(corners, view, fc=colour, alpha=_FAINT, lw=0.0, zorder=_PLANES)
+            axes.add_patch(patch)
+            return
+        self._draw_toned(axes, view, corners, light, colour, _INSIDES, _PALE)
+
+    def _draw_solid(self, axes: Axes, view: View, body: Body, light: Points, colour: str) -> None:
+        corners, _, rows = clip(
+            body.mesh.corners, -(self._normals(body.mesh.corners) @ view.towards)
+        )
+        # Those of about one depth are drawn as one.
+        depths = view.depth(corners[..., :3].mean(axis=1)) / (view.near * self.ball_radius)
+        total = np.bincount(body.mesh.parts[rows], depths)
+        count = np.bincount(body.mesh.parts[rows])
+        parts = np.round(total / np.maximum(count, 1))[body.mesh.parts[rows]]
+        for part in np.unique(parts):
+            own = corners[parts == part]
+            order = order_of(view, own[..., :3].reshape(-1, 3).mean(axis=0))
+            self._draw_toned(axes, view, own, light, colour, order, 0.0)
+
+    def _draw_toned(
+        self,
+        axes: Axes,
+        view: View,
+        corners: Points,
+        light: Points,
+        colour: str,
+        order: float,
+        pale: float,
+    ) -> None:
+        for (least, white), (most, _) in pairwise((*_TONES, (2.0, 0.0))):
+            left = clip(corners, least - self._normals(corners) @ light)[0]
+            left = clip(left, self._normals(left) @ light - most)[0]
+            if len(left):
+                tone = _mixed(colour, white + pale * (1.0 - white))
+                axes.add_patch(_patch(left, view, fc=tone, ec=tone, lw=0.3, zorder=order))
+
+
+def _edge_on(mesh: Mesh, view: View) -> bool:
+    """Return whether a mesh is flat, and seen as a line."""
+    ways = mesh.corners[..., 3:] - mesh.corners[..., :3]
+    if not ways.any():  # an end: its ball has no size
+        flat = mesh.corners[..., :3].reshape(-1, 3)
+        return bool(len(flat)) and bool(np.ptp(view.flatten(flat), axis=0).min() < _EDGE_ON)
+    size = float(np.abs(ways).max())
+    straight = np.ptp(ways.reshape(-1, 3), axis=0).max() < _EDGE_ON * size
+    return bool(straight and np.abs(ways @ view.towards).max() < _EDGE_ON * size)
+
+
+def _spans(triangles: Points) -> list[Points]:
+    """Return what triangles that lie on one line cover of it, as few segments."""
+    points = triangles.reshape(-1, 2)
+    if not len(points):
+        return []
+    along = points[np.argmax(np.linalg.norm(points - points[0], axis=1))] - points[0]
+    order = (triangles @ along).reshape(-1, 3)
+    starts, stops = triangles[:, 0] * 0.0, triangles[:, 0] * 0.0
+    for ends, pick in ((starts, order.argmin(axis=1)), (stops, order.argmax(axis=1))):
+        ends[:] = triangles[np.arange(len(triangles)), pick]
+    sort = np.argsort(starts @ along, kind="stable")
+    found: list[list[Points]] = []
+    for start, stop in zip(starts[sort], stops[sort], strict=True):
+        slack = 1e-9 * float(along @ along)
+        if found and start @ along <= found[-1][1] @ along + slack:
+            found[-1][1] = max(found[-1][1], stop, key=lambda end: float(end @ along))
+        else:
+            found.append([start, stop])
+    return [np.array(ends) for ends in found]
+
+
+def _patch(corners: Points, view: View, **look: Any) -> PathPatch:
+    """Return the triangles as one shape, without the lines between them."""
+    vertices, codes = [], []
+    for line in loops(corners[..., :3]):
+        flat = _fewer(view.flatten(line))
+        vertices.append(flat)
+        codes += [Path.MOVETO, *[Path.LINETO] * (len(flat) - 2), Path.CLOSEPOLY]
+    shape = Path(np.concatenate([np.empty((0, 2)), *vertices]), codes)
+    return PathPatch(shape, joinstyle="round", **look)
+
+
+def _fewer(line: Points) -> Points:
+    """Return a line without the points that are as good as between their neighbours."""
+    near = _NEAR * float(np.ptp(line, axis=0).max())
+    for _ in range(_PASSES):
+        if len(line) < 5:
+            break
+        before, at, after = line[:-2:2], line[1:-1:2], line[2::2]
+        way, off = after - before[: len(after)], at - before[: len(at)]
+        across = np.abs(way[:, 0] * off[:, 1] - way[:, 1] * off[:, 0])
+        needed = across > near * np.linalg.norm(way, axis=1)
+        keep = np.ones(len(line), np.bool_)
+        keep[1:-1:2] = needed
+        line = line[keep]
+    return line
+
+
+def _draw_lines(
+    axes: Axes, view: View, lines: Points, colour: str, wide: float, *, behind: bool
+) -> None:
+    """Draw segments (k, 2, 3), the near ones over the ball."""
+    if not len(lines):
+        return
+    if behind:
+        groups = [(np.arange(len(lines)), _RIMS)]
+    else:
+        depth = view.depth(lines.mean(axis=1))
+        rows = np.array_split(np.argsort(depth, kind="stable"), min(16, len(lines)))
+        middle = [lines[group].mean(axis=(0, 1)) for group in rows]
+        groups = [(g, order_of(view, m)) for g, m in zip(rows, middle, strict=True)]
+    for group, order in groups:
+        flat = [view.flatten(line) for line in chains(lines[group])]
+        axes.add_collection(
+            LineCollection(
+                flat,
+                colors=[_mixed(colour, -0.2)],
+                linewidths=wide,
+                zorder=order,
+                capstyle="round",
+            )
+        )
+
+
+def _mixed(colour: str, white: float) -> tuple[float, float, float]:
+    """Return a colour on the way to white, or with a minus to black."""
+    aim = float(white > 0.0)
+    red, green, blue = (c + abs(white) * (aim - c) for c in to_rgb(colour))
+    return red, green, blue

@@ -1,0 +1,353 @@
+"""The bodies and ends of any scene, as they are seen: triangles and lines, from its own data."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hoopgen.engines import Engine
+
+from .bounds import Terms
+from .formulas import Formula
+from .meshes import Bound, Box, Floats, Mesh, cut_all, flat, grid, level, turned
+from .scene import Scene
+from .shapes import Shape
+
+__all__ = ["Body", "Seen", "upright"]
+
+_ROUND, _UP, _WIRE, _SECTOR = 48, 24, 12, 4
+"""Pieces of a turn, of a half one, of a wire's, and of a ring's that are drawn together."""
+
+_AIR = 1.25
+"""Ball radii that are seen around a path."""
+
+_BESIDE, _NEAR = 0.06, 0.25
+"""Of the length of a path: how much of a plane is seen beside it, and how near one is that is."""
+
+
+@dataclass(frozen=True)
+class Body:
+    """A body, or an end.
+
+    Attributes
+    ----------
+    name
+        Its own.
+    mesh
+        Its triangles.
+    behind
+        Whether what faces the eye hides no ball: a plane, or what is touched from inside.
+    lines
+        Edges without a thickness, (k, 2, 3).
+    """
+
+    name: str
+    mesh: Mesh
+    behind: bool
+    lines: Floats
+
+
+def upright(way: tuple[int, int]) -> tuple[NDArray[np.int64], tuple[str, str, str]]:
+    """Return how a scene is turned so that gravity points down, and what its axes then are called.
+
+    Parameters
+    ----------
+    way
+        Where gravity points: which coordinate, and which way.
+
+    Returns
+    -------
+    tuple
+        The matrix (3, 3), of which each row has one entry, 1 or -1; and three names, with a minus
+        where an axis is seen the other way round.
+    """
+    axis, sign = way
+    turn = np.roll(np.eye(3, dtype=np.int64), axis - 2, axis=1)
+    if sign > 0:
+        turn = np.array([[1, 0, 0], [0, -1, 0], [0, 0, -1]]) @ turn
+    names = []
+    for row in turn:
+        k = int(np.flatnonzero(row)[0])
+        names.append(f"{chr(0x2212) if row[k] < 0 else ''}{'xyz'[k]}")
+    return turn, (names[0], names[1], names[2])
+
+
+@dataclass(frozen=True)
+class Seen:
+    """What of a scene is seen, at one value of each parameter.
+
+    Attributes
+    ----------
+    scene
+        As its author wrote it.
+    values
+        Of the inputs, by name.
+    """
+
+    scene: Scene
+    values: Mapping[str, float]
+
+    @classmethod
+    def of(cls, engine: Engine, parameters: Mapping[str, Any]) -> Seen:
+        """Return what is seen of a scene; of parameters that differ from shot to shot, the mean.
+
+        Raises
+        ------
+        ValueError
+            If the scene is not one of the pieces of `hoopgen.scene`, which alone can be drawn.
+        """
+        scene = engine.table.written
+        if not isinstance(scene, Scene):
+            raise ValueError(
+                f"scene: {engine.name} is written for derivation; drawn are the hoop, and scenes "
+                "of the pieces of hoopgen.scene"
+            )
+        means = {name: float(np.mean(value)) for name, value in parameters.items()}
+        own = zip(scene.inputs, scene.values(means), strict=True)
+        return cls(scene, {one.name: float(value) for one, value in own})
+
+    @property
+    def ball_radius(self) -> float:
+        """Of the ball, m."""
+        return self._number(self.scene.read.ball_radius)
+
+    @property
+    def gravity(self) -> float:
+        """The size of it, m/s²."""
+        return self._number(self.scene.read.gravity)
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """Of the bodies."""
+        return tuple(shape.name for shape in self.scene.read.bodies)
+
+    def _number(self, formula: Formula) -> float:
+        return float(formula.evaluate(self.values))
+
+    def room(self, low: Floats, high: Floats) -> Box:
+        """Return the room in which paths between two corners are seen, with the bodies near."""
+        air = _AIR * self.ball_radius
+        low, high = low - air, high + air
+        reach = float((high - low).max())
+        corners = [low, high]
+        for shape in self.scene.read.bodies:
+            first, last = (np.array(side) for side in self._extent(shape))
+            within = np.all((first <= high + reach) & (last >= low - reach))
+            if shape.kind not in ("plane", "surface") and within:
+                first = np.where(np.isfinite(first), np.maximum(first, low - reach), low)
+                last = np.where(np.isfinite(last), np.minimum(last, high + reach), high)
+                corners += [first, last]
+        low, high = np.min(corners, axis=0), np.max(corners, axis=0)
+        planes = [shape for shape in self.scene.read.bodies if shape.kind == "plane"]
+        if planes:
+            low, high = low - _BESIDE * reach, high + _BESIDE * reach
+        for shape in planes:
+            axis, way = shape.axis
+            at = way * self._number(shape["at"])
+            if low[axis] - _NEAR * reach <= at <= high[axis] + _NEAR * reach:
+                low[axis], high[axis] = min(low[axis], at), max(high[axis], at)
+        return low, high
+
+    def bodies(self, room: Box) -> list[Body]:
+        """Return the bodies, as far as they are in a room."""
+        return [self._body(shape, room) for shape in self.scene.read.bodies]
+
+    def ends(self, room: Box) -> list[Body]:
+        """Return the ends; a plane that has no bounds reaches through the room."""
+        found = []
+        for shape in self.scene.read.ends:
+            axis, way = shape.axis
+            at = way * self._number(shape["at"])
+            if room[0][axis] <= at <= room[1][axis]:
+                mesh = flat(axis, way, at, room, 0.0, self._bounds(shape.bounds))
+                found.append(Body(shape.name, mesh, behind=True, lines=np.empty((0, 2, 3))))
+        return found
+
+    # One body
+
+    def _body(self, shape: Shape, room: Box) -> Body:
+        made = {
+            "plane": self._plane,
+            "sphere": self._sphere,
+            "cylinder": self._cylinder,
+            "torus": self._torus,
+            "box": self._box,
+            "surface": self._surface,
+        }[shape.kind](shape, room)
+        lines = np.empty((0, 2, 3))
+        if shape.kind == "torus" and self._number(shape["wire"]) == 0.0:
+            line = self._circle(shape)
+            lines = np.stack([line, np.roll(line, -1, axis=0)], 1)
+        return Body(shape.name, made, shape.kind == "plane" or shape.inside, lines)
+
+    def _plane(self, shape: Shape, room: Box) -> Mesh:
+        axis, way = shape.axis
+        at = way * self._number(shape["at"])
+        if not room[0][axis] <= at <= room[1][axis]:
+            return Mesh.of(np.empty((0, 3, 6)))
+        return flat(axis, way, at, room, self.ball_radius, self._bounds(shape.bounds))
+
+    def _sphere(self, shape: Shape, room: Box) -> Mesh:
+        u = np.linspace(0.0, 2.0 * np.pi, _ROUND, endpoint=False)
+        v = np.linspace(0.0, np.pi, _UP + 1)
+        unit = np.stack(
+            [
+                np.sin(v)[:, None] * np.cos(u),
+                np.sin(v)[:, None] * np.sin(u),
+                np.broadcast_to(np.cos(v)[:, None], (len(v), len(u))),
+            ],
+            -1,
+        )
+        unit[0], unit[-1] = (0.0, 0.0, 1.0), (0.0, 0.0, -1.0)
+        points = self._centre(shape) + self._number(shape["radius"]) * unit
+        return self._curved(shape, room, points, unit, (False, True))
+
+    def _cylinder(self, shape: Shape, room: Box) -> Mesh:
+        axis, radius = shape.axis[0], self._number(shape["radius"])
+        across = [(axis + 1) % 3, (axis + 2) % 3]
+        u = np.linspace(0.0, 2.0 * np.pi, _ROUND, endpoint=False)
+        low, high = float(room[0][axis]), float(room[1][axis])
+        count = int(np.clip(np.ceil((high - low) / radius), 1, 60))
+        along = np.linspace(high, low, count + 1)
+        unit = np.zeros((count + 1, _ROUND, 3))
+        unit[..., across[0]], unit[..., across[1]] = np.cos(u), np.sin(u)
+        points = self._centre(shape) + radius * unit
+        points[..., axis] = along[:, None]
+        return self._curved(shape, room, points, unit, (False, True))
+
+    def _curved(
+        self, shape: Shape, room: Box, points: Floats, unit: Floats, around: tuple[bool, bool]
+    ) -> Mesh:
+        normals = -unit if shape.inside else unit
+        corners = grid(turned(points, normals, self.ball_radius), around)
+        if shape.inside:
+            corners = corners[:, ::-1]
+        parts = np.zeros(len(corners), np.int64)
+        if shape.kind == "cylinder":
+            parts = np.arange(len(corners)) // (2 * _ROUND)
+        real = ~np.all(corners == np.roll(corners, -1, axis=1), axis=2).any(axis=1)
+        whole = Mesh.of(corners[real], parts[real])
+        return cut_all(whole, self._bounds(shape.bounds), _walls(room))
+
+    def _torus(self, shape: Shape, room: Box) -> Mesh:
+        wire = self._number(shape["wire"])
+        if wire == 0.0:
+            return Mesh.of(np.empty((0, 3, 6)))
+        circle, centre = self._circle(shape), self._centre(shape)
+        out = (circle - centre) / self._number(shape["radius"])
+        along = np.zeros(3)
+        along[shape.axis[0]] = 1.0
+        v = np.linspace(0.0, 2.0 * np.pi, _WIRE, endpoint=False)
+        unit = np.cos(v)[:, None] * out[:, None] + np.sin(v)[:, None] * along
+        corners = grid(turned(circle[:, None] + wire * unit, unit, self.ball_radius), (True, True))
+        parts = np.arange(len(corners)) // (2 * _WIRE * _SECTOR)
+        return cut_all(Mesh.of(corners, parts), (), _walls(room))
+
+    def _circle(self, shape: Shape) -> Floats:
+        axis = shape.axis[0]
+        u = np.linspace(0.0, 2.0 * np.pi, 2 * _ROUND, endpoint=False)
+        unit = np.zeros((len(u), 3))
+        unit[:, (axis + 1) % 3], unit[:, (axis + 2) % 3] = np.cos(u), np.sin(u)
+        return self._centre(shape) + self._number(shape["radius"]) * unit
+
+    def _box(self, shape: Shape, room: Box) -> Mesh:
+        low, high = (np.array(side) for side in self._extent(shape))
+        ball, nothing = self.ball_radius, ()
+        faces = [
+            flat(axis, way, float((high if way > 0 else low)[axis]), (low, high), ball, nothing)
+            for axis in range(3)
+            for way in (-1, 1)
+        ]
+        whole = Mesh.of(np.concatenate([face.corners for face in faces]))
+        return cut_all(whole, (), _walls(room))
+
+    def _surface(self, shape: Shape, room: Box) -> Mesh:
+        condition = self._bounds([shape.condition])[0]
+        terms = [(powers, self._number(factor)) for powers, factor in shape.condition]
+
+        def gradient(points: Floats) -> Floats:
+            return np.stack([_polynomial(_slope(terms, k), points) for k in range(3)], -1)
+
+        whole = level(condition, gradient, room, self.ball_radius)
+        return cut_all(whole, self._bounds(shape.bounds), _walls(room))
+
+    # Its data
+
+    def _centre(self, shape: Shape) -> Floats:
+        sizes = dict(shape.sizes)
+        return np.array(
+            [
+                self._number(sizes[f"centre {axis}"]) if f"centre {axis}" in sizes else 0.0
+                for axis in "xyz"
+            ]
+        )
+
+    def _extent(self, shape: Shape) -> tuple[list[float], list[float]]:
+        """Return the corners of the box that a body is in."""
+        if shape.kind == "box":
+            return tuple(  # type: ignore[return-value]
+                [self._number(shape[f"{end} {axis}"]) for axis in "xyz"] for end in ("from", "to")
+            )
+        if shape.kind in ("plane", "surface"):
+            return [-np.inf] * 3, [np.inf] * 3
+        centre, reach = self._centre(shape), np.full(3, self._number(shape["radius"]))
+        if shape.kind == "torus":
+            reach += self._number(shape["wire"])
+            reach[shape.axis[0]] -= self._number(shape["radius"])
+        low, high = centre - reach, centre + reach
+        if shape.kind == "cylinder":
+            axis = shape.axis[0]
+            low[axis], high[axis] = -np.inf, np.inf
+            for terms in shape.bounds:
+                found = {powers: self._number(factor) for powers, factor in terms}
+                steep = found.get((int(axis == 0), int(axis == 1), int(axis == 2)), 0.0)
+                rest = set(found) - {(0, 0, 0)}
+                if steep and len(rest) == 1:
+                    end = -found.get((0, 0, 0), 0.0) / steep
+                    if steep > 0:
+                        high[axis] = min(high[axis], end)
+                    else:
+                        low[axis] = max(low[axis], end)
+        return low.tolist(), high.tolist()
+
+    def _bounds(self, bounds: Sequence[Terms]) -> list[Bound]:
+        def bound(terms: Terms) -> Bound:
+            numbers = [(powers, self._number(factor)) for powers, factor in terms]
+            return lambda points: _polynomial(numbers, points)
+
+        return [bound(terms) for terms in bounds]
+
+
+_Numbers = list[tuple[tuple[int, int, int], float]]
+
+
+def _polynomial(terms: _Numbers, points: Floats) -> Floats:
+    total = np.zeros(points.shape[:-1])
+    for (i, j, k), factor in terms:
+        total += factor * points[..., 0] ** i * points[..., 1] ** j * points[..., 2] ** k
+    return total
+
+
+def _slope(terms: _Numbers, axis: int) -> _Numbers:
+    found: _Numbers = []
+    for powers, factor in terms:
+        if powers[axis]:
+            lower = [power - (k == axis) for k, power in enumerate(powers)]
+            found.append(((lower[0], lower[1], lower[2]), factor * powers[axis]))
+    return found
+
+
+def _walls(room: Box) -> list[Bound]:
+    low, high = room
+    slack = 1e-9 * float((high - low).max())
+
+    def wall(axis: int, way: int) -> Bound:
+        at = high[axis] if way > 0 else -low[axis]
+        return lambda points: way * points[..., axis] - at - slack
+
+    return [wall(axis, way) for axis in range(3) for way in (-1, 1)]

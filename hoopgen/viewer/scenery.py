@@ -1,0 +1,109 @@
+"""What a page shows of any scene but the hoop: its bodies as triangles, with gravity down."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hoopgen.colours import colours, ended
+from hoopgen.results import Shots
+from hoopgen.scene.meshes import chains
+from hoopgen.scene.seen import Body, Seen, upright
+
+__all__ = ["ball_radius", "scenery", "shown_parameters", "turned"]
+
+_DIGITS = 6
+"""Significant, of a corner of a body: finer than can be seen."""
+
+Floats = NDArray[np.float64]
+
+
+def scenery(shots: Shots, parameters: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the scene of shots for the page; of parameters that differ, the mean is drawn."""
+    seen = Seen.of(shots.scene, parameters)
+    turn, axes = upright(seen.scene.read.down)
+    low, high = _reach(shots)
+    room = seen.room(low, high)
+    own = colours(seen.names)
+    corners = np.sort(np.stack(room) @ turn.T, axis=0)
+    outcomes = shots.scene.outcomes.__members__
+    inks = ended(outcomes, len(shots.scene.kernels.ENDS))
+    return {
+        "axes": axes,
+        "room": corners.tolist(),
+        "step": float(10.0 ** np.floor(np.log10((corners[1] - corners[0]).max() / 3.0))),
+        "bodies": [_body(body, own[body.name], turn) for body in seen.bodies(room)],
+        "ends": [line for end in seen.ends(room) for line in _lines(end.mesh.rims, turn)],
+        "inks": {name.lower(): colour for name, colour in inks.items()},
+    }
+
+
+def turned(shots: Shots, states: Floats) -> Floats:
+    """Return vectors, three columns each, turned so that the gravity of shots is down."""
+    if shots.scene.is_hoop:
+        return states
+    written: Any = shots.scene.table.written
+    turn, _ = upright(written.read.down)
+    return np.asarray((states.reshape(-1, 3) @ turn.T).reshape(states.shape))
+
+
+def shown_parameters(shots: Shots, parameters: Mapping[str, Any], row: int) -> dict[str, float]:
+    """Return what flights and balls need, of one shot."""
+    own = {name: np.broadcast_to(v, len(shots))[row] for name, v in parameters.items()}
+    seen = Seen.of(shots.scene, own)
+    return {"ball_radius": seen.ball_radius, "gravity": seen.gravity}
+
+
+def ball_radius(shots: Shots, values: Mapping[str, Any]) -> Any:
+    """Return the ball's radius, one or (n,)."""
+    written: Any = shots.scene.table.written
+    own = dict(zip((one.name for one in written.inputs), written.values(values), strict=True))
+    found = np.asarray(written.read.ball_radius.evaluate(own), dtype=np.float64)
+    return found if found.ndim else float(found)
+
+
+def _reach(shots: Shots) -> tuple[Floats, Floats]:
+    """Return the corners of the box in which all shots fly, apexes included."""
+    points = []
+    for row in np.unique(shots.events["shot"]):
+        path = shots.trajectory(int(row))
+        times = np.concatenate([[0.0], path.events["time"]])
+        some = np.linspace(0.0, 1.0, 9)
+        points.append(path.at(times[:-1, None] + some * np.diff(times)[:, None])[..., :3])
+    starts = [shots.trajectory(row).release[None, :3] for row in range(len(shots))]
+    rows = [place.reshape(-1, 3) for place in (*points, *starts)]
+    found = np.concatenate(rows)
+    found = found[np.isfinite(found).all(axis=1)]
+    return found.min(axis=0), found.max(axis=0)
+
+
+def _body(body: Body, colour: str, turn: NDArray[np.int64]) -> dict[str, Any]:
+    corners = body.mesh.corners.reshape(-1, 6)
+    rows, index = np.unique(corners, axis=0, return_inverse=True)
+    return {
+        "colour": colour,
+        "flat": body.behind and _is_flat(body),
+        "inside": body.behind and not _is_flat(body),
+        "points": _rounded(rows[:, :3] @ turn.T).tolist(),
+        "triangles": index.ravel().tolist(),
+        "lines": _lines(body.lines, turn),
+        "rims": _lines(body.mesh.rims, turn),
+    }
+
+
+def _is_flat(body: Body) -> bool:
+    ways = (body.mesh.corners[..., 3:] - body.mesh.corners[..., :3]).reshape(-1, 3)
+    return not len(ways) or bool(np.ptp(ways, axis=0).max() < 1e-9)
+
+
+def _lines(segments: Floats, turn: NDArray[np.int64]) -> list[Any]:
+    return [_rounded(line @ turn.T).tolist() for line in chains(segments)]
+
+
+def _rounded(points: Floats) -> Floats:
+    """Return numbers of so many digits, counted from the largest."""
+    largest = float(np.abs(points).max(initial=1e-300))
+    return np.asarray(np.round(points, _DIGITS - int(np.floor(np.log10(largest)))))
