@@ -402,6 +402,10 @@ def test_a_shot_of_a_scene_is_proved_on_the_command_line(hole: Path) -> None:
         ((*GIVEN, "--preset", "nba"), "--preset is the hoop's"),
         ((*GIVEN, "--set", "spring=2"), "unknown 'spring'. The scene's parameters are bounce"),
         ((*GIVEN, "--set", "bounce=x"), "bounce: expected a number in SI units, got 'x'"),
+        (
+            ("--position", "0,0,0.05", "--velocity", "1,0,0"),
+            "this shot is invalid: the ball starts inside a surface, or a parameter is not allowed",
+        ),
         (("--position", "1,2", "--velocity", "1,0,0"), "expected three with commas between"),
     ],
 )

@@ -103,9 +103,10 @@ def shot(
         record=True,
     )
     if shots.outcome[0] == shots.scene.outcomes["INVALID"]:
+        hoop = ", is too big for the ring, or a size or gravity is not above zero"
         raise click.ClickException(
-            "this shot is invalid: the ball starts inside a surface, is too big for the ring, "
-            "or a size or gravity is not above zero"
+            "this shot is invalid: the ball starts inside a surface"
+            f"{hoop if engine is None else ', or a parameter is not allowed'}"
         )
     if picture is not None:
         _draw(shots, picture)
