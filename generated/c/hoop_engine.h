@@ -320,6 +320,8 @@ static void LANES(hoop_plain)(const hoop_job *job)
     const int recording = job->results->events != NULL;
     size_t begun = 0, shots = 0;
 
+    if (job->shots == 0)
+        return;
     if (recording)
         memset(job->results->event_counts, 0, job->shots * sizeof(int32_t));
     lanes_store(lists->p_ball_radius, K(*job->parameters[0]));
@@ -1555,6 +1557,8 @@ static void LANES(hoop_bounded)(const hoop_job *job)
     const int recording = job->results->events != NULL;
     size_t begun = 0, shots = 0;
 
+    if (job->shots == 0)
+        return;
     if (recording)
         memset(job->results->event_counts, 0, job->shots * sizeof(int32_t));
     lanes_store(lists->p_ball_radius, K(*job->parameters[0]));
