@@ -18,6 +18,7 @@ from scenes.caps import CAPS
 from scenes.turned import ALONG_X, DOWN_Y, WHEEL, Turn, turned, turned_states
 from test_bounded_curves import MOST, aimed, sequences, written
 
+from hoopgen.codegen.render import render_scene
 from hoopgen.engine import native, numpy_backend
 from hoopgen.engine.raw import Layout, Raw
 from hoopgen.judge.batch import prove
@@ -165,8 +166,8 @@ def test_studies_speak_of_heights_only_where_free_fall_is_down() -> None:
     assert build(HOOP).study
 
 
-def test_the_page_of_a_turned_scene_speaks_of_its_own_axes(made: Callable[[Scene], Made]) -> None:
-    page = (made(WHEEL).folder / "derivation_wheel.md").read_text(encoding="utf-8")
+def test_the_page_of_a_turned_scene_speaks_of_its_own_axes() -> None:
+    page = render_scene(WHEEL)["derivation_wheel.md"]
     assert "A shot ends where it crosses a plane of an end against the plane's normal" in page
     assert "| missed | ground | everywhere |" in page
     assert "way down" not in page

@@ -7,12 +7,16 @@ of its list into the lanes that are done. What was found goes back to the row it
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
 from hoopgen.derive.ground.tree import Do, Guard, Node, Repeat, live_before, walk, writes
 
 from .loop import CLoop, scope
+
+_ROWS = re.compile(r"\brows\b")
+"""Where the mask of a pass is used."""
 
 LISTED = 300
 """A body that costs so much has a list of its own; for a shorter one the packing costs more."""
@@ -150,7 +154,7 @@ class CLists(CLoop):
         if cut:
             self._pack(cut, own, takes, known)
         line("}")
-        if any("rows" in text for text in self.lines[first:]):
+        if any(_ROWS.search(text) for text in self.lines[first:]):
             self.lines.insert(first, f"    const M rows = lanes_first({frame.count} - i);")
         return own
 
