@@ -1239,68 +1239,6 @@ typedef struct {
     LANES(hoop_column) open_searching_x;
     LANES(hoop_column) open_searching_y;
     LANES(hoop_column) open_searching_z;
-    LANES(hoop_column) meeting_row;
-    LANES(hoop_column) meeting_body;
-    LANES(hoop_column) meeting_clock;
-    LANES(hoop_column) meeting_clock_error;
-    LANES(hoop_column) meeting_contacts;
-    LANES(hoop_column) meeting_count_0;
-    LANES(hoop_column) meeting_count_1;
-    LANES(hoop_column) meeting_count_2;
-    LANES(hoop_column) meeting_dvx;
-    LANES(hoop_column) meeting_dvy;
-    LANES(hoop_column) meeting_dvz;
-    LANES(hoop_column) meeting_dwx;
-    LANES(hoop_column) meeting_dwy;
-    LANES(hoop_column) meeting_dwz;
-    LANES(hoop_column) meeting_dx;
-    LANES(hoop_column) meeting_dy;
-    LANES(hoop_column) meeting_dz;
-    LANES(hoop_column) meeting_ends;
-    LANES(hoop_column) meeting_first;
-    LANES(hoop_column) meeting_last;
-    LANES(hoop_column) meeting_late;
-    LANES(hoop_column) meeting_p_ball_radius;
-    LANES(hoop_column) meeting_p_board_distance;
-    LANES(hoop_column) meeting_p_gravity;
-    LANES(hoop_column) meeting_p_restitution;
-    LANES(hoop_column) meeting_p_ring_radius;
-    LANES(hoop_column) meeting_p_wire_radius;
-    LANES(hoop_column) meeting_touches;
-    LANES(hoop_column) meeting_vx;
-    LANES(hoop_column) meeting_vy;
-    LANES(hoop_column) meeting_vz;
-    LANES(hoop_column) meeting_when;
-    LANES(hoop_column) meeting_which;
-    LANES(hoop_column) meeting_wx;
-    LANES(hoop_column) meeting_wy;
-    LANES(hoop_column) meeting_wz;
-    LANES(hoop_column) meeting_x;
-    LANES(hoop_column) meeting_y;
-    LANES(hoop_column) meeting_z;
-    LANES(hoop_column) meeting_touches_row;
-    LANES(hoop_column) meeting_touches_contacts;
-    LANES(hoop_column) meeting_touches_dnx;
-    LANES(hoop_column) meeting_touches_dny;
-    LANES(hoop_column) meeting_touches_dnz;
-    LANES(hoop_column) meeting_touches_dvx;
-    LANES(hoop_column) meeting_touches_dvy;
-    LANES(hoop_column) meeting_touches_dvz;
-    LANES(hoop_column) meeting_touches_dwx;
-    LANES(hoop_column) meeting_touches_dwy;
-    LANES(hoop_column) meeting_touches_dwz;
-    LANES(hoop_column) meeting_touches_nx;
-    LANES(hoop_column) meeting_touches_ny;
-    LANES(hoop_column) meeting_touches_nz;
-    LANES(hoop_column) meeting_touches_p_ball_radius;
-    LANES(hoop_column) meeting_touches_p_restitution;
-    LANES(hoop_column) meeting_touches_turn;
-    LANES(hoop_column) meeting_touches_vx;
-    LANES(hoop_column) meeting_touches_vy;
-    LANES(hoop_column) meeting_touches_vz;
-    LANES(hoop_column) meeting_touches_wx;
-    LANES(hoop_column) meeting_touches_wy;
-    LANES(hoop_column) meeting_touches_wz;
 } LANES(hoop_bounded_lists);
 
 /* Put the next shots into rows, from one on. */
@@ -2293,8 +2231,6 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             lists->which[row] = lists->open_which[k];
         }
         }
-        {
-        size_t meeting_shots = 0;
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             V clock = lanes_load(lists->clock + i);
@@ -2329,10 +2265,14 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const V p_restitution = lanes_load(lists->p_restitution + (i & varying));
             const V p_ring_radius = lanes_load(lists->p_ring_radius + (i & varying));
             const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
+            V position_claim = lanes_load(lists->position_claim + i);
             V position_error = lanes_load(lists->position_error + i);
             V speed = lanes_load(lists->speed + i);
+            V spin_claim = lanes_load(lists->spin_claim + i);
+            V time_claim = lanes_load(lists->time_claim + i);
             V time_error = lanes_load(lists->time_error + i);
             V uncertain = lanes_load(lists->uncertain + i);
+            V velocity_claim = lanes_load(lists->velocity_claim + i);
             V velocity_error = lanes_load(lists->velocity_error + i);
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
@@ -2435,476 +2375,235 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             const LANES(hoop_meeting_out) _o107 =
                 LANES(hoop_meeting)(claims, ends, touches);
             M meeting = _o107.meeting;
-            lanes_store(lists->clock + i, clock);
-            lanes_store(lists->contacts + i, contacts);
-            lanes_store(lists->outcome + i, outcome);
-            lanes_store(lists->uncertain + i, uncertain);
-            lanes_store(lists->vx + i, vx);
-            lanes_store(lists->vy + i, vy);
-            lanes_store(lists->vz + i, vz);
-            lanes_store(lists->when + i, when);
-            lanes_store(lists->which + i, which);
-            lanes_store(lists->x + i, x);
-            lanes_store(lists->y + i, y);
-            lanes_store(lists->z + i, z);
-            const M packed = lanes_both(rows, meeting);
-            if (lanes_any(packed)) {
-                lanes_pack(lists->meeting_row + meeting_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->meeting_body + meeting_shots, packed, body);
-                lanes_pack(lists->meeting_clock + meeting_shots, packed, clock);
-                lanes_pack(lists->meeting_clock_error + meeting_shots, packed, clock_error);
-                lanes_pack(lists->meeting_contacts + meeting_shots, packed, contacts);
-                lanes_pack(lists->meeting_count_0 + meeting_shots, packed, count_0);
-                lanes_pack(lists->meeting_count_1 + meeting_shots, packed, count_1);
-                lanes_pack(lists->meeting_count_2 + meeting_shots, packed, count_2);
-                lanes_pack(lists->meeting_dvx + meeting_shots, packed, dvx);
-                lanes_pack(lists->meeting_dvy + meeting_shots, packed, dvy);
-                lanes_pack(lists->meeting_dvz + meeting_shots, packed, dvz);
-                lanes_pack(lists->meeting_dwx + meeting_shots, packed, dwx);
-                lanes_pack(lists->meeting_dwy + meeting_shots, packed, dwy);
-                lanes_pack(lists->meeting_dwz + meeting_shots, packed, dwz);
-                lanes_pack(lists->meeting_dx + meeting_shots, packed, dx);
-                lanes_pack(lists->meeting_dy + meeting_shots, packed, dy);
-                lanes_pack(lists->meeting_dz + meeting_shots, packed, dz);
-                lanes_pack(lists->meeting_ends + meeting_shots, packed, lanes_select(ends, K(1.0), K(0.0)));
-                lanes_pack(lists->meeting_first + meeting_shots, packed, first);
-                lanes_pack(lists->meeting_last + meeting_shots, packed, last);
-                lanes_pack(lists->meeting_late + meeting_shots, packed, late);
-                if (varying)
-                    lanes_pack(lists->meeting_p_ball_radius + meeting_shots, packed, p_ball_radius);
-                if (varying)
-                    lanes_pack(lists->meeting_p_board_distance + meeting_shots, packed, p_board_distance);
-                if (varying)
-                    lanes_pack(lists->meeting_p_gravity + meeting_shots, packed, p_gravity);
-                if (varying)
-                    lanes_pack(lists->meeting_p_restitution + meeting_shots, packed, p_restitution);
-                if (varying)
-                    lanes_pack(lists->meeting_p_ring_radius + meeting_shots, packed, p_ring_radius);
-                if (varying)
-                    lanes_pack(lists->meeting_p_wire_radius + meeting_shots, packed, p_wire_radius);
-                lanes_pack(lists->meeting_touches + meeting_shots, packed, lanes_select(touches, K(1.0), K(0.0)));
-                lanes_pack(lists->meeting_vx + meeting_shots, packed, vx);
-                lanes_pack(lists->meeting_vy + meeting_shots, packed, vy);
-                lanes_pack(lists->meeting_vz + meeting_shots, packed, vz);
-                lanes_pack(lists->meeting_when + meeting_shots, packed, when);
-                lanes_pack(lists->meeting_which + meeting_shots, packed, which);
-                lanes_pack(lists->meeting_wx + meeting_shots, packed, wx);
-                lanes_pack(lists->meeting_wy + meeting_shots, packed, wy);
-                lanes_pack(lists->meeting_wz + meeting_shots, packed, wz);
-                lanes_pack(lists->meeting_x + meeting_shots, packed, x);
-                lanes_pack(lists->meeting_y + meeting_shots, packed, y);
-                lanes_pack(lists->meeting_z + meeting_shots, packed, z);
-                meeting_shots += lanes_many(packed);
-            }
-        }
-        {
-        size_t meeting_touches_shots = 0;
-        for (size_t i = 0; i < meeting_shots; i += LANES_WIDTH) {
-            const M rows = lanes_first(meeting_shots - i);
-            V clock = lanes_load(lists->meeting_clock + i);
-            V clock_error = lanes_load(lists->meeting_clock_error + i);
-            V contacts = lanes_load(lists->meeting_contacts + i);
-            V count_0 = lanes_load(lists->meeting_count_0 + i);
-            V count_1 = lanes_load(lists->meeting_count_1 + i);
-            V count_2 = lanes_load(lists->meeting_count_2 + i);
-            V dvx = lanes_load(lists->meeting_dvx + i);
-            V dvy = lanes_load(lists->meeting_dvy + i);
-            V dvz = lanes_load(lists->meeting_dvz + i);
-            V dwx = lanes_load(lists->meeting_dwx + i);
-            V dwy = lanes_load(lists->meeting_dwy + i);
-            V dwz = lanes_load(lists->meeting_dwz + i);
-            V dx = lanes_load(lists->meeting_dx + i);
-            V dy = lanes_load(lists->meeting_dy + i);
-            V dz = lanes_load(lists->meeting_dz + i);
-            M ends = lanes_less(K(0.0), lanes_load(lists->meeting_ends + i));
-            V last = lanes_load(lists->meeting_last + i);
-            V late = lanes_load(lists->meeting_late + i);
-            const V p_ball_radius = lanes_load(varying ? lists->meeting_p_ball_radius + i : lists->p_ball_radius);
-            const V p_gravity = lanes_load(varying ? lists->meeting_p_gravity + i : lists->p_gravity);
-            const V p_restitution = lanes_load(varying ? lists->meeting_p_restitution + i : lists->p_restitution);
-            const V p_ring_radius = lanes_load(varying ? lists->meeting_p_ring_radius + i : lists->p_ring_radius);
-            const V p_wire_radius = lanes_load(varying ? lists->meeting_p_wire_radius + i : lists->p_wire_radius);
-            M touches = lanes_less(K(0.0), lanes_load(lists->meeting_touches + i));
-            V vx = lanes_load(lists->meeting_vx + i);
-            V vy = lanes_load(lists->meeting_vy + i);
-            V vz = lanes_load(lists->meeting_vz + i);
-            V when = lanes_load(lists->meeting_when + i);
-            V which = lanes_load(lists->meeting_which + i);
-            V wx = lanes_load(lists->meeting_wx + i);
-            V wy = lanes_load(lists->meeting_wy + i);
-            V wz = lanes_load(lists->meeting_wz + i);
-            V x = lanes_load(lists->meeting_x + i);
-            V y = lanes_load(lists->meeting_y + i);
-            V z = lanes_load(lists->meeting_z + i);
-            const LANES(hoop_end_normal_out) _o108 =
-                LANES(hoop_end_normal)();
-            V nx = _o108.nx;
-            V ny = _o108.ny;
-            V nz = _o108.nz;
-            const LANES(hoop_here_out) _o109 =
-                LANES(hoop_here)(K(0.0), which);
-            M here = _o109.here;
-            const M _m110 = lanes_both(rows, here);
-            {
-                const LANES(hoop_ring_normal_out) _o111 =
-                    LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
-                nx = lanes_select(_m110, _o111.nx, nx);
-                ny = lanes_select(_m110, _o111.ny, ny);
-                nz = lanes_select(_m110, _o111.nz, nz);
-                const LANES(hoop_counted_out) _o112 =
-                    LANES(hoop_counted)(count_0);
-                count_0 = lanes_select(_m110, _o112.count, count_0);
-            }
-            const LANES(hoop_here_out) _o113 =
-                LANES(hoop_here)(K(1.0), which);
-            here = _o113.here;
-            const M _m114 = lanes_both(rows, here);
-            {
-                const LANES(hoop_backboard_normal_out) _o115 =
-                    LANES(hoop_backboard_normal)();
-                nx = lanes_select(_m114, _o115.nx, nx);
-                ny = lanes_select(_m114, _o115.ny, ny);
-                nz = lanes_select(_m114, _o115.nz, nz);
-                const LANES(hoop_counted_out) _o116 =
-                    LANES(hoop_counted)(count_1);
-                count_1 = lanes_select(_m114, _o116.count, count_1);
-            }
-            const LANES(hoop_here_out) _o117 =
-                LANES(hoop_here)(K(2.0), which);
-            here = _o117.here;
-            const M _m118 = lanes_both(rows, here);
-            {
-                const LANES(hoop_bridge_normal_out) _o119 =
-                    LANES(hoop_bridge_normal)();
-                nx = lanes_select(_m118, _o119.nx, nx);
-                ny = lanes_select(_m118, _o119.ny, ny);
-                nz = lanes_select(_m118, _o119.nz, nz);
-                const LANES(hoop_counted_out) _o120 =
-                    LANES(hoop_counted)(count_2);
-                count_2 = lanes_select(_m118, _o120.count, count_2);
-            }
-            const LANES(hoop_elsewhere_out) _o121 =
-                LANES(hoop_elsewhere)();
-            V curving = _o121.curving;
-            const LANES(hoop_again_out) _o122 =
-                LANES(hoop_again)(K(0.0), last, which);
-            M again = _o122.again;
-            const M _m123 = lanes_both(rows, again);
-            {
-                const LANES(hoop_ring_curvature_out) _o124 =
-                    LANES(hoop_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
-                curving = lanes_select(_m123, _o124.curvature, curving);
-            }
-            const LANES(hoop_again_out) _o125 =
-                LANES(hoop_again)(K(1.0), last, which);
-            again = _o125.again;
-            const M _m126 = lanes_both(rows, again);
-            {
-                const LANES(hoop_backboard_curvature_out) _o127 =
-                    LANES(hoop_backboard_curvature)();
-                curving = lanes_select(_m126, _o127.curvature, curving);
-            }
-            const LANES(hoop_again_out) _o128 =
-                LANES(hoop_again)(K(2.0), last, which);
-            again = _o128.again;
-            const M _m129 = lanes_both(rows, again);
-            {
-                const LANES(hoop_bridge_curvature_out) _o130 =
-                    LANES(hoop_bridge_curvature)();
-                curving = lanes_select(_m129, _o130.curvature, curving);
-            }
-            const LANES(hoop_carry_flight_out) _o131 =
-                LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
-            dx = _o131.dx;
-            dy = _o131.dy;
-            dz = _o131.dz;
-            dvx = _o131.dvx;
-            dvy = _o131.dvy;
-            dvz = _o131.dvz;
-            V delay = _o131.delay;
-            V shift = _o131.shift;
-            const LANES(hoop_delayed_out) _o132 =
-                LANES(hoop_delayed)(clock_error, delay);
-            clock_error = _o132.clock_error;
-            const M _m133 = lanes_both(rows, ends);
-            {
-                const LANES(hoop_floored_out) _o134 =
-                    LANES(hoop_floored)(dx, dy, dz, shift);
-                dx = lanes_select(_m133, _o134.dx, dx);
-                dy = lanes_select(_m133, _o134.dy, dy);
-                dz = lanes_select(_m133, _o134.dz, dz);
-            }
-            const LANES(hoop_unturned_out) _o135 =
-                LANES(hoop_unturned)();
-            V dnx = _o135.dnx;
-            V dny = _o135.dny;
-            V dnz = _o135.dnz;
-            V turn = _o135.turn;
-            const LANES(hoop_here_out) _o136 =
-                LANES(hoop_here)(K(0.0), which);
-            here = _o136.here;
-            const M _m137 = lanes_both(rows, here);
-            if (lanes_any(_m137)) {
-                const LANES(hoop_ring_carry_normal_out) _o138 =
-                    LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
-                dnx = lanes_select(_m137, _o138.dnx, dnx);
-                dny = lanes_select(_m137, _o138.dny, dny);
-                dnz = lanes_select(_m137, _o138.dnz, dnz);
-                turn = lanes_select(_m137, _o138.turn, turn);
-            }
-            lanes_store(lists->meeting_clock_error + i, clock_error);
-            lanes_store(lists->meeting_count_0 + i, count_0);
-            lanes_store(lists->meeting_count_1 + i, count_1);
-            lanes_store(lists->meeting_count_2 + i, count_2);
-            lanes_store(lists->meeting_dvx + i, dvx);
-            lanes_store(lists->meeting_dvy + i, dvy);
-            lanes_store(lists->meeting_dvz + i, dvz);
-            lanes_store(lists->meeting_dx + i, dx);
-            lanes_store(lists->meeting_dy + i, dy);
-            lanes_store(lists->meeting_dz + i, dz);
-            const M packed = lanes_both(rows, touches);
-            if (lanes_any(packed)) {
-                lanes_pack(lists->meeting_touches_row + meeting_touches_shots, packed, lanes_add(lanes_count_up(), K((double)i)));
-                lanes_pack(lists->meeting_touches_contacts + meeting_touches_shots, packed, contacts);
-                lanes_pack(lists->meeting_touches_dnx + meeting_touches_shots, packed, dnx);
-                lanes_pack(lists->meeting_touches_dny + meeting_touches_shots, packed, dny);
-                lanes_pack(lists->meeting_touches_dnz + meeting_touches_shots, packed, dnz);
-                lanes_pack(lists->meeting_touches_dvx + meeting_touches_shots, packed, dvx);
-                lanes_pack(lists->meeting_touches_dvy + meeting_touches_shots, packed, dvy);
-                lanes_pack(lists->meeting_touches_dvz + meeting_touches_shots, packed, dvz);
-                lanes_pack(lists->meeting_touches_dwx + meeting_touches_shots, packed, dwx);
-                lanes_pack(lists->meeting_touches_dwy + meeting_touches_shots, packed, dwy);
-                lanes_pack(lists->meeting_touches_dwz + meeting_touches_shots, packed, dwz);
-                lanes_pack(lists->meeting_touches_nx + meeting_touches_shots, packed, nx);
-                lanes_pack(lists->meeting_touches_ny + meeting_touches_shots, packed, ny);
-                lanes_pack(lists->meeting_touches_nz + meeting_touches_shots, packed, nz);
-                if (varying)
-                    lanes_pack(lists->meeting_touches_p_ball_radius + meeting_touches_shots, packed, p_ball_radius);
-                if (varying)
-                    lanes_pack(lists->meeting_touches_p_restitution + meeting_touches_shots, packed, p_restitution);
-                lanes_pack(lists->meeting_touches_turn + meeting_touches_shots, packed, turn);
-                lanes_pack(lists->meeting_touches_vx + meeting_touches_shots, packed, vx);
-                lanes_pack(lists->meeting_touches_vy + meeting_touches_shots, packed, vy);
-                lanes_pack(lists->meeting_touches_vz + meeting_touches_shots, packed, vz);
-                lanes_pack(lists->meeting_touches_wx + meeting_touches_shots, packed, wx);
-                lanes_pack(lists->meeting_touches_wy + meeting_touches_shots, packed, wy);
-                lanes_pack(lists->meeting_touches_wz + meeting_touches_shots, packed, wz);
-                meeting_touches_shots += lanes_many(packed);
-            }
-        }
-        for (size_t i = 0; i < meeting_touches_shots; i += LANES_WIDTH) {
-            V contacts = lanes_load(lists->meeting_touches_contacts + i);
-            V dnx = lanes_load(lists->meeting_touches_dnx + i);
-            V dny = lanes_load(lists->meeting_touches_dny + i);
-            V dnz = lanes_load(lists->meeting_touches_dnz + i);
-            V dvx = lanes_load(lists->meeting_touches_dvx + i);
-            V dvy = lanes_load(lists->meeting_touches_dvy + i);
-            V dvz = lanes_load(lists->meeting_touches_dvz + i);
-            V dwx = lanes_load(lists->meeting_touches_dwx + i);
-            V dwy = lanes_load(lists->meeting_touches_dwy + i);
-            V dwz = lanes_load(lists->meeting_touches_dwz + i);
-            V nx = lanes_load(lists->meeting_touches_nx + i);
-            V ny = lanes_load(lists->meeting_touches_ny + i);
-            V nz = lanes_load(lists->meeting_touches_nz + i);
-            const V p_ball_radius = lanes_load(varying ? lists->meeting_touches_p_ball_radius + i : lists->p_ball_radius);
-            const V p_restitution = lanes_load(varying ? lists->meeting_touches_p_restitution + i : lists->p_restitution);
-            V turn = lanes_load(lists->meeting_touches_turn + i);
-            V vx = lanes_load(lists->meeting_touches_vx + i);
-            V vy = lanes_load(lists->meeting_touches_vy + i);
-            V vz = lanes_load(lists->meeting_touches_vz + i);
-            V wx = lanes_load(lists->meeting_touches_wx + i);
-            V wy = lanes_load(lists->meeting_touches_wy + i);
-            V wz = lanes_load(lists->meeting_touches_wz + i);
-            const LANES(hoop_carry_impact_out) _o139 =
-                LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
-            dvx = _o139.dvx;
-            dvy = _o139.dvy;
-            dvz = _o139.dvz;
-            dwx = _o139.dwx;
-            dwy = _o139.dwy;
-            dwz = _o139.dwz;
-            const LANES(hoop_impact_out) _o140 =
-                LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
-            vx = _o140.vx;
-            vy = _o140.vy;
-            vz = _o140.vz;
-            wx = _o140.wx;
-            wy = _o140.wy;
-            wz = _o140.wz;
-            lanes_store(lists->meeting_touches_dvx + i, dvx);
-            lanes_store(lists->meeting_touches_dvy + i, dvy);
-            lanes_store(lists->meeting_touches_dvz + i, dvz);
-            lanes_store(lists->meeting_touches_dwx + i, dwx);
-            lanes_store(lists->meeting_touches_dwy + i, dwy);
-            lanes_store(lists->meeting_touches_dwz + i, dwz);
-            lanes_store(lists->meeting_touches_vx + i, vx);
-            lanes_store(lists->meeting_touches_vy + i, vy);
-            lanes_store(lists->meeting_touches_vz + i, vz);
-            lanes_store(lists->meeting_touches_wx + i, wx);
-            lanes_store(lists->meeting_touches_wy + i, wy);
-            lanes_store(lists->meeting_touches_wz + i, wz);
-        }
-        for (size_t k = 0; k < meeting_touches_shots; k++) {
-            const size_t row = (size_t)lists->meeting_touches_row[k];
-            lists->meeting_dvx[row] = lists->meeting_touches_dvx[k];
-            lists->meeting_dvy[row] = lists->meeting_touches_dvy[k];
-            lists->meeting_dvz[row] = lists->meeting_touches_dvz[k];
-            lists->meeting_dwx[row] = lists->meeting_touches_dwx[k];
-            lists->meeting_dwy[row] = lists->meeting_touches_dwy[k];
-            lists->meeting_dwz[row] = lists->meeting_touches_dwz[k];
-            lists->meeting_vx[row] = lists->meeting_touches_vx[k];
-            lists->meeting_vy[row] = lists->meeting_touches_vy[k];
-            lists->meeting_vz[row] = lists->meeting_touches_vz[k];
-            lists->meeting_wx[row] = lists->meeting_touches_wx[k];
-            lists->meeting_wy[row] = lists->meeting_touches_wy[k];
-            lists->meeting_wz[row] = lists->meeting_touches_wz[k];
-        }
-        }
-        for (size_t i = 0; i < meeting_shots; i += LANES_WIDTH) {
-            const M rows = lanes_first(meeting_shots - i);
-            V body = lanes_load(lists->meeting_body + i);
-            V first = lanes_load(lists->meeting_first + i);
-            V last = lanes_load(lists->meeting_last + i);
-            const V p_ball_radius = lanes_load(varying ? lists->meeting_p_ball_radius + i : lists->p_ball_radius);
-            const V p_board_distance = lanes_load(varying ? lists->meeting_p_board_distance + i : lists->p_board_distance);
-            const V p_wire_radius = lanes_load(varying ? lists->meeting_p_wire_radius + i : lists->p_wire_radius);
-            M touches = lanes_less(K(0.0), lanes_load(lists->meeting_touches + i));
-            V which = lanes_load(lists->meeting_which + i);
-            V x = lanes_load(lists->meeting_x + i);
-            V y = lanes_load(lists->meeting_y + i);
-            V z = lanes_load(lists->meeting_z + i);
-            const LANES(hoop_here_out) _o141 =
-                LANES(hoop_here)(K(1.0), which);
-            M here = _o141.here;
-            const M _m142 = lanes_both(rows, here);
-            {
-                const LANES(hoop_backboard_place_out) _o143 =
-                    LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
-                x = lanes_select(_m142, _o143.x, x);
-                y = lanes_select(_m142, _o143.y, y);
-                z = lanes_select(_m142, _o143.z, z);
-            }
-            const LANES(hoop_here_out) _o144 =
-                LANES(hoop_here)(K(2.0), which);
-            here = _o144.here;
-            const M _m145 = lanes_both(rows, here);
-            {
-                const LANES(hoop_bridge_place_out) _o146 =
-                    LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
-                x = lanes_select(_m145, _o146.x, x);
-                y = lanes_select(_m145, _o146.y, y);
-                z = lanes_select(_m145, _o146.z, z);
-            }
-            const M _m147 = lanes_both(rows, touches);
-            {
-                const LANES(hoop_touched_out) _o148 =
-                    LANES(hoop_touched)(body, first, which);
-                first = lanes_select(_m147, _o148.first, first);
-                last = lanes_select(_m147, _o148.last, last);
-            }
-            lanes_store(lists->meeting_first + i, first);
-            lanes_store(lists->meeting_last + i, last);
-            lanes_store(lists->meeting_x + i, x);
-            lanes_store(lists->meeting_y + i, y);
-            lanes_store(lists->meeting_z + i, z);
-        }
-        for (size_t k = 0; k < meeting_shots; k++) {
-            const size_t row = (size_t)lists->meeting_row[k];
-            lists->clock_error[row] = lists->meeting_clock_error[k];
-            lists->count_0[row] = lists->meeting_count_0[k];
-            lists->count_1[row] = lists->meeting_count_1[k];
-            lists->count_2[row] = lists->meeting_count_2[k];
-            lists->dvx[row] = lists->meeting_dvx[k];
-            lists->dvy[row] = lists->meeting_dvy[k];
-            lists->dvz[row] = lists->meeting_dvz[k];
-            lists->dwx[row] = lists->meeting_dwx[k];
-            lists->dwy[row] = lists->meeting_dwy[k];
-            lists->dwz[row] = lists->meeting_dwz[k];
-            lists->dx[row] = lists->meeting_dx[k];
-            lists->dy[row] = lists->meeting_dy[k];
-            lists->dz[row] = lists->meeting_dz[k];
-            lists->first[row] = lists->meeting_first[k];
-            lists->last[row] = lists->meeting_last[k];
-            lists->vx[row] = lists->meeting_vx[k];
-            lists->vy[row] = lists->meeting_vy[k];
-            lists->vz[row] = lists->meeting_vz[k];
-            lists->wx[row] = lists->meeting_wx[k];
-            lists->wy[row] = lists->meeting_wy[k];
-            lists->wz[row] = lists->meeting_wz[k];
-            lists->x[row] = lists->meeting_x[k];
-            lists->y[row] = lists->meeting_y[k];
-            lists->z[row] = lists->meeting_z[k];
-        }
-        }
-        for (size_t i = 0; i < shots; i += LANES_WIDTH) {
-            const M rows = lanes_first(shots - i);
-            V clock = lanes_load(lists->clock + i);
-            V clock_error = lanes_load(lists->clock_error + i);
-            V dvx = lanes_load(lists->dvx + i);
-            V dvy = lanes_load(lists->dvy + i);
-            V dvz = lanes_load(lists->dvz + i);
-            V dwx = lanes_load(lists->dwx + i);
-            V dwy = lanes_load(lists->dwy + i);
-            V dwz = lanes_load(lists->dwz + i);
-            V dx = lanes_load(lists->dx + i);
-            V dy = lanes_load(lists->dy + i);
-            V dz = lanes_load(lists->dz + i);
-            M limited = lanes_less(K(0.0), lanes_load(lists->limited + i));
-            V outcome = lanes_load(lists->outcome + i);
-            const V p_gravity = lanes_load(lists->p_gravity + (i & varying));
-            V position_claim = lanes_load(lists->position_claim + i);
-            V spin_claim = lanes_load(lists->spin_claim + i);
-            V time_claim = lanes_load(lists->time_claim + i);
-            V velocity_claim = lanes_load(lists->velocity_claim + i);
-            V vx = lanes_load(lists->vx + i);
-            V vy = lanes_load(lists->vy + i);
-            V vz = lanes_load(lists->vz + i);
-            V when = lanes_load(lists->when + i);
-            V which = lanes_load(lists->which + i);
-            V x = lanes_load(lists->x + i);
-            V y = lanes_load(lists->y + i);
-            V z = lanes_load(lists->z + i);
-            const M _m149 = lanes_both(rows, limited);
-            if (lanes_any(_m149)) {
-                const LANES(hoop_timed_out) _o150 =
-                    LANES(hoop_timed)(claims, K(4.0), which);
-                M timed = _o150.timed;
-                const M _m151 = lanes_both(_m149, timed);
-                if (lanes_any(_m151)) {
-                    const LANES(hoop_carry_time_out) _o152 =
-                        LANES(hoop_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m151, _o152.dx, dx);
-                    dy = lanes_select(_m151, _o152.dy, dy);
-                    dz = lanes_select(_m151, _o152.dz, dz);
-                    dvx = lanes_select(_m151, _o152.dvx, dvx);
-                    dvy = lanes_select(_m151, _o152.dvy, dvy);
-                    dvz = lanes_select(_m151, _o152.dvz, dvz);
-                    clock_error = lanes_select(_m151, _o152.clock_error, clock_error);
+            const M _m108 = lanes_both(rows, meeting);
+            if (lanes_any(_m108)) {
+                const LANES(hoop_end_normal_out) _o109 =
+                    LANES(hoop_end_normal)();
+                V nx = _o109.nx;
+                V ny = _o109.ny;
+                V nz = _o109.nz;
+                const LANES(hoop_here_out) _o110 =
+                    LANES(hoop_here)(K(0.0), which);
+                M here = _o110.here;
+                const M _m111 = lanes_both(_m108, here);
+                {
+                    const LANES(hoop_ring_normal_out) _o112 =
+                        LANES(hoop_ring_normal)(x, y, z, p_ball_radius, p_ring_radius, p_wire_radius);
+                    nx = lanes_select(_m111, _o112.nx, nx);
+                    ny = lanes_select(_m111, _o112.ny, ny);
+                    nz = lanes_select(_m111, _o112.nz, nz);
+                    const LANES(hoop_counted_out) _o113 =
+                        LANES(hoop_counted)(count_0);
+                    count_0 = lanes_select(_m111, _o113.count, count_0);
+                }
+                const LANES(hoop_here_out) _o114 =
+                    LANES(hoop_here)(K(1.0), which);
+                here = _o114.here;
+                const M _m115 = lanes_both(_m108, here);
+                {
+                    const LANES(hoop_backboard_normal_out) _o116 =
+                        LANES(hoop_backboard_normal)();
+                    nx = lanes_select(_m115, _o116.nx, nx);
+                    ny = lanes_select(_m115, _o116.ny, ny);
+                    nz = lanes_select(_m115, _o116.nz, nz);
+                    const LANES(hoop_counted_out) _o117 =
+                        LANES(hoop_counted)(count_1);
+                    count_1 = lanes_select(_m115, _o117.count, count_1);
+                }
+                const LANES(hoop_here_out) _o118 =
+                    LANES(hoop_here)(K(2.0), which);
+                here = _o118.here;
+                const M _m119 = lanes_both(_m108, here);
+                {
+                    const LANES(hoop_bridge_normal_out) _o120 =
+                        LANES(hoop_bridge_normal)();
+                    nx = lanes_select(_m119, _o120.nx, nx);
+                    ny = lanes_select(_m119, _o120.ny, ny);
+                    nz = lanes_select(_m119, _o120.nz, nz);
+                    const LANES(hoop_counted_out) _o121 =
+                        LANES(hoop_counted)(count_2);
+                    count_2 = lanes_select(_m119, _o121.count, count_2);
+                }
+                const LANES(hoop_elsewhere_out) _o122 =
+                    LANES(hoop_elsewhere)();
+                V curving = _o122.curving;
+                const LANES(hoop_again_out) _o123 =
+                    LANES(hoop_again)(K(0.0), last, which);
+                M again = _o123.again;
+                const M _m124 = lanes_both(_m108, again);
+                {
+                    const LANES(hoop_ring_curvature_out) _o125 =
+                        LANES(hoop_ring_curvature)(p_ball_radius, p_ring_radius, p_wire_radius);
+                    curving = lanes_select(_m124, _o125.curvature, curving);
+                }
+                const LANES(hoop_again_out) _o126 =
+                    LANES(hoop_again)(K(1.0), last, which);
+                again = _o126.again;
+                const M _m127 = lanes_both(_m108, again);
+                {
+                    const LANES(hoop_backboard_curvature_out) _o128 =
+                        LANES(hoop_backboard_curvature)();
+                    curving = lanes_select(_m127, _o128.curvature, curving);
+                }
+                const LANES(hoop_again_out) _o129 =
+                    LANES(hoop_again)(K(2.0), last, which);
+                again = _o129.again;
+                const M _m130 = lanes_both(_m108, again);
+                {
+                    const LANES(hoop_bridge_curvature_out) _o131 =
+                        LANES(hoop_bridge_curvature)();
+                    curving = lanes_select(_m130, _o131.curvature, curving);
+                }
+                const LANES(hoop_carry_flight_out) _o132 =
+                    LANES(hoop_carry_flight)(when, x, y, z, vx, vy, vz, nx, ny, nz, clock, contacts, late, dx, dy, dz, dvx, dvy, dvz, curving, p_gravity);
+                dx = lanes_select(_m108, _o132.dx, dx);
+                dy = lanes_select(_m108, _o132.dy, dy);
+                dz = lanes_select(_m108, _o132.dz, dz);
+                dvx = lanes_select(_m108, _o132.dvx, dvx);
+                dvy = lanes_select(_m108, _o132.dvy, dvy);
+                dvz = lanes_select(_m108, _o132.dvz, dvz);
+                V delay = _o132.delay;
+                V shift = _o132.shift;
+                const LANES(hoop_delayed_out) _o133 =
+                    LANES(hoop_delayed)(clock_error, delay);
+                clock_error = lanes_select(_m108, _o133.clock_error, clock_error);
+                const M _m134 = lanes_both(_m108, ends);
+                {
+                    const LANES(hoop_floored_out) _o135 =
+                        LANES(hoop_floored)(dx, dy, dz, shift);
+                    dx = lanes_select(_m134, _o135.dx, dx);
+                    dy = lanes_select(_m134, _o135.dy, dy);
+                    dz = lanes_select(_m134, _o135.dz, dz);
+                }
+                const LANES(hoop_unturned_out) _o136 =
+                    LANES(hoop_unturned)();
+                V dnx = _o136.dnx;
+                V dny = _o136.dny;
+                V dnz = _o136.dnz;
+                V turn = _o136.turn;
+                const LANES(hoop_here_out) _o137 =
+                    LANES(hoop_here)(K(0.0), which);
+                here = _o137.here;
+                const M _m138 = lanes_both(_m108, here);
+                if (lanes_any(_m138)) {
+                    const LANES(hoop_ring_carry_normal_out) _o139 =
+                        LANES(hoop_ring_carry_normal)(x, y, dx, dy, dz, shift, p_ball_radius, p_ring_radius, p_wire_radius);
+                    dnx = lanes_select(_m138, _o139.dnx, dnx);
+                    dny = lanes_select(_m138, _o139.dny, dny);
+                    dnz = lanes_select(_m138, _o139.dnz, dnz);
+                    turn = lanes_select(_m138, _o139.turn, turn);
+                }
+                const M _m140 = lanes_both(_m108, touches);
+                if (lanes_any(_m140)) {
+                    const LANES(hoop_carry_impact_out) _o141 =
+                        LANES(hoop_carry_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_restitution);
+                    dvx = lanes_select(_m140, _o141.dvx, dvx);
+                    dvy = lanes_select(_m140, _o141.dvy, dvy);
+                    dvz = lanes_select(_m140, _o141.dvz, dvz);
+                    dwx = lanes_select(_m140, _o141.dwx, dwx);
+                    dwy = lanes_select(_m140, _o141.dwy, dwy);
+                    dwz = lanes_select(_m140, _o141.dwz, dwz);
+                    const LANES(hoop_impact_out) _o142 =
+                        LANES(hoop_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_restitution);
+                    vx = lanes_select(_m140, _o142.vx, vx);
+                    vy = lanes_select(_m140, _o142.vy, vy);
+                    vz = lanes_select(_m140, _o142.vz, vz);
+                    wx = lanes_select(_m140, _o142.wx, wx);
+                    wy = lanes_select(_m140, _o142.wy, wy);
+                    wz = lanes_select(_m140, _o142.wz, wz);
+                }
+                const LANES(hoop_here_out) _o143 =
+                    LANES(hoop_here)(K(1.0), which);
+                here = _o143.here;
+                const M _m144 = lanes_both(_m108, here);
+                {
+                    const LANES(hoop_backboard_place_out) _o145 =
+                        LANES(hoop_backboard_place)(y, z, p_ball_radius, p_board_distance);
+                    x = lanes_select(_m144, _o145.x, x);
+                    y = lanes_select(_m144, _o145.y, y);
+                    z = lanes_select(_m144, _o145.z, z);
+                }
+                const LANES(hoop_here_out) _o146 =
+                    LANES(hoop_here)(K(2.0), which);
+                here = _o146.here;
+                const M _m147 = lanes_both(_m108, here);
+                {
+                    const LANES(hoop_bridge_place_out) _o148 =
+                        LANES(hoop_bridge_place)(x, y, p_ball_radius, p_wire_radius);
+                    x = lanes_select(_m147, _o148.x, x);
+                    y = lanes_select(_m147, _o148.y, y);
+                    z = lanes_select(_m147, _o148.z, z);
+                }
+                const M _m149 = lanes_both(_m108, touches);
+                {
+                    const LANES(hoop_touched_out) _o150 =
+                        LANES(hoop_touched)(body, first, which);
+                    first = lanes_select(_m149, _o150.first, first);
+                    last = lanes_select(_m149, _o150.last, last);
                 }
             }
-            const LANES(hoop_closing_out) _o153 =
-                LANES(hoop_closing)(claims, outcome);
-            M closed = _o153.closed;
-            const M _m154 = lanes_both(rows, closed);
-            {
-                const LANES(hoop_claimed_errors_out) _o155 =
-                    LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m154, _o155.position_error, position_claim);
-                velocity_claim = lanes_select(_m154, _o155.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m154, _o155.spin_error, spin_claim);
-                time_claim = lanes_select(_m154, _o155.time_error, time_claim);
+            const M _m151 = lanes_both(rows, limited);
+            if (lanes_any(_m151)) {
+                const LANES(hoop_timed_out) _o152 =
+                    LANES(hoop_timed)(claims, K(4.0), which);
+                M timed = _o152.timed;
+                const M _m153 = lanes_both(_m151, timed);
+                if (lanes_any(_m153)) {
+                    const LANES(hoop_carry_time_out) _o154 =
+                        LANES(hoop_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
+                    dx = lanes_select(_m153, _o154.dx, dx);
+                    dy = lanes_select(_m153, _o154.dy, dy);
+                    dz = lanes_select(_m153, _o154.dz, dz);
+                    dvx = lanes_select(_m153, _o154.dvx, dvx);
+                    dvy = lanes_select(_m153, _o154.dvy, dvy);
+                    dvz = lanes_select(_m153, _o154.dvz, dvz);
+                    clock_error = lanes_select(_m153, _o154.clock_error, clock_error);
+                }
             }
+            const LANES(hoop_closing_out) _o155 =
+                LANES(hoop_closing)(claims, outcome);
+            M closed = _o155.closed;
+            const M _m156 = lanes_both(rows, closed);
+            {
+                const LANES(hoop_claimed_errors_out) _o157 =
+                    LANES(hoop_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
+                position_claim = lanes_select(_m156, _o157.position_error, position_claim);
+                velocity_claim = lanes_select(_m156, _o157.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m156, _o157.spin_error, spin_claim);
+                time_claim = lanes_select(_m156, _o157.time_error, time_claim);
+            }
+            lanes_store(lists->clock + i, clock);
             lanes_store(lists->clock_error + i, clock_error);
+            lanes_store(lists->contacts + i, contacts);
+            lanes_store(lists->count_0 + i, count_0);
+            lanes_store(lists->count_1 + i, count_1);
+            lanes_store(lists->count_2 + i, count_2);
             lanes_store(lists->dvx + i, dvx);
             lanes_store(lists->dvy + i, dvy);
             lanes_store(lists->dvz + i, dvz);
+            lanes_store(lists->dwx + i, dwx);
+            lanes_store(lists->dwy + i, dwy);
+            lanes_store(lists->dwz + i, dwz);
             lanes_store(lists->dx + i, dx);
             lanes_store(lists->dy + i, dy);
             lanes_store(lists->dz + i, dz);
+            lanes_store(lists->first + i, first);
+            lanes_store(lists->last + i, last);
+            lanes_store(lists->outcome + i, outcome);
             lanes_store(lists->position_claim + i, position_claim);
             lanes_store(lists->spin_claim + i, spin_claim);
             lanes_store(lists->time_claim + i, time_claim);
+            lanes_store(lists->uncertain + i, uncertain);
             lanes_store(lists->velocity_claim + i, velocity_claim);
+            lanes_store(lists->vx + i, vx);
+            lanes_store(lists->vy + i, vy);
+            lanes_store(lists->vz + i, vz);
+            lanes_store(lists->wx + i, wx);
+            lanes_store(lists->wy + i, wy);
+            lanes_store(lists->wz + i, wz);
+            lanes_store(lists->x + i, x);
+            lanes_store(lists->y + i, y);
+            lanes_store(lists->z + i, z);
         }
         if (recording)
             for (size_t k = 0; k < shots; k++) {

@@ -18,7 +18,7 @@ from .loop import CLoop, scope
 _ROWS = re.compile(r"\brows\b")
 """Where the mask of a pass is used."""
 
-LISTED = 300
+LISTED = 3000
 """A body that costs so much has a list of its own; for a shorter one the packing costs more."""
 
 
