@@ -1,6 +1,6 @@
 """Printing the event loop for C: passes over lists of the shots that do the same.
 
-A body that is long is not done lane by lane beside those that sit out: the shots that need it are
+A body in which something repeats is not done beside shots that sit out: those that need it are
 packed into a list of their own, on which all lanes work. A body that repeats takes the next shots
 of its list into the lanes that are done. What was found goes back to the row it came from.
 """
@@ -17,9 +17,6 @@ from .loop import CLoop, scope
 
 _ROWS = re.compile(r"\brows\b")
 """Where the mask of a pass is used."""
-
-LISTED = 3000
-"""A body that costs so much has a list of its own; for a shorter one the packing costs more."""
 
 
 @dataclass(frozen=True)
@@ -102,12 +99,8 @@ class CLists(CLoop):
             self._pass(nodes[start:], frame, after, None, last)
 
     def _listed(self, node: Guard | Repeat) -> bool:
-        if isinstance(node, Repeat):
-            return True
-        return any(isinstance(n, Repeat) for n in walk(node.body)) or self._cost(node) > LISTED
-
-    def _cost(self, node: Guard | Repeat) -> int:
-        return sum(self.costs[n.kernel.name] for n in walk(node.body) if isinstance(n, Do))
+        """Whether a body has a list of its own: for one without turns the packing costs more."""
+        return any(isinstance(n, Repeat) for n in walk([node]))
 
     def _pass(
         self,
