@@ -12,7 +12,9 @@ from .contact.rolling import impact_through_frame
 from .errors import tangent
 from .follow import decisions
 from .follow.fields import Result, fields, results
-from .follow.loop import Contact, Loop, event_loop
+from .follow import settling
+from .follow.contact import Contact
+from .follow.loop import Loop, event_loop
 from .ground.choice import largest
 from .ground.kernel import Kernel, kernel
 from .ground.rounding import extent, position_error, speed, velocity_error
@@ -295,7 +297,15 @@ def _surface_kernels(
         part: kernel(f"{surface.name}_{part}", outputs, order, summary, equation)
         for part, (outputs, summary, equation) in formulas.items()
     }
+    if scene.rolls:
+        kernels |= settling.of_surface(surface, scene.flight)
     return SurfaceKernels(surface, found, kernels | found.decisions)
+
+
+def _in_contact(scene: Scene) -> dict[str, Kernel]:
+    codes = settling.Codes(len(scene.surfaces) + len(scene.gates), len(scene.bodies))
+    lodged = scene.outcomes["lodged"]
+    return settling.kernels(scene.flight, scene.ball_radius, scene.faces, codes, lodged)
 
 
 def build(scene: Scene) -> Model:
@@ -311,6 +321,10 @@ def build(scene: Scene) -> Model:
     common = {k.name: k for k in _common(scene, order)}
     choices = decisions.kernels(scene.faces, scene.outcomes, len(scene.gates))
     laws = {law: _law_kernels(law, scene, order) for law in scene.laws}
+    if scene.rolls:
+        choices |= _in_contact(scene)
+        for law, own in laws.items():
+            own["settling"] = settling.settling(law, scene.flight.acceleration, scene.ball_radius)
     surfaces = tuple(_surface_kernels(surface, scene, order) for surface in scene.surfaces)
     gates = tuple(_surface_kernels(gate, scene, order) for gate in scene.gates)
     contacts = [
@@ -326,7 +340,7 @@ def build(scene: Scene) -> Model:
         common | choices,
         contacts,
         ends,
-        fields(names),
+        fields(names, scene.rolls),
         [variable(symbol) for symbol in scene.symbols],
     )
     study = tuple(study_kernels(scene, order))

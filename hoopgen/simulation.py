@@ -95,7 +95,7 @@ class _Batch:
         again = np.zeros(shots, np.bool_)
         if most < self.max_contacts and not self.stopped():
             again = whole.outcome == self.scene.outcomes["CAPPED"]
-        used = np.arange(most + 1) < log.arrays["event_counts"][:, None]
+        used = np.arange(layout.log_rows(most)) < log.arrays["event_counts"][:, None]
         logs = [log.arrays["events"][used & ~again[:, None]]]
         more = min(MORE * most, self.max_contacts)
         rows, size = np.flatnonzero(again), max(1, ROOM // (more + 1))

@@ -19,7 +19,7 @@ from hoopgen.derive.ground.polynomials import (
 from hoopgen.derive.ground.symbols import POSITION, VELOCITY, t
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.search import approach, events
-from hoopgen.derive.search.approach import _first_root
+from hoopgen.derive.search.approach import first_root
 from hoopgen.derive.search.bernstein import PolynomialApproach
 from hoopgen.derive.search.events import crossing, event_coefficients
 from hoopgen.derive.search.plane import plane_arrival
@@ -162,7 +162,7 @@ def test_the_apex_is_where_the_gap_is_highest(plane: Plane) -> None:
 # -- The parabola below F
 
 gap_, slope_, bent = sp.symbols("gap slope bent", real=True)
-FIRST_ROOT = _first_root(gap_, slope_, bent)
+FIRST_ROOT = first_root(gap_, slope_, bent)
 
 
 def parabola(gap: mpf, slope: mpf, curvature: mpf, s: mpf) -> mpf:
@@ -170,7 +170,7 @@ def parabola(gap: mpf, slope: mpf, curvature: mpf, s: mpf) -> mpf:
     return gap + slope * s - curvature * s**2 / 2
 
 
-def test_both_forms_of_the_first_root_are_roots() -> None:
+def test_both_forms_of_thefirst_root_are_roots() -> None:
     s = release(FIRST_ROOT).replace(IfLess, lambda left, right, then, other: then).args[2]
     assert sp.simplify(gap_ + slope_ * s - bent * s**2 / 2) == 0
     root = sp.sqrt(slope_**2 + 2 * bent * gap_)
@@ -182,7 +182,7 @@ def test_both_forms_of_the_first_root_are_roots() -> None:
     ("gap", "slope", "curvature"),
     list(product((mpf(1) / 2**30, mpf(2), mpf(10) ** 6), (-3, -1, 0, 2), (-9, -1, 0, 1, 7))),
 )
-def test_the_parabola_falls_below_zero_first_at_its_first_root(
+def test_the_parabola_falls_below_zero_first_at_itsfirst_root(
     gap: mpf, slope: int, curvature: int
 ) -> None:
     with digits(40):
@@ -205,7 +205,7 @@ def test_the_parabola_falls_below_zero_first_at_its_first_root(
     ("slope", "curvature", "step"),
     [(-2, 3, 0), (-2, 0, 0), (-2, -3, 0), (2, 4, 1), (2, 0, INFINITY), (2, -4, INFINITY)],
 )
-def test_from_zero_the_first_root_is_where_the_parabola_falls_below_it(
+def test_from_zero_thefirst_root_is_where_the_parabola_falls_below_it(
     slope: int, curvature: int, step: float
 ) -> None:
     assert exactly(FIRST_ROOT, {"gap": 0, "slope": slope, "bent": curvature}) == step
@@ -225,7 +225,7 @@ SIGNED = st.builds(lambda size, sign: size * sign, SIZES, st.sampled_from((-1, 1
 
 @quick
 @given(SIZES, SIGNED, SIGNED)
-def test_neither_form_of_the_first_root_cancels(gap: float, slope: float, curvature: float) -> None:
+def test_neither_form_of_thefirst_root_cancels(gap: float, slope: float, curvature: float) -> None:
     """In doubles it is exact to a few u where its discriminant is: four for each operation."""
     values = {"gap": gap, "slope": slope, "bent": curvature}
     computed = float(in_doubles({"step": FIRST_ROOT}, values)["step"])

@@ -34,6 +34,11 @@ class Law(ABC):
         fall with the speed.
         """
 
+    @property
+    def coefficient(self) -> sp.Expr:
+        """Coulomb's mu; infinite: every contact grips."""
+        return sp.oo
+
     @abstractmethod
     def after(
         self, normal: sp.Matrix, velocity: sp.Matrix, spin: sp.Matrix, ball_radius: sp.Expr

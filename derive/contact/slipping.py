@@ -91,6 +91,11 @@ class Slipping(Law):
     source: ClassVar[str] = "momentum, angular momentum and Coulomb's law of friction"
     called: ClassVar[str] = "the contact with friction"
 
+    @property
+    def coefficient(self) -> sp.Expr:
+        """Its own."""
+        return self.friction
+
     def restitution_at(self, speed: sp.Expr) -> sp.Expr:
         """Return e0 / (1 + v/v0)."""
         return self.restitution / hold(1 + speed / self.falling)

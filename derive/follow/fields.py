@@ -67,12 +67,25 @@ class Result:
     row: bool = False
 
 
+EVENTS = {
+    "impact": "The ball meets a body.",
+    "roll": "Its bounces have accumulated: it stays in contact with the body.",
+    "leave": "That contact ends.",
+    "end": "The shot ends.",
+}
+"""What a row of the event log is, and what that says."""
+
 CLAIMS = ("position_claim", "velocity_claim", "spin_claim", "time_claim")
 """Bounds on the errors of a shot that has ended."""
 
 
-def fields(bodies: Sequence[str]) -> tuple[Field, ...]:
-    """Return the fields of a shot among bodies."""
+def fields(bodies: Sequence[str], rolls: bool = False) -> tuple[Field, ...]:
+    """Return the fields of a shot among bodies, on which it may stay."""
+    kept = (
+        Field("held", NONE, "surface that it stays in contact with, -1: none"),
+        Field("mode", 0.0, "0: in flight; 1, 2, 3: contact begins, goes on, ends"),
+        Field("assured", 0.0, "1: its bounces on the surface it touched last end there", True),
+    )
     state = (Field(s.name, None, "of the state") for s in STATE)
     errors = (Field(s.name, 0.0, f"carried error of {s.name[1:]}", True) for s in ERRORS)
     counts = (Field(f"count_{k}", 0.0, f"contacts with {name}") for k, name in enumerate(bodies))
@@ -86,6 +99,7 @@ def fields(bodies: Sequence[str]) -> tuple[Field, ...]:
         Field("first", NONE, "body that was touched first, -1: none"),
         Field("contacts", 0.0, "how many contacts there were"),
         *counts,
+        *(kept if rolls else ()),
         Field("uncertain", 0.0, "1: a decision lies within its rounding-error bound", True),
         *claims,
         Field("outcome", IN_FLIGHT, "how it ended, -1: in flight"),

@@ -12,30 +12,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from ..ground.tree import Do, Guard, Node, check, live_before, needed, walk, without
-from ..search.search import Parts, Search, proposed
+from ..search.search import Parts, proposed
+from . import staying
+from .contact import Contact
 from .fields import CLAIMS, Field
 
 TEMPORARY_BOUNDS = {"late": 0.0, "delay": 0.0, "doubt": float("inf")}
 """What bounds errors within a stage, as it stands where no bounds are wanted."""
-
-
-@dataclass(frozen=True)
-class Contact:
-    """What the loop needs to know of a surface.
-
-    Attributes
-    ----------
-    index, body
-        Its own index, and that of the body it belongs to.
-    parts, search, law
-        Its kernels by part, how arrivals on it are found, and the kernels of its contact law.
-    """
-
-    index: int
-    body: int
-    parts: Parts
-    search: Search
-    law: Parts
 
 
 @dataclass(frozen=True)
@@ -119,6 +102,8 @@ def _reach(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact])
     yield Do(common["scale"])
     yield Do(common["opening"])
     yield Do(common["limited"])
+    if "kept" in common:
+        yield Do(common["kept"])
     if not gates:
         yield expiry
     # End planes first: what certainly comes after them needs no further look.
@@ -126,15 +111,20 @@ def _reach(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact])
         yield from surface.search.nodes(common, surface.parts, surface.index)
     if gates:
         yield expiry
+    if "kept" in common:
+        yield Guard("kept", tuple(staying.in_contact(common, contacts, gates)), rare=True)
     yield Do(common["departed"], {"index": len(contacts)})
     yield Do(common["body_of"])
     yield Guard("moves", (Do(common["flight"], {"t": "when"}), Do(common["ticked"])))
     yield Guard("limited", (Do(common["expired"], {"index": time}),), rare=True)
+    if "kept" in common:
+        yield Do(common["unhopped"])
+        yield Guard("kept", (Do(common["kept_on"]),), rare=True)
     yield Do(common["displacement"], {"horizon": "when", "delay": "late"}, {"margin": "slack"})
     for gate in gates:
         kernels = (gate.parts.get(part) for part in ("bounds", "reached", "edge"))
         yield from _on(common, gate, *(Do(kernel) for kernel in kernels if kernel is not None))
-    yield Do(common["doubted"])
+    yield Do(common["doubted_in_contact" if "kept" in common else "doubted"])
     yield Do(common["accounted"])
 
 
@@ -145,6 +135,8 @@ def _meet(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]) 
     timed = Do(common["timed"], {"index": len(contacts) + len(gates)})
     carried = Guard("timed", (Do(common["carry_time"], {"t": "when"}),), rare=True)
     yield Guard("limited", (timed, carried), rare=True)
+    if "kept" in common:
+        yield Guard("hopped", (Do(common["carry_hop"]),), rare=True)
     yield Do(common["closing"])
     names = ("position_error", "velocity_error", "spin_error", "time_error")
     claims = dict(zip(names, CLAIMS, strict=True))
@@ -179,6 +171,8 @@ def _contact(
         if "place" in surface.parts:
             yield from _on(common, surface, Do(surface.parts["place"]))
     yield Guard("touches", (Do(common["touched"]),))
+    if "kept" in common:
+        yield Guard("touches", tuple(staying.settled(common, contacts, gates)))
 
 
 def _on(common: Parts, surface: Contact, *body: Node) -> Iterator[Node]:

@@ -90,6 +90,8 @@ class Scene:
         For readers, in plain sentences: where origin and axes lie, and what else there is to say.
     gravity_axis
         The way free fall goes: along one axis, by default down.
+    rolls
+        Whether a ball whose bounces accumulate rolls on; no surface then has bounds.
     """
 
     name: str
@@ -102,6 +104,7 @@ class Scene:
     axes: str = ""
     remarks: str = ""
     gravity_axis: tuple[int, int, int] = (0, 0, -1)
+    rolls: bool = False
 
     def __post_init__(self) -> None:
         names.check(
@@ -117,6 +120,12 @@ class Scene:
             raise ValueError(
                 f"scene {self.name}: gravity_axis: expected one of "
                 f"{', '.join(map(str, AXES))}, got {self.gravity_axis!r}"
+            )
+        bounded = [surface.name for surface in self.surfaces if surface.bounds]
+        if self.rolls and bounded:
+            raise ValueError(
+                f"scene {self.name}: rolls: expected surfaces without bounds, got "
+                f"{', '.join(bounded)} with some"
             )
 
     @property

@@ -143,7 +143,7 @@ class Approach(ABC):
         curvature = self.curvature(width)
         if turned:
             curvature = IfLess(0, side, hold(curvature), ceiling)
-        step = _first_root(low_gap, slope, hold(curvature, "M"))
+        step = first_root(low_gap, slope, hold(curvature, "M"))
         stride = smallest(width, step)
         least_fall = hold(-rate - rate_margin)
         enough = least_fall**2 - 8 * ceiling * hold(2**5 * low_gap + margin)
@@ -163,7 +163,7 @@ def _positive(quantity: sp.Expr) -> sp.Expr:
     return IfLess(0, quantity, quantity, 0)
 
 
-def _first_root(gap: sp.Expr, slope: sp.Expr, curvature: sp.Expr) -> sp.Expr:
+def first_root(gap: sp.Expr, slope: sp.Expr, curvature: sp.Expr) -> sp.Expr:
     """Return the first root s >= 0 of gap + slope s - curvature s²/2, infinite if none.
 
     Of the two forms of the root, the one whose sums do not cancel.

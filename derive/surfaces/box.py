@@ -6,9 +6,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..ground.choice import hold, largest
-from ..ground.symbols import POSITION
+from ..ground.choice import Both, Choose, Either, Less, hold, largest
+from ..ground.symbols import POSITION, VELOCITY
 from .surface import Point, Surface, overlap
+from .tube import Tube
 
 
 @dataclass(frozen=True)
@@ -79,6 +80,33 @@ class Box(Surface):
         return 1 / self.radius
 
     @property
+    def tube(self) -> Tube:
+        """A face, or the round about an edge or a corner, whichever the ball is on or comes onto.
+
+        At a seam, within a few roundings, it is the one that the velocity goes to.
+        """
+        bent = []
+        seams = []
+        for place, v, low, high in zip(POSITION, VELOCITY, self.low, self.high, strict=True):
+            near = hold(seam_width(high, low, self.radius))
+            above, below = hold(place - high), hold(low - place)
+            on = Either(_onto(above, v, near), _onto(below, -v, near))
+            bent.append(Choose(on, 1, 0))
+            seams += [(place, low, near), (place, high, near)]
+        x, y, z = bent
+        return Tube((x, y, z), 1 / self.radius, seams=tuple(seams))
+
+    @property
     def inside(self) -> tuple[sp.Expr, ...]:
         """Nearer to the box than touching, or in it."""
         return overlap(self.distance, (), None)
+
+
+def seam_width(*lengths: sp.Expr) -> sp.Expr:
+    """Return how near to a seam a coordinate may be on either side of it: some roundings."""
+    return sp.Rational(1, 2**46) * sp.Add(*map(sp.Abs, lengths))
+
+
+def _onto(beyond: sp.Expr, rate: sp.Expr, near: sp.Expr) -> sp.Basic:
+    """Return where a coordinate is beyond a seam, or at it and on its way there."""
+    return Either(Less(near, beyond), Both(Less(-near, beyond), Less(0, rate)))

@@ -9,6 +9,7 @@ import sympy as sp
 from ..ground.symbols import POSITION, position
 from .bounds import length
 from .surface import Point, Surface, moved, overlap
+from .tube import Tube
 
 
 @dataclass(frozen=True)
@@ -96,6 +97,21 @@ class Cylinder(Surface):
     def curvature(self) -> sp.Expr:
         """1/r around the axis, none along it."""
         return 1 / self.radius
+
+    @property
+    def tube(self) -> Tube | None:
+        """About its axis, if that is along a coordinate's and it has no bounds."""
+        if self.limits or 1 not in map(abs, self.direction):
+            return None
+        x, y, z = (sp.Integer(not u) for u in self.direction)
+        return Tube((x, y, z), self._side / self.radius)
+
+    @property
+    def dent(self) -> sp.Expr:
+        """None outside; inside, 1/rho, for half of it or more."""
+        if not self.inward:
+            return sp.Integer(0)
+        return 2 / sp.sqrt(sum(component**2 for component in self._offset))
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:

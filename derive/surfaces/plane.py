@@ -10,6 +10,7 @@ from ..ground.choice import hold
 from ..ground.symbols import position
 from .bounds import length
 from .surface import Surface, overlap
+from .tube import Tube
 
 
 @dataclass(frozen=True)
@@ -55,6 +56,12 @@ class Plane(Surface):
     def normal(self) -> sp.Matrix:
         """The constant unit normal."""
         return sp.Matrix(self.direction)
+
+    @property
+    def tube(self) -> Tube | None:
+        """The plane itself, if it has no bounds."""
+        zero = sp.Integer(0)
+        return None if self.limits else Tube((zero, zero, zero), zero)
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:

@@ -6,9 +6,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..ground.choice import hold, smallest
+from ..ground.choice import hold, largest, smallest
 from ..ground.symbols import POSITION
 from .surface import Surface
+from .tube import Tube
 
 
 @dataclass(frozen=True)
@@ -65,6 +66,18 @@ class Ring(Surface):
     def curvature(self) -> sp.Expr:
         """1/R around the wire; along it, |rho - R_H|/(rho R) is less than 1/(R_H - R)."""
         return 1 / hold(smallest(self.reach, hold(self.ring_radius - self.reach)))
+
+    @property
+    def tube(self) -> Tube:
+        """About the wire's centre circle."""
+        one = sp.Integer(1)
+        return Tube((one, one, one), 1 / self.reach, self.ring_radius)
+
+    @property
+    def dent(self) -> sp.Expr:
+        """Along the wire, inside it: (R_H - rho)/(rho R), for half of this rho or more."""
+        wide = 2 * self.ring_radius / hold(self.rho)
+        return hold(largest(0, hold(wide - 1))) / self.reach
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:

@@ -9,6 +9,7 @@ import sympy as sp
 from ..ground.symbols import POSITION, position
 from .bounds import length
 from .surface import Point, Surface, moved, overlap
+from .tube import Tube
 
 
 @dataclass(frozen=True)
@@ -84,6 +85,19 @@ class Sphere(Surface):
     def curvature(self) -> sp.Expr:
         """1/r."""
         return 1 / self.radius
+
+    @property
+    def tube(self) -> Tube | None:
+        """About its centre, if it has no bounds."""
+        one = sp.Integer(1)
+        return None if self.limits else Tube((one, one, one), self._side / self.radius)
+
+    @property
+    def dent(self) -> sp.Expr:
+        """None outside; inside, 1/|p - c|, for half of it or more."""
+        if not self.inward:
+            return sp.Integer(0)
+        return 2 / sp.sqrt(sum(component**2 for component in self._offset))
 
     @property
     def inside(self) -> tuple[sp.Expr, ...]:

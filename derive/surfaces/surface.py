@@ -14,6 +14,7 @@ import sympy as sp
 
 from ..ground.symbols import POSITION
 from .bounds import length
+from .tube import Tube
 
 Point = tuple[sp.Expr, sp.Expr, sp.Expr]
 
@@ -97,6 +98,16 @@ class Surface(ABC):
     @property
     def curvature(self) -> sp.Expr:
         """Bound on the rate (1/m) at which the normal turns along the contact surface."""
+        return sp.Integer(0)
+
+    @property
+    def tube(self) -> Tube | None:
+        """What a ball that stays on it rolls on; None: no such motion is known."""
+        return None
+
+    @property
+    def dent(self) -> sp.Expr:
+        """Bound on how fast the distance bends down, by the squared speed (1/m); 0 if convex."""
         return sp.Integer(0)
 
     @property

@@ -1085,11 +1085,13 @@ static void LANES(hoop_plain)(const hoop_job *job)
             for (size_t k = 0; k < shots; k++) {
                 if (lists->body[k] < 0.0)
                     continue;
-                const size_t shot = lists->shot[k];
+                const size_t shot = lists->shot[k], rows = HOOP_ROWS * (size_t)job->max_contacts + 1;
                 int32_t *used = job->results->event_counts + shot;
-                hoop_event *event = job->results->events + shot * ((size_t)job->max_contacts + 1) + (size_t)(*used)++;
+                hoop_event *event = job->results->events + shot * rows + (size_t)(*used)++;
+                const int64_t body = (int64_t)lists->body[k], staying = body - HOOP_SURFACES - 1;
                 event->shot = (int64_t)shot;
-                event->surface = (int64_t)lists->body[k];
+                event->surface = staying < 0 ? body : staying / 2;
+                event->kind = staying < -1 ? HOOP_EVENT_IMPACT : staying < 0 ? HOOP_EVENT_END : staying % 2 ? HOOP_EVENT_LEAVE : HOOP_EVENT_ROLL;
                 event->time = lists->clock[k];
                 event->before[0] = lists->x_before[k];
                 event->after[0] = lists->x[k];
@@ -2609,11 +2611,13 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             for (size_t k = 0; k < shots; k++) {
                 if (lists->body[k] < 0.0)
                     continue;
-                const size_t shot = lists->shot[k];
+                const size_t shot = lists->shot[k], rows = HOOP_ROWS * (size_t)job->max_contacts + 1;
                 int32_t *used = job->results->event_counts + shot;
-                hoop_event *event = job->results->events + shot * ((size_t)job->max_contacts + 1) + (size_t)(*used)++;
+                hoop_event *event = job->results->events + shot * rows + (size_t)(*used)++;
+                const int64_t body = (int64_t)lists->body[k], staying = body - HOOP_SURFACES - 1;
                 event->shot = (int64_t)shot;
-                event->surface = (int64_t)lists->body[k];
+                event->surface = staying < 0 ? body : staying / 2;
+                event->kind = staying < -1 ? HOOP_EVENT_IMPACT : staying < 0 ? HOOP_EVENT_END : staying % 2 ? HOOP_EVENT_LEAVE : HOOP_EVENT_ROLL;
                 event->time = lists->clock[k];
                 event->before[0] = lists->x_before[k];
                 event->after[0] = lists->x[k];

@@ -94,6 +94,23 @@ class Outcome(IntEnum):
     """Still moving at the time limit."""
 
 
+class Event(IntEnum):
+    """What a row of the event log is."""
+
+    IMPACT = 0
+    """The ball meets a body."""
+    ROLL = 1
+    """Its bounces have accumulated: it stays in contact with the body."""
+    LEAVE = 2
+    """That contact ends."""
+    END = 3
+    """The shot ends."""
+
+
+ROWS = 1
+"""Rows of the event log for each contact, at most; the end is one more."""
+
+
 class Field(NamedTuple):
     """What a shot takes from event to event: its start, None if given; whether it bounds errors."""
 

@@ -117,7 +117,8 @@ class CLoop(_Printer):
             inner = indent + "    "
             inside = dict(known)
             shared = set(own.gives) | set(own.keeps)
-            for name in set(writes(node.body)) - shared:
+            # What the body has for itself alone it declares, unless it may need the value around it.
+            for name in set(writes(node.body)) - shared - set(own.takes):
                 inside.pop(name, None)
             if isinstance(node, Repeat):
                 self.lines.append(f"{indent}for (int _turn = 0; _turn < {node.limit}; _turn++) {{")

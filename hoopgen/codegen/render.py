@@ -13,7 +13,7 @@ from typing import Any
 
 import jinja2
 
-from hoopgen.derive.follow.fields import Result
+from hoopgen.derive.follow.fields import EVENTS, Result
 from hoopgen.derive.ground.choice import Truth
 from hoopgen.derive.ground.kernel import Kernel
 from hoopgen.derive.ground.symbols import STATE
@@ -200,6 +200,8 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
         "state": tuple(symbol.name for symbol in STATE),
         "loops": loops,
         "outcomes": meanings(scene.ends),
+        "events": EVENTS,
+        "rows": 3 if scene.rolls else 1,
         "results": [ResultView(r) for r in model.results],
     }
     files = {}

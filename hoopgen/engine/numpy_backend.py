@@ -46,6 +46,7 @@ class Flights:
         self._kept = (*self._starts, *kernels.VARIABLES.values())
         self._state, self._results = kernels.STATE, kernels.RESULTS
         self._invalid = float(kernels.Outcome.INVALID)
+        self._event, self._end = kernels.Event, len(kernels.BODIES)
         self._job = job
         self.row = np.empty(0, np.int64)
         self._columns: dict[str, Any] = dict.fromkeys(self._kept, np.empty(0))
@@ -96,8 +97,13 @@ class Flights:
         happened = np.flatnonzero(columns["body"] >= 0.0)
         row = self.row[happened]
         rows = (row, out.event_counts[row])
+        body, end = columns["body"][happened].astype(np.int64), self._end
+        staying = body - end - 1
+        kinds = np.where(staying % 2, self._event.LEAVE, self._event.ROLL)
+        kinds[body < end], kinds[body == end] = self._event.IMPACT, self._event.END
         out.events["shot"][rows] = row
-        out.events["surface"][rows] = columns["body"][happened]
+        out.events["surface"][rows] = np.where(staying < 0, body, staying // 2)
+        out.events["kind"][rows] = kinds
         out.events["time"][rows] = columns["clock"][happened]
         out.events["before"][rows] = before[happened]
         out.events["after"][rows] = self._states(columns)[happened]

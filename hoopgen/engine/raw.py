@@ -57,6 +57,8 @@ class Layout:
         Type of a row of the event log; the layout of the C struct.
     surfaces
         How many bodies there are, and columns of `counts`.
+    rows
+        Of the event log for each contact, at most.
     """
 
     def __init__(self, kernels: ModuleType) -> None:
@@ -65,6 +67,7 @@ class Layout:
         self.bounds = tuple(name for name, result in self.results.items() if result.asked)
         self.state_size = len(kernels.STATE)
         self.surfaces = len(kernels.BODIES)
+        self.rows = int(kernels.ROWS)
         self.event = np.dtype(
             [
                 ("shot", np.int64),
@@ -72,8 +75,13 @@ class Layout:
                 ("time", np.float64),
                 ("before", np.float64, self.state_size),
                 ("after", np.float64, self.state_size),
+                ("kind", np.int64),
             ]
         )
+
+    def log_rows(self, max_contacts: int) -> int:
+        """Return the rows of the event log that a shot with so many contacts has room for."""
+        return self.rows * max_contacts + 1
 
     def allocate(self, shots: int, wanted: Collection[str]) -> Raw:
         """Return uninitialised results of `shots` shots for the fields that are wanted."""
@@ -87,6 +95,6 @@ class Layout:
     def allocate_events(self, shots: int, max_contacts: int) -> Raw:
         """Return room for the event log of `shots` shots."""
         return Raw(
-            events=np.empty((shots, max_contacts + 1), self.event),
+            events=np.empty((shots, self.log_rows(max_contacts)), self.event),
             event_counts=np.zeros(shots, np.int32),
         )

@@ -198,7 +198,7 @@ def _unlike(fields: Sequence[str], wanted: raw.Raw, got: raw.Raw) -> list[str]:
     assert wanted.event_counts is not None
     assert got.events is not None
     if "event_counts" not in wrong:
-        used = np.arange(MOST + 1) < wanted.event_counts[:, None]
+        used = np.arange(wanted.events.shape[1]) < wanted.event_counts[:, None]
         if wanted.events[used].tobytes() != got.events[used].tobytes():
             wrong.append("events")
     return wrong

@@ -117,6 +117,58 @@ LOOP = {
 }
 """Of the event loop; the last are truths."""
 
+IN_CONTACT = {
+    "held": Letter("j_h", "index of the surface that the ball stays on, -1: none"),
+    "mode": Letter("q", "1, 2, 3: contact begins, goes on, ends; 0: the ball is in flight"),
+    "assured": Letter("a", "1 where all further bounces are on the surface touched last, else 0"),
+    "bent_x": Letter("b_x", "1 where the surface is curved across x, else 0"),
+    "bent_y": Letter("b_y", "the same of y"),
+    "bent_z": Letter("b_z", "the same of z"),
+    "per_reach": Letter("R^{-1}", "of the tube that the centre stays on, negative on its inside"),
+    "ring": Letter("R_c", "radius of that tube's circle, 0 if it has none"),
+    "turn_rate": Letter("s", "spin about the normal, times the ball's radius"),
+    "rolled_x": Letter(r"v^\circ_x", "velocity that a contact which grips would leave, along x"),
+    "rolled_y": Letter(r"v^\circ_y", "along y"),
+    "rolled_z": Letter(r"v^\circ_z", "along z"),
+    "turning_x": Letter(r"\dot n_x", "rate at which the normal turns, along x"),
+    "turning_y": Letter(r"\dot n_y", "along y"),
+    "turning_z": Letter(r"\dot n_z", "along z"),
+    "slip": Letter("u", "speed of the contact point"),
+    "bounce": Letter("V", "speed off the surface"),
+    "nearest": Letter("d_1", "distance to what is next to the ball"),
+    "near": Letter(r"\epsilon_s", "half the width of what counts as on a seam"),
+    "nearing": Letter(r"\dot d", "rate of the distance"),
+    "dent": Letter(r"\kappa_d", "how fast the distance bends down at most, by the squared speed"),
+    "lift": Letter(r"\ddot d", "second derivative of the distance along a flight"),
+    "surge": Letter("d^{(3)}", "the third"),
+    "snap": Letter("d^{(4)}", "the fourth"),
+    "force": Letter("N", "normal force per unit mass"),
+    "force_rate": Letter("N'", "its rate"),
+    "force_bend": Letter("N_2", "bound on its second derivative within a step"),
+    "stride": Letter("h", "step of a ball in contact"),
+    "strongest": Letter("A", "bound on its acceleration within the step"),
+    "fastest": Letter("U", "bound on its speed within the step"),
+    "apart": Letter(r"\lambda", "how many times its errors a neighbouring motion is away"),
+    "settles": Letter(r"\text{settles}", "the ball stays on the surface"),
+    "lodges": Letter(r"\text{lodges}", "it would, but for another surface next to it"),
+    "rests": Letter(r"\text{rests}", "nothing moves"),
+}
+"""Of a ball that stays in contact; the last are truths."""
+
+SERIES = {
+    **{f"{vector}{axis}": f"{vector}_{axis}" for vector in "vn" for axis in AXES},
+    "turn_rate": "s",
+    "cos": "c",
+    "sin": "d",
+    "near": r"\rho^{-1}",
+    "across": "P",
+    "widened": r"\rho",
+    "round": r"\Omega",
+    "lift": "L",
+    **{f"t{axis}": f"m_{axis}" for axis in AXES},
+}
+"""Of the series of a ball that rolls: its coefficients have their order in brackets."""
+
 STUDIES = {
     "slope": Letter("s", "tangent of the angle of release above the horizontal"),
     "entry": Letter(
@@ -133,7 +185,7 @@ STUDIES = {
 }
 """Of what studies and readers ask."""
 
-ARGUMENTS: dict[str, Letter] = FLIGHTS | LOOP | STUDIES
+ARGUMENTS: dict[str, Letter] = FLIGHTS | LOOP | IN_CONTACT | STUDIES
 """Every argument of a kernel that is neither a parameter nor of a kind of `_structured`."""
 
 
@@ -166,6 +218,12 @@ def structured(name: str) -> str | None:
     match = re.fullmatch(r"(low|high)(\d)", name)
     if match:
         return rf"\{'under' if match[1] == 'low' else 'over'}line t_{match[2]}"
+    match = re.fullmatch(r"far_([vw]?[xyz])", name)
+    if match:
+        return rf"\tilde{{{structured(match[1])}}}"
+    match = re.fullmatch(r"([a-z_]+)_(\d+)", name)
+    if match and match[1] in SERIES:
+        return f"{SERIES[match[1]]}^{{({match[2]})}}"
     match = re.fullmatch(r"([a-z])(\d+)", name)
     if match:
         return f"{match[1]}_{{{match[2]}}}"

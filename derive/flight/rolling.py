@@ -1,0 +1,199 @@
+"""Motion in contact: a ball that rolls on a surface, as a power series in time.
+
+While the ball grips, its contact point is at rest: v = R_B (w × n), and with kappa = I/(m R_B²) and
+the free fall a, all per unit mass,
+
+    v' = a + N n + F,   w' = -n × F / (kappa R_B),   N = -a·n - v·n',
+
+where the normal force N is what keeps the gap at zero, and friction F what keeps the contact point
+at rest. With s = R_B (w·n) and beta = kappa/(1 + kappa) that leaves
+
+    F = beta (-a_t + s n × n'),   v' = (1 - beta) a + L n + beta s n × n',
+    L = -(1 - beta) a·n - v·n',   s' = -v·(n × n'),
+
+quadratic or cubic in what moves, so that each coefficient of the series follows from those before
+it by sums of products. The surface is a tube about a point, a line or a circle around z
+(`surfaces/tube.py`): n' = (v - R_H e')/R across its line, with e towards the centre of the circle's
+section. The series is taken anew at each step, and what it makes of position, velocity and spin is
+put back onto the surface: the differential equation alone would leave it exponentially.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import sympy as sp
+
+from ..contact.rolling import INERTIA_FACTOR
+from ..ground.choice import IfLess, hold, largest, size, smallest
+from ..ground.polynomials import horner
+from ..ground.symbols import UNIT_ROUNDOFF, normal, position, spin, t, velocity
+
+ORDER = 8
+"""Terms of the series: a power of two, so that the step is a root of roots. Fewer make kernels
+short, more make steps long."""
+
+SHARE = INERTIA_FACTOR / (1 + INERTIA_FACTOR)
+"""What rolling takes of a force along the surface: 2/5 for a thin shell."""
+
+bent = sp.symbols("bent_x bent_y bent_z", real=True)
+"""1 along the axes across which the surface is curved, else 0."""
+per_reach, ring = sp.symbols("per_reach ring", real=True)
+"""1/R of the tube, negative on its inside, 0 of a plane; and R_H of its circle, 0 if there is none."""
+gap = sp.Symbol("gap", real=True)
+"""How far the ball is off the surface."""
+
+SERIES = ("vx", "vy", "vz", "nx", "ny", "nz", "turn_rate", "cos", "sin", "near")
+"""What moves: velocity, normal, s, the direction in the plane of the circle, 1/rho."""
+WITHIN = ("round", "lift", "tx", "ty", "tz")
+"""What is made of them: the circle's angular velocity, L, and n × n'."""
+
+
+def term(name: str, order: int) -> sp.Symbol:
+    """Return the symbol of a coefficient of a series."""
+    return sp.Symbol(f"{name}_{order}", real=True)
+
+
+def _row(name: str, order: int) -> list[sp.Symbol]:
+    return [term(name, k) for k in range(order + 1)]
+
+
+def _rows(names: Sequence[str], order: int) -> list[list[sp.Symbol]]:
+    return [_row(name, order) for name in names]
+
+
+def product(left: Sequence[sp.Expr], right: Sequence[sp.Expr]) -> sp.Expr:
+    """Return the last coefficient that the product of two series has for certain."""
+    pairs = zip(left, reversed(right), strict=True)
+    return hold(sp.Add(*(a * b for a, b in pairs)))
+
+
+def start(ball_radius: sp.Expr) -> dict[str, sp.Expr]:
+    """Return the constant terms, of a ball at its place on the surface."""
+    x, y, _ = position
+    near = hold(1 / sp.sqrt(hold(x**2 + y**2)))
+    on_ring = {"cos": x * near, "sin": y * near, "near": near}
+    elsewhere = {"cos": 1, "sin": 0, "near": 1}
+    moving = dict(zip(("vx", "vy", "vz", "nx", "ny", "nz"), (*velocity, *normal), strict=True))
+    outputs = moving | {"turn_rate": ball_radius * hold(spin.dot(normal))}
+    outputs |= {name: IfLess(0, ring, on_ring[name], elsewhere[name]) for name in on_ring}
+    return {f"{name}_0": value for name, value in outputs.items()}
+
+
+def following(order: int, acceleration: Sequence[sp.Expr]) -> dict[str, sp.Expr]:
+    """Return the terms of the next order, given those up to this one."""
+    v, n = _rows(SERIES[:3], order), _rows(SERIES[3:6], order)
+    s, cos, sin, near = _rows(SERIES[6:], order)
+    across = product(cos, v[1]) - product(sin, v[0])
+    earlier = [hold(term("across", k)) for k in range(order)]
+    around = hold(product([*earlier, hold(across)], near)) if order else hold(across * near[0])
+    rounds = [*_row("round", order)[:-1], around]
+    lateral = (hold(-product(rounds, sin)), hold(product(rounds, cos)), sp.Integer(0))
+    turned = [
+        hold((b * own[order] - ring * e) * per_reach)
+        for b, own, e in zip(bent, v, lateral, strict=True)
+    ]
+    turning = [[k * n_i[k] for k in range(1, order + 1)] + [new] for n_i, new in zip(n, turned)]
+    pressed = hold(sum(product(a, b) for a, b in zip(v, turning, strict=True)))
+    weighed = sum(a * n_i[order] for a, n_i in zip(acceleration, n, strict=True) if a != 0)
+    own = hold(-(1 - SHARE) * weighed - pressed)
+    lifts = [*_row("lift", order)[:-1], own]
+    twists = []
+    for i in range(3):
+        j, k = (i + 1) % 3, (i + 2) % 3
+        twists.append(hold(product(n[j], turning[k]) - product(n[k], turning[j])))
+    twisted = [
+        [*_row(name, order)[:-1], new] for name, new in zip(("tx", "ty", "tz"), twists, strict=True)
+    ]
+    scale = sp.Rational(1, order + 1)
+    outputs: dict[str, sp.Expr] = {
+        f"across_{order}": across,
+        f"round_{order}": around,
+        f"lift_{order}": own,
+    }
+    outputs |= {f"{w}_{order}": new for w, new in zip(WITHIN[2:], twists, strict=True)}
+    for name, a, n_i, m_i in zip(SERIES[:3], acceleration, n, twisted, strict=True):
+        pushed = product(lifts, n_i) + SHARE * product(s, m_i)
+        fallen = (1 - SHARE) * a if order == 0 else 0
+        outputs[f"{name}_{order + 1}"] = hold(pushed + fallen) * scale
+    for name, new in zip(SERIES[3:6], turned, strict=True):
+        outputs[f"{name}_{order + 1}"] = new * scale
+    spun = sum(product(a, b) for a, b in zip(v, twisted, strict=True))
+    outputs[f"turn_rate_{order + 1}"] = -hold(spun) * scale
+    outputs[f"cos_{order + 1}"], outputs[f"sin_{order + 1}"] = (e * scale for e in lateral[:2])
+    # 1/rho by rho · 1/rho = 1, with rho' along the direction in the plane.
+    widened = hold(product(cos, v[0]) + product(sin, v[1])) * scale
+    outputs[f"widened_{order + 1}"] = widened
+    widenings = [*(term("widened", k) for k in range(1, order + 1)), hold(widened)]
+    outputs[f"near_{order + 1}"] = -near[0] * product(widenings, near)
+    return outputs
+
+
+def moved() -> dict[str, sp.Expr]:
+    """Return position, velocity and s at the time t after the series' start, on the series."""
+    outputs: dict[str, sp.Expr] = {}
+    for place, name in zip(position, SERIES[:3], strict=True):
+        row = _row(name, ORDER)
+        outputs[str(place)] = horner([place, *(c / (k + 1) for k, c in enumerate(row))], t)
+        outputs[name] = horner(row, t)
+    outputs["turn_rate"] = horner(_row("turn_rate", ORDER), t)
+    return outputs
+
+
+def placed(ball_radius: sp.Expr) -> dict[str, sp.Expr]:
+    """Return the state on the surface: no gap, no normal speed, and the spin of rolling."""
+    turn_rate = sp.Symbol("turn_rate", real=True)
+    tangential = [hold(v) for v in velocity - hold(velocity.dot(normal)) * normal]
+    turning = normal.cross(sp.Matrix(tangential)) + turn_rate * normal
+    per = hold(1 / ball_radius)
+    outputs = {str(p): p - gap * n for p, n in zip(position, normal, strict=True)}
+    outputs |= {str(v): own for v, own in zip(velocity, tangential, strict=True)}
+    return outputs | {str(w): hold(own) * per for w, own in zip(spin, turning, strict=True)}
+
+
+def force(acceleration: Sequence[sp.Expr]) -> list[sp.Expr]:
+    """Return the normal force per unit mass, N, as a series."""
+    rows = [[term(name, k) for name in SERIES[3:6]] for k in range(ORDER)]
+    return [
+        hold(
+            term("lift", k)
+            - SHARE * sum(a * n for a, n in zip(acceleration, row, strict=True) if a != 0)
+        )
+        for k, row in enumerate(rows)
+    ]
+
+
+def pace(acceleration: Sequence[sp.Expr], strength: sp.Expr) -> dict[str, sp.Expr]:
+    """Return a step after which the series is as good as rounded, and what bounds motion in it.
+
+    The first term that is left out is about the last times the step over the time in which the
+    motion changes; with the last at u of the speed that is a few hundredths of u. Where the last
+    happens to be small, the one before it counts.
+    """
+    rows = [[*(term(name, k) for name in (*SERIES[:3], "turn_rate"))] for k in range(ORDER + 1)]
+    sizes = [hold(sp.Add(*map(size, row))) for row in rows]
+    ways = [hold(sp.Add(*(size(term(name, k)) for name in SERIES[3:6]))) for k in range(ORDER + 1)]
+    speed = sizes[0]
+    rate = hold(speed * size(per_reach) + sp.sqrt(hold(strength * size(per_reach))))
+    scale = hold(speed + strength * sp.Rational(1, 2**6))
+    last = hold(largest(hold(sizes[ORDER] + rate * sizes[ORDER - 1]), hold(scale * ways[ORDER])))
+    most = sp.Rational(1, 2**4)
+    ratio = hold(UNIT_ROUNDOFF * scale / last)
+    root = ratio
+    for _ in range(ORDER.bit_length() - 1):
+        root = hold(sp.sqrt(root))
+    step = hold(smallest(most, root))
+    powers = [step**k for k in range(ORDER)]
+    strongest = hold(sum((k + 1) * sizes[k + 1] * powers[k] for k in range(ORDER)))
+    forces = force(acceleration)
+    bend = hold(
+        sum(k * (k - 1) * size(forces[k]) * powers[k - 2] for k in range(2, ORDER))
+    )
+    return {
+        "stride": step,
+        "strongest": strongest,
+        "fastest": hold(speed + step * strongest),
+        "force": forces[0],
+        "force_rate": forces[1],
+        "force_bend": bend,
+    }

@@ -1,0 +1,581 @@
+"""Where bounces have accumulated, and what happens to a ball in contact: decisions and bounds.
+
+A ball that leaves a surface with the speed V off it, and is pressed onto it by N per unit mass,
+comes back after 2 V/N with the speed V, and leaves with e V. Infinitely many such bounces take the
+finite time 2 V/(N (1 - e)), in which nothing changes by more than V says. Then the ball rolls. A
+ball that is taken for rolling from the bounce V on is off by 2 F V²/(N² (1 - e²)) along F in the
+limit; here twice that counts, the height of the hop, and what is left of the slip. As soon as all
+of it is below the roundings of its place, the ball rolls.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import sympy as sp
+
+from ..contact.law import Law
+from ..errors.tangent import clock, directional, dv, dw, dx, late
+from ..flight import rolling
+from ..flight.parabola import Parabola
+from ..ground.choice import (
+    AtMost,
+    Choose,
+    Either,
+    Equal,
+    IfLess,
+    Less,
+    Not,
+    Nowhere,
+    Truth,
+    every,
+    hold,
+    largest,
+    size,
+    smallest,
+    some,
+)
+from ..ground.kernel import Kernel, symbols_in
+from ..ground.rounding import position_error, velocity_error
+from ..ground.symbols import (
+    POSITION,
+    SPIN,
+    UNIT_ROUNDOFF,
+    VELOCITY,
+    normal,
+    position,
+    spin,
+    t,
+    velocity,
+)
+from ..search.approach import first_root
+from ..search.decisions import doubt, index, last, when, which
+from ..surfaces import Surface
+from .fields import IN_FLIGHT, NONE
+
+held, mode, nearest, near = sp.symbols("held mode nearest near", real=True)
+"""The surface that the ball stays in contact with; how it goes on; the distance to what is next to
+it; and how wide a seam is."""
+BEGINS, ROLLS, LEAVES = 1, 2, 3
+"""What a ball in contact does next; 0: it is in flight."""
+
+stride, strongest, fastest = sp.symbols("stride strongest fastest", nonnegative=True)
+force, force_rate, force_bend = sp.symbols("force force_rate force_bend", real=True)
+gap, nearing, dent, lift, surge, snap = sp.symbols(
+    "gap nearing dent lift surge snap", real=True
+)
+turning = sp.Matrix(sp.symbols("turning_x turning_y turning_z", real=True))
+"""The rate at which the normal turns, n'."""
+rolled = sp.Matrix(sp.symbols("rolled_x rolled_y rolled_z", real=True))
+"""The velocity that a contact which grips would leave."""
+slip, bounce = sp.symbols("slip bounce", real=True)
+settles, lodges, unsure, ends, rests, edge = map(
+    Truth, ("settles", "lodges", "unsure", "ends", "rests", "edge")
+)
+body, reached, outcome, uncertain, assured, time_limit = sp.symbols(
+    "body reached outcome uncertain assured time_limit", real=True
+)
+
+FAR = sp.Rational(1, 2**22)
+"""How far, by the ball's radius, a neighbouring motion begins that shows what errors grow to."""
+
+
+def made(name: str, outputs: Mapping[str, sp.Basic], summary: str, equation: str) -> Kernel:
+    """Return a kernel whose arguments come in the order of their names."""
+    sympified = {key: sp.sympify(value) for key, value in outputs.items()}
+    free = sorted(symbols_in(sympified.values()), key=lambda symbol: symbol.name)
+    return Kernel(name, tuple(free), tuple(sympified.items()), summary, equation)
+
+
+class Codes:
+    """The numbers of what can happen to a ball in contact, after those of surfaces and time."""
+
+    def __init__(self, surfaces: int, bodies: int) -> None:
+        self.time = surfaces
+        self.begins, self.leaves, self.hops = surfaces + 1, surfaces + 2, surfaces + 3
+        self.bodies = bodies
+
+    def row(self, own: sp.Expr, leaves: bool) -> sp.Expr:
+        """Return what stands for a body in the log where a contact with it begins or ends."""
+        return self.bodies + 1 + 2 * own + int(leaves)
+
+
+def settling(law: Law, acceleration: Sequence[sp.Expr], ball_radius: sp.Expr) -> Kernel:
+    """Return whether a ball that has bounced stays on the surface from now on."""
+    e = law.restitution_at(sp.Integer(0))
+    turn_rate = ball_radius * hold(spin.dot(normal))
+    down = sp.Matrix(list(acceleration))
+    pressing = hold(down.dot(normal))
+    n = hold(hold(-pressing) - hold(rolled.dot(turning)))
+    along = down - pressing * normal
+    twisted = normal.cross(turning)
+    friction = [hold(rolling.SHARE * (turn_rate * m - a)) for a, m in zip(along, twisted, strict=True)]
+    f = hold(sp.sqrt(hold(sum(c**2 for c in friction))))
+    left = hold(1 - e)
+    loss = hold(left * (1 + e))
+    speed = hold(sum(map(size, rolled)) + ball_radius * hold(sum(map(size, spin))))
+    hop = hold(bounce / n)
+    astray = hold(
+        4 * f * hop**2 / loss
+        + hop * bounce / 2
+        + 4 * rolling.SHARE * hop * slip / left
+    )
+    allowed = hold(tolerance(ball_radius))
+    turns = hold(hold(sp.Add(*map(size, turning))) + 4 * UNIT_ROUNDOFF)
+    swing = hold(8 * hold(size(pressing) + speed * turns) * turns)
+    steady = Less(hold(3 * hop * swing), hold(n * left**2))
+    slid = AtMost(slip, hold(hold(8 * f * hop) + sp.Rational(1, 2**46) * speed))
+    grips = AtMost(2 * f, hold(law.coefficient * n * (1 + e))) if law.coefficient != sp.oo else None
+    conditions = [Less(0, n), Less(0, left), steady, slid]
+    presses = every(*conditions, *([grips] if grips is not None else []))
+    stays = every(presses, AtMost(astray, allowed))
+    tube = hold(16 * hop * speed / left + 2**10 * allowed)
+    alone = Less(tube, nearest)
+    near_zero = AtMost(size(n), hold(4 * turns * velocity_error))
+    close = hold(size(astray - allowed) * bounce)
+    vague = every(AtMost(close, hold(2 * allowed * velocity_error)), Less(0, n))
+    return made(
+        f"{law.name}_settling",
+        {
+            "settles": every(stays, alone),
+            "lodges": every(stays, Not(alone)),
+            "assured": Choose(every(presses, alone), 1, 0),
+            "unsure": some(near_zero, vague),
+        },
+        "Where a ball stays on a surface: its bounces end before anything else can happen, and "
+        "from when on that is certain.",
+        "a geometric series of bounces",
+    )
+
+
+def tolerance(ball_radius: sp.Expr) -> sp.Expr:
+    """Return what a ball may be off by that is taken for rolling, m: less than it is by then."""
+    return sp.Rational(1, 2**38) * ball_radius
+
+
+def kernels(
+    flight: Parabola, ball_radius: sp.Expr, faces: Sequence[int], codes: Codes, lodged: int
+) -> dict[str, Kernel]:
+    """Return what all surfaces share."""
+    strength = hold(flight.strength)
+    acceleration = flight.acceleration
+    series = [
+        made(
+            f"roll_{k}",
+            rolling.following(k, acceleration),
+            f"The terms of order {k + 1} of a ball that rolls, from those before.",
+            "Newton, Euler and rolling without slip",
+        )
+        for k in range(rolling.ORDER)
+    ]
+    others = (
+        made("roll_start", rolling.start(ball_radius), "The constant terms.", "rolling"),
+        made("roll_moved", rolling.moved(), "Where a rolling ball is at time t.", "its series"),
+        made(
+            "roll_placed",
+            rolling.placed(ball_radius),
+            "A ball put onto a surface, rolling.",
+            "v = R_B (w × n)",
+        ),
+        made(
+            "roll_pace",
+            rolling.pace(acceleration, strength),
+            "A step of the series, bounds of the motion in it, and the normal force.",
+            "the last terms of the series",
+        ),
+        _turned(ball_radius),
+        *_starting(ball_radius),
+        *_stepping(strength, ball_radius, codes),
+        *_parting(strength),
+        *_neighbour(ball_radius),
+        *_events(faces, codes, lodged),
+    )
+    return {kernel.name: kernel for kernel in (*series, *others)}
+
+
+def _turned(ball_radius: sp.Expr) -> Kernel:
+    return made(
+        "roll_turn_rate",
+        {"turn_rate": ball_radius * hold(spin.dot(normal))},
+        "The spin about the normal, times the ball's radius.",
+        "s = R_B (w·n)",
+    )
+
+
+def _starting(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
+    off = hold(velocity.dot(normal))
+    across = hold_each(velocity - off * normal)
+    sliding = hold_each(sp.Matrix(across) - ball_radius * spin.cross(normal))
+    kept = [hold(v - rolling.SHARE * u) for v, u in zip(across, sliding, strict=True)]
+    grown = tolerance(ball_radius)
+    rate = hold(sum(map(size, velocity)) / ball_radius)
+    errors: dict[str, sp.Expr] = {}
+    for names, unit in ((dx, grown), (dv, hold(grown * 4 * (1 + rate))), (dw, hold(grown * 4 * (1 + rate)) / ball_radius)):
+        errors |= {str(d): d + IfLess(d, 0, -unit, unit) for d in names}
+    return (
+        made(
+            "slowed",
+            {"slow": Less(hold(off**2), sp.Rational(1, 2**23) * ball_radius), "assured": 0},
+            "Where a ball hardly leaves the surface that it has touched.",
+            "a hop of less than a micrometre",
+        ),
+        made(
+            "gripped",
+            dict(zip(map(str, rolled), kept, strict=True))
+            | {"slip": hold(sp.sqrt(hold(sum(u**2 for u in sliding)))), "bounce": largest(0, off)},
+            "The velocity of a ball whose contact point stops; its slip, and how fast it leaves.",
+            "the momenta that a contact keeps",
+        ),
+        made("alone", {"nearest": sp.oo}, "Nothing next to the ball.", "Table 1"),
+        made(
+            "neared",
+            {"nearest": smallest(nearest, size(gap))},
+            "The distance to what is next to the ball.",
+            "Table 1",
+        ),
+        made("begun_errors", errors, "What a jump to the end of the bounces adds.", "its bound"),
+    )
+
+
+def hold_each(vector: sp.Matrix) -> list[sp.Expr]:
+    """Return the components, each held."""
+    return [hold(component) for component in vector]
+
+
+def _stepping(strength: sp.Expr, ball_radius: sp.Expr, codes: Codes) -> tuple[Kernel, ...]:
+    per = rolling.per_reach
+    pull = hold(strength + fastest**2 * size(per))
+    small = hold(sp.Rational(1, 2**44) * pull)
+    off = hold(
+        small + 8 * size(per) * hold(pull * position_error + fastest * velocity_error)
+    )
+    bends = hold(force_bend + sp.Rational(1, 2**40) * pull)
+    leaves = some(Less(force, -small), every(AtMost(force, small), Less(force_rate, 0)))
+    stopped = AtMost(hold(sum(map(size, velocity)) + sum(size(rolling.term(v, 1)) for v in rolling.SERIES[:3])), 0)
+    room = hold(2 * position_error + sp.Rational(1, 2**47) * hold(sum(map(size, position)) + ball_radius))
+    landing = hold(sp.Rational(1, 2**47) * hold(sum(map(size, position)) + ball_radius))
+    reach = hold(strongest + dent * fastest**2)
+    meets = every(AtMost(gap, landing), Less(nearing, 0))
+    crosses = every(meets, AtMost(-landing, gap))
+    at = every(AtMost(gap, room), AtMost(-room, gap), Not(Less(hold(8 * reach * room), hold(nearing**2))))
+    first = Equal(which, NONE)
+
+    def found(condition: sp.Basic, where: sp.Expr) -> sp.Expr:
+        return Choose(every(condition, first), where, which)
+
+    def stopping(condition: sp.Basic, root: sp.Expr) -> sp.Expr:
+        return Choose(condition, 0, smallest(stride, root))
+
+    above = hold(largest(gap, 0))
+    to_gate = Choose(Less(0, gap), first_root(above, nearing, reach), sp.oo)
+    delay = hold(2 * room / hold(size(nearing)))
+    return (
+        made(
+            "leaving_force",
+            {
+                "stride": stopping(
+                    some(leaves, stopped), first_root(hold(largest(force, 0)), force_rate, bends)
+                ),
+                "which": found(leaves, sp.Integer(codes.leaves)),
+                "rests": every(stopped, Not(leaves)),
+                "doubt": Choose(
+                    every(AtMost(size(force), off), Not(Less(hold(8 * bends * off), force_rate**2))),
+                    0,
+                    doubt,
+                ),
+            },
+            "Where the normal force is spent, or nothing moves; else how long it certainly lasts.",
+            "N = 0",
+        ),
+        made(
+            "beside_body",
+            {
+                "stride": stopping(meets, first_root(above, nearing, reach)),
+                "which": found(meets, index),
+                "doubt": Choose(some(at, every(meets, Not(first))), 0, doubt),
+                "late": Choose(every(meets, first), delay, late),
+            },
+            "Where a rolling ball meets another surface; else how long it certainly does not.",
+            "a parabola below the distance",
+        ),
+        made(
+            "beside_gate",
+            {
+                "stride": stopping(crosses, to_gate),
+                "which": found(crosses, index),
+                "doubt": Choose(some(at, every(crosses, Not(first))), 0, doubt),
+                "late": Choose(every(crosses, first), delay, late),
+            },
+            "The same of a plane that ends a shot, which counts from above.",
+            "a parabola below the distance",
+        ),
+        made(
+            "beside_seam",
+            {
+                "stride": smallest(
+                    stride,
+                    first_root(
+                        hold(largest(0, hold(size(gap) - near))),
+                        Choose(
+                            AtMost(size(gap), near),
+                            size(nearing) + sp.Rational(1, 2**20) * fastest,
+                            Choose(Less(0, gap), nearing, -nearing),
+                        ),
+                        hold(strongest),
+                    )
+                    + 0,
+                )
+            },
+            "How long a rolling ball certainly stays on a part of its surface.",
+            "a parabola below the distance",
+        ),
+        made(
+            "beside_time",
+            {
+                "stride": largest(0, smallest(stride, hold(time_limit - clock))),
+                "which": found(AtMost(time_limit, clock), sp.Integer(codes.time)),
+            },
+            "The time limit.",
+            "Table 1",
+        ),
+        made(
+            "rolled_on",
+            {
+                "clock": clock + stride,
+                "rolling": every(Equal(which, NONE), Not(rests)),
+            },
+            "The time after a step, and whether there is a next one.",
+            "Table 1",
+        ),
+    )
+
+
+def _parting(strength: sp.Expr) -> tuple[Kernel, ...]:
+    """A ball that leaves tangentially: for a while the gap certainly opens.
+
+    Its third derivative is at least surge - |snap| t - C t²/2, with a generous C; a ball that is
+    thrown off has a second derivative to begin with.
+    """
+    per = hold(size(rolling.per_reach))
+    shortest = sp.Rational(1, 2**7)
+    speed = hold(sum(map(size, velocity)) + strength * shortest)
+    rate = hold(speed * per + sp.sqrt(hold(strength * per)) + 1)
+    bends = hold(64 * rate**3 * hold(strength + speed**2 * per))
+    bent = hold(size(snap) + bends * sp.Rational(1, 2**30))
+    opening = smallest(hold(surge / (2 * bent)), hold(sp.sqrt(hold(surge / (2 * bends)))))
+    push = hold(largest(0, lift))
+    tearing = smallest(
+        hold(push / hold(4 * size(surge) + bends * sp.Rational(1, 2**30))),
+        hold(sp.sqrt(hold(push / (2 * bent)))),
+        hold(sp.sqrt(hold(push / (bends * shortest)))),
+    )
+    away = hold(Choose(Less(0, surge), opening, tearing))
+    free = hold(nearest / (4 * speed))
+    hop = hold(smallest(shortest, away, free))
+    off = hold(
+        16 * per * hold(hold(strength + speed**2 * per) * position_error + speed * velocity_error)
+        + sp.Rational(1, 2**44) * strength
+    )
+    opens = some(Less(hold(off * rate), surge), Less(off, lift))
+    return (
+        made(
+            "parted",
+            {
+                "when": largest(0, hop),
+                "doubt": Choose(opens, doubt, 0),
+            },
+            "How long a ball that leaves a surface certainly does not meet it, nor anything else.",
+            "Taylor's theorem of the gap",
+        ),
+    )
+
+
+def _neighbour(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
+    def greatest(errors: Sequence[sp.Symbol]) -> sp.Expr:
+        return hold(largest(*map(size, errors)))
+
+    eighth = sp.Rational(1, 8)
+    worst = hold(
+        greatest(dx)
+        + eighth * hold(greatest(dv) + ball_radius * greatest(dw))
+        + UNIT_ROUNDOFF * ball_radius
+    )
+    scale = FAR * ball_radius / worst
+    apart = sp.Symbol("apart", positive=True)
+    states = (*position, *velocity, *spin)
+    errors = (*dx, *dv, *dw)
+    far = {f"far_{s}": s + apart * d for s, d in zip(states, errors, strict=True)}
+    place = hold(4 * UNIT_ROUNDOFF * hold(sum(map(size, position)) + ball_radius))
+    pace = hold(4 * UNIT_ROUNDOFF * hold(sum(map(size, velocity)) + ball_radius * hold(sum(map(size, spin)))))
+    compared = {}
+    rounds = (place,) * 3 + (pace,) * 3 + (pace / ball_radius,) * 3
+    for s, d, unit in zip(states, errors, rounds, strict=True):
+        change = hold(hold(sp.Symbol(f"far_{s}", real=True) - s) / apart)
+        compared[str(d)] = change + IfLess(change, 0, -unit, unit)
+    carried = {}
+    speeds = dict(zip(dx, zip(dv, velocity, position, strict=True), strict=True))
+    for d, (drift, v, p) in speeds.items():
+        moved = hold(d + drift * when)
+        unit = UNIT_ROUNDOFF * hold(size(p) + 2 * size(v) * when)
+        carried[str(d)] = moved + IfLess(moved, 0, -unit, unit)
+    return (
+        made("apart", {"apart": scale}, "How often an error makes a neighbouring motion.", "FAR"),
+        made("neighbour", far, "A neighbouring motion, along the errors.", "Table 1"),
+        made("compared", compared, "The errors after a step, with its roundings.", "differences"),
+        made("carry_hop", carried, "Errors after a while of flight.", "derivative of Eq. 3"),
+    )
+
+
+def _events(faces: Sequence[int], codes: Codes, lodged: int) -> tuple[Kernel, ...]:
+    own: sp.Expr = sp.Integer(NONE)
+    for face, of in enumerate(faces):
+        own = Choose(Equal(held, face), of, own)
+    begins, leaves, hops = (
+        Equal(which, code) for code in (codes.begins, codes.leaves, codes.hops)
+    )
+    beyond = Less(codes.time, which)
+    bounded = every(Less(position_error, sp.oo), Less(velocity_error, sp.oo))
+    following = Choose(begins, ROLLS, Choose(leaves, LEAVES, 0))
+    stays = some(begins, leaves)
+    return (
+        made(
+            "kept",
+            {
+                "kept": Less(0, mode),
+                "when": Choose(Less(0, mode), 0, when),
+                "rests": Nowhere(),
+            },
+            "Where a ball is in contact: no flight to search.",
+            "Table 1",
+        ),
+        made(
+            "resumed",
+            {
+                "which": NONE,
+                "late": 0,
+                "doubt": Choose(bounded, sp.oo, 0),
+                "begins": Equal(mode, BEGINS),
+                "rolling": Equal(mode, ROLLS),
+                "leaves": Equal(mode, LEAVES),
+                **{str(s): 0 for s in (*normal, gap, *rolling.bent, lift, surge, snap)},
+                **{str(s): 0 for s in (rolling.per_reach, rolling.ring)},
+            },
+            "No event yet, of a ball in contact.",
+            "Table 1",
+        ),
+        made(
+            "doubted_in_contact",
+            {
+                "uncertain": Choose(
+                    every(
+                        Either(every(Not(Less(when + late, doubt)), Less(doubt, sp.oo)), edge),
+                        Not(every(Less(0, assured), Equal(which, last))),
+                    ),
+                    1,
+                    uncertain,
+                )
+            },
+            "1 where a decision lies within its error; that a ball bounces on is none.",
+            "Table 1",
+        ),
+        made("holding", {"here": Equal(held, index)}, "Whether it stays on this.", "Table 1"),
+        made("beside", {"beside": Not(Equal(held, index))}, "Whether it does not.", "Table 1"),
+        made("unhopped", {"hopped": Nowhere()}, "A ball in flight.", "Table 1"),
+        made("beginning_contact", {"which": codes.begins}, "The contact begins.", "Table 1"),
+        made("hopping", {"which": codes.hops}, "The ball is off.", "Table 1"),
+        made(
+            "kept_on",
+            {
+                "body": Choose(
+                    begins, codes.row(own, False), Choose(leaves, codes.row(own, True), Choose(hops, NONE, body))
+                ),
+                "reached": Choose(rests, lodged, Choose(beyond, IN_FLIGHT, reached)),
+                "ends": every(ends, Not(beyond)),
+                "hopped": hops,
+                "last": Choose(hops, NONE, last),
+                "mode": following,
+                "held": Choose(stays, held, NONE),
+            },
+            "What comes of a ball in contact.",
+            "Table 1",
+        ),
+        made(
+            "settled",
+            {
+                "mode": Choose(settles, BEGINS, 0),
+                "held": Choose(settles, index, NONE),
+                "outcome": Choose(every(lodges, Less(outcome, 0)), lodged, outcome),
+                "uncertain": Choose(Either(lodges, unsure), 1, uncertain),
+            },
+            "Whether the ball stays on a surface, or is wedged between two.",
+            "Table 1",
+        ),
+    )
+
+
+def of_surface(surface: Surface, flight: Parabola) -> dict[str, Kernel]:
+    """Return what a surface needs where balls stay in contact: beside it, and on it if they can."""
+    along = dict(zip(POSITION, VELOCITY, strict=True))
+    flown = along | dict(zip(VELOCITY, flight.acceleration, strict=True))
+    name = surface.name
+    found = {
+        "beside": made(
+            f"{name}_beside",
+            {
+                "gap": hold(surface.distance),
+                "nearing": directional(surface.distance, along),
+                "dent": surface.dent,
+            },
+            "The distance, its rate, and how fast it bends down at most, by the squared speed.",
+            "Table 2",
+        )
+    }
+    tube = surface.tube
+    if tube is None:
+        return found
+    derivatives = [_held(surface.distance)]
+    for _ in range(4):
+        derivatives.append(directional(derivatives[-1], flown))
+    turns = dict(zip(POSITION, rolled, strict=True))
+    named = zip(turning, surface.normal, strict=True)
+    sizes = dict(zip(map(str, rolling.bent), tube.bent, strict=True))
+    found |= {
+        "off": made(f"{name}_off", {"gap": surface.distance}, "The distance.", "Table 2"),
+        "tube": made(
+            f"{name}_tube",
+            sizes | {"per_reach": tube.per_reach, "ring": tube.ring},
+            "What a ball that stays on it rolls on.",
+            "Table 2",
+        ),
+        "turning": made(
+            f"{name}_turning",
+            {str(rate): hold(directional(component, turns)) for rate, component in named},
+            "The rate at which the normal turns.",
+            "derivative of Table 2's normal",
+        ),
+        "parting": made(
+            f"{name}_parting",
+            dict(zip(("lift", "surge", "snap"), derivatives[2:], strict=True)),
+            "The second to the fourth derivative of the distance along a flight.",
+            "derivatives of Table 2's distance",
+        ),
+    }
+    seams = {
+        f"seam{k}": made(
+            f"{name}_seam{k}",
+            {"gap": hold(place - value), "nearing": along[place], "near": width},
+            "How far the ball is from a seam of the surface, and how fast.",
+            "Table 2",
+        )
+        for k, (place, value, width) in enumerate(tube.seams)
+    }
+    return found | seams
+
+
+
+def _held(expression: sp.Expr) -> sp.Expr:
+    """Return the expression with all its sums and powers held, which its derivatives then share."""
+    if expression.is_Atom:
+        return expression
+    inner = expression.func(*map(_held, expression.args))
+    return hold(inner) if inner.is_Add or inner.is_Pow else inner

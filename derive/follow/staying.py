@@ -1,0 +1,171 @@
+"""A ball that stays in contact: the nodes of the event loop from the last bounce to the leaving.
+
+The turn after the last bounce puts the ball onto the surface. Then it rolls, step by step, until it
+meets something, leaves, is at rest, or its time is up: all in one turn. One that leaves tangentially
+flies for a moment in which it certainly meets nothing, and is in flight like any other.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from ..flight import rolling
+from ..ground.symbols import STATE
+from ..ground.tree import Do, Guard, Node, Repeat
+from ..search.search import Parts
+from .contact import Contact
+
+LIMIT = 1 << 17
+"""Steps after which a ball in contact is given up; a minute of a fast swirl takes a fifth."""
+
+_FAR = {s.name: f"far_{s.name}" for s in STATE}
+
+
+def in_contact(
+    common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]
+) -> Iterator[Node]:
+    """Find the next event of balls in contact, and take them there."""
+    holders = [surface for surface in contacts if "tube" in surface.parts]
+    yield Do(common["resumed"])
+    begun = (
+        *_each(common, holders, "normal"),
+        Do(common["roll_turn_rate"]),
+        Do(common["gripped"]),
+        *_each(common, holders, "off"),
+        Do(
+            common["roll_placed"],
+            {f"v{axis}": f"rolled_{axis}" for axis in "xyz"},
+        ),
+        Do(common["begun_errors"]),
+        Do(common["beginning_contact"]),
+    )
+    yield Guard("begins", begun, rare=True)
+    yield Repeat("rolling", LIMIT, tuple(_step(common, holders, contacts, gates)))
+    parted = (
+        Do(common["error_bounds"]),
+        *_each(common, holders, "tube", "parting"),
+        *_neighbours(common, contacts, gates),
+        Do(common["parted"]),
+        Do(common["hopping"]),
+    )
+    yield Guard("leaves", parted, rare=True)
+
+
+def _each(common: Parts, surfaces: Sequence[Contact], *parts: str) -> Iterator[Node]:
+    """Evaluate kernels of the surface that the ball stays on."""
+    for surface in surfaces:
+        yield Do(common["holding"], {"index": surface.index})
+        yield Guard("here", tuple(Do(surface.parts[part]) for part in parts))
+
+
+def _neighbours(
+    common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]
+) -> Iterator[Node]:
+    """Return the distance to the nearest surface that the ball is not on."""
+    yield Do(common["alone"])
+    for surface in (*contacts, *gates):
+        yield Do(common["beside"], {"index": surface.index})
+        near = (Do(surface.parts["beside"], wanted=frozenset({"gap"})), Do(common["neared"]))
+        yield Guard("beside", near)
+
+
+def _step(
+    common: Parts,
+    holders: Sequence[Contact],
+    contacts: Sequence[Contact],
+    gates: Sequence[Contact],
+) -> Iterator[Node]:
+    yield Do(common["error_bounds"])
+    yield from _each(common, holders, "normal", "tube")
+    yield Do(common["roll_start"])
+    yield from _series(common)
+    yield Do(common["roll_pace"])
+    yield Do(common["leaving_force"])
+    for surface in contacts:
+        yield Do(common["beside"], {"index": surface.index})
+        met = (Do(surface.parts["beside"]), Do(common["beside_body"], {"index": surface.index}))
+        yield Guard("beside", met)
+    for gate in gates:
+        yield Do(gate.parts["beside"])
+        yield Do(common["beside_gate"], {"index": gate.index})
+    for surface in holders:
+        seams = [part for part in surface.parts if part.startswith("seam")]
+        if seams:
+            each = (n for s in seams for n in (Do(surface.parts[s]), Do(common["beside_seam"])))
+            yield Do(common["holding"], {"index": surface.index})
+            yield Guard("here", tuple(each))
+    yield Do(common["beside_time"])
+    yield Do(common["apart"])
+    yield Do(common["neighbour"])
+    yield from _moved(common, holders, {})
+    yield from _moved_beside(common, holders)
+    yield Do(common["compared"])
+    yield Do(common["rolled_on"])
+
+
+def _series(common: Parts) -> Iterator[Node]:
+    for k in range(rolling.ORDER):
+        yield Do(common[f"roll_{k}"])
+
+
+def _moved(common: Parts, holders: Sequence[Contact], names: dict[str, str]) -> Iterator[Node]:
+    """Take a ball along its series, and put it back onto the surface."""
+    yield _on(Do(common["roll_moved"], {"t": "stride"}), names)
+    yield from _put(common, holders, names)
+
+
+def _moved_beside(common: Parts, holders: Sequence[Contact]) -> Iterator[Node]:
+    """Do the same with the neighbouring motion, which begins on the surface, too."""
+    for surface in holders:
+        yield Do(common["holding"], {"index": surface.index})
+        yield Guard("here", (_on(Do(surface.parts["normal"]), _FAR),))
+    yield _on(Do(common["roll_turn_rate"]), _FAR)
+    yield from _put(common, holders, _FAR)
+    yield _on(Do(common["roll_start"]), _FAR)
+    yield from _series(common)
+    yield from _moved(common, holders, _FAR)
+
+
+def _put(common: Parts, holders: Sequence[Contact], names: dict[str, str]) -> Iterator[Node]:
+    for surface in holders:
+        yield Do(common["holding"], {"index": surface.index})
+        parts = (_on(Do(surface.parts[part]), names) for part in ("normal", "off"))
+        yield Guard("here", tuple(parts))
+    yield _on(Do(common["roll_placed"]), names)
+
+
+def _on(node: Do, names: dict[str, str]) -> Do:
+    """Return the evaluation for a motion whose state has other names."""
+    arguments = {str(symbol) for symbol in node.kernel.arguments}
+    inputs = {name: own for name, own in names.items() if name in arguments}
+    outputs = {name: own for name, own in names.items() if name in node.kernel.output_names}
+    return Do(node.kernel, {**inputs, **node.inputs}, outputs)
+
+
+def settled(
+    common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]
+) -> Iterator[Node]:
+    """Look whether a ball that has bounced stays on the surface."""
+    yield Do(common["slowed"])
+    looked = []
+    for surface in contacts:
+        if "tube" not in surface.parts:
+            continue
+        own = (
+            Do(surface.parts["turning"]),
+            *_apart(common, contacts, gates, surface.index),
+            Do(surface.law["settling"]),
+            Do(common["settled"], {"index": surface.index}),
+        )
+        looked += [Do(common["here"], {"index": surface.index}), Guard("here", own)]
+    yield Guard("slow", (Do(common["gripped"]), *looked), rare=True)
+
+
+def _apart(
+    common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact], index: int
+) -> Iterator[Node]:
+    yield Do(common["alone"])
+    for surface in (*contacts, *gates):
+        if surface.index != index:
+            yield Do(surface.parts["beside"], wanted=frozenset({"gap"}))
+            yield Do(common["neared"])
