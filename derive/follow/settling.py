@@ -129,7 +129,8 @@ def settling(law: Law, acceleration: Sequence[sp.Expr], ball_radius: sp.Expr) ->
     conditions = [Less(0, n), Less(0, left), steady, slid]
     presses = every(*conditions, *([grips] if grips is not None else []))
     stays = every(presses, AtMost(astray, allowed))
-    tube = hold(16 * hop * speed / left + 2**10 * allowed)
+    least = hold(2**10 * allowed)
+    tube = hold(16 * hop * speed / left + least)
     alone = Less(tube, nearest)
     near_zero = AtMost(size(n), hold(4 * turns * velocity_error))
     close = hold(size(astray - allowed) * bounce)
@@ -138,7 +139,7 @@ def settling(law: Law, acceleration: Sequence[sp.Expr], ball_radius: sp.Expr) ->
         f"{law.name}_settling",
         {
             "settles": every(stays, alone),
-            "lodges": every(stays, Not(alone)),
+            "lodges": every(stays, AtMost(nearest, least)),
             "assured": Choose(every(presses, alone), 1, 0),
             "unsure": some(near_zero, vague),
         },
