@@ -6,7 +6,7 @@ works on rows: a body takes the rows that need it, and puts back what it assigne
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from hoopgen.derive.ground.tree import (
@@ -167,7 +167,15 @@ class CLoop(_Printer):
 
 @dataclass
 class NumPyLoop(_Printer):
-    """Rows: a body takes its own, and puts back what it assigned."""
+    """Rows: a body takes its own, and puts back what it assigned.
+
+    Attributes
+    ----------
+    rows
+        The kernels that are given rows to write into: as many shots long as their arguments.
+    """
+
+    rows: Collection[str] = ()
 
     def stage(
         self, nodes: Sequence[Node], names: Mapping[str, str], after: Iterable[str]
@@ -186,19 +194,34 @@ class NumPyLoop(_Printer):
         after: set[str],
         depth: int,
     ) -> None:
+        if self._given_rows(nodes):
+            self.lines.append(f"{indent}{_room(depth)} = room({count})")
         for index, node in enumerate(nodes):
             later = live_before(nodes[index + 1 :], after)
             if isinstance(node, Do):
-                self._do(node, names, indent, depth)
+                self._do(node, names, indent, depth, depth)
             elif isinstance(node, Guard) and self.cheap(node):
                 self._chosen(node, names, indent, later, depth)
             else:
                 self._rows(node, names, count, indent, later, depth)
 
-    def _do(self, node: Do, names: dict[str, str], indent: str, depth: int) -> None:
+    def _given_rows(self, nodes: Sequence[Node]) -> bool:
+        """Whether a kernel that all shots of a body call is given rows to write into."""
+        return any(
+            node.kernel.name in self.rows
+            if isinstance(node, Do)
+            else isinstance(node, Guard) and self.cheap(node) and self._given_rows(node.body)
+            for node in nodes
+        )
+
+    def _do(
+        self, node: Do, names: dict[str, str], indent: str, depth: int, shots_depth: int
+    ) -> None:
         given = ", ".join(
             names[v] if isinstance(v, str) else constant(float(v), NUMPY) for v in node.arguments
         )
+        if node.kernel.name in self.rows:
+            given += f", {_room(shots_depth)}"
         for variable in node.assigned.values():
             names[variable] = local(variable, depth)
         targets = [
@@ -221,11 +244,11 @@ class NumPyLoop(_Printer):
         inner = depth + 1
         for body in node.body:
             assert isinstance(body, Do)
-            self._do(body, inside, indent, inner)
+            self._do(body, inside, indent, inner, depth)
         for name in own.gives:
             new = local(name, depth)
             self.lines.append(
-                f"{indent}{new} = _where({names[node.truth]}, {inside[name]}, {names[name]})"
+                f"{indent}{new} = _choose({names[node.truth]}, {inside[name]}, {names[name]})"
             )
             names[name] = new
 
@@ -284,6 +307,11 @@ class NumPyLoop(_Printer):
                 line(f"{deeper}{local(name, depth)} = {names[name]}")
         for name in own.gives:
             names[name] = local(name, depth)
+
+
+def _room(depth: int) -> str:
+    """Return the rows for as many shots as there are so many bodies deep."""
+    return f"_room_{depth}"
 
 
 def local(name: str, depth: int) -> str:
