@@ -17,12 +17,12 @@ from numpy import absolute as _absolute
 from numpy import add as _add
 from numpy import bitwise_and as _bitwise_and
 from numpy import bitwise_xor as _bitwise_xor
-from numpy import broadcast_to as _broadcast_to
 from numpy import count_nonzero as _count_nonzero
 from numpy import divide as _divide
 from numpy import empty_like as _empty_like
 from numpy import flatnonzero as _flatnonzero
 from numpy import float64 as _float64
+from numpy import full as _full
 from numpy import inf as _inf
 from numpy import int8 as _int8
 from numpy import int64 as _int64
@@ -289,16 +289,14 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
 }
 """Names of each kernel's outputs."""
 
-ROWS = 21
+ROWS = 35
 """Rows that a kernel writes into, at the most: what it computes on the way to its results."""
+
+FEW = 1 << 10
+"""So few shots are quicker with fresh arrays than with rows, and without a look at how many differ."""
 
 NO_ROWS: tuple[None, ...] = (None,) * ROWS
 """With these in their place it makes arrays of its own."""
-
-
-def _like(row: Any) -> Any:
-    """Return a row that is a result's own, where there are rows."""
-    return None if row is None else _empty_like(row)
 
 
 def _bits(value: Any) -> Any:
@@ -306,8 +304,8 @@ def _bits(value: Any) -> Any:
     return (value if _ndim(value) else _float64(value)).view(_int64)
 
 
-def _select(truth: Any, then: Any, other: Any, row: Any) -> Any:
-    """Return one value where a truth holds, and another where it does not.
+def _select(truth: Any, then: Any, other: Any, row: Any, keep: bool = True) -> Any:
+    """Return one value where a truth holds, and another where it does not: either, or a row.
 
     Where it holds for some shots and not for their neighbours, a branch for each would be guessed
     wrong more often than not: the bits are taken from both.
@@ -317,7 +315,10 @@ def _select(truth: Any, then: Any, other: Any, row: Any) -> Any:
     shots = len(row)
     many = _count_nonzero(truth) if _ndim(truth) else shots * bool(truth)
     if many in (0, shots):
-        row[...] = then if many else other
+        all_of = then if many else other
+        if keep and _ndim(all_of):
+            return all_of
+        row[...] = all_of
         return row
     if not shots < 16 * many < 15 * shots:
         return _where(truth, then, other)
@@ -326,6 +327,11 @@ def _select(truth: Any, then: Any, other: Any, row: Any) -> Any:
     _bitwise_and(bits, _negative(truth.view(_int8)).astype(_int64), bits)
     _bitwise_xor(bits, unlike, bits)
     return row
+
+
+def _result(truth: Any, then: Any, other: Any, row: Any) -> Any:
+    """Do the same, in an array of its own."""
+    return _select(truth, then, other, None if row is None else _empty_like(row), False)
 
 
 def flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -400,7 +406,7 @@ def crossing(margin: Any, rate_margin: Any, rate: Any, ceiling: Any, _room: Any 
     _r0, _r1, _r2, *_ = _room
     _s0 = _negative(_add(rate, rate_margin, _r0), _r0)
     _s1 = 0.0 < _s0
-    return _select(_s1, _subtract(_multiply(_s0, _s0, _r1), _multiply(_multiply(6.0, ceiling, _r2), margin, _r2), _r2), _s0, _like(_r0)), _select(_s1, _divide(_multiply(6.0, margin, _r2), _s0, _r0), _inf, _like(_r0))
+    return _result(_s1, _subtract(_multiply(_s0, _s0, _r1), _multiply(_multiply(6.0, ceiling, _r2), margin, _r2), _r2), _s0, _r0), _result(_s1, _divide(_multiply(6.0, margin, _r2), _s0, _r2), _inf, _r0)
 
 
 def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -415,7 +421,7 @@ def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error:
     _s2 = share * _s0
     _s3 = _subtract(position_error, _s1, _r0)
     _s4 = _subtract(velocity_error, _s2, _r1)
-    return _s1, _s2, _select(_s3 < _s4, _s4, _s3, _like(_r0))
+    return _s1, _s2, _result(_s3 < _s4, _s4, _s3, _r0)
 
 
 def horizon(t: Any, speed: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -434,7 +440,7 @@ def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any, _ro
     what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections.
     Returns extent, speed, excess.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
     _s0 = _absolute(x, _r0)
     _s1 = _absolute(y, _r1)
     _s2 = _absolute(z, _r2)
@@ -444,10 +450,10 @@ def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any, _ro
     _s6 = 1.0 / p_gravity
     _s7 = _select(_s6 < _s0, _s0, _s6, _r6)
     _s8 = _select(_s7 < _s1, _s1, _s7, _r7)
-    _s9 = _select(_s8 < _s2, _s2, _s8, _r6)
-    _s10 = _select(_s9 < _s3, _s3, _s9, _r7)
-    _s11 = _select(_s10 < _s4, _s4, _s10, _r6)
-    return _add(_s0, _s1, _r1) + _s2, _add(_s3, _s4, _r4) + _s5, _select(_s11 < _s5, _s5, _s11, _r4) - 2.9073548971824276e+135
+    _s9 = _select(_s8 < _s2, _s2, _s8, _r8)
+    _s10 = _select(_s9 < _s3, _s3, _s9, _r9)
+    _s11 = _select(_s10 < _s4, _s4, _s10, _r10)
+    return _add(_s0, _s1, _r11) + _s2, _add(_s3, _s4, _r11) + _s5, _select(_s11 < _s5, _s5, _s11, _r11) - 2.9073548971824276e+135
 
 
 def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -460,8 +466,8 @@ def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_err
     _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s1 = _add(extent, _multiply(horizon, _s0, _r1), _r1)
     _s2 = (((((p_ball_radius + p_board_distance) + p_board_half_width) + p_bridge_half_width) + p_end_depth) + p_ring_radius) + p_wire_radius
-    _s3 = _add(_multiply(_multiply(1.0009765625, delay, _r2), _s0, _r0), _multiply(4.445228907190568e-16, _add(_s1, (_s2 + _absolute(p_board_bottom)) + _absolute(p_board_top), _r2), _r2), _r2)
-    return _s3 + _multiply(3.0029296875, _add(_add(position_error, _multiply(horizon, velocity_error, _r0), _r0), _multiply(4.440892098500626e-16, _s1, _r1), _r1), _r1),
+    _s3 = _add(_multiply(_multiply(1.0009765625, delay, _r2), _s0, _r2), _multiply(4.445228907190568e-16, _add(_s1, (_s2 + _absolute(p_board_bottom)) + _absolute(p_board_top), _r0), _r0), _r0)
+    return _s3 + _multiply(3.0029296875, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(4.440892098500626e-16, _s1, _r1), _r1), _r1),
 
 
 def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, late: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, curving: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -470,45 +476,45 @@ def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: 
     derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, delay, shift.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, *_ = _room
     _s0 = _add(dx, _multiply(dvx, t, _r0), _r0)
     _s1 = _absolute(vx, _r1)
     _s2 = _multiply(2.0, t, _r2)
     _s3 = _multiply(1.1102230246251565e-16, _add(_multiply(_s2, _s1, _r3), _absolute(x, _r4), _r4), _r4)
     _s4 = _add(_s0, _select(_s0 < 0.0, _negative(_s3, _r3), _s3, _r5), _r5)
-    _s5 = _add(dy, _multiply(dvy, t, _r0), _r0)
-    _s6 = _absolute(vy, _r3)
+    _s5 = _add(dy, _multiply(dvy, t, _r3), _r3)
+    _s6 = _absolute(vy, _r0)
     _s7 = _multiply(1.1102230246251565e-16, _add(_multiply(_s2, _s6, _r6), _absolute(y, _r7), _r7), _r7)
     _s8 = _add(_s5, _select(_s5 < 0.0, _negative(_s7, _r6), _s7, _r8), _r8)
-    _s9 = _add(dz, _multiply(dvz, t, _r0), _r0)
-    _s10 = _absolute(vz, _r6)
+    _s9 = _add(dz, _multiply(dvz, t, _r6), _r6)
+    _s10 = _absolute(vz, _r3)
     _s11 = _multiply(1.1102230246251565e-16, _add(_add(_multiply(p_gravity, _multiply(t, t, _r9), _r9), _multiply(_s2, _s10, _r2), _r2), _absolute(z, _r9), _r9), _r9)
     _s12 = _add(_s9, _select(_s9 < 0.0, _negative(_s11, _r2), _s11, _r10), _r10)
-    _s13 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r2), _r2), _multiply(nz, vz, _r0), _r0)
-    _s14 = _divide(_negative(_add(_add(_multiply(nx, _s4, _r2), _multiply(ny, _s8, _r11), _r11), _multiply(nz, _s12, _r2), _r2), _r2), _s13, _r2)
-    _s15 = _add(_multiply(vx, _s14, _r11), _s4, _r5)
-    _s16 = _select(_s1 < _s6, _s6, _s1, _r11)
-    _s17 = _select(_s16 < _s10, _s10, _s16, _r3)
-    _s18 = _absolute(dx, _r6)
-    _s19 = _absolute(dy, _r11)
-    _s20 = _select(_s18 < _s19, _s19, _s18, _r1)
-    _s21 = _absolute(dz, _r11)
-    _s22 = _select(_s20 < _s21, _s21, _s20, _r6)
-    _s23 = _multiply(curving, _multiply(t, _s17, _r11), _r11)
-    _s24 = _absolute(dvx, _r1)
-    _s25 = _absolute(dvy, _r12)
-    _s26 = _select(_s24 < _s25, _s25, _s24, _r13)
-    _s27 = _absolute(dvz, _r12)
-    _s28 = _select(_s3 < _s7, _s7, _s3, _r1)
-    _s29 = _add(_multiply(t, _select(_s26 < _s27, _s27, _s26, _r7), _r7), _select(_s28 < _s11, _s11, _s28, _r12), _r12)
-    _s30 = _multiply(_divide(_s17, _absolute(_s13, _r0), _r0), _add(_multiply(_s22, _select(_s23 < 1.0, _s23, 1.0, _r3), _r3), _s29, _r3), _r3) + _add(_s29, _s22, _r6)
-    _s31 = _divide(_s30, _add(8.0, _multiply(8.0, contacts, _r6), _r6), _r6)
-    _s32 = _negative(_s31, _r3)
-    _s33 = _add(_multiply(vy, _s14, _r12), _s8, _r8)
-    _s34 = _add(_multiply(vz, _s14, _r12), _s12, _r10)
-    _s35 = _absolute(_s14, _r12)
-    _s36 = _multiply(0.0625, late, _r0)
-    return _select(_absolute(_s15, _r11) < _s31, _select(_s15 < 0.0, _s32, _s31, _r11), _s15, _like(_r0)), _select(_absolute(_s33, _r5) < _s31, _select(_s33 < 0.0, _s32, _s31, _r5), _s33, _like(_r0)), _select(_absolute(_s34, _r8) < _s31, _select(_s34 < 0.0, _s32, _s31, _r8), _s34, _like(_r0)), dvx, dvy, dvz - _multiply(p_gravity, _s14, _r2), _multiply(4.440892098500626e-16, _add(clock, t, _r2), _r2) + _select(_s35 < _s36, _s36, _s35, _r10), _s30
+    _s13 = _add(_add(_multiply(nx, vx, _r2), _multiply(ny, vy, _r6), _r6), _multiply(nz, vz, _r2), _r2)
+    _s14 = _divide(_negative(_add(_add(_multiply(nx, _s4, _r6), _multiply(ny, _s8, _r11), _r11), _multiply(nz, _s12, _r6), _r6), _r6), _s13, _r6)
+    _s15 = _add(_multiply(vx, _s14, _r11), _s4, _r11)
+    _s16 = _select(_s1 < _s6, _s6, _s1, _r5)
+    _s17 = _select(_s16 < _s10, _s10, _s16, _r12)
+    _s18 = _absolute(dx, _r13)
+    _s19 = _absolute(dy, _r14)
+    _s20 = _select(_s18 < _s19, _s19, _s18, _r15)
+    _s21 = _absolute(dz, _r16)
+    _s22 = _select(_s20 < _s21, _s21, _s20, _r17)
+    _s23 = _multiply(curving, _multiply(t, _s17, _r18), _r18)
+    _s24 = _absolute(dvx, _r19)
+    _s25 = _absolute(dvy, _r20)
+    _s26 = _select(_s24 < _s25, _s25, _s24, _r21)
+    _s27 = _absolute(dvz, _r22)
+    _s28 = _select(_s3 < _s7, _s7, _s3, _r23)
+    _s29 = _add(_multiply(t, _select(_s26 < _s27, _s27, _s26, _r24), _r24), _select(_s28 < _s11, _s11, _s28, _r22), _r22)
+    _s30 = _multiply(_divide(_s17, _absolute(_s13, _r2), _r12), _add(_multiply(_s22, _select(_s23 < 1.0, _s23, 1.0, _r5), _r5), _s29, _r5), _r5) + _add(_s29, _s22, _r22)
+    _s31 = _divide(_s30, _add(8.0, _multiply(8.0, contacts, _r22), _r22), _r22)
+    _s32 = _negative(_s31, _r5)
+    _s33 = _add(_multiply(vy, _s14, _r17), _s8, _r17)
+    _s34 = _add(_multiply(vz, _s14, _r8), _s12, _r8)
+    _s35 = _absolute(_s14, _r10)
+    _s36 = _multiply(0.0625, late, _r16)
+    return _result(_absolute(_s15, _r15) < _s31, _select(_s15 < 0.0, _s32, _s31, _r15), _s15, _r0), _result(_absolute(_s33, _r15) < _s31, _select(_s33 < 0.0, _s32, _s31, _r15), _s33, _r0), _result(_absolute(_s34, _r15) < _s31, _select(_s34 < 0.0, _s32, _s31, _r15), _s34, _r0), dvx, dvy, dvz - _multiply(p_gravity, _s14, _r6), _multiply(4.440892098500626e-16, _add(clock, t, _r6), _r6) + _select(_s35 < _s36, _s36, _s35, _r15), _s30
 
 
 def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock: Any, clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -517,7 +523,7 @@ def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock:
     derivative of Eq. 3, with roundings. 62 operations: 17 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, clock_error.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, *_ = _room
     _s0 = _absolute(vx, _r0)
     _s1 = _add(clock_error, _multiply(4.440892098500626e-16, _add(clock, t, _r1), _r1), _r1)
     _s2 = _absolute(dvx, _r2)
@@ -529,15 +535,15 @@ def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock:
     _s8 = _absolute(vy, _r7)
     _s9 = _multiply(1.1102230246251565e-16, _add(_multiply(_s6, _s8, _r9), _absolute(y, _r10), _r10), _r10)
     _s10 = _select(_s7 < _s9, _s9, _s7, _r9)
-    _s11 = _absolute(vz, _r10)
-    _s12 = _multiply(1.1102230246251565e-16, _add(_add(_multiply(p_gravity, _multiply(t, t, _r8), _r8), _multiply(_s6, _s11, _r6), _r6), _absolute(z, _r8), _r8), _r8)
+    _s11 = _absolute(vz, _r11)
+    _s12 = _multiply(1.1102230246251565e-16, _add(_add(_multiply(p_gravity, _multiply(t, t, _r12), _r12), _multiply(_s6, _s11, _r6), _r6), _absolute(z, _r12), _r12), _r12)
     _s13 = _absolute(dx, _r6)
-    _s14 = _absolute(dy, _r11)
-    _s15 = _select(_s13 < _s14, _s14, _s13, _r12)
-    _s16 = _absolute(dz, _r11)
-    _s17 = _add(_add(_multiply(t, _select(_s4 < _s5, _s5, _s4, _r6), _r6), _select(_s10 < _s12, _s12, _s10, _r4), _r4), _select(_s15 < _s16, _s16, _s15, _r6), _r6)
+    _s14 = _absolute(dy, _r13)
+    _s15 = _select(_s13 < _s14, _s14, _s13, _r14)
+    _s16 = _absolute(dz, _r15)
+    _s17 = _add(_add(_multiply(t, _select(_s4 < _s5, _s5, _s4, _r16), _r16), _select(_s10 < _s12, _s12, _s10, _r4), _r4), _select(_s15 < _s16, _s16, _s15, _r12), _r12)
     _s18 = _absolute(0.0)
-    return _multiply(_s0, _s1, _r4) + _s17, _multiply(_s8, _s1, _r4) + _s17, _multiply(_s11, _s1, _r4) + _s17, _add(_s18, _s2, _r2) + _multiply(2.220446049250313e-16, _s0, _r0), _add(_s18, _s3, _r3) + _multiply(2.220446049250313e-16, _s8, _r7), _add(_s5, _multiply(2.220446049250313e-16, _s11, _r10), _r10) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), 0.0
+    return _multiply(_s0, _s1, _r15) + _s17, _multiply(_s8, _s1, _r15) + _s17, _multiply(_s11, _s1, _r15) + _s17, _add(_s18, _s2, _r2) + _multiply(2.220446049250313e-16, _s0, _r0), _add(_s18, _s3, _r3) + _multiply(2.220446049250313e-16, _s8, _r7), _add(_s5, _multiply(2.220446049250313e-16, _s11, _r11), _r11) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), 0.0
 
 
 def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -546,20 +552,20 @@ def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any
     the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     Returns position_error, velocity_error, spin_error, time_error.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
     _s0 = _absolute(dx, _r0)
     _s1 = _absolute(dy, _r1)
     _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
-    _s3 = _absolute(dz, _r1)
-    _s4 = _absolute(dvx, _r0)
-    _s5 = _absolute(dvy, _r3)
-    _s6 = _select(_s4 < _s5, _s5, _s4, _r4)
-    _s7 = _absolute(dvz, _r3)
-    _s8 = _absolute(dwx, _r0)
-    _s9 = _absolute(dwy, _r5)
-    _s10 = _select(_s8 < _s9, _s9, _s8, _r6)
-    _s11 = _absolute(dwz, _r5)
-    return 16.0 * _select(_s2 < _s3, _s3, _s2, _r0), 16.0 * _select(_s6 < _s7, _s7, _s6, _r0), 16.0 * _select(_s10 < _s11, _s11, _s10, _r0), 16.0 * clock_error
+    _s3 = _absolute(dz, _r3)
+    _s4 = _absolute(dvx, _r4)
+    _s5 = _absolute(dvy, _r5)
+    _s6 = _select(_s4 < _s5, _s5, _s4, _r6)
+    _s7 = _absolute(dvz, _r7)
+    _s8 = _absolute(dwx, _r8)
+    _s9 = _absolute(dwy, _r9)
+    _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
+    _s11 = _absolute(dwz, _r11)
+    return 16.0 * _select(_s2 < _s3, _s3, _s2, _r12), 16.0 * _select(_s6 < _s7, _s7, _s6, _r12), 16.0 * _select(_s10 < _s11, _s11, _s10, _r12), 16.0 * clock_error
 
 
 def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -568,20 +574,20 @@ def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: A
     the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     Returns position_error, velocity_error, spin_error, time_error.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
     _s0 = _absolute(dx, _r0)
     _s1 = _absolute(dy, _r1)
     _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
-    _s3 = _absolute(dz, _r1)
-    _s4 = _absolute(dvx, _r0)
-    _s5 = _absolute(dvy, _r3)
-    _s6 = _select(_s4 < _s5, _s5, _s4, _r4)
-    _s7 = _absolute(dvz, _r3)
-    _s8 = _absolute(dwx, _r0)
-    _s9 = _absolute(dwy, _r5)
-    _s10 = _select(_s8 < _s9, _s9, _s8, _r6)
-    _s11 = _absolute(dwz, _r5)
-    return 64.0 * _select(_s2 < _s3, _s3, _s2, _r0), 64.0 * _select(_s6 < _s7, _s7, _s6, _r0), 64.0 * _select(_s10 < _s11, _s11, _s10, _r0), 64.0 * clock_error
+    _s3 = _absolute(dz, _r3)
+    _s4 = _absolute(dvx, _r4)
+    _s5 = _absolute(dvy, _r5)
+    _s6 = _select(_s4 < _s5, _s5, _s4, _r6)
+    _s7 = _absolute(dvz, _r7)
+    _s8 = _absolute(dwx, _r8)
+    _s9 = _absolute(dwy, _r9)
+    _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
+    _s11 = _absolute(dwz, _r11)
+    return 64.0 * _select(_s2 < _s3, _s3, _s2, _r12), 64.0 * _select(_s6 < _s7, _s7, _s6, _r12), 64.0 * _select(_s10 < _s11, _s11, _s10, _r12), 64.0 * clock_error
 
 
 def allowed(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_bridge_half_width: Any, p_restitution: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -612,7 +618,7 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     Table 2. 111 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 23 selections.
     Returns valid, doubt.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, *_ = _room
     _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
     _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = p_ball_radius + p_wire_radius
@@ -620,39 +626,39 @@ def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: 
     _s4 = _absolute(last, _r2) < 0.5
     _s5 = _select(_s4, 1.0, _select(0.0 <= _s3, 1.0, 0.0, _r2), _r3)
     _s6 = p_ball_radius - p_board_distance
-    _s7 = _subtract(x, _s6, _r2)
+    _s7 = _subtract(x, _s6, _r4)
     _s8 = 2.0 * p_ball_radius
-    _s9 = _subtract(_s6 - _s8, x, _r4)
-    _s10 = _select(_s7 < _s9, _s9, _s7, _r5)
-    _s11 = _negative(_add(p_board_half_width, y, _r4), _r4)
-    _s12 = _select(_s10 < _s11, _s11, _s10, _r2)
-    _s13 = _subtract(y, p_board_half_width, _r4)
-    _s14 = _select(_s12 < _s13, _s13, _s12, _r5)
-    _s15 = _subtract(p_board_bottom, z, _r4)
-    _s16 = _select(_s14 < _s15, _s15, _s14, _r2)
-    _s17 = _subtract(z, p_board_top, _r4)
-    _s18 = _select(_s16 < _s17, _s17, _s16, _r5)
-    _s19 = _absolute(_subtract(last, 1.0, _r4), _r4) < 0.5
-    _s20 = _select(_s19, _s5, _select(0.0 <= _s18, _s5, 0.0, _r4), _r2)
-    _s21 = _subtract(z, _s2, _r4)
-    _s22 = _subtract((_s2 - _s8) - (2.0 * p_wire_radius), z, _r3)
-    _s23 = _select(_s21 < _s22, _s22, _s21, _r6)
-    _s24 = _negative(_add(p_bridge_half_width, y, _r3), _r3)
-    _s25 = _select(_s23 < _s24, _s24, _s23, _r4)
-    _s26 = _subtract(y, p_bridge_half_width, _r3)
-    _s27 = _select(_s25 < _s26, _s26, _s25, _r6)
+    _s9 = _subtract(_s6 - _s8, x, _r5)
+    _s10 = _select(_s7 < _s9, _s9, _s7, _r6)
+    _s11 = _negative(_add(p_board_half_width, y, _r7), _r7)
+    _s12 = _select(_s10 < _s11, _s11, _s10, _r8)
+    _s13 = _subtract(y, p_board_half_width, _r9)
+    _s14 = _select(_s12 < _s13, _s13, _s12, _r10)
+    _s15 = _subtract(p_board_bottom, z, _r11)
+    _s16 = _select(_s14 < _s15, _s15, _s14, _r12)
+    _s17 = _subtract(z, p_board_top, _r13)
+    _s18 = _select(_s16 < _s17, _s17, _s16, _r14)
+    _s19 = _absolute(_subtract(last, 1.0, _r15), _r15) < 0.5
+    _s20 = _select(_s19, _s5, _select(0.0 <= _s18, _s5, 0.0, _r15), _r16)
+    _s21 = _subtract(z, _s2, _r17)
+    _s22 = _subtract((_s2 - _s8) - (2.0 * p_wire_radius), z, _r18)
+    _s23 = _select(_s21 < _s22, _s22, _s21, _r19)
+    _s24 = _negative(_add(p_bridge_half_width, y, _r20), _r20)
+    _s25 = _select(_s23 < _s24, _s24, _s23, _r21)
+    _s26 = _subtract(y, p_bridge_half_width, _r22)
+    _s27 = _select(_s25 < _s26, _s26, _s25, _r23)
     _s28 = _subtract(p_ring_radius, _s0, _r1)
-    _s29 = _select(_s27 < _s28, _s28, _s27, _r3)
-    _s30 = _select(_s29 < x, x, _s29, _r1)
-    _s31 = _negative(_add(p_board_distance, x, _r3), _r3)
-    _s32 = _select(_s30 < _s31, _s31, _s30, _r6)
-    _s33 = _absolute(_subtract(last, 2.0, _r3), _r3) < 0.5
+    _s29 = _select(_s27 < _s28, _s28, _s27, _r24)
+    _s30 = _select(_s29 < x, x, _s29, _r25)
+    _s31 = _negative(_add(p_board_distance, x, _r26), _r26)
+    _s32 = _select(_s30 < _s31, _s31, _s30, _r27)
+    _s33 = _absolute(_subtract(last, 2.0, _r28), _r28) < 0.5
     _s34 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_top)) + _absolute(p_bridge_half_width)
-    _s35 = _add(_add(((_s34 + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius), _absolute(x, _r3), _r3), _absolute(y, _r1), _r1)
-    _s36 = _multiply(1.7763568394002505e-15, _add(_s35, _absolute(z, _r3), _r3), _r3)
-    _s37 = _select(_s4, 0.0, _select(_absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r1), 1.0, 0.0, _r1), _r0)
-    _s38 = _select(_s19, _s37, _select(_absolute(_s18, _r5) <= _s36, 1.0, _s37, _r5), _r1)
-    return _select(_s33, _s20, _select(0.0 <= _s32, _s20, 0.0, _r5), _like(_r0)), _select(_s33, _s38, _select(_absolute(_s32, _r6) <= _s36, 1.0, _s38, _r3), _like(_r0))
+    _s35 = _add(_add(((_s34 + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius), _absolute(x, _r28), _r28), _absolute(y, _r29), _r29)
+    _s36 = _multiply(1.7763568394002505e-15, _add(_s35, _absolute(z, _r28), _r28), _r28)
+    _s37 = _select(_s4, 0.0, _select(_absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r29), 1.0, 0.0, _r29), _r0)
+    _s38 = _select(_s19, _s37, _select(_absolute(_s18, _r14) <= _s36, 1.0, _s37, _r14), _r13)
+    return _result(_s33, _s20, _select(0.0 <= _s32, _s20, 0.0, _r12), _r0), _result(_s33, _s38, _select(_absolute(_s32, _r27) <= _s36, 1.0, _s38, _r27), _r0)
 
 
 def left(index: Any, last: Any) -> tuple[Any, ...]:
@@ -1090,7 +1096,7 @@ def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: An
     _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(0.6, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
     _s5 = _add(_add(_multiply(nx, wx, _r4), _multiply(ny, wy, _r5), _r5), _multiply(nz, wz, _r4), _r4)
     _s6 = 1.0 / p_ball_radius
-    return _s2 - _multiply(_multiply(nx, p_restitution, _r5), _s1, _r5), _s3 - _multiply(_multiply(ny, p_restitution, _r5), _s1, _r5), _s4 - _multiply(_multiply(nz, p_restitution, _r5), _s1, _r0), _multiply(nx, _s5, _r0) + _multiply(_s6, _subtract(_multiply(ny, _s4, _r5), _multiply(nz, _s3, _r6), _r6), _r6), _multiply(ny, _s5, _r6) + _multiply(_s6, _subtract(_multiply(nz, _s2, _r0), _multiply(nx, _s4, _r3), _r3), _r3), _multiply(nz, _s5, _r4) + _multiply(_s6, _subtract(_multiply(nx, _s3, _r2), _multiply(ny, _s2, _r1), _r1), _r1)
+    return _s2 - _multiply(_multiply(nx, p_restitution, _r5), _s1, _r5), _s3 - _multiply(_multiply(ny, p_restitution, _r5), _s1, _r5), _s4 - _multiply(_multiply(nz, p_restitution, _r5), _s1, _r5), _multiply(nx, _s5, _r5) + _multiply(_s6, _subtract(_multiply(ny, _s4, _r0), _multiply(nz, _s3, _r6), _r6), _r6), _multiply(ny, _s5, _r6) + _multiply(_s6, _subtract(_multiply(nz, _s2, _r5), _multiply(nx, _s4, _r3), _r3), _r3), _multiply(nz, _s5, _r4) + _multiply(_s6, _subtract(_multiply(nx, _s3, _r2), _multiply(ny, _s2, _r1), _r1), _r1)
 
 
 def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, contacts: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, p_ball_radius: Any, p_restitution: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1114,37 +1120,37 @@ def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, 
     _s11 = _absolute(dwx, _r8)
     _s12 = _absolute(dwy, _r9)
     _s13 = _select(_s11 < _s12, _s12, _s11, _r10)
-    _s14 = _absolute(dwz, _r9)
-    _s15 = _absolute(dvx, _r8)
-    _s16 = _absolute(dvy, _r11)
-    _s17 = _select(_s15 < _s16, _s16, _s15, _r12)
-    _s18 = _absolute(dvz, _r11)
-    _s19 = _add(_add(_multiply(p_ball_radius, _select(_s13 < _s14, _s14, _s13, _r8), _r8), _multiply(turn, _s6, _r5), _r5), _select(_s17 < _s18, _s18, _s17, _r8), _r8)
-    _s20 = _divide(_s19, _s10, _r5)
-    _s21 = _negative(_s20, _r11)
-    _s22 = _add(_multiply(_s0, _subtract(_subtract(_add(_multiply(dnx, wz, _r12), _multiply(dwz, nx, _r9), _r9), _multiply(dnz, wx, _r12), _r12), _multiply(dwx, nz, _r9), _r9), _r9), _multiply(0.6, _subtract(_subtract(dvy, _multiply(dny, _s1, _r12), _r12), _multiply(ny, _s2, _r10), _r10), _r10), _r10)
-    _s23 = _subtract(_subtract(_s22, _multiply(_multiply(dny, p_restitution, _r9), _s1, _r9), _r9), _multiply(_multiply(ny, p_restitution, _r12), _s2, _r12), _r12)
-    _s24 = _add(_s23, _select(_s23 < 0.0, _s8, _s7, _r9), _r9)
-    _s25 = _add(_multiply(_s0, _subtract(_subtract(_add(_multiply(dny, wx, _r12), _multiply(dwx, ny, _r13), _r13), _multiply(dnx, wy, _r12), _r12), _multiply(dwy, nx, _r13), _r13), _r13), _multiply(0.6, _subtract(_subtract(dvz, _multiply(dnz, _s1, _r12), _r12), _multiply(nz, _s2, _r14), _r14), _r14), _r14)
-    _s26 = _subtract(_subtract(_s25, _multiply(_multiply(dnz, p_restitution, _r13), _s1, _r13), _r13), _multiply(_multiply(nz, p_restitution, _r12), _s2, _r2), _r2)
-    _s27 = _add(_s26, _select(_s26 < 0.0, _s8, _s7, _r13), _r13)
-    _s28 = _add(_add(_multiply(nx, wx, _r2), _multiply(ny, wy, _r6), _r6), _multiply(nz, wz, _r2), _r2)
-    _s29 = _add(_add(_add(_add(_add(_multiply(dnx, wx, _r6), _multiply(dny, wy, _r12), _r12), _multiply(dnz, wz, _r6), _r6), _multiply(dwx, nx, _r12), _r12), _multiply(dwy, ny, _r6), _r6), _multiply(dwz, nz, _r12), _r12)
+    _s14 = _absolute(dwz, _r11)
+    _s15 = _absolute(dvx, _r12)
+    _s16 = _absolute(dvy, _r13)
+    _s17 = _select(_s15 < _s16, _s16, _s15, _r14)
+    _s18 = _absolute(dvz, _r15)
+    _s19 = _add(_add(_multiply(p_ball_radius, _select(_s13 < _s14, _s14, _s13, _r16), _r16), _multiply(turn, _s6, _r5), _r5), _select(_s17 < _s18, _s18, _s17, _r16), _r16)
+    _s20 = _divide(_s19, _s10, _r15)
+    _s21 = _negative(_s20, _r14)
+    _s22 = _add(_multiply(_s0, _subtract(_subtract(_add(_multiply(dnx, wz, _r13), _multiply(dwz, nx, _r12), _r12), _multiply(dnz, wx, _r13), _r13), _multiply(dwx, nz, _r12), _r12), _r12), _multiply(0.6, _subtract(_subtract(dvy, _multiply(dny, _s1, _r13), _r13), _multiply(ny, _s2, _r5), _r5), _r5), _r5)
+    _s23 = _subtract(_subtract(_s22, _multiply(_multiply(dny, p_restitution, _r12), _s1, _r12), _r12), _multiply(_multiply(ny, p_restitution, _r13), _s2, _r13), _r13)
+    _s24 = _add(_s23, _select(_s23 < 0.0, _s8, _s7, _r12), _r12)
+    _s25 = _add(_multiply(_s0, _subtract(_subtract(_add(_multiply(dny, wx, _r13), _multiply(dwx, ny, _r11), _r11), _multiply(dnx, wy, _r13), _r13), _multiply(dwy, nx, _r11), _r11), _r11), _multiply(0.6, _subtract(_subtract(dvz, _multiply(dnz, _s1, _r13), _r13), _multiply(nz, _s2, _r10), _r10), _r10), _r10)
+    _s26 = _subtract(_subtract(_s25, _multiply(_multiply(dnz, p_restitution, _r11), _s1, _r11), _r11), _multiply(_multiply(nz, p_restitution, _r13), _s2, _r13), _r13)
+    _s27 = _add(_s26, _select(_s26 < 0.0, _s8, _s7, _r11), _r11)
+    _s28 = _add(_add(_multiply(nx, wx, _r13), _multiply(ny, wy, _r6), _r6), _multiply(nz, wz, _r13), _r13)
+    _s29 = _add(_add(_add(_add(_add(_multiply(dnx, wx, _r6), _multiply(dny, wy, _r2), _r2), _multiply(dnz, wz, _r6), _r6), _multiply(dwx, nx, _r2), _r2), _multiply(dwy, ny, _r6), _r6), _multiply(dwz, nz, _r2), _r2)
     _s30 = 1.0 / p_ball_radius
-    _s31 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r6), _multiply(nx, wy, _r15), _r15), _r15), _multiply(0.6, _subtract(vz, _multiply(nz, _s1, _r6), _r6), _r6), _r6)
-    _s32 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r15), _multiply(nz, wx, _r16), _r16), _r16), _multiply(0.6, _subtract(vy, _multiply(ny, _s1, _r15), _r15), _r15), _r15)
-    _s33 = _add(_add(_multiply(dnx, _s28, _r16), _multiply(nx, _s29, _r17), _r17), _multiply(_s30, _subtract(_subtract(_add(_multiply(dny, _s31, _r16), _multiply(ny, _s25, _r18), _r18), _multiply(dnz, _s32, _r16), _r16), _multiply(nz, _s22, _r18), _r18), _r18), _r18)
+    _s31 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r6), _multiply(nx, wy, _r9), _r9), _r9), _multiply(0.6, _subtract(vz, _multiply(nz, _s1, _r6), _r6), _r6), _r6)
+    _s32 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r9), _multiply(nz, wx, _r8), _r8), _r8), _multiply(0.6, _subtract(vy, _multiply(ny, _s1, _r9), _r9), _r9), _r9)
+    _s33 = _add(_add(_multiply(dnx, _s28, _r8), _multiply(nx, _s29, _r17), _r17), _multiply(_s30, _subtract(_subtract(_add(_multiply(dny, _s31, _r8), _multiply(ny, _s25, _r18), _r18), _multiply(dnz, _s32, _r8), _r8), _multiply(nz, _s22, _r18), _r18), _r18), _r18)
     _s34 = _divide(_s7, p_ball_radius, _r3)
     _s35 = _negative(_s34, _r17)
-    _s36 = _add(_s33, _select(_s33 < 0.0, _s35, _s34, _r16), _r16)
+    _s36 = _add(_s33, _select(_s33 < 0.0, _s35, _s34, _r8), _r8)
     _s37 = _divide(_s19, _multiply(p_ball_radius, _s10, _r1), _r1)
-    _s38 = _negative(_s37, _r8)
+    _s38 = _negative(_s37, _r16)
     _s39 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r18), _multiply(ny, wz, _r19), _r19), _r19), _multiply(0.6, _subtract(vx, _multiply(nx, _s1, _r0), _r0), _r0), _r0)
-    _s40 = _add(_add(_multiply(dny, _s28, _r19), _multiply(ny, _s29, _r18), _r18), _multiply(_s30, _subtract(_subtract(_add(_multiply(dnz, _s39, _r19), _multiply(nz, _s3, _r20), _r20), _multiply(dnx, _s31, _r6), _r6), _multiply(nx, _s25, _r14), _r14), _r14), _r14)
+    _s40 = _add(_add(_multiply(dny, _s28, _r19), _multiply(ny, _s29, _r18), _r18), _multiply(_s30, _subtract(_subtract(_add(_multiply(dnz, _s39, _r19), _multiply(nz, _s3, _r20), _r20), _multiply(dnx, _s31, _r6), _r6), _multiply(nx, _s25, _r10), _r10), _r10), _r10)
     _s41 = _add(_s40, _select(_s40 < 0.0, _s35, _s34, _r18), _r18)
-    _s42 = _add(_add(_multiply(dnz, _s28, _r2), _multiply(nz, _s29, _r12), _r12), _multiply(_s30, _subtract(_subtract(_add(_multiply(dnx, _s32, _r15), _multiply(nx, _s22, _r10), _r10), _multiply(dny, _s39, _r0), _r0), _multiply(ny, _s3, _r4), _r4), _r4), _r4)
-    _s43 = _add(_s42, _select(_s42 < 0.0, _s35, _s34, _r12), _r12)
-    return _select(_absolute(_s9, _r4) < _s20, _select(_s9 < 0.0, _s21, _s20, _r4), _s9, _like(_r0)), _select(_absolute(_s24, _r7) < _s20, _select(_s24 < 0.0, _s21, _s20, _r7), _s24, _like(_r0)), _select(_absolute(_s27, _r9) < _s20, _select(_s27 < 0.0, _s21, _s20, _r9), _s27, _like(_r0)), _select(_absolute(_s36, _r13) < _s37, _select(_s36 < 0.0, _s38, _s37, _r13), _s36, _like(_r0)), _select(_absolute(_s41, _r16) < _s37, _select(_s41 < 0.0, _s38, _s37, _r16), _s41, _like(_r0)), _select(_absolute(_s43, _r18) < _s37, _select(_s43 < 0.0, _s38, _s37, _r18), _s43, _like(_r0))
+    _s42 = _add(_add(_multiply(dnz, _s28, _r13), _multiply(nz, _s29, _r2), _r2), _multiply(_s30, _subtract(_subtract(_add(_multiply(dnx, _s32, _r9), _multiply(nx, _s22, _r5), _r5), _multiply(dny, _s39, _r0), _r0), _multiply(ny, _s3, _r4), _r4), _r4), _r4)
+    _s43 = _add(_s42, _select(_s42 < 0.0, _s35, _s34, _r2), _r2)
+    return _result(_absolute(_s9, _r4) < _s20, _select(_s9 < 0.0, _s21, _s20, _r4), _s9, _r0), _result(_absolute(_s24, _r4) < _s20, _select(_s24 < 0.0, _s21, _s20, _r4), _s24, _r0), _result(_absolute(_s27, _r4) < _s20, _select(_s27 < 0.0, _s21, _s20, _r4), _s27, _r0), _result(_absolute(_s36, _r4) < _s37, _select(_s36 < 0.0, _s38, _s37, _r4), _s36, _r0), _result(_absolute(_s41, _r4) < _s37, _select(_s41 < 0.0, _s38, _s37, _r4), _s41, _r0), _result(_absolute(_s43, _r4) < _s37, _select(_s43 < 0.0, _s38, _s37, _r4), _s43, _r0)
 
 
 def ring_coefficients(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -1202,7 +1208,7 @@ def ring_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, 
     _r0, _r1, *_ = _room
     _s0 = 1.0 / (p_ball_radius + p_wire_radius)
     _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
-    _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(1.0, _s1, _r1), _r1)
+    _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(1.0, _s1, _r1), _r0)
     return x * _s2, y * _s2, z * _s0
 
 
@@ -1230,10 +1236,10 @@ def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_b
     _s3 = _subtract(_s2, p_ring_radius, _r0)
     _s4 = _divide(1.0, _s2, _r2)
     _s5 = _multiply(_multiply(_s1, _s3, _r3), _s4, _r3)
-    _s6 = _divide(_multiply(0.5, _add(_multiply(_multiply(2.0, dx, _r4), x, _r4), _multiply(_multiply(2.0, dy, _r5), y, _r5), _r5), _r5), _s2, _r1)
-    _s7 = _add(_multiply(_multiply(_s6, _s1, _r5), _s4, _r5), _multiply(_multiply(_negative(_multiply(_s6, _multiply(_s4, _s4, _r2), _r2), _r2), _s1, _r2), _s3, _r0), _r0)
+    _s6 = _divide(_multiply(0.5, _add(_multiply(_multiply(2.0, dx, _r4), x, _r4), _multiply(_multiply(2.0, dy, _r5), y, _r5), _r5), _r5), _s2, _r5)
+    _s7 = _add(_multiply(_multiply(_s6, _s1, _r1), _s4, _r1), _multiply(_multiply(_negative(_multiply(_s6, _multiply(_s4, _s4, _r2), _r2), _r2), _s1, _r2), _s3, _r2), _r2)
     _s8 = (p_ring_radius - p_ball_radius) - p_wire_radius
-    return _multiply(dx, _s5, _r5) + _multiply(x, _s7, _r2), _multiply(dy, _s5, _r3) + _multiply(y, _s7, _r0), dz * _s1, shift * (1.0 / _where(_s8 < _s0, _s8, _s0))
+    return _multiply(dx, _s5, _r1) + _multiply(x, _s7, _r0), _multiply(dy, _s5, _r3) + _multiply(y, _s7, _r2), dz * _s1, shift * (1.0 / _where(_s8 < _s0, _s8, _s0))
 
 
 def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1274,17 +1280,17 @@ def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, 
     _s28 = _subtract(_multiply(vy, x, _r12), _multiply(vx, y, _r15), _r15)
     _s29 = _multiply(_s28, _s28, _r15)
     _s30 = _subtract(_s27, _multiply(2.0 * p_ring_radius, _s29, _r12), _r12)
-    _s31 = _add(_multiply(_s16, _add(_multiply(vx, _s12, _r6), _multiply(vy, _s13, _r7), _r7), _r7), _multiply(_multiply(_s17, _subtract(vz, _multiply(p_gravity, _s11, _r10), _r10), _r10), _s15, _r8), _r8)
+    _s31 = _add(_multiply(_s16, _add(_multiply(vx, _s12, _r6), _multiply(vy, _s13, _r7), _r7), _r7), _multiply(_multiply(_s17, _subtract(vz, _multiply(p_gravity, _s11, _r10), _r10), _r10), _s15, _r10), _r10)
     _s32 = _add(x, _multiply(horizon, vx, _r7), _r7)
-    _s33 = _add(y, _multiply(horizon, vy, _r10), _r10)
-    _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r10), _r10), _s25, _r10) < 0.0, 1.0, _select(_subtract(_multiply(_s21, _s19 + _s25, _r10), _s29, _r15) < 0.0, 1.0, 0.0, _r15), _r10)
-    _s35 = _select(_subtract(_multiply(_multiply(4.0, _multiply(_s31, _s31, _r8), _r8), _s26, _r8), _multiply(_multiply(_multiply(2.0, _s30, _r15), _s14, _r9), _s20, _r9), _r9) < 0.0, _s34, 0.0, _r9)
-    _s36 = _select(horizon < _subtract(_s11, _multiply(9.313225746154785e-10, horizon, _r10), _r10), 1.0, _select(0.0 < _s20, _select(0.0 < _s30, _s35, 0.0, _r12), 0.0, _r9), _r12)
-    _s37 = _add(_multiply(vx, x, _r9), _multiply(vy, y, _r13), _r13)
+    _s33 = _add(y, _multiply(horizon, vy, _r8), _r8)
+    _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < 0.0, 1.0, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < 0.0, 1.0, 0.0, _r8), _r15)
+    _s35 = _select(_subtract(_multiply(_multiply(4.0, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(2.0, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < 0.0, _s34, 0.0, _r7)
+    _s36 = _select(horizon < _subtract(_s11, _multiply(9.313225746154785e-10, horizon, _r10), _r10), 1.0, _select(0.0 < _s20, _select(0.0 < _s30, _s35, 0.0, _r12), 0.0, _r13), _r10)
+    _s37 = _add(_multiply(vx, x, _r4), _multiply(vy, y, _r9), _r9)
     _s38 = _add(_multiply(_s10, _s21, _r14), _s37, _r14)
-    _s39 = _select(_s38 < 0.0, _select(_s18 < _add(_multiply(_s10, _add(_s37, _s38, _r14), _r14), _add(_multiply(x, x, _r13), _multiply(y, y, _r9), _r9), _r9), _s36, 0.0, _r9), 0.0, _r14)
-    _s40 = _select(_add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r9), _r9), _r9), _r9) < (65536.0 * _s5), _select(0.0 < _s7, _select(_s10 < 0.0, _s36, _s39, _r5), 0.0, _r14), 0.0, _r5)
-    return _select(0.0 < _select(_s1 < _s3, _s3, _s1, _r14), 0.0, _select(_s2 < (5.820766091346741e-11 * _s5), _s40, 0.0, _r0), _like(_r0)),
+    _s39 = _select(_s38 < 0.0, _select(_s18 < _add(_multiply(_s10, _add(_s37, _s38, _r14), _r14), _add(_multiply(x, x, _r9), _multiply(y, y, _r4), _r4), _r4), _s36, 0.0, _r4), 0.0, _r14)
+    _s40 = _select(_add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r9), _r9), _r9), _r9) < (65536.0 * _s5), _select(0.0 < _s7, _select(_s10 < 0.0, _s36, _s39, _r5), 0.0, _r3), 0.0, _r9)
+    return _result(0.0 < _select(_s1 < _s3, _s3, _s1, _r11), 0.0, _select(_s2 < (5.820766091346741e-11 * _s5), _s40, 0.0, _r0), _r0),
 
 
 def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1293,7 +1299,7 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     bounds of the event condition. 177 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections.
     Returns steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, lost.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, *_ = _room
     _s0 = _multiply(vz, vz, _r0)
     _s1 = _add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2)
     _s2 = _add(_multiply(2.0, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(2.0, _s1, _r1)
@@ -1313,48 +1319,48 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s16 = _select(_s15, _multiply(_s12, _subtract(_subtract(vz, _s13, _r6), _s14, _r6), _r6), _inf, _r9)
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = _multiply(_multiply(1.7763568394002505e-15, _s1, _r6), _add(_s18, _s6, _r10), _r10)
-    _s20 = _subtract(_add(_multiply(_s18, _s1, _r6), _s19, _r6), _s4, _r6)
-    _s21 = _add(_multiply(vx, x, _r11), _multiply(vy, y, _r12), _r12)
-    _s22 = _sqrt(_s20, _r11)
-    _s23 = _multiply(1.7763568394002505e-15, _add(_add(_absolute(_s21, _r13), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
-    _s24 = _divide(1.0, _s1, _r13)
+    _s19 = _multiply(_multiply(1.7763568394002505e-15, _s1, _r10), _add(_s18, _s6, _r11), _r10)
+    _s20 = _subtract(_add(_multiply(_s18, _s1, _r11), _s19, _r11), _s4, _r11)
+    _s21 = _add(_multiply(vx, x, _r12), _multiply(vy, y, _r13), _r13)
+    _s22 = _sqrt(_s20, _r12)
+    _s23 = _multiply(1.7763568394002505e-15, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
+    _s24 = _divide(1.0, _s1, _r14)
     _s25 = 0.0 <= _s20
     _s26 = 2.409919865102884e-181 < _s1
-    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r6), _s23, _r6), _r6), _s24, _r6), _inf, _r14), -_inf, _r6)
-    _s28 = _select(_s16 < _s27, _s27, _s16, _r14)
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _inf, _r15), -_inf, _r16)
+    _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
     _s29 = p_ring_radius - _s8
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
-    _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r10), _s4, _r1)
-    _s33 = _sqrt(_select(_s32 < 0.0, 0.0, _s32, _r10), _r10)
-    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r11), _s21, _r11), _s24, _r11), -_inf, _r2), _inf, _r11)
-    _s35 = 0.0 < _select(_s26, _s32, 0.0, _r2)
-    _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r2), _s33, _r2), _s24, _r2), _s34, _r1)
-    _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r2), _r2), _r2), _s10, _r4)
-    _s38 = _sqrt(_select(_s37 < 0.0, 0.0, _s37, _r2), _r2)
+    _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
+    _s33 = _sqrt(_select(_s32 < 0.0, 0.0, _s32, _r1), _r1)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), -_inf, _r10), _inf, _r18)
+    _s35 = 0.0 < _select(_s26, _s32, 0.0, _r19)
+    _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
+    _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
+    _s38 = _sqrt(_select(_s37 < 0.0, 0.0, _s37, _r4), _r4)
     _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), -_inf, _r0)
     _s40 = 0.0 < _s37
-    _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r4), _s38, _r4), _r4), _s39, _r7)
-    _s42 = _select(_s36 < _s41, _s36, _s41, _r4)
-    _s43 = _select(_s35, _multiply(_subtract(_subtract(_s33, _s21, _r12), _s23, _r3), _s24, _r13), _inf, _r3)
-    _s44 = _select(_s43 < _s36, _s36, _s43, _r13)
-    _s45 = _select(_s16 < _s44, _s44, _s16, _r3)
-    _s46 = _select(_s34 < _s41, _s34, _s41, _r9)
-    _s47 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s38, _r2), _s14, _r8), _r8), _inf, _r2)
-    _s48 = _select(_s47 < _s41, _s41, _s47, _r8)
+    _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
+    _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
+    _s43 = _select(_s35, _multiply(_subtract(_subtract(_s33, _s21, _r1), _s23, _r1), _s24, _r1), _inf, _r14)
+    _s44 = _select(_s43 < _s36, _s36, _s43, _r3)
+    _s45 = _select(_s16 < _s44, _s44, _s16, _r13)
+    _s46 = _select(_s34 < _s41, _s34, _s41, _r23)
+    _s47 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s38, _r4), _s14, _r4), _r4), _inf, _r8)
+    _s48 = _select(_s47 < _s41, _s41, _s47, _r24)
     _s49 = _s45 <= _s46
-    _s50 = _select(_s49, _s45, _select(_s48 < _s27, _s27, _s48, _r7), _r6)
-    _s51 = _select(_s49, _s46, _select(_s36 < _s39, _s36, _s39, _r7), _r1)
-    _s52 = _select(_s48 < _s44, _s44, _s48, _r7)
-    _s53 = _select(_s34 < _s39, _s34, _s39, _r13)
+    _s50 = _select(_s49, _s45, _select(_s48 < _s27, _s27, _s48, _r25), _r26)
+    _s51 = _select(_s49, _s46, _select(_s36 < _s39, _s36, _s39, _r27), _r28)
+    _s52 = _select(_s48 < _s44, _s44, _s48, _r29)
+    _s53 = _select(_s34 < _s39, _s34, _s39, _r30)
     _s54 = 1.0 / _s31
-    _s55 = _select(0.0 < _s42, _s42, 0.0, _r0)
-    _s56 = _select(_s55 < _s51, _s51, _s55, _r11)
-    _s57 = _select(_s56 < _s53, _s53, _s56, _r0)
+    _s55 = _select(0.0 < _s42, _s42, 0.0, _r31)
+    _s56 = _select(_s55 < _s51, _s51, _s55, _r32)
+    _s57 = _select(_s56 < _s53, _s53, _s56, _r33)
     _s58 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)
-    _s59 = _subtract(_subtract(_add(position_error, _multiply(horizon, velocity_error, _r11), _r11), 1.52587890625e-05 * p_ball_radius, _r11), 1.52587890625e-05 * p_wire_radius, _r11)
-    return _s2, _s5, _sqrt(_s6), _select(0.0 < _s28, _s28, 0.0, _like(_r0)), _select(_s42 < horizon, _s42, horizon, _like(_r0)), _select(0.0 < _s50, _s50, 0.0, _like(_r0)), _select(_s51 < horizon, _s51, horizon, _like(_r0)), _select(0.0 < _s52, _s52, 0.0, _like(_r0)), _select(_s53 < horizon, _s53, horizon, _like(_r0)), _add((6.0003662109375 * p_gravity) * _s7, _multiply(_s5, _s54 * (_s54 * _s54), _r13), _r13) + _absolute(_s2, _r7), _select(_s57 < horizon, _s57, horizon, _like(_r0)), _select(_s58 < _s59, _s59, _s58, _like(_r0))
+    _s59 = _subtract(_subtract(_add(position_error, _multiply(horizon, velocity_error, _r34), _r34), 1.52587890625e-05 * p_ball_radius, _r34), 1.52587890625e-05 * p_wire_radius, _r34)
+    return _s2, _s5, _sqrt(_s6), _result(0.0 < _s28, _s28, 0.0, _r0), _result(_s42 < horizon, _s42, horizon, _r0), _result(0.0 < _s50, _s50, 0.0, _r0), _result(_s51 < horizon, _s51, horizon, _r0), _result(0.0 < _s52, _s52, 0.0, _r0), _result(_s53 < horizon, _s53, horizon, _r0), _add((6.0003662109375 * p_gravity) * _s7, _multiply(_s5, _s54 * (_s54 * _s54), _r29), _r29) + _absolute(_s2, _r24), _result(_s57 < horizon, _s57, horizon, _r0), _result(_s58 < _s59, _s59, _s58, _r0)
 
 
 def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1376,8 +1382,8 @@ def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, vel
     _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
     _s10 = _where(1.0 < _s9, _s9, 1.0)
     _s11 = _multiply(5.0, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(2.220446049250313e-16, _s1, _r5), _r5), _r5), _r5), _r5)
-    _s12 = 1.0009765625 * _add(_add(_multiply(_multiply(3.552713678800501e-15, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r2), _multiply(4.440892098500626e-16, _s3, _r3), _r3), _s11, _r3)
-    return 1.0009765625 * _add(_add(_multiply(_multiply(4.440892098500626e-16, horizon, _r3), _s3, _r1), (1.3323489447131243e-15 * _s0) * _s4, _r1), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, 1.0009765625 * _add(_multiply(3.552713678800501e-15, _multiply(_s4, _s1, _r0), _r0), _s11, _r5)
+    _s12 = 1.0009765625 * _add(_add(_multiply(_multiply(3.552713678800501e-15, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(4.440892098500626e-16, _s3, _r2), _r2), _s11, _r2)
+    return 1.0009765625 * _add(_add(_multiply(_multiply(4.440892098500626e-16, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, 1.0009765625 * _add(_multiply(3.552713678800501e-15, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
 
 
 def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1398,7 +1404,7 @@ def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, 
     _s8 = 2.0 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_subtract(vz, _multiply(p_gravity, t, _r2), _r2), _s7, _r2), _r2)
     _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(2.0, _add(_multiply(vx, x, _r2), _multiply(vy, y, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
     _s10 = p_ball_radius + p_wire_radius
-    _s11 = _divide(_select(0.0 < leaving, _multiply(t, _add(_s9, _multiply(_add(z, _s7, _r1), _s6, _r6), _r6), _r6), _subtract(_add(_multiply(_s5, _s5, _r5), _multiply(_s7, _s7, _r7), _r7), _s10 * _s10, _r7), _r5), _s8, _r5)
+    _s11 = _divide(_select(0.0 < leaving, _multiply(t, _add(_s9, _multiply(_add(z, _s7, _r1), _s6, _r1), _r1), _r1), _subtract(_add(_multiply(_s5, _s5, _r5), _multiply(_s7, _s7, _r7), _r7), _s10 * _s10, _r7), _r5), _s8, _r5)
     return t - _s11, _s8
 
 
@@ -1408,7 +1414,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     Newton from the left under a curvature bound. 146 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections.
     Returns gap, rate, bend, step, next, root, clearance.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, *_ = _room
     _s0 = _add(x, _multiply(t, vx, _r0), _r0)
     _s1 = _add(y, _multiply(t, vy, _r1), _r1)
     _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
@@ -1419,7 +1425,7 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s7 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r7), _r7)
     _s8 = _add(z, _multiply(t, _s7, _r6), _r6)
     _s9 = p_ball_radius + p_wire_radius
-    _s10 = _select(0.0 < leaving, _multiply(t, _add(_s6, _multiply(_add(z, _s8, _r9), _s7, _r7), _r7), _r7), _subtract(_add(_multiply(_s3, _s3, _r8), _multiply(_s8, _s8, _r9), _r9), _s9 * _s9, _r9), _like(_r0))
+    _s10 = _result(0.0 < leaving, _multiply(t, _add(_s6, _multiply(_add(z, _s8, _r9), _s7, _r9), _r9), _r9), _subtract(_add(_multiply(_s3, _s3, _r8), _multiply(_s8, _s8, _r7), _r7), _s9 * _s9, _r7), _r0)
     _s11 = _multiply(_s4, _s5, _r5)
     _s12 = _multiply(_s11, _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1)
     _s13 = _subtract(vz, _multiply(p_gravity, t, _r0), _r0)
@@ -1427,32 +1433,32 @@ def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, 
     _s15 = 2.0 * _s14
     _s16 = 6.0 * p_gravity
     _s17 = _multiply(_s16, _s8, _r2)
-    _s18 = _multiply(swing, _multiply(_s11, _multiply(_s11, _s11, _r9), _r9), _r9)
+    _s18 = _multiply(swing, _multiply(_s11, _multiply(_s11, _s11, _r8), _r8), _r8)
     _s19 = 1.00006103515625 * _s9
     _s20 = _subtract(_s15, rate_margin, _r5)
-    _s21 = _subtract(_s10, margin, _r7)
-    _s22 = _select(_s21 < 0.0, 0.0, _s21, _r8)
-    _s23 = _subtract(_add(_s17, _s18, _r7), steady, _r7)
+    _s21 = _subtract(_s10, margin, _r10)
+    _s22 = _select(_s21 < 0.0, 0.0, _s21, _r11)
+    _s23 = _subtract(_add(_s17, _s18, _r12), steady, _r12)
     _s24 = _s20 < 0.0
-    _s25 = _multiply(2.0, _s22, _r10)
-    _s26 = _select(0.0 < _select(0.0 <= _s20, _s22, 0.0, _r11), _inf, _divide(_select(_s24, _s25, _multiply(4.0, _s20, _r11), _r12), _select(_s24, _negative(_s20, _r11), _select(0.0 < _s23, _s23, 0.0, _r13), _r7), _r7), _r12)
-    _s27 = _subtract(end, t, _r7)
-    _s28 = _select(_s26 < _s27, _s26, _s27, _r13)
-    _s29 = _add(_multiply(_s28, _select(_s13 < 0.0, 0.0, _s13, _r7), _r7), _s8, _r6)
-    _s30 = _multiply(_s16, _select(_s19 < _s29, _s19, _s29, _r7), _r7)
-    _s31 = _subtract(_add(_multiply(_s28, _select(0.0 < _s12, 0.0, _s12, _r6), _r6), _s2, _r3), 9.094947017729282e-13 * (p_ring_radius + _s19), _r3)
+    _s25 = _multiply(2.0, _s22, _r13)
+    _s26 = _select(0.0 < _select(0.0 <= _s20, _s22, 0.0, _r14), _inf, _divide(_select(_s24, _s25, _multiply(4.0, _s20, _r14), _r15), _select(_s24, _negative(_s20, _r16), _select(0.0 < _s23, _s23, 0.0, _r17), _r18), _r15), _r14)
+    _s27 = _subtract(end, t, _r18)
+    _s28 = _select(_s26 < _s27, _s26, _s27, _r17)
+    _s29 = _add(_multiply(_s28, _select(_s13 < 0.0, 0.0, _s13, _r12), _r12), _s8, _r12)
+    _s30 = _multiply(_s16, _select(_s19 < _s29, _s19, _s29, _r6), _r6)
+    _s31 = _subtract(_add(_multiply(_s28, _select(0.0 < _s12, 0.0, _s12, _r12), _r12), _s2, _r12), 9.094947017729282e-13 * (p_ring_radius + _s19), _r12)
     _s32 = p_ring_radius - _s19
     _s33 = 0.0001220703125 * p_ring_radius
     _s34 = _where(_s32 < _s33, _s33, _s32)
-    _s35 = _divide(1.0, _select(_s31 < _s34, _s34, _s31, _r6), _r6)
-    _s36 = _multiply(swing, _multiply(_s35, _multiply(_s35, _s35, _r3), _r3), _r3)
-    _s37 = _subtract(_add(_add(_s30, _s36, _r6), _multiply(9.094947017729282e-13, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r7), _r7), _r7), _r7), steady, _r7)
-    _s38 = _add(_multiply(_multiply(2.0, _s37, _r6), _s22, _r6), _multiply(_s20, _s20, _r1), _r1)
-    _s39 = _sqrt(_s38, _r6)
-    _s40 = _select(0.0 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r1), _r3), _select(_s24, _subtract(_s39, _s20, _r5), _select(0.0 < _s37, _s37, 0.0, _r6), _r7), _r7), _inf, _r3)
-    _s41 = _select(_s40 < _s28, _s40, _s28, _like(_r0))
-    _s42 = _negative(_add(rate_margin, _s15, _r13), _r13)
-    return _s10, _s15, _subtract(steady, _s17, _r2) - _s18, _s41, t + _s41, t - _divide(_multiply(0.5, _s10, _r9), _s14, _r4), _select(0.0 < _s42, _subtract(_multiply(_s42, _s42, _r4), _multiply(_multiply(8.0, ceiling, _r9), _add(margin, _multiply(32.0, _s22, _r8), _r8), _r8), _r8), _s42, _like(_r0))
+    _s35 = _divide(1.0, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
+    _s36 = _multiply(swing, _multiply(_s35, _multiply(_s35, _s35, _r12), _r12), _r12)
+    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(9.094947017729282e-13, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
+    _s38 = _add(_multiply(_multiply(2.0, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r1), _r1)
+    _s39 = _sqrt(_s38, _r3)
+    _s40 = _select(0.0 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r1), _r12), _select(_s24, _subtract(_s39, _s20, _r3), _select(0.0 < _s37, _s37, 0.0, _r5), _r0), _r12), _inf, _r1)
+    _s41 = _result(_s40 < _s28, _s40, _s28, _r0)
+    _s42 = _negative(_add(rate_margin, _s15, _r0), _r0)
+    return _s10, _s15, _subtract(steady, _s17, _r2) - _s18, _s41, t + _s41, t - _divide(_multiply(0.5, _s10, _r7), _s14, _r7), _result(0.0 < _s42, _subtract(_multiply(_s42, _s42, _r7), _multiply(_multiply(8.0, ceiling, _r4), _add(margin, _multiply(32.0, _s22, _r11), _r11), _r4), _r4), _s42, _r0)
 
 
 def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any) -> tuple[Any, ...]:
@@ -1614,13 +1620,13 @@ def bridge_arrival(leaving: Any, z: Any, vz: Any, p_ball_radius: Any, p_wire_rad
     Eq. 3 in Table 2, solved. 25 operations: 3 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 5 negations, 2 comparisons, 3 selections.
     Returns time, rate, bend, apex, height.
     """
-    _r0, _r1, _r2, _r3, _r4, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
     _s0 = _select(0.0 < leaving, 0.0, _subtract(z, p_ball_radius + p_wire_radius, _r0), _r1)
-    _s1 = _add(_multiply(vz, vz, _r0), _multiply(2.0 * p_gravity, _s0, _r2), _r2)
-    _s2 = _sqrt(_s1, _r0)
+    _s1 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s0, _r3), _r3)
+    _s2 = _sqrt(_s1, _r2)
     _s3 = vz < 0.0
     _s4 = -(1.0 / p_gravity)
-    return _select(_s3, _multiply(2.0, _s0, _r1), _add(vz, _s2, _r3), _r4) / _select(_s3, _subtract(_s2, vz, _r3), p_gravity, _r1), -_s2, -p_gravity, -_multiply(vz, _s4, _r0), -_multiply(0.5 * _s4, _s1, _r2)
+    return _select(_s3, _multiply(2.0, _s0, _r1), _add(vz, _s2, _r0), _r4) / _select(_s3, _subtract(_s2, vz, _r5), p_gravity, _r6), -_s2, -p_gravity, -_multiply(vz, _s4, _r2), -_multiply(0.5 * _s4, _s1, _r3)
 
 
 def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1706,13 +1712,13 @@ def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any,
     Eq. 3 in Table 2, solved. 25 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 2 comparisons, 3 selections.
     Returns time, rate, bend, apex, height.
     """
-    _r0, _r1, _r2, _r3, _r4, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
     _s0 = _select(0.0 < leaving, 0.0, _subtract(z, -p_end_depth, _r0), _r1)
-    _s1 = _add(_multiply(vz, vz, _r0), _multiply(2.0 * p_gravity, _s0, _r2), _r2)
-    _s2 = _sqrt(_s1, _r0)
+    _s1 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s0, _r3), _r3)
+    _s2 = _sqrt(_s1, _r2)
     _s3 = vz < 0.0
     _s4 = -(1.0 / p_gravity)
-    return _select(_s3, _multiply(2.0, _s0, _r1), _add(vz, _s2, _r3), _r4) / _select(_s3, _subtract(_s2, vz, _r3), p_gravity, _r1), -_s2, -p_gravity, -_multiply(vz, _s4, _r0), -_multiply(0.5 * _s4, _s1, _r2)
+    return _select(_s3, _multiply(2.0, _s0, _r1), _add(vz, _s2, _r0), _r4) / _select(_s3, _subtract(_s2, vz, _r5), p_gravity, _r6), -_s2, -p_gravity, -_multiply(vz, _s4, _r2), -_multiply(0.5 * _s4, _s1, _r3)
 
 
 def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -1912,7 +1918,7 @@ def ring_nearness(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, hal
 
 def _choose(truth: Any, new: Any, old: Any) -> Any:
     """Return new values where a truth holds."""
-    if _ndim(truth):
+    if _ndim(truth) and len(truth) >= FEW:
         many = _count_nonzero(truth)
         if many == 0 and _ndim(old):
             return old
@@ -1929,19 +1935,24 @@ def _rows(truth: Any, shots: int) -> tuple[Any, int]:
     return (None if len(rows) == shots else rows), len(rows)
 
 
+def _shared(values: Any) -> bool:
+    """Return whether all shots share a value."""
+    return type(values) is float or not _ndim(values)
+
+
 def _take(values: Any, rows: Any) -> Any:
     """Return some rows of a column; what all shots share stays."""
-    return values if rows is None or _ndim(values) == 0 else values[rows]
+    return values if rows is None or _shared(values) else values[rows]
 
 
 def _of(rows: Any, some: Any) -> Any:
-    """Return some of the rows."""
-    return some if rows is None else rows[some]
+    """Return some of the rows; None is all of them."""
+    return some if rows is None else rows if some is None else rows[some]
 
 
 def _copy(values: Any, shots: int) -> Any:
     """Return a column of one's own."""
-    return _broadcast_to(values, (shots,)).copy()
+    return values.copy() if _ndim(values) else _full(shots, values)
 
 
 def _put(values: Any, rows: Any, new: Any, shots: int) -> Any:
@@ -2109,16 +2120,8 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _ceiling_2 = _take(_ceiling_1, _rows5)
             _certain_2 = _take(_certain_1, _rows5)
             _end_2 = _take(_end_1, _rows5)
-            _extent_2 = _take(_extent_1, _rows5)
             _flat_2 = _take(_flat_1, _rows5)
-            _high0_2 = _take(_high0_1, _rows5)
-            _high1_2 = _take(_high1_1, _rows5)
-            _high2_2 = _take(_high2_1, _rows5)
             _last_2 = _take(_last_1, _rows5)
-            _latest_2 = _take(_latest_1, _rows5)
-            _low0_2 = _take(_low0_1, _rows5)
-            _low1_2 = _take(_low1_1, _rows5)
-            _low2_2 = _take(_low2_1, _rows5)
             _p_ball_radius_2 = _take(_p_ball_radius_1, _rows5)
             _p_gravity_2 = _take(_p_gravity_1, _rows5)
             _p_ring_radius_2 = _take(_p_ring_radius_1, _rows5)
@@ -2127,7 +2130,6 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _rho_start_2 = _take(_rho_start_1, _rows5)
             _searching_2 = _take(_searching_1, _rows5)
             _share_2 = _take(_share_1, _rows5)
-            _speed_2 = _take(_speed_1, _rows5)
             _steady_2 = _take(_steady_1, _rows5)
             _swing_2 = _take(_swing_1, _rows5)
             _t_2 = _take(_t_1, _rows5)
@@ -2149,14 +2151,15 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _hit_2, _sure_2, _vague_2 = struck(_bend_2, _clearance_2, _gap_2, _margin_2, _rate_2, _rate_slack_2, _share_2)
                 _rows7, _count8 = _rows(_vague_2, _count6)
                 if _count8:
-                    _extent_3 = _take(_extent_2, _rows7)
-                    _latest_3 = _take(_latest_2, _rows7)
+                    _far = _of(_rows5, _rows7)
+                    _extent_3 = _take(_extent_1, _far)
+                    _latest_3 = _take(_latest_1, _far)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows7)
                     _p_gravity_3 = _take(_p_gravity_2, _rows7)
                     _p_ring_radius_3 = _take(_p_ring_radius_2, _rows7)
                     _p_wire_radius_3 = _take(_p_wire_radius_2, _rows7)
                     _share_3 = _take(_share_2, _rows7)
-                    _speed_3 = _take(_speed_2, _rows7)
+                    _speed_3 = _take(_speed_1, _far)
                     _room_3 = room(_count8)
                     _share_3, = finer(_share_3)
                     _position_level_3, _velocity_level_3, *_ = allowance(_share_3, _latest_3, _extent_3, _speed_3, 0.0, 0.0, _p_gravity_3, _room_3)
@@ -2166,54 +2169,56 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _share_2 = _put(_share_2, _rows7, _share_3, _count6)
                     _tilt_2 = _put(_tilt_2, _rows7, _tilt_3, _count6)
                 _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_arrival_2, _certain_2, _end_2, _hit_2, _next_2, _root_2, _step_2, _sure_2, _t_2, _vague_2)
-                _t_3, _end_3, _searching_3 = ring_enter(_end_2, _end_2, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2)
-                _end_2 = _choose(_exhausted_2, _end_3, _end_2)
-                _searching_2 = _choose(_exhausted_2, _searching_3, _searching_2)
-                _t_2 = _choose(_exhausted_2, _t_3, _t_2)
-                _going9 = _flatnonzero(_searching_2)
-                if len(_going9) == _count6:
+                _rows9, _count10 = _rows(_exhausted_2, _count6)
+                if _count10:
+                    _far = _of(_rows5, _rows9)
+                    _end_3 = _take(_end_2, _rows9)
+                    _high0_3 = _take(_high0_1, _far)
+                    _high1_3 = _take(_high1_1, _far)
+                    _high2_3 = _take(_high2_1, _far)
+                    _low0_3 = _take(_low0_1, _far)
+                    _low1_3 = _take(_low1_1, _far)
+                    _low2_3 = _take(_low2_1, _far)
+                    _t_3 = _take(_t_2, _rows9)
+                    _t_3, _end_3, _searching_3 = ring_enter(_end_3, _end_3, _high0_3, _high1_3, _high2_3, _low0_3, _low1_3, _low2_3, _t_3)
+                    _end_2 = _put(_end_2, _rows9, _end_3, _count6)
+                    _searching_2 = _put(_searching_2, _rows9, _searching_3, _count6)
+                    _t_2 = _put(_t_2, _rows9, _t_3, _count6)
+                _going11 = _flatnonzero(_searching_2)
+                if len(_going11) == _count6:
                     continue
                 _done = _flatnonzero(_logical_not(_searching_2))
                 _store(_arrival_1, _of(_rows5, _done), _arrival_2, _done)
                 _store(_certain_1, _of(_rows5, _done), _certain_2, _done)
                 _store(_flat_1, _of(_rows5, _done), _flat_2, _done)
                 _store(_tilt_1, _of(_rows5, _done), _tilt_2, _done)
-                _rows5, _count6 = _of(_rows5, _going9), len(_going9)
+                _rows5, _count6 = _of(_rows5, _going11), len(_going11)
                 if not _count6:
                     break
-                _arrival_2 = _take(_arrival_2, _going9)
-                _ceiling_2 = _take(_ceiling_2, _going9)
-                _certain_2 = _take(_certain_2, _going9)
-                _end_2 = _take(_end_2, _going9)
-                _extent_2 = _take(_extent_2, _going9)
-                _flat_2 = _take(_flat_2, _going9)
-                _high0_2 = _take(_high0_2, _going9)
-                _high1_2 = _take(_high1_2, _going9)
-                _high2_2 = _take(_high2_2, _going9)
-                _last_2 = _take(_last_2, _going9)
-                _latest_2 = _take(_latest_2, _going9)
-                _low0_2 = _take(_low0_2, _going9)
-                _low1_2 = _take(_low1_2, _going9)
-                _low2_2 = _take(_low2_2, _going9)
-                _p_ball_radius_2 = _take(_p_ball_radius_2, _going9)
-                _p_gravity_2 = _take(_p_gravity_2, _going9)
-                _p_ring_radius_2 = _take(_p_ring_radius_2, _going9)
-                _p_wire_radius_2 = _take(_p_wire_radius_2, _going9)
-                _rate_slack_2 = _take(_rate_slack_2, _going9)
-                _rho_start_2 = _take(_rho_start_2, _going9)
-                _searching_2 = _take(_searching_2, _going9)
-                _share_2 = _take(_share_2, _going9)
-                _speed_2 = _take(_speed_2, _going9)
-                _steady_2 = _take(_steady_2, _going9)
-                _swing_2 = _take(_swing_2, _going9)
-                _t_2 = _take(_t_2, _going9)
-                _tilt_2 = _take(_tilt_2, _going9)
-                _vx_2 = _take(_vx_2, _going9)
-                _vy_2 = _take(_vy_2, _going9)
-                _vz_2 = _take(_vz_2, _going9)
-                _x_2 = _take(_x_2, _going9)
-                _y_2 = _take(_y_2, _going9)
-                _z_2 = _take(_z_2, _going9)
+                _arrival_2 = _take(_arrival_2, _going11)
+                _ceiling_2 = _take(_ceiling_2, _going11)
+                _certain_2 = _take(_certain_2, _going11)
+                _end_2 = _take(_end_2, _going11)
+                _flat_2 = _take(_flat_2, _going11)
+                _last_2 = _take(_last_2, _going11)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going11)
+                _p_gravity_2 = _take(_p_gravity_2, _going11)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going11)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going11)
+                _rate_slack_2 = _take(_rate_slack_2, _going11)
+                _rho_start_2 = _take(_rho_start_2, _going11)
+                _searching_2 = _take(_searching_2, _going11)
+                _share_2 = _take(_share_2, _going11)
+                _steady_2 = _take(_steady_2, _going11)
+                _swing_2 = _take(_swing_2, _going11)
+                _t_2 = _take(_t_2, _going11)
+                _tilt_2 = _take(_tilt_2, _going11)
+                _vx_2 = _take(_vx_2, _going11)
+                _vy_2 = _take(_vy_2, _going11)
+                _vz_2 = _take(_vz_2, _going11)
+                _x_2 = _take(_x_2, _going11)
+                _y_2 = _take(_y_2, _going11)
+                _z_2 = _take(_z_2, _going11)
             else:
                 _store(_arrival_1, _rows5, _arrival_2, None)
                 _store(_certain_1, _rows5, _certain_2, None)
@@ -2229,17 +2234,17 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _when_1, _which_1 = sooner(_arrives_1, 0.0, _time_1, _when_1, _which_1)
         _when_0 = _put(_when_0, _rows3, _when_1, shots)
         _which_0 = _put(_which_0, _rows3, _which_1, shots)
-    _rows10, _count11 = _rows(_limited_0, shots)
-    if _count11:
-        _clock_1 = _take(_clock_0, _rows10)
-        _time_error_1 = _take(_time_error_0, _rows10)
-        _time_limit_1 = _take(_time_limit_0, _rows10)
-        _when_1 = _take(_when_0, _rows10)
-        _which_1 = _take(_which_0, _rows10)
+    _rows12, _count13 = _rows(_limited_0, shots)
+    if _count13:
+        _clock_1 = _take(_clock_0, _rows12)
+        _time_error_1 = _take(_time_error_0, _rows12)
+        _time_limit_1 = _take(_time_limit_0, _rows12)
+        _when_1 = _take(_when_0, _rows12)
+        _which_1 = _take(_which_0, _rows12)
         _time_1, _, _arrives_1, *_ = expiry(_clock_1, _inf, 0.0, _time_error_1, _time_limit_1, _when_1, _which_1)
         _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
-        _when_0 = _put(_when_0, _rows10, _when_1, shots)
-        _which_0 = _put(_which_0, _rows10, _which_1, shots)
+        _when_0 = _put(_when_0, _rows12, _when_1, shots)
+        _which_0 = _put(_which_0, _rows12, _which_1, shots)
     _, _moves_0, _ends_0, _touches_0, _reached_0, *_ = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
     _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
@@ -2251,19 +2256,19 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _x_0 = _choose(_moves_0, _x_1, _x_0)
     _y_0 = _choose(_moves_0, _y_1, _y_0)
     _z_0 = _choose(_moves_0, _z_1, _z_0)
-    _rows12, _count13 = _rows(_limited_0, shots)
-    if _count13:
-        _body_1 = _take(_body_0, _rows12)
-        _clock_1 = _take(_clock_0, _rows12)
-        _ends_1 = _take(_ends_0, _rows12)
-        _reached_1 = _take(_reached_0, _rows12)
-        _time_limit_1 = _take(_time_limit_0, _rows12)
-        _which_1 = _take(_which_0, _rows12)
+    _rows14, _count15 = _rows(_limited_0, shots)
+    if _count15:
+        _body_1 = _take(_body_0, _rows14)
+        _clock_1 = _take(_clock_0, _rows14)
+        _ends_1 = _take(_ends_0, _rows14)
+        _reached_1 = _take(_reached_0, _rows14)
+        _time_limit_1 = _take(_time_limit_0, _rows14)
+        _which_1 = _take(_which_0, _rows14)
         _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
-        _body_0 = _put(_body_0, _rows12, _body_1, shots)
-        _clock_0 = _put(_clock_0, _rows12, _clock_1, shots)
-        _ends_0 = _put(_ends_0, _rows12, _ends_1, shots)
-        _reached_0 = _put(_reached_0, _rows12, _reached_1, shots)
+        _body_0 = _put(_body_0, _rows14, _body_1, shots)
+        _clock_0 = _put(_clock_0, _rows14, _clock_1, shots)
+        _ends_0 = _put(_ends_0, _rows14, _ends_1, shots)
+        _reached_0 = _put(_reached_0, _rows14, _reached_1, shots)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
     _reached_1, = end_reached(_g0_1)
@@ -2663,31 +2668,20 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _certain_2 = _take(_certain_1, _rows7)
             _doubt_2 = _take(_doubt_1, _rows7)
             _end_2 = _take(_end_1, _rows7)
-            _extent_2 = _take(_extent_1, _rows7)
             _flat_2 = _take(_flat_1, _rows7)
-            _high0_2 = _take(_high0_1, _rows7)
-            _high1_2 = _take(_high1_1, _rows7)
-            _high2_2 = _take(_high2_1, _rows7)
             _last_2 = _take(_last_1, _rows7)
-            _latest_2 = _take(_latest_1, _rows7)
-            _low0_2 = _take(_low0_1, _rows7)
-            _low1_2 = _take(_low1_1, _rows7)
-            _low2_2 = _take(_low2_1, _rows7)
             _p_ball_radius_2 = _take(_p_ball_radius_1, _rows7)
             _p_gravity_2 = _take(_p_gravity_1, _rows7)
             _p_ring_radius_2 = _take(_p_ring_radius_1, _rows7)
             _p_wire_radius_2 = _take(_p_wire_radius_1, _rows7)
-            _position_error_2 = _take(_position_error_1, _rows7)
             _rate_slack_2 = _take(_rate_slack_1, _rows7)
             _rho_start_2 = _take(_rho_start_1, _rows7)
             _searching_2 = _take(_searching_1, _rows7)
             _share_2 = _take(_share_1, _rows7)
-            _speed_2 = _take(_speed_1, _rows7)
             _steady_2 = _take(_steady_1, _rows7)
             _swing_2 = _take(_swing_1, _rows7)
             _t_2 = _take(_t_1, _rows7)
             _tilt_2 = _take(_tilt_1, _rows7)
-            _velocity_error_2 = _take(_velocity_error_1, _rows7)
             _vx_2 = _take(_vx_1, _rows7)
             _vy_2 = _take(_vy_1, _rows7)
             _vz_2 = _take(_vz_1, _rows7)
@@ -2708,18 +2702,19 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _hit_2, _sure_2, _vague_2 = struck(_bend_2, _clearance_2, _gap_2, _margin_2, _rate_2, _rate_slack_2, _share_2)
                 _rows9, _count10 = _rows(_vague_2, _count8)
                 if _count10:
+                    _far = _of(_rows7, _rows9)
                     _doubt_3 = _take(_doubt_2, _rows9)
-                    _extent_3 = _take(_extent_2, _rows9)
-                    _latest_3 = _take(_latest_2, _rows9)
+                    _extent_3 = _take(_extent_1, _far)
+                    _latest_3 = _take(_latest_1, _far)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows9)
                     _p_gravity_3 = _take(_p_gravity_2, _rows9)
                     _p_ring_radius_3 = _take(_p_ring_radius_2, _rows9)
                     _p_wire_radius_3 = _take(_p_wire_radius_2, _rows9)
-                    _position_error_3 = _take(_position_error_2, _rows9)
+                    _position_error_3 = _take(_position_error_1, _far)
                     _share_3 = _take(_share_2, _rows9)
-                    _speed_3 = _take(_speed_2, _rows9)
+                    _speed_3 = _take(_speed_1, _far)
                     _t_3 = _take(_t_2, _rows9)
-                    _velocity_error_3 = _take(_velocity_error_2, _rows9)
+                    _velocity_error_3 = _take(_velocity_error_1, _far)
                     _room_3 = room(_count10)
                     _share_3, = finer(_share_3)
                     _position_level_3, _velocity_level_3, _excess_3 = allowance(_share_3, _latest_3, _extent_3, _speed_3, _position_error_3, _velocity_error_3, _p_gravity_3, _room_3)
@@ -2731,12 +2726,23 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _share_2 = _put(_share_2, _rows9, _share_3, _count8)
                     _tilt_2 = _put(_tilt_2, _rows9, _tilt_3, _count8)
                 _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_arrival_2, _certain_2, _end_2, _hit_2, _next_2, _root_2, _step_2, _sure_2, _t_2, _vague_2)
-                _t_3, _end_3, _searching_3 = ring_enter(_end_2, _end_2, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2)
-                _end_2 = _choose(_exhausted_2, _end_3, _end_2)
-                _searching_2 = _choose(_exhausted_2, _searching_3, _searching_2)
-                _t_2 = _choose(_exhausted_2, _t_3, _t_2)
-                _going11 = _flatnonzero(_searching_2)
-                if len(_going11) == _count8:
+                _rows11, _count12 = _rows(_exhausted_2, _count8)
+                if _count12:
+                    _far = _of(_rows7, _rows11)
+                    _end_3 = _take(_end_2, _rows11)
+                    _high0_3 = _take(_high0_1, _far)
+                    _high1_3 = _take(_high1_1, _far)
+                    _high2_3 = _take(_high2_1, _far)
+                    _low0_3 = _take(_low0_1, _far)
+                    _low1_3 = _take(_low1_1, _far)
+                    _low2_3 = _take(_low2_1, _far)
+                    _t_3 = _take(_t_2, _rows11)
+                    _t_3, _end_3, _searching_3 = ring_enter(_end_3, _end_3, _high0_3, _high1_3, _high2_3, _low0_3, _low1_3, _low2_3, _t_3)
+                    _end_2 = _put(_end_2, _rows11, _end_3, _count8)
+                    _searching_2 = _put(_searching_2, _rows11, _searching_3, _count8)
+                    _t_2 = _put(_t_2, _rows11, _t_3, _count8)
+                _going13 = _flatnonzero(_searching_2)
+                if len(_going13) == _count8:
                     continue
                 _done = _flatnonzero(_logical_not(_searching_2))
                 _store(_arrival_1, _of(_rows7, _done), _arrival_2, _done)
@@ -2746,45 +2752,34 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _store(_searching_1, _of(_rows7, _done), _searching_2, _done)
                 _store(_t_1, _of(_rows7, _done), _t_2, _done)
                 _store(_tilt_1, _of(_rows7, _done), _tilt_2, _done)
-                _rows7, _count8 = _of(_rows7, _going11), len(_going11)
+                _rows7, _count8 = _of(_rows7, _going13), len(_going13)
                 if not _count8:
                     break
-                _arrival_2 = _take(_arrival_2, _going11)
-                _ceiling_2 = _take(_ceiling_2, _going11)
-                _certain_2 = _take(_certain_2, _going11)
-                _doubt_2 = _take(_doubt_2, _going11)
-                _end_2 = _take(_end_2, _going11)
-                _extent_2 = _take(_extent_2, _going11)
-                _flat_2 = _take(_flat_2, _going11)
-                _high0_2 = _take(_high0_2, _going11)
-                _high1_2 = _take(_high1_2, _going11)
-                _high2_2 = _take(_high2_2, _going11)
-                _last_2 = _take(_last_2, _going11)
-                _latest_2 = _take(_latest_2, _going11)
-                _low0_2 = _take(_low0_2, _going11)
-                _low1_2 = _take(_low1_2, _going11)
-                _low2_2 = _take(_low2_2, _going11)
-                _p_ball_radius_2 = _take(_p_ball_radius_2, _going11)
-                _p_gravity_2 = _take(_p_gravity_2, _going11)
-                _p_ring_radius_2 = _take(_p_ring_radius_2, _going11)
-                _p_wire_radius_2 = _take(_p_wire_radius_2, _going11)
-                _position_error_2 = _take(_position_error_2, _going11)
-                _rate_slack_2 = _take(_rate_slack_2, _going11)
-                _rho_start_2 = _take(_rho_start_2, _going11)
-                _searching_2 = _take(_searching_2, _going11)
-                _share_2 = _take(_share_2, _going11)
-                _speed_2 = _take(_speed_2, _going11)
-                _steady_2 = _take(_steady_2, _going11)
-                _swing_2 = _take(_swing_2, _going11)
-                _t_2 = _take(_t_2, _going11)
-                _tilt_2 = _take(_tilt_2, _going11)
-                _velocity_error_2 = _take(_velocity_error_2, _going11)
-                _vx_2 = _take(_vx_2, _going11)
-                _vy_2 = _take(_vy_2, _going11)
-                _vz_2 = _take(_vz_2, _going11)
-                _x_2 = _take(_x_2, _going11)
-                _y_2 = _take(_y_2, _going11)
-                _z_2 = _take(_z_2, _going11)
+                _arrival_2 = _take(_arrival_2, _going13)
+                _ceiling_2 = _take(_ceiling_2, _going13)
+                _certain_2 = _take(_certain_2, _going13)
+                _doubt_2 = _take(_doubt_2, _going13)
+                _end_2 = _take(_end_2, _going13)
+                _flat_2 = _take(_flat_2, _going13)
+                _last_2 = _take(_last_2, _going13)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going13)
+                _p_gravity_2 = _take(_p_gravity_2, _going13)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going13)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going13)
+                _rate_slack_2 = _take(_rate_slack_2, _going13)
+                _rho_start_2 = _take(_rho_start_2, _going13)
+                _searching_2 = _take(_searching_2, _going13)
+                _share_2 = _take(_share_2, _going13)
+                _steady_2 = _take(_steady_2, _going13)
+                _swing_2 = _take(_swing_2, _going13)
+                _t_2 = _take(_t_2, _going13)
+                _tilt_2 = _take(_tilt_2, _going13)
+                _vx_2 = _take(_vx_2, _going13)
+                _vy_2 = _take(_vy_2, _going13)
+                _vz_2 = _take(_vz_2, _going13)
+                _x_2 = _take(_x_2, _going13)
+                _y_2 = _take(_y_2, _going13)
+                _z_2 = _take(_z_2, _going13)
             else:
                 _store(_arrival_1, _rows7, _arrival_2, None)
                 _store(_certain_1, _rows7, _certain_2, None)
@@ -2811,22 +2806,22 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _late_0 = _put(_late_0, _rows5, _late_1, shots)
         _when_0 = _put(_when_0, _rows5, _when_1, shots)
         _which_0 = _put(_which_0, _rows5, _which_1, shots)
-    _rows12, _count13 = _rows(_limited_0, shots)
-    if _count13:
-        _clock_1 = _take(_clock_0, _rows12)
-        _doubt_1 = _take(_doubt_0, _rows12)
-        _late_1 = _take(_late_0, _rows12)
-        _time_error_1 = _take(_time_error_0, _rows12)
-        _time_limit_1 = _take(_time_limit_0, _rows12)
-        _when_1 = _take(_when_0, _rows12)
-        _which_1 = _take(_which_0, _rows12)
+    _rows14, _count15 = _rows(_limited_0, shots)
+    if _count15:
+        _clock_1 = _take(_clock_0, _rows14)
+        _doubt_1 = _take(_doubt_0, _rows14)
+        _late_1 = _take(_late_0, _rows14)
+        _time_error_1 = _take(_time_error_0, _rows14)
+        _time_limit_1 = _take(_time_limit_0, _rows14)
+        _when_1 = _take(_when_0, _rows14)
+        _which_1 = _take(_which_0, _rows14)
         _time_1, _delay_1, _arrives_1, _doubt_1 = expiry(_clock_1, _doubt_1, _late_1, _time_error_1, _time_limit_1, _when_1, _which_1)
         _doubt_1, _late_1 = tied(_arrives_1, _delay_1, _doubt_1, _late_1, _time_1, _when_1)
         _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
-        _doubt_0 = _put(_doubt_0, _rows12, _doubt_1, shots)
-        _late_0 = _put(_late_0, _rows12, _late_1, shots)
-        _when_0 = _put(_when_0, _rows12, _when_1, shots)
-        _which_0 = _put(_which_0, _rows12, _which_1, shots)
+        _doubt_0 = _put(_doubt_0, _rows14, _doubt_1, shots)
+        _late_0 = _put(_late_0, _rows14, _late_1, shots)
+        _when_0 = _put(_when_0, _rows14, _when_1, shots)
+        _which_0 = _put(_which_0, _rows14, _which_1, shots)
     _, _moves_0, _ends_0, _touches_0, _reached_0, _edge_0 = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
     _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
@@ -2838,19 +2833,19 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _x_0 = _choose(_moves_0, _x_1, _x_0)
     _y_0 = _choose(_moves_0, _y_1, _y_0)
     _z_0 = _choose(_moves_0, _z_1, _z_0)
-    _rows14, _count15 = _rows(_limited_0, shots)
-    if _count15:
-        _body_1 = _take(_body_0, _rows14)
-        _clock_1 = _take(_clock_0, _rows14)
-        _ends_1 = _take(_ends_0, _rows14)
-        _reached_1 = _take(_reached_0, _rows14)
-        _time_limit_1 = _take(_time_limit_0, _rows14)
-        _which_1 = _take(_which_0, _rows14)
+    _rows16, _count17 = _rows(_limited_0, shots)
+    if _count17:
+        _body_1 = _take(_body_0, _rows16)
+        _clock_1 = _take(_clock_0, _rows16)
+        _ends_1 = _take(_ends_0, _rows16)
+        _reached_1 = _take(_reached_0, _rows16)
+        _time_limit_1 = _take(_time_limit_0, _rows16)
+        _which_1 = _take(_which_0, _rows16)
         _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
-        _body_0 = _put(_body_0, _rows14, _body_1, shots)
-        _clock_0 = _put(_clock_0, _rows14, _clock_1, shots)
-        _ends_0 = _put(_ends_0, _rows14, _ends_1, shots)
-        _reached_0 = _put(_reached_0, _rows14, _reached_1, shots)
+        _body_0 = _put(_body_0, _rows16, _body_1, shots)
+        _clock_0 = _put(_clock_0, _rows16, _clock_1, shots)
+        _ends_0 = _put(_ends_0, _rows16, _ends_1, shots)
+        _reached_0 = _put(_reached_0, _rows16, _reached_1, shots)
     _slack_0, = displacement(_late_0, _when_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)

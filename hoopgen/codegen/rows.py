@@ -25,11 +25,11 @@ INTO = {
 """The operations that write into a row, as NumPy calls them."""
 
 SELECT = {
-    "max": "_select({0} < {1}, {1}, {0}, {row})",
-    "min": "_select({0} < {1}, {0}, {1}, {row})",
-    "select": "_select({0}, {1}, {2}, {row})",
+    "max": "{select}({0} < {1}, {1}, {0}, _r{row})",
+    "min": "{select}({0} < {1}, {0}, {1}, _r{row})",
+    "select": "{select}({0}, {1}, {2}, _r{row})",
 }
-"""Those that do so through a function of the module: not into a row of their operands."""
+"""Those of a function of the module: what it returns is one of its operands, or not in their rows."""
 
 MANY = 6
 """A kernel with fewer of them on the way to its results is printed without rows."""
@@ -87,8 +87,10 @@ class _Printer:
             return constant(operation.value, NUMPY)
         operands = [self._value(operand) for operand in operation.operands]
         if index in self.own and operation.name in SELECT:
-            row = f"_r{self.row[index]}" if index in self.row else "_like(_r0)"
-            return SELECT[operation.name].format(*map(bare, operands), row=row)
+            select, row = "_select", self.row.get(index)
+            if row is None:
+                select, row = "_result", 0
+            return SELECT[operation.name].format(*map(bare, operands), select=select, row=row)
         if index in self.row:
             return f"{INTO[operation.name]}({', '.join(map(bare, operands))}, _r{self.row[index]})"
         return NUMPY.operations[operation.name].format(*operands)
@@ -96,24 +98,36 @@ class _Printer:
     def _assign(self) -> int:
         """Give each operation a row that nothing else needs by then; return how many there are."""
         order = self._order()
-        last = {k: place for place, index in enumerate(order) for k in self._read(index)}
+        done: dict[int, list[int]] = {}
+        for index, place in self._last(order).items():
+            done.setdefault(place, []).append(index)
         free: list[int] = []
         rows = 0
         for place, index in enumerate(order):
-            read = dict.fromkeys(self._read(index))
-            done = [self.row[k] for k in read if k in self.row and last[k] == place]
+            over = [self.row[k] for k in sorted(done.get(place, ())) if k in self.row]
             apart = self.program.operations[index].name in SELECT
             # The one that was written last is the nearest in the caches.
             if not apart:
-                free.extend(done)
+                free.extend(over)
             if index in self.own and index not in self.program.outputs:
                 if not free:
                     free.append(rows)
                     rows += 1
                 self.row[index] = free.pop()
             if apart:
-                free.extend(done)
+                free.extend(over)
         return rows
+
+    def _last(self, order: list[int]) -> dict[int, int]:
+        """Return the place in the order at which each operation is needed for the last time."""
+        last: dict[int, int] = {}
+        for place in reversed(range(len(order))):
+            index = order[place]
+            for k in self._read(index):
+                last.setdefault(k, place)
+                if self.program.operations[index].name in SELECT:
+                    last[k] = max(last[k], last.get(index, place))
+        return last
 
     def _order(self) -> list[int]:
         """Return the operations in the order in which the printed lines do them."""

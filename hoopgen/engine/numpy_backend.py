@@ -23,9 +23,6 @@ BLOCK = 1 << 14
 """Shots that are simulated together: their arrays fit the second-level cache."""
 
 
-FEW = 1 << 10
-"""So few shots are quicker with fresh arrays than with rows that are to be cut to their number."""
-
 LINE = 8
 """Doubles in a line of the caches: an array that begins within one is written at half the speed."""
 
@@ -38,11 +35,11 @@ class Room:
         room = np.empty(rows * width + LINE)
         first = -(room.ctypes.data // room.itemsize) % LINE
         self._rows = room[first:][: rows * width].reshape(rows, width)
-        self._none = kernels.NO_ROWS
+        self._few, self._none = kernels.FEW, kernels.NO_ROWS
 
     def __call__(self, shots: int) -> tuple[Floats | None, ...]:
         """Return rows of so many shots, or that a kernel is to make arrays of its own."""
-        return self._none if shots < FEW else tuple(self._rows[:, :shots])
+        return self._none if shots < self._few else tuple(self._rows[:, :shots])
 
 
 class Flights:
