@@ -31,6 +31,7 @@ from numpy import logical_not as _logical_not
 from numpy import logical_or as _logical_or
 from numpy import multiply as _multiply
 from numpy import ndim as _ndim
+from numpy import ndarray as _ndarray
 from numpy import negative as _negative
 from numpy import sqrt as _sqrt
 from numpy import subtract as _subtract
@@ -1927,22 +1928,27 @@ def _choose(truth: Any, new: Any, old: Any) -> Any:
     return _where(truth, new, old)
 
 
+_NOWHERE = _flatnonzero(())
+
+
+def _where_true(truth: Any) -> Any:
+    """Return the rows where a column of truths holds."""
+    return truth.nonzero()[0]
+
+
 def _rows(truth: Any, shots: int) -> tuple[Any, int]:
     """Return the rows where a truth holds, None if that is all of them, and how many they are."""
-    if _ndim(truth) == 0:
-        return (None, shots) if truth else (_flatnonzero(()), 0)
-    rows = _flatnonzero(truth)
+    if type(truth) is not _ndarray or not truth.ndim:
+        return (None, shots) if truth else (_NOWHERE, 0)
+    rows = _where_true(truth)
     return (None if len(rows) == shots else rows), len(rows)
-
-
-def _shared(values: Any) -> bool:
-    """Return whether all shots share a value."""
-    return type(values) is float or not _ndim(values)
 
 
 def _take(values: Any, rows: Any) -> Any:
     """Return some rows of a column; what all shots share stays."""
-    return values if rows is None or _shared(values) else values[rows]
+    if rows is None or type(values) is not _ndarray or not values.ndim:
+        return values
+    return values[rows]
 
 
 def _of(rows: Any, some: Any) -> Any:
@@ -2184,10 +2190,10 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _end_2 = _put(_end_2, _rows9, _end_3, _count6)
                     _searching_2 = _put(_searching_2, _rows9, _searching_3, _count6)
                     _t_2 = _put(_t_2, _rows9, _t_3, _count6)
-                _going11 = _flatnonzero(_searching_2)
+                _going11 = _where_true(_searching_2)
                 if len(_going11) == _count6:
                     continue
-                _done = _flatnonzero(_logical_not(_searching_2))
+                _done = _where_true(_logical_not(_searching_2))
                 _store(_arrival_1, _of(_rows5, _done), _arrival_2, _done)
                 _store(_certain_1, _of(_rows5, _done), _certain_2, _done)
                 _store(_flat_1, _of(_rows5, _done), _flat_2, _done)
@@ -2741,10 +2747,10 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                     _end_2 = _put(_end_2, _rows11, _end_3, _count8)
                     _searching_2 = _put(_searching_2, _rows11, _searching_3, _count8)
                     _t_2 = _put(_t_2, _rows11, _t_3, _count8)
-                _going13 = _flatnonzero(_searching_2)
+                _going13 = _where_true(_searching_2)
                 if len(_going13) == _count8:
                     continue
-                _done = _flatnonzero(_logical_not(_searching_2))
+                _done = _where_true(_logical_not(_searching_2))
                 _store(_arrival_1, _of(_rows7, _done), _arrival_2, _done)
                 _store(_certain_1, _of(_rows7, _done), _certain_2, _done)
                 _store(_doubt_1, _of(_rows7, _done), _doubt_2, _done)

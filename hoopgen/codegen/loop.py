@@ -348,10 +348,10 @@ class NumPyLoop(_Printer):
         self._body(node.body, inside, own_count, turning, wanted, depth + 1)
         assert all(inside[name] == value for name, value in start.items()), "a name changed"
         going = self.fresh("going")
-        line(f"{turning}{going} = _flatnonzero({inside[node.truth]})")
+        line(f"{turning}{going} = _where_true({inside[node.truth]})")
         line(f"{turning}if len({going}) == {own_count}:")
         line(f"{turning}    continue")
-        line(f"{turning}_done = _flatnonzero(_logical_not({inside[node.truth]}))")
+        line(f"{turning}_done = _where_true(_logical_not({inside[node.truth]}))")
         for name in own.gives:
             into = f"{local(name, depth)}, _of({rows}, _done)"
             line(f"{turning}_store({into}, {inside[name]}, _done)")
