@@ -26,7 +26,7 @@ CHEAP = 40
 """A body that costs no more is done for every lane or row: to skip it would cost as much."""
 
 CHEAP_IN_TURNS = 10
-"""The same for rows of a body that repeats, where what is left out need not be taken in each turn."""
+"""The same in a body that repeats, where what some rows need is not taken by all in each turn."""
 
 COSTS = {"div": 8, "sqrt": 8}
 """Operations that cost more than one."""

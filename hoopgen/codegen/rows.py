@@ -29,7 +29,7 @@ SELECT = {
     "min": "{select}({0} < {1}, {0}, {1}, _r{row})",
     "select": "{select}({0}, {1}, {2}, _r{row})",
 }
-"""Those of a function of the module: what it returns is one of its operands, or not in their rows."""
+"""Those of a function of the module: one of the operands, or in no row of theirs."""
 
 MANY = 6
 """A kernel with fewer of them on the way to its results is printed without rows."""
@@ -68,7 +68,7 @@ class _Printer:
 
     def body(self) -> Body:
         rows = self._assign()
-        statements = []
+        statements: list[str] = []
         for index in sorted(self.named):
             name = f"_s{len(statements)}"
             statements.append(f"{name} = {bare(self._value(index))}")
