@@ -145,8 +145,7 @@ class Engine:
         """Return states (..., 9) some times after others, with nothing touched in between."""
         own = dict(zip(self.kernels.VARIABLES.values(), self.table.inputs(parameters), strict=True))
         own |= dict(zip(self.kernels.STATE, np.moveaxis(states, -1, 0), strict=True))
-        code = self.kernels.flight.__code__
-        asked = code.co_varnames[1 : code.co_argcount]
+        asked = self.kernels.ARGUMENTS["flight"][1:]
         moved = self.kernels.flight(times, *(own[name] for name in asked))
         return np.stack([*moved, *np.moveaxis(states[..., len(moved) :], -1, 0)], -1)
 

@@ -160,7 +160,7 @@ def contexts() -> dict[str, dict[str, Any]]:
 
 def printed(template: str, kernels: list[Kernel]) -> str:
     """Return kernels, printed by the template of a target as if they were the hoop's."""
-    views = [render._kernel_view(lower(k)) for k in kernels]
+    views = [render._kernel_view(lower(k), in_loop=True) for k in kernels]
     context = contexts()[template] | {"kernels": views}
     return render._environment().get_template(template).render(context)
 

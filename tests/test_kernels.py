@@ -260,7 +260,7 @@ def evaluate_numpy(name: str, columns: Mapping[str, Floats], rows: int) -> list[
 def arguments(function: Callable[..., Any]) -> list[str]:
     """Return the names of a kernel's arguments, of parameters the public ones."""
     public = {own: name for name, own in hoop.VARIABLES.items()}
-    return [public.get(name, name) for name in inspect.signature(function).parameters]
+    return [public.get(name, name) for name in hoop.ARGUMENTS[function.__name__]]
 
 
 def all_arguments() -> list[str]:
@@ -515,3 +515,26 @@ def test_numbers_and_arrays_give_the_same_bits(name: str) -> None:
         )
         for left, right in zip(mixed, full, strict=True):
             assert same_bits(left, right).all(), function
+
+
+@pytest.mark.parametrize("columns_of", [random_columns, extreme_columns])
+def test_rows_to_write_into_do_not_change_a_bit(
+    columns_of: Callable[[int, int], dict[str, Floats]],
+) -> None:
+    """Nothing is read from them that is not written before, and no result is left in them."""
+    rows, met = hoop.FEW + 1, 0
+    columns = columns_of(5, rows)
+    for shared in ({}, {name: default for name, (default, _, _) in hoop.PARAMETERS.items()}):
+        given = columns | shared
+        for name in NAMES:
+            function = getattr(hoop, name)
+            if "_room" not in inspect.signature(function).parameters:
+                continue
+            met += 1
+            room = np.full((hoop.ROWS, rows), np.nan)
+            with np.errstate(all="ignore"):
+                inside = function(*(given[a] for a in arguments(function)), tuple(room))
+            room[:] = np.nan
+            for output, wanted in zip(inside, evaluate_numpy(name, given, rows), strict=True):
+                assert same_bits(np.broadcast_to(output, (rows,)), wanted).all(), name
+    assert met > 20

@@ -76,6 +76,7 @@ def test_a_guarded_body_changes_nothing_outside_its_guard(
 ) -> None:
     """Taking the rows that a guard lets through, or choosing after all: the same bits."""
     monkeypatch.setattr(loop, "CHEAP", cheap)
+    monkeypatch.setattr(loop, "CHEAP_IN_TURNS", cheap)
     files = derived(Fault("none"))
     text = files["numpy/hoop.py"]
     guards = sum(isinstance(n, Guard) for s in hoop_model().loop.stages.values() for n in walk(s))

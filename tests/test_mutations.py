@@ -6,7 +6,6 @@ A fault changes derive/: the text of a formula, a decision, the event loop's tre
 
 from __future__ import annotations
 
-import inspect
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache, partial
@@ -217,7 +216,7 @@ def slow() -> tuple[NDArray[np.float64], Certificate]:
 
 def share_of_allowance(kernels: ModuleType) -> float:
     """Return the largest error beside what decisions allow for, which is less than claims."""
-    arguments = np.ones(len(inspect.signature(kernels.error_bounds).parameters))
+    arguments = np.ones(len(kernels.ARGUMENTS["error_bounds"]))
     allowed = np.divide(kernels.error_bounds(*arguments), kernels.claimed_errors(*arguments))[:3]
     states, proofs = slow()
     raw = fly(numpy_engine(kernels), states, list(PAPER.values()), 6).raw

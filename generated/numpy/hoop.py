@@ -14,14 +14,27 @@ from enum import IntEnum
 from typing import Any, NamedTuple
 
 from numpy import absolute as _absolute
-from numpy import broadcast_to as _broadcast_to
+from numpy import add as _add
+from numpy import bitwise_and as _bitwise_and
+from numpy import bitwise_xor as _bitwise_xor
+from numpy import count_nonzero as _count_nonzero
+from numpy import divide as _divide
+from numpy import empty_like as _empty_like
 from numpy import flatnonzero as _flatnonzero
+from numpy import float64 as _float64
+from numpy import full as _full
 from numpy import inf as _inf
+from numpy import int8 as _int8
+from numpy import int64 as _int64
 from numpy import logical_and as _logical_and
 from numpy import logical_not as _logical_not
 from numpy import logical_or as _logical_or
+from numpy import multiply as _multiply
 from numpy import ndim as _ndim
+from numpy import ndarray as _ndarray
+from numpy import negative as _negative
 from numpy import sqrt as _sqrt
+from numpy import subtract as _subtract
 from numpy import where as _where
 
 SCENE = "hoop"
@@ -179,6 +192,121 @@ RESULTS: tuple[Result, ...] = (
     Result("uncertain", "bool", ('uncertain',), False, False, True, False),
 )
 
+ARGUMENTS: dict[str, tuple[str, ...]] = {
+    "flight": ("t", "x", "y", "z", "vx", "vy", "vz", "p_gravity",),
+    "contact_frame": ("nx", "ny", "nz",),
+    "impact_through_frame": ("vx", "vy", "vz", "wx", "wy", "wz", "n11", "n12", "n13", "n21", "n22", "n23", "n31", "n32", "n33", "p_ball_radius", "restitution",),
+    "crossing": ("margin", "rate_margin", "rate", "ceiling",),
+    "allowance": ("share", "horizon", "extent", "speed", "position_error", "velocity_error", "p_gravity",),
+    "horizon": ("t", "speed", "p_gravity",),
+    "scale": ("x", "y", "z", "vx", "vy", "vz", "p_gravity",),
+    "displacement": ("delay", "horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_bridge_half_width", "p_gravity", "p_end_depth",),
+    "carry_flight": ("t", "x", "y", "z", "vx", "vy", "vz", "nx", "ny", "nz", "clock", "contacts", "late", "dx", "dy", "dz", "dvx", "dvy", "dvz", "curving", "p_gravity",),
+    "carry_time": ("t", "x", "y", "z", "vx", "vy", "vz", "clock", "clock_error", "dx", "dy", "dz", "dvx", "dvy", "dvz", "p_gravity",),
+    "error_bounds": ("clock_error", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
+    "claimed_errors": ("clock_error", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
+    "allowed": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_bridge_half_width", "p_restitution", "p_gravity", "p_end_depth",),
+    "finite_parameters": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_bridge_half_width", "p_restitution", "p_gravity", "p_end_depth", "allowed",),
+    "valid": ("last", "x", "y", "z", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_bridge_half_width", "p_end_depth",),
+    "left": ("index", "last",),
+    "meeting_plane": ("bend", "rate", "time",),
+    "timely": ("arrives", "delay", "late", "time", "when",),
+    "grazed": ("apex", "doubt", "height", "margin",),
+    "questioned": ("doubt", "time", "unsure",),
+    "crossed": ("arrives", "clearance", "doubt", "time",),
+    "tied": ("arrives", "delay", "doubt", "late", "time", "when",),
+    "sooner": ("arrives", "index", "time", "when", "which",),
+    "opens": ("clear",),
+    "beginning": (),
+    "beyond": ("doubt", "excess", "late", "lost", "pad",),
+    "nearby": ("flat", "index", "last", "t", "tilt",),
+    "struck": ("bend", "clearance", "gap", "margin", "rate", "rate_margin", "share",),
+    "finer": ("share",),
+    "exceeded": ("doubt", "excess", "t",),
+    "advanced": ("arrival", "certain", "end", "hit", "next", "root", "step", "sure", "t", "vague",),
+    "found": ("arrival",),
+    "polished": ("arrival", "certain", "refined",),
+    "own_margin": ("arrival", "flat", "leaving", "tilt",),
+    "landed": ("arrival",),
+    "landed_surely": ("arrives", "certain", "clearance", "delay", "doubt", "time",),
+    "outside": (),
+    "finite_state": ("vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",),
+    "opening": ("excess", "position_error", "velocity_error",),
+    "limited": ("time_limit",),
+    "ticked": ("clock", "when",),
+    "doubted": ("doubt", "edge", "late", "uncertain", "when",),
+    "meeting": ("claims", "ends", "touches",),
+    "here": ("index", "which",),
+    "counted": ("count",),
+    "elsewhere": (),
+    "again": ("index", "last", "which",),
+    "delayed": ("clock_error", "delay",),
+    "floored": ("dx", "dy", "dz", "shift",),
+    "unturned": (),
+    "touched": ("body", "first", "which",),
+    "timed": ("claims", "index", "which",),
+    "closing": ("claims", "outcome",),
+    "body_of": ("which",),
+    "admitted": ("doubt", "finite", "permitted", "valid",),
+    "expiry": ("clock", "doubt", "late", "time_error", "time_limit", "when", "which",),
+    "departed": ("index", "which",),
+    "expired": ("body", "clock", "ends", "index", "reached", "time_limit", "which",),
+    "accounted": ("contacts", "most_contacts", "reached", "touches",),
+    "impact": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "p_ball_radius", "p_restitution",),
+    "carry_impact": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "contacts", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dnx", "dny", "dnz", "turn", "p_ball_radius", "p_restitution",),
+    "ring_coefficients": ("x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_deflated": ("x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_normal": ("x", "y", "z", "p_ball_radius", "p_ring_radius", "p_wire_radius",),
+    "ring_curvature": ("p_ball_radius", "p_ring_radius", "p_wire_radius",),
+    "ring_carry_normal": ("x", "y", "dx", "dy", "dz", "shift", "p_ball_radius", "p_ring_radius", "p_wire_radius",),
+    "ring_clear": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_prepare": ("horizon", "x", "y", "z", "vx", "vy", "vz", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_margins": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_refine": ("t", "leaving", "x", "y", "z", "vx", "vy", "vz", "rho_start", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_advance": ("t", "end", "leaving", "margin", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_enter": ("after", "end", "high0", "high1", "high2", "low0", "low1", "low2", "t",),
+    "backboard_coefficients": ("x", "vx", "p_ball_radius", "p_board_distance",),
+    "backboard_deflated": ("vx",),
+    "backboard_normal": (),
+    "backboard_curvature": (),
+    "backboard_bounds": ("y", "z", "p_board_half_width", "p_board_bottom", "p_board_top",),
+    "backboard_arrival": ("leaving", "x", "vx", "p_ball_radius", "p_board_distance",),
+    "backboard_margin": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_board_distance", "p_gravity",),
+    "backboard_place": ("y", "z", "p_ball_radius", "p_board_distance",),
+    "backboard_within": ("g0", "g1", "g2", "g3",),
+    "backboard_edges": ("clearance", "g0", "g1", "g2", "g3", "slack",),
+    "bridge_coefficients": ("z", "vz", "p_ball_radius", "p_wire_radius", "p_gravity",),
+    "bridge_deflated": ("vz", "p_gravity",),
+    "bridge_normal": (),
+    "bridge_curvature": (),
+    "bridge_bounds": ("x", "y", "p_ring_radius", "p_board_distance", "p_bridge_half_width",),
+    "bridge_arrival": ("leaving", "z", "vz", "p_ball_radius", "p_wire_radius", "p_gravity",),
+    "bridge_margin": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_wire_radius", "p_gravity",),
+    "bridge_place": ("x", "y", "p_ball_radius", "p_wire_radius",),
+    "bridge_within": ("g0", "g1", "g2", "g3", "g4",),
+    "bridge_edges": ("clearance", "g0", "g1", "g2", "g3", "g4", "slack",),
+    "end_coefficients": ("z", "vz", "p_gravity", "p_end_depth",),
+    "end_deflated": ("vz", "p_gravity",),
+    "end_normal": (),
+    "end_curvature": (),
+    "end_arrival": ("leaving", "z", "vz", "p_gravity", "p_end_depth",),
+    "end_margin": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_gravity", "p_end_depth",),
+    "end_place": ("x", "y", "p_end_depth",),
+    "end_bounds": ("x", "y", "p_ring_radius",),
+    "end_reached": ("g0",),
+    "end_edge": ("g0", "slack",),
+    "aimed_speed": ("slope", "reach", "rise", "p_gravity",),
+    "entry_slope": ("slope", "reach", "rise",),
+    "slope_of_entry": ("entry", "reach", "rise",),
+    "least_speed": ("reach", "rise", "p_gravity",),
+    "slopes_of_speed": ("release_speed", "reach", "rise", "p_gravity",),
+    "descent": ("z", "vz", "level", "p_gravity",),
+    "apex": ("z", "vz", "p_gravity",),
+    "sighted": ("x", "y", "place_x", "place_y",),
+    "ring_nearness": ("t", "x", "y", "z", "vx", "vy", "vz", "half", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+}
+"""Names of each kernel's arguments; rows to write into, which some take after them, are none."""
+
 OUTPUTS: dict[str, tuple[str, ...]] = {
     "flight": ("x", "y", "z", "vx", "vy", "vz",),
     "contact_frame": ("n11", "n12", "n13", "n21", "n22", "n23", "n31", "n32", "n33",),
@@ -294,14 +422,59 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
 }
 """Names of each kernel's outputs."""
 
+ROWS = 35
+"""Rows that a kernel writes into, at the most: what it computes on the way to its results."""
 
-def flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any) -> tuple[Any, ...]:
+FEW = 1 << 10
+"""So few shots are quicker with fresh arrays than with rows, and without a look at how many differ."""
+
+NO_ROWS: tuple[None, ...] = (None,) * ROWS
+"""With these in their place it makes arrays of its own."""
+
+
+def _bits(value: Any) -> Any:
+    """Return numbers as the whole numbers of the same bits."""
+    return (value if _ndim(value) else _float64(value)).view(_int64)
+
+
+def _select(truth: Any, then: Any, other: Any, row: Any, keep: bool = True) -> Any:
+    """Return one value where a truth holds, and another where it does not: either, or a row.
+
+    Where it holds for some shots and not for their neighbours, a branch for each would be guessed
+    wrong more often than not: the bits are taken from both.
+    """
+    if row is None:
+        return _where(truth, then, other)
+    shots = len(row)
+    many = _count_nonzero(truth) if _ndim(truth) else shots * bool(truth)
+    if many in (0, shots):
+        all_of = then if many else other
+        if keep and _ndim(all_of):
+            return all_of
+        row[...] = all_of
+        return row
+    if not shots < 16 * many < 15 * shots:
+        return _where(truth, then, other)
+    bits, unlike = row.view(_int64), _bits(other)
+    _bitwise_xor(_bits(then), unlike, bits)
+    _bitwise_and(bits, _negative(truth.view(_int8)).astype(_int64), bits)
+    _bitwise_xor(bits, unlike, bits)
+    return row
+
+
+def _result(truth: Any, then: Any, other: Any, row: Any) -> Any:
+    """Do the same, in an array of its own."""
+    return _select(truth, then, other, None if row is None else _empty_like(row), False)
+
+
+def flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Position and velocity at time t of a flight.
 
     Eq. 3. 11 operations: 3 additions, 2 subtractions, 6 multiplications.
     Returns x, y, z, vx, vy, vz.
     """
-    return x + (t * vx), y + (t * vy), z + (t * (vz - ((0.5 * p_gravity) * t))), vx, vy, vz - (p_gravity * t)
+    _r0, *_ = _room
+    return x + _multiply(t, vx, _r0), y + _multiply(t, vy, _r0), z + _multiply(t, _subtract(vz, _multiply(0.5 * p_gravity, t, _r0), _r0), _r0), vx, vy, vz - _multiply(p_gravity, t, _r0)
 
 
 def contact_frame(nx: Any, ny: Any, nz: Any) -> tuple[Any, ...]:
@@ -357,29 +530,31 @@ def impact_through_frame(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, n
     return ((n11 * _s5) + (n12 * _s10)) - ((n13 * restitution) * _s11), ((n21 * _s5) + (n22 * _s10)) - ((n23 * restitution) * _s11), ((n31 * _s5) + (n32 * _s10)) - ((n33 * restitution) * _s11), ((n13 * _s12) - ((_s2 * _s14) / p_ball_radius)) - ((_s6 * _s15) / p_ball_radius), ((n23 * _s12) - ((_s3 * _s14) / p_ball_radius)) - ((_s7 * _s15) / p_ball_radius), ((n33 * _s12) - ((_s4 * _s14) / p_ball_radius)) - ((_s8 * _s15) / p_ball_radius)
 
 
-def crossing(margin: Any, rate_margin: Any, rate: Any, ceiling: Any) -> tuple[Any, ...]:
+def crossing(margin: Any, rate_margin: Any, rate: Any, ceiling: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Positive clearance if a crossing is certain, and the bound on its delay.
 
     Taylor's theorem with the margins of the gap and its rate. 11 operations: 1 addition, 1 subtraction, 4 multiplications, 1 division, 1 negation, 1 comparison, 2 selections.
     Returns clearance, delay.
     """
-    _s0 = -(rate + rate_margin)
+    _r0, _r1, _r2, *_ = _room
+    _s0 = _negative(_add(rate, rate_margin, _r0), _r0)
     _s1 = 0.0 < _s0
-    return _where(_s1, ((_s0 * _s0) - ((6.0 * ceiling) * margin)), _s0), _where(_s1, ((6.0 * margin) / _s0), _inf)
+    return _result(_s1, _subtract(_multiply(_s0, _s0, _r1), _multiply(_multiply(6.0, ceiling, _r2), margin, _r2), _r2), _s0, _r0), _result(_s1, _divide(_multiply(6.0, margin, _r2), _s0, _r2), _inf, _r0)
 
 
-def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any) -> tuple[Any, ...]:
+def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Errors of a state that a search allows for, and by how much the errors exceed them.
 
     a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection.
     Returns position_level, velocity_level, excess.
     """
-    _s0 = speed + (p_gravity * horizon)
-    _s1 = share * (extent + (horizon * _s0))
+    _r0, _r1, *_ = _room
+    _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
+    _s1 = share * _add(extent, _multiply(horizon, _s0, _r1), _r1)
     _s2 = share * _s0
-    _s3 = position_error - _s1
-    _s4 = velocity_error - _s2
-    return _s1, _s2, _where(_s3 < _s4, _s4, _s3)
+    _s3 = _subtract(position_error, _s1, _r0)
+    _s4 = _subtract(velocity_error, _s2, _r1)
+    return _s1, _s2, _result(_s3 < _s4, _s4, _s3, _r0)
 
 
 def horizon(t: Any, speed: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -392,154 +567,160 @@ def horizon(t: Any, speed: Any, p_gravity: Any) -> tuple[Any, ...]:
     return t + _s0, _s0
 
 
-def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any) -> tuple[Any, ...]:
+def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Sums of the sizes of the coordinates and of the velocities; excess over the largest.
 
     what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections.
     Returns extent, speed, excess.
     """
-    _s0 = _absolute(x)
-    _s1 = _absolute(y)
-    _s2 = _absolute(z)
-    _s3 = _absolute(vx)
-    _s4 = _absolute(vy)
-    _s5 = _absolute(vz)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _s0 = _absolute(x, _r0)
+    _s1 = _absolute(y, _r1)
+    _s2 = _absolute(z, _r2)
+    _s3 = _absolute(vx, _r3)
+    _s4 = _absolute(vy, _r4)
+    _s5 = _absolute(vz, _r5)
     _s6 = 1.0 / p_gravity
-    _s7 = _where(_s6 < _s0, _s0, _s6)
-    _s8 = _where(_s7 < _s1, _s1, _s7)
-    _s9 = _where(_s8 < _s2, _s2, _s8)
-    _s10 = _where(_s9 < _s3, _s3, _s9)
-    _s11 = _where(_s10 < _s4, _s4, _s10)
-    return (_s0 + _s1) + _s2, (_s3 + _s4) + _s5, _where(_s11 < _s5, _s5, _s11) - 2.9073548971824276e+135
+    _s7 = _select(_s6 < _s0, _s0, _s6, _r6)
+    _s8 = _select(_s7 < _s1, _s1, _s7, _r7)
+    _s9 = _select(_s8 < _s2, _s2, _s8, _r8)
+    _s10 = _select(_s9 < _s3, _s3, _s9, _r9)
+    _s11 = _select(_s10 < _s4, _s4, _s10, _r10)
+    return _add(_s0, _s1, _r11) + _s2, _add(_s3, _s4, _r11) + _s5, _select(_s11 < _s5, _s5, _s11, _r11) - 2.9073548971824276e+135
 
 
-def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
+def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Bound on the error of a length at a computed arrival.
 
     running error analysis. 25 operations: 15 additions, 8 multiplications, 2 absolute values.
     Returns margin.
     """
-    _s0 = speed + (p_gravity * horizon)
-    _s1 = extent + (horizon * _s0)
+    _r0, _r1, _r2, *_ = _room
+    _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
+    _s1 = _add(extent, _multiply(horizon, _s0, _r1), _r1)
     _s2 = (((((p_ball_radius + p_board_distance) + p_board_half_width) + p_bridge_half_width) + p_end_depth) + p_ring_radius) + p_wire_radius
-    _s3 = ((1.0009765625 * delay) * _s0) + (4.445228907190568e-16 * (_s1 + ((_s2 + _absolute(p_board_bottom)) + _absolute(p_board_top))))
-    return _s3 + (3.0029296875 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s1))),
+    _s3 = _add(_multiply(_multiply(1.0009765625, delay, _r2), _s0, _r2), _multiply(4.445228907190568e-16, _add(_s1, (_s2 + _absolute(p_board_bottom)) + _absolute(p_board_top), _r0), _r0), _r0)
+    return _s3 + _multiply(3.0029296875, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(4.440892098500626e-16, _s1, _r1), _r1), _r1),
 
 
-def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, late: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, curving: Any, p_gravity: Any) -> tuple[Any, ...]:
+def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, late: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, curving: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Errors of a state at the end of a flight to a surface, from those at its start.
 
     derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, delay, shift.
     """
-    _s0 = dx + (dvx * t)
-    _s1 = _absolute(vx)
-    _s2 = 2.0 * t
-    _s3 = 1.1102230246251565e-16 * ((_s2 * _s1) + _absolute(x))
-    _s4 = _s0 + _where((_s0 < 0.0), (-_s3), _s3)
-    _s5 = dy + (dvy * t)
-    _s6 = _absolute(vy)
-    _s7 = 1.1102230246251565e-16 * ((_s2 * _s6) + _absolute(y))
-    _s8 = _s5 + _where((_s5 < 0.0), (-_s7), _s7)
-    _s9 = dz + (dvz * t)
-    _s10 = _absolute(vz)
-    _s11 = 1.1102230246251565e-16 * (((p_gravity * (t * t)) + (_s2 * _s10)) + _absolute(z))
-    _s12 = _s9 + _where((_s9 < 0.0), (-_s11), _s11)
-    _s13 = ((nx * vx) + (ny * vy)) + (nz * vz)
-    _s14 = (-(((nx * _s4) + (ny * _s8)) + (nz * _s12))) / _s13
-    _s15 = (vx * _s14) + _s4
-    _s16 = _where(_s1 < _s6, _s6, _s1)
-    _s17 = _where(_s16 < _s10, _s10, _s16)
-    _s18 = _absolute(dx)
-    _s19 = _absolute(dy)
-    _s20 = _where(_s18 < _s19, _s19, _s18)
-    _s21 = _absolute(dz)
-    _s22 = _where(_s20 < _s21, _s21, _s20)
-    _s23 = curving * (t * _s17)
-    _s24 = _absolute(dvx)
-    _s25 = _absolute(dvy)
-    _s26 = _where(_s24 < _s25, _s25, _s24)
-    _s27 = _absolute(dvz)
-    _s28 = _where(_s3 < _s7, _s7, _s3)
-    _s29 = (t * _where(_s26 < _s27, _s27, _s26)) + _where(_s28 < _s11, _s11, _s28)
-    _s30 = ((_s17 / _absolute(_s13)) * ((_s22 * _where(_s23 < 1.0, _s23, 1.0)) + _s29)) + (_s29 + _s22)
-    _s31 = _s30 / (8.0 + (8.0 * contacts))
-    _s32 = -_s31
-    _s33 = (vy * _s14) + _s8
-    _s34 = (vz * _s14) + _s12
-    _s35 = _absolute(_s14)
-    _s36 = 0.0625 * late
-    return _where((_absolute(_s15) < _s31), _where((_s15 < 0.0), _s32, _s31), _s15), _where((_absolute(_s33) < _s31), _where((_s33 < 0.0), _s32, _s31), _s33), _where((_absolute(_s34) < _s31), _where((_s34 < 0.0), _s32, _s31), _s34), dvx, dvy, dvz - (p_gravity * _s14), (4.440892098500626e-16 * (clock + t)) + _where(_s35 < _s36, _s36, _s35), _s30
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, *_ = _room
+    _s0 = _add(dx, _multiply(dvx, t, _r0), _r0)
+    _s1 = _absolute(vx, _r1)
+    _s2 = _multiply(2.0, t, _r2)
+    _s3 = _multiply(1.1102230246251565e-16, _add(_multiply(_s2, _s1, _r3), _absolute(x, _r4), _r4), _r4)
+    _s4 = _add(_s0, _select(_s0 < 0.0, _negative(_s3, _r3), _s3, _r5), _r5)
+    _s5 = _add(dy, _multiply(dvy, t, _r3), _r3)
+    _s6 = _absolute(vy, _r0)
+    _s7 = _multiply(1.1102230246251565e-16, _add(_multiply(_s2, _s6, _r6), _absolute(y, _r7), _r7), _r7)
+    _s8 = _add(_s5, _select(_s5 < 0.0, _negative(_s7, _r6), _s7, _r8), _r8)
+    _s9 = _add(dz, _multiply(dvz, t, _r6), _r6)
+    _s10 = _absolute(vz, _r3)
+    _s11 = _multiply(1.1102230246251565e-16, _add(_add(_multiply(p_gravity, _multiply(t, t, _r9), _r9), _multiply(_s2, _s10, _r2), _r2), _absolute(z, _r9), _r9), _r9)
+    _s12 = _add(_s9, _select(_s9 < 0.0, _negative(_s11, _r2), _s11, _r10), _r10)
+    _s13 = _add(_add(_multiply(nx, vx, _r2), _multiply(ny, vy, _r6), _r6), _multiply(nz, vz, _r2), _r2)
+    _s14 = _divide(_negative(_add(_add(_multiply(nx, _s4, _r6), _multiply(ny, _s8, _r11), _r11), _multiply(nz, _s12, _r6), _r6), _r6), _s13, _r6)
+    _s15 = _add(_multiply(vx, _s14, _r11), _s4, _r11)
+    _s16 = _select(_s1 < _s6, _s6, _s1, _r5)
+    _s17 = _select(_s16 < _s10, _s10, _s16, _r12)
+    _s18 = _absolute(dx, _r13)
+    _s19 = _absolute(dy, _r14)
+    _s20 = _select(_s18 < _s19, _s19, _s18, _r15)
+    _s21 = _absolute(dz, _r16)
+    _s22 = _select(_s20 < _s21, _s21, _s20, _r17)
+    _s23 = _multiply(curving, _multiply(t, _s17, _r18), _r18)
+    _s24 = _absolute(dvx, _r19)
+    _s25 = _absolute(dvy, _r20)
+    _s26 = _select(_s24 < _s25, _s25, _s24, _r21)
+    _s27 = _absolute(dvz, _r22)
+    _s28 = _select(_s3 < _s7, _s7, _s3, _r23)
+    _s29 = _add(_multiply(t, _select(_s26 < _s27, _s27, _s26, _r24), _r24), _select(_s28 < _s11, _s11, _s28, _r22), _r22)
+    _s30 = _multiply(_divide(_s17, _absolute(_s13, _r2), _r12), _add(_multiply(_s22, _select(_s23 < 1.0, _s23, 1.0, _r5), _r5), _s29, _r5), _r5) + _add(_s29, _s22, _r22)
+    _s31 = _divide(_s30, _add(8.0, _multiply(8.0, contacts, _r22), _r22), _r22)
+    _s32 = _negative(_s31, _r5)
+    _s33 = _add(_multiply(vy, _s14, _r17), _s8, _r17)
+    _s34 = _add(_multiply(vz, _s14, _r8), _s12, _r8)
+    _s35 = _absolute(_s14, _r10)
+    _s36 = _multiply(0.0625, late, _r16)
+    return _result(_absolute(_s15, _r15) < _s31, _select(_s15 < 0.0, _s32, _s31, _r15), _s15, _r0), _result(_absolute(_s33, _r15) < _s31, _select(_s33 < 0.0, _s32, _s31, _r15), _s33, _r0), _result(_absolute(_s34, _r15) < _s31, _select(_s34 < 0.0, _s32, _s31, _r15), _s34, _r0), dvx, dvy, dvz - _multiply(p_gravity, _s14, _r6), _multiply(4.440892098500626e-16, _add(clock, t, _r6), _r6) + _select(_s35 < _s36, _s36, _s35, _r15), _s30
 
 
-def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock: Any, clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_gravity: Any) -> tuple[Any, ...]:
+def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock: Any, clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Errors of a state at the time limit, from those at the start of the flight.
 
     derivative of Eq. 3, with roundings. 62 operations: 17 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections.
     Returns dx, dy, dz, dvx, dvy, dvz, clock_error.
     """
-    _s0 = _absolute(vx)
-    _s1 = clock_error + (4.440892098500626e-16 * (clock + t))
-    _s2 = _absolute(dvx)
-    _s3 = _absolute(dvy)
-    _s4 = _where(_s2 < _s3, _s3, _s2)
-    _s5 = _absolute(dvz)
-    _s6 = 2.0 * t
-    _s7 = 1.1102230246251565e-16 * ((_s6 * _s0) + _absolute(x))
-    _s8 = _absolute(vy)
-    _s9 = 1.1102230246251565e-16 * ((_s6 * _s8) + _absolute(y))
-    _s10 = _where(_s7 < _s9, _s9, _s7)
-    _s11 = _absolute(vz)
-    _s12 = 1.1102230246251565e-16 * (((p_gravity * (t * t)) + (_s6 * _s11)) + _absolute(z))
-    _s13 = _absolute(dx)
-    _s14 = _absolute(dy)
-    _s15 = _where(_s13 < _s14, _s14, _s13)
-    _s16 = _absolute(dz)
-    _s17 = ((t * _where(_s4 < _s5, _s5, _s4)) + _where(_s10 < _s12, _s12, _s10)) + _where(_s15 < _s16, _s16, _s15)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, *_ = _room
+    _s0 = _absolute(vx, _r0)
+    _s1 = _add(clock_error, _multiply(4.440892098500626e-16, _add(clock, t, _r1), _r1), _r1)
+    _s2 = _absolute(dvx, _r2)
+    _s3 = _absolute(dvy, _r3)
+    _s4 = _select(_s2 < _s3, _s3, _s2, _r4)
+    _s5 = _absolute(dvz, _r5)
+    _s6 = _multiply(2.0, t, _r6)
+    _s7 = _multiply(1.1102230246251565e-16, _add(_multiply(_s6, _s0, _r7), _absolute(x, _r8), _r8), _r8)
+    _s8 = _absolute(vy, _r7)
+    _s9 = _multiply(1.1102230246251565e-16, _add(_multiply(_s6, _s8, _r9), _absolute(y, _r10), _r10), _r10)
+    _s10 = _select(_s7 < _s9, _s9, _s7, _r9)
+    _s11 = _absolute(vz, _r11)
+    _s12 = _multiply(1.1102230246251565e-16, _add(_add(_multiply(p_gravity, _multiply(t, t, _r12), _r12), _multiply(_s6, _s11, _r6), _r6), _absolute(z, _r12), _r12), _r12)
+    _s13 = _absolute(dx, _r6)
+    _s14 = _absolute(dy, _r13)
+    _s15 = _select(_s13 < _s14, _s14, _s13, _r14)
+    _s16 = _absolute(dz, _r15)
+    _s17 = _add(_add(_multiply(t, _select(_s4 < _s5, _s5, _s4, _r16), _r16), _select(_s10 < _s12, _s12, _s10, _r4), _r4), _select(_s15 < _s16, _s16, _s15, _r12), _r12)
     _s18 = _absolute(0.0)
-    return (_s0 * _s1) + _s17, (_s8 * _s1) + _s17, (_s11 * _s1) + _s17, (_s18 + _s2) + (2.220446049250313e-16 * _s0), (_s18 + _s3) + (2.220446049250313e-16 * _s8), (_s5 + (2.220446049250313e-16 * _s11)) + _absolute((-(p_gravity * _s1))), 0.0
+    return _multiply(_s0, _s1, _r15) + _s17, _multiply(_s8, _s1, _r15) + _s17, _multiply(_s11, _s1, _r15) + _s17, _add(_s18, _s2, _r2) + _multiply(2.220446049250313e-16, _s0, _r0), _add(_s18, _s3, _r3) + _multiply(2.220446049250313e-16, _s8, _r7), _add(_s5, _multiply(2.220446049250313e-16, _s11, _r11), _r11) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), 0.0
 
 
-def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
+def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Bounds on the errors of a state and its time that decisions allow for.
 
     the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     Returns position_error, velocity_error, spin_error, time_error.
     """
-    _s0 = _absolute(dx)
-    _s1 = _absolute(dy)
-    _s2 = _where(_s0 < _s1, _s1, _s0)
-    _s3 = _absolute(dz)
-    _s4 = _absolute(dvx)
-    _s5 = _absolute(dvy)
-    _s6 = _where(_s4 < _s5, _s5, _s4)
-    _s7 = _absolute(dvz)
-    _s8 = _absolute(dwx)
-    _s9 = _absolute(dwy)
-    _s10 = _where(_s8 < _s9, _s9, _s8)
-    _s11 = _absolute(dwz)
-    return 16.0 * _where(_s2 < _s3, _s3, _s2), 16.0 * _where(_s6 < _s7, _s7, _s6), 16.0 * _where(_s10 < _s11, _s11, _s10), 16.0 * clock_error
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
+    _s0 = _absolute(dx, _r0)
+    _s1 = _absolute(dy, _r1)
+    _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
+    _s3 = _absolute(dz, _r3)
+    _s4 = _absolute(dvx, _r4)
+    _s5 = _absolute(dvy, _r5)
+    _s6 = _select(_s4 < _s5, _s5, _s4, _r6)
+    _s7 = _absolute(dvz, _r7)
+    _s8 = _absolute(dwx, _r8)
+    _s9 = _absolute(dwy, _r9)
+    _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
+    _s11 = _absolute(dwz, _r11)
+    return 16.0 * _select(_s2 < _s3, _s3, _s2, _r12), 16.0 * _select(_s6 < _s7, _s7, _s6, _r12), 16.0 * _select(_s10 < _s11, _s11, _s10, _r12), 16.0 * clock_error
 
 
-def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any) -> tuple[Any, ...]:
+def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Bounds on the errors of a state and its time that a shot claims.
 
     the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
     Returns position_error, velocity_error, spin_error, time_error.
     """
-    _s0 = _absolute(dx)
-    _s1 = _absolute(dy)
-    _s2 = _where(_s0 < _s1, _s1, _s0)
-    _s3 = _absolute(dz)
-    _s4 = _absolute(dvx)
-    _s5 = _absolute(dvy)
-    _s6 = _where(_s4 < _s5, _s5, _s4)
-    _s7 = _absolute(dvz)
-    _s8 = _absolute(dwx)
-    _s9 = _absolute(dwy)
-    _s10 = _where(_s8 < _s9, _s9, _s8)
-    _s11 = _absolute(dwz)
-    return 64.0 * _where(_s2 < _s3, _s3, _s2), 64.0 * _where(_s6 < _s7, _s7, _s6), 64.0 * _where(_s10 < _s11, _s11, _s10), 64.0 * clock_error
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
+    _s0 = _absolute(dx, _r0)
+    _s1 = _absolute(dy, _r1)
+    _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
+    _s3 = _absolute(dz, _r3)
+    _s4 = _absolute(dvx, _r4)
+    _s5 = _absolute(dvy, _r5)
+    _s6 = _select(_s4 < _s5, _s5, _s4, _r6)
+    _s7 = _absolute(dvz, _r7)
+    _s8 = _absolute(dwx, _r8)
+    _s9 = _absolute(dwy, _r9)
+    _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
+    _s11 = _absolute(dwz, _r11)
+    return 64.0 * _select(_s2 < _s3, _s3, _s2, _r12), 64.0 * _select(_s6 < _s7, _s7, _s6, _r12), 64.0 * _select(_s10 < _s11, _s11, _s10, _r12), 64.0 * clock_error
 
 
 def allowed(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_bridge_half_width: Any, p_restitution: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -564,52 +745,53 @@ def finite_parameters(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any
     return _logical_and(_logical_and(_logical_and(_s1, (_absolute(p_restitution) < _inf)), (_absolute(p_gravity) < _inf)), (_absolute(p_end_depth) < _inf)),
 
 
-def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_end_depth: Any) -> tuple[Any, ...]:
+def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_bridge_half_width: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """1 where no surface is overlapped; 1 where that is in doubt.
 
     Table 2. 111 operations: 18 additions, 17 subtractions, 11 multiplications, 1 square root, 3 negations, 18 absolute values, 20 comparisons, 23 selections.
     Returns valid, doubt.
     """
-    _s0 = _sqrt(((x * x) + (y * y)))
-    _s1 = _s0 - p_ring_radius
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, *_ = _room
+    _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
+    _s1 = _subtract(_s0, p_ring_radius, _r0)
     _s2 = p_ball_radius + p_wire_radius
-    _s3 = ((z * z) + (_s1 * _s1)) - (_s2 * _s2)
-    _s4 = _absolute(last) < 0.5
-    _s5 = _where(_s4, 1.0, _where((0.0 <= _s3), 1.0, 0.0))
+    _s3 = _subtract(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r0), _r0), _s2 * _s2, _r0)
+    _s4 = _absolute(last, _r2) < 0.5
+    _s5 = _select(_s4, 1.0, _select(0.0 <= _s3, 1.0, 0.0, _r2), _r3)
     _s6 = p_ball_radius - p_board_distance
-    _s7 = x - _s6
+    _s7 = _subtract(x, _s6, _r4)
     _s8 = 2.0 * p_ball_radius
-    _s9 = (_s6 - _s8) - x
-    _s10 = _where(_s7 < _s9, _s9, _s7)
-    _s11 = -(p_board_half_width + y)
-    _s12 = _where(_s10 < _s11, _s11, _s10)
-    _s13 = y - p_board_half_width
-    _s14 = _where(_s12 < _s13, _s13, _s12)
-    _s15 = p_board_bottom - z
-    _s16 = _where(_s14 < _s15, _s15, _s14)
-    _s17 = z - p_board_top
-    _s18 = _where(_s16 < _s17, _s17, _s16)
-    _s19 = _absolute((last - 1.0)) < 0.5
-    _s20 = _where(_s19, _s5, _where((0.0 <= _s18), _s5, 0.0))
-    _s21 = z - _s2
-    _s22 = ((_s2 - _s8) - (2.0 * p_wire_radius)) - z
-    _s23 = _where(_s21 < _s22, _s22, _s21)
-    _s24 = -(p_bridge_half_width + y)
-    _s25 = _where(_s23 < _s24, _s24, _s23)
-    _s26 = y - p_bridge_half_width
-    _s27 = _where(_s25 < _s26, _s26, _s25)
-    _s28 = p_ring_radius - _s0
-    _s29 = _where(_s27 < _s28, _s28, _s27)
-    _s30 = _where(_s29 < x, x, _s29)
-    _s31 = -(p_board_distance + x)
-    _s32 = _where(_s30 < _s31, _s31, _s30)
-    _s33 = _absolute((last - 2.0)) < 0.5
+    _s9 = _subtract(_s6 - _s8, x, _r5)
+    _s10 = _select(_s7 < _s9, _s9, _s7, _r6)
+    _s11 = _negative(_add(p_board_half_width, y, _r7), _r7)
+    _s12 = _select(_s10 < _s11, _s11, _s10, _r8)
+    _s13 = _subtract(y, p_board_half_width, _r9)
+    _s14 = _select(_s12 < _s13, _s13, _s12, _r10)
+    _s15 = _subtract(p_board_bottom, z, _r11)
+    _s16 = _select(_s14 < _s15, _s15, _s14, _r12)
+    _s17 = _subtract(z, p_board_top, _r13)
+    _s18 = _select(_s16 < _s17, _s17, _s16, _r14)
+    _s19 = _absolute(_subtract(last, 1.0, _r15), _r15) < 0.5
+    _s20 = _select(_s19, _s5, _select(0.0 <= _s18, _s5, 0.0, _r15), _r16)
+    _s21 = _subtract(z, _s2, _r17)
+    _s22 = _subtract((_s2 - _s8) - (2.0 * p_wire_radius), z, _r18)
+    _s23 = _select(_s21 < _s22, _s22, _s21, _r19)
+    _s24 = _negative(_add(p_bridge_half_width, y, _r20), _r20)
+    _s25 = _select(_s23 < _s24, _s24, _s23, _r21)
+    _s26 = _subtract(y, p_bridge_half_width, _r22)
+    _s27 = _select(_s25 < _s26, _s26, _s25, _r23)
+    _s28 = _subtract(p_ring_radius, _s0, _r1)
+    _s29 = _select(_s27 < _s28, _s28, _s27, _r24)
+    _s30 = _select(_s29 < x, x, _s29, _r25)
+    _s31 = _negative(_add(p_board_distance, x, _r26), _r26)
+    _s32 = _select(_s30 < _s31, _s31, _s30, _r27)
+    _s33 = _absolute(_subtract(last, 2.0, _r28), _r28) < 0.5
     _s34 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_top)) + _absolute(p_bridge_half_width)
-    _s35 = ((((_s34 + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)) + _absolute(x)) + _absolute(y)
-    _s36 = 1.7763568394002505e-15 * (_s35 + _absolute(z))
-    _s37 = _where(_s4, 0.0, _where((_absolute(_s3) <= (((4.0 * p_ball_radius) + (4.0 * p_wire_radius)) * _s36)), 1.0, 0.0))
-    _s38 = _where(_s19, _s37, _where((_absolute(_s18) <= _s36), 1.0, _s37))
-    return _where(_s33, _s20, _where((0.0 <= _s32), _s20, 0.0)), _where(_s33, _s38, _where((_absolute(_s32) <= _s36), 1.0, _s38))
+    _s35 = _add(_add(((_s34 + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius), _absolute(x, _r28), _r28), _absolute(y, _r29), _r29)
+    _s36 = _multiply(1.7763568394002505e-15, _add(_s35, _absolute(z, _r28), _r28), _r28)
+    _s37 = _select(_s4, 0.0, _select(_absolute(_s3, _r0) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s36, _r29), 1.0, 0.0, _r29), _r0)
+    _s38 = _select(_s19, _s37, _select(_absolute(_s18, _r14) <= _s36, 1.0, _s37, _r14), _r13)
+    return _result(_s33, _s20, _select(0.0 <= _s32, _s20, 0.0, _r12), _r0), _result(_s33, _s38, _select(_absolute(_s32, _r27) <= _s36, 1.0, _s38, _r27), _r0)
 
 
 def left(index: Any, last: Any) -> tuple[Any, ...]:
@@ -825,14 +1007,15 @@ def outside() -> tuple[Any, ...]:
     return 1.0,
 
 
-def finite_state(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
+def finite_state(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Where every number of a state is finite.
 
     Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions.
     Returns finite.
     """
-    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x) < _inf), (_absolute(y) < _inf)), (_absolute(z) < _inf)), (_absolute(vx) < _inf)), (_absolute(vy) < _inf))
-    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz) < _inf)), (_absolute(wx) < _inf)), (_absolute(wy) < _inf)), (_absolute(wz) < _inf))
+    _r0, *_ = _room
+    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) < _inf), (_absolute(y, _r0) < _inf)), (_absolute(z, _r0) < _inf)), (_absolute(vx, _r0) < _inf)), (_absolute(vy, _r0) < _inf))
+    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) < _inf)), (_absolute(wx, _r0) < _inf)), (_absolute(wy, _r0) < _inf)), (_absolute(wz, _r0) < _inf))
     return _s1,
 
 
@@ -1032,73 +1215,75 @@ def accounted(contacts: Any, most_contacts: Any, reached: Any, touches: Any) -> 
     return _where(touches, _s0, contacts), _where(touches, _where((most_contacts <= _s0), 2.0, -1.0), reached)
 
 
-def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, p_ball_radius: Any, p_restitution: Any) -> tuple[Any, ...]:
+def impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, p_ball_radius: Any, p_restitution: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Velocity and spin after a contact, frame-free.
 
     Eqs. 11-17, the frame eliminated. 63 operations: 10 additions, 12 subtractions, 40 multiplications, 1 division.
     Returns vx, vy, vz, wx, wy, wz.
     """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
     _s0 = 0.4 * p_ball_radius
-    _s1 = ((nx * vx) + (ny * vy)) + (nz * vz)
-    _s2 = (_s0 * ((nz * wy) - (ny * wz))) + (0.6 * (vx - (nx * _s1)))
-    _s3 = (_s0 * ((nx * wz) - (nz * wx))) + (0.6 * (vy - (ny * _s1)))
-    _s4 = (_s0 * ((ny * wx) - (nx * wy))) + (0.6 * (vz - (nz * _s1)))
-    _s5 = ((nx * wx) + (ny * wy)) + (nz * wz)
+    _s1 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
+    _s2 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r1), _multiply(ny, wz, _r2), _r2), _r2), _multiply(0.6, _subtract(vx, _multiply(nx, _s1, _r1), _r1), _r1), _r1)
+    _s3 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r2), _multiply(nz, wx, _r3), _r3), _r3), _multiply(0.6, _subtract(vy, _multiply(ny, _s1, _r2), _r2), _r2), _r2)
+    _s4 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r3), _multiply(nx, wy, _r4), _r4), _r4), _multiply(0.6, _subtract(vz, _multiply(nz, _s1, _r3), _r3), _r3), _r3)
+    _s5 = _add(_add(_multiply(nx, wx, _r4), _multiply(ny, wy, _r5), _r5), _multiply(nz, wz, _r4), _r4)
     _s6 = 1.0 / p_ball_radius
-    return _s2 - ((nx * p_restitution) * _s1), _s3 - ((ny * p_restitution) * _s1), _s4 - ((nz * p_restitution) * _s1), (nx * _s5) + (_s6 * ((ny * _s4) - (nz * _s3))), (ny * _s5) + (_s6 * ((nz * _s2) - (nx * _s4))), (nz * _s5) + (_s6 * ((nx * _s3) - (ny * _s2)))
+    return _s2 - _multiply(_multiply(nx, p_restitution, _r5), _s1, _r5), _s3 - _multiply(_multiply(ny, p_restitution, _r5), _s1, _r5), _s4 - _multiply(_multiply(nz, p_restitution, _r5), _s1, _r5), _multiply(nx, _s5, _r5) + _multiply(_s6, _subtract(_multiply(ny, _s4, _r0), _multiply(nz, _s3, _r6), _r6), _r6), _multiply(ny, _s5, _r6) + _multiply(_s6, _subtract(_multiply(nz, _s2, _r5), _multiply(nx, _s4, _r3), _r3), _r3), _multiply(nz, _s5, _r4) + _multiply(_s6, _subtract(_multiply(nx, _s3, _r2), _multiply(ny, _s2, _r1), _r1), _r1)
 
 
-def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, contacts: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, p_ball_radius: Any, p_restitution: Any) -> tuple[Any, ...]:
+def carry_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, contacts: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, p_ball_radius: Any, p_restitution: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Errors of velocity and spin after a contact, from those before it.
 
     derivative of the frame-free Eq. 17, with roundings. 243 operations: 46 additions, 30 subtractions, 97 multiplications, 4 divisions, 4 negations, 18 absolute values, 22 comparisons, 22 selections.
     Returns dvx, dvy, dvz, dwx, dwy, dwz.
     """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, *_ = _room
     _s0 = 0.4 * p_ball_radius
-    _s1 = ((nx * vx) + (ny * vy)) + (nz * vz)
-    _s2 = (((((dnx * vx) + (dny * vy)) + (dnz * vz)) + (dvx * nx)) + (dvy * ny)) + (dvz * nz)
-    _s3 = (_s0 * ((((dnz * wy) + (dwy * nz)) - (dny * wz)) - (dwz * ny))) + (0.6 * ((dvx - (dnx * _s1)) - (nx * _s2)))
-    _s4 = (_s3 - ((dnx * p_restitution) * _s1)) - ((nx * p_restitution) * _s2)
-    _s5 = ((p_ball_radius * ((_absolute(wx) + _absolute(wy)) + _absolute(wz))) + _absolute(vx)) + _absolute(vy)
-    _s6 = _s5 + _absolute(vz)
-    _s7 = 2.220446049250313e-16 * _s6
-    _s8 = -_s7
-    _s9 = _s4 + _where((_s4 < 0.0), _s8, _s7)
-    _s10 = 8.0 + (8.0 * contacts)
-    _s11 = _absolute(dwx)
-    _s12 = _absolute(dwy)
-    _s13 = _where(_s11 < _s12, _s12, _s11)
-    _s14 = _absolute(dwz)
-    _s15 = _absolute(dvx)
-    _s16 = _absolute(dvy)
-    _s17 = _where(_s15 < _s16, _s16, _s15)
-    _s18 = _absolute(dvz)
-    _s19 = ((p_ball_radius * _where(_s13 < _s14, _s14, _s13)) + (turn * _s6)) + _where(_s17 < _s18, _s18, _s17)
-    _s20 = _s19 / _s10
-    _s21 = -_s20
-    _s22 = (_s0 * ((((dnx * wz) + (dwz * nx)) - (dnz * wx)) - (dwx * nz))) + (0.6 * ((dvy - (dny * _s1)) - (ny * _s2)))
-    _s23 = (_s22 - ((dny * p_restitution) * _s1)) - ((ny * p_restitution) * _s2)
-    _s24 = _s23 + _where((_s23 < 0.0), _s8, _s7)
-    _s25 = (_s0 * ((((dny * wx) + (dwx * ny)) - (dnx * wy)) - (dwy * nx))) + (0.6 * ((dvz - (dnz * _s1)) - (nz * _s2)))
-    _s26 = (_s25 - ((dnz * p_restitution) * _s1)) - ((nz * p_restitution) * _s2)
-    _s27 = _s26 + _where((_s26 < 0.0), _s8, _s7)
-    _s28 = ((nx * wx) + (ny * wy)) + (nz * wz)
-    _s29 = (((((dnx * wx) + (dny * wy)) + (dnz * wz)) + (dwx * nx)) + (dwy * ny)) + (dwz * nz)
+    _s1 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
+    _s2 = _add(_add(_add(_add(_add(_multiply(dnx, vx, _r1), _multiply(dny, vy, _r2), _r2), _multiply(dnz, vz, _r1), _r1), _multiply(dvx, nx, _r2), _r2), _multiply(dvy, ny, _r1), _r1), _multiply(dvz, nz, _r2), _r2)
+    _s3 = _add(_multiply(_s0, _subtract(_subtract(_add(_multiply(dnz, wy, _r1), _multiply(dwy, nz, _r3), _r3), _multiply(dny, wz, _r1), _r1), _multiply(dwz, ny, _r3), _r3), _r3), _multiply(0.6, _subtract(_subtract(dvx, _multiply(dnx, _s1, _r1), _r1), _multiply(nx, _s2, _r4), _r4), _r4), _r4)
+    _s4 = _subtract(_subtract(_s3, _multiply(_multiply(dnx, p_restitution, _r3), _s1, _r3), _r3), _multiply(_multiply(nx, p_restitution, _r1), _s2, _r1), _r1)
+    _s5 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r3), _absolute(wy, _r5), _r5), _absolute(wz, _r3), _r3), _r3), _absolute(vx, _r5), _r5), _absolute(vy, _r3), _r3)
+    _s6 = _add(_s5, _absolute(vz, _r5), _r5)
+    _s7 = _multiply(2.220446049250313e-16, _s6, _r3)
+    _s8 = _negative(_s7, _r6)
+    _s9 = _add(_s4, _select(_s4 < 0.0, _s8, _s7, _r7), _r7)
+    _s10 = _add(8.0, _multiply(8.0, contacts, _r1), _r1)
+    _s11 = _absolute(dwx, _r8)
+    _s12 = _absolute(dwy, _r9)
+    _s13 = _select(_s11 < _s12, _s12, _s11, _r10)
+    _s14 = _absolute(dwz, _r11)
+    _s15 = _absolute(dvx, _r12)
+    _s16 = _absolute(dvy, _r13)
+    _s17 = _select(_s15 < _s16, _s16, _s15, _r14)
+    _s18 = _absolute(dvz, _r15)
+    _s19 = _add(_add(_multiply(p_ball_radius, _select(_s13 < _s14, _s14, _s13, _r16), _r16), _multiply(turn, _s6, _r5), _r5), _select(_s17 < _s18, _s18, _s17, _r16), _r16)
+    _s20 = _divide(_s19, _s10, _r15)
+    _s21 = _negative(_s20, _r14)
+    _s22 = _add(_multiply(_s0, _subtract(_subtract(_add(_multiply(dnx, wz, _r13), _multiply(dwz, nx, _r12), _r12), _multiply(dnz, wx, _r13), _r13), _multiply(dwx, nz, _r12), _r12), _r12), _multiply(0.6, _subtract(_subtract(dvy, _multiply(dny, _s1, _r13), _r13), _multiply(ny, _s2, _r5), _r5), _r5), _r5)
+    _s23 = _subtract(_subtract(_s22, _multiply(_multiply(dny, p_restitution, _r12), _s1, _r12), _r12), _multiply(_multiply(ny, p_restitution, _r13), _s2, _r13), _r13)
+    _s24 = _add(_s23, _select(_s23 < 0.0, _s8, _s7, _r12), _r12)
+    _s25 = _add(_multiply(_s0, _subtract(_subtract(_add(_multiply(dny, wx, _r13), _multiply(dwx, ny, _r11), _r11), _multiply(dnx, wy, _r13), _r13), _multiply(dwy, nx, _r11), _r11), _r11), _multiply(0.6, _subtract(_subtract(dvz, _multiply(dnz, _s1, _r13), _r13), _multiply(nz, _s2, _r10), _r10), _r10), _r10)
+    _s26 = _subtract(_subtract(_s25, _multiply(_multiply(dnz, p_restitution, _r11), _s1, _r11), _r11), _multiply(_multiply(nz, p_restitution, _r13), _s2, _r13), _r13)
+    _s27 = _add(_s26, _select(_s26 < 0.0, _s8, _s7, _r11), _r11)
+    _s28 = _add(_add(_multiply(nx, wx, _r13), _multiply(ny, wy, _r6), _r6), _multiply(nz, wz, _r13), _r13)
+    _s29 = _add(_add(_add(_add(_add(_multiply(dnx, wx, _r6), _multiply(dny, wy, _r2), _r2), _multiply(dnz, wz, _r6), _r6), _multiply(dwx, nx, _r2), _r2), _multiply(dwy, ny, _r6), _r6), _multiply(dwz, nz, _r2), _r2)
     _s30 = 1.0 / p_ball_radius
-    _s31 = (_s0 * ((ny * wx) - (nx * wy))) + (0.6 * (vz - (nz * _s1)))
-    _s32 = (_s0 * ((nx * wz) - (nz * wx))) + (0.6 * (vy - (ny * _s1)))
-    _s33 = ((dnx * _s28) + (nx * _s29)) + (_s30 * ((((dny * _s31) + (ny * _s25)) - (dnz * _s32)) - (nz * _s22)))
-    _s34 = _s7 / p_ball_radius
-    _s35 = -_s34
-    _s36 = _s33 + _where((_s33 < 0.0), _s35, _s34)
-    _s37 = _s19 / (p_ball_radius * _s10)
-    _s38 = -_s37
-    _s39 = (_s0 * ((nz * wy) - (ny * wz))) + (0.6 * (vx - (nx * _s1)))
-    _s40 = ((dny * _s28) + (ny * _s29)) + (_s30 * ((((dnz * _s39) + (nz * _s3)) - (dnx * _s31)) - (nx * _s25)))
-    _s41 = _s40 + _where((_s40 < 0.0), _s35, _s34)
-    _s42 = ((dnz * _s28) + (nz * _s29)) + (_s30 * ((((dnx * _s32) + (nx * _s22)) - (dny * _s39)) - (ny * _s3)))
-    _s43 = _s42 + _where((_s42 < 0.0), _s35, _s34)
-    return _where((_absolute(_s9) < _s20), _where((_s9 < 0.0), _s21, _s20), _s9), _where((_absolute(_s24) < _s20), _where((_s24 < 0.0), _s21, _s20), _s24), _where((_absolute(_s27) < _s20), _where((_s27 < 0.0), _s21, _s20), _s27), _where((_absolute(_s36) < _s37), _where((_s36 < 0.0), _s38, _s37), _s36), _where((_absolute(_s41) < _s37), _where((_s41 < 0.0), _s38, _s37), _s41), _where((_absolute(_s43) < _s37), _where((_s43 < 0.0), _s38, _s37), _s43)
+    _s31 = _add(_multiply(_s0, _subtract(_multiply(ny, wx, _r6), _multiply(nx, wy, _r9), _r9), _r9), _multiply(0.6, _subtract(vz, _multiply(nz, _s1, _r6), _r6), _r6), _r6)
+    _s32 = _add(_multiply(_s0, _subtract(_multiply(nx, wz, _r9), _multiply(nz, wx, _r8), _r8), _r8), _multiply(0.6, _subtract(vy, _multiply(ny, _s1, _r9), _r9), _r9), _r9)
+    _s33 = _add(_add(_multiply(dnx, _s28, _r8), _multiply(nx, _s29, _r17), _r17), _multiply(_s30, _subtract(_subtract(_add(_multiply(dny, _s31, _r8), _multiply(ny, _s25, _r18), _r18), _multiply(dnz, _s32, _r8), _r8), _multiply(nz, _s22, _r18), _r18), _r18), _r18)
+    _s34 = _divide(_s7, p_ball_radius, _r3)
+    _s35 = _negative(_s34, _r17)
+    _s36 = _add(_s33, _select(_s33 < 0.0, _s35, _s34, _r8), _r8)
+    _s37 = _divide(_s19, _multiply(p_ball_radius, _s10, _r1), _r1)
+    _s38 = _negative(_s37, _r16)
+    _s39 = _add(_multiply(_s0, _subtract(_multiply(nz, wy, _r18), _multiply(ny, wz, _r19), _r19), _r19), _multiply(0.6, _subtract(vx, _multiply(nx, _s1, _r0), _r0), _r0), _r0)
+    _s40 = _add(_add(_multiply(dny, _s28, _r19), _multiply(ny, _s29, _r18), _r18), _multiply(_s30, _subtract(_subtract(_add(_multiply(dnz, _s39, _r19), _multiply(nz, _s3, _r20), _r20), _multiply(dnx, _s31, _r6), _r6), _multiply(nx, _s25, _r10), _r10), _r10), _r10)
+    _s41 = _add(_s40, _select(_s40 < 0.0, _s35, _s34, _r18), _r18)
+    _s42 = _add(_add(_multiply(dnz, _s28, _r13), _multiply(nz, _s29, _r2), _r2), _multiply(_s30, _subtract(_subtract(_add(_multiply(dnx, _s32, _r9), _multiply(nx, _s22, _r5), _r5), _multiply(dny, _s39, _r0), _r0), _multiply(ny, _s3, _r4), _r4), _r4), _r4)
+    _s43 = _add(_s42, _select(_s42 < 0.0, _s35, _s34, _r2), _r2)
+    return _result(_absolute(_s9, _r4) < _s20, _select(_s9 < 0.0, _s21, _s20, _r4), _s9, _r0), _result(_absolute(_s24, _r4) < _s20, _select(_s24 < 0.0, _s21, _s20, _r4), _s24, _r0), _result(_absolute(_s27, _r4) < _s20, _select(_s27 < 0.0, _s21, _s20, _r4), _s27, _r0), _result(_absolute(_s36, _r4) < _s37, _select(_s36 < 0.0, _s38, _s37, _r4), _s36, _r0), _result(_absolute(_s41, _r4) < _s37, _select(_s41 < 0.0, _s38, _s37, _r4), _s41, _r0), _result(_absolute(_s43, _r4) < _s37, _select(_s43 < 0.0, _s38, _s37, _r4), _s43, _r0)
 
 
 def ring_coefficients(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -1147,15 +1332,16 @@ def ring_deflated(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radi
     return (_s5 * _s4) - (_s6 * _s0), (((2.0 * _s9) * _s4) + (_s1 * _s1)) - (_s6 * _s7), (_s5 * _s9) - (_s10 * _s4), ((_s12 * _s4) + (_s9 * _s9)) - (_s10 * _s1), (_s12 * _s1) - (_s10 * _s9), (_s11 * _s8) + (_s12 * _s9), -((0.5 * (p_gravity * _s11)) * vz), 0.0625 * (_s11 * _s11)
 
 
-def ring_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def ring_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Outward unit normal n3 at a contact.
 
     Table 2. 13 operations: 2 additions, 1 subtraction, 7 multiplications, 2 divisions, 1 square root.
     Returns nx, ny, nz.
     """
+    _r0, _r1, *_ = _room
     _s0 = 1.0 / (p_ball_radius + p_wire_radius)
-    _s1 = _sqrt(((x * x) + (y * y)))
-    _s2 = (_s0 * (_s1 - p_ring_radius)) * (1.0 / _s1)
+    _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
+    _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(1.0, _s1, _r1), _r0)
     return x * _s2, y * _s2, z * _s0
 
 
@@ -1170,236 +1356,242 @@ def ring_curvature(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -
     return 1.0 / _where(_s0 < _s1, _s0, _s1),
 
 
-def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Error of the normal, from that of the position.
 
     derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection.
     Returns dnx, dny, dnz, turn.
     """
+    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
     _s0 = p_ball_radius + p_wire_radius
     _s1 = 1.0 / _s0
-    _s2 = _sqrt(((x * x) + (y * y)))
-    _s3 = _s2 - p_ring_radius
-    _s4 = 1.0 / _s2
-    _s5 = (_s1 * _s3) * _s4
-    _s6 = (0.5 * (((2.0 * dx) * x) + ((2.0 * dy) * y))) / _s2
-    _s7 = ((_s6 * _s1) * _s4) + (((-(_s6 * (_s4 * _s4))) * _s1) * _s3)
+    _s2 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
+    _s3 = _subtract(_s2, p_ring_radius, _r0)
+    _s4 = _divide(1.0, _s2, _r2)
+    _s5 = _multiply(_multiply(_s1, _s3, _r3), _s4, _r3)
+    _s6 = _divide(_multiply(0.5, _add(_multiply(_multiply(2.0, dx, _r4), x, _r4), _multiply(_multiply(2.0, dy, _r5), y, _r5), _r5), _r5), _s2, _r5)
+    _s7 = _add(_multiply(_multiply(_s6, _s1, _r1), _s4, _r1), _multiply(_multiply(_negative(_multiply(_s6, _multiply(_s4, _s4, _r2), _r2), _r2), _s1, _r2), _s3, _r2), _r2)
     _s8 = (p_ring_radius - p_ball_radius) - p_wire_radius
-    return (dx * _s5) + (x * _s7), (dy * _s5) + (y * _s7), dz * _s1, shift * (1.0 / _where(_s8 < _s0, _s8, _s0))
+    return _multiply(dx, _s5, _r1) + _multiply(x, _s7, _r0), _multiply(dy, _s5, _r3) + _multiply(y, _s7, _r2), dz * _s1, shift * (1.0 / _where(_s8 < _s0, _s8, _s0))
 
 
-def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Positive if there certainly is no contact before the horizon.
 
     bounds of the event condition. 146 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 15 comparisons, 15 selections.
     Returns clear.
     """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, *_ = _room
     _s0 = p_ball_radius + p_wire_radius
     _s1 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s0)
-    _s2 = position_error + (horizon * velocity_error)
-    _s3 = (_s2 - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)
+    _s2 = _add(position_error, _multiply(horizon, velocity_error, _r0), _r0)
+    _s3 = _subtract(_subtract(_s2, 1.52587890625e-05 * p_ball_radius, _r1), 1.52587890625e-05 * p_wire_radius, _r1)
     _s4 = 1.00006103515625 * _s0
     _s5 = p_ring_radius + _s4
-    _s6 = vz * vz
-    _s7 = _s6 + ((2.0 * p_gravity) * (z - _s4))
+    _s6 = _multiply(vz, vz, _r2)
+    _s7 = _add(_s6, _multiply(2.0 * p_gravity, _subtract(z, _s4, _r3), _r3), _r3)
     _s8 = 1.0 / p_gravity
-    _s9 = _sqrt(_s7)
-    _s10 = _s8 * (vz - _s9)
-    _s11 = _s8 * (vz + _s9)
-    _s12 = x + (vx * _s11)
-    _s13 = y + (vy * _s11)
-    _s14 = (_s12 * _s12) + (_s13 * _s13)
-    _s15 = _sqrt(_s14)
-    _s16 = _s15 - p_ring_radius
-    _s17 = z + ((vz - ((0.5 * p_gravity) * _s11)) * _s11)
+    _s9 = _sqrt(_s7, _r4)
+    _s10 = _multiply(_s8, _subtract(vz, _s9, _r5), _r5)
+    _s11 = _multiply(_s8, _add(vz, _s9, _r4), _r4)
+    _s12 = _add(x, _multiply(vx, _s11, _r6), _r6)
+    _s13 = _add(y, _multiply(vy, _s11, _r7), _r7)
+    _s14 = _add(_multiply(_s12, _s12, _r8), _multiply(_s13, _s13, _r9), _r9)
+    _s15 = _sqrt(_s14, _r8)
+    _s16 = _subtract(_s15, p_ring_radius, _r10)
+    _s17 = _add(z, _multiply(_subtract(vz, _multiply(0.5 * p_gravity, _s11, _r11), _r11), _s11, _r11), _r11)
     _s18 = _s5 * _s5
     _s19 = 9.313225746154785e-10 * _s18
-    _s20 = (((_s16 * _s16) + (_s17 * _s17)) - (_s0 * _s0)) - _s19
-    _s21 = (vx * vx) + (vy * vy)
+    _s20 = _subtract(_subtract(_add(_multiply(_s16, _s16, _r12), _multiply(_s17, _s17, _r13), _r13), _s0 * _s0, _r13), _s19, _r13)
+    _s21 = _add(_multiply(vx, vx, _r12), _multiply(vy, vy, _r14), _r14)
     _s22 = p_ring_radius - _s4
     _s23 = 0.0001220703125 * p_ring_radius
     _s24 = _where(_s22 < _s23, _s23, _s22)
     _s25 = _s24 * _s24
     _s26 = _s24 * _s25
-    _s27 = ((((2.0 * _s6) + ((4.0 * p_gravity) * z)) + (2.0 * _s21)) - ((6.0003662109375 * p_gravity) * _s0)) * _s26
-    _s28 = (vy * x) - (vx * y)
-    _s29 = _s28 * _s28
-    _s30 = _s27 - ((2.0 * p_ring_radius) * _s29)
-    _s31 = (_s16 * ((vx * _s12) + (vy * _s13))) + ((_s17 * (vz - (p_gravity * _s11))) * _s15)
-    _s32 = x + (horizon * vx)
-    _s33 = y + (horizon * vy)
-    _s34 = _where(((((_s19 + (_s32 * _s32)) + (_s33 * _s33)) - _s25) < 0.0), 1.0, _where((((_s21 * (_s19 + _s25)) - _s29) < 0.0), 1.0, 0.0))
-    _s35 = _where(((((4.0 * (_s31 * _s31)) * _s26) - (((2.0 * _s30) * _s14) * _s20)) < 0.0), _s34, 0.0)
-    _s36 = _where((horizon < (_s11 - (9.313225746154785e-10 * horizon))), 1.0, _where((0.0 < _s20), _where((0.0 < _s30), _s35, 0.0), 0.0))
-    _s37 = (vx * x) + (vy * y)
-    _s38 = (_s10 * _s21) + _s37
-    _s39 = _where((_s38 < 0.0), _where((_s18 < ((_s10 * (_s37 + _s38)) + ((x * x) + (y * y)))), _s36, 0.0), 0.0)
-    _s40 = _where(((extent + (horizon * (speed + (p_gravity * horizon)))) < (65536.0 * _s5)), _where((0.0 < _s7), _where((_s10 < 0.0), _s36, _s39), 0.0), 0.0)
-    return _where((0.0 < _where(_s1 < _s3, _s3, _s1)), 0.0, _where((_s2 < (5.820766091346741e-11 * _s5)), _s40, 0.0)),
+    _s27 = _multiply(_subtract(_add(_add(_multiply(2.0, _s6, _r2), _multiply(4.0 * p_gravity, z, _r12), _r12), _multiply(2.0, _s21, _r2), _r2), (6.0003662109375 * p_gravity) * _s0, _r2), _s26, _r2)
+    _s28 = _subtract(_multiply(vy, x, _r12), _multiply(vx, y, _r15), _r15)
+    _s29 = _multiply(_s28, _s28, _r15)
+    _s30 = _subtract(_s27, _multiply(2.0 * p_ring_radius, _s29, _r12), _r12)
+    _s31 = _add(_multiply(_s16, _add(_multiply(vx, _s12, _r6), _multiply(vy, _s13, _r7), _r7), _r7), _multiply(_multiply(_s17, _subtract(vz, _multiply(p_gravity, _s11, _r10), _r10), _r10), _s15, _r10), _r10)
+    _s32 = _add(x, _multiply(horizon, vx, _r7), _r7)
+    _s33 = _add(y, _multiply(horizon, vy, _r8), _r8)
+    _s34 = _select(_subtract(_add(_add(_s19, _multiply(_s32, _s32, _r7), _r7), _multiply(_s33, _s33, _r8), _r8), _s25, _r8) < 0.0, 1.0, _select(_subtract(_multiply(_s21, _s19 + _s25, _r8), _s29, _r8) < 0.0, 1.0, 0.0, _r8), _r15)
+    _s35 = _select(_subtract(_multiply(_multiply(4.0, _multiply(_s31, _s31, _r10), _r10), _s26, _r10), _multiply(_multiply(_multiply(2.0, _s30, _r7), _s14, _r7), _s20, _r7), _r7) < 0.0, _s34, 0.0, _r7)
+    _s36 = _select(horizon < _subtract(_s11, _multiply(9.313225746154785e-10, horizon, _r10), _r10), 1.0, _select(0.0 < _s20, _select(0.0 < _s30, _s35, 0.0, _r12), 0.0, _r13), _r10)
+    _s37 = _add(_multiply(vx, x, _r4), _multiply(vy, y, _r9), _r9)
+    _s38 = _add(_multiply(_s10, _s21, _r14), _s37, _r14)
+    _s39 = _select(_s38 < 0.0, _select(_s18 < _add(_multiply(_s10, _add(_s37, _s38, _r14), _r14), _add(_multiply(x, x, _r9), _multiply(y, y, _r4), _r4), _r4), _s36, 0.0, _r4), 0.0, _r14)
+    _s40 = _select(_add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r9), _r9), _r9), _r9) < (65536.0 * _s5), _select(0.0 < _s7, _select(_s10 < 0.0, _s36, _s39, _r5), 0.0, _r3), 0.0, _r9)
+    return _result(0.0 < _select(_s1 < _s3, _s3, _s1, _r11), 0.0, _select(_s2 < (5.820766091346741e-11 * _s5), _s40, 0.0, _r0), _r0),
 
 
-def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Constants and windows of the search along a flight, and the errors it allows for.
 
     bounds of the event condition. 177 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections.
     Returns steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, lost.
     """
-    _s0 = vz * vz
-    _s1 = (vx * vx) + (vy * vy)
-    _s2 = ((2.0 * _s0) + ((4.0 * p_gravity) * z)) + (2.0 * _s1)
-    _s3 = (vy * x) - (vx * y)
-    _s4 = _s3 * _s3
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, *_ = _room
+    _s0 = _multiply(vz, vz, _r0)
+    _s1 = _add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2)
+    _s2 = _add(_multiply(2.0, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(2.0, _s1, _r1)
+    _s3 = _subtract(_multiply(vy, x, _r1), _multiply(vx, y, _r3), _r3)
+    _s4 = _multiply(_s3, _s3, _r1)
     _s5 = (2.0 * p_ring_radius) * _s4
-    _s6 = (x * x) + (y * y)
+    _s6 = _add(_multiply(x, x, _r4), _multiply(y, y, _r5), _r5)
     _s7 = p_ball_radius + p_wire_radius
     _s8 = 1.00006103515625 * _s7
     _s9 = 2.0 * p_gravity
-    _s10 = 8.881784197001252e-16 * (_s0 + (_s9 * (_absolute(z) + _s8)))
-    _s11 = (_s0 + (_s9 * (z + _s8))) + _s10
+    _s10 = _multiply(8.881784197001252e-16, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
+    _s11 = _add(_add(_s0, _multiply(_s9, _add(z, _s8, _r6), _r6), _r6), _s10, _r6)
     _s12 = 1.0 / p_gravity
-    _s13 = _sqrt(_s11)
-    _s14 = 1.7763568394002505e-15 * (_absolute(vz) + _s13)
+    _s13 = _sqrt(_s11, _r7)
+    _s14 = _multiply(1.7763568394002505e-15, _add(_absolute(vz, _r8), _s13, _r8), _r8)
     _s15 = 0.0 <= _s11
-    _s16 = _where(_s15, (_s12 * ((vz - _s13) - _s14)), _inf)
+    _s16 = _select(_s15, _multiply(_s12, _subtract(_subtract(vz, _s13, _r6), _s14, _r6), _r6), _inf, _r9)
     _s17 = p_ring_radius + _s8
     _s18 = _s17 * _s17
-    _s19 = (1.7763568394002505e-15 * _s1) * (_s18 + _s6)
-    _s20 = ((_s18 * _s1) + _s19) - _s4
-    _s21 = (vx * x) + (vy * y)
-    _s22 = _sqrt(_s20)
-    _s23 = 1.7763568394002505e-15 * ((_absolute(_s21) + _absolute(_s3)) + _s22)
-    _s24 = 1.0 / _s1
+    _s19 = _multiply(_multiply(1.7763568394002505e-15, _s1, _r10), _add(_s18, _s6, _r11), _r10)
+    _s20 = _subtract(_add(_multiply(_s18, _s1, _r11), _s19, _r11), _s4, _r11)
+    _s21 = _add(_multiply(vx, x, _r12), _multiply(vy, y, _r13), _r13)
+    _s22 = _sqrt(_s20, _r12)
+    _s23 = _multiply(1.7763568394002505e-15, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
+    _s24 = _divide(1.0, _s1, _r14)
     _s25 = 0.0 <= _s20
     _s26 = 2.409919865102884e-181 < _s1
-    _s27 = _where(_s26, _where(_s25, ((-((_s21 + _s22) + _s23)) * _s24), _inf), (-_inf))
-    _s28 = _where(_s16 < _s27, _s27, _s16)
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _inf, _r15), -_inf, _r16)
+    _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
     _s29 = p_ring_radius - _s8
     _s30 = 0.0001220703125 * p_ring_radius
     _s31 = _where(_s29 < _s30, _s30, _s29)
-    _s32 = ((_s1 * (_s31 * _s31)) - _s19) - _s4
-    _s33 = _sqrt(_where(_s32 < 0.0, 0.0, _s32))
-    _s34 = _where(_s26, _where(_s25, (((_s22 + _s23) - _s21) * _s24), (-_inf)), _inf)
-    _s35 = 0.0 < _where(_s26, _s32, 0.0)
-    _s36 = _where(_s35, (((_s23 - _s21) - _s33) * _s24), _s34)
-    _s37 = (_s0 + (_s9 * (z - _s8))) - _s10
-    _s38 = _sqrt(_where(_s37 < 0.0, 0.0, _s37))
-    _s39 = _where(_s15, (_s12 * ((vz + _s13) + _s14)), (-_inf))
+    _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
+    _s33 = _sqrt(_select(_s32 < 0.0, 0.0, _s32, _r1), _r1)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), -_inf, _r10), _inf, _r18)
+    _s35 = 0.0 < _select(_s26, _s32, 0.0, _r19)
+    _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
+    _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
+    _s38 = _sqrt(_select(_s37 < 0.0, 0.0, _s37, _r4), _r4)
+    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), -_inf, _r0)
     _s40 = 0.0 < _s37
-    _s41 = _where(_s40, (_s12 * ((vz + _s14) - _s38)), _s39)
-    _s42 = _where(_s36 < _s41, _s36, _s41)
-    _s43 = _where(_s35, (((_s33 - _s21) - _s23) * _s24), _inf)
-    _s44 = _where(_s43 < _s36, _s36, _s43)
-    _s45 = _where(_s16 < _s44, _s44, _s16)
-    _s46 = _where(_s34 < _s41, _s34, _s41)
-    _s47 = _where(_s40, (_s12 * ((vz + _s38) - _s14)), _inf)
-    _s48 = _where(_s47 < _s41, _s41, _s47)
+    _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
+    _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
+    _s43 = _select(_s35, _multiply(_subtract(_subtract(_s33, _s21, _r1), _s23, _r1), _s24, _r1), _inf, _r14)
+    _s44 = _select(_s43 < _s36, _s36, _s43, _r3)
+    _s45 = _select(_s16 < _s44, _s44, _s16, _r13)
+    _s46 = _select(_s34 < _s41, _s34, _s41, _r23)
+    _s47 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s38, _r4), _s14, _r4), _r4), _inf, _r8)
+    _s48 = _select(_s47 < _s41, _s41, _s47, _r24)
     _s49 = _s45 <= _s46
-    _s50 = _where(_s49, _s45, _where(_s48 < _s27, _s27, _s48))
-    _s51 = _where(_s49, _s46, _where(_s36 < _s39, _s36, _s39))
-    _s52 = _where(_s48 < _s44, _s44, _s48)
-    _s53 = _where(_s34 < _s39, _s34, _s39)
+    _s50 = _select(_s49, _s45, _select(_s48 < _s27, _s27, _s48, _r25), _r26)
+    _s51 = _select(_s49, _s46, _select(_s36 < _s39, _s36, _s39, _r27), _r28)
+    _s52 = _select(_s48 < _s44, _s44, _s48, _r29)
+    _s53 = _select(_s34 < _s39, _s34, _s39, _r30)
     _s54 = 1.0 / _s31
-    _s55 = _where(0.0 < _s42, _s42, 0.0)
-    _s56 = _where(_s55 < _s51, _s51, _s55)
-    _s57 = _where(_s56 < _s53, _s53, _s56)
+    _s55 = _select(0.0 < _s42, _s42, 0.0, _r31)
+    _s56 = _select(_s55 < _s51, _s51, _s55, _r32)
+    _s57 = _select(_s56 < _s53, _s53, _s56, _r33)
     _s58 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)
-    _s59 = ((position_error + (horizon * velocity_error)) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)
-    return _s2, _s5, _sqrt(_s6), _where(0.0 < _s28, _s28, 0.0), _where(_s42 < horizon, _s42, horizon), _where(0.0 < _s50, _s50, 0.0), _where(_s51 < horizon, _s51, horizon), _where(0.0 < _s52, _s52, 0.0), _where(_s53 < horizon, _s53, horizon), (((6.0003662109375 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + _absolute(_s2), _where(_s57 < horizon, _s57, horizon), _where(_s58 < _s59, _s59, _s58)
+    _s59 = _subtract(_subtract(_add(position_error, _multiply(horizon, velocity_error, _r34), _r34), 1.52587890625e-05 * p_ball_radius, _r34), 1.52587890625e-05 * p_wire_radius, _r34)
+    return _s2, _s5, _sqrt(_s6), _result(0.0 < _s28, _s28, 0.0, _r0), _result(_s42 < horizon, _s42, horizon, _r0), _result(0.0 < _s50, _s50, 0.0, _r0), _result(_s51 < horizon, _s51, horizon, _r0), _result(0.0 < _s52, _s52, 0.0, _r0), _result(_s53 < horizon, _s53, horizon, _r0), _add((6.0003662109375 * p_gravity) * _s7, _multiply(_s5, _s54 * (_s54 * _s54), _r29), _r29) + _absolute(_s2, _r24), _result(_s57 < horizon, _s57, horizon, _r0), _result(_s58 < _s59, _s59, _s58, _r0)
 
 
-def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
 
     running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections.
     Returns margin, leaving_margin, rate_margin.
     """
+    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
     _s0 = p_ball_radius + p_wire_radius
-    _s1 = speed + (p_gravity * horizon)
+    _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
     _s2 = 1.00006103515625 * _s0
-    _s3 = _s2 * _s1
+    _s3 = _multiply(_s2, _s1, _r1)
     _s4 = p_ring_radius + _s2
-    _s5 = extent + (horizon * _s1)
-    _s6 = (position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s5)
+    _s5 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
+    _s6 = _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(4.440892098500626e-16, _s5, _r4), _r4)
     _s7 = p_ring_radius - _s2
     _s8 = 0.0001220703125 * p_ring_radius
     _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
     _s10 = _where(1.0 < _s9, _s9, 1.0)
-    _s11 = 5.0 * (((_s1 * _s10) * _s6) + (_s2 * (velocity_error + (2.220446049250313e-16 * _s1))))
-    _s12 = 1.0009765625 * ((((3.552713678800501e-15 * _s1) * ((_s5 * _s10) + _s4)) + (4.440892098500626e-16 * _s3)) + _s11)
-    return 1.0009765625 * ((((4.440892098500626e-16 * horizon) * _s3) + ((1.3323489447131243e-15 * _s0) * _s4)) + ((5.00030517578125 * _s0) * _s6)), _s12, 1.0009765625 * ((3.552713678800501e-15 * (_s4 * _s1)) + _s11)
+    _s11 = _multiply(5.0, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(2.220446049250313e-16, _s1, _r5), _r5), _r5), _r5), _r5)
+    _s12 = 1.0009765625 * _add(_add(_multiply(_multiply(3.552713678800501e-15, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(4.440892098500626e-16, _s3, _r2), _r2), _s11, _r2)
+    return 1.0009765625 * _add(_add(_multiply(_multiply(4.440892098500626e-16, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, 1.0009765625 * _add(_multiply(3.552713678800501e-15, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
 
 
-def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Newton's next value of a root near t, and the rate there.
 
     Newton's method. 56 operations: 15 additions, 6 subtractions, 30 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection.
     Returns time, rate.
     """
-    _s0 = x + (t * vx)
-    _s1 = y + (t * vy)
-    _s2 = _sqrt(((_s0 * _s0) + (_s1 * _s1)))
-    _s3 = rho_start + _s2
-    _s4 = 1.0 / (_s3 * _s2)
-    _s5 = _s2 - p_ring_radius
-    _s6 = vz - ((0.5 * p_gravity) * t)
-    _s7 = z + (t * _s6)
-    _s8 = 2.0 * ((((_s3 * _s4) * ((vx * _s0) + (vy * _s1))) * _s5) + ((vz - (p_gravity * t)) * _s7))
-    _s9 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s5)) * (_s2 * _s4)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _s0 = _add(x, _multiply(t, vx, _r0), _r0)
+    _s1 = _add(y, _multiply(t, vy, _r1), _r1)
+    _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
+    _s3 = _add(rho_start, _s2, _r2)
+    _s4 = _divide(1.0, _multiply(_s3, _s2, _r4), _r4)
+    _s5 = _subtract(_s2, p_ring_radius, _r5)
+    _s6 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r6), _r6)
+    _s7 = _add(z, _multiply(t, _s6, _r7), _r7)
+    _s8 = 2.0 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_subtract(vz, _multiply(p_gravity, t, _r2), _r2), _s7, _r2), _r2)
+    _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(2.0, _add(_multiply(vx, x, _r2), _multiply(vy, y, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
     _s10 = p_ball_radius + p_wire_radius
-    _s11 = _where((0.0 < leaving), (t * (_s9 + ((z + _s7) * _s6))), (((_s5 * _s5) + (_s7 * _s7)) - (_s10 * _s10))) / _s8
+    _s11 = _divide(_select(0.0 < leaving, _multiply(t, _add(_s9, _multiply(_add(z, _s7, _r1), _s6, _r1), _r1), _r1), _subtract(_add(_multiply(_s5, _s5, _r5), _multiply(_s7, _s7, _r7), _r7), _s10 * _s10, _r7), _r5), _s8, _r5)
     return t - _s11, _s8
 
 
-def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
 
     Newton from the left under a curvature bound. 146 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections.
     Returns gap, rate, bend, step, next, root, clearance.
     """
-    _s0 = x + (t * vx)
-    _s1 = y + (t * vy)
-    _s2 = _sqrt(((_s0 * _s0) + (_s1 * _s1)))
-    _s3 = _s2 - p_ring_radius
-    _s4 = rho_start + _s2
-    _s5 = 1.0 / (_s4 * _s2)
-    _s6 = (((t * ((vx * vx) + (vy * vy))) + (2.0 * ((vx * x) + (vy * y)))) * ((rho_start - p_ring_radius) + _s3)) * (_s2 * _s5)
-    _s7 = vz - ((0.5 * p_gravity) * t)
-    _s8 = z + (t * _s7)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, *_ = _room
+    _s0 = _add(x, _multiply(t, vx, _r0), _r0)
+    _s1 = _add(y, _multiply(t, vy, _r1), _r1)
+    _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
+    _s3 = _subtract(_s2, p_ring_radius, _r2)
+    _s4 = _add(rho_start, _s2, _r4)
+    _s5 = _divide(1.0, _multiply(_s4, _s2, _r5), _r5)
+    _s6 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7), _r7), _multiply(2.0, _add(_multiply(vx, x, _r6), _multiply(vy, y, _r8), _r8), _r8), _r8), _add(_subtract(rho_start, p_ring_radius, _r7), _s3, _r7), _r7), _multiply(_s2, _s5, _r8), _r8)
+    _s7 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r7), _r7)
+    _s8 = _add(z, _multiply(t, _s7, _r6), _r6)
     _s9 = p_ball_radius + p_wire_radius
-    _s10 = _where((0.0 < leaving), (t * (_s6 + ((z + _s8) * _s7))), (((_s3 * _s3) + (_s8 * _s8)) - (_s9 * _s9)))
-    _s11 = _s4 * _s5
-    _s12 = _s11 * ((vx * _s0) + (vy * _s1))
-    _s13 = vz - (p_gravity * t)
-    _s14 = (_s12 * _s3) + (_s13 * _s8)
+    _s10 = _result(0.0 < leaving, _multiply(t, _add(_s6, _multiply(_add(z, _s8, _r9), _s7, _r9), _r9), _r9), _subtract(_add(_multiply(_s3, _s3, _r8), _multiply(_s8, _s8, _r7), _r7), _s9 * _s9, _r7), _r0)
+    _s11 = _multiply(_s4, _s5, _r5)
+    _s12 = _multiply(_s11, _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1)
+    _s13 = _subtract(vz, _multiply(p_gravity, t, _r0), _r0)
+    _s14 = _add(_multiply(_s12, _s3, _r2), _multiply(_s13, _s8, _r4), _r4)
     _s15 = 2.0 * _s14
     _s16 = 6.0 * p_gravity
-    _s17 = _s16 * _s8
-    _s18 = swing * (_s11 * (_s11 * _s11))
+    _s17 = _multiply(_s16, _s8, _r2)
+    _s18 = _multiply(swing, _multiply(_s11, _multiply(_s11, _s11, _r8), _r8), _r8)
     _s19 = 1.00006103515625 * _s9
-    _s20 = _s15 - rate_margin
-    _s21 = _s10 - margin
-    _s22 = _where(_s21 < 0.0, 0.0, _s21)
-    _s23 = (_s17 + _s18) - steady
+    _s20 = _subtract(_s15, rate_margin, _r5)
+    _s21 = _subtract(_s10, margin, _r10)
+    _s22 = _select(_s21 < 0.0, 0.0, _s21, _r11)
+    _s23 = _subtract(_add(_s17, _s18, _r12), steady, _r12)
     _s24 = _s20 < 0.0
-    _s25 = 2.0 * _s22
-    _s26 = _where((0.0 < _where((0.0 <= _s20), _s22, 0.0)), _inf, (_where(_s24, _s25, (4.0 * _s20)) / _where(_s24, (-_s20), _where(0.0 < _s23, _s23, 0.0))))
-    _s27 = end - t
-    _s28 = _where(_s26 < _s27, _s26, _s27)
-    _s29 = (_s28 * _where(_s13 < 0.0, 0.0, _s13)) + _s8
-    _s30 = _s16 * _where(_s19 < _s29, _s19, _s29)
-    _s31 = ((_s28 * _where(0.0 < _s12, 0.0, _s12)) + _s2) - (9.094947017729282e-13 * (p_ring_radius + _s19))
+    _s25 = _multiply(2.0, _s22, _r13)
+    _s26 = _select(0.0 < _select(0.0 <= _s20, _s22, 0.0, _r14), _inf, _divide(_select(_s24, _s25, _multiply(4.0, _s20, _r14), _r15), _select(_s24, _negative(_s20, _r16), _select(0.0 < _s23, _s23, 0.0, _r17), _r18), _r15), _r14)
+    _s27 = _subtract(end, t, _r18)
+    _s28 = _select(_s26 < _s27, _s26, _s27, _r17)
+    _s29 = _add(_multiply(_s28, _select(_s13 < 0.0, 0.0, _s13, _r12), _r12), _s8, _r12)
+    _s30 = _multiply(_s16, _select(_s19 < _s29, _s19, _s29, _r6), _r6)
+    _s31 = _subtract(_add(_multiply(_s28, _select(0.0 < _s12, 0.0, _s12, _r12), _r12), _s2, _r12), 9.094947017729282e-13 * (p_ring_radius + _s19), _r12)
     _s32 = p_ring_radius - _s19
     _s33 = 0.0001220703125 * p_ring_radius
     _s34 = _where(_s32 < _s33, _s33, _s32)
-    _s35 = 1.0 / _where(_s31 < _s34, _s34, _s31)
-    _s36 = swing * (_s35 * (_s35 * _s35))
-    _s37 = ((_s30 + _s36) + (9.094947017729282e-13 * ((_s36 + _absolute(steady)) + _absolute(_s30)))) - steady
-    _s38 = ((2.0 * _s37) * _s22) + (_s20 * _s20)
-    _s39 = _sqrt(_s38)
-    _s40 = _where((0.0 <= _s38), (_where(_s24, _s25, (_s20 + _s39)) / _where(_s24, (_s39 - _s20), _where(0.0 < _s37, _s37, 0.0))), _inf)
-    _s41 = _where(_s40 < _s28, _s40, _s28)
-    _s42 = -(rate_margin + _s15)
-    return _s10, _s15, (steady - _s17) - _s18, _s41, t + _s41, t - ((0.5 * _s10) / _s14), _where((0.0 < _s42), ((_s42 * _s42) - ((8.0 * ceiling) * (margin + (32.0 * _s22)))), _s42)
+    _s35 = _divide(1.0, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
+    _s36 = _multiply(swing, _multiply(_s35, _multiply(_s35, _s35, _r12), _r12), _r12)
+    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(9.094947017729282e-13, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
+    _s38 = _add(_multiply(_multiply(2.0, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r1), _r1)
+    _s39 = _sqrt(_s38, _r3)
+    _s40 = _select(0.0 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r1), _r12), _select(_s24, _subtract(_s39, _s20, _r3), _select(0.0 < _s37, _s37, 0.0, _r5), _r0), _r12), _inf, _r1)
+    _s41 = _result(_s40 < _s28, _s40, _s28, _r0)
+    _s42 = _negative(_add(rate_margin, _s15, _r0), _r0)
+    return _s10, _s15, _subtract(steady, _s17, _r2) - _s18, _s41, t + _s41, t - _divide(_multiply(0.5, _s10, _r7), _s14, _r7), _result(0.0 < _s42, _subtract(_multiply(_s42, _s42, _r7), _multiply(_multiply(8.0, ceiling, _r4), _add(margin, _multiply(32.0, _s22, _r11), _r11), _r4), _r4), _s42, _r0)
 
 
 def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any) -> tuple[Any, ...]:
@@ -1469,14 +1661,15 @@ def backboard_arrival(leaving: Any, x: Any, vx: Any, p_ball_radius: Any, p_board
     return -(_s0 / vx), vx, 0.0, _where((_absolute(vx) <= 0.0), 0.0, -1.0), _s0
 
 
-def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_board_distance: Any, p_gravity: Any) -> tuple[Any, ...]:
+def backboard_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_board_distance: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Rounding-error bound of the gap up to the horizon.
 
     running error analysis. 15 operations: 7 additions, 8 multiplications.
     Returns margin.
     """
-    _s0 = extent + (horizon * (speed + (p_gravity * horizon)))
-    return (((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance)) + (2.222614453595284e-16 * _s0)) + (2.001953125 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s0))),
+    _r0, _r1, _r2, *_ = _room
+    _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
+    return _add((6.667843360785852e-16 * p_ball_radius) + (8.890457814381136e-16 * p_board_distance), _multiply(2.222614453595284e-16, _s0, _r1), _r1) + _multiply(2.001953125, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(4.440892098500626e-16, _s0, _r0), _r0), _r0),
 
 
 def backboard_place(y: Any, z: Any, p_ball_radius: Any, p_board_distance: Any) -> tuple[Any, ...]:
@@ -1544,37 +1737,40 @@ def bridge_curvature() -> tuple[Any, ...]:
     return 0.0,
 
 
-def bridge_bounds(x: Any, y: Any, p_ring_radius: Any, p_board_distance: Any, p_bridge_half_width: Any) -> tuple[Any, ...]:
+def bridge_bounds(x: Any, y: Any, p_ring_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """The g of Eq. 2: a contact counts where none is positive.
 
     Eq. 2, Table 2. 10 operations: 3 additions, 2 subtractions, 2 multiplications, 1 square root, 2 negations.
     Returns g0, g1, g2, g3, g4.
     """
-    return -(p_bridge_half_width + y), y - p_bridge_half_width, p_ring_radius - _sqrt(((x * x) + (y * y))), x, -(p_board_distance + x)
+    _r0, _r1, *_ = _room
+    return -_add(p_bridge_half_width, y, _r0), y - p_bridge_half_width, p_ring_radius - _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1), x, -_add(p_board_distance, x, _r1)
 
 
-def bridge_arrival(leaving: Any, z: Any, vz: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+def bridge_arrival(leaving: Any, z: Any, vz: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Time of the only arrival, the gap's rate there and its bend.
 
     Eq. 3 in Table 2, solved. 25 operations: 3 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 5 negations, 2 comparisons, 3 selections.
     Returns time, rate, bend, apex, height.
     """
-    _s0 = _where((0.0 < leaving), 0.0, (z - (p_ball_radius + p_wire_radius)))
-    _s1 = (vz * vz) + ((2.0 * p_gravity) * _s0)
-    _s2 = _sqrt(_s1)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _s0 = _select(0.0 < leaving, 0.0, _subtract(z, p_ball_radius + p_wire_radius, _r0), _r1)
+    _s1 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s0, _r3), _r3)
+    _s2 = _sqrt(_s1, _r2)
     _s3 = vz < 0.0
     _s4 = -(1.0 / p_gravity)
-    return _where(_s3, (2.0 * _s0), (vz + _s2)) / _where(_s3, (_s2 - vz), p_gravity), -_s2, -p_gravity, -(vz * _s4), -((0.5 * _s4) * _s1)
+    return _select(_s3, _multiply(2.0, _s0, _r1), _add(vz, _s2, _r0), _r4) / _select(_s3, _subtract(_s2, vz, _r5), p_gravity, _r6), -_s2, -p_gravity, -_multiply(vz, _s4, _r2), -_multiply(0.5 * _s4, _s1, _r3)
 
 
-def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+def bridge_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Rounding-error bound of the gap up to the horizon.
 
     running error analysis. 15 operations: 7 additions, 8 multiplications.
     Returns margin.
     """
-    _s0 = extent + (horizon * (speed + (p_gravity * horizon)))
-    return (((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius)) + (2.222614453595284e-16 * _s0)) + (2.001953125 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s0))),
+    _r0, _r1, _r2, *_ = _room
+    _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
+    return _add((6.667843360785852e-16 * p_ball_radius) + (6.667843360785852e-16 * p_wire_radius), _multiply(2.222614453595284e-16, _s0, _r1), _r1) + _multiply(2.001953125, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(4.440892098500626e-16, _s0, _r0), _r0), _r0),
 
 
 def bridge_place(x: Any, y: Any, p_ball_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
@@ -1643,28 +1839,30 @@ def end_curvature() -> tuple[Any, ...]:
     return 0.0,
 
 
-def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
+def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Time of the only arrival, the gap's rate there and its bend.
 
     Eq. 3 in Table 2, solved. 25 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 2 comparisons, 3 selections.
     Returns time, rate, bend, apex, height.
     """
-    _s0 = _where((0.0 < leaving), 0.0, (z - (-p_end_depth)))
-    _s1 = (vz * vz) + ((2.0 * p_gravity) * _s0)
-    _s2 = _sqrt(_s1)
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _s0 = _select(0.0 < leaving, 0.0, _subtract(z, -p_end_depth, _r0), _r1)
+    _s1 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s0, _r3), _r3)
+    _s2 = _sqrt(_s1, _r2)
     _s3 = vz < 0.0
     _s4 = -(1.0 / p_gravity)
-    return _where(_s3, (2.0 * _s0), (vz + _s2)) / _where(_s3, (_s2 - vz), p_gravity), -_s2, -p_gravity, -(vz * _s4), -((0.5 * _s4) * _s1)
+    return _select(_s3, _multiply(2.0, _s0, _r1), _add(vz, _s2, _r0), _r4) / _select(_s3, _subtract(_s2, vz, _r5), p_gravity, _r6), -_s2, -p_gravity, -_multiply(vz, _s4, _r2), -_multiply(0.5 * _s4, _s1, _r3)
 
 
-def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
+def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Rounding-error bound of the gap up to the horizon.
 
     running error analysis. 13 operations: 6 additions, 7 multiplications.
     Returns margin.
     """
-    _s0 = extent + (horizon * (speed + (p_gravity * horizon)))
-    return ((6.667843360785852e-16 * p_end_depth) + (2.222614453595284e-16 * _s0)) + (2.001953125 * ((position_error + (horizon * velocity_error)) + (4.440892098500626e-16 * _s0))),
+    _r0, _r1, _r2, *_ = _room
+    _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(2.222614453595284e-16, _s0, _r1), _r1) + _multiply(2.001953125, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(4.440892098500626e-16, _s0, _r0), _r0), _r0),
 
 
 def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
@@ -1851,27 +2049,48 @@ def ring_nearness(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, hal
 # The event loop, one function for each stage: it reads and writes the columns of the shots.
 
 
+def _choose(truth: Any, new: Any, old: Any) -> Any:
+    """Return new values where a truth holds."""
+    if _ndim(truth) and len(truth) >= FEW:
+        many = _count_nonzero(truth)
+        if many == 0 and _ndim(old):
+            return old
+        if many == len(truth) and _ndim(new):
+            return new
+    return _where(truth, new, old)
+
+
+_NOWHERE = _flatnonzero(())
+
+
+def _where_true(truth: Any) -> Any:
+    """Return the rows where a column of truths holds."""
+    return truth.nonzero()[0]
+
+
 def _rows(truth: Any, shots: int) -> tuple[Any, int]:
     """Return the rows where a truth holds, None if that is all of them, and how many they are."""
-    if _ndim(truth) == 0:
-        return (None, shots) if truth else (_flatnonzero(()), 0)
-    rows = _flatnonzero(truth)
+    if type(truth) is not _ndarray or not truth.ndim:
+        return (None, shots) if truth else (_NOWHERE, 0)
+    rows = _where_true(truth)
     return (None if len(rows) == shots else rows), len(rows)
 
 
 def _take(values: Any, rows: Any) -> Any:
     """Return some rows of a column; what all shots share stays."""
-    return values if rows is None or _ndim(values) == 0 else values[rows]
+    if rows is None or type(values) is not _ndarray or not values.ndim:
+        return values
+    return values[rows]
 
 
 def _of(rows: Any, some: Any) -> Any:
-    """Return some of the rows."""
-    return some if rows is None else rows[some]
+    """Return some of the rows; None is all of them."""
+    return some if rows is None else rows if some is None else rows[some]
 
 
 def _copy(values: Any, shots: int) -> Any:
     """Return a column of one's own."""
-    return _broadcast_to(values, (shots,)).copy()
+    return values.copy() if _ndim(values) else _full(shots, values)
 
 
 def _put(values: Any, rows: Any, new: Any, shots: int) -> Any:
@@ -1888,7 +2107,7 @@ def _store(values: Any, rows: Any, new: Any, some: Any) -> None:
     values[... if rows is None else rows] = _take(new, some)
 
 
-def permit_plain(columns: dict[str, Any], shots: int) -> None:
+def permit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage permit of the event loop, the path alone."""
     _p_ball_radius_0 = columns["p_ball_radius"]
     _p_board_bottom_0 = columns["p_board_bottom"]
@@ -1906,7 +2125,7 @@ def permit_plain(columns: dict[str, Any], shots: int) -> None:
     columns["permitted"] = _permitted_0
 
 
-def admit_plain(columns: dict[str, Any], shots: int) -> None:
+def admit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage admit of the event loop, the path alone."""
     _last_0 = columns["last"]
     _p_ball_radius_0 = columns["p_ball_radius"]
@@ -1928,13 +2147,14 @@ def admit_plain(columns: dict[str, Any], shots: int) -> None:
     _x_0 = columns["x"]
     _y_0 = columns["y"]
     _z_0 = columns["z"]
-    _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
-    _valid_0, *_ = valid(_last_0, _x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0)
+    _room_0 = room(shots)
+    _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
+    _valid_0, *_ = valid(_last_0, _x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _room_0)
     _outcome_0, *_ = admitted(_inf, _finite_0, _permitted_0, _valid_0)
     columns["outcome"] = _outcome_0
 
 
-def reach_plain(columns: dict[str, Any], shots: int) -> None:
+def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage reach of the event loop, the path alone."""
     _clock_0 = columns["clock"]
     _contacts_0 = columns["contacts"]
@@ -1957,29 +2177,30 @@ def reach_plain(columns: dict[str, Any], shots: int) -> None:
     _x_0 = columns["x"]
     _y_0 = columns["y"]
     _z_0 = columns["z"]
-    _, _, _, _time_error_0 = error_bounds(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
-    _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0)
+    _room_0 = room(shots)
+    _, _, _, _time_error_0 = error_bounds(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, _room_0)
+    _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
     _when_0, _which_0, *_ = opening(_excess_0, 0.0, 0.0)
     _limited_0, = limited(_time_limit_0)
     _leaving_0, = left(3.0, _last_0)
-    _time_0, _rate_0, _bend_0, *_ = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0)
+    _time_0, _rate_0, _bend_0, *_ = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _arrives_0, *_ = meeting_plane(_bend_0, _rate_0, _time_0)
     _possible_0, = timely(_arrives_0, 0.0, 0.0, _time_0, _when_0)
     _when_1, _which_1 = sooner(_arrives_0, 3.0, _time_0, _when_0, _which_0)
-    _when_0 = _where(_possible_0, _when_1, _when_0)
-    _which_0 = _where(_possible_0, _which_1, _which_0)
+    _when_0 = _choose(_possible_0, _when_1, _when_0)
+    _which_0 = _choose(_possible_0, _which_1, _which_0)
     _leaving_0, = left(1.0, _last_0)
     _time_0, _rate_0, _bend_0, *_ = backboard_arrival(_leaving_0, _x_0, _vx_0, _p_ball_radius_0, _p_board_distance_0)
     _arrives_0, *_ = meeting_plane(_bend_0, _rate_0, _time_0)
     _possible_0, = timely(_arrives_0, 0.0, 0.0, _time_0, _when_0)
-    _, _there_y_1, _there_z_1, *_ = flight(_time_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0)
+    _, _there_y_1, _there_z_1, *_ = flight(_time_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
     _g0_1, _g1_1, _g2_1, _g3_1 = backboard_bounds(_there_y_1, _there_z_1, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0)
     _arrives_1, = backboard_within(_g0_1, _g1_1, _g2_1, _g3_1)
     _when_1, _which_1 = sooner(_arrives_1, 1.0, _time_0, _when_0, _which_0)
-    _when_0 = _where(_possible_0, _when_1, _when_0)
-    _which_0 = _where(_possible_0, _which_1, _which_0)
+    _when_0 = _choose(_possible_0, _when_1, _when_0)
+    _which_0 = _choose(_possible_0, _which_1, _which_0)
     _leaving_0, = left(2.0, _last_0)
-    _time_0, _rate_0, _bend_0, *_ = bridge_arrival(_leaving_0, _z_0, _vz_0, _p_ball_radius_0, _p_wire_radius_0, _p_gravity_0)
+    _time_0, _rate_0, _bend_0, *_ = bridge_arrival(_leaving_0, _z_0, _vz_0, _p_ball_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
     _arrives_0, *_ = meeting_plane(_bend_0, _rate_0, _time_0)
     _possible_0, = timely(_arrives_0, 0.0, 0.0, _time_0, _when_0)
     _rows1, _count2 = _rows(_possible_0, shots)
@@ -1997,14 +2218,15 @@ def reach_plain(columns: dict[str, Any], shots: int) -> None:
         _x_1 = _take(_x_0, _rows1)
         _y_1 = _take(_y_0, _rows1)
         _z_1 = _take(_z_0, _rows1)
-        _there_x_1, _there_y_1, *_ = flight(_time_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1)
-        _g0_1, _g1_1, _g2_1, _g3_1, _g4_1 = bridge_bounds(_there_x_1, _there_y_1, _p_ring_radius_1, _p_board_distance_1, _p_bridge_half_width_1)
+        _room_1 = room(_count2)
+        _there_x_1, _there_y_1, *_ = flight(_time_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
+        _g0_1, _g1_1, _g2_1, _g3_1, _g4_1 = bridge_bounds(_there_x_1, _there_y_1, _p_ring_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _room_1)
         _arrives_1, = bridge_within(_g0_1, _g1_1, _g2_1, _g3_1, _g4_1)
         _when_1, _which_1 = sooner(_arrives_1, 2.0, _time_1, _when_1, _which_1)
         _when_0 = _put(_when_0, _rows1, _when_1, shots)
         _which_0 = _put(_which_0, _rows1, _which_1, shots)
     _until_0, *_ = horizon(_when_0, _speed_0, _p_gravity_0)
-    _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0)
+    _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
     _open_0, = opens(_clear_0)
     _rows3, _count4 = _rows(_open_0, shots)
     if _count4:
@@ -2024,10 +2246,11 @@ def reach_plain(columns: dict[str, Any], shots: int) -> None:
         _x_1 = _take(_x_0, _rows3)
         _y_1 = _take(_y_0, _rows3)
         _z_1 = _take(_z_0, _rows3)
-        _steady_1, _swing_1, _rho_start_1, _low0_1, _high0_1, _low1_1, _high1_1, _low2_1, _high2_1, _ceiling_1, _latest_1, *_ = ring_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, 0.0, 0.0, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _room_1 = room(_count4)
+        _steady_1, _swing_1, _rho_start_1, _low0_1, _high0_1, _low1_1, _high1_1, _low2_1, _high2_1, _ceiling_1, _latest_1, *_ = ring_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, 0.0, 0.0, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _share_1, _arrival_1, _certain_1 = beginning()
-        _position_level_1, _velocity_level_1, *_ = allowance(_share_1, _latest_1, _extent_1, _speed_1, 0.0, 0.0, _p_gravity_1)
-        _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _position_level_1, _velocity_level_1, *_ = allowance(_share_1, _latest_1, _extent_1, _speed_1, 0.0, 0.0, _p_gravity_1, _room_1)
+        _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _t_1, _end_1, _searching_1 = ring_enter(0.0, 0.0, _high0_1, _high1_1, _high2_1, _low0_1, _low1_1, _low2_1, 0.0)
         _rows5, _count6 = _rows(_searching_1, _count4)
         if _count6:
@@ -2035,16 +2258,8 @@ def reach_plain(columns: dict[str, Any], shots: int) -> None:
             _ceiling_2 = _take(_ceiling_1, _rows5)
             _certain_2 = _take(_certain_1, _rows5)
             _end_2 = _take(_end_1, _rows5)
-            _extent_2 = _take(_extent_1, _rows5)
             _flat_2 = _take(_flat_1, _rows5)
-            _high0_2 = _take(_high0_1, _rows5)
-            _high1_2 = _take(_high1_1, _rows5)
-            _high2_2 = _take(_high2_1, _rows5)
             _last_2 = _take(_last_1, _rows5)
-            _latest_2 = _take(_latest_1, _rows5)
-            _low0_2 = _take(_low0_1, _rows5)
-            _low1_2 = _take(_low1_1, _rows5)
-            _low2_2 = _take(_low2_1, _rows5)
             _p_ball_radius_2 = _take(_p_ball_radius_1, _rows5)
             _p_gravity_2 = _take(_p_gravity_1, _rows5)
             _p_ring_radius_2 = _take(_p_ring_radius_1, _rows5)
@@ -2053,7 +2268,6 @@ def reach_plain(columns: dict[str, Any], shots: int) -> None:
             _rho_start_2 = _take(_rho_start_1, _rows5)
             _searching_2 = _take(_searching_1, _rows5)
             _share_2 = _take(_share_1, _rows5)
-            _speed_2 = _take(_speed_1, _rows5)
             _steady_2 = _take(_steady_1, _rows5)
             _swing_2 = _take(_swing_1, _rows5)
             _t_2 = _take(_t_1, _rows5)
@@ -2069,75 +2283,80 @@ def reach_plain(columns: dict[str, Any], shots: int) -> None:
             _flat_1 = _copy(_flat_1, _count4)
             _tilt_1 = _copy(_tilt_1, _count4)
             for _ in range(201):
+                _room_2 = room(_count6)
                 _leaving_2, _margin_2 = nearby(_flat_2, 0.0, _last_2, _t_2, _tilt_2)
-                _gap_2, _rate_2, _bend_2, _step_2, _next_2, _root_2, _clearance_2 = ring_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _steady_2, _swing_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2)
+                _gap_2, _rate_2, _bend_2, _step_2, _next_2, _root_2, _clearance_2 = ring_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _steady_2, _swing_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
                 _hit_2, _sure_2, _vague_2 = struck(_bend_2, _clearance_2, _gap_2, _margin_2, _rate_2, _rate_slack_2, _share_2)
                 _rows7, _count8 = _rows(_vague_2, _count6)
                 if _count8:
-                    _extent_3 = _take(_extent_2, _rows7)
-                    _latest_3 = _take(_latest_2, _rows7)
+                    _far = _of(_rows5, _rows7)
+                    _extent_3 = _take(_extent_1, _far)
+                    _latest_3 = _take(_latest_1, _far)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows7)
                     _p_gravity_3 = _take(_p_gravity_2, _rows7)
                     _p_ring_radius_3 = _take(_p_ring_radius_2, _rows7)
                     _p_wire_radius_3 = _take(_p_wire_radius_2, _rows7)
                     _share_3 = _take(_share_2, _rows7)
-                    _speed_3 = _take(_speed_2, _rows7)
+                    _speed_3 = _take(_speed_1, _far)
+                    _room_3 = room(_count8)
                     _share_3, = finer(_share_3)
-                    _position_level_3, _velocity_level_3, *_ = allowance(_share_3, _latest_3, _extent_3, _speed_3, 0.0, 0.0, _p_gravity_3)
-                    _flat_3, _tilt_3, _rate_slack_3 = ring_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3)
+                    _position_level_3, _velocity_level_3, *_ = allowance(_share_3, _latest_3, _extent_3, _speed_3, 0.0, 0.0, _p_gravity_3, _room_3)
+                    _flat_3, _tilt_3, _rate_slack_3 = ring_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3, _room_3)
                     _flat_2 = _put(_flat_2, _rows7, _flat_3, _count6)
                     _rate_slack_2 = _put(_rate_slack_2, _rows7, _rate_slack_3, _count6)
                     _share_2 = _put(_share_2, _rows7, _share_3, _count6)
                     _tilt_2 = _put(_tilt_2, _rows7, _tilt_3, _count6)
                 _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_arrival_2, _certain_2, _end_2, _hit_2, _next_2, _root_2, _step_2, _sure_2, _t_2, _vague_2)
-                _t_3, _end_3, _searching_3 = ring_enter(_end_2, _end_2, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2)
-                _end_2 = _where(_exhausted_2, _end_3, _end_2)
-                _searching_2 = _where(_exhausted_2, _searching_3, _searching_2)
-                _t_2 = _where(_exhausted_2, _t_3, _t_2)
-                _going9 = _flatnonzero(_searching_2)
-                if len(_going9) == _count6:
+                _rows9, _count10 = _rows(_exhausted_2, _count6)
+                if _count10:
+                    _far = _of(_rows5, _rows9)
+                    _end_3 = _take(_end_2, _rows9)
+                    _high0_3 = _take(_high0_1, _far)
+                    _high1_3 = _take(_high1_1, _far)
+                    _high2_3 = _take(_high2_1, _far)
+                    _low0_3 = _take(_low0_1, _far)
+                    _low1_3 = _take(_low1_1, _far)
+                    _low2_3 = _take(_low2_1, _far)
+                    _t_3 = _take(_t_2, _rows9)
+                    _t_3, _end_3, _searching_3 = ring_enter(_end_3, _end_3, _high0_3, _high1_3, _high2_3, _low0_3, _low1_3, _low2_3, _t_3)
+                    _end_2 = _put(_end_2, _rows9, _end_3, _count6)
+                    _searching_2 = _put(_searching_2, _rows9, _searching_3, _count6)
+                    _t_2 = _put(_t_2, _rows9, _t_3, _count6)
+                _going11 = _where_true(_searching_2)
+                if len(_going11) == _count6:
                     continue
-                _done = _flatnonzero(_logical_not(_searching_2))
+                _done = _where_true(_logical_not(_searching_2))
                 _store(_arrival_1, _of(_rows5, _done), _arrival_2, _done)
                 _store(_certain_1, _of(_rows5, _done), _certain_2, _done)
                 _store(_flat_1, _of(_rows5, _done), _flat_2, _done)
                 _store(_tilt_1, _of(_rows5, _done), _tilt_2, _done)
-                _rows5, _count6 = _of(_rows5, _going9), len(_going9)
+                _rows5, _count6 = _of(_rows5, _going11), len(_going11)
                 if not _count6:
                     break
-                _arrival_2 = _take(_arrival_2, _going9)
-                _ceiling_2 = _take(_ceiling_2, _going9)
-                _certain_2 = _take(_certain_2, _going9)
-                _end_2 = _take(_end_2, _going9)
-                _extent_2 = _take(_extent_2, _going9)
-                _flat_2 = _take(_flat_2, _going9)
-                _high0_2 = _take(_high0_2, _going9)
-                _high1_2 = _take(_high1_2, _going9)
-                _high2_2 = _take(_high2_2, _going9)
-                _last_2 = _take(_last_2, _going9)
-                _latest_2 = _take(_latest_2, _going9)
-                _low0_2 = _take(_low0_2, _going9)
-                _low1_2 = _take(_low1_2, _going9)
-                _low2_2 = _take(_low2_2, _going9)
-                _p_ball_radius_2 = _take(_p_ball_radius_2, _going9)
-                _p_gravity_2 = _take(_p_gravity_2, _going9)
-                _p_ring_radius_2 = _take(_p_ring_radius_2, _going9)
-                _p_wire_radius_2 = _take(_p_wire_radius_2, _going9)
-                _rate_slack_2 = _take(_rate_slack_2, _going9)
-                _rho_start_2 = _take(_rho_start_2, _going9)
-                _searching_2 = _take(_searching_2, _going9)
-                _share_2 = _take(_share_2, _going9)
-                _speed_2 = _take(_speed_2, _going9)
-                _steady_2 = _take(_steady_2, _going9)
-                _swing_2 = _take(_swing_2, _going9)
-                _t_2 = _take(_t_2, _going9)
-                _tilt_2 = _take(_tilt_2, _going9)
-                _vx_2 = _take(_vx_2, _going9)
-                _vy_2 = _take(_vy_2, _going9)
-                _vz_2 = _take(_vz_2, _going9)
-                _x_2 = _take(_x_2, _going9)
-                _y_2 = _take(_y_2, _going9)
-                _z_2 = _take(_z_2, _going9)
+                _arrival_2 = _take(_arrival_2, _going11)
+                _ceiling_2 = _take(_ceiling_2, _going11)
+                _certain_2 = _take(_certain_2, _going11)
+                _end_2 = _take(_end_2, _going11)
+                _flat_2 = _take(_flat_2, _going11)
+                _last_2 = _take(_last_2, _going11)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going11)
+                _p_gravity_2 = _take(_p_gravity_2, _going11)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going11)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going11)
+                _rate_slack_2 = _take(_rate_slack_2, _going11)
+                _rho_start_2 = _take(_rho_start_2, _going11)
+                _searching_2 = _take(_searching_2, _going11)
+                _share_2 = _take(_share_2, _going11)
+                _steady_2 = _take(_steady_2, _going11)
+                _swing_2 = _take(_swing_2, _going11)
+                _t_2 = _take(_t_2, _going11)
+                _tilt_2 = _take(_tilt_2, _going11)
+                _vx_2 = _take(_vx_2, _going11)
+                _vy_2 = _take(_vy_2, _going11)
+                _vz_2 = _take(_vz_2, _going11)
+                _x_2 = _take(_x_2, _going11)
+                _y_2 = _take(_y_2, _going11)
+                _z_2 = _take(_z_2, _going11)
             else:
                 _store(_arrival_1, _rows5, _arrival_2, None)
                 _store(_certain_1, _rows5, _certain_2, None)
@@ -2145,53 +2364,53 @@ def reach_plain(columns: dict[str, Any], shots: int) -> None:
                 _store(_tilt_1, _rows5, _tilt_2, None)
         _arrives_1, = found(_arrival_1)
         _leaving_1, *_ = nearby(_flat_1, 0.0, _last_1, _arrival_1, _tilt_1)
-        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
-        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
         _time_1, = landed(_arrival_1)
         _when_1, _which_1 = sooner(_arrives_1, 0.0, _time_1, _when_1, _which_1)
         _when_0 = _put(_when_0, _rows3, _when_1, shots)
         _which_0 = _put(_which_0, _rows3, _which_1, shots)
-    _rows10, _count11 = _rows(_limited_0, shots)
-    if _count11:
-        _clock_1 = _take(_clock_0, _rows10)
-        _time_error_1 = _take(_time_error_0, _rows10)
-        _time_limit_1 = _take(_time_limit_0, _rows10)
-        _when_1 = _take(_when_0, _rows10)
-        _which_1 = _take(_which_0, _rows10)
-        _time_1, _, _arrives_1, *_ = expiry(_clock_1, _inf, 0.0, _time_error_1, _time_limit_1, _when_1, _which_1)
-        _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
-        _when_0 = _put(_when_0, _rows10, _when_1, shots)
-        _which_0 = _put(_which_0, _rows10, _which_1, shots)
-    _, _moves_0, _ends_0, _touches_0, _reached_0, *_ = departed(3.0, _which_0)
-    _body_0, = body_of(_which_0)
-    _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0)
-    _clock_1, = ticked(_clock_0, _when_0)
-    _clock_0 = _where(_moves_0, _clock_1, _clock_0)
-    _vx_0 = _where(_moves_0, _vx_1, _vx_0)
-    _vy_0 = _where(_moves_0, _vy_1, _vy_0)
-    _vz_0 = _where(_moves_0, _vz_1, _vz_0)
-    _x_0 = _where(_moves_0, _x_1, _x_0)
-    _y_0 = _where(_moves_0, _y_1, _y_0)
-    _z_0 = _where(_moves_0, _z_1, _z_0)
     _rows12, _count13 = _rows(_limited_0, shots)
     if _count13:
-        _body_1 = _take(_body_0, _rows12)
         _clock_1 = _take(_clock_0, _rows12)
-        _ends_1 = _take(_ends_0, _rows12)
-        _reached_1 = _take(_reached_0, _rows12)
+        _time_error_1 = _take(_time_error_0, _rows12)
         _time_limit_1 = _take(_time_limit_0, _rows12)
+        _when_1 = _take(_when_0, _rows12)
         _which_1 = _take(_which_0, _rows12)
+        _time_1, _, _arrives_1, *_ = expiry(_clock_1, _inf, 0.0, _time_error_1, _time_limit_1, _when_1, _which_1)
+        _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
+        _when_0 = _put(_when_0, _rows12, _when_1, shots)
+        _which_0 = _put(_which_0, _rows12, _which_1, shots)
+    _, _moves_0, _ends_0, _touches_0, _reached_0, *_ = departed(3.0, _which_0)
+    _body_0, = body_of(_which_0)
+    _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
+    _clock_1, = ticked(_clock_0, _when_0)
+    _clock_0 = _choose(_moves_0, _clock_1, _clock_0)
+    _vx_0 = _choose(_moves_0, _vx_1, _vx_0)
+    _vy_0 = _choose(_moves_0, _vy_1, _vy_0)
+    _vz_0 = _choose(_moves_0, _vz_1, _vz_0)
+    _x_0 = _choose(_moves_0, _x_1, _x_0)
+    _y_0 = _choose(_moves_0, _y_1, _y_0)
+    _z_0 = _choose(_moves_0, _z_1, _z_0)
+    _rows14, _count15 = _rows(_limited_0, shots)
+    if _count15:
+        _body_1 = _take(_body_0, _rows14)
+        _clock_1 = _take(_clock_0, _rows14)
+        _ends_1 = _take(_ends_0, _rows14)
+        _reached_1 = _take(_reached_0, _rows14)
+        _time_limit_1 = _take(_time_limit_0, _rows14)
+        _which_1 = _take(_which_0, _rows14)
         _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
-        _body_0 = _put(_body_0, _rows12, _body_1, shots)
-        _clock_0 = _put(_clock_0, _rows12, _clock_1, shots)
-        _ends_0 = _put(_ends_0, _rows12, _ends_1, shots)
-        _reached_0 = _put(_reached_0, _rows12, _reached_1, shots)
+        _body_0 = _put(_body_0, _rows14, _body_1, shots)
+        _clock_0 = _put(_clock_0, _rows14, _clock_1, shots)
+        _ends_0 = _put(_ends_0, _rows14, _ends_1, shots)
+        _reached_0 = _put(_reached_0, _rows14, _reached_1, shots)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
     _reached_1, = end_reached(_g0_1)
-    _reached_0 = _where(_here_0, _reached_1, _reached_0)
+    _reached_0 = _choose(_here_0, _reached_1, _reached_0)
     _contacts_0, _outcome_0 = accounted(_contacts_0, _most_contacts_0, _reached_0, _touches_0)
     columns["body"] = _body_0
     columns["clock"] = _clock_0
@@ -2208,7 +2427,7 @@ def reach_plain(columns: dict[str, Any], shots: int) -> None:
     columns["z"] = _z_0
 
 
-def meet_plain(columns: dict[str, Any], shots: int) -> None:
+def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage meet of the event loop, the path alone."""
     _body_0 = columns["body"]
     _count_0_0 = columns["count_0"]
@@ -2258,28 +2477,29 @@ def meet_plain(columns: dict[str, Any], shots: int) -> None:
         _x_1 = _take(_x_0, _rows1)
         _y_1 = _take(_y_0, _rows1)
         _z_1 = _take(_z_0, _rows1)
+        _room_1 = room(_count2)
         _nx_1, _ny_1, _nz_1 = end_normal()
         _here_1, = here(0.0, _which_1)
-        _nx_2, _ny_2, _nz_2 = ring_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1)
+        _nx_2, _ny_2, _nz_2 = ring_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _room_1)
         _count_0_2, = counted(_count_0_1)
-        _count_0_1 = _where(_here_1, _count_0_2, _count_0_1)
-        _nx_1 = _where(_here_1, _nx_2, _nx_1)
-        _ny_1 = _where(_here_1, _ny_2, _ny_1)
-        _nz_1 = _where(_here_1, _nz_2, _nz_1)
+        _count_0_1 = _choose(_here_1, _count_0_2, _count_0_1)
+        _nx_1 = _choose(_here_1, _nx_2, _nx_1)
+        _ny_1 = _choose(_here_1, _ny_2, _ny_1)
+        _nz_1 = _choose(_here_1, _nz_2, _nz_1)
         _here_1, = here(1.0, _which_1)
         _nx_2, _ny_2, _nz_2 = backboard_normal()
         _count_1_2, = counted(_count_1_1)
-        _count_1_1 = _where(_here_1, _count_1_2, _count_1_1)
-        _nx_1 = _where(_here_1, _nx_2, _nx_1)
-        _ny_1 = _where(_here_1, _ny_2, _ny_1)
-        _nz_1 = _where(_here_1, _nz_2, _nz_1)
+        _count_1_1 = _choose(_here_1, _count_1_2, _count_1_1)
+        _nx_1 = _choose(_here_1, _nx_2, _nx_1)
+        _ny_1 = _choose(_here_1, _ny_2, _ny_1)
+        _nz_1 = _choose(_here_1, _nz_2, _nz_1)
         _here_1, = here(2.0, _which_1)
         _nx_2, _ny_2, _nz_2 = bridge_normal()
         _count_2_2, = counted(_count_2_1)
-        _count_2_1 = _where(_here_1, _count_2_2, _count_2_1)
-        _nx_1 = _where(_here_1, _nx_2, _nx_1)
-        _ny_1 = _where(_here_1, _ny_2, _ny_1)
-        _nz_1 = _where(_here_1, _nz_2, _nz_1)
+        _count_2_1 = _choose(_here_1, _count_2_2, _count_2_1)
+        _nx_1 = _choose(_here_1, _nx_2, _nx_1)
+        _ny_1 = _choose(_here_1, _ny_2, _ny_1)
+        _nz_1 = _choose(_here_1, _nz_2, _nz_1)
         _rows3, _count4 = _rows(_touches_1, _count2)
         if _count4:
             _nx_2 = _take(_nx_1, _rows3)
@@ -2293,7 +2513,8 @@ def meet_plain(columns: dict[str, Any], shots: int) -> None:
             _wx_2 = _take(_wx_1, _rows3)
             _wy_2 = _take(_wy_1, _rows3)
             _wz_2 = _take(_wz_1, _rows3)
-            _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_restitution_2)
+            _room_2 = room(_count4)
+            _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_restitution_2, _room_2)
             _vx_1 = _put(_vx_1, _rows3, _vx_2, _count2)
             _vy_1 = _put(_vy_1, _rows3, _vy_2, _count2)
             _vz_1 = _put(_vz_1, _rows3, _vz_2, _count2)
@@ -2302,17 +2523,17 @@ def meet_plain(columns: dict[str, Any], shots: int) -> None:
             _wz_1 = _put(_wz_1, _rows3, _wz_2, _count2)
         _here_1, = here(1.0, _which_1)
         _x_2, _y_2, _z_2 = backboard_place(_y_1, _z_1, _p_ball_radius_1, _p_board_distance_1)
-        _x_1 = _where(_here_1, _x_2, _x_1)
-        _y_1 = _where(_here_1, _y_2, _y_1)
-        _z_1 = _where(_here_1, _z_2, _z_1)
+        _x_1 = _choose(_here_1, _x_2, _x_1)
+        _y_1 = _choose(_here_1, _y_2, _y_1)
+        _z_1 = _choose(_here_1, _z_2, _z_1)
         _here_1, = here(2.0, _which_1)
         _x_2, _y_2, _z_2 = bridge_place(_x_1, _y_1, _p_ball_radius_1, _p_wire_radius_1)
-        _x_1 = _where(_here_1, _x_2, _x_1)
-        _y_1 = _where(_here_1, _y_2, _y_1)
-        _z_1 = _where(_here_1, _z_2, _z_1)
+        _x_1 = _choose(_here_1, _x_2, _x_1)
+        _y_1 = _choose(_here_1, _y_2, _y_1)
+        _z_1 = _choose(_here_1, _z_2, _z_1)
         _first_2, _last_2 = touched(_body_1, _first_1, _which_1)
-        _first_1 = _where(_touches_1, _first_2, _first_1)
-        _last_1 = _where(_touches_1, _last_2, _last_1)
+        _first_1 = _choose(_touches_1, _first_2, _first_1)
+        _last_1 = _choose(_touches_1, _last_2, _last_1)
         _count_0_0 = _put(_count_0_0, _rows1, _count_0_1, shots)
         _count_1_0 = _put(_count_1_0, _rows1, _count_1_1, shots)
         _count_2_0 = _put(_count_2_0, _rows1, _count_2_1, shots)
@@ -2343,7 +2564,7 @@ def meet_plain(columns: dict[str, Any], shots: int) -> None:
     columns["z"] = _z_0
 
 
-def permit_bounded(columns: dict[str, Any], shots: int) -> None:
+def permit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage permit of the event loop, with bounds on errors."""
     _p_ball_radius_0 = columns["p_ball_radius"]
     _p_board_bottom_0 = columns["p_board_bottom"]
@@ -2361,7 +2582,7 @@ def permit_bounded(columns: dict[str, Any], shots: int) -> None:
     columns["permitted"] = _permitted_0
 
 
-def admit_bounded(columns: dict[str, Any], shots: int) -> None:
+def admit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage admit of the event loop, with bounds on errors."""
     _last_0 = columns["last"]
     _p_ball_radius_0 = columns["p_ball_radius"]
@@ -2383,14 +2604,15 @@ def admit_bounded(columns: dict[str, Any], shots: int) -> None:
     _x_0 = columns["x"]
     _y_0 = columns["y"]
     _z_0 = columns["z"]
-    _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0)
-    _valid_0, _doubt_0 = valid(_last_0, _x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0)
+    _room_0 = room(shots)
+    _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
+    _valid_0, _doubt_0 = valid(_last_0, _x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_end_depth_0, _room_0)
     _outcome_0, _uncertain_0 = admitted(_doubt_0, _finite_0, _permitted_0, _valid_0)
     columns["outcome"] = _outcome_0
     columns["uncertain"] = _uncertain_0
 
 
-def reach_bounded(columns: dict[str, Any], shots: int) -> None:
+def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage reach of the event loop, with bounds on errors."""
     _clock_0 = columns["clock"]
     _clock_error_0 = columns["clock_error"]
@@ -2424,32 +2646,33 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
     _x_0 = columns["x"]
     _y_0 = columns["y"]
     _z_0 = columns["z"]
-    _position_error_0, _velocity_error_0, _, _time_error_0 = error_bounds(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0)
-    _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0)
+    _room_0 = room(shots)
+    _position_error_0, _velocity_error_0, _, _time_error_0 = error_bounds(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _room_0)
+    _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
     _when_0, _which_0, _late_0, _doubt_0 = opening(_excess_0, _position_error_0, _velocity_error_0)
     _limited_0, = limited(_time_limit_0)
     _leaving_0, = left(3.0, _last_0)
-    _time_0, _rate_0, _bend_0, _apex_0, _height_0 = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0)
+    _time_0, _rate_0, _bend_0, _apex_0, _height_0 = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _arrives_0, _ceiling_0 = meeting_plane(_bend_0, _rate_0, _time_0)
-    _margin_0, = end_margin(_time_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_gravity_0, _p_end_depth_0)
-    _clearance_0, _delay_0 = crossing(_margin_0, 0.0, _rate_0, _ceiling_0)
+    _margin_0, = end_margin(_time_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_gravity_0, _p_end_depth_0, _room_0)
+    _clearance_0, _delay_0 = crossing(_margin_0, 0.0, _rate_0, _ceiling_0, _room_0)
     _possible_0, = timely(_arrives_0, _delay_0, _late_0, _time_0, _when_0)
-    _margin_0, = end_margin(_apex_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_gravity_0, _p_end_depth_0)
+    _margin_0, = end_margin(_apex_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _doubt_0, = grazed(_apex_0, _doubt_0, _height_0, _margin_0)
     _doubt_1, = crossed(_arrives_0, _clearance_0, _doubt_0, _time_0)
     _doubt_1, _late_1 = tied(_arrives_0, _delay_0, _doubt_1, _late_0, _time_0, _when_0)
     _when_1, _which_1 = sooner(_arrives_0, 3.0, _time_0, _when_0, _which_0)
-    _doubt_0 = _where(_possible_0, _doubt_1, _doubt_0)
-    _late_0 = _where(_possible_0, _late_1, _late_0)
-    _when_0 = _where(_possible_0, _when_1, _when_0)
-    _which_0 = _where(_possible_0, _which_1, _which_0)
+    _doubt_0 = _choose(_possible_0, _doubt_1, _doubt_0)
+    _late_0 = _choose(_possible_0, _late_1, _late_0)
+    _when_0 = _choose(_possible_0, _when_1, _when_0)
+    _which_0 = _choose(_possible_0, _which_1, _which_0)
     _leaving_0, = left(1.0, _last_0)
     _time_0, _rate_0, _bend_0, _apex_0, _height_0 = backboard_arrival(_leaving_0, _x_0, _vx_0, _p_ball_radius_0, _p_board_distance_0)
     _arrives_0, _ceiling_0 = meeting_plane(_bend_0, _rate_0, _time_0)
-    _margin_0, = backboard_margin(_time_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0)
-    _clearance_0, _delay_0 = crossing(_margin_0, 0.0, _rate_0, _ceiling_0)
+    _margin_0, = backboard_margin(_time_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0, _room_0)
+    _clearance_0, _delay_0 = crossing(_margin_0, 0.0, _rate_0, _ceiling_0, _room_0)
     _possible_0, = timely(_arrives_0, _delay_0, _late_0, _time_0, _when_0)
-    _margin_0, = backboard_margin(_apex_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0)
+    _margin_0, = backboard_margin(_apex_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_board_distance_0, _p_gravity_0, _room_0)
     _doubt_0, = grazed(_apex_0, _doubt_0, _height_0, _margin_0)
     _rows1, _count2 = _rows(_possible_0, shots)
     if _count2:
@@ -2480,9 +2703,10 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
         _x_1 = _take(_x_0, _rows1)
         _y_1 = _take(_y_0, _rows1)
         _z_1 = _take(_z_0, _rows1)
-        _, _there_y_1, _there_z_1, *_ = flight(_time_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1)
+        _room_1 = room(_count2)
+        _, _there_y_1, _there_z_1, *_ = flight(_time_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
         _g0_1, _g1_1, _g2_1, _g3_1 = backboard_bounds(_there_y_1, _there_z_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1)
-        _slack_1, = displacement(_delay_1, _time_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_bridge_half_width_1, _p_gravity_1, _p_end_depth_1)
+        _slack_1, = displacement(_delay_1, _time_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_bridge_half_width_1, _p_gravity_1, _p_end_depth_1, _room_1)
         _unsure_1, = backboard_edges(_clearance_1, _g0_1, _g1_1, _g2_1, _g3_1, _slack_1)
         _doubt_1, = questioned(_doubt_1, _time_1, _unsure_1)
         _arrives_1, = backboard_within(_g0_1, _g1_1, _g2_1, _g3_1)
@@ -2493,12 +2717,12 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
         _when_0 = _put(_when_0, _rows1, _when_1, shots)
         _which_0 = _put(_which_0, _rows1, _which_1, shots)
     _leaving_0, = left(2.0, _last_0)
-    _time_0, _rate_0, _bend_0, _apex_0, _height_0 = bridge_arrival(_leaving_0, _z_0, _vz_0, _p_ball_radius_0, _p_wire_radius_0, _p_gravity_0)
+    _time_0, _rate_0, _bend_0, _apex_0, _height_0 = bridge_arrival(_leaving_0, _z_0, _vz_0, _p_ball_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
     _arrives_0, _ceiling_0 = meeting_plane(_bend_0, _rate_0, _time_0)
-    _margin_0, = bridge_margin(_time_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_wire_radius_0, _p_gravity_0)
-    _clearance_0, _delay_0 = crossing(_margin_0, 0.0, _rate_0, _ceiling_0)
+    _margin_0, = bridge_margin(_time_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
+    _clearance_0, _delay_0 = crossing(_margin_0, 0.0, _rate_0, _ceiling_0, _room_0)
     _possible_0, = timely(_arrives_0, _delay_0, _late_0, _time_0, _when_0)
-    _margin_0, = bridge_margin(_apex_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_wire_radius_0, _p_gravity_0)
+    _margin_0, = bridge_margin(_apex_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
     _doubt_0, = grazed(_apex_0, _doubt_0, _height_0, _margin_0)
     _rows3, _count4 = _rows(_possible_0, shots)
     if _count4:
@@ -2529,9 +2753,10 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
         _x_1 = _take(_x_0, _rows3)
         _y_1 = _take(_y_0, _rows3)
         _z_1 = _take(_z_0, _rows3)
-        _there_x_1, _there_y_1, *_ = flight(_time_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1)
-        _g0_1, _g1_1, _g2_1, _g3_1, _g4_1 = bridge_bounds(_there_x_1, _there_y_1, _p_ring_radius_1, _p_board_distance_1, _p_bridge_half_width_1)
-        _slack_1, = displacement(_delay_1, _time_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_bridge_half_width_1, _p_gravity_1, _p_end_depth_1)
+        _room_1 = room(_count4)
+        _there_x_1, _there_y_1, *_ = flight(_time_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
+        _g0_1, _g1_1, _g2_1, _g3_1, _g4_1 = bridge_bounds(_there_x_1, _there_y_1, _p_ring_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _room_1)
+        _slack_1, = displacement(_delay_1, _time_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_bridge_half_width_1, _p_gravity_1, _p_end_depth_1, _room_1)
         _unsure_1, = bridge_edges(_clearance_1, _g0_1, _g1_1, _g2_1, _g3_1, _g4_1, _slack_1)
         _doubt_1, = questioned(_doubt_1, _time_1, _unsure_1)
         _arrives_1, = bridge_within(_g0_1, _g1_1, _g2_1, _g3_1, _g4_1)
@@ -2542,7 +2767,7 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
         _when_0 = _put(_when_0, _rows3, _when_1, shots)
         _which_0 = _put(_which_0, _rows3, _which_1, shots)
     _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
-    _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0)
+    _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
     _open_0, = opens(_clear_0)
     _rows5, _count6 = _rows(_open_0, shots)
     if _count6:
@@ -2567,10 +2792,11 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
         _x_1 = _take(_x_0, _rows5)
         _y_1 = _take(_y_0, _rows5)
         _z_1 = _take(_z_0, _rows5)
-        _steady_1, _swing_1, _rho_start_1, _low0_1, _high0_1, _low1_1, _high1_1, _low2_1, _high2_1, _ceiling_1, _latest_1, _lost_1 = ring_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _room_1 = room(_count6)
+        _steady_1, _swing_1, _rho_start_1, _low0_1, _high0_1, _low1_1, _high1_1, _low2_1, _high2_1, _ceiling_1, _latest_1, _lost_1 = ring_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _share_1, _arrival_1, _certain_1 = beginning()
-        _position_level_1, _velocity_level_1, _excess_1 = allowance(_share_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1)
-        _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _position_level_1, _velocity_level_1, _excess_1 = allowance(_share_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
+        _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _doubt_1, = beyond(_doubt_1, _excess_1, _late_1, _lost_1, _pad_1)
         _t_1, _end_1, _searching_1 = ring_enter(0.0, 0.0, _high0_1, _high1_1, _high2_1, _low0_1, _low1_1, _low2_1, 0.0)
         _rows7, _count8 = _rows(_searching_1, _count6)
@@ -2580,31 +2806,20 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
             _certain_2 = _take(_certain_1, _rows7)
             _doubt_2 = _take(_doubt_1, _rows7)
             _end_2 = _take(_end_1, _rows7)
-            _extent_2 = _take(_extent_1, _rows7)
             _flat_2 = _take(_flat_1, _rows7)
-            _high0_2 = _take(_high0_1, _rows7)
-            _high1_2 = _take(_high1_1, _rows7)
-            _high2_2 = _take(_high2_1, _rows7)
             _last_2 = _take(_last_1, _rows7)
-            _latest_2 = _take(_latest_1, _rows7)
-            _low0_2 = _take(_low0_1, _rows7)
-            _low1_2 = _take(_low1_1, _rows7)
-            _low2_2 = _take(_low2_1, _rows7)
             _p_ball_radius_2 = _take(_p_ball_radius_1, _rows7)
             _p_gravity_2 = _take(_p_gravity_1, _rows7)
             _p_ring_radius_2 = _take(_p_ring_radius_1, _rows7)
             _p_wire_radius_2 = _take(_p_wire_radius_1, _rows7)
-            _position_error_2 = _take(_position_error_1, _rows7)
             _rate_slack_2 = _take(_rate_slack_1, _rows7)
             _rho_start_2 = _take(_rho_start_1, _rows7)
             _searching_2 = _take(_searching_1, _rows7)
             _share_2 = _take(_share_1, _rows7)
-            _speed_2 = _take(_speed_1, _rows7)
             _steady_2 = _take(_steady_1, _rows7)
             _swing_2 = _take(_swing_1, _rows7)
             _t_2 = _take(_t_1, _rows7)
             _tilt_2 = _take(_tilt_1, _rows7)
-            _velocity_error_2 = _take(_velocity_error_1, _rows7)
             _vx_2 = _take(_vx_1, _rows7)
             _vy_2 = _take(_vy_1, _rows7)
             _vz_2 = _take(_vz_1, _rows7)
@@ -2619,26 +2834,29 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
             _t_1 = _copy(_t_1, _count6)
             _tilt_1 = _copy(_tilt_1, _count6)
             for _ in range(201):
+                _room_2 = room(_count8)
                 _leaving_2, _margin_2 = nearby(_flat_2, 0.0, _last_2, _t_2, _tilt_2)
-                _gap_2, _rate_2, _bend_2, _step_2, _next_2, _root_2, _clearance_2 = ring_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _steady_2, _swing_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2)
+                _gap_2, _rate_2, _bend_2, _step_2, _next_2, _root_2, _clearance_2 = ring_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _steady_2, _swing_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
                 _hit_2, _sure_2, _vague_2 = struck(_bend_2, _clearance_2, _gap_2, _margin_2, _rate_2, _rate_slack_2, _share_2)
                 _rows9, _count10 = _rows(_vague_2, _count8)
                 if _count10:
+                    _far = _of(_rows7, _rows9)
                     _doubt_3 = _take(_doubt_2, _rows9)
-                    _extent_3 = _take(_extent_2, _rows9)
-                    _latest_3 = _take(_latest_2, _rows9)
+                    _extent_3 = _take(_extent_1, _far)
+                    _latest_3 = _take(_latest_1, _far)
                     _p_ball_radius_3 = _take(_p_ball_radius_2, _rows9)
                     _p_gravity_3 = _take(_p_gravity_2, _rows9)
                     _p_ring_radius_3 = _take(_p_ring_radius_2, _rows9)
                     _p_wire_radius_3 = _take(_p_wire_radius_2, _rows9)
-                    _position_error_3 = _take(_position_error_2, _rows9)
+                    _position_error_3 = _take(_position_error_1, _far)
                     _share_3 = _take(_share_2, _rows9)
-                    _speed_3 = _take(_speed_2, _rows9)
+                    _speed_3 = _take(_speed_1, _far)
                     _t_3 = _take(_t_2, _rows9)
-                    _velocity_error_3 = _take(_velocity_error_2, _rows9)
+                    _velocity_error_3 = _take(_velocity_error_1, _far)
+                    _room_3 = room(_count10)
                     _share_3, = finer(_share_3)
-                    _position_level_3, _velocity_level_3, _excess_3 = allowance(_share_3, _latest_3, _extent_3, _speed_3, _position_error_3, _velocity_error_3, _p_gravity_3)
-                    _flat_3, _tilt_3, _rate_slack_3 = ring_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3)
+                    _position_level_3, _velocity_level_3, _excess_3 = allowance(_share_3, _latest_3, _extent_3, _speed_3, _position_error_3, _velocity_error_3, _p_gravity_3, _room_3)
+                    _flat_3, _tilt_3, _rate_slack_3 = ring_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3, _room_3)
                     _doubt_3, = exceeded(_doubt_3, _excess_3, _t_3)
                     _doubt_2 = _put(_doubt_2, _rows9, _doubt_3, _count8)
                     _flat_2 = _put(_flat_2, _rows9, _flat_3, _count8)
@@ -2646,14 +2864,25 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
                     _share_2 = _put(_share_2, _rows9, _share_3, _count8)
                     _tilt_2 = _put(_tilt_2, _rows9, _tilt_3, _count8)
                 _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_arrival_2, _certain_2, _end_2, _hit_2, _next_2, _root_2, _step_2, _sure_2, _t_2, _vague_2)
-                _t_3, _end_3, _searching_3 = ring_enter(_end_2, _end_2, _high0_2, _high1_2, _high2_2, _low0_2, _low1_2, _low2_2, _t_2)
-                _end_2 = _where(_exhausted_2, _end_3, _end_2)
-                _searching_2 = _where(_exhausted_2, _searching_3, _searching_2)
-                _t_2 = _where(_exhausted_2, _t_3, _t_2)
-                _going11 = _flatnonzero(_searching_2)
-                if len(_going11) == _count8:
+                _rows11, _count12 = _rows(_exhausted_2, _count8)
+                if _count12:
+                    _far = _of(_rows7, _rows11)
+                    _end_3 = _take(_end_2, _rows11)
+                    _high0_3 = _take(_high0_1, _far)
+                    _high1_3 = _take(_high1_1, _far)
+                    _high2_3 = _take(_high2_1, _far)
+                    _low0_3 = _take(_low0_1, _far)
+                    _low1_3 = _take(_low1_1, _far)
+                    _low2_3 = _take(_low2_1, _far)
+                    _t_3 = _take(_t_2, _rows11)
+                    _t_3, _end_3, _searching_3 = ring_enter(_end_3, _end_3, _high0_3, _high1_3, _high2_3, _low0_3, _low1_3, _low2_3, _t_3)
+                    _end_2 = _put(_end_2, _rows11, _end_3, _count8)
+                    _searching_2 = _put(_searching_2, _rows11, _searching_3, _count8)
+                    _t_2 = _put(_t_2, _rows11, _t_3, _count8)
+                _going13 = _where_true(_searching_2)
+                if len(_going13) == _count8:
                     continue
-                _done = _flatnonzero(_logical_not(_searching_2))
+                _done = _where_true(_logical_not(_searching_2))
                 _store(_arrival_1, _of(_rows7, _done), _arrival_2, _done)
                 _store(_certain_1, _of(_rows7, _done), _certain_2, _done)
                 _store(_doubt_1, _of(_rows7, _done), _doubt_2, _done)
@@ -2661,45 +2890,34 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
                 _store(_searching_1, _of(_rows7, _done), _searching_2, _done)
                 _store(_t_1, _of(_rows7, _done), _t_2, _done)
                 _store(_tilt_1, _of(_rows7, _done), _tilt_2, _done)
-                _rows7, _count8 = _of(_rows7, _going11), len(_going11)
+                _rows7, _count8 = _of(_rows7, _going13), len(_going13)
                 if not _count8:
                     break
-                _arrival_2 = _take(_arrival_2, _going11)
-                _ceiling_2 = _take(_ceiling_2, _going11)
-                _certain_2 = _take(_certain_2, _going11)
-                _doubt_2 = _take(_doubt_2, _going11)
-                _end_2 = _take(_end_2, _going11)
-                _extent_2 = _take(_extent_2, _going11)
-                _flat_2 = _take(_flat_2, _going11)
-                _high0_2 = _take(_high0_2, _going11)
-                _high1_2 = _take(_high1_2, _going11)
-                _high2_2 = _take(_high2_2, _going11)
-                _last_2 = _take(_last_2, _going11)
-                _latest_2 = _take(_latest_2, _going11)
-                _low0_2 = _take(_low0_2, _going11)
-                _low1_2 = _take(_low1_2, _going11)
-                _low2_2 = _take(_low2_2, _going11)
-                _p_ball_radius_2 = _take(_p_ball_radius_2, _going11)
-                _p_gravity_2 = _take(_p_gravity_2, _going11)
-                _p_ring_radius_2 = _take(_p_ring_radius_2, _going11)
-                _p_wire_radius_2 = _take(_p_wire_radius_2, _going11)
-                _position_error_2 = _take(_position_error_2, _going11)
-                _rate_slack_2 = _take(_rate_slack_2, _going11)
-                _rho_start_2 = _take(_rho_start_2, _going11)
-                _searching_2 = _take(_searching_2, _going11)
-                _share_2 = _take(_share_2, _going11)
-                _speed_2 = _take(_speed_2, _going11)
-                _steady_2 = _take(_steady_2, _going11)
-                _swing_2 = _take(_swing_2, _going11)
-                _t_2 = _take(_t_2, _going11)
-                _tilt_2 = _take(_tilt_2, _going11)
-                _velocity_error_2 = _take(_velocity_error_2, _going11)
-                _vx_2 = _take(_vx_2, _going11)
-                _vy_2 = _take(_vy_2, _going11)
-                _vz_2 = _take(_vz_2, _going11)
-                _x_2 = _take(_x_2, _going11)
-                _y_2 = _take(_y_2, _going11)
-                _z_2 = _take(_z_2, _going11)
+                _arrival_2 = _take(_arrival_2, _going13)
+                _ceiling_2 = _take(_ceiling_2, _going13)
+                _certain_2 = _take(_certain_2, _going13)
+                _doubt_2 = _take(_doubt_2, _going13)
+                _end_2 = _take(_end_2, _going13)
+                _flat_2 = _take(_flat_2, _going13)
+                _last_2 = _take(_last_2, _going13)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going13)
+                _p_gravity_2 = _take(_p_gravity_2, _going13)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going13)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going13)
+                _rate_slack_2 = _take(_rate_slack_2, _going13)
+                _rho_start_2 = _take(_rho_start_2, _going13)
+                _searching_2 = _take(_searching_2, _going13)
+                _share_2 = _take(_share_2, _going13)
+                _steady_2 = _take(_steady_2, _going13)
+                _swing_2 = _take(_swing_2, _going13)
+                _t_2 = _take(_t_2, _going13)
+                _tilt_2 = _take(_tilt_2, _going13)
+                _vx_2 = _take(_vx_2, _going13)
+                _vy_2 = _take(_vy_2, _going13)
+                _vz_2 = _take(_vz_2, _going13)
+                _x_2 = _take(_x_2, _going13)
+                _y_2 = _take(_y_2, _going13)
+                _z_2 = _take(_z_2, _going13)
             else:
                 _store(_arrival_1, _rows7, _arrival_2, None)
                 _store(_certain_1, _rows7, _certain_2, None)
@@ -2711,13 +2929,13 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
         _doubt_1, = questioned(_doubt_1, _t_1, _searching_1)
         _arrives_1, = found(_arrival_1)
         _leaving_1, *_ = nearby(_flat_1, 0.0, _last_1, _arrival_1, _tilt_1)
-        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
-        _refined_1, _rate_1 = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _refined_1, _rate_1 = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
-        _flat_1, _tilt_1, _rate_margin_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _flat_1, _tilt_1, _rate_margin_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
         _margin_1, = own_margin(_arrival_1, _flat_1, _leaving_1, _tilt_1)
-        _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1)
+        _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
         _time_1, = landed(_arrival_1)
         _delay_1, _doubt_1 = landed_surely(_arrives_1, _certain_1, _clearance_1, _delay_1, _doubt_1, _time_1)
         _doubt_1, _late_1 = tied(_arrives_1, _delay_1, _doubt_1, _late_1, _time_1, _when_1)
@@ -2726,53 +2944,53 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
         _late_0 = _put(_late_0, _rows5, _late_1, shots)
         _when_0 = _put(_when_0, _rows5, _when_1, shots)
         _which_0 = _put(_which_0, _rows5, _which_1, shots)
-    _rows12, _count13 = _rows(_limited_0, shots)
-    if _count13:
-        _clock_1 = _take(_clock_0, _rows12)
-        _doubt_1 = _take(_doubt_0, _rows12)
-        _late_1 = _take(_late_0, _rows12)
-        _time_error_1 = _take(_time_error_0, _rows12)
-        _time_limit_1 = _take(_time_limit_0, _rows12)
-        _when_1 = _take(_when_0, _rows12)
-        _which_1 = _take(_which_0, _rows12)
+    _rows14, _count15 = _rows(_limited_0, shots)
+    if _count15:
+        _clock_1 = _take(_clock_0, _rows14)
+        _doubt_1 = _take(_doubt_0, _rows14)
+        _late_1 = _take(_late_0, _rows14)
+        _time_error_1 = _take(_time_error_0, _rows14)
+        _time_limit_1 = _take(_time_limit_0, _rows14)
+        _when_1 = _take(_when_0, _rows14)
+        _which_1 = _take(_which_0, _rows14)
         _time_1, _delay_1, _arrives_1, _doubt_1 = expiry(_clock_1, _doubt_1, _late_1, _time_error_1, _time_limit_1, _when_1, _which_1)
         _doubt_1, _late_1 = tied(_arrives_1, _delay_1, _doubt_1, _late_1, _time_1, _when_1)
         _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
-        _doubt_0 = _put(_doubt_0, _rows12, _doubt_1, shots)
-        _late_0 = _put(_late_0, _rows12, _late_1, shots)
-        _when_0 = _put(_when_0, _rows12, _when_1, shots)
-        _which_0 = _put(_which_0, _rows12, _which_1, shots)
+        _doubt_0 = _put(_doubt_0, _rows14, _doubt_1, shots)
+        _late_0 = _put(_late_0, _rows14, _late_1, shots)
+        _when_0 = _put(_when_0, _rows14, _when_1, shots)
+        _which_0 = _put(_which_0, _rows14, _which_1, shots)
     _, _moves_0, _ends_0, _touches_0, _reached_0, _edge_0 = departed(3.0, _which_0)
     _body_0, = body_of(_which_0)
-    _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0)
+    _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
     _clock_1, = ticked(_clock_0, _when_0)
-    _clock_0 = _where(_moves_0, _clock_1, _clock_0)
-    _vx_0 = _where(_moves_0, _vx_1, _vx_0)
-    _vy_0 = _where(_moves_0, _vy_1, _vy_0)
-    _vz_0 = _where(_moves_0, _vz_1, _vz_0)
-    _x_0 = _where(_moves_0, _x_1, _x_0)
-    _y_0 = _where(_moves_0, _y_1, _y_0)
-    _z_0 = _where(_moves_0, _z_1, _z_0)
-    _rows14, _count15 = _rows(_limited_0, shots)
-    if _count15:
-        _body_1 = _take(_body_0, _rows14)
-        _clock_1 = _take(_clock_0, _rows14)
-        _ends_1 = _take(_ends_0, _rows14)
-        _reached_1 = _take(_reached_0, _rows14)
-        _time_limit_1 = _take(_time_limit_0, _rows14)
-        _which_1 = _take(_which_0, _rows14)
+    _clock_0 = _choose(_moves_0, _clock_1, _clock_0)
+    _vx_0 = _choose(_moves_0, _vx_1, _vx_0)
+    _vy_0 = _choose(_moves_0, _vy_1, _vy_0)
+    _vz_0 = _choose(_moves_0, _vz_1, _vz_0)
+    _x_0 = _choose(_moves_0, _x_1, _x_0)
+    _y_0 = _choose(_moves_0, _y_1, _y_0)
+    _z_0 = _choose(_moves_0, _z_1, _z_0)
+    _rows16, _count17 = _rows(_limited_0, shots)
+    if _count17:
+        _body_1 = _take(_body_0, _rows16)
+        _clock_1 = _take(_clock_0, _rows16)
+        _ends_1 = _take(_ends_0, _rows16)
+        _reached_1 = _take(_reached_0, _rows16)
+        _time_limit_1 = _take(_time_limit_0, _rows16)
+        _which_1 = _take(_which_0, _rows16)
         _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
-        _body_0 = _put(_body_0, _rows14, _body_1, shots)
-        _clock_0 = _put(_clock_0, _rows14, _clock_1, shots)
-        _ends_0 = _put(_ends_0, _rows14, _ends_1, shots)
-        _reached_0 = _put(_reached_0, _rows14, _reached_1, shots)
-    _slack_0, = displacement(_late_0, _when_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_gravity_0, _p_end_depth_0)
+        _body_0 = _put(_body_0, _rows16, _body_1, shots)
+        _clock_0 = _put(_clock_0, _rows16, _clock_1, shots)
+        _ends_0 = _put(_ends_0, _rows16, _ends_1, shots)
+        _reached_0 = _put(_reached_0, _rows16, _reached_1, shots)
+    _slack_0, = displacement(_late_0, _when_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_bridge_half_width_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _here_0, = here(3.0, _which_0)
     _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
     _reached_1, = end_reached(_g0_1)
     _edge_1, = end_edge(_g0_1, _slack_0)
-    _edge_0 = _where(_here_0, _edge_1, _edge_0)
-    _reached_0 = _where(_here_0, _reached_1, _reached_0)
+    _edge_0 = _choose(_here_0, _edge_1, _edge_0)
+    _reached_0 = _choose(_here_0, _reached_1, _reached_0)
     _uncertain_0, = doubted(_doubt_0, _edge_0, _late_0, _uncertain_0, _when_0)
     _contacts_0, _outcome_0 = accounted(_contacts_0, _most_contacts_0, _reached_0, _touches_0)
     columns["body"] = _body_0
@@ -2794,7 +3012,7 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
     columns["z"] = _z_0
 
 
-def meet_bounded(columns: dict[str, Any], shots: int) -> None:
+def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     """Stage meet of the event loop, with bounds on errors."""
     _body_0 = columns["body"]
     _claims_0 = columns["claims"]
@@ -2841,6 +3059,7 @@ def meet_bounded(columns: dict[str, Any], shots: int) -> None:
     _x_0 = columns["x"]
     _y_0 = columns["y"]
     _z_0 = columns["z"]
+    _room_0 = room(shots)
     _meeting_0, = meeting(_claims_0, _ends_0, _touches_0)
     _rows1, _count2 = _rows(_meeting_0, shots)
     if _count2:
@@ -2882,44 +3101,45 @@ def meet_bounded(columns: dict[str, Any], shots: int) -> None:
         _x_1 = _take(_x_0, _rows1)
         _y_1 = _take(_y_0, _rows1)
         _z_1 = _take(_z_0, _rows1)
+        _room_1 = room(_count2)
         _nx_1, _ny_1, _nz_1 = end_normal()
         _here_1, = here(0.0, _which_1)
-        _nx_2, _ny_2, _nz_2 = ring_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1)
+        _nx_2, _ny_2, _nz_2 = ring_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _room_1)
         _count_0_2, = counted(_count_0_1)
-        _count_0_1 = _where(_here_1, _count_0_2, _count_0_1)
-        _nx_1 = _where(_here_1, _nx_2, _nx_1)
-        _ny_1 = _where(_here_1, _ny_2, _ny_1)
-        _nz_1 = _where(_here_1, _nz_2, _nz_1)
+        _count_0_1 = _choose(_here_1, _count_0_2, _count_0_1)
+        _nx_1 = _choose(_here_1, _nx_2, _nx_1)
+        _ny_1 = _choose(_here_1, _ny_2, _ny_1)
+        _nz_1 = _choose(_here_1, _nz_2, _nz_1)
         _here_1, = here(1.0, _which_1)
         _nx_2, _ny_2, _nz_2 = backboard_normal()
         _count_1_2, = counted(_count_1_1)
-        _count_1_1 = _where(_here_1, _count_1_2, _count_1_1)
-        _nx_1 = _where(_here_1, _nx_2, _nx_1)
-        _ny_1 = _where(_here_1, _ny_2, _ny_1)
-        _nz_1 = _where(_here_1, _nz_2, _nz_1)
+        _count_1_1 = _choose(_here_1, _count_1_2, _count_1_1)
+        _nx_1 = _choose(_here_1, _nx_2, _nx_1)
+        _ny_1 = _choose(_here_1, _ny_2, _ny_1)
+        _nz_1 = _choose(_here_1, _nz_2, _nz_1)
         _here_1, = here(2.0, _which_1)
         _nx_2, _ny_2, _nz_2 = bridge_normal()
         _count_2_2, = counted(_count_2_1)
-        _count_2_1 = _where(_here_1, _count_2_2, _count_2_1)
-        _nx_1 = _where(_here_1, _nx_2, _nx_1)
-        _ny_1 = _where(_here_1, _ny_2, _ny_1)
-        _nz_1 = _where(_here_1, _nz_2, _nz_1)
+        _count_2_1 = _choose(_here_1, _count_2_2, _count_2_1)
+        _nx_1 = _choose(_here_1, _nx_2, _nx_1)
+        _ny_1 = _choose(_here_1, _ny_2, _ny_1)
+        _nz_1 = _choose(_here_1, _nz_2, _nz_1)
         _curving_1, = elsewhere()
         _again_1, = again(0.0, _last_1, _which_1)
         _curving_2, = ring_curvature(_p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1)
-        _curving_1 = _where(_again_1, _curving_2, _curving_1)
+        _curving_1 = _choose(_again_1, _curving_2, _curving_1)
         _again_1, = again(1.0, _last_1, _which_1)
         _curving_2, = backboard_curvature()
-        _curving_1 = _where(_again_1, _curving_2, _curving_1)
+        _curving_1 = _choose(_again_1, _curving_2, _curving_1)
         _again_1, = again(2.0, _last_1, _which_1)
         _curving_2, = bridge_curvature()
-        _curving_1 = _where(_again_1, _curving_2, _curving_1)
-        _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _delay_1, _shift_1 = carry_flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1, _clock_1, _contacts_1, _late_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _curving_1, _p_gravity_1)
+        _curving_1 = _choose(_again_1, _curving_2, _curving_1)
+        _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _delay_1, _shift_1 = carry_flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1, _clock_1, _contacts_1, _late_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _curving_1, _p_gravity_1, _room_1)
         _clock_error_1, = delayed(_clock_error_1, _delay_1)
         _dx_2, _dy_2, _dz_2 = floored(_dx_1, _dy_1, _dz_1, _shift_1)
-        _dx_1 = _where(_ends_1, _dx_2, _dx_1)
-        _dy_1 = _where(_ends_1, _dy_2, _dy_1)
-        _dz_1 = _where(_ends_1, _dz_2, _dz_1)
+        _dx_1 = _choose(_ends_1, _dx_2, _dx_1)
+        _dy_1 = _choose(_ends_1, _dy_2, _dy_1)
+        _dz_1 = _choose(_ends_1, _dz_2, _dz_1)
         _dnx_1, _dny_1, _dnz_1, _turn_1 = unturned()
         _here_1, = here(0.0, _which_1)
         _rows3, _count4 = _rows(_here_1, _count2)
@@ -2933,7 +3153,8 @@ def meet_bounded(columns: dict[str, Any], shots: int) -> None:
             _shift_2 = _take(_shift_1, _rows3)
             _x_2 = _take(_x_1, _rows3)
             _y_2 = _take(_y_1, _rows3)
-            _dnx_2, _dny_2, _dnz_2, _turn_2 = ring_carry_normal(_x_2, _y_2, _dx_2, _dy_2, _dz_2, _shift_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2)
+            _room_2 = room(_count4)
+            _dnx_2, _dny_2, _dnz_2, _turn_2 = ring_carry_normal(_x_2, _y_2, _dx_2, _dy_2, _dz_2, _shift_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _room_2)
             _dnx_1 = _put(_dnx_1, _rows3, _dnx_2, _count2)
             _dny_1 = _put(_dny_1, _rows3, _dny_2, _count2)
             _dnz_1 = _put(_dnz_1, _rows3, _dnz_2, _count2)
@@ -2962,8 +3183,9 @@ def meet_bounded(columns: dict[str, Any], shots: int) -> None:
             _wx_2 = _take(_wx_1, _rows5)
             _wy_2 = _take(_wy_1, _rows5)
             _wz_2 = _take(_wz_1, _rows5)
-            _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = carry_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _contacts_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dnx_2, _dny_2, _dnz_2, _turn_2, _p_ball_radius_2, _p_restitution_2)
-            _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_restitution_2)
+            _room_2 = room(_count6)
+            _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = carry_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _contacts_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dnx_2, _dny_2, _dnz_2, _turn_2, _p_ball_radius_2, _p_restitution_2, _room_2)
+            _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_restitution_2, _room_2)
             _dvx_1 = _put(_dvx_1, _rows5, _dvx_2, _count2)
             _dvy_1 = _put(_dvy_1, _rows5, _dvy_2, _count2)
             _dvz_1 = _put(_dvz_1, _rows5, _dvz_2, _count2)
@@ -2978,17 +3200,17 @@ def meet_bounded(columns: dict[str, Any], shots: int) -> None:
             _wz_1 = _put(_wz_1, _rows5, _wz_2, _count2)
         _here_1, = here(1.0, _which_1)
         _x_2, _y_2, _z_2 = backboard_place(_y_1, _z_1, _p_ball_radius_1, _p_board_distance_1)
-        _x_1 = _where(_here_1, _x_2, _x_1)
-        _y_1 = _where(_here_1, _y_2, _y_1)
-        _z_1 = _where(_here_1, _z_2, _z_1)
+        _x_1 = _choose(_here_1, _x_2, _x_1)
+        _y_1 = _choose(_here_1, _y_2, _y_1)
+        _z_1 = _choose(_here_1, _z_2, _z_1)
         _here_1, = here(2.0, _which_1)
         _x_2, _y_2, _z_2 = bridge_place(_x_1, _y_1, _p_ball_radius_1, _p_wire_radius_1)
-        _x_1 = _where(_here_1, _x_2, _x_1)
-        _y_1 = _where(_here_1, _y_2, _y_1)
-        _z_1 = _where(_here_1, _z_2, _z_1)
+        _x_1 = _choose(_here_1, _x_2, _x_1)
+        _y_1 = _choose(_here_1, _y_2, _y_1)
+        _z_1 = _choose(_here_1, _z_2, _z_1)
         _first_2, _last_2 = touched(_body_1, _first_1, _which_1)
-        _first_1 = _where(_touches_1, _first_2, _first_1)
-        _last_1 = _where(_touches_1, _last_2, _last_1)
+        _first_1 = _choose(_touches_1, _first_2, _first_1)
+        _last_1 = _choose(_touches_1, _last_2, _last_1)
         _clock_error_0 = _put(_clock_error_0, _rows1, _clock_error_1, shots)
         _count_0_0 = _put(_count_0_0, _rows1, _count_0_1, shots)
         _count_1_0 = _put(_count_1_0, _rows1, _count_1_1, shots)
@@ -3052,7 +3274,8 @@ def meet_bounded(columns: dict[str, Any], shots: int) -> None:
             _x_2 = _take(_x_1, _rows9)
             _y_2 = _take(_y_1, _rows9)
             _z_2 = _take(_z_1, _rows9)
-            _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _clock_error_2 = carry_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _p_gravity_2)
+            _room_2 = room(_count10)
+            _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _clock_error_2 = carry_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _p_gravity_2, _room_2)
             _clock_error_1 = _put(_clock_error_1, _rows9, _clock_error_2, _count8)
             _dvx_1 = _put(_dvx_1, _rows9, _dvx_2, _count8)
             _dvy_1 = _put(_dvy_1, _rows9, _dvy_2, _count8)
@@ -3068,11 +3291,11 @@ def meet_bounded(columns: dict[str, Any], shots: int) -> None:
         _dy_0 = _put(_dy_0, _rows7, _dy_1, shots)
         _dz_0 = _put(_dz_0, _rows7, _dz_1, shots)
     _closed_0, = closing(_claims_0, _outcome_0)
-    _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0)
-    _position_claim_0 = _where(_closed_0, _position_claim_1, _position_claim_0)
-    _spin_claim_0 = _where(_closed_0, _spin_claim_1, _spin_claim_0)
-    _time_claim_0 = _where(_closed_0, _time_claim_1, _time_claim_0)
-    _velocity_claim_0 = _where(_closed_0, _velocity_claim_1, _velocity_claim_0)
+    _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _room_0)
+    _position_claim_0 = _choose(_closed_0, _position_claim_1, _position_claim_0)
+    _spin_claim_0 = _choose(_closed_0, _spin_claim_1, _spin_claim_0)
+    _time_claim_0 = _choose(_closed_0, _time_claim_1, _time_claim_0)
+    _velocity_claim_0 = _choose(_closed_0, _velocity_claim_1, _velocity_claim_0)
     columns["clock_error"] = _clock_error_0
     columns["count_0"] = _count_0_0
     columns["count_1"] = _count_1_0

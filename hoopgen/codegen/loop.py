@@ -6,7 +6,7 @@ works on rows: a body takes the rows that need it, and puts back what it assigne
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from hoopgen.derive.ground.tree import (
@@ -16,6 +16,7 @@ from hoopgen.derive.ground.tree import (
     Repeat,
     live_before,
     live_in_body,
+    reads,
     writes,
 )
 
@@ -23,6 +24,9 @@ from .printers import NUMPY, C, Spelling, constant
 
 CHEAP = 40
 """A body that costs no more is done for every lane or row: to skip it would cost as much."""
+
+CHEAP_IN_TURNS = 10
+"""The same in a body that repeats, where what some rows need is not taken by all in each turn."""
 
 COSTS = {"div": 8, "sqrt": 8}
 """Operations that cost more than one."""
@@ -78,7 +82,10 @@ class _Printer:
         """Whether a body is better done for all than skipped for some."""
         if node.rare or not all(isinstance(n, Do) for n in node.body):
             return False
-        return sum(self.costs[n.kernel.name] for n in node.body if isinstance(n, Do)) <= CHEAP
+        return self._cost(node) <= CHEAP
+
+    def _cost(self, node: Guard) -> int:
+        return sum(self.costs[n.kernel.name] for n in node.body if isinstance(n, Do))
 
 
 @dataclass
@@ -168,7 +175,20 @@ class CLoop(_Printer):
 
 @dataclass
 class NumPyLoop(_Printer):
-    """Rows: a body takes its own, and puts back what it assigned."""
+    """Rows: a body takes its own, and puts back what it assigned.
+
+    Attributes
+    ----------
+    rows
+        The kernels that are given rows to write into: as many shots long as their arguments.
+    far
+        Within a body that repeats, what only some of its shots need, never changed by it: its names
+        outside. It is taken from there, rather than by all shots in each turn.
+    """
+
+    rows: Collection[str] = ()
+    far: dict[str, str] = field(default_factory=dict)
+    turning: str = ""
 
     def stage(
         self, nodes: Sequence[Node], names: Mapping[str, str], after: Iterable[str]
@@ -187,19 +207,54 @@ class NumPyLoop(_Printer):
         after: set[str],
         depth: int,
     ) -> None:
+        if self._given_rows(nodes):
+            self.lines.append(f"{indent}{_room(depth)} = room({count})")
         for index, node in enumerate(nodes):
             later = live_before(nodes[index + 1 :], after)
             if isinstance(node, Do):
-                self._do(node, names, indent, depth)
-            elif isinstance(node, Guard) and self.cheap(node):
+                self._do(node, names, indent, depth, depth)
+            elif isinstance(node, Guard) and self._for_all(node):
                 self._chosen(node, names, indent, later, depth)
             else:
                 self._rows(node, names, count, indent, later, depth)
 
-    def _do(self, node: Do, names: dict[str, str], indent: str, depth: int) -> None:
+    def _given_rows(self, nodes: Sequence[Node]) -> bool:
+        """Whether a kernel that all shots of a body call is given rows to write into."""
+        return any(
+            node.kernel.name in self.rows
+            if isinstance(node, Do)
+            else isinstance(node, Guard) and self._for_all(node) and self._given_rows(node.body)
+            for node in nodes
+        )
+
+    def _for_all(self, node: Guard) -> bool:
+        """Whether a body is done for all rows; in one that repeats, rows are few and taken anew."""
+        most = CHEAP_IN_TURNS if self.turning else CHEAP
+        return self.cheap(node) and self._cost(node) <= most
+
+    def _near(self, nodes: Sequence[Node], after: set[str]) -> set[str]:
+        """Return what all rows of a body need, not those of a guarded body alone."""
+        near: set[str] = set()
+        for index, node in enumerate(nodes):
+            if isinstance(node, Do):
+                near |= reads([node])
+                continue
+            later = live_before(nodes[index + 1 :], after)
+            near |= {node.truth, *scope(node, later).gives}
+            if isinstance(node, Repeat):
+                near |= set(scope(node, later).takes)
+            elif self._for_all(node):
+                near |= self._near(node.body, later)
+        return near
+
+    def _do(
+        self, node: Do, names: dict[str, str], indent: str, depth: int, shots_depth: int
+    ) -> None:
         given = ", ".join(
             names[v] if isinstance(v, str) else constant(float(v), NUMPY) for v in node.arguments
         )
+        if node.kernel.name in self.rows:
+            given += f", {_room(shots_depth)}"
         for variable in node.assigned.values():
             names[variable] = local(variable, depth)
         targets = [
@@ -222,11 +277,11 @@ class NumPyLoop(_Printer):
         inner = depth + 1
         for body in node.body:
             assert isinstance(body, Do)
-            self._do(body, inside, indent, inner)
+            self._do(body, inside, indent, inner, depth)
         for name in own.gives:
             new = local(name, depth)
             self.lines.append(
-                f"{indent}{new} = _where({names[node.truth]}, {inside[name]}, {names[name]})"
+                f"{indent}{new} = _choose({names[node.truth]}, {inside[name]}, {names[name]})"
             )
             names[name] = new
 
@@ -242,42 +297,22 @@ class NumPyLoop(_Printer):
         own = scope(node, later)
         rows, own_count = self.fresh("rows"), self.fresh("count")
         line, deeper = self.lines.append, indent + "    "
-        inside = {name: local(name, depth + 1) for name in own.takes}
         line(f"{indent}{rows}, {own_count} = _rows({names[node.truth]}, {count})")
         line(f"{indent}if {own_count}:")
-        for name in inside:
-            line(f"{deeper}{inside[name]} = _take({names[name]}, {rows})")
-        if isinstance(node, Guard):
+        if isinstance(node, Repeat):
+            self._turns(node, names, own, (rows, own_count), count, deeper, later, depth)
+        else:
+            far = set(own.takes) - set(names)
+            if far:
+                line(f"{deeper}_far = _of({self.turning}, {rows})")
+            inside = {name: local(name, depth + 1) for name in own.takes}
+            for name in inside:
+                of = f"{self.far[name]}, _far" if name in far else f"{names[name]}, {rows}"
+                line(f"{deeper}{inside[name]} = _take({of})")
             self._body(node.body, inside, own_count, deeper, later, depth + 1)
             for name in own.gives:
                 given = f"{names[name]}, {rows}, {inside[name]}, {count}"
                 line(f"{deeper}{local(name, depth)} = _put({given})")
-        else:
-            turning = deeper + "    "
-            for name in own.gives:
-                line(f"{deeper}{local(name, depth)} = _copy({names[name]}, {count})")
-            line(f"{deeper}for _ in range({node.limit}):")
-            start = dict(inside)
-            wanted = later | set(own.takes) | {node.truth}
-            self._body(node.body, inside, own_count, turning, wanted, depth + 1)
-            assert all(inside[name] == value for name, value in start.items()), "a name changed"
-            going = self.fresh("going")
-            line(f"{turning}{going} = _flatnonzero({inside[node.truth]})")
-            line(f"{turning}if len({going}) == {own_count}:")
-            line(f"{turning}    continue")
-            line(f"{turning}_done = _flatnonzero(_logical_not({inside[node.truth]}))")
-            for name in own.gives:
-                into = f"{local(name, depth)}, _of({rows}, _done)"
-                line(f"{turning}_store({into}, {inside[name]}, _done)")
-            line(f"{turning}{rows}, {own_count} = _of({rows}, {going}), len({going})")
-            line(f"{turning}if not {own_count}:")
-            line(f"{turning}    break")
-            for name in sorted({*own.takes, *own.gives}):
-                line(f"{turning}{inside[name]} = _take({inside[name]}, {going})")
-            if own.gives:
-                line(f"{deeper}else:")
-            for name in own.gives:
-                line(f"{turning}_store({local(name, depth)}, {rows}, {inside[name]}, None)")
         missing = [name for name in own.gives if names[name] != local(name, depth)]
         if missing:
             line(f"{indent}else:")
@@ -285,6 +320,57 @@ class NumPyLoop(_Printer):
                 line(f"{deeper}{local(name, depth)} = {names[name]}")
         for name in own.gives:
             names[name] = local(name, depth)
+
+    def _turns(
+        self,
+        node: Repeat,
+        names: dict[str, str],
+        own: Scope,
+        own_rows: tuple[str, str],
+        count: str,
+        deeper: str,
+        later: set[str],
+        depth: int,
+    ) -> None:
+        """Print a body that repeats; rows that are done are stored, the others taken anew."""
+        (rows, own_count), outer = own_rows, (self.far, self.turning)
+        line, turning = self.lines.append, deeper + "    "
+        wanted = later | set(own.takes) | {node.truth}
+        self.turning = rows
+        far = set(own.takes) - set(writes(node.body)) - self._near(node.body, wanted) - {node.truth}
+        self.far = {name: names[name] for name in far}
+        inside = {name: local(name, depth + 1) for name in own.takes if name not in far}
+        for name in inside:
+            line(f"{deeper}{inside[name]} = _take({names[name]}, {rows})")
+        for name in own.gives:
+            line(f"{deeper}{local(name, depth)} = _copy({names[name]}, {count})")
+        line(f"{deeper}for _ in range({node.limit}):")
+        start = dict(inside)
+        self._body(node.body, inside, own_count, turning, wanted, depth + 1)
+        assert all(inside[name] == value for name, value in start.items()), "a name changed"
+        going = self.fresh("going")
+        line(f"{turning}{going} = _where_true({inside[node.truth]})")
+        line(f"{turning}if len({going}) == {own_count}:")
+        line(f"{turning}    continue")
+        line(f"{turning}_done = _where_true(_logical_not({inside[node.truth]}))")
+        for name in own.gives:
+            into = f"{local(name, depth)}, _of({rows}, _done)"
+            line(f"{turning}_store({into}, {inside[name]}, _done)")
+        line(f"{turning}{rows}, {own_count} = _of({rows}, {going}), len({going})")
+        line(f"{turning}if not {own_count}:")
+        line(f"{turning}    break")
+        for name in sorted({*own.takes, *own.gives} - far):
+            line(f"{turning}{inside[name]} = _take({inside[name]}, {going})")
+        if own.gives:
+            line(f"{deeper}else:")
+        for name in own.gives:
+            line(f"{turning}_store({local(name, depth)}, {rows}, {inside[name]}, None)")
+        self.far, self.turning = outer
+
+
+def _room(depth: int) -> str:
+    """Return the rows for as many shots as there are so many bodies deep."""
+    return f"_room_{depth}"
 
 
 def local(name: str, depth: int) -> str:

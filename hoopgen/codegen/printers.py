@@ -97,10 +97,11 @@ JS = Spelling(
 
 @dataclass(frozen=True)
 class Body:
-    """A printed program: statements, then one expression for each output."""
+    """A printed program: statements, then one expression for each output; rows that it needs."""
 
     statements: list[str]
     outputs: list[str]
+    rows: int = 0
 
 
 def constant(value: float, spelling: Spelling) -> str:
@@ -133,14 +134,14 @@ def print_program(program: Program, spelling: Spelling) -> Body:
                 name = f"_s{len(statements)}"
                 kind = "M" if operation.is_truth else "V"
                 statements.append(
-                    spelling.assignment.format(name=name, type=kind, value=_bare(value))
+                    spelling.assignment.format(name=name, type=kind, value=bare(value))
                 )
                 value = name
             text.append(value)
-    return Body(statements, [_bare(text[output]) for output in program.outputs])
+    return Body(statements, [bare(text[output]) for output in program.outputs])
 
 
-def _bare(text: str) -> str:
+def bare(text: str) -> str:
     """Return text without a pair of parentheses that encloses all of it."""
     if not (text.startswith("(") and text.endswith(")")):
         return text

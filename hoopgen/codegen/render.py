@@ -28,6 +28,7 @@ from .loop import local, weighted
 from .names import FILTERS, identifier
 from .printers import JS, NUMPY, Body, C, constant, print_program
 from .program import Program, lower
+from .rows import print_in_rows
 from .view import loop_view
 
 OUTPUTS = {
@@ -112,7 +113,7 @@ def describe_cost(program: Program) -> str:
     return f"{total} operation{'s' * (total > 1)}: {', '.join(parts)}."
 
 
-def _kernel_view(program: Program) -> KernelView:
+def _kernel_view(program: Program, in_loop: bool) -> KernelView:
     kernel: Kernel = program.kernel
     return KernelView(
         kernel.name,
@@ -121,7 +122,7 @@ def _kernel_view(program: Program) -> KernelView:
         kernel.summary,
         kernel.equation,
         describe_cost(program),
-        print_program(program, NUMPY),
+        (print_in_rows(program) if in_loop else None) or print_program(program, NUMPY),
         print_program(program, C),
         print_program(program, JS),
         [f"{'M' if isinstance(a, Truth) else 'V'} {identifier(a)}" for a in kernel.arguments],
@@ -149,6 +150,7 @@ def _environment() -> jinja2.Environment:
     environment.filters |= FILTERS
     environment.filters["number"] = lambda value: constant(float(value), NUMPY)
     environment.filters["local"] = lambda name: local(name, 0)
+    environment.filters["rows"] = lambda many: ", ".join([*(f"_r{k}" for k in range(many)), "*_"])
     environment.filters["annotated"] = lambda name: f"{name}: Any"
     environment.filters["before"] = lambda name: f"{name}_before"
     environment.filters["c_argument"] = lambda name: f"V {name}"
@@ -185,12 +187,14 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
     """
     model: Model = build(scene)
     programs = [lower(kernel) for kernel in model.kernels]
-    views = {p.kernel.name: _kernel_view(p) for p in programs}
+    called = model.loop.called
+    views = {p.kernel.name: _kernel_view(p, p.kernel.name in called) for p in programs}
+    rows = {name: view.numpy.rows for name, view in views.items() if view.numpy.rows}
     derivation = derivation_hash(programs)
     costs = {p.kernel.name: weighted(p.cost) for p in programs}
     loops = [
-        loop_view(scene.name, costs, model.loop.plain(), bounds=False),
-        loop_view(scene.name, costs, model.loop, bounds=True),
+        loop_view(scene.name, costs, rows, model.loop.plain(), bounds=False),
+        loop_view(scene.name, costs, rows, model.loop, bounds=True),
     ]
     environment = _environment()
     context: dict[str, Any] = {
@@ -199,6 +203,7 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
         "kernels": list(views.values()),
         "state": tuple(symbol.name for symbol in STATE),
         "loops": loops,
+        "rows": max(rows.values(), default=1),
         "outcomes": meanings(scene.ends),
         "events": EVENTS,
         "rows": 3 if scene.rolls else 1,
@@ -206,11 +211,11 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
     }
     files = {}
     # The library in C is for its engine; the others are read, tested and called by studies.
-    called = [view for view in views.values() if view.name in model.loop.called]
+    in_c = [view for view in views.values() if view.name in called]
     for template, target in OUTPUTS.items():
         own: dict[str, Any] = {"stamp": _stamp(template, scene.name, derivation)}
         if template.startswith("c/"):
-            own |= {"kernels": called}
+            own |= {"kernels": in_c}
         if template == PAGE:
             if not page:
                 continue

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from hoopgen.derive.follow.fields import Field
@@ -46,8 +46,10 @@ class LoopView:
     columns: dict[str, tuple[list[str], dict[str, str]]]
 
 
-def loop_view(prefix: str, costs: Mapping[str, int], loop: Loop, bounds: bool) -> LoopView:
-    """Return the loop, printed."""
+def loop_view(
+    prefix: str, costs: Mapping[str, int], rows: Collection[str], loop: Loop, bounds: bool
+) -> LoopView:
+    """Return the loop, printed; `rows` are the kernels that NumPy gives rows to write into."""
     names = [field.name for field in loop.fields]
     available = {*names, *loop.parameters, *loop.job}
     stages = _after(loop, names)
@@ -60,7 +62,7 @@ def loop_view(prefix: str, costs: Mapping[str, int], loop: Loop, bounds: bool) -
         {},
     )
     for stage, (nodes, after) in stages.items():
-        numpy = NumPyLoop(prefix, costs, NUMPY)
+        numpy = NumPyLoop(prefix, costs, NUMPY, rows=rows)
         touched = reads(nodes) | set(writes(nodes))
         read = sorted(live_before(nodes, after) & available & touched)
         names_after = numpy.stage(nodes, {name: local(name, 0) for name in read}, after)

@@ -23,6 +23,25 @@ BLOCK = 1 << 14
 """Shots that are simulated together: their arrays fit the second-level cache."""
 
 
+LINE = 8
+"""Doubles in a line of the caches: an array that begins within one is written at half the speed."""
+
+
+class Room:
+    """Rows for what a kernel computes on the way: one set for all kernels, which come in turn."""
+
+    def __init__(self, kernels: ModuleType, shots: int) -> None:
+        rows, width = kernels.ROWS, -(-shots // LINE) * LINE
+        room = np.empty(rows * width + LINE)
+        first = -(room.ctypes.data // room.itemsize) % LINE
+        self._rows = room[first:][: rows * width].reshape(rows, width)
+        self._few, self._none = kernels.FEW, kernels.NO_ROWS
+
+    def __call__(self, shots: int) -> tuple[Floats | None, ...]:
+        """Return rows of so many shots, or that a kernel is to make arrays of its own."""
+        return self._none if shots < self._few else tuple(self._rows[:, :shots])
+
+
 class Flights:
     """The shots of a block that are in flight.
 
@@ -34,9 +53,11 @@ class Flights:
         Whether anything that bounds errors is wanted.
     job
         What is the same for all shots, by name.
+    most
+        Shots of the batch.
     """
 
-    def __init__(self, kernels: ModuleType, bounds: bool, job: dict[str, float]) -> None:
+    def __init__(self, kernels: ModuleType, bounds: bool, job: dict[str, float], most: int) -> None:
         name = "bounded" if bounds else "plain"
         stages = ("permit", "admit", "reach", "meet")
         self._permit, self._admit, self._reach, self._meet = (
@@ -48,6 +69,7 @@ class Flights:
         self._invalid = float(kernels.Outcome.INVALID)
         self._event, self._end = kernels.Event, len(kernels.BODIES)
         self._job = job
+        self._room = Room(kernels, min(most, BLOCK))
         self.row = np.empty(0, np.int64)
         self._columns: dict[str, Any] = dict.fromkeys(self._kept, np.empty(0))
 
@@ -55,12 +77,12 @@ class Flights:
         """Add shots, given their columns; one that cannot start ends at once."""
         shots = len(row)
         fresh = self._job | {
-            name: np.full(shots, start) if start is not None else given[name]
+            name: np.full(shots, start, np.float64) if start is not None else given[name]
             for name, start in self._starts.items()
         }
         fresh |= {name: given[name] for name in self._kept if name not in self._starts}
-        self._permit(fresh, shots)
-        self._admit(fresh, shots)
+        self._permit(fresh, shots, self._room)
+        self._admit(fresh, shots, self._room)
         over = np.asarray(fresh["outcome"] >= 0.0)
         _finish(self._results, self._invalid, fresh, row, over, out)
         begun = np.flatnonzero(~over)
@@ -74,9 +96,9 @@ class Flights:
     def advance(self, out: Raw) -> None:
         """Take every shot to its next event; write and drop those that end there."""
         columns, shots = self._columns | self._job, len(self.row)
-        self._reach(columns, shots)
+        self._reach(columns, shots, self._room)
         before = self._states(columns) if out.events is not None else None
-        self._meet(columns, shots)
+        self._meet(columns, shots, self._room)
         if before is not None:
             self._record(columns, before, out)
         over = columns["outcome"] >= 0.0
@@ -145,7 +167,7 @@ def run(
         "time_limit": time_limit,
         "claims": float(claimed),
     }
-    flights = Flights(kernels, bounded(kernels, out), job)
+    flights = Flights(kernels, bounded(kernels, out), job, len(states))
     begun = 0
     with np.errstate(all="ignore"):
         while not stopped():
@@ -177,7 +199,7 @@ def _given(
     """Return the columns of some rows that the caller gave."""
     given: dict[str, Column] = dict(zip(kernels.STATE, states[rows].T.copy(), strict=True))
     for name, value in zip(kernels.VARIABLES.values(), parameters, strict=True):
-        given[name] = value if np.ndim(value) == 0 else np.asarray(value)[rows]
+        given[name] = value if np.ndim(value) == 0 else np.asarray(value, np.float64)[rows]
     count = rows.stop - rows.start
     given["last"] = np.full(count, -1.0) if leaving is None else leaving[rows].astype(np.float64)
     return given

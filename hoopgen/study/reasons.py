@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from inspect import signature
 from math import isnan
 from typing import Any
 
@@ -105,4 +104,4 @@ def _called(kernel: Any, scene: Mapping[str, Any], **more: Any) -> Any:
     """Call a kernel with those parameters of the scene that it takes."""
     values = {**{f"p_{name}": value for name, value in scene.items()}, **more}
     with np.errstate(all="ignore"):
-        return kernel(**{name: values[name] for name in signature(kernel).parameters})
+        return kernel(**{name: values[name] for name in hoop.ARGUMENTS[kernel.__name__]})

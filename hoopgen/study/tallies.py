@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from inspect import signature
 from typing import Any
 
 import numpy as np
@@ -119,7 +118,7 @@ class Tally:
         return np.asarray(self.table.sum(axis=-1))
 
 
-_ALLOWED = tuple(signature(hoop.allowed).parameters)
+_ALLOWED = hoop.ARGUMENTS["allowed"]
 
 
 def check_scene(parameters: Mapping[str, Any]) -> dict[str, float]:

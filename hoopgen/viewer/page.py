@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import hashlib
 import html
-import inspect
 import json
 import re
 from collections.abc import Mapping, Sequence
@@ -166,7 +165,7 @@ def _touched(shots: Shots, values: Mapping[str, Value]) -> NDArray[np.float64]:
         }
         columns |= dict(zip("xyz", centres[rows].T, strict=True))
         kernel = getattr(scene.kernels, f"{name}_normal")
-        normal = kernel(*[columns[n] for n in inspect.signature(kernel).parameters])
+        normal = kernel(*[columns[n] for n in scene.kernels.ARGUMENTS[f"{name}_normal"]])
         ball = _ball(shots, values, shot)
         for axis, component in enumerate(normal):
             centres[rows, axis] -= ball * component
