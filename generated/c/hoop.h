@@ -39,13 +39,13 @@ enum {
 };
 
 /* What a row of the event log is; a contact in which the ball stays has a row where it begins and one
-   where the ball leaves. A shot has HOOP_ROWS rows for each contact at most, and its end. */
+   where the ball leaves. A shot has HOOP_LOG_ROWS rows for each contact at most, and its end. */
 enum {
     HOOP_EVENT_IMPACT = 0, /* The ball meets a body. */
     HOOP_EVENT_ROLL = 1, /* Its bounces have accumulated: it stays in contact with the body. */
     HOOP_EVENT_LEAVE = 2, /* That contact ends. */
     HOOP_EVENT_END = 3, /* The shot ends. */
-    HOOP_ROWS = 1
+    HOOP_LOG_ROWS = 1
 };
 
 /* The parameters, in the order of `parameters` below. */
@@ -95,7 +95,7 @@ typedef struct {
     double *time_error; /* bound on the error of time */
     double *state_error; /* [shot][3], bounds on the errors of each component of position, velocity and spin */
     uint8_t *uncertain; /* a decision lies within its rounding-error bound */
-    hoop_event *events;   /* [shot][HOOP_ROWS * max_contacts + 1] */
+    hoop_event *events;   /* [shot][HOOP_LOG_ROWS * max_contacts + 1] */
     int32_t *event_counts;   /* rows of `events` used, by shot */
 } hoop_results;
 

@@ -1085,7 +1085,7 @@ static void LANES(hoop_plain)(const hoop_job *job)
             for (size_t k = 0; k < shots; k++) {
                 if (lists->body[k] < 0.0)
                     continue;
-                const size_t shot = lists->shot[k], rows = HOOP_ROWS * (size_t)job->max_contacts + 1;
+                const size_t shot = lists->shot[k], rows = HOOP_LOG_ROWS * (size_t)job->max_contacts + 1;
                 int32_t *used = job->results->event_counts + shot;
                 hoop_event *event = job->results->events + shot * rows + (size_t)(*used)++;
                 const int64_t body = (int64_t)lists->body[k], staying = body - HOOP_SURFACES - 1;
@@ -2611,7 +2611,7 @@ static void LANES(hoop_bounded)(const hoop_job *job)
             for (size_t k = 0; k < shots; k++) {
                 if (lists->body[k] < 0.0)
                     continue;
-                const size_t shot = lists->shot[k], rows = HOOP_ROWS * (size_t)job->max_contacts + 1;
+                const size_t shot = lists->shot[k], rows = HOOP_LOG_ROWS * (size_t)job->max_contacts + 1;
                 int32_t *used = job->results->event_counts + shot;
                 hoop_event *event = job->results->events + shot * rows + (size_t)(*used)++;
                 const int64_t body = (int64_t)lists->body[k], staying = body - HOOP_SURFACES - 1;

@@ -120,7 +120,7 @@ class Event(IntEnum):
     """The shot ends."""
 
 
-ROWS = 1
+LOG_ROWS = 1
 """Rows of the event log for each contact, at most; the end is one more."""
 
 

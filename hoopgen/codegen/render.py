@@ -206,7 +206,7 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
         "rows": max(rows.values(), default=1),
         "outcomes": meanings(scene.ends),
         "events": EVENTS,
-        "rows": 3 if scene.rolls else 1,
+        "log_rows": 3 if scene.rolls else 1,
         "results": [ResultView(r) for r in model.results],
     }
     files = {}

@@ -67,7 +67,7 @@ class Layout:
         self.bounds = tuple(name for name, result in self.results.items() if result.asked)
         self.state_size = len(kernels.STATE)
         self.surfaces = len(kernels.BODIES)
-        self.rows = int(kernels.ROWS)
+        self.rows = int(kernels.LOG_ROWS)
         self.event = np.dtype(
             [
                 ("shot", np.int64),
