@@ -31,6 +31,7 @@ from .ground.symbols import (
 from .scenes import validity
 from .scenes.check import check
 from .scenes.names import check_kernels
+from .scenes.passage import passage_kernels
 from .scenes.scene import Scene
 from .search import events, search
 from .search.search import Formula, Search
@@ -309,6 +310,8 @@ def build(scene: Scene) -> Model:
     check(scene)
     order = _order(scene)
     common = {k.name: k for k in _common(scene, order)}
+    if scene.passage is not None:
+        common |= passage_kernels(scene.passage, scene.flight, order)
     choices = decisions.kernels(scene.faces, scene.outcomes, len(scene.gates))
     laws = {law: _law_kernels(law, scene, order) for law in scene.laws}
     surfaces = tuple(_surface_kernels(surface, scene, order) for surface in scene.surfaces)
@@ -326,7 +329,7 @@ def build(scene: Scene) -> Model:
         common | choices,
         contacts,
         ends,
-        fields(names),
+        fields(names, scene.passage is not None),
         [variable(symbol) for symbol in scene.symbols],
     )
     study = tuple(study_kernels(scene, order))

@@ -71,12 +71,13 @@ CLAIMS = ("position_claim", "velocity_claim", "spin_claim", "time_claim")
 """Bounds on the errors of a shot that has ended."""
 
 
-def fields(bodies: Sequence[str]) -> tuple[Field, ...]:
-    """Return the fields of a shot among bodies."""
+def fields(bodies: Sequence[str], passage: bool = False) -> tuple[Field, ...]:
+    """Return the fields of a shot among bodies, which may pass a ring's disc."""
     state = (Field(s.name, None, "of the state") for s in STATE)
     errors = (Field(s.name, 0.0, f"carried error of {s.name[1:]}", True) for s in ERRORS)
     counts = (Field(f"count_{k}", 0.0, f"contacts with {name}") for k, name in enumerate(bodies))
     claims = (Field(name, 0.0, "bound on the error at the end", True) for name in CLAIMS)
+    through = Field("through", 0.0, "1: it has fallen through the ring, -1: it came up through it")
     return (
         *state,
         *errors,
@@ -86,6 +87,7 @@ def fields(bodies: Sequence[str]) -> tuple[Field, ...]:
         Field("first", NONE, "body that was touched first, -1: none"),
         Field("contacts", 0.0, "how many contacts there were"),
         *counts,
+        *([through] if passage else []),
         Field("uncertain", 0.0, "1: a decision lies within its rounding-error bound", True),
         *claims,
         Field("outcome", IN_FLIGHT, "how it ended, -1: in flight"),

@@ -13,7 +13,8 @@ from ..ground.choice import release
 from ..ground.symbols import ParameterSymbol
 from ..surfaces import Body, Gate, Surface
 from . import names
-from .ends import End, check_reached, gates, outcomes
+from .ends import End, check_passed, check_reached, gates, outcomes
+from .passage import Passage
 
 AXES = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
 """Where free fall can go."""
@@ -90,6 +91,8 @@ class Scene:
         For readers, in plain sentences: where origin and axes lie, and what else there is to say.
     gravity_axis
         The way free fall goes: along one axis, by default down.
+    passage
+        The ring that a ball must have fallen through for the ends that say so.
     """
 
     name: str
@@ -102,6 +105,7 @@ class Scene:
     axes: str = ""
     remarks: str = ""
     gravity_axis: tuple[int, int, int] = (0, 0, -1)
+    passage: Passage | None = None
 
     def __post_init__(self) -> None:
         names.check(
@@ -113,6 +117,7 @@ class Scene:
             [law.name for law in self.laws],
         )
         check_reached(self.name, self.ends)
+        check_passed(self.name, self.ends, self.passage is not None)
         if self.gravity_axis not in AXES:
             raise ValueError(
                 f"scene {self.name}: gravity_axis: expected one of "

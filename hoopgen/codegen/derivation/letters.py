@@ -94,6 +94,9 @@ LOOP = {
     "reached": Letter(r"\text{reached}", "the outcome of an event that ends the shot"),
     "time_limit": Letter(r"t_{\max}", "time since the release at which a shot ends"),
     "slack": Letter(r"\epsilon", "bound on the error of a length at a computed arrival"),
+    "through": Letter(
+        r"\text{through}", "1 for a ball down through the ring's disc, -1 for one that came up"
+    ),
     "outcome": Letter(r"\text{outcome}", "how the shot ended, -1: it has not"),
     "uncertain": Letter(
         r"\text{uncertain}", "1 if some decision of the shot lies within its error"

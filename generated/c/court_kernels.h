@@ -1,0 +1,2546 @@
+/* Kernels of the scene court, in C.
+
+   Generated from templates/c/kernels.h.j2, scene court, derivation 1ef19b6365a80494,
+   with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
+   and run `make generate`.
+   Included once for every vector width, after these are defined:
+     V, M          a vector of doubles and its comparison result (or double and int)
+     K(c)          the constant c in every lane
+     LANES(name)   the name of a function for this width
+     lanes_sqrt, lanes_abs, lanes_select */
+
+/* Position and velocity at time t of a flight.
+   Eq. 3. 11 operations: 3 additions, 2 subtractions, 6 multiplications. */
+typedef struct {
+    V x;
+    V y;
+    V z;
+    V vx;
+    V vy;
+    V vz;
+} LANES(court_flight_out);
+
+LANES_INLINE LANES(court_flight_out)
+LANES(court_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V p_gravity)
+{
+    return (LANES(court_flight_out)){ lanes_add(x, lanes_mul(t, vx)), lanes_add(y, lanes_mul(t, vy)), lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t)))), vx, vy, lanes_sub(vz, lanes_mul(p_gravity, t)) };
+}
+
+/* Positive clearance if a crossing is certain, and the bound on its delay.
+   Taylor's theorem with the margins of the gap and its rate. 11 operations: 1 addition, 1 subtraction, 4 multiplications, 1 division, 1 negation, 1 comparison, 2 selections. */
+typedef struct {
+    V clearance;
+    V delay;
+} LANES(court_crossing_out);
+
+LANES_INLINE LANES(court_crossing_out)
+LANES(court_crossing)(V margin, V rate_margin, V rate, V ceiling)
+{
+    const V _s0 = lanes_neg(lanes_add(rate, rate_margin));
+    const M _s1 = lanes_less(K(0.0), _s0);
+    return (LANES(court_crossing_out)){ lanes_select(_s1, lanes_sub(lanes_mul(_s0, _s0), lanes_mul(lanes_mul(K(6.0), ceiling), margin)), _s0), lanes_select(_s1, lanes_div(lanes_mul(K(6.0), margin), _s0), K(INFINITY)) };
+}
+
+/* Errors of a state that a search allows for, and by how much the errors exceed them.
+   a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection. */
+typedef struct {
+    V position_level;
+    V velocity_level;
+    V excess;
+} LANES(court_allowance_out);
+
+LANES_INLINE LANES(court_allowance_out)
+LANES(court_allowance)(V share, V horizon, V extent, V speed, V position_error, V velocity_error, V p_gravity)
+{
+    const V _s0 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s1 = lanes_mul(share, lanes_add(extent, lanes_mul(horizon, _s0)));
+    const V _s2 = lanes_mul(share, _s0);
+    const V _s3 = lanes_sub(position_error, _s1);
+    const V _s4 = lanes_sub(velocity_error, _s2);
+    return (LANES(court_allowance_out)){ _s1, _s2, lanes_max(_s3, _s4) };
+}
+
+/* A time after which no event is wanted, and how long that is after t.
+   the earliest arrival, with room for its delay. 5 operations: 2 additions, 2 multiplications, 1 division. */
+typedef struct {
+    V horizon;
+    V pad;
+} LANES(court_horizon_out);
+
+LANES_INLINE LANES(court_horizon_out)
+LANES(court_horizon)(V t, V speed, V p_gravity)
+{
+    const V _s0 = lanes_mul(K(9.5367431640625e-07), lanes_add(t, lanes_mul(speed, lanes_div(K(1.0), p_gravity))));
+    return (LANES(court_horizon_out)){ lanes_add(t, _s0), _s0 };
+}
+
+/* Sums of the sizes of the coordinates and of the velocities; excess over the largest.
+   what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections. */
+typedef struct {
+    V extent;
+    V speed;
+    V excess;
+} LANES(court_scale_out);
+
+LANES_INLINE LANES(court_scale_out)
+LANES(court_scale)(V x, V y, V z, V vx, V vy, V vz, V p_gravity)
+{
+    const V _s0 = lanes_abs(x);
+    const V _s1 = lanes_abs(y);
+    const V _s2 = lanes_abs(z);
+    const V _s3 = lanes_abs(vx);
+    const V _s4 = lanes_abs(vy);
+    const V _s5 = lanes_abs(vz);
+    const V _s6 = lanes_div(K(1.0), p_gravity);
+    const V _s7 = lanes_max(_s6, _s0);
+    const V _s8 = lanes_max(_s7, _s1);
+    const V _s9 = lanes_max(_s8, _s2);
+    const V _s10 = lanes_max(_s9, _s3);
+    const V _s11 = lanes_max(_s10, _s4);
+    return (LANES(court_scale_out)){ lanes_add(lanes_add(_s0, _s1), _s2), lanes_add(lanes_add(_s3, _s4), _s5), lanes_sub(lanes_max(_s11, _s5), K(2.9073548971824276e+135)) };
+}
+
+/* Bound on the error of a length at a computed arrival.
+   running error analysis. 27 operations: 17 additions, 8 multiplications, 2 absolute values. */
+typedef struct {
+    V margin;
+} LANES(court_displacement_out);
+
+LANES_INLINE LANES(court_displacement_out)
+LANES(court_displacement)(V delay, V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_bridge_half_width, V p_bridge_depth, V p_gravity, V p_end_depth)
+{
+    const V _s0 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s1 = lanes_add(extent, lanes_mul(horizon, _s0));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_half_width), p_board_thickness), p_bridge_depth), p_bridge_half_width), p_end_depth);
+    const V _s3 = lanes_mul(K(4.445228907190568e-16), lanes_add(_s1, lanes_add(lanes_add(lanes_add(lanes_add(_s2, p_ring_radius), p_wire_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_top))));
+    return (LANES(court_displacement_out)){ lanes_add(lanes_add(lanes_mul(lanes_mul(K(1.0009765625), delay), _s0), _s3), lanes_mul(K(3.0029296875), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s1)))) };
+}
+
+/* Errors of a state at the end of a flight to a surface, from those at its start.
+   derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections. */
+typedef struct {
+    V dx;
+    V dy;
+    V dz;
+    V dvx;
+    V dvy;
+    V dvz;
+    V delay;
+    V shift;
+} LANES(court_carry_flight_out);
+
+LANES_INLINE LANES(court_carry_flight_out)
+LANES(court_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V late, V dx, V dy, V dz, V dvx, V dvy, V dvz, V curving, V p_gravity)
+{
+    const V _s0 = lanes_add(dx, lanes_mul(dvx, t));
+    const V _s1 = lanes_abs(vx);
+    const V _s2 = lanes_mul(K(2.0), t);
+    const V _s3 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s2, _s1), lanes_abs(x)));
+    const V _s4 = lanes_add(_s0, lanes_select(lanes_less(_s0, K(0.0)), lanes_neg(_s3), _s3));
+    const V _s5 = lanes_add(dy, lanes_mul(dvy, t));
+    const V _s6 = lanes_abs(vy);
+    const V _s7 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s2, _s6), lanes_abs(y)));
+    const V _s8 = lanes_add(_s5, lanes_select(lanes_less(_s5, K(0.0)), lanes_neg(_s7), _s7));
+    const V _s9 = lanes_add(dz, lanes_mul(dvz, t));
+    const V _s10 = lanes_abs(vz);
+    const V _s11 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(p_gravity, lanes_mul(t, t)), lanes_mul(_s2, _s10)), lanes_abs(z)));
+    const V _s12 = lanes_add(_s9, lanes_select(lanes_less(_s9, K(0.0)), lanes_neg(_s11), _s11));
+    const V _s13 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s14 = lanes_div(lanes_neg(lanes_add(lanes_add(lanes_mul(nx, _s4), lanes_mul(ny, _s8)), lanes_mul(nz, _s12))), _s13);
+    const V _s15 = lanes_add(lanes_mul(vx, _s14), _s4);
+    const V _s16 = lanes_max(_s1, _s6);
+    const V _s17 = lanes_max(_s16, _s10);
+    const V _s18 = lanes_abs(dx);
+    const V _s19 = lanes_abs(dy);
+    const V _s20 = lanes_max(_s18, _s19);
+    const V _s21 = lanes_abs(dz);
+    const V _s22 = lanes_max(_s20, _s21);
+    const V _s23 = lanes_mul(curving, lanes_mul(t, _s17));
+    const V _s24 = lanes_abs(dvx);
+    const V _s25 = lanes_abs(dvy);
+    const V _s26 = lanes_max(_s24, _s25);
+    const V _s27 = lanes_abs(dvz);
+    const V _s28 = lanes_max(_s3, _s7);
+    const V _s29 = lanes_add(lanes_mul(t, lanes_max(_s26, _s27)), lanes_max(_s28, _s11));
+    const V _s30 = lanes_add(lanes_mul(lanes_div(_s17, lanes_abs(_s13)), lanes_add(lanes_mul(_s22, lanes_min(_s23, K(1.0))), _s29)), lanes_add(_s29, _s22));
+    const V _s31 = lanes_div(_s30, lanes_add(K(8.0), lanes_mul(K(8.0), contacts)));
+    const V _s32 = lanes_neg(_s31);
+    const V _s33 = lanes_add(lanes_mul(vy, _s14), _s8);
+    const V _s34 = lanes_add(lanes_mul(vz, _s14), _s12);
+    const V _s35 = lanes_abs(_s14);
+    const V _s36 = lanes_mul(K(0.0625), late);
+    return (LANES(court_carry_flight_out)){ lanes_select(lanes_less(lanes_abs(_s15), _s31), lanes_select(lanes_less(_s15, K(0.0)), _s32, _s31), _s15), lanes_select(lanes_less(lanes_abs(_s33), _s31), lanes_select(lanes_less(_s33, K(0.0)), _s32, _s31), _s33), lanes_select(lanes_less(lanes_abs(_s34), _s31), lanes_select(lanes_less(_s34, K(0.0)), _s32, _s31), _s34), dvx, dvy, lanes_sub(dvz, lanes_mul(p_gravity, _s14)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(_s35, _s36)), _s30 };
+}
+
+/* Errors of a state at the time limit, from those at the start of the flight.
+   derivative of Eq. 3, with roundings. 62 operations: 17 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections. */
+typedef struct {
+    V dx;
+    V dy;
+    V dz;
+    V dvx;
+    V dvy;
+    V dvz;
+    V clock_error;
+} LANES(court_carry_time_out);
+
+LANES_INLINE LANES(court_carry_time_out)
+LANES(court_carry_time)(V t, V x, V y, V z, V vx, V vy, V vz, V clock, V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V p_gravity)
+{
+    const V _s0 = lanes_abs(vx);
+    const V _s1 = lanes_add(clock_error, lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)));
+    const V _s2 = lanes_abs(dvx);
+    const V _s3 = lanes_abs(dvy);
+    const V _s4 = lanes_max(_s2, _s3);
+    const V _s5 = lanes_abs(dvz);
+    const V _s6 = lanes_mul(K(2.0), t);
+    const V _s7 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s0), lanes_abs(x)));
+    const V _s8 = lanes_abs(vy);
+    const V _s9 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s8), lanes_abs(y)));
+    const V _s10 = lanes_max(_s7, _s9);
+    const V _s11 = lanes_abs(vz);
+    const V _s12 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(p_gravity, lanes_mul(t, t)), lanes_mul(_s6, _s11)), lanes_abs(z)));
+    const V _s13 = lanes_abs(dx);
+    const V _s14 = lanes_abs(dy);
+    const V _s15 = lanes_max(_s13, _s14);
+    const V _s16 = lanes_abs(dz);
+    const V _s17 = lanes_add(lanes_add(lanes_mul(t, lanes_max(_s4, _s5)), lanes_max(_s10, _s12)), lanes_max(_s15, _s16));
+    const V _s18 = lanes_abs(K(0.0));
+    return (LANES(court_carry_time_out)){ lanes_add(lanes_mul(_s0, _s1), _s17), lanes_add(lanes_mul(_s8, _s1), _s17), lanes_add(lanes_mul(_s11, _s1), _s17), lanes_add(lanes_add(_s18, _s2), lanes_mul(K(2.220446049250313e-16), _s0)), lanes_add(lanes_add(_s18, _s3), lanes_mul(K(2.220446049250313e-16), _s8)), lanes_add(lanes_add(_s5, lanes_mul(K(2.220446049250313e-16), _s11)), lanes_abs(lanes_neg(lanes_mul(p_gravity, _s1)))), K(0.0) };
+}
+
+/* Bounds on the errors of a state and its time that decisions allow for.
+   the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+typedef struct {
+    V position_error;
+    V velocity_error;
+    V spin_error;
+    V time_error;
+} LANES(court_error_bounds_out);
+
+LANES_INLINE LANES(court_error_bounds_out)
+LANES(court_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
+{
+    const V _s0 = lanes_abs(dx);
+    const V _s1 = lanes_abs(dy);
+    const V _s2 = lanes_max(_s0, _s1);
+    const V _s3 = lanes_abs(dz);
+    const V _s4 = lanes_abs(dvx);
+    const V _s5 = lanes_abs(dvy);
+    const V _s6 = lanes_max(_s4, _s5);
+    const V _s7 = lanes_abs(dvz);
+    const V _s8 = lanes_abs(dwx);
+    const V _s9 = lanes_abs(dwy);
+    const V _s10 = lanes_max(_s8, _s9);
+    const V _s11 = lanes_abs(dwz);
+    return (LANES(court_error_bounds_out)){ lanes_mul(K(16.0), lanes_max(_s2, _s3)), lanes_mul(K(16.0), lanes_max(_s6, _s7)), lanes_mul(K(16.0), lanes_max(_s10, _s11)), lanes_mul(K(16.0), clock_error) };
+}
+
+/* Bounds on the errors of a state and its time that a shot claims.
+   the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+typedef struct {
+    V position_error;
+    V velocity_error;
+    V spin_error;
+    V time_error;
+} LANES(court_claimed_errors_out);
+
+LANES_INLINE LANES(court_claimed_errors_out)
+LANES(court_claimed_errors)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
+{
+    const V _s0 = lanes_abs(dx);
+    const V _s1 = lanes_abs(dy);
+    const V _s2 = lanes_max(_s0, _s1);
+    const V _s3 = lanes_abs(dz);
+    const V _s4 = lanes_abs(dvx);
+    const V _s5 = lanes_abs(dvy);
+    const V _s6 = lanes_max(_s4, _s5);
+    const V _s7 = lanes_abs(dvz);
+    const V _s8 = lanes_abs(dwx);
+    const V _s9 = lanes_abs(dwy);
+    const V _s10 = lanes_max(_s8, _s9);
+    const V _s11 = lanes_abs(dwz);
+    return (LANES(court_claimed_errors_out)){ lanes_mul(K(64.0), lanes_max(_s2, _s3)), lanes_mul(K(64.0), lanes_max(_s6, _s7)), lanes_mul(K(64.0), lanes_max(_s10, _s11)), lanes_mul(K(64.0), clock_error) };
+}
+
+/* 1 where finite parameters are allowed.
+   the scene's requirements. 58 operations: 6 subtractions, 26 comparisons, 26 selections. */
+typedef struct {
+    V allowed;
+} LANES(court_allowed_out);
+
+LANES_INLINE LANES(court_allowed_out)
+LANES(court_allowed)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_bridge_half_width, V p_bridge_depth, V p_gravity, V p_end_depth, V p_ring_restitution, V p_backboard_restitution, V p_bridge_restitution, V p_ring_friction, V p_backboard_friction, V p_bridge_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_select(lanes_less(K(0.0), lanes_sub(p_board_top, p_board_bottom)), lanes_select(lanes_less(K(0.0), lanes_sub(lanes_sub(p_board_distance, p_ring_radius), p_wire_radius)), lanes_select(lanes_less(K(0.0), lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius)), K(1.0), K(0.0)), K(0.0)), K(0.0));
+    const V _s1 = lanes_select(lanes_less(K(0.0), p_wire_radius), lanes_select(lanes_less(K(0.0), p_ring_radius), lanes_select(lanes_less(K(0.0), p_ball_radius), lanes_select(lanes_less(K(0.0), lanes_sub(p_board_half_width, p_bridge_half_width)), _s0, K(0.0)), K(0.0)), K(0.0)), K(0.0));
+    const V _s2 = lanes_select(lanes_less(K(0.0), p_bridge_depth), lanes_select(lanes_less(K(0.0), p_bridge_half_width), lanes_select(lanes_less(K(0.0), p_board_thickness), lanes_select(lanes_less(K(0.0), p_board_half_width), lanes_select(lanes_less(K(0.0), p_board_distance), _s1, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
+    const V _s3 = lanes_select(lanes_at_most(K(0.0), p_backboard_restitution), lanes_select(lanes_at_most(p_ring_restitution, K(1.0)), lanes_select(lanes_at_most(K(0.0), p_ring_restitution), lanes_select(lanes_less(K(0.0), p_end_depth), lanes_select(lanes_less(K(0.0), p_gravity), _s2, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
+    const V _s4 = lanes_select(lanes_at_most(K(0.0), p_backboard_friction), lanes_select(lanes_at_most(K(0.0), p_ring_friction), lanes_select(lanes_at_most(p_bridge_restitution, K(1.0)), lanes_select(lanes_at_most(K(0.0), p_bridge_restitution), lanes_select(lanes_at_most(p_backboard_restitution, K(1.0)), _s3, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
+    return (LANES(court_allowed_out)){ lanes_select(lanes_less(K(0.0), p_restitution_speed), lanes_select(lanes_at_most(p_tangential_restitution, K(1.0)), lanes_select(lanes_at_most(K(-1.0), p_tangential_restitution), lanes_select(lanes_at_most(K(0.0), p_bridge_friction), _s4, K(0.0)), K(0.0)), K(0.0)), K(0.0)) };
+}
+
+/* Where the parameters are finite and allowed.
+   IEEE 754. 61 operations: 20 absolute values, 21 comparisons, 20 conjunctions. */
+typedef struct {
+    M permitted;
+} LANES(court_finite_parameters_out);
+
+LANES_INLINE LANES(court_finite_parameters_out)
+LANES(court_finite_parameters)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_bridge_half_width, V p_bridge_depth, V p_gravity, V p_end_depth, V p_ring_restitution, V p_backboard_restitution, V p_bridge_restitution, V p_ring_friction, V p_backboard_friction, V p_bridge_friction, V p_tangential_restitution, V p_restitution_speed, V allowed)
+{
+    const M _s0 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), allowed), lanes_less(lanes_abs(p_ball_radius), K(INFINITY))), lanes_less(lanes_abs(p_ring_radius), K(INFINITY))), lanes_less(lanes_abs(p_wire_radius), K(INFINITY))), lanes_less(lanes_abs(p_board_distance), K(INFINITY)));
+    const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(_s0, lanes_less(lanes_abs(p_board_half_width), K(INFINITY))), lanes_less(lanes_abs(p_board_bottom), K(INFINITY))), lanes_less(lanes_abs(p_board_top), K(INFINITY))), lanes_less(lanes_abs(p_board_thickness), K(INFINITY)));
+    const M _s2 = lanes_both(lanes_both(lanes_both(lanes_both(_s1, lanes_less(lanes_abs(p_bridge_half_width), K(INFINITY))), lanes_less(lanes_abs(p_bridge_depth), K(INFINITY))), lanes_less(lanes_abs(p_gravity), K(INFINITY))), lanes_less(lanes_abs(p_end_depth), K(INFINITY)));
+    const M _s3 = lanes_both(lanes_both(lanes_both(lanes_both(_s2, lanes_less(lanes_abs(p_ring_restitution), K(INFINITY))), lanes_less(lanes_abs(p_backboard_restitution), K(INFINITY))), lanes_less(lanes_abs(p_bridge_restitution), K(INFINITY))), lanes_at_most(lanes_abs(p_ring_friction), K(INFINITY)));
+    const M _s4 = lanes_both(lanes_both(lanes_both(lanes_both(_s3, lanes_at_most(lanes_abs(p_backboard_friction), K(INFINITY))), lanes_at_most(lanes_abs(p_bridge_friction), K(INFINITY))), lanes_less(lanes_abs(p_tangential_restitution), K(INFINITY))), lanes_at_most(lanes_abs(p_restitution_speed), K(INFINITY)));
+    return (LANES(court_finite_parameters_out)){ _s4 };
+}
+
+/* 1 where no surface is overlapped; 1 where that is in doubt.
+   Table 2. 133 operations: 27 additions, 19 subtractions, 15 multiplications, 3 square roots, 4 negations, 20 absolute values, 21 comparisons, 24 selections. */
+typedef struct {
+    V valid;
+    V doubt;
+} LANES(court_valid_out);
+
+LANES_INLINE LANES(court_valid_out)
+LANES(court_valid)(V last, V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_bridge_half_width, V p_bridge_depth, V p_end_depth)
+{
+    const V _s0 = lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), p_ring_radius);
+    const V _s1 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s2 = lanes_sub(lanes_add(lanes_mul(z, z), lanes_mul(_s0, _s0)), lanes_mul(_s1, _s1));
+    const M _s3 = lanes_less(lanes_abs(last), K(0.5));
+    const V _s4 = lanes_select(_s3, K(1.0), lanes_select(lanes_at_most(K(0.0), _s2), K(1.0), K(0.0)));
+    const V _s5 = lanes_sub(z, p_board_top);
+    const V _s6 = lanes_sub(p_board_bottom, z);
+    const V _s7 = lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)));
+    const V _s8 = lanes_add(p_board_distance, x);
+    const V _s9 = lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x));
+    const V _s10 = lanes_sub(lanes_max(_s8, K(0.0)), lanes_max(_s9, K(0.0)));
+    const V _s11 = lanes_sub(y, p_board_half_width);
+    const V _s12 = lanes_neg(lanes_add(p_board_half_width, y));
+    const V _s13 = lanes_sub(lanes_max(_s11, K(0.0)), lanes_max(_s12, K(0.0)));
+    const V _s14 = lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s7, _s7), lanes_mul(_s10, _s10)), lanes_mul(_s13, _s13))), p_ball_radius);
+    const M _s15 = lanes_less(lanes_abs(lanes_sub(last, K(1.0))), K(0.5));
+    const V _s16 = lanes_select(_s15, _s4, lanes_select(lanes_at_most(K(0.0), _s14), _s4, K(0.0)));
+    const V _s17 = lanes_add(p_ring_radius, x);
+    const V _s18 = lanes_neg(_s8);
+    const V _s19 = lanes_sub(lanes_max(_s17, K(0.0)), lanes_max(_s18, K(0.0)));
+    const V _s20 = lanes_sub(y, p_bridge_half_width);
+    const V _s21 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s22 = lanes_sub(lanes_max(_s20, K(0.0)), lanes_max(_s21, K(0.0)));
+    const V _s23 = lanes_sub(z, p_wire_radius);
+    const V _s24 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
+    const V _s25 = lanes_sub(lanes_max(_s23, K(0.0)), lanes_max(_s24, K(0.0)));
+    const V _s26 = lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s19, _s19), lanes_mul(_s22, _s22)), lanes_mul(_s25, _s25))), p_ball_radius);
+    const M _s27 = lanes_less(lanes_abs(lanes_sub(last, K(2.0))), K(0.5));
+    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_thickness)), lanes_abs(p_board_top));
+    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s28, lanes_abs(p_bridge_depth)), lanes_abs(p_bridge_half_width)), lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius));
+    const V _s30 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_add(_s29, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
+    const V _s31 = lanes_select(_s3, K(0.0), lanes_select(lanes_at_most(lanes_abs(_s2), lanes_mul(lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)), _s30)), K(1.0), K(0.0)));
+    const V _s32 = lanes_select(_s15, _s31, lanes_select(lanes_at_most(lanes_abs(_s14), _s30), K(1.0), _s31));
+    return (LANES(court_valid_out)){ lanes_select(_s27, _s16, lanes_select(lanes_at_most(K(0.0), _s26), _s16, K(0.0))), lanes_select(_s27, _s32, lanes_select(lanes_at_most(lanes_abs(_s26), _s30), K(1.0), _s32)) };
+}
+
+/* Whether a ball starts as one that has fallen through the ring.
+   Table 2, success. 22 operations: 2 additions, 1 subtraction, 4 multiplications, 1 negation, 1 absolute value, 6 comparisons, 5 conjunctions, 2 selections. */
+typedef struct {
+    V through;
+    V uncertain;
+} LANES(court_passing_start_out);
+
+LANES_INLINE LANES(court_passing_start_out)
+LANES(court_passing_start)(V last, V outcome, V uncertain, V x, V y, V z, V p_ring_radius, V p_end_depth)
+{
+    const M _s0 = lanes_both(lanes_both(lanes_at_most(K(0.0), last), lanes_less(z, K(0.0))), lanes_at_most(lanes_neg(p_end_depth), z));
+    const V _s1 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
+    const V _s2 = lanes_mul(p_ring_radius, p_ring_radius);
+    const V _s3 = lanes_select(lanes_both(lanes_both(_s0, lanes_at_most(lanes_abs(lanes_sub(_s1, _s2)), lanes_mul(K(8.881784197001252e-16), lanes_add(_s2, _s1)))), lanes_less(outcome, K(0.0))), K(1.0), uncertain);
+    return (LANES(court_passing_start_out)){ lanes_select(lanes_both(_s0, lanes_less(_s1, _s2)), K(1.0), K(0.0)), _s3 };
+}
+
+/* 1 for a ball that is down through the ring's disc, -1 for one that came up, else 0.
+   Eq. 3, its roots in the ring's plane. 66 operations: 9 additions, 2 subtractions, 18 multiplications, 1 division, 1 square root, 16 comparisons, 9 conjunctions, 2 disjunctions, 8 selections. */
+typedef struct {
+    V through;
+} LANES(court_passing_out);
+
+LANES_INLINE LANES(court_passing_out)
+LANES(court_passing)(V through, V t, V x, V y, V z, V vx, V vy, V vz, V p_ring_radius, V p_gravity)
+{
+    const M _s0 = lanes_less(z, K(0.0));
+    const V _s1 = lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t))));
+    const M _s2 = lanes_less(_s1, K(0.0));
+    const V _s3 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), p_gravity), z));
+    const M _s4 = lanes_both(lanes_both(lanes_both(lanes_both(_s0, _s2), lanes_less(K(0.0), vz)), lanes_less(K(0.0), _s3)), lanes_less(vz, lanes_mul(p_gravity, t)));
+    const V _s5 = lanes_sqrt(lanes_max(_s3, K(0.0)));
+    const V _s6 = lanes_div(K(1.0), p_gravity);
+    const V _s7 = lanes_mul(lanes_add(vz, _s5), _s6);
+    const V _s8 = lanes_max(K(0.0), _s7);
+    const V _s9 = lanes_min(_s8, t);
+    const V _s10 = lanes_add(x, lanes_mul(vx, _s9));
+    const V _s11 = lanes_add(y, lanes_mul(vy, _s9));
+    const V _s12 = lanes_mul(p_ring_radius, p_ring_radius);
+    const V _s13 = lanes_mul(lanes_sub(vz, _s5), _s6);
+    const V _s14 = lanes_max(K(0.0), _s13);
+    const V _s15 = lanes_min(_s14, t);
+    const V _s16 = lanes_add(x, lanes_mul(vx, _s15));
+    const V _s17 = lanes_add(y, lanes_mul(vy, _s15));
+    const V _s18 = lanes_select(lanes_both(lanes_either(_s4, lanes_both(_s0, lanes_at_most(K(0.0), _s1))), lanes_less(lanes_add(lanes_mul(_s16, _s16), lanes_mul(_s17, _s17)), _s12)), lanes_select(lanes_equal(through, K(1.0)), K(0.0), K(-1.0)), through);
+    const V _s19 = lanes_select(lanes_both(lanes_both(lanes_either(_s4, lanes_both(_s2, lanes_at_most(K(0.0), z))), lanes_less(lanes_add(lanes_mul(_s10, _s10), lanes_mul(_s11, _s11)), _s12)), lanes_equal(_s18, K(0.0))), K(1.0), _s18);
+    return (LANES(court_passing_out)){ _s19 };
+}
+
+/* Where that lies within its error.
+   running error analysis. 107 operations: 18 additions, 4 subtractions, 31 multiplications, 1 division, 4 square roots, 6 absolute values, 20 comparisons, 11 conjunctions, 6 disjunctions, 6 selections. */
+typedef struct {
+    M unsure;
+} LANES(court_passing_doubt_out);
+
+LANES_INLINE LANES(court_passing_doubt_out)
+LANES(court_passing_doubt)(V t, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ring_radius, V p_gravity)
+{
+    const V _s0 = lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t))));
+    const V _s1 = lanes_mul(vz, vz);
+    const V _s2 = lanes_div(K(1.0), p_gravity);
+    const V _s3 = lanes_mul(p_gravity, t);
+    const V _s4 = lanes_add(speed, _s3);
+    const V _s5 = lanes_mul(K(1.0009765625), lanes_add(lanes_add(position_error, lanes_mul(t, velocity_error)), lanes_mul(K(4.440892098500626e-16), lanes_add(extent, lanes_mul(t, _s4)))));
+    const V _s6 = lanes_add(lanes_mul(K(8.881784197001252e-16), lanes_mul(_s1, _s2)), _s5);
+    const M _s7 = lanes_less(z, K(0.0));
+    const M _s8 = lanes_less(_s0, K(0.0));
+    const M _s9 = lanes_both(lanes_both(_s7, _s8), lanes_less(K(0.0), vz));
+    const V _s10 = lanes_add(_s1, lanes_mul(lanes_mul(K(2.0), p_gravity), z));
+    const V _s11 = lanes_sqrt(lanes_max(_s10, K(0.0)));
+    const V _s12 = lanes_mul(lanes_add(vz, _s11), _s2);
+    const V _s13 = lanes_max(K(0.0), _s12);
+    const V _s14 = lanes_min(_s13, t);
+    const V _s15 = lanes_add(x, lanes_mul(vx, _s14));
+    const V _s16 = lanes_add(y, lanes_mul(vy, _s14));
+    const V _s17 = lanes_sqrt(lanes_add(lanes_mul(_s15, _s15), lanes_mul(_s16, _s16)));
+    const V _s18 = lanes_mul(lanes_sub(vz, _s11), _s2);
+    const V _s19 = lanes_max(K(0.0), _s18);
+    const V _s20 = lanes_min(_s19, t);
+    const V _s21 = lanes_add(x, lanes_mul(vx, _s20));
+    const V _s22 = lanes_add(y, lanes_mul(vy, _s20));
+    const V _s23 = lanes_sqrt(lanes_add(lanes_mul(_s21, _s21), lanes_mul(_s22, _s22)));
+    const V _s24 = lanes_mul(lanes_mul(K(1.0009765625), _s4), lanes_add(lanes_sqrt(lanes_mul(lanes_mul(K(8.0), _s2), _s6)), lanes_mul(K(8.881784197001252e-16), lanes_add(t, lanes_mul(lanes_abs(vz), _s2)))));
+    const V _s25 = lanes_add(_s24, _s5);
+    const M _s26 = lanes_both(lanes_either(lanes_either(lanes_both(lanes_less(K(0.0), position_error), lanes_at_most(lanes_abs(z), position_error)), lanes_at_most(lanes_abs(_s0), _s6)), lanes_both(_s9, lanes_at_most(lanes_abs(_s10), lanes_mul(lanes_mul(K(4.0), p_gravity), _s6)))), lanes_at_most(lanes_min(_s17, _s23), lanes_add(p_ring_radius, _s25)));
+    const M _s27 = lanes_both(lanes_both(_s9, lanes_less(K(0.0), _s10)), lanes_less(vz, _s3));
+    const M _s28 = lanes_either(_s26, lanes_either(lanes_both(lanes_either(_s27, lanes_both(_s7, lanes_at_most(K(0.0), _s0))), lanes_at_most(lanes_abs(lanes_sub(_s23, p_ring_radius)), _s25)), lanes_both(lanes_either(_s27, lanes_both(_s8, lanes_at_most(K(0.0), z))), lanes_at_most(lanes_abs(lanes_sub(_s17, p_ring_radius)), _s25))));
+    return (LANES(court_passing_doubt_out)){ _s28 };
+}
+
+/* 1 where the ball leaves a surface.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+typedef struct {
+    V leaving;
+} LANES(court_left_out);
+
+LANES_INLINE LANES(court_left_out)
+LANES(court_left)(V index, V last)
+{
+    return (LANES(court_left_out)){ lanes_select(lanes_equal(last, index), K(1.0), K(0.0)) };
+}
+
+/* Whether a plane's only arrival is one, and the size of the bend there.
+   Table 1. 12 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction. */
+typedef struct {
+    M arrives;
+    V ceiling;
+} LANES(court_meeting_plane_out);
+
+LANES_INLINE LANES(court_meeting_plane_out)
+LANES(court_meeting_plane)(V bend, V rate, V time)
+{
+    const M _s0 = lanes_both(lanes_both(lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_both(lanes_at_most(rate, K(0.0)), lanes_less(bend, K(0.0))), lanes_equal(time, K(0.0)))), lanes_at_most(K(0.0), time)), lanes_less(time, K(INFINITY)));
+    return (LANES(court_meeting_plane_out)){ _s0, lanes_abs(bend) };
+}
+
+/* Whether an arrival may be the earliest, as far as their delays are bounded.
+   Table 1. 5 operations: 1 addition, 1 subtraction, 1 comparison, 1 conjunction, 1 complement. */
+typedef struct {
+    M possible;
+} LANES(court_timely_out);
+
+LANES_INLINE LANES(court_timely_out)
+LANES(court_timely)(M arrives, V delay, V late, V time, V when)
+{
+    return (LANES(court_timely_out)){ lanes_both(arrives, lanes_not(lanes_less(lanes_add(delay, late), lanes_sub(time, when)))) };
+}
+
+/* A doubt where the gap's apex is zero within its error.
+   Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection. */
+typedef struct {
+    V doubt;
+} LANES(court_grazed_out);
+
+LANES_INLINE LANES(court_grazed_out)
+LANES(court_grazed)(V apex, V doubt, V height, V margin)
+{
+    return (LANES(court_grazed_out)){ lanes_select(lanes_both(lanes_both(lanes_at_most(K(0.0), apex), lanes_at_most(lanes_abs(height), margin)), lanes_less(apex, doubt)), apex, doubt) };
+}
+
+/* A doubt about a decision at a time.
+   Table 1. 3 operations: 1 comparison, 1 conjunction, 1 selection. */
+typedef struct {
+    V doubt;
+} LANES(court_questioned_out);
+
+LANES_INLINE LANES(court_questioned_out)
+LANES(court_questioned)(V doubt, V time, M unsure)
+{
+    return (LANES(court_questioned_out)){ lanes_select(lanes_both(unsure, lanes_less(time, doubt)), time, doubt) };
+}
+
+/* A doubt about an arrival whose crossing is not certain.
+   Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection. */
+typedef struct {
+    V doubt;
+} LANES(court_crossed_out);
+
+LANES_INLINE LANES(court_crossed_out)
+LANES(court_crossed)(M arrives, V clearance, V doubt, V time)
+{
+    return (LANES(court_crossed_out)){ lanes_select(lanes_both(lanes_both(arrives, lanes_not(lanes_less(K(0.0), clearance))), lanes_less(time, doubt)), time, doubt) };
+}
+
+/* A doubt about two arrivals within their delays; the delay of the earlier one.
+   Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections. */
+typedef struct {
+    V doubt;
+    V late;
+} LANES(court_tied_out);
+
+LANES_INLINE LANES(court_tied_out)
+LANES(court_tied)(M arrives, V delay, V doubt, V late, V time, V when)
+{
+    const M _s0 = lanes_less(time, when);
+    const V _s1 = lanes_select(_s0, time, when);
+    const V _s2 = lanes_select(lanes_both(lanes_both(arrives, lanes_at_most(lanes_abs(lanes_sub(time, when)), lanes_add(delay, late))), lanes_less(_s1, doubt)), _s1, doubt);
+    return (LANES(court_tied_out)){ _s2, lanes_select(lanes_both(arrives, _s0), delay, late) };
+}
+
+/* The earlier of the earliest arrival so far and this one.
+   Table 1. 4 operations: 1 comparison, 1 conjunction, 2 selections. */
+typedef struct {
+    V when;
+    V which;
+} LANES(court_sooner_out);
+
+LANES_INLINE LANES(court_sooner_out)
+LANES(court_sooner)(M arrives, V index, V time, V when, V which)
+{
+    const M _s0 = lanes_both(arrives, lanes_less(time, when));
+    return (LANES(court_sooner_out)){ lanes_select(_s0, time, when), lanes_select(_s0, index, which) };
+}
+
+/* Where a surface is not certainly missed.
+   Table 1. 2 operations: 1 comparison, 1 complement. */
+typedef struct {
+    M open;
+} LANES(court_opens_out);
+
+LANES_INLINE LANES(court_opens_out)
+LANES(court_opens)(V clear)
+{
+    return (LANES(court_opens_out)){ lanes_not(lanes_less(K(0.0), clear)) };
+}
+
+/* How a search begins: with the errors that it allows for, and nothing found.
+   Table 1. No operations. */
+typedef struct {
+    V share;
+    V arrival;
+    M certain;
+} LANES(court_beginning_out);
+
+LANES_INLINE LANES(court_beginning_out)
+LANES(court_beginning)(void)
+{
+    return (LANES(court_beginning_out)){ K(2.9802322387695312e-08), K(INFINITY), lanes_nowhere() };
+}
+
+/* Nothing is certain where the errors exceed what the search allows for.
+   Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection. */
+typedef struct {
+    V doubt;
+} LANES(court_beyond_out);
+
+LANES_INLINE LANES(court_beyond_out)
+LANES(court_beyond)(V doubt, V excess, V late, V lost, V pad)
+{
+    return (LANES(court_beyond_out)){ lanes_select(lanes_either(lanes_either(lanes_less(K(0.0), excess), lanes_less(K(0.0), lost)), lanes_less(pad, late)), K(0.0), doubt) };
+}
+
+/* 1 near the surface that the ball left, where F/t is known better than F; the margin.
+   Table 1. 6 operations: 1 multiplication, 2 comparisons, 1 conjunction, 2 selections. */
+typedef struct {
+    V leaving;
+    V margin;
+} LANES(court_nearby_out);
+
+LANES_INLINE LANES(court_nearby_out)
+LANES(court_nearby)(V flat, V index, V last, V t, V tilt)
+{
+    const V _s0 = lanes_mul(t, tilt);
+    const M _s1 = lanes_both(lanes_equal(last, index), lanes_less(_s0, flat));
+    return (LANES(court_nearby_out)){ lanes_select(_s1, K(1.0), K(0.0)), lanes_select(_s1, _s0, flat) };
+}
+
+/* Whether the gap closes, surely, or is to be looked at with smaller errors allowed.
+   Table 1. 17 operations: 1 subtraction, 6 comparisons, 6 conjunctions, 2 disjunctions, 2 complements. */
+typedef struct {
+    M hit;
+    M sure;
+    M vague;
+} LANES(court_struck_out);
+
+LANES_INLINE LANES(court_struck_out)
+LANES(court_struck)(V bend, V clearance, V gap, V margin, V rate, V rate_margin, V share)
+{
+    const M _s0 = lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_at_most(rate, rate_margin), lanes_less(bend, K(0.0))));
+    const M _s1 = lanes_less(K(0.0), clearance);
+    const M _s2 = lanes_both(_s0, lanes_either(lanes_at_most(lanes_sub(gap, margin), margin), _s1));
+    const M _s3 = lanes_both(_s0, _s1);
+    const M _s4 = lanes_both(lanes_both(_s2, lanes_not(_s3)), lanes_less(K(0.0), share));
+    return (LANES(court_struck_out)){ lanes_both(_s2, lanes_not(_s4)), _s3, _s4 };
+}
+
+/* The next smaller errors that a search allows for.
+   Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
+typedef struct {
+    V share;
+} LANES(court_finer_out);
+
+LANES_INLINE LANES(court_finer_out)
+LANES(court_finer)(V share)
+{
+    return (LANES(court_finer_out)){ lanes_select(lanes_less(K(2.842170943040401e-14), share), lanes_mul(K(0.03125), share), K(0.0)) };
+}
+
+/* A doubt where the errors exceed what is allowed for.
+   Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection. */
+typedef struct {
+    V doubt;
+} LANES(court_exceeded_out);
+
+LANES_INLINE LANES(court_exceeded_out)
+LANES(court_exceeded)(V doubt, V excess, V t)
+{
+    return (LANES(court_exceeded_out)){ lanes_select(lanes_both(lanes_less(K(0.0), excess), lanes_less(t, doubt)), t, doubt) };
+}
+
+/* The search after a step: what it found, whether its window is exhausted, where it is.
+   Table 1. 14 operations: 1 subtraction, 1 comparison, 4 conjunctions, 2 disjunctions, 3 complements, 3 selections. */
+typedef struct {
+    V arrival;
+    M certain;
+    M exhausted;
+    M searching;
+    V t;
+} LANES(court_advanced_out);
+
+LANES_INLINE LANES(court_advanced_out)
+LANES(court_advanced)(V arrival, M certain, V end, M hit, V next, V root, V step, M sure, V t, M vague)
+{
+    const M _s0 = lanes_not(hit);
+    const M _s1 = lanes_both(lanes_both(_s0, lanes_not(vague)), lanes_at_most(lanes_sub(end, t), step));
+    return (LANES(court_advanced_out)){ lanes_select(hit, lanes_select(sure, root, t), arrival), lanes_either(certain, lanes_both(hit, sure)), _s1, lanes_both(_s0, lanes_not(_s1)), lanes_select(lanes_either(hit, vague), t, next) };
+}
+
+/* Whether a search found an arrival.
+   Table 1. 1 operation: 1 comparison. */
+typedef struct {
+    M arrives;
+} LANES(court_found_out);
+
+LANES_INLINE LANES(court_found_out)
+LANES(court_found)(V arrival)
+{
+    return (LANES(court_found_out)){ lanes_less(arrival, K(INFINITY)) };
+}
+
+/* A root that is certain, refined.
+   Table 1. 1 operation: 1 selection. */
+typedef struct {
+    V arrival;
+} LANES(court_polished_out);
+
+LANES_INLINE LANES(court_polished_out)
+LANES(court_polished)(V arrival, M certain, V refined)
+{
+    return (LANES(court_polished_out)){ lanes_select(certain, refined, arrival) };
+}
+
+/* The margin of the form that an arrival was found with.
+   Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
+typedef struct {
+    V margin;
+} LANES(court_own_margin_out);
+
+LANES_INLINE LANES(court_own_margin_out)
+LANES(court_own_margin)(V arrival, V flat, V leaving, V tilt)
+{
+    return (LANES(court_own_margin_out)){ lanes_select(lanes_less(K(0.0), leaving), lanes_mul(arrival, tilt), flat) };
+}
+
+/* The time of an arrival, not before the flight.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+typedef struct {
+    V time;
+} LANES(court_landed_out);
+
+LANES_INLINE LANES(court_landed_out)
+LANES(court_landed)(V arrival)
+{
+    return (LANES(court_landed_out)){ lanes_select(lanes_less(arrival, K(0.0)), K(0.0), arrival) };
+}
+
+/* The delay of an arrival that is certain, a doubt about another one.
+   Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
+typedef struct {
+    V delay;
+    V doubt;
+} LANES(court_landed_surely_out);
+
+LANES_INLINE LANES(court_landed_surely_out)
+LANES(court_landed_surely)(M arrives, M certain, V clearance, V delay, V doubt, V time)
+{
+    const M _s0 = lanes_both(certain, lanes_less(K(0.0), clearance));
+    return (LANES(court_landed_surely_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(time, doubt)), time, doubt) };
+}
+
+/* A search that begins outside the surface.
+   Table 1. No operations. */
+typedef struct {
+    V side;
+} LANES(court_outside_out);
+
+LANES_INLINE LANES(court_outside_out)
+LANES(court_outside)(void)
+{
+    return (LANES(court_outside_out)){ K(1.0) };
+}
+
+/* Where every number of a state is finite.
+   Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions. */
+typedef struct {
+    M finite;
+} LANES(court_finite_state_out);
+
+LANES_INLINE LANES(court_finite_state_out)
+LANES(court_finite_state)(V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
+{
+    const M _s0 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(lanes_abs(x), K(INFINITY)), lanes_less(lanes_abs(y), K(INFINITY))), lanes_less(lanes_abs(z), K(INFINITY))), lanes_less(lanes_abs(vx), K(INFINITY))), lanes_less(lanes_abs(vy), K(INFINITY)));
+    const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(_s0, lanes_less(lanes_abs(vz), K(INFINITY))), lanes_less(lanes_abs(wx), K(INFINITY))), lanes_less(lanes_abs(wy), K(INFINITY))), lanes_less(lanes_abs(wz), K(INFINITY)));
+    return (LANES(court_finite_state_out)){ _s1 };
+}
+
+/* No arrival yet; nothing is certain where the errors are not bounded.
+   Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 selection. */
+typedef struct {
+    V when;
+    V which;
+    V late;
+    V doubt;
+} LANES(court_opening_out);
+
+LANES_INLINE LANES(court_opening_out)
+LANES(court_opening)(V excess, V position_error, V velocity_error)
+{
+    return (LANES(court_opening_out)){ K(INFINITY), K(-1.0), K(0.0), lanes_select(lanes_both(lanes_both(lanes_less(position_error, K(INFINITY)), lanes_less(velocity_error, K(INFINITY))), lanes_at_most(excess, K(0.0))), K(INFINITY), K(0.0)) };
+}
+
+/* Whether there is a time limit.
+   Table 1. 1 operation: 1 comparison. */
+typedef struct {
+    M limited;
+} LANES(court_limited_out);
+
+LANES_INLINE LANES(court_limited_out)
+LANES(court_limited)(V time_limit)
+{
+    return (LANES(court_limited_out)){ lanes_less(time_limit, K(INFINITY)) };
+}
+
+/* The time of the event.
+   Table 1. 1 operation: 1 addition. */
+typedef struct {
+    V clock;
+} LANES(court_ticked_out);
+
+LANES_INLINE LANES(court_ticked_out)
+LANES(court_ticked)(V clock, V when)
+{
+    return (LANES(court_ticked_out)){ lanes_add(clock, when) };
+}
+
+/* 1 where a decision up to this event, or which end it is, lies within its error.
+   Table 1. 7 operations: 1 addition, 2 comparisons, 1 conjunction, 1 disjunction, 1 complement, 1 selection. */
+typedef struct {
+    V uncertain;
+} LANES(court_doubted_out);
+
+LANES_INLINE LANES(court_doubted_out)
+LANES(court_doubted)(V doubt, M edge, V late, V uncertain, V when)
+{
+    const V _s0 = lanes_select(lanes_either(lanes_both(lanes_not(lanes_less(lanes_add(late, when), doubt)), lanes_less(doubt, K(INFINITY))), edge), K(1.0), uncertain);
+    return (LANES(court_doubted_out)){ _s0 };
+}
+
+/* Where an event changes the ball, or its errors are asked for.
+   Table 1. 3 operations: 1 comparison, 1 conjunction, 1 disjunction. */
+typedef struct {
+    M meeting;
+} LANES(court_meeting_out);
+
+LANES_INLINE LANES(court_meeting_out)
+LANES(court_meeting)(V claims, M ends, M touches)
+{
+    return (LANES(court_meeting_out)){ lanes_either(touches, lanes_both(ends, lanes_less(K(0.0), claims))) };
+}
+
+/* Whether the event is on a surface.
+   Table 1. 1 operation: 1 comparison. */
+typedef struct {
+    M here;
+} LANES(court_here_out);
+
+LANES_INLINE LANES(court_here_out)
+LANES(court_here)(V index, V which)
+{
+    return (LANES(court_here_out)){ lanes_equal(which, index) };
+}
+
+/* One more contact.
+   Table 1. 1 operation: 1 addition. */
+typedef struct {
+    V count;
+} LANES(court_counted_out);
+
+LANES_INLINE LANES(court_counted_out)
+LANES(court_counted)(V count)
+{
+    return (LANES(court_counted_out)){ lanes_add(K(1.0), count) };
+}
+
+/* A ball that meets another surface.
+   Table 1. No operations. */
+typedef struct {
+    V curving;
+} LANES(court_elsewhere_out);
+
+LANES_INLINE LANES(court_elsewhere_out)
+LANES(court_elsewhere)(void)
+{
+    return (LANES(court_elsewhere_out)){ K(INFINITY) };
+}
+
+/* Whether the ball meets the surface that it touched last.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+typedef struct {
+    M again;
+} LANES(court_again_out);
+
+LANES_INLINE LANES(court_again_out)
+LANES(court_again)(V index, V last, V which)
+{
+    return (LANES(court_again_out)){ lanes_both(lanes_equal(which, index), lanes_equal(last, which)) };
+}
+
+/* The error of the event's time.
+   Table 1. 1 operation: 1 addition. */
+typedef struct {
+    V clock_error;
+} LANES(court_delayed_out);
+
+LANES_INLINE LANES(court_delayed_out)
+LANES(court_delayed)(V clock_error, V delay)
+{
+    return (LANES(court_delayed_out)){ lanes_add(clock_error, delay) };
+}
+
+/* Errors of the position at the end, not below what one flight can make.
+   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
+typedef struct {
+    V dx;
+    V dy;
+    V dz;
+} LANES(court_floored_out);
+
+LANES_INLINE LANES(court_floored_out)
+LANES(court_floored)(V dx, V dy, V dz, V shift)
+{
+    return (LANES(court_floored_out)){ lanes_select(lanes_less(lanes_abs(dx), shift), shift, dx), lanes_select(lanes_less(lanes_abs(dy), shift), shift, dy), lanes_select(lanes_less(lanes_abs(dz), shift), shift, dz) };
+}
+
+/* A normal without error.
+   Table 1. No operations. */
+typedef struct {
+    V dnx;
+    V dny;
+    V dnz;
+    V turn;
+} LANES(court_unturned_out);
+
+LANES_INLINE LANES(court_unturned_out)
+LANES(court_unturned)(void)
+{
+    return (LANES(court_unturned_out)){ K(0.0), K(0.0), K(0.0), K(0.0) };
+}
+
+/* The surfaces that were touched first and last.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+typedef struct {
+    V first;
+    V last;
+} LANES(court_touched_out);
+
+LANES_INLINE LANES(court_touched_out)
+LANES(court_touched)(V body, V first, V which)
+{
+    return (LANES(court_touched_out)){ lanes_select(lanes_less(first, K(0.0)), body, first), which };
+}
+
+/* Where a shot has ended at the time limit whose errors are asked for.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+typedef struct {
+    M timed;
+} LANES(court_timed_out);
+
+LANES_INLINE LANES(court_timed_out)
+LANES(court_timed)(V claims, V index, V which)
+{
+    return (LANES(court_timed_out)){ lanes_both(lanes_equal(which, index), lanes_less(K(0.0), claims)) };
+}
+
+/* Where a shot has ended whose errors are asked for.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+typedef struct {
+    M closed;
+} LANES(court_closing_out);
+
+LANES_INLINE LANES(court_closing_out)
+LANES(court_closing)(V claims, V outcome)
+{
+    return (LANES(court_closing_out)){ lanes_both(lanes_less(K(0.0), claims), lanes_at_most(K(0.0), outcome)) };
+}
+
+/* 1 where a decision within a contact lies within its error.
+   Table 1. 1 operation: 1 selection. */
+typedef struct {
+    V uncertain;
+} LANES(court_undecided_out);
+
+LANES_INLINE LANES(court_undecided_out)
+LANES(court_undecided)(V uncertain, M unsure)
+{
+    return (LANES(court_undecided_out)){ lanes_select(unsure, K(1.0), uncertain) };
+}
+
+/* The body that the event is on.
+   Table 1. No operations. */
+typedef struct {
+    V body;
+} LANES(court_body_of_out);
+
+LANES_INLINE LANES(court_body_of_out)
+LANES(court_body_of)(V which)
+{
+    return (LANES(court_body_of_out)){ which };
+}
+
+/* Whether a shot can start, and whether that is in doubt.
+   Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections. */
+typedef struct {
+    V outcome;
+    V uncertain;
+} LANES(court_admitted_out);
+
+LANES_INLINE LANES(court_admitted_out)
+LANES(court_admitted)(V doubt, M finite, M permitted, V valid)
+{
+    const M _s0 = lanes_both(permitted, finite);
+    return (LANES(court_admitted_out)){ lanes_select(lanes_both(_s0, lanes_less(K(0.0), valid)), K(-1.0), K(4.0)), lanes_select(lanes_both(_s0, lanes_less(K(0.0), doubt)), K(1.0), K(0.0)) };
+}
+
+/* The time limit, taken for an arrival.
+   Table 1. 12 operations: 2 additions, 1 subtraction, 1 multiplication, 4 comparisons, 1 conjunction, 1 complement, 2 selections. */
+typedef struct {
+    V time;
+    V delay;
+    M arrives;
+    V doubt;
+} LANES(court_expiry_out);
+
+LANES_INLINE LANES(court_expiry_out)
+LANES(court_expiry)(V clock, V doubt, V late, V time_error, V time_limit, V when, V which)
+{
+    const V _s0 = lanes_sub(time_limit, clock);
+    return (LANES(court_expiry_out)){ lanes_max(K(0.0), _s0), lanes_add(time_error, lanes_mul(K(4.440892098500626e-16), time_limit)), lanes_at_most(K(0.0), which), lanes_select(lanes_both(lanes_not(lanes_less(lanes_add(late, when), doubt)), lanes_less(doubt, K(INFINITY))), K(0.0), doubt) };
+}
+
+/* Whether there is no event, an end, or a contact.
+   Table 1. 5 operations: 3 comparisons, 1 conjunction, 1 complement. */
+typedef struct {
+    M stays;
+    M moves;
+    M ends;
+    M touches;
+    V reached;
+    M edge;
+} LANES(court_departed_out);
+
+LANES_INLINE LANES(court_departed_out)
+LANES(court_departed)(V index, V which)
+{
+    const M _s0 = lanes_less(which, K(0.0));
+    const M _s1 = lanes_not(_s0);
+    return (LANES(court_departed_out)){ _s0, _s1, lanes_at_most(index, which), lanes_both(_s1, lanes_less(which, index)), K(3.0), lanes_nowhere() };
+}
+
+/* What a shot ends with that the time limit ends.
+   Table 1. 6 operations: 1 comparison, 1 conjunction, 1 complement, 3 selections. */
+typedef struct {
+    V clock;
+    V body;
+    V reached;
+    M ends;
+} LANES(court_expired_out);
+
+LANES_INLINE LANES(court_expired_out)
+LANES(court_expired)(V body, V clock, M ends, V index, V reached, V time_limit, V which)
+{
+    const M _s0 = lanes_equal(which, index);
+    return (LANES(court_expired_out)){ lanes_select(_s0, time_limit, clock), lanes_select(_s0, K(3.0), body), lanes_select(_s0, K(6.0), reached), lanes_both(ends, lanes_not(_s0)) };
+}
+
+/* How many contacts there were, and whether the shot ends and how.
+   Table 1. 5 operations: 1 addition, 1 comparison, 3 selections. */
+typedef struct {
+    V contacts;
+    V outcome;
+} LANES(court_accounted_out);
+
+LANES_INLINE LANES(court_accounted_out)
+LANES(court_accounted)(V contacts, V most_contacts, V reached, M touches)
+{
+    const V _s0 = lanes_add(K(1.0), contacts);
+    return (LANES(court_accounted_out)){ lanes_select(touches, _s0, contacts), lanes_select(touches, lanes_select(lanes_at_most(most_contacts, _s0), K(2.0), K(-1.0)), reached) };
+}
+
+/* Where a decision within a contact lies within its error.
+   the law's own slack. 86 operations: 15 additions, 11 subtractions, 29 multiplications, 2 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
+typedef struct {
+    M unsure;
+} LANES(court_ring_impact_doubt_out);
+
+LANES_INLINE LANES(court_ring_impact_doubt_out)
+LANES(court_ring_impact_doubt)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V turn, V p_ball_radius, V p_ring_restitution, V p_ring_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+    const V _s1 = lanes_abs(dwx);
+    const V _s2 = lanes_abs(dwy);
+    const V _s3 = lanes_max(_s1, _s2);
+    const V _s4 = lanes_abs(dwz);
+    const V _s5 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s6 = lanes_add(_s5, lanes_abs(vz));
+    const V _s7 = lanes_abs(dvx);
+    const V _s8 = lanes_abs(dvy);
+    const V _s9 = lanes_max(_s7, _s8);
+    const V _s10 = lanes_abs(dvz);
+    const V _s11 = lanes_mul(K(64.0), lanes_add(lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s3, _s4)), lanes_mul(turn, _s6)), lanes_max(_s9, _s10)), lanes_mul(K(4.440892098500626e-16), _s6)));
+    const V _s12 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s13 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s14 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s15 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s16 = lanes_mul(p_ring_friction, lanes_mul(lanes_add(K(1.0), lanes_div(p_ring_restitution, lanes_sub(K(1.0), lanes_div(_s12, p_restitution_speed)))), _s12));
+    const V _s17 = lanes_sub(lanes_mul(_s0, lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s13, _s13), lanes_mul(_s14, _s14)), lanes_mul(_s15, _s15)))), lanes_neg(_s16));
+    const M _s18 = lanes_both(lanes_both(lanes_less(K(0.0), p_ring_friction), lanes_less(p_ring_friction, K(INFINITY))), lanes_not(lanes_less(lanes_mul(lanes_add(lanes_mul(K(2.0), p_ring_friction), _s0), _s11), lanes_abs(_s17))));
+    return (LANES(court_ring_impact_doubt_out)){ _s18 };
+}
+
+/* Velocity and spin after a contact, frame-free.
+   momentum, angular momentum and Coulomb's law of friction. 83 operations: 9 additions, 19 subtractions, 43 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections. */
+typedef struct {
+    V vx;
+    V vy;
+    V vz;
+    V wx;
+    V wy;
+    V wz;
+} LANES(court_ring_impact_out);
+
+LANES_INLINE LANES(court_ring_impact_out)
+LANES(court_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ball_radius, V p_ring_restitution, V p_ring_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_sub(vx, lanes_mul(nx, _s0));
+    const V _s2 = lanes_sub(_s1, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s3 = lanes_sub(vz, lanes_mul(nz, _s0));
+    const V _s4 = lanes_sub(_s3, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s5 = lanes_sub(vy, lanes_mul(ny, _s0));
+    const V _s6 = lanes_sub(_s5, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s7 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s6, _s6)), lanes_mul(_s2, _s2));
+    const V _s8 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+    const V _s9 = lanes_div(p_ring_restitution, lanes_sub(K(1.0), lanes_div(_s0, p_restitution_speed)));
+    const V _s10 = lanes_neg(lanes_mul(p_ring_friction, lanes_mul(lanes_add(K(1.0), _s9), _s0)));
+    const V _s11 = lanes_select(lanes_less(K(0.0), p_ring_friction), lanes_select(lanes_less(p_ring_friction, K(INFINITY)), lanes_select(lanes_at_most(lanes_mul(_s7, lanes_mul(_s8, _s8)), lanes_mul(_s10, _s10)), _s8, lanes_div(_s10, lanes_sqrt(_s7))), _s8), K(0.0));
+    const V _s12 = lanes_div(lanes_mul(K(1.5), _s11), p_ball_radius);
+    return (LANES(court_ring_impact_out)){ lanes_sub(lanes_sub(_s1, lanes_mul(_s2, _s11)), lanes_mul(lanes_mul(nx, _s9), _s0)), lanes_sub(lanes_sub(_s5, lanes_mul(_s6, _s11)), lanes_mul(lanes_mul(ny, _s9), _s0)), lanes_sub(lanes_sub(_s3, lanes_mul(_s4, _s11)), lanes_mul(lanes_mul(nz, _s9), _s0)), lanes_add(wx, lanes_mul(_s12, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s6)))), lanes_add(wy, lanes_mul(_s12, lanes_sub(lanes_mul(nz, _s2), lanes_mul(nx, _s4)))), lanes_add(wz, lanes_mul(_s12, lanes_sub(lanes_mul(nx, _s6), lanes_mul(ny, _s2)))) };
+}
+
+/* Errors of velocity and spin after a contact, from those before it.
+   derivative of the contact with friction, with roundings. 303 operations: 40 additions, 50 subtractions, 121 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections. */
+typedef struct {
+    V dvx;
+    V dvy;
+    V dvz;
+    V dwx;
+    V dwy;
+    V dwz;
+} LANES(court_carry_ring_impact_out);
+
+LANES_INLINE LANES(court_carry_ring_impact_out)
+LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V p_ball_radius, V p_ring_restitution, V p_ring_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
+    const V _s2 = lanes_sub(lanes_sub(dvx, lanes_mul(dnx, _s0)), lanes_mul(nx, _s1));
+    const V _s3 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s4 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s5 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s6 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s5, _s5)), lanes_mul(_s3, _s3));
+    const V _s7 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+    const V _s8 = lanes_sub(K(1.0), lanes_div(_s0, p_restitution_speed));
+    const V _s9 = lanes_div(p_ring_restitution, _s8);
+    const V _s10 = lanes_add(K(1.0), _s9);
+    const V _s11 = lanes_neg(lanes_mul(p_ring_friction, lanes_mul(_s10, _s0)));
+    const V _s12 = lanes_neg(lanes_div(lanes_mul(p_ring_restitution, lanes_neg(lanes_div(_s1, p_restitution_speed))), lanes_mul(_s8, _s8)));
+    const V _s13 = lanes_sqrt(_s6);
+    const V _s14 = lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s0)), lanes_mul(nz, _s1));
+    const V _s15 = lanes_sub(_s14, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))));
+    const V _s16 = lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s0)), lanes_mul(ny, _s1));
+    const V _s17 = lanes_sub(_s16, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))));
+    const V _s18 = lanes_sub(_s2, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))));
+    const V _s19 = lanes_div(lanes_mul(lanes_mul(K(0.5), _s11), lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s15), lanes_mul(lanes_mul(K(2.0), _s5), _s17)), lanes_mul(lanes_mul(K(2.0), _s3), _s18))), lanes_mul(_s13, _s6));
+    const V _s20 = lanes_sub(lanes_div(lanes_neg(lanes_mul(p_ring_friction, lanes_add(lanes_mul(_s10, _s1), lanes_mul(_s12, _s0)))), _s13), _s19);
+    const M _s21 = lanes_at_most(lanes_mul(_s6, lanes_mul(_s7, _s7)), lanes_mul(_s11, _s11));
+    const M _s22 = lanes_less(p_ring_friction, K(INFINITY));
+    const M _s23 = lanes_less(K(0.0), p_ring_friction);
+    const V _s24 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, K(0.0), _s20), K(0.0)), K(0.0));
+    const V _s25 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, _s7, lanes_div(_s11, _s13)), _s7), K(0.0));
+    const V _s26 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s2, lanes_mul(_s3, _s24)), lanes_mul(_s18, _s25)), lanes_mul(lanes_mul(dnx, _s9), _s0)), lanes_mul(lanes_mul(nx, _s9), _s1)), lanes_mul(lanes_mul(nx, _s12), _s0));
+    const V _s27 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s28 = lanes_add(_s27, lanes_abs(vz));
+    const V _s29 = lanes_mul(K(2.220446049250313e-16), _s28);
+    const V _s30 = lanes_neg(_s29);
+    const V _s31 = lanes_add(_s26, lanes_select(lanes_less(_s26, K(0.0)), _s30, _s29));
+    const V _s32 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
+    const V _s33 = lanes_abs(dwx);
+    const V _s34 = lanes_abs(dwy);
+    const V _s35 = lanes_max(_s33, _s34);
+    const V _s36 = lanes_abs(dwz);
+    const V _s37 = lanes_abs(dvx);
+    const V _s38 = lanes_abs(dvy);
+    const V _s39 = lanes_max(_s37, _s38);
+    const V _s40 = lanes_abs(dvz);
+    const V _s41 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s35, _s36)), lanes_mul(turn, _s28)), lanes_max(_s39, _s40));
+    const V _s42 = lanes_div(_s41, _s32);
+    const V _s43 = lanes_neg(_s42);
+    const V _s44 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s16, lanes_mul(_s5, _s24)), lanes_mul(_s17, _s25)), lanes_mul(lanes_mul(dny, _s9), _s0)), lanes_mul(lanes_mul(ny, _s9), _s1)), lanes_mul(lanes_mul(ny, _s12), _s0));
+    const V _s45 = lanes_add(_s44, lanes_select(lanes_less(_s44, K(0.0)), _s30, _s29));
+    const V _s46 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s14, lanes_mul(_s4, _s24)), lanes_mul(_s15, _s25)), lanes_mul(lanes_mul(dnz, _s9), _s0)), lanes_mul(lanes_mul(nz, _s9), _s1)), lanes_mul(lanes_mul(nz, _s12), _s0));
+    const V _s47 = lanes_add(_s46, lanes_select(lanes_less(_s46, K(0.0)), _s30, _s29));
+    const V _s48 = lanes_div(lanes_mul(K(1.5), _s24), p_ball_radius);
+    const V _s49 = lanes_div(lanes_mul(K(1.5), _s25), p_ball_radius);
+    const V _s50 = lanes_add(lanes_add(dwx, lanes_mul(_s48, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s5)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s4), lanes_mul(ny, _s15)), lanes_mul(dnz, _s5)), lanes_mul(nz, _s17))));
+    const V _s51 = lanes_div(_s29, p_ball_radius);
+    const V _s52 = lanes_neg(_s51);
+    const V _s53 = lanes_add(_s50, lanes_select(lanes_less(_s50, K(0.0)), _s52, _s51));
+    const V _s54 = lanes_div(_s41, lanes_mul(p_ball_radius, _s32));
+    const V _s55 = lanes_neg(_s54);
+    const V _s56 = lanes_add(lanes_add(dwy, lanes_mul(_s48, lanes_sub(lanes_mul(nz, _s3), lanes_mul(nx, _s4)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s3), lanes_mul(nz, _s18)), lanes_mul(dnx, _s4)), lanes_mul(nx, _s15))));
+    const V _s57 = lanes_add(_s56, lanes_select(lanes_less(_s56, K(0.0)), _s52, _s51));
+    const V _s58 = lanes_add(lanes_add(dwz, lanes_mul(_s48, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s5), lanes_mul(nx, _s17)), lanes_mul(dny, _s3)), lanes_mul(ny, _s18))));
+    const V _s59 = lanes_add(_s58, lanes_select(lanes_less(_s58, K(0.0)), _s52, _s51));
+    return (LANES(court_carry_ring_impact_out)){ lanes_select(lanes_less(lanes_abs(_s31), _s42), lanes_select(lanes_less(_s31, K(0.0)), _s43, _s42), _s31), lanes_select(lanes_less(lanes_abs(_s45), _s42), lanes_select(lanes_less(_s45, K(0.0)), _s43, _s42), _s45), lanes_select(lanes_less(lanes_abs(_s47), _s42), lanes_select(lanes_less(_s47, K(0.0)), _s43, _s42), _s47), lanes_select(lanes_less(lanes_abs(_s53), _s54), lanes_select(lanes_less(_s53, K(0.0)), _s55, _s54), _s53), lanes_select(lanes_less(lanes_abs(_s57), _s54), lanes_select(lanes_less(_s57, K(0.0)), _s55, _s54), _s57), lanes_select(lanes_less(lanes_abs(_s59), _s54), lanes_select(lanes_less(_s59, K(0.0)), _s55, _s54), _s59) };
+}
+
+/* Where a decision within a contact lies within its error.
+   the law's own slack. 86 operations: 15 additions, 11 subtractions, 29 multiplications, 2 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
+typedef struct {
+    M unsure;
+} LANES(court_backboard_impact_doubt_out);
+
+LANES_INLINE LANES(court_backboard_impact_doubt_out)
+LANES(court_backboard_impact_doubt)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V turn, V p_ball_radius, V p_backboard_restitution, V p_backboard_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+    const V _s1 = lanes_abs(dwx);
+    const V _s2 = lanes_abs(dwy);
+    const V _s3 = lanes_max(_s1, _s2);
+    const V _s4 = lanes_abs(dwz);
+    const V _s5 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s6 = lanes_add(_s5, lanes_abs(vz));
+    const V _s7 = lanes_abs(dvx);
+    const V _s8 = lanes_abs(dvy);
+    const V _s9 = lanes_max(_s7, _s8);
+    const V _s10 = lanes_abs(dvz);
+    const V _s11 = lanes_mul(K(64.0), lanes_add(lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s3, _s4)), lanes_mul(turn, _s6)), lanes_max(_s9, _s10)), lanes_mul(K(4.440892098500626e-16), _s6)));
+    const V _s12 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s13 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s14 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s15 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s16 = lanes_mul(p_backboard_friction, lanes_mul(lanes_add(K(1.0), lanes_div(p_backboard_restitution, lanes_sub(K(1.0), lanes_div(_s12, p_restitution_speed)))), _s12));
+    const V _s17 = lanes_sub(lanes_mul(_s0, lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s13, _s13), lanes_mul(_s14, _s14)), lanes_mul(_s15, _s15)))), lanes_neg(_s16));
+    const M _s18 = lanes_both(lanes_both(lanes_less(K(0.0), p_backboard_friction), lanes_less(p_backboard_friction, K(INFINITY))), lanes_not(lanes_less(lanes_mul(lanes_add(lanes_mul(K(2.0), p_backboard_friction), _s0), _s11), lanes_abs(_s17))));
+    return (LANES(court_backboard_impact_doubt_out)){ _s18 };
+}
+
+/* Velocity and spin after a contact, frame-free.
+   momentum, angular momentum and Coulomb's law of friction. 83 operations: 9 additions, 19 subtractions, 43 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections. */
+typedef struct {
+    V vx;
+    V vy;
+    V vz;
+    V wx;
+    V wy;
+    V wz;
+} LANES(court_backboard_impact_out);
+
+LANES_INLINE LANES(court_backboard_impact_out)
+LANES(court_backboard_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ball_radius, V p_backboard_restitution, V p_backboard_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_sub(vx, lanes_mul(nx, _s0));
+    const V _s2 = lanes_sub(_s1, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s3 = lanes_sub(vz, lanes_mul(nz, _s0));
+    const V _s4 = lanes_sub(_s3, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s5 = lanes_sub(vy, lanes_mul(ny, _s0));
+    const V _s6 = lanes_sub(_s5, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s7 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s6, _s6)), lanes_mul(_s2, _s2));
+    const V _s8 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+    const V _s9 = lanes_div(p_backboard_restitution, lanes_sub(K(1.0), lanes_div(_s0, p_restitution_speed)));
+    const V _s10 = lanes_neg(lanes_mul(p_backboard_friction, lanes_mul(lanes_add(K(1.0), _s9), _s0)));
+    const V _s11 = lanes_select(lanes_less(K(0.0), p_backboard_friction), lanes_select(lanes_less(p_backboard_friction, K(INFINITY)), lanes_select(lanes_at_most(lanes_mul(_s7, lanes_mul(_s8, _s8)), lanes_mul(_s10, _s10)), _s8, lanes_div(_s10, lanes_sqrt(_s7))), _s8), K(0.0));
+    const V _s12 = lanes_div(lanes_mul(K(1.5), _s11), p_ball_radius);
+    return (LANES(court_backboard_impact_out)){ lanes_sub(lanes_sub(_s1, lanes_mul(_s2, _s11)), lanes_mul(lanes_mul(nx, _s9), _s0)), lanes_sub(lanes_sub(_s5, lanes_mul(_s6, _s11)), lanes_mul(lanes_mul(ny, _s9), _s0)), lanes_sub(lanes_sub(_s3, lanes_mul(_s4, _s11)), lanes_mul(lanes_mul(nz, _s9), _s0)), lanes_add(wx, lanes_mul(_s12, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s6)))), lanes_add(wy, lanes_mul(_s12, lanes_sub(lanes_mul(nz, _s2), lanes_mul(nx, _s4)))), lanes_add(wz, lanes_mul(_s12, lanes_sub(lanes_mul(nx, _s6), lanes_mul(ny, _s2)))) };
+}
+
+/* Errors of velocity and spin after a contact, from those before it.
+   derivative of the contact with friction, with roundings. 303 operations: 40 additions, 50 subtractions, 121 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections. */
+typedef struct {
+    V dvx;
+    V dvy;
+    V dvz;
+    V dwx;
+    V dwy;
+    V dwz;
+} LANES(court_carry_backboard_impact_out);
+
+LANES_INLINE LANES(court_carry_backboard_impact_out)
+LANES(court_carry_backboard_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V p_ball_radius, V p_backboard_restitution, V p_backboard_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
+    const V _s2 = lanes_sub(lanes_sub(dvx, lanes_mul(dnx, _s0)), lanes_mul(nx, _s1));
+    const V _s3 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s4 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s5 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s6 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s5, _s5)), lanes_mul(_s3, _s3));
+    const V _s7 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+    const V _s8 = lanes_sub(K(1.0), lanes_div(_s0, p_restitution_speed));
+    const V _s9 = lanes_div(p_backboard_restitution, _s8);
+    const V _s10 = lanes_add(K(1.0), _s9);
+    const V _s11 = lanes_neg(lanes_mul(p_backboard_friction, lanes_mul(_s10, _s0)));
+    const V _s12 = lanes_neg(lanes_div(lanes_mul(p_backboard_restitution, lanes_neg(lanes_div(_s1, p_restitution_speed))), lanes_mul(_s8, _s8)));
+    const V _s13 = lanes_sqrt(_s6);
+    const V _s14 = lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s0)), lanes_mul(nz, _s1));
+    const V _s15 = lanes_sub(_s14, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))));
+    const V _s16 = lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s0)), lanes_mul(ny, _s1));
+    const V _s17 = lanes_sub(_s16, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))));
+    const V _s18 = lanes_sub(_s2, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))));
+    const V _s19 = lanes_div(lanes_mul(lanes_mul(K(0.5), _s11), lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s15), lanes_mul(lanes_mul(K(2.0), _s5), _s17)), lanes_mul(lanes_mul(K(2.0), _s3), _s18))), lanes_mul(_s13, _s6));
+    const V _s20 = lanes_sub(lanes_div(lanes_neg(lanes_mul(p_backboard_friction, lanes_add(lanes_mul(_s10, _s1), lanes_mul(_s12, _s0)))), _s13), _s19);
+    const M _s21 = lanes_at_most(lanes_mul(_s6, lanes_mul(_s7, _s7)), lanes_mul(_s11, _s11));
+    const M _s22 = lanes_less(p_backboard_friction, K(INFINITY));
+    const M _s23 = lanes_less(K(0.0), p_backboard_friction);
+    const V _s24 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, K(0.0), _s20), K(0.0)), K(0.0));
+    const V _s25 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, _s7, lanes_div(_s11, _s13)), _s7), K(0.0));
+    const V _s26 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s2, lanes_mul(_s3, _s24)), lanes_mul(_s18, _s25)), lanes_mul(lanes_mul(dnx, _s9), _s0)), lanes_mul(lanes_mul(nx, _s9), _s1)), lanes_mul(lanes_mul(nx, _s12), _s0));
+    const V _s27 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s28 = lanes_add(_s27, lanes_abs(vz));
+    const V _s29 = lanes_mul(K(2.220446049250313e-16), _s28);
+    const V _s30 = lanes_neg(_s29);
+    const V _s31 = lanes_add(_s26, lanes_select(lanes_less(_s26, K(0.0)), _s30, _s29));
+    const V _s32 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
+    const V _s33 = lanes_abs(dwx);
+    const V _s34 = lanes_abs(dwy);
+    const V _s35 = lanes_max(_s33, _s34);
+    const V _s36 = lanes_abs(dwz);
+    const V _s37 = lanes_abs(dvx);
+    const V _s38 = lanes_abs(dvy);
+    const V _s39 = lanes_max(_s37, _s38);
+    const V _s40 = lanes_abs(dvz);
+    const V _s41 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s35, _s36)), lanes_mul(turn, _s28)), lanes_max(_s39, _s40));
+    const V _s42 = lanes_div(_s41, _s32);
+    const V _s43 = lanes_neg(_s42);
+    const V _s44 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s16, lanes_mul(_s5, _s24)), lanes_mul(_s17, _s25)), lanes_mul(lanes_mul(dny, _s9), _s0)), lanes_mul(lanes_mul(ny, _s9), _s1)), lanes_mul(lanes_mul(ny, _s12), _s0));
+    const V _s45 = lanes_add(_s44, lanes_select(lanes_less(_s44, K(0.0)), _s30, _s29));
+    const V _s46 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s14, lanes_mul(_s4, _s24)), lanes_mul(_s15, _s25)), lanes_mul(lanes_mul(dnz, _s9), _s0)), lanes_mul(lanes_mul(nz, _s9), _s1)), lanes_mul(lanes_mul(nz, _s12), _s0));
+    const V _s47 = lanes_add(_s46, lanes_select(lanes_less(_s46, K(0.0)), _s30, _s29));
+    const V _s48 = lanes_div(lanes_mul(K(1.5), _s24), p_ball_radius);
+    const V _s49 = lanes_div(lanes_mul(K(1.5), _s25), p_ball_radius);
+    const V _s50 = lanes_add(lanes_add(dwx, lanes_mul(_s48, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s5)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s4), lanes_mul(ny, _s15)), lanes_mul(dnz, _s5)), lanes_mul(nz, _s17))));
+    const V _s51 = lanes_div(_s29, p_ball_radius);
+    const V _s52 = lanes_neg(_s51);
+    const V _s53 = lanes_add(_s50, lanes_select(lanes_less(_s50, K(0.0)), _s52, _s51));
+    const V _s54 = lanes_div(_s41, lanes_mul(p_ball_radius, _s32));
+    const V _s55 = lanes_neg(_s54);
+    const V _s56 = lanes_add(lanes_add(dwy, lanes_mul(_s48, lanes_sub(lanes_mul(nz, _s3), lanes_mul(nx, _s4)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s3), lanes_mul(nz, _s18)), lanes_mul(dnx, _s4)), lanes_mul(nx, _s15))));
+    const V _s57 = lanes_add(_s56, lanes_select(lanes_less(_s56, K(0.0)), _s52, _s51));
+    const V _s58 = lanes_add(lanes_add(dwz, lanes_mul(_s48, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s5), lanes_mul(nx, _s17)), lanes_mul(dny, _s3)), lanes_mul(ny, _s18))));
+    const V _s59 = lanes_add(_s58, lanes_select(lanes_less(_s58, K(0.0)), _s52, _s51));
+    return (LANES(court_carry_backboard_impact_out)){ lanes_select(lanes_less(lanes_abs(_s31), _s42), lanes_select(lanes_less(_s31, K(0.0)), _s43, _s42), _s31), lanes_select(lanes_less(lanes_abs(_s45), _s42), lanes_select(lanes_less(_s45, K(0.0)), _s43, _s42), _s45), lanes_select(lanes_less(lanes_abs(_s47), _s42), lanes_select(lanes_less(_s47, K(0.0)), _s43, _s42), _s47), lanes_select(lanes_less(lanes_abs(_s53), _s54), lanes_select(lanes_less(_s53, K(0.0)), _s55, _s54), _s53), lanes_select(lanes_less(lanes_abs(_s57), _s54), lanes_select(lanes_less(_s57, K(0.0)), _s55, _s54), _s57), lanes_select(lanes_less(lanes_abs(_s59), _s54), lanes_select(lanes_less(_s59, K(0.0)), _s55, _s54), _s59) };
+}
+
+/* Where a decision within a contact lies within its error.
+   the law's own slack. 86 operations: 15 additions, 11 subtractions, 29 multiplications, 2 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
+typedef struct {
+    M unsure;
+} LANES(court_bridge_impact_doubt_out);
+
+LANES_INLINE LANES(court_bridge_impact_doubt_out)
+LANES(court_bridge_impact_doubt)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V turn, V p_ball_radius, V p_bridge_restitution, V p_bridge_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+    const V _s1 = lanes_abs(dwx);
+    const V _s2 = lanes_abs(dwy);
+    const V _s3 = lanes_max(_s1, _s2);
+    const V _s4 = lanes_abs(dwz);
+    const V _s5 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s6 = lanes_add(_s5, lanes_abs(vz));
+    const V _s7 = lanes_abs(dvx);
+    const V _s8 = lanes_abs(dvy);
+    const V _s9 = lanes_max(_s7, _s8);
+    const V _s10 = lanes_abs(dvz);
+    const V _s11 = lanes_mul(K(64.0), lanes_add(lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s3, _s4)), lanes_mul(turn, _s6)), lanes_max(_s9, _s10)), lanes_mul(K(4.440892098500626e-16), _s6)));
+    const V _s12 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s13 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s14 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s15 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s16 = lanes_mul(p_bridge_friction, lanes_mul(lanes_add(K(1.0), lanes_div(p_bridge_restitution, lanes_sub(K(1.0), lanes_div(_s12, p_restitution_speed)))), _s12));
+    const V _s17 = lanes_sub(lanes_mul(_s0, lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s13, _s13), lanes_mul(_s14, _s14)), lanes_mul(_s15, _s15)))), lanes_neg(_s16));
+    const M _s18 = lanes_both(lanes_both(lanes_less(K(0.0), p_bridge_friction), lanes_less(p_bridge_friction, K(INFINITY))), lanes_not(lanes_less(lanes_mul(lanes_add(lanes_mul(K(2.0), p_bridge_friction), _s0), _s11), lanes_abs(_s17))));
+    return (LANES(court_bridge_impact_doubt_out)){ _s18 };
+}
+
+/* Velocity and spin after a contact, frame-free.
+   momentum, angular momentum and Coulomb's law of friction. 83 operations: 9 additions, 19 subtractions, 43 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections. */
+typedef struct {
+    V vx;
+    V vy;
+    V vz;
+    V wx;
+    V wy;
+    V wz;
+} LANES(court_bridge_impact_out);
+
+LANES_INLINE LANES(court_bridge_impact_out)
+LANES(court_bridge_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ball_radius, V p_bridge_restitution, V p_bridge_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_sub(vx, lanes_mul(nx, _s0));
+    const V _s2 = lanes_sub(_s1, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s3 = lanes_sub(vz, lanes_mul(nz, _s0));
+    const V _s4 = lanes_sub(_s3, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s5 = lanes_sub(vy, lanes_mul(ny, _s0));
+    const V _s6 = lanes_sub(_s5, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s7 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s6, _s6)), lanes_mul(_s2, _s2));
+    const V _s8 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+    const V _s9 = lanes_div(p_bridge_restitution, lanes_sub(K(1.0), lanes_div(_s0, p_restitution_speed)));
+    const V _s10 = lanes_neg(lanes_mul(p_bridge_friction, lanes_mul(lanes_add(K(1.0), _s9), _s0)));
+    const V _s11 = lanes_select(lanes_less(K(0.0), p_bridge_friction), lanes_select(lanes_less(p_bridge_friction, K(INFINITY)), lanes_select(lanes_at_most(lanes_mul(_s7, lanes_mul(_s8, _s8)), lanes_mul(_s10, _s10)), _s8, lanes_div(_s10, lanes_sqrt(_s7))), _s8), K(0.0));
+    const V _s12 = lanes_div(lanes_mul(K(1.5), _s11), p_ball_radius);
+    return (LANES(court_bridge_impact_out)){ lanes_sub(lanes_sub(_s1, lanes_mul(_s2, _s11)), lanes_mul(lanes_mul(nx, _s9), _s0)), lanes_sub(lanes_sub(_s5, lanes_mul(_s6, _s11)), lanes_mul(lanes_mul(ny, _s9), _s0)), lanes_sub(lanes_sub(_s3, lanes_mul(_s4, _s11)), lanes_mul(lanes_mul(nz, _s9), _s0)), lanes_add(wx, lanes_mul(_s12, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s6)))), lanes_add(wy, lanes_mul(_s12, lanes_sub(lanes_mul(nz, _s2), lanes_mul(nx, _s4)))), lanes_add(wz, lanes_mul(_s12, lanes_sub(lanes_mul(nx, _s6), lanes_mul(ny, _s2)))) };
+}
+
+/* Errors of velocity and spin after a contact, from those before it.
+   derivative of the contact with friction, with roundings. 303 operations: 40 additions, 50 subtractions, 121 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections. */
+typedef struct {
+    V dvx;
+    V dvy;
+    V dvz;
+    V dwx;
+    V dwy;
+    V dwz;
+} LANES(court_carry_bridge_impact_out);
+
+LANES_INLINE LANES(court_carry_bridge_impact_out)
+LANES(court_carry_bridge_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V p_ball_radius, V p_bridge_restitution, V p_bridge_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
+    const V _s2 = lanes_sub(lanes_sub(dvx, lanes_mul(dnx, _s0)), lanes_mul(nx, _s1));
+    const V _s3 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s4 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s5 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s6 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s5, _s5)), lanes_mul(_s3, _s3));
+    const V _s7 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+    const V _s8 = lanes_sub(K(1.0), lanes_div(_s0, p_restitution_speed));
+    const V _s9 = lanes_div(p_bridge_restitution, _s8);
+    const V _s10 = lanes_add(K(1.0), _s9);
+    const V _s11 = lanes_neg(lanes_mul(p_bridge_friction, lanes_mul(_s10, _s0)));
+    const V _s12 = lanes_neg(lanes_div(lanes_mul(p_bridge_restitution, lanes_neg(lanes_div(_s1, p_restitution_speed))), lanes_mul(_s8, _s8)));
+    const V _s13 = lanes_sqrt(_s6);
+    const V _s14 = lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s0)), lanes_mul(nz, _s1));
+    const V _s15 = lanes_sub(_s14, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))));
+    const V _s16 = lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s0)), lanes_mul(ny, _s1));
+    const V _s17 = lanes_sub(_s16, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))));
+    const V _s18 = lanes_sub(_s2, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))));
+    const V _s19 = lanes_div(lanes_mul(lanes_mul(K(0.5), _s11), lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s15), lanes_mul(lanes_mul(K(2.0), _s5), _s17)), lanes_mul(lanes_mul(K(2.0), _s3), _s18))), lanes_mul(_s13, _s6));
+    const V _s20 = lanes_sub(lanes_div(lanes_neg(lanes_mul(p_bridge_friction, lanes_add(lanes_mul(_s10, _s1), lanes_mul(_s12, _s0)))), _s13), _s19);
+    const M _s21 = lanes_at_most(lanes_mul(_s6, lanes_mul(_s7, _s7)), lanes_mul(_s11, _s11));
+    const M _s22 = lanes_less(p_bridge_friction, K(INFINITY));
+    const M _s23 = lanes_less(K(0.0), p_bridge_friction);
+    const V _s24 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, K(0.0), _s20), K(0.0)), K(0.0));
+    const V _s25 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, _s7, lanes_div(_s11, _s13)), _s7), K(0.0));
+    const V _s26 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s2, lanes_mul(_s3, _s24)), lanes_mul(_s18, _s25)), lanes_mul(lanes_mul(dnx, _s9), _s0)), lanes_mul(lanes_mul(nx, _s9), _s1)), lanes_mul(lanes_mul(nx, _s12), _s0));
+    const V _s27 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s28 = lanes_add(_s27, lanes_abs(vz));
+    const V _s29 = lanes_mul(K(2.220446049250313e-16), _s28);
+    const V _s30 = lanes_neg(_s29);
+    const V _s31 = lanes_add(_s26, lanes_select(lanes_less(_s26, K(0.0)), _s30, _s29));
+    const V _s32 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
+    const V _s33 = lanes_abs(dwx);
+    const V _s34 = lanes_abs(dwy);
+    const V _s35 = lanes_max(_s33, _s34);
+    const V _s36 = lanes_abs(dwz);
+    const V _s37 = lanes_abs(dvx);
+    const V _s38 = lanes_abs(dvy);
+    const V _s39 = lanes_max(_s37, _s38);
+    const V _s40 = lanes_abs(dvz);
+    const V _s41 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s35, _s36)), lanes_mul(turn, _s28)), lanes_max(_s39, _s40));
+    const V _s42 = lanes_div(_s41, _s32);
+    const V _s43 = lanes_neg(_s42);
+    const V _s44 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s16, lanes_mul(_s5, _s24)), lanes_mul(_s17, _s25)), lanes_mul(lanes_mul(dny, _s9), _s0)), lanes_mul(lanes_mul(ny, _s9), _s1)), lanes_mul(lanes_mul(ny, _s12), _s0));
+    const V _s45 = lanes_add(_s44, lanes_select(lanes_less(_s44, K(0.0)), _s30, _s29));
+    const V _s46 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s14, lanes_mul(_s4, _s24)), lanes_mul(_s15, _s25)), lanes_mul(lanes_mul(dnz, _s9), _s0)), lanes_mul(lanes_mul(nz, _s9), _s1)), lanes_mul(lanes_mul(nz, _s12), _s0));
+    const V _s47 = lanes_add(_s46, lanes_select(lanes_less(_s46, K(0.0)), _s30, _s29));
+    const V _s48 = lanes_div(lanes_mul(K(1.5), _s24), p_ball_radius);
+    const V _s49 = lanes_div(lanes_mul(K(1.5), _s25), p_ball_radius);
+    const V _s50 = lanes_add(lanes_add(dwx, lanes_mul(_s48, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s5)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s4), lanes_mul(ny, _s15)), lanes_mul(dnz, _s5)), lanes_mul(nz, _s17))));
+    const V _s51 = lanes_div(_s29, p_ball_radius);
+    const V _s52 = lanes_neg(_s51);
+    const V _s53 = lanes_add(_s50, lanes_select(lanes_less(_s50, K(0.0)), _s52, _s51));
+    const V _s54 = lanes_div(_s41, lanes_mul(p_ball_radius, _s32));
+    const V _s55 = lanes_neg(_s54);
+    const V _s56 = lanes_add(lanes_add(dwy, lanes_mul(_s48, lanes_sub(lanes_mul(nz, _s3), lanes_mul(nx, _s4)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s3), lanes_mul(nz, _s18)), lanes_mul(dnx, _s4)), lanes_mul(nx, _s15))));
+    const V _s57 = lanes_add(_s56, lanes_select(lanes_less(_s56, K(0.0)), _s52, _s51));
+    const V _s58 = lanes_add(lanes_add(dwz, lanes_mul(_s48, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s5), lanes_mul(nx, _s17)), lanes_mul(dny, _s3)), lanes_mul(ny, _s18))));
+    const V _s59 = lanes_add(_s58, lanes_select(lanes_less(_s58, K(0.0)), _s52, _s51));
+    return (LANES(court_carry_bridge_impact_out)){ lanes_select(lanes_less(lanes_abs(_s31), _s42), lanes_select(lanes_less(_s31, K(0.0)), _s43, _s42), _s31), lanes_select(lanes_less(lanes_abs(_s45), _s42), lanes_select(lanes_less(_s45, K(0.0)), _s43, _s42), _s45), lanes_select(lanes_less(lanes_abs(_s47), _s42), lanes_select(lanes_less(_s47, K(0.0)), _s43, _s42), _s47), lanes_select(lanes_less(lanes_abs(_s53), _s54), lanes_select(lanes_less(_s53, K(0.0)), _s55, _s54), _s53), lanes_select(lanes_less(lanes_abs(_s57), _s54), lanes_select(lanes_less(_s57, K(0.0)), _s55, _s54), _s57), lanes_select(lanes_less(lanes_abs(_s59), _s54), lanes_select(lanes_less(_s59, K(0.0)), _s55, _s54), _s59) };
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. 13 operations: 2 additions, 1 subtraction, 7 multiplications, 2 divisions, 1 square root. */
+typedef struct {
+    V nx;
+    V ny;
+    V nz;
+} LANES(court_ring_normal_out);
+
+LANES_INLINE LANES(court_ring_normal_out)
+LANES(court_ring_normal)(V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius)
+{
+    const V _s0 = lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius));
+    const V _s1 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s2 = lanes_mul(lanes_mul(_s0, lanes_sub(_s1, p_ring_radius)), lanes_div(K(1.0), _s1));
+    return (LANES(court_ring_normal_out)){ lanes_mul(x, _s2), lanes_mul(y, _s2), lanes_mul(z, _s0) };
+}
+
+/* Bound on the rate at which the normal turns along the contact surface.
+   Table 2. 6 operations: 1 addition, 2 subtractions, 1 division, 1 comparison, 1 selection. */
+typedef struct {
+    V curvature;
+} LANES(court_ring_curvature_out);
+
+LANES_INLINE LANES(court_ring_curvature_out)
+LANES(court_ring_curvature)(V p_ball_radius, V p_ring_radius, V p_wire_radius)
+{
+    const V _s0 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+    const V _s1 = lanes_add(p_ball_radius, p_wire_radius);
+    return (LANES(court_ring_curvature_out)){ lanes_div(K(1.0), lanes_min(_s0, _s1)) };
+}
+
+/* Error of the normal, from that of the position.
+   derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection. */
+typedef struct {
+    V dnx;
+    V dny;
+    V dnz;
+    V turn;
+} LANES(court_ring_carry_normal_out);
+
+LANES_INLINE LANES(court_ring_carry_normal_out)
+LANES(court_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V p_ball_radius, V p_ring_radius, V p_wire_radius)
+{
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_div(K(1.0), _s0);
+    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s3 = lanes_sub(_s2, p_ring_radius);
+    const V _s4 = lanes_div(K(1.0), _s2);
+    const V _s5 = lanes_mul(lanes_mul(_s1, _s3), _s4);
+    const V _s6 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), dx), x), lanes_mul(lanes_mul(K(2.0), dy), y))), _s2);
+    const V _s7 = lanes_add(lanes_mul(lanes_mul(_s6, _s1), _s4), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s6, lanes_mul(_s4, _s4))), _s1), _s3));
+    const V _s8 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+    return (LANES(court_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, _s5), lanes_mul(x, _s7)), lanes_add(lanes_mul(dy, _s5), lanes_mul(y, _s7)), lanes_mul(dz, _s1), lanes_mul(shift, lanes_div(K(1.0), lanes_min(_s8, _s0))) };
+}
+
+/* Positive if there certainly is no contact before the horizon.
+   bounds of the event condition. 146 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 15 comparisons, 15 selections. */
+typedef struct {
+    V clear;
+} LANES(court_ring_clear_out);
+
+LANES_INLINE LANES(court_ring_clear_out)
+LANES(court_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+{
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0));
+    const V _s2 = lanes_add(position_error, lanes_mul(horizon, velocity_error));
+    const V _s3 = lanes_sub(lanes_sub(_s2, lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
+    const V _s4 = lanes_mul(K(1.00006103515625), _s0);
+    const V _s5 = lanes_add(p_ring_radius, _s4);
+    const V _s6 = lanes_mul(vz, vz);
+    const V _s7 = lanes_add(_s6, lanes_mul(lanes_mul(K(2.0), p_gravity), lanes_sub(z, _s4)));
+    const V _s8 = lanes_div(K(1.0), p_gravity);
+    const V _s9 = lanes_sqrt(_s7);
+    const V _s10 = lanes_mul(_s8, lanes_sub(vz, _s9));
+    const V _s11 = lanes_mul(_s8, lanes_add(vz, _s9));
+    const V _s12 = lanes_add(x, lanes_mul(vx, _s11));
+    const V _s13 = lanes_add(y, lanes_mul(vy, _s11));
+    const V _s14 = lanes_add(lanes_mul(_s12, _s12), lanes_mul(_s13, _s13));
+    const V _s15 = lanes_sqrt(_s14);
+    const V _s16 = lanes_sub(_s15, p_ring_radius);
+    const V _s17 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), _s11)), _s11));
+    const V _s18 = lanes_mul(_s5, _s5);
+    const V _s19 = lanes_mul(K(9.313225746154785e-10), _s18);
+    const V _s20 = lanes_sub(lanes_sub(lanes_add(lanes_mul(_s16, _s16), lanes_mul(_s17, _s17)), lanes_mul(_s0, _s0)), _s19);
+    const V _s21 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
+    const V _s22 = lanes_sub(p_ring_radius, _s4);
+    const V _s23 = lanes_mul(K(0.0001220703125), p_ring_radius);
+    const V _s24 = lanes_max(_s22, _s23);
+    const V _s25 = lanes_mul(_s24, _s24);
+    const V _s26 = lanes_mul(_s24, _s25);
+    const V _s27 = lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), _s6), lanes_mul(lanes_mul(K(4.0), p_gravity), z)), lanes_mul(K(2.0), _s21)), lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0)), _s26);
+    const V _s28 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V _s29 = lanes_mul(_s28, _s28);
+    const V _s30 = lanes_sub(_s27, lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s29));
+    const V _s31 = lanes_add(lanes_mul(_s16, lanes_add(lanes_mul(vx, _s12), lanes_mul(vy, _s13))), lanes_mul(lanes_mul(_s17, lanes_sub(vz, lanes_mul(p_gravity, _s11))), _s15));
+    const V _s32 = lanes_add(x, lanes_mul(horizon, vx));
+    const V _s33 = lanes_add(y, lanes_mul(horizon, vy));
+    const V _s34 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(_s19, lanes_mul(_s32, _s32)), lanes_mul(_s33, _s33)), _s25), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(_s21, lanes_add(_s19, _s25)), _s29), K(0.0)), K(1.0), K(0.0)));
+    const V _s35 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s31, _s31)), _s26), lanes_mul(lanes_mul(lanes_mul(K(2.0), _s30), _s14), _s20)), K(0.0)), _s34, K(0.0));
+    const V _s36 = lanes_select(lanes_less(horizon, lanes_sub(_s11, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), _s20), lanes_select(lanes_less(K(0.0), _s30), _s35, K(0.0)), K(0.0)));
+    const V _s37 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s38 = lanes_add(lanes_mul(_s10, _s21), _s37);
+    const V _s39 = lanes_select(lanes_less(_s38, K(0.0)), lanes_select(lanes_less(_s18, lanes_add(lanes_mul(_s10, lanes_add(_s37, _s38)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), _s36, K(0.0)), K(0.0));
+    const V _s40 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon)))), lanes_mul(K(65536.0), _s5)), lanes_select(lanes_less(K(0.0), _s7), lanes_select(lanes_less(_s10, K(0.0)), _s36, _s39), K(0.0)), K(0.0));
+    return (LANES(court_ring_clear_out)){ lanes_select(lanes_less(K(0.0), lanes_max(_s1, _s3)), K(0.0), lanes_select(lanes_less(_s2, lanes_mul(K(5.820766091346741e-11), _s5)), _s40, K(0.0))) };
+}
+
+/* Constants and windows of the search along a flight, and the errors it allows for.
+   bounds of the event condition. 177 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections. */
+typedef struct {
+    V steady;
+    V swing;
+    V rho_start;
+    V low0;
+    V high0;
+    V low1;
+    V high1;
+    V low2;
+    V high2;
+    V ceiling;
+    V latest;
+    V lost;
+} LANES(court_ring_prepare_out);
+
+LANES_INLINE LANES(court_ring_prepare_out)
+LANES(court_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+{
+    const V _s0 = lanes_mul(vz, vz);
+    const V _s1 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
+    const V _s2 = lanes_add(lanes_add(lanes_mul(K(2.0), _s0), lanes_mul(lanes_mul(K(4.0), p_gravity), z)), lanes_mul(K(2.0), _s1));
+    const V _s3 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V _s4 = lanes_mul(_s3, _s3);
+    const V _s5 = lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s4);
+    const V _s6 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
+    const V _s7 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s8 = lanes_mul(K(1.00006103515625), _s7);
+    const V _s9 = lanes_mul(K(2.0), p_gravity);
+    const V _s10 = lanes_mul(K(8.881784197001252e-16), lanes_add(_s0, lanes_mul(_s9, lanes_add(lanes_abs(z), _s8))));
+    const V _s11 = lanes_add(lanes_add(_s0, lanes_mul(_s9, lanes_add(z, _s8))), _s10);
+    const V _s12 = lanes_div(K(1.0), p_gravity);
+    const V _s13 = lanes_sqrt(_s11);
+    const V _s14 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_abs(vz), _s13));
+    const M _s15 = lanes_at_most(K(0.0), _s11);
+    const V _s16 = lanes_select(_s15, lanes_mul(_s12, lanes_sub(lanes_sub(vz, _s13), _s14)), K(INFINITY));
+    const V _s17 = lanes_add(p_ring_radius, _s8);
+    const V _s18 = lanes_mul(_s17, _s17);
+    const V _s19 = lanes_mul(lanes_mul(K(1.7763568394002505e-15), _s1), lanes_add(_s18, _s6));
+    const V _s20 = lanes_sub(lanes_add(lanes_mul(_s18, _s1), _s19), _s4);
+    const V _s21 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s22 = lanes_sqrt(_s20);
+    const V _s23 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_abs(_s21), lanes_abs(_s3)), _s22));
+    const V _s24 = lanes_div(K(1.0), _s1);
+    const M _s25 = lanes_at_most(K(0.0), _s20);
+    const M _s26 = lanes_less(K(2.409919865102884e-181), _s1);
+    const V _s27 = lanes_select(_s26, lanes_select(_s25, lanes_mul(lanes_neg(lanes_add(lanes_add(_s21, _s22), _s23)), _s24), K(INFINITY)), K(-INFINITY));
+    const V _s28 = lanes_max(_s16, _s27);
+    const V _s29 = lanes_sub(p_ring_radius, _s8);
+    const V _s30 = lanes_mul(K(0.0001220703125), p_ring_radius);
+    const V _s31 = lanes_max(_s29, _s30);
+    const V _s32 = lanes_sub(lanes_sub(lanes_mul(_s1, lanes_mul(_s31, _s31)), _s19), _s4);
+    const V _s33 = lanes_sqrt(lanes_max(_s32, K(0.0)));
+    const V _s34 = lanes_select(_s26, lanes_select(_s25, lanes_mul(lanes_sub(lanes_add(_s22, _s23), _s21), _s24), K(-INFINITY)), K(INFINITY));
+    const M _s35 = lanes_less(K(0.0), lanes_select(_s26, _s32, K(0.0)));
+    const V _s36 = lanes_select(_s35, lanes_mul(lanes_sub(lanes_sub(_s23, _s21), _s33), _s24), _s34);
+    const V _s37 = lanes_sub(lanes_add(_s0, lanes_mul(_s9, lanes_sub(z, _s8))), _s10);
+    const V _s38 = lanes_sqrt(lanes_max(_s37, K(0.0)));
+    const V _s39 = lanes_select(_s15, lanes_mul(_s12, lanes_add(lanes_add(vz, _s13), _s14)), K(-INFINITY));
+    const M _s40 = lanes_less(K(0.0), _s37);
+    const V _s41 = lanes_select(_s40, lanes_mul(_s12, lanes_sub(lanes_add(vz, _s14), _s38)), _s39);
+    const V _s42 = lanes_min(_s36, _s41);
+    const V _s43 = lanes_select(_s35, lanes_mul(lanes_sub(lanes_sub(_s33, _s21), _s23), _s24), K(INFINITY));
+    const V _s44 = lanes_max(_s43, _s36);
+    const V _s45 = lanes_max(_s16, _s44);
+    const V _s46 = lanes_min(_s34, _s41);
+    const V _s47 = lanes_select(_s40, lanes_mul(_s12, lanes_sub(lanes_add(vz, _s38), _s14)), K(INFINITY));
+    const V _s48 = lanes_max(_s47, _s41);
+    const M _s49 = lanes_at_most(_s45, _s46);
+    const V _s50 = lanes_select(_s49, _s45, lanes_max(_s48, _s27));
+    const V _s51 = lanes_select(_s49, _s46, lanes_min(_s36, _s39));
+    const V _s52 = lanes_max(_s48, _s44);
+    const V _s53 = lanes_min(_s34, _s39);
+    const V _s54 = lanes_div(K(1.0), _s31);
+    const V _s55 = lanes_max(K(0.0), _s42);
+    const V _s56 = lanes_max(_s55, _s51);
+    const V _s57 = lanes_max(_s56, _s53);
+    const V _s58 = lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s7));
+    const V _s59 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
+    return (LANES(court_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_max(K(0.0), _s28), lanes_min(_s42, horizon), lanes_max(K(0.0), _s50), lanes_min(_s51, horizon), lanes_max(K(0.0), _s52), lanes_min(_s53, horizon), lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s7), lanes_mul(_s5, lanes_mul(_s54, lanes_mul(_s54, _s54)))), lanes_abs(_s2)), lanes_min(_s57, horizon), lanes_max(_s58, _s59) };
+}
+
+/* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
+   running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections. */
+typedef struct {
+    V margin;
+    V leaving_margin;
+    V rate_margin;
+} LANES(court_ring_margins_out);
+
+LANES_INLINE LANES(court_ring_margins_out)
+LANES(court_ring_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+{
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s2 = lanes_mul(K(1.00006103515625), _s0);
+    const V _s3 = lanes_mul(_s2, _s1);
+    const V _s4 = lanes_add(p_ring_radius, _s2);
+    const V _s5 = lanes_add(extent, lanes_mul(horizon, _s1));
+    const V _s6 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s5));
+    const V _s7 = lanes_sub(p_ring_radius, _s2);
+    const V _s8 = lanes_mul(K(0.0001220703125), p_ring_radius);
+    const V _s9 = lanes_div(_s2, lanes_max(_s7, _s8));
+    const V _s10 = lanes_max(K(1.0), _s9);
+    const V _s11 = lanes_mul(K(5.0), lanes_add(lanes_mul(lanes_mul(_s1, _s10), _s6), lanes_mul(_s2, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s1)))));
+    const V _s12 = lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(3.552713678800501e-15), _s1), lanes_add(lanes_mul(_s5, _s10), _s4)), lanes_mul(K(4.440892098500626e-16), _s3)), _s11));
+    return (LANES(court_ring_margins_out)){ lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(4.440892098500626e-16), horizon), _s3), lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s4)), lanes_mul(lanes_mul(K(5.00030517578125), _s0), _s6))), _s12, lanes_mul(K(1.0009765625), lanes_add(lanes_mul(K(3.552713678800501e-15), lanes_mul(_s4, _s1)), _s11)) };
+}
+
+/* Newton's next value of a root near t, and the rate there.
+   Newton's method. 56 operations: 15 additions, 6 subtractions, 30 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection. */
+typedef struct {
+    V time;
+    V rate;
+} LANES(court_ring_refine_out);
+
+LANES_INLINE LANES(court_ring_refine_out)
+LANES(court_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_start, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+{
+    const V _s0 = lanes_add(x, lanes_mul(t, vx));
+    const V _s1 = lanes_add(y, lanes_mul(t, vy));
+    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(_s0, _s0), lanes_mul(_s1, _s1)));
+    const V _s3 = lanes_add(rho_start, _s2);
+    const V _s4 = lanes_div(K(1.0), lanes_mul(_s3, _s2));
+    const V _s5 = lanes_sub(_s2, p_ring_radius);
+    const V _s6 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s7 = lanes_add(z, lanes_mul(t, _s6));
+    const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(lanes_mul(_s3, _s4), lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1))), _s5), lanes_mul(lanes_sub(vz, lanes_mul(p_gravity, t)), _s7)));
+    const V _s9 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, p_ring_radius), _s5)), lanes_mul(_s2, _s4));
+    const V _s10 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s11 = lanes_div(lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s9, lanes_mul(lanes_add(z, _s7), _s6))), lanes_sub(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s7, _s7)), lanes_mul(_s10, _s10))), _s8);
+    return (LANES(court_ring_refine_out)){ lanes_sub(t, _s11), _s8 };
+}
+
+/* Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
+   Newton from the left under a curvature bound. 146 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections. */
+typedef struct {
+    V gap;
+    V rate;
+    V bend;
+    V step;
+    V next;
+    V root;
+    V clearance;
+} LANES(court_ring_advance_out);
+
+LANES_INLINE LANES(court_ring_advance_out)
+LANES(court_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+{
+    const V _s0 = lanes_add(x, lanes_mul(t, vx));
+    const V _s1 = lanes_add(y, lanes_mul(t, vy));
+    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(_s0, _s0), lanes_mul(_s1, _s1)));
+    const V _s3 = lanes_sub(_s2, p_ring_radius);
+    const V _s4 = lanes_add(rho_start, _s2);
+    const V _s5 = lanes_div(K(1.0), lanes_mul(_s4, _s2));
+    const V _s6 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, p_ring_radius), _s3)), lanes_mul(_s2, _s5));
+    const V _s7 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s8 = lanes_add(z, lanes_mul(t, _s7));
+    const V _s9 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s10 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s6, lanes_mul(lanes_add(z, _s8), _s7))), lanes_sub(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s8, _s8)), lanes_mul(_s9, _s9)));
+    const V _s11 = lanes_mul(_s4, _s5);
+    const V _s12 = lanes_mul(_s11, lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1)));
+    const V _s13 = lanes_sub(vz, lanes_mul(p_gravity, t));
+    const V _s14 = lanes_add(lanes_mul(_s12, _s3), lanes_mul(_s13, _s8));
+    const V _s15 = lanes_mul(K(2.0), _s14);
+    const V _s16 = lanes_mul(K(6.0), p_gravity);
+    const V _s17 = lanes_mul(_s16, _s8);
+    const V _s18 = lanes_mul(swing, lanes_mul(_s11, lanes_mul(_s11, _s11)));
+    const V _s19 = lanes_mul(K(1.00006103515625), _s9);
+    const V _s20 = lanes_sub(_s15, rate_margin);
+    const V _s21 = lanes_sub(_s10, margin);
+    const V _s22 = lanes_max(_s21, K(0.0));
+    const V _s23 = lanes_sub(lanes_add(_s17, _s18), steady);
+    const M _s24 = lanes_less(_s20, K(0.0));
+    const V _s25 = lanes_mul(K(2.0), _s22);
+    const V _s26 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s20), _s22, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s24, _s25, lanes_mul(K(4.0), _s20)), lanes_select(_s24, lanes_neg(_s20), lanes_max(K(0.0), _s23))));
+    const V _s27 = lanes_sub(end, t);
+    const V _s28 = lanes_min(_s26, _s27);
+    const V _s29 = lanes_add(lanes_mul(_s28, lanes_max(_s13, K(0.0))), _s8);
+    const V _s30 = lanes_mul(_s16, lanes_min(_s19, _s29));
+    const V _s31 = lanes_sub(lanes_add(lanes_mul(_s28, lanes_min(K(0.0), _s12)), _s2), lanes_mul(K(9.094947017729282e-13), lanes_add(p_ring_radius, _s19)));
+    const V _s32 = lanes_sub(p_ring_radius, _s19);
+    const V _s33 = lanes_mul(K(0.0001220703125), p_ring_radius);
+    const V _s34 = lanes_max(_s32, _s33);
+    const V _s35 = lanes_div(K(1.0), lanes_max(_s31, _s34));
+    const V _s36 = lanes_mul(swing, lanes_mul(_s35, lanes_mul(_s35, _s35)));
+    const V _s37 = lanes_sub(lanes_add(lanes_add(_s30, _s36), lanes_mul(K(9.094947017729282e-13), lanes_add(lanes_add(_s36, lanes_abs(steady)), lanes_abs(_s30)))), steady);
+    const V _s38 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s37), _s22), lanes_mul(_s20, _s20));
+    const V _s39 = lanes_sqrt(_s38);
+    const V _s40 = lanes_select(lanes_at_most(K(0.0), _s38), lanes_div(lanes_select(_s24, _s25, lanes_add(_s20, _s39)), lanes_select(_s24, lanes_sub(_s39, _s20), lanes_max(K(0.0), _s37))), K(INFINITY));
+    const V _s41 = lanes_min(_s40, _s28);
+    const V _s42 = lanes_neg(lanes_add(rate_margin, _s15));
+    return (LANES(court_ring_advance_out)){ _s10, _s15, lanes_sub(lanes_sub(steady, _s17), _s18), _s41, lanes_add(t, _s41), lanes_sub(t, lanes_div(lanes_mul(K(0.5), _s10), _s14)), lanes_select(lanes_less(K(0.0), _s42), lanes_sub(lanes_mul(_s42, _s42), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, lanes_mul(K(32.0), _s22)))), _s42) };
+}
+
+/* The first window that begins no earlier than a time, if there is one.
+   Table 1. 18 operations: 6 comparisons, 3 conjunctions, 3 disjunctions, 6 selections. */
+typedef struct {
+    V t;
+    V end;
+    M searching;
+} LANES(court_ring_enter_out);
+
+LANES_INLINE LANES(court_ring_enter_out)
+LANES(court_ring_enter)(V after, V end, V high0, V high1, V high2, V low0, V low1, V low2, V t)
+{
+    const M _s0 = lanes_both(lanes_less(low0, high0), lanes_at_most(after, low0));
+    const M _s1 = lanes_both(lanes_less(low1, high1), lanes_at_most(after, low1));
+    const M _s2 = lanes_both(lanes_less(low2, high2), lanes_at_most(after, low2));
+    return (LANES(court_ring_enter_out)){ lanes_select(_s0, low0, lanes_select(_s1, low1, lanes_select(_s2, low2, t))), lanes_select(_s0, high0, lanes_select(_s1, high1, lanes_select(_s2, high2, end))), lanes_either(lanes_either(lanes_either(lanes_nowhere(), _s2), _s1), _s0) };
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. 28 operations: 4 additions, 6 subtractions, 3 multiplications, 1 division, 2 negations, 6 comparisons, 6 selections. */
+typedef struct {
+    V nx;
+    V ny;
+    V nz;
+} LANES(court_backboard_normal_out);
+
+LANES_INLINE LANES(court_backboard_normal_out)
+LANES(court_backboard_normal)(V x, V y, V z, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness)
+{
+    const V _s0 = lanes_div(K(1.0), p_ball_radius);
+    const V _s1 = lanes_add(p_board_distance, x);
+    const V _s2 = lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x));
+    const V _s3 = lanes_sub(y, p_board_half_width);
+    const V _s4 = lanes_neg(lanes_add(p_board_half_width, y));
+    const V _s5 = lanes_sub(z, p_board_top);
+    const V _s6 = lanes_sub(p_board_bottom, z);
+    return (LANES(court_backboard_normal_out)){ lanes_mul(_s0, lanes_sub(lanes_max(_s1, K(0.0)), lanes_max(_s2, K(0.0)))), lanes_mul(_s0, lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)))), lanes_mul(_s0, lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)))) };
+}
+
+/* Bound on the rate at which the normal turns along the contact surface.
+   Table 2. 1 operation: 1 division. */
+typedef struct {
+    V curvature;
+} LANES(court_backboard_curvature_out);
+
+LANES_INLINE LANES(court_backboard_curvature_out)
+LANES(court_backboard_curvature)(V p_ball_radius)
+{
+    return (LANES(court_backboard_curvature_out)){ lanes_div(K(1.0), p_ball_radius) };
+}
+
+/* Error of the normal, from that of the position.
+   derivative of Table 2's normal. 32 operations: 4 additions, 6 subtractions, 4 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections. */
+typedef struct {
+    V dnx;
+    V dny;
+    V dnz;
+    V turn;
+} LANES(court_backboard_carry_normal_out);
+
+LANES_INLINE LANES(court_backboard_carry_normal_out)
+LANES(court_backboard_carry_normal)(V x, V y, V z, V dx, V dy, V dz, V shift, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness)
+{
+    const V _s0 = lanes_div(K(1.0), p_ball_radius);
+    const V _s1 = lanes_sub(lanes_select(lanes_less(lanes_add(p_board_distance, x), K(0.0)), K(0.0), dx), lanes_select(lanes_less(lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x)), K(0.0)), K(0.0), lanes_neg(dx)));
+    const V _s2 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(y, p_board_half_width), K(0.0)), K(0.0), dy), lanes_select(lanes_less(lanes_neg(lanes_add(p_board_half_width, y)), K(0.0)), K(0.0), lanes_neg(dy))));
+    return (LANES(court_backboard_carry_normal_out)){ lanes_mul(_s0, _s1), _s2, lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(z, p_board_top), K(0.0)), K(0.0), dz), lanes_select(lanes_less(lanes_sub(p_board_bottom, z), K(0.0)), K(0.0), lanes_neg(dz)))), lanes_mul(shift, _s0) };
+}
+
+/* Positive if there certainly is no contact before the horizon.
+   bounds of the event condition. 123 operations: 24 additions, 10 subtractions, 21 multiplications, 5 divisions, 4 square roots, 4 negations, 3 absolute values, 25 comparisons, 27 selections. */
+typedef struct {
+    V clear;
+} LANES(court_backboard_clear_out);
+
+LANES_INLINE LANES(court_backboard_clear_out)
+LANES(court_backboard_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_gravity)
+{
+    const V _s0 = lanes_div(K(1.0), p_gravity);
+    const V _s1 = lanes_mul(K(0.5), p_board_thickness);
+    const V _s2 = lanes_add(p_board_distance, _s1);
+    const V _s3 = lanes_mul(K(0.5), p_board_bottom);
+    const V _s4 = lanes_mul(K(0.5), p_board_top);
+    const V _s5 = lanes_add(p_ball_radius, _s1);
+    const V _s6 = lanes_add(p_ball_radius, p_board_half_width);
+    const V _s7 = lanes_max(_s5, _s6);
+    const V _s8 = lanes_add(p_ball_radius, _s4);
+    const V _s9 = lanes_sub(_s8, _s3);
+    const V _s10 = lanes_add(lanes_add(lanes_add(_s2, extent), lanes_abs(lanes_add(_s3, _s4))), lanes_max(_s7, _s9));
+    const V _s11 = lanes_min(_s6, _s5);
+    const V _s12 = lanes_min(_s9, _s11);
+    const V _s13 = lanes_add(lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s0, lanes_add(_s10, _s12)))), lanes_mul(lanes_mul(K(2.0), speed), _s0));
+    const V _s14 = lanes_sub(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s13, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _s0), _s10))), lanes_mul(K(1.52587890625e-05), _s12));
+    const V _s15 = lanes_abs(vx);
+    const V _s16 = lanes_mul(K(6.103515625e-05), _s12);
+    const V _s17 = lanes_add(_s5, _s16);
+    const V _s18 = lanes_add(_s2, x);
+    const V _s19 = lanes_select(lanes_less(vx, K(0.0)), lanes_neg(_s18), _s18);
+    const V _s20 = lanes_div(lanes_neg(lanes_add(_s17, _s19)), _s15);
+    const V _s21 = lanes_max(K(0.0), _s20);
+    const V _s22 = lanes_abs(vy);
+    const V _s23 = lanes_add(_s6, _s16);
+    const V _s24 = lanes_select(lanes_less(vy, K(0.0)), lanes_neg(y), y);
+    const V _s25 = lanes_div(lanes_neg(lanes_add(_s23, _s24)), _s22);
+    const V _s26 = lanes_max(_s21, _s25);
+    const V _s27 = lanes_mul(vz, vz);
+    const V _s28 = lanes_sub(lanes_sub(z, _s3), _s4);
+    const V _s29 = lanes_sub(lanes_add(_s8, _s16), _s3);
+    const V _s30 = lanes_mul(K(2.0), p_gravity);
+    const V _s31 = lanes_add(_s27, lanes_mul(_s30, lanes_sub(_s28, _s29)));
+    const V _s32 = lanes_sqrt(lanes_max(_s31, K(0.0)));
+    const M _s33 = lanes_less(K(0.0), _s31);
+    const V _s34 = lanes_select(_s33, lanes_mul(_s0, lanes_add(vz, _s32)), K(INFINITY));
+    const V _s35 = lanes_max(_s26, _s34);
+    const V _s36 = lanes_add(_s27, lanes_mul(_s30, lanes_add(_s28, _s29)));
+    const V _s37 = lanes_sqrt(_s36);
+    const M _s38 = lanes_at_most(K(0.0), _s36);
+    const V _s39 = lanes_select(_s38, lanes_mul(_s0, lanes_add(vz, _s37)), K(-INFINITY));
+    const V _s40 = lanes_div(lanes_sub(_s23, _s24), _s22);
+    const V _s41 = lanes_div(lanes_sub(_s17, _s19), _s15);
+    const V _s42 = lanes_min(_s41, K(INFINITY));
+    const V _s43 = lanes_min(_s40, _s42);
+    const V _s44 = lanes_min(_s39, _s43);
+    const V _s45 = lanes_select(_s38, lanes_mul(_s0, lanes_sub(vz, _s37)), K(INFINITY));
+    const V _s46 = lanes_max(_s26, _s45);
+    const V _s47 = lanes_select(_s33, lanes_mul(_s0, lanes_sub(vz, _s32)), _s39);
+    const V _s48 = lanes_min(_s47, _s43);
+    return (LANES(court_backboard_clear_out)){ lanes_select(lanes_at_most(_s14, K(0.0)), lanes_select(lanes_less(lanes_max(K(0.0), _s35), lanes_min(_s44, horizon)), K(0.0), lanes_select(lanes_less(lanes_max(K(0.0), _s46), lanes_min(_s48, horizon)), K(0.0), K(1.0))), K(0.0)) };
+}
+
+/* Constants and windows of the search along a flight, and the errors it allows for.
+   bounds of the event condition. 135 operations: 27 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections. */
+typedef struct {
+    V low0;
+    V high0;
+    V low1;
+    V high1;
+    V ceiling;
+    V latest;
+    V lost;
+} LANES(court_backboard_prepare_out);
+
+LANES_INLINE LANES(court_backboard_prepare_out)
+LANES(court_backboard_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_gravity)
+{
+    const V _s0 = lanes_abs(vx);
+    const V _s1 = lanes_mul(K(0.5), p_board_thickness);
+    const V _s2 = lanes_add(p_ball_radius, _s1);
+    const V _s3 = lanes_mul(K(0.5), p_board_top);
+    const V _s4 = lanes_add(p_ball_radius, _s3);
+    const V _s5 = lanes_mul(K(0.5), p_board_bottom);
+    const V _s6 = lanes_sub(_s4, _s5);
+    const V _s7 = lanes_add(p_ball_radius, p_board_half_width);
+    const V _s8 = lanes_min(_s7, _s2);
+    const V _s9 = lanes_min(_s6, _s8);
+    const V _s10 = lanes_mul(K(6.103515625e-05), _s9);
+    const V _s11 = lanes_add(_s2, _s10);
+    const V _s12 = lanes_add(p_board_distance, _s1);
+    const V _s13 = lanes_add(_s12, x);
+    const V _s14 = lanes_select(lanes_less(vx, K(0.0)), lanes_neg(_s13), _s13);
+    const V _s15 = lanes_div(lanes_neg(lanes_add(_s11, _s14)), _s0);
+    const V _s16 = lanes_max(K(0.0), _s15);
+    const V _s17 = lanes_abs(vy);
+    const V _s18 = lanes_add(_s7, _s10);
+    const V _s19 = lanes_select(lanes_less(vy, K(0.0)), lanes_neg(y), y);
+    const V _s20 = lanes_div(lanes_neg(lanes_add(_s18, _s19)), _s17);
+    const V _s21 = lanes_max(_s16, _s20);
+    const V _s22 = lanes_mul(vz, vz);
+    const V _s23 = lanes_sub(lanes_sub(z, _s5), _s3);
+    const V _s24 = lanes_sub(lanes_add(_s4, _s10), _s5);
+    const V _s25 = lanes_mul(K(2.0), p_gravity);
+    const V _s26 = lanes_add(_s22, lanes_mul(_s25, lanes_add(_s23, _s24)));
+    const V _s27 = lanes_div(K(1.0), p_gravity);
+    const V _s28 = lanes_sqrt(_s26);
+    const M _s29 = lanes_at_most(K(0.0), _s26);
+    const V _s30 = lanes_select(_s29, lanes_mul(_s27, lanes_sub(vz, _s28)), K(INFINITY));
+    const V _s31 = lanes_max(_s21, _s30);
+    const V _s32 = lanes_add(_s22, lanes_mul(_s25, lanes_sub(_s23, _s24)));
+    const V _s33 = lanes_sqrt(lanes_max(_s32, K(0.0)));
+    const V _s34 = lanes_select(_s29, lanes_mul(_s27, lanes_add(vz, _s28)), K(-INFINITY));
+    const M _s35 = lanes_less(K(0.0), _s32);
+    const V _s36 = lanes_select(_s35, lanes_mul(_s27, lanes_sub(vz, _s33)), _s34);
+    const V _s37 = lanes_div(lanes_sub(_s18, _s19), _s17);
+    const V _s38 = lanes_div(lanes_sub(_s11, _s14), _s0);
+    const V _s39 = lanes_min(_s38, K(INFINITY));
+    const V _s40 = lanes_min(_s37, _s39);
+    const V _s41 = lanes_min(_s36, _s40);
+    const V _s42 = lanes_select(_s35, lanes_mul(_s27, lanes_add(vz, _s33)), K(INFINITY));
+    const V _s43 = lanes_max(_s21, _s42);
+    const V _s44 = lanes_min(_s34, _s40);
+    const V _s45 = lanes_max(K(0.0), _s41);
+    const V _s46 = lanes_max(_s45, _s44);
+    const V _s47 = lanes_min(_s46, horizon);
+    const V _s48 = lanes_add(speed, lanes_mul(p_gravity, _s47));
+    const V _s49 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(K(1.25), lanes_abs(lanes_neg(p_gravity))), lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s9))), lanes_mul(K(3.0), lanes_mul(_s48, _s48))));
+    const V _s50 = lanes_max(_s2, _s7);
+    const V _s51 = lanes_add(lanes_add(lanes_add(_s12, extent), lanes_abs(lanes_add(_s5, _s3))), lanes_max(_s50, _s6));
+    const V _s52 = lanes_add(lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s27, lanes_add(_s51, _s9)))), lanes_mul(lanes_mul(K(2.0), speed), _s27));
+    const V _s53 = lanes_sub(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s52, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _s27), _s51))), lanes_mul(K(1.52587890625e-05), _s9));
+    return (LANES(court_backboard_prepare_out)){ lanes_max(K(0.0), _s31), lanes_min(_s41, horizon), lanes_max(K(0.0), _s43), lanes_min(_s44, horizon), _s49, _s47, _s53 };
+}
+
+/* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
+   running error analysis. 83 operations: 31 additions, 1 subtraction, 45 multiplications, 2 absolute values, 2 comparisons, 2 selections. */
+typedef struct {
+    V margin;
+    V leaving_margin;
+    V rate_margin;
+} LANES(court_backboard_margins_out);
+
+LANES_INLINE LANES(court_backboard_margins_out)
+LANES(court_backboard_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_gravity)
+{
+    const V _s0 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_top)), lanes_mul(K(0.5), p_board_bottom));
+    const V _s1 = lanes_add(p_ball_radius, p_board_half_width);
+    const V _s2 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_thickness));
+    const V _s3 = lanes_min(_s1, _s2);
+    const V _s4 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s0, _s3)));
+    const V _s5 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s6 = lanes_add(extent, lanes_mul(horizon, _s5));
+    const V _s7 = lanes_mul(K(2.220446049250313e-16), _s6);
+    const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s6)));
+    const V _s9 = lanes_add(lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_half_width), _s7), _s8);
+    const V _s10 = lanes_mul(K(2.001953125), _s4);
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)), lanes_mul(K(3.3306690738754696e-16), _s6)), _s8);
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))), _s7), _s8);
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(K(5.55653613398821e-16), lanes_mul(p_ball_radius, p_ball_radius)), lanes_mul(_s10, _s9)), lanes_mul(_s10, _s11)), lanes_mul(_s10, _s12)), lanes_mul(lanes_mul(lanes_mul(K(1.3335686721571705e-15), horizon), _s4), _s5));
+    const V _s14 = lanes_mul(K(4.00390625), _s5);
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(12.01171875), _s4), lanes_add(velocity_error, lanes_mul(K(3.3306690738754696e-16), _s5))), lanes_mul(lanes_mul(K(6.667843360785852e-15), _s4), _s5)), lanes_mul(_s14, _s9)), lanes_mul(_s14, _s11));
+    const V _s16 = lanes_mul(K(2.001953125), _s5);
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.005859375), _s4), lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s5))), lanes_mul(lanes_mul(K(2.667137344314341e-15), _s4), _s5)), lanes_mul(_s16, _s9)), lanes_mul(_s16, _s11));
+    return (LANES(court_backboard_margins_out)){ lanes_add(_s13, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s4, _s4))), lanes_add(_s15, lanes_mul(_s14, _s12)), lanes_add(_s17, lanes_mul(_s16, _s12)) };
+}
+
+/* Newton's next value of a root near t, and the rate there.
+   Newton's method. 101 operations: 19 additions, 19 subtractions, 26 multiplications, 1 division, 4 negations, 16 comparisons, 16 selections. */
+typedef struct {
+    V time;
+    V rate;
+} LANES(court_backboard_refine_out);
+
+LANES_INLINE LANES(court_backboard_refine_out)
+LANES(court_backboard_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_gravity)
+{
+    const V _s0 = lanes_add(x, lanes_mul(t, vx));
+    const V _s1 = lanes_add(p_board_distance, _s0);
+    const V _s2 = lanes_add(p_board_distance, p_board_thickness);
+    const V _s3 = lanes_neg(lanes_add(_s2, _s0));
+    const V _s4 = lanes_sub(lanes_max(_s1, K(0.0)), lanes_max(_s3, K(0.0)));
+    const V _s5 = lanes_add(y, lanes_mul(t, vy));
+    const V _s6 = lanes_sub(_s5, p_board_half_width);
+    const V _s7 = lanes_neg(lanes_add(p_board_half_width, _s5));
+    const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
+    const V _s9 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s10 = lanes_add(z, lanes_mul(t, _s9));
+    const V _s11 = lanes_sub(_s10, p_board_top);
+    const V _s12 = lanes_sub(p_board_bottom, _s10);
+    const V _s13 = lanes_sub(lanes_max(_s11, K(0.0)), lanes_max(_s12, K(0.0)));
+    const V _s14 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(vx, _s4), lanes_mul(vy, _s8)), lanes_mul(lanes_sub(vz, lanes_mul(p_gravity, t)), _s13)));
+    const V _s15 = lanes_sub(z, p_board_top);
+    const V _s16 = lanes_sub(p_board_bottom, z);
+    const V _s17 = lanes_sub(lanes_max(_s15, K(0.0)), lanes_max(_s16, K(0.0)));
+    const V _s18 = lanes_mul(_s13, _s13);
+    const V _s19 = lanes_add(p_board_distance, x);
+    const V _s20 = lanes_neg(lanes_add(_s2, x));
+    const V _s21 = lanes_sub(lanes_max(_s19, K(0.0)), lanes_max(_s20, K(0.0)));
+    const V _s22 = lanes_mul(_s4, _s4);
+    const V _s23 = lanes_sub(y, p_board_half_width);
+    const V _s24 = lanes_neg(lanes_add(p_board_half_width, y));
+    const V _s25 = lanes_sub(lanes_max(_s23, K(0.0)), lanes_max(_s24, K(0.0)));
+    const V _s26 = lanes_mul(_s8, _s8);
+    const V _s27 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s17, _s13)), lanes_mul(t, lanes_mul(_s9, lanes_add(_s17, _s13))), lanes_sub(_s18, lanes_mul(_s17, _s17))), lanes_select(lanes_less(K(0.0), lanes_mul(_s21, _s4)), lanes_mul(t, lanes_mul(vx, lanes_add(_s21, _s4))), lanes_sub(_s22, lanes_mul(_s21, _s21)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s25, _s8)), lanes_mul(t, lanes_mul(vy, lanes_add(_s25, _s8))), lanes_sub(_s26, lanes_mul(_s25, _s25))));
+    const V _s28 = lanes_sub(t, lanes_div(lanes_select(lanes_less(K(0.0), leaving), _s27, lanes_sub(lanes_add(lanes_add(_s18, _s22), _s26), lanes_mul(p_ball_radius, p_ball_radius))), _s14));
+    return (LANES(court_backboard_refine_out)){ _s28, _s14 };
+}
+
+/* Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
+   Newton from the left under a curvature bound. 194 operations: 33 additions, 26 subtractions, 51 multiplications, 3 divisions, 1 square root, 8 negations, 5 absolute values, 32 comparisons, 35 selections. */
+typedef struct {
+    V gap;
+    V rate;
+    V bend;
+    V step;
+    V next;
+    V root;
+    V clearance;
+} LANES(court_backboard_advance_out);
+
+LANES_INLINE LANES(court_backboard_advance_out)
+LANES(court_backboard_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_gravity)
+{
+    const V _s0 = lanes_sub(z, p_board_top);
+    const V _s1 = lanes_sub(p_board_bottom, z);
+    const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s3 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s4 = lanes_add(z, lanes_mul(t, _s3));
+    const V _s5 = lanes_sub(_s4, p_board_top);
+    const V _s6 = lanes_sub(p_board_bottom, _s4);
+    const V _s7 = lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)));
+    const V _s8 = lanes_mul(_s7, _s7);
+    const V _s9 = lanes_add(p_board_distance, x);
+    const V _s10 = lanes_add(p_board_distance, p_board_thickness);
+    const V _s11 = lanes_neg(lanes_add(_s10, x));
+    const V _s12 = lanes_sub(lanes_max(_s9, K(0.0)), lanes_max(_s11, K(0.0)));
+    const V _s13 = lanes_add(x, lanes_mul(t, vx));
+    const V _s14 = lanes_add(p_board_distance, _s13);
+    const V _s15 = lanes_neg(lanes_add(_s10, _s13));
+    const V _s16 = lanes_sub(lanes_max(_s14, K(0.0)), lanes_max(_s15, K(0.0)));
+    const V _s17 = lanes_mul(_s16, _s16);
+    const V _s18 = lanes_sub(y, p_board_half_width);
+    const V _s19 = lanes_neg(lanes_add(p_board_half_width, y));
+    const V _s20 = lanes_sub(lanes_max(_s18, K(0.0)), lanes_max(_s19, K(0.0)));
+    const V _s21 = lanes_add(y, lanes_mul(t, vy));
+    const V _s22 = lanes_sub(_s21, p_board_half_width);
+    const V _s23 = lanes_neg(lanes_add(p_board_half_width, _s21));
+    const V _s24 = lanes_sub(lanes_max(_s22, K(0.0)), lanes_max(_s23, K(0.0)));
+    const V _s25 = lanes_mul(_s24, _s24);
+    const V _s26 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s2, _s7)), lanes_mul(t, lanes_mul(_s3, lanes_add(_s2, _s7))), lanes_sub(_s8, lanes_mul(_s2, _s2))), lanes_select(lanes_less(K(0.0), lanes_mul(_s12, _s16)), lanes_mul(t, lanes_mul(vx, lanes_add(_s12, _s16))), lanes_sub(_s17, lanes_mul(_s12, _s12)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s20, _s24)), lanes_mul(t, lanes_mul(vy, lanes_add(_s20, _s24))), lanes_sub(_s25, lanes_mul(_s20, _s20))));
+    const V _s27 = lanes_select(lanes_less(K(0.0), leaving), _s26, lanes_sub(lanes_add(lanes_add(_s8, _s17), _s25), lanes_mul(p_ball_radius, p_ball_radius)));
+    const V _s28 = lanes_sub(vz, lanes_mul(p_gravity, t));
+    const V _s29 = lanes_add(lanes_add(lanes_mul(vx, _s16), lanes_mul(vy, _s24)), lanes_mul(_s28, _s7));
+    const V _s30 = lanes_mul(K(2.0), _s29);
+    const V _s31 = lanes_abs(_s7);
+    const V _s32 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), _s31), lanes_sub(lanes_mul(_s28, _s28), lanes_mul(p_gravity, _s7)), K(0.0)), lanes_select(lanes_less(K(0.0), lanes_abs(_s16)), lanes_mul(vx, vx), K(0.0))), lanes_select(lanes_less(K(0.0), lanes_abs(_s24)), lanes_mul(vy, vy), K(0.0))));
+    const V _s33 = lanes_abs(lanes_neg(p_gravity));
+    const V _s34 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_top)), lanes_mul(K(0.5), p_board_bottom));
+    const V _s35 = lanes_add(p_ball_radius, p_board_half_width);
+    const V _s36 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_thickness));
+    const V _s37 = lanes_min(_s35, _s36);
+    const V _s38 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s34, _s37)));
+    const V _s39 = lanes_sub(_s30, rate_margin);
+    const V _s40 = lanes_sub(_s27, margin);
+    const V _s41 = lanes_max(_s40, K(0.0));
+    const V _s42 = lanes_neg(_s32);
+    const M _s43 = lanes_less(_s39, K(0.0));
+    const V _s44 = lanes_mul(K(2.0), _s41);
+    const V _s45 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s39), _s41, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s43, _s44, lanes_mul(K(4.0), _s39)), lanes_select(_s43, lanes_neg(_s39), lanes_max(K(0.0), _s42))));
+    const V _s46 = lanes_sub(end, t);
+    const V _s47 = lanes_min(_s45, _s46);
+    const V _s48 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(0.5), _s33), _s47), lanes_abs(_s28)), _s47), _s31);
+    const V _s49 = lanes_add(lanes_mul(K(9.094947017729282e-13), ceiling), lanes_mul(K(2.0), lanes_mul(_s33, lanes_min(_s38, _s48))));
+    const V _s50 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s49), _s41), lanes_mul(_s39, _s39));
+    const V _s51 = lanes_sqrt(_s50);
+    const V _s52 = lanes_select(lanes_at_most(K(0.0), _s50), lanes_div(lanes_select(_s43, _s44, lanes_add(_s39, _s51)), lanes_select(_s43, lanes_sub(_s51, _s39), lanes_max(K(0.0), _s49))), K(INFINITY));
+    const V _s53 = lanes_min(_s52, _s47);
+    const V _s54 = lanes_neg(lanes_add(rate_margin, _s30));
+    return (LANES(court_backboard_advance_out)){ _s27, _s30, _s32, _s53, lanes_add(t, _s53), lanes_sub(t, lanes_div(lanes_mul(K(0.5), _s27), _s29)), lanes_select(lanes_less(K(0.0), _s54), lanes_sub(lanes_mul(_s54, _s54), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, lanes_mul(K(32.0), _s41)))), _s54) };
+}
+
+/* The first window that begins no earlier than a time, if there is one.
+   Table 1. 12 operations: 4 comparisons, 2 conjunctions, 2 disjunctions, 4 selections. */
+typedef struct {
+    V t;
+    V end;
+    M searching;
+} LANES(court_backboard_enter_out);
+
+LANES_INLINE LANES(court_backboard_enter_out)
+LANES(court_backboard_enter)(V after, V end, V high0, V high1, V low0, V low1, V t)
+{
+    const M _s0 = lanes_both(lanes_less(low0, high0), lanes_at_most(after, low0));
+    const M _s1 = lanes_both(lanes_less(low1, high1), lanes_at_most(after, low1));
+    return (LANES(court_backboard_enter_out)){ lanes_select(_s0, low0, lanes_select(_s1, low1, t)), lanes_select(_s0, high0, lanes_select(_s1, high1, end)), lanes_either(lanes_either(lanes_nowhere(), _s1), _s0) };
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. 28 operations: 3 additions, 7 subtractions, 3 multiplications, 1 division, 2 negations, 6 comparisons, 6 selections. */
+typedef struct {
+    V nx;
+    V ny;
+    V nz;
+} LANES(court_bridge_normal_out);
+
+LANES_INLINE LANES(court_bridge_normal_out)
+LANES(court_bridge_normal)(V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth)
+{
+    const V _s0 = lanes_div(K(1.0), p_ball_radius);
+    const V _s1 = lanes_add(p_ring_radius, x);
+    const V _s2 = lanes_neg(lanes_add(p_board_distance, x));
+    const V _s3 = lanes_sub(y, p_bridge_half_width);
+    const V _s4 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s5 = lanes_sub(z, p_wire_radius);
+    const V _s6 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
+    return (LANES(court_bridge_normal_out)){ lanes_mul(_s0, lanes_sub(lanes_max(_s1, K(0.0)), lanes_max(_s2, K(0.0)))), lanes_mul(_s0, lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)))), lanes_mul(_s0, lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)))) };
+}
+
+/* Bound on the rate at which the normal turns along the contact surface.
+   Table 2. 1 operation: 1 division. */
+typedef struct {
+    V curvature;
+} LANES(court_bridge_curvature_out);
+
+LANES_INLINE LANES(court_bridge_curvature_out)
+LANES(court_bridge_curvature)(V p_ball_radius)
+{
+    return (LANES(court_bridge_curvature_out)){ lanes_div(K(1.0), p_ball_radius) };
+}
+
+/* Error of the normal, from that of the position.
+   derivative of Table 2's normal. 32 operations: 3 additions, 7 subtractions, 4 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections. */
+typedef struct {
+    V dnx;
+    V dny;
+    V dnz;
+    V turn;
+} LANES(court_bridge_carry_normal_out);
+
+LANES_INLINE LANES(court_bridge_carry_normal_out)
+LANES(court_bridge_carry_normal)(V x, V y, V z, V dx, V dy, V dz, V shift, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth)
+{
+    const V _s0 = lanes_div(K(1.0), p_ball_radius);
+    const V _s1 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_add(p_ring_radius, x), K(0.0)), K(0.0), dx), lanes_select(lanes_less(lanes_neg(lanes_add(p_board_distance, x)), K(0.0)), K(0.0), lanes_neg(dx))));
+    const V _s2 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(y, p_bridge_half_width), K(0.0)), K(0.0), dy), lanes_select(lanes_less(lanes_neg(lanes_add(p_bridge_half_width, y)), K(0.0)), K(0.0), lanes_neg(dy))));
+    const V _s3 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(z, p_wire_radius), K(0.0)), K(0.0), dz), lanes_select(lanes_less(lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z), K(0.0)), K(0.0), lanes_neg(dz))));
+    return (LANES(court_bridge_carry_normal_out)){ _s1, _s2, _s3, lanes_mul(shift, _s0) };
+}
+
+/* Positive if there certainly is no contact before the horizon.
+   bounds of the event condition. 124 operations: 25 additions, 10 subtractions, 21 multiplications, 5 divisions, 4 square roots, 4 negations, 3 absolute values, 25 comparisons, 27 selections. */
+typedef struct {
+    V clear;
+} LANES(court_bridge_clear_out);
+
+LANES_INLINE LANES(court_bridge_clear_out)
+LANES(court_bridge_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth, V p_gravity)
+{
+    const V _s0 = lanes_div(K(1.0), p_gravity);
+    const V _s1 = lanes_mul(K(0.5), p_board_distance);
+    const V _s2 = lanes_mul(K(0.5), p_ring_radius);
+    const V _s3 = lanes_mul(K(0.5), p_bridge_depth);
+    const V _s4 = lanes_add(p_ball_radius, _s1);
+    const V _s5 = lanes_sub(_s4, _s2);
+    const V _s6 = lanes_add(p_ball_radius, p_bridge_half_width);
+    const V _s7 = lanes_max(_s5, _s6);
+    const V _s8 = lanes_add(p_ball_radius, _s3);
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(_s1, extent), _s2), lanes_abs(lanes_sub(_s3, p_wire_radius))), lanes_max(_s7, _s8));
+    const V _s10 = lanes_min(_s6, _s5);
+    const V _s11 = lanes_min(_s8, _s10);
+    const V _s12 = lanes_add(lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s0, lanes_add(_s9, _s11)))), lanes_mul(lanes_mul(K(2.0), speed), _s0));
+    const V _s13 = lanes_sub(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s12, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _s0), _s9))), lanes_mul(K(1.52587890625e-05), _s11));
+    const V _s14 = lanes_abs(vx);
+    const V _s15 = lanes_mul(K(6.103515625e-05), _s11);
+    const V _s16 = lanes_sub(lanes_add(_s4, _s15), _s2);
+    const V _s17 = lanes_add(lanes_add(_s1, _s2), x);
+    const V _s18 = lanes_select(lanes_less(vx, K(0.0)), lanes_neg(_s17), _s17);
+    const V _s19 = lanes_div(lanes_neg(lanes_add(_s16, _s18)), _s14);
+    const V _s20 = lanes_max(K(0.0), _s19);
+    const V _s21 = lanes_abs(vy);
+    const V _s22 = lanes_add(_s6, _s15);
+    const V _s23 = lanes_select(lanes_less(vy, K(0.0)), lanes_neg(y), y);
+    const V _s24 = lanes_div(lanes_neg(lanes_add(_s22, _s23)), _s21);
+    const V _s25 = lanes_max(_s20, _s24);
+    const V _s26 = lanes_mul(vz, vz);
+    const V _s27 = lanes_sub(lanes_add(_s3, z), p_wire_radius);
+    const V _s28 = lanes_add(_s8, _s15);
+    const V _s29 = lanes_mul(K(2.0), p_gravity);
+    const V _s30 = lanes_add(_s26, lanes_mul(_s29, lanes_sub(_s27, _s28)));
+    const V _s31 = lanes_sqrt(lanes_max(_s30, K(0.0)));
+    const M _s32 = lanes_less(K(0.0), _s30);
+    const V _s33 = lanes_select(_s32, lanes_mul(_s0, lanes_add(vz, _s31)), K(INFINITY));
+    const V _s34 = lanes_max(_s25, _s33);
+    const V _s35 = lanes_add(_s26, lanes_mul(_s29, lanes_add(_s28, _s27)));
+    const V _s36 = lanes_sqrt(_s35);
+    const M _s37 = lanes_at_most(K(0.0), _s35);
+    const V _s38 = lanes_select(_s37, lanes_mul(_s0, lanes_add(vz, _s36)), K(-INFINITY));
+    const V _s39 = lanes_div(lanes_sub(_s22, _s23), _s21);
+    const V _s40 = lanes_div(lanes_sub(_s16, _s18), _s14);
+    const V _s41 = lanes_min(_s40, K(INFINITY));
+    const V _s42 = lanes_min(_s39, _s41);
+    const V _s43 = lanes_min(_s38, _s42);
+    const V _s44 = lanes_select(_s37, lanes_mul(_s0, lanes_sub(vz, _s36)), K(INFINITY));
+    const V _s45 = lanes_max(_s25, _s44);
+    const V _s46 = lanes_select(_s32, lanes_mul(_s0, lanes_sub(vz, _s31)), _s38);
+    const V _s47 = lanes_min(_s46, _s42);
+    return (LANES(court_bridge_clear_out)){ lanes_select(lanes_at_most(_s13, K(0.0)), lanes_select(lanes_less(lanes_max(K(0.0), _s34), lanes_min(_s43, horizon)), K(0.0), lanes_select(lanes_less(lanes_max(K(0.0), _s45), lanes_min(_s47, horizon)), K(0.0), K(1.0))), K(0.0)) };
+}
+
+/* Constants and windows of the search along a flight, and the errors it allows for.
+   bounds of the event condition. 136 operations: 28 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections. */
+typedef struct {
+    V low0;
+    V high0;
+    V low1;
+    V high1;
+    V ceiling;
+    V latest;
+    V lost;
+} LANES(court_bridge_prepare_out);
+
+LANES_INLINE LANES(court_bridge_prepare_out)
+LANES(court_bridge_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth, V p_gravity)
+{
+    const V _s0 = lanes_abs(vx);
+    const V _s1 = lanes_mul(K(0.5), p_board_distance);
+    const V _s2 = lanes_add(p_ball_radius, _s1);
+    const V _s3 = lanes_mul(K(0.5), p_bridge_depth);
+    const V _s4 = lanes_add(p_ball_radius, _s3);
+    const V _s5 = lanes_add(p_ball_radius, p_bridge_half_width);
+    const V _s6 = lanes_mul(K(0.5), p_ring_radius);
+    const V _s7 = lanes_sub(_s2, _s6);
+    const V _s8 = lanes_min(_s5, _s7);
+    const V _s9 = lanes_min(_s4, _s8);
+    const V _s10 = lanes_mul(K(6.103515625e-05), _s9);
+    const V _s11 = lanes_sub(lanes_add(_s2, _s10), _s6);
+    const V _s12 = lanes_add(lanes_add(_s1, _s6), x);
+    const V _s13 = lanes_select(lanes_less(vx, K(0.0)), lanes_neg(_s12), _s12);
+    const V _s14 = lanes_div(lanes_neg(lanes_add(_s11, _s13)), _s0);
+    const V _s15 = lanes_max(K(0.0), _s14);
+    const V _s16 = lanes_abs(vy);
+    const V _s17 = lanes_add(_s5, _s10);
+    const V _s18 = lanes_select(lanes_less(vy, K(0.0)), lanes_neg(y), y);
+    const V _s19 = lanes_div(lanes_neg(lanes_add(_s17, _s18)), _s16);
+    const V _s20 = lanes_max(_s15, _s19);
+    const V _s21 = lanes_mul(vz, vz);
+    const V _s22 = lanes_add(_s4, _s10);
+    const V _s23 = lanes_sub(lanes_add(_s3, z), p_wire_radius);
+    const V _s24 = lanes_mul(K(2.0), p_gravity);
+    const V _s25 = lanes_add(_s21, lanes_mul(_s24, lanes_add(_s22, _s23)));
+    const V _s26 = lanes_div(K(1.0), p_gravity);
+    const V _s27 = lanes_sqrt(_s25);
+    const M _s28 = lanes_at_most(K(0.0), _s25);
+    const V _s29 = lanes_select(_s28, lanes_mul(_s26, lanes_sub(vz, _s27)), K(INFINITY));
+    const V _s30 = lanes_max(_s20, _s29);
+    const V _s31 = lanes_add(_s21, lanes_mul(_s24, lanes_sub(_s23, _s22)));
+    const V _s32 = lanes_sqrt(lanes_max(_s31, K(0.0)));
+    const V _s33 = lanes_select(_s28, lanes_mul(_s26, lanes_add(vz, _s27)), K(-INFINITY));
+    const M _s34 = lanes_less(K(0.0), _s31);
+    const V _s35 = lanes_select(_s34, lanes_mul(_s26, lanes_sub(vz, _s32)), _s33);
+    const V _s36 = lanes_div(lanes_sub(_s17, _s18), _s16);
+    const V _s37 = lanes_div(lanes_sub(_s11, _s13), _s0);
+    const V _s38 = lanes_min(_s37, K(INFINITY));
+    const V _s39 = lanes_min(_s36, _s38);
+    const V _s40 = lanes_min(_s35, _s39);
+    const V _s41 = lanes_select(_s34, lanes_mul(_s26, lanes_add(vz, _s32)), K(INFINITY));
+    const V _s42 = lanes_max(_s20, _s41);
+    const V _s43 = lanes_min(_s33, _s39);
+    const V _s44 = lanes_max(K(0.0), _s40);
+    const V _s45 = lanes_max(_s44, _s43);
+    const V _s46 = lanes_min(_s45, horizon);
+    const V _s47 = lanes_add(speed, lanes_mul(p_gravity, _s46));
+    const V _s48 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(K(1.25), lanes_abs(lanes_neg(p_gravity))), lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s9))), lanes_mul(K(3.0), lanes_mul(_s47, _s47))));
+    const V _s49 = lanes_max(_s7, _s5);
+    const V _s50 = lanes_add(lanes_add(lanes_add(lanes_add(_s1, extent), _s6), lanes_abs(lanes_sub(_s3, p_wire_radius))), lanes_max(_s49, _s4));
+    const V _s51 = lanes_add(lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s26, lanes_add(_s50, _s9)))), lanes_mul(lanes_mul(K(2.0), speed), _s26));
+    const V _s52 = lanes_sub(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s51, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _s26), _s50))), lanes_mul(K(1.52587890625e-05), _s9));
+    return (LANES(court_bridge_prepare_out)){ lanes_max(K(0.0), _s30), lanes_min(_s40, horizon), lanes_max(K(0.0), _s42), lanes_min(_s43, horizon), _s48, _s46, _s52 };
+}
+
+/* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
+   running error analysis. 81 operations: 31 additions, 1 subtraction, 45 multiplications, 2 comparisons, 2 selections. */
+typedef struct {
+    V margin;
+    V leaving_margin;
+    V rate_margin;
+} LANES(court_bridge_margins_out);
+
+LANES_INLINE LANES(court_bridge_margins_out)
+LANES(court_bridge_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth, V p_gravity)
+{
+    const V _s0 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_bridge_depth));
+    const V _s1 = lanes_add(p_ball_radius, p_bridge_half_width);
+    const V _s2 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_distance)), lanes_mul(K(0.5), p_ring_radius));
+    const V _s3 = lanes_min(_s1, _s2);
+    const V _s4 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s0, _s3)));
+    const V _s5 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s6 = lanes_add(extent, lanes_mul(horizon, _s5));
+    const V _s7 = lanes_mul(K(2.220446049250313e-16), _s6);
+    const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s6)));
+    const V _s9 = lanes_add(lanes_add(lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width), _s7), _s8);
+    const V _s10 = lanes_mul(K(2.001953125), _s4);
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)), _s7), _s8);
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)), lanes_mul(K(3.3306690738754696e-16), _s6)), _s8);
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(K(5.55653613398821e-16), lanes_mul(p_ball_radius, p_ball_radius)), lanes_mul(_s10, _s9)), lanes_mul(_s10, _s11)), lanes_mul(_s10, _s12)), lanes_mul(lanes_mul(lanes_mul(K(1.3335686721571705e-15), horizon), _s4), _s5));
+    const V _s14 = lanes_mul(K(4.00390625), _s5);
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(12.01171875), _s4), lanes_add(velocity_error, lanes_mul(K(3.3306690738754696e-16), _s5))), lanes_mul(lanes_mul(K(6.667843360785852e-15), _s4), _s5)), lanes_mul(_s14, _s9)), lanes_mul(_s14, _s11));
+    const V _s16 = lanes_mul(K(2.001953125), _s5);
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.005859375), _s4), lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s5))), lanes_mul(lanes_mul(K(2.667137344314341e-15), _s4), _s5)), lanes_mul(_s16, _s9)), lanes_mul(_s16, _s11));
+    return (LANES(court_bridge_margins_out)){ lanes_add(_s13, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s4, _s4))), lanes_add(_s15, lanes_mul(_s14, _s12)), lanes_add(_s17, lanes_mul(_s16, _s12)) };
+}
+
+/* Newton's next value of a root near t, and the rate there.
+   Newton's method. 101 operations: 18 additions, 20 subtractions, 26 multiplications, 1 division, 4 negations, 16 comparisons, 16 selections. */
+typedef struct {
+    V time;
+    V rate;
+} LANES(court_bridge_refine_out);
+
+LANES_INLINE LANES(court_bridge_refine_out)
+LANES(court_bridge_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth, V p_gravity)
+{
+    const V _s0 = lanes_add(x, lanes_mul(t, vx));
+    const V _s1 = lanes_add(p_ring_radius, _s0);
+    const V _s2 = lanes_neg(lanes_add(p_board_distance, _s0));
+    const V _s3 = lanes_sub(lanes_max(_s1, K(0.0)), lanes_max(_s2, K(0.0)));
+    const V _s4 = lanes_add(y, lanes_mul(t, vy));
+    const V _s5 = lanes_sub(_s4, p_bridge_half_width);
+    const V _s6 = lanes_neg(lanes_add(p_bridge_half_width, _s4));
+    const V _s7 = lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)));
+    const V _s8 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s9 = lanes_add(z, lanes_mul(t, _s8));
+    const V _s10 = lanes_sub(_s9, p_wire_radius);
+    const V _s11 = lanes_sub(p_wire_radius, p_bridge_depth);
+    const V _s12 = lanes_sub(_s11, _s9);
+    const V _s13 = lanes_sub(lanes_max(_s10, K(0.0)), lanes_max(_s12, K(0.0)));
+    const V _s14 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(vx, _s3), lanes_mul(vy, _s7)), lanes_mul(lanes_sub(vz, lanes_mul(p_gravity, t)), _s13)));
+    const V _s15 = lanes_add(p_ring_radius, x);
+    const V _s16 = lanes_neg(lanes_add(p_board_distance, x));
+    const V _s17 = lanes_sub(lanes_max(_s15, K(0.0)), lanes_max(_s16, K(0.0)));
+    const V _s18 = lanes_mul(_s3, _s3);
+    const V _s19 = lanes_sub(y, p_bridge_half_width);
+    const V _s20 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s21 = lanes_sub(lanes_max(_s19, K(0.0)), lanes_max(_s20, K(0.0)));
+    const V _s22 = lanes_mul(_s7, _s7);
+    const V _s23 = lanes_sub(z, p_wire_radius);
+    const V _s24 = lanes_sub(_s11, z);
+    const V _s25 = lanes_sub(lanes_max(_s23, K(0.0)), lanes_max(_s24, K(0.0)));
+    const V _s26 = lanes_mul(_s13, _s13);
+    const V _s27 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s17, _s3)), lanes_mul(t, lanes_mul(vx, lanes_add(_s17, _s3))), lanes_sub(_s18, lanes_mul(_s17, _s17))), lanes_select(lanes_less(K(0.0), lanes_mul(_s21, _s7)), lanes_mul(t, lanes_mul(vy, lanes_add(_s21, _s7))), lanes_sub(_s22, lanes_mul(_s21, _s21)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s25, _s13)), lanes_mul(t, lanes_mul(_s8, lanes_add(_s25, _s13))), lanes_sub(_s26, lanes_mul(_s25, _s25))));
+    const V _s28 = lanes_sub(t, lanes_div(lanes_select(lanes_less(K(0.0), leaving), _s27, lanes_sub(lanes_add(lanes_add(_s18, _s22), _s26), lanes_mul(p_ball_radius, p_ball_radius))), _s14));
+    return (LANES(court_bridge_refine_out)){ _s28, _s14 };
+}
+
+/* Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
+   Newton from the left under a curvature bound. 194 operations: 32 additions, 27 subtractions, 51 multiplications, 3 divisions, 1 square root, 8 negations, 5 absolute values, 32 comparisons, 35 selections. */
+typedef struct {
+    V gap;
+    V rate;
+    V bend;
+    V step;
+    V next;
+    V root;
+    V clearance;
+} LANES(court_bridge_advance_out);
+
+LANES_INLINE LANES(court_bridge_advance_out)
+LANES(court_bridge_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth, V p_gravity)
+{
+    const V _s0 = lanes_add(p_ring_radius, x);
+    const V _s1 = lanes_neg(lanes_add(p_board_distance, x));
+    const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s3 = lanes_add(x, lanes_mul(t, vx));
+    const V _s4 = lanes_add(p_ring_radius, _s3);
+    const V _s5 = lanes_neg(lanes_add(p_board_distance, _s3));
+    const V _s6 = lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s5, K(0.0)));
+    const V _s7 = lanes_mul(_s6, _s6);
+    const V _s8 = lanes_sub(y, p_bridge_half_width);
+    const V _s9 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s10 = lanes_sub(lanes_max(_s8, K(0.0)), lanes_max(_s9, K(0.0)));
+    const V _s11 = lanes_add(y, lanes_mul(t, vy));
+    const V _s12 = lanes_sub(_s11, p_bridge_half_width);
+    const V _s13 = lanes_neg(lanes_add(p_bridge_half_width, _s11));
+    const V _s14 = lanes_sub(lanes_max(_s12, K(0.0)), lanes_max(_s13, K(0.0)));
+    const V _s15 = lanes_mul(_s14, _s14);
+    const V _s16 = lanes_sub(z, p_wire_radius);
+    const V _s17 = lanes_sub(p_wire_radius, p_bridge_depth);
+    const V _s18 = lanes_sub(_s17, z);
+    const V _s19 = lanes_sub(lanes_max(_s16, K(0.0)), lanes_max(_s18, K(0.0)));
+    const V _s20 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s21 = lanes_add(z, lanes_mul(t, _s20));
+    const V _s22 = lanes_sub(_s21, p_wire_radius);
+    const V _s23 = lanes_sub(_s17, _s21);
+    const V _s24 = lanes_sub(lanes_max(_s22, K(0.0)), lanes_max(_s23, K(0.0)));
+    const V _s25 = lanes_mul(_s24, _s24);
+    const V _s26 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s2, _s6)), lanes_mul(t, lanes_mul(vx, lanes_add(_s2, _s6))), lanes_sub(_s7, lanes_mul(_s2, _s2))), lanes_select(lanes_less(K(0.0), lanes_mul(_s10, _s14)), lanes_mul(t, lanes_mul(vy, lanes_add(_s10, _s14))), lanes_sub(_s15, lanes_mul(_s10, _s10)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s19, _s24)), lanes_mul(t, lanes_mul(_s20, lanes_add(_s19, _s24))), lanes_sub(_s25, lanes_mul(_s19, _s19))));
+    const V _s27 = lanes_select(lanes_less(K(0.0), leaving), _s26, lanes_sub(lanes_add(lanes_add(_s7, _s15), _s25), lanes_mul(p_ball_radius, p_ball_radius)));
+    const V _s28 = lanes_sub(vz, lanes_mul(p_gravity, t));
+    const V _s29 = lanes_add(lanes_add(lanes_mul(vx, _s6), lanes_mul(vy, _s14)), lanes_mul(_s28, _s24));
+    const V _s30 = lanes_mul(K(2.0), _s29);
+    const V _s31 = lanes_abs(_s24);
+    const V _s32 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_abs(_s6)), lanes_mul(vx, vx), K(0.0)), lanes_select(lanes_less(K(0.0), lanes_abs(_s14)), lanes_mul(vy, vy), K(0.0))), lanes_select(lanes_less(K(0.0), _s31), lanes_sub(lanes_mul(_s28, _s28), lanes_mul(p_gravity, _s24)), K(0.0))));
+    const V _s33 = lanes_abs(lanes_neg(p_gravity));
+    const V _s34 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_bridge_depth));
+    const V _s35 = lanes_add(p_ball_radius, p_bridge_half_width);
+    const V _s36 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_distance)), lanes_mul(K(0.5), p_ring_radius));
+    const V _s37 = lanes_min(_s35, _s36);
+    const V _s38 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s34, _s37)));
+    const V _s39 = lanes_sub(_s30, rate_margin);
+    const V _s40 = lanes_sub(_s27, margin);
+    const V _s41 = lanes_max(_s40, K(0.0));
+    const V _s42 = lanes_neg(_s32);
+    const M _s43 = lanes_less(_s39, K(0.0));
+    const V _s44 = lanes_mul(K(2.0), _s41);
+    const V _s45 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s39), _s41, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s43, _s44, lanes_mul(K(4.0), _s39)), lanes_select(_s43, lanes_neg(_s39), lanes_max(K(0.0), _s42))));
+    const V _s46 = lanes_sub(end, t);
+    const V _s47 = lanes_min(_s45, _s46);
+    const V _s48 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(0.5), _s33), _s47), lanes_abs(_s28)), _s47), _s31);
+    const V _s49 = lanes_add(lanes_mul(K(9.094947017729282e-13), ceiling), lanes_mul(K(2.0), lanes_mul(_s33, lanes_min(_s38, _s48))));
+    const V _s50 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s49), _s41), lanes_mul(_s39, _s39));
+    const V _s51 = lanes_sqrt(_s50);
+    const V _s52 = lanes_select(lanes_at_most(K(0.0), _s50), lanes_div(lanes_select(_s43, _s44, lanes_add(_s39, _s51)), lanes_select(_s43, lanes_sub(_s51, _s39), lanes_max(K(0.0), _s49))), K(INFINITY));
+    const V _s53 = lanes_min(_s52, _s47);
+    const V _s54 = lanes_neg(lanes_add(rate_margin, _s30));
+    return (LANES(court_bridge_advance_out)){ _s27, _s30, _s32, _s53, lanes_add(t, _s53), lanes_sub(t, lanes_div(lanes_mul(K(0.5), _s27), _s29)), lanes_select(lanes_less(K(0.0), _s54), lanes_sub(lanes_mul(_s54, _s54), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, lanes_mul(K(32.0), _s41)))), _s54) };
+}
+
+/* The first window that begins no earlier than a time, if there is one.
+   Table 1. 12 operations: 4 comparisons, 2 conjunctions, 2 disjunctions, 4 selections. */
+typedef struct {
+    V t;
+    V end;
+    M searching;
+} LANES(court_bridge_enter_out);
+
+LANES_INLINE LANES(court_bridge_enter_out)
+LANES(court_bridge_enter)(V after, V end, V high0, V high1, V low0, V low1, V t)
+{
+    const M _s0 = lanes_both(lanes_less(low0, high0), lanes_at_most(after, low0));
+    const M _s1 = lanes_both(lanes_less(low1, high1), lanes_at_most(after, low1));
+    return (LANES(court_bridge_enter_out)){ lanes_select(_s0, low0, lanes_select(_s1, low1, t)), lanes_select(_s0, high0, lanes_select(_s1, high1, end)), lanes_either(lanes_either(lanes_nowhere(), _s1), _s0) };
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. No operations. */
+typedef struct {
+    V nx;
+    V ny;
+    V nz;
+} LANES(court_end_normal_out);
+
+LANES_INLINE LANES(court_end_normal_out)
+LANES(court_end_normal)(void)
+{
+    return (LANES(court_end_normal_out)){ K(0.0), K(0.0), K(1.0) };
+}
+
+/* Time of the only arrival, the gap's rate there and its bend.
+   Eq. 3 in Table 2, solved. 25 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 2 comparisons, 3 selections. */
+typedef struct {
+    V time;
+    V rate;
+    V bend;
+    V apex;
+    V height;
+} LANES(court_end_arrival_out);
+
+LANES_INLINE LANES(court_end_arrival_out)
+LANES(court_end_arrival)(V leaving, V z, V vz, V p_gravity, V p_end_depth)
+{
+    const V _s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(z, lanes_neg(p_end_depth)));
+    const V _s1 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), p_gravity), _s0));
+    const V _s2 = lanes_sqrt(_s1);
+    const M _s3 = lanes_less(vz, K(0.0));
+    const V _s4 = lanes_neg(lanes_div(K(1.0), p_gravity));
+    return (LANES(court_end_arrival_out)){ lanes_div(lanes_select(_s3, lanes_mul(K(2.0), _s0), lanes_add(vz, _s2)), lanes_select(_s3, lanes_sub(_s2, vz), p_gravity)), lanes_neg(_s2), lanes_neg(p_gravity), lanes_neg(lanes_mul(vz, _s4)), lanes_neg(lanes_mul(lanes_mul(K(0.5), _s4), _s1)) };
+}
+
+/* Rounding-error bound of the gap up to the horizon.
+   running error analysis. 13 operations: 6 additions, 7 multiplications. */
+typedef struct {
+    V margin;
+} LANES(court_end_margin_out);
+
+LANES_INLINE LANES(court_end_margin_out)
+LANES(court_end_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_gravity, V p_end_depth)
+{
+    const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))));
+    return (LANES(court_end_margin_out)){ lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), p_end_depth), lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
+}
+
+/* The bounds of the ends on a plane: the first whose bounds all hold is reached.
+   Table 2, success. 5 operations: 1 addition, 1 subtraction, 2 multiplications, 1 square root. */
+typedef struct {
+    V g0;
+} LANES(court_end_bounds_out);
+
+LANES_INLINE LANES(court_end_bounds_out)
+LANES(court_end_bounds)(V x, V y, V p_ring_radius)
+{
+    return (LANES(court_end_bounds_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), p_ring_radius) };
+}
+
+/* The end that a crossing reaches.
+   Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection. */
+typedef struct {
+    V reached;
+} LANES(court_end_reached_out);
+
+LANES_INLINE LANES(court_end_reached_out)
+LANES(court_end_reached)(V g0, V through)
+{
+    return (LANES(court_end_reached_out)){ lanes_select(lanes_both(lanes_at_most(g0, K(0.0)), lanes_equal(through, K(1.0))), K(0.0), K(1.0)) };
+}
+
+/* Whether that lies within its error.
+   Table 1. 7 operations: 1 negation, 3 comparisons, 2 conjunctions, 1 complement. */
+typedef struct {
+    M edge;
+} LANES(court_end_edge_out);
+
+LANES_INLINE LANES(court_end_edge_out)
+LANES(court_end_edge)(V g0, V slack, V through)
+{
+    return (LANES(court_end_edge_out)){ lanes_both(lanes_both(lanes_at_most(g0, slack), lanes_not(lanes_less(g0, lanes_neg(slack)))), lanes_equal(through, K(1.0))) };
+}
+
