@@ -39,7 +39,6 @@ _KINDS = (
 )
 
 
-
 def court_shots() -> list[trust.Batch]:
     """Return the shots with which its C is compared: the hoop's kinds, and those of its own.
 

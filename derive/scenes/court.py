@@ -23,9 +23,7 @@ from .scene import Parameter, Scene, parameter
 _BODIES = ("ring", "backboard", "bridge")
 
 _SIZES = (
-    parameter(
-        "board_thickness", "m", "d, from the board's front to its back", 0.0127, latex="d_B"
-    ),
+    parameter("board_thickness", "m", "d, from the board's front to its back", 0.0127, latex="d_B"),
     parameter("bridge_depth", "m", "h, from the bridge's top to its underside", 0.12, latex="h_B"),
 )
 
@@ -100,7 +98,7 @@ def _court() -> Scene:
     front, half_width = -by_name["board_distance"], by_name["board_half_width"]
     half_bridge = by_name["bridge_half_width"]
     faces: tuple[Surface, ...] = (
-        Ring("ring", ring_radius, ball_radius + wire_radius),
+        Ring("ring", ring_radius, ball_radius + wire_radius, below=True),
         Box(
             "backboard",
             (front - by_name["board_thickness"], -half_width, by_name["board_bottom"]),

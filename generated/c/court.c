@@ -1,6 +1,6 @@
 /* court: the widths, and the choice among them.
 
-   Generated from templates/c/scene.c.j2, scene court, derivation 1ef19b6365a80494,
+   Generated from templates/c/scene.c.j2, scene court, derivation 39c0af57d7c91c6f,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`. */
 

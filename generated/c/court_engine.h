@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 1ef19b6365a80494,
+   Generated from templates/c/engine.h.j2, scene court, derivation 39c0af57d7c91c6f,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -569,7 +569,7 @@ static void LANES(court_plain)(const court_job *job)
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
             const LANES(court_ring_prepare_out) _o18 =
-                LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, K(0.0), K(0.0), p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             V steady = _o18.steady;
             V swing = _o18.swing;
             V rho_start = _o18.rho_start;
@@ -2546,7 +2546,7 @@ static void LANES(court_bounded)(const court_job *job)
             V y = lanes_load(lists->open_y + i);
             V z = lanes_load(lists->open_z + i);
             const LANES(court_ring_prepare_out) _o24 =
-                LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
+                LANES(court_ring_prepare)(until, x, y, z, vx, vy, vz, extent, speed, position_error, velocity_error, p_ball_radius, p_ring_radius, p_wire_radius, p_gravity);
             V steady = _o24.steady;
             V swing = _o24.swing;
             V rho_start = _o24.rho_start;

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 1ef19b6365a80494,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 39c0af57d7c91c6f,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -1502,7 +1502,7 @@ LANES(court_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V p_ball_rad
 }
 
 /* Positive if there certainly is no contact before the horizon.
-   bounds of the event condition. 146 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 15 comparisons, 15 selections. */
+   bounds of the event condition. 161 operations: 31 additions, 19 subtractions, 74 multiplications, 1 division, 4 square roots, 16 comparisons, 16 selections. */
 typedef struct {
     V clear;
 } LANES(court_ring_clear_out);
@@ -1512,50 +1512,51 @@ LANES(court_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V 
 {
     const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
     const V _s1 = lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0));
-    const V _s2 = lanes_add(position_error, lanes_mul(horizon, velocity_error));
-    const V _s3 = lanes_sub(lanes_sub(_s2, lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
-    const V _s4 = lanes_mul(K(1.00006103515625), _s0);
-    const V _s5 = lanes_add(p_ring_radius, _s4);
-    const V _s6 = lanes_mul(vz, vz);
-    const V _s7 = lanes_add(_s6, lanes_mul(lanes_mul(K(2.0), p_gravity), lanes_sub(z, _s4)));
-    const V _s8 = lanes_div(K(1.0), p_gravity);
-    const V _s9 = lanes_sqrt(_s7);
-    const V _s10 = lanes_mul(_s8, lanes_sub(vz, _s9));
-    const V _s11 = lanes_mul(_s8, lanes_add(vz, _s9));
-    const V _s12 = lanes_add(x, lanes_mul(vx, _s11));
-    const V _s13 = lanes_add(y, lanes_mul(vy, _s11));
-    const V _s14 = lanes_add(lanes_mul(_s12, _s12), lanes_mul(_s13, _s13));
-    const V _s15 = lanes_sqrt(_s14);
-    const V _s16 = lanes_sub(_s15, p_ring_radius);
-    const V _s17 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), _s11)), _s11));
-    const V _s18 = lanes_mul(_s5, _s5);
-    const V _s19 = lanes_mul(K(9.313225746154785e-10), _s18);
-    const V _s20 = lanes_sub(lanes_sub(lanes_add(lanes_mul(_s16, _s16), lanes_mul(_s17, _s17)), lanes_mul(_s0, _s0)), _s19);
-    const V _s21 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
-    const V _s22 = lanes_sub(p_ring_radius, _s4);
-    const V _s23 = lanes_mul(K(0.0001220703125), p_ring_radius);
-    const V _s24 = lanes_max(_s22, _s23);
-    const V _s25 = lanes_mul(_s24, _s24);
-    const V _s26 = lanes_mul(_s24, _s25);
-    const V _s27 = lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), _s6), lanes_mul(lanes_mul(K(4.0), p_gravity), z)), lanes_mul(K(2.0), _s21)), lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0)), _s26);
-    const V _s28 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
-    const V _s29 = lanes_mul(_s28, _s28);
-    const V _s30 = lanes_sub(_s27, lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s29));
-    const V _s31 = lanes_add(lanes_mul(_s16, lanes_add(lanes_mul(vx, _s12), lanes_mul(vy, _s13))), lanes_mul(lanes_mul(_s17, lanes_sub(vz, lanes_mul(p_gravity, _s11))), _s15));
-    const V _s32 = lanes_add(x, lanes_mul(horizon, vx));
-    const V _s33 = lanes_add(y, lanes_mul(horizon, vy));
-    const V _s34 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(_s19, lanes_mul(_s32, _s32)), lanes_mul(_s33, _s33)), _s25), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(_s21, lanes_add(_s19, _s25)), _s29), K(0.0)), K(1.0), K(0.0)));
-    const V _s35 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s31, _s31)), _s26), lanes_mul(lanes_mul(lanes_mul(K(2.0), _s30), _s14), _s20)), K(0.0)), _s34, K(0.0));
-    const V _s36 = lanes_select(lanes_less(horizon, lanes_sub(_s11, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), _s20), lanes_select(lanes_less(K(0.0), _s30), _s35, K(0.0)), K(0.0)));
-    const V _s37 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
-    const V _s38 = lanes_add(lanes_mul(_s10, _s21), _s37);
-    const V _s39 = lanes_select(lanes_less(_s38, K(0.0)), lanes_select(lanes_less(_s18, lanes_add(lanes_mul(_s10, lanes_add(_s37, _s38)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), _s36, K(0.0)), K(0.0));
-    const V _s40 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon)))), lanes_mul(K(65536.0), _s5)), lanes_select(lanes_less(K(0.0), _s7), lanes_select(lanes_less(_s10, K(0.0)), _s36, _s39), K(0.0)), K(0.0));
-    return (LANES(court_ring_clear_out)){ lanes_select(lanes_less(K(0.0), lanes_max(_s1, _s3)), K(0.0), lanes_select(lanes_less(_s2, lanes_mul(K(5.820766091346741e-11), _s5)), _s40, K(0.0))) };
+    const V _s2 = lanes_div(K(1.0), p_gravity);
+    const V _s3 = lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s2, lanes_add(lanes_add(lanes_mul(K(2.0), p_ball_radius), extent), lanes_mul(K(2.0), p_wire_radius)))));
+    const V _s4 = lanes_add(_s3, lanes_mul(lanes_mul(K(2.0), speed), _s2));
+    const V _s5 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s4, horizon))), lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
+    const V _s6 = lanes_mul(K(1.00006103515625), _s0);
+    const V _s7 = lanes_add(p_ring_radius, _s6);
+    const V _s8 = lanes_mul(vz, vz);
+    const V _s9 = lanes_add(_s8, lanes_mul(lanes_mul(K(2.0), p_gravity), lanes_sub(z, _s6)));
+    const V _s10 = lanes_sqrt(_s9);
+    const V _s11 = lanes_mul(_s2, lanes_sub(vz, _s10));
+    const V _s12 = lanes_mul(_s2, lanes_add(vz, _s10));
+    const V _s13 = lanes_add(x, lanes_mul(vx, _s12));
+    const V _s14 = lanes_add(y, lanes_mul(vy, _s12));
+    const V _s15 = lanes_add(lanes_mul(_s13, _s13), lanes_mul(_s14, _s14));
+    const V _s16 = lanes_sqrt(_s15);
+    const V _s17 = lanes_sub(_s16, p_ring_radius);
+    const V _s18 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), _s12)), _s12));
+    const V _s19 = lanes_mul(_s7, _s7);
+    const V _s20 = lanes_mul(K(9.313225746154785e-10), _s19);
+    const V _s21 = lanes_sub(lanes_sub(lanes_add(lanes_mul(_s17, _s17), lanes_mul(_s18, _s18)), lanes_mul(_s0, _s0)), _s20);
+    const V _s22 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
+    const V _s23 = lanes_sub(p_ring_radius, _s6);
+    const V _s24 = lanes_mul(K(0.0001220703125), p_ring_radius);
+    const V _s25 = lanes_max(_s23, _s24);
+    const V _s26 = lanes_mul(_s25, _s25);
+    const V _s27 = lanes_mul(_s25, _s26);
+    const V _s28 = lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), _s8), lanes_mul(lanes_mul(K(4.0), p_gravity), z)), lanes_mul(K(2.0), _s22)), lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0)), _s27);
+    const V _s29 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V _s30 = lanes_mul(_s29, _s29);
+    const V _s31 = lanes_sub(_s28, lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s30));
+    const V _s32 = lanes_add(lanes_mul(_s17, lanes_add(lanes_mul(vx, _s13), lanes_mul(vy, _s14))), lanes_mul(lanes_mul(_s18, lanes_sub(vz, lanes_mul(p_gravity, _s12))), _s16));
+    const V _s33 = lanes_add(x, lanes_mul(horizon, vx));
+    const V _s34 = lanes_add(y, lanes_mul(horizon, vy));
+    const V _s35 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(_s20, lanes_mul(_s33, _s33)), lanes_mul(_s34, _s34)), _s26), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(_s22, lanes_add(_s20, _s26)), _s30), K(0.0)), K(1.0), K(0.0)));
+    const V _s36 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s32, _s32)), _s27), lanes_mul(lanes_mul(lanes_mul(K(2.0), _s31), _s15), _s21)), K(0.0)), _s35, K(0.0));
+    const V _s37 = lanes_select(lanes_less(horizon, lanes_sub(_s12, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), _s21), lanes_select(lanes_less(K(0.0), _s31), _s36, K(0.0)), K(0.0)));
+    const V _s38 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s39 = lanes_add(lanes_mul(_s11, _s22), _s38);
+    const V _s40 = lanes_select(lanes_less(_s39, K(0.0)), lanes_select(lanes_less(_s19, lanes_add(lanes_mul(_s11, lanes_add(_s38, _s39)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), _s37, K(0.0)), K(0.0));
+    const V _s41 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon)))), lanes_mul(K(65536.0), _s7)), lanes_select(lanes_less(K(0.0), _s9), lanes_select(lanes_less(_s11, K(0.0)), _s37, _s40), K(0.0)), K(0.0));
+    return (LANES(court_ring_clear_out)){ lanes_select(lanes_less(K(0.0), lanes_max(_s1, _s5)), K(0.0), lanes_select(lanes_less(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(5.820766091346741e-11), _s7)), _s41, K(0.0))) };
 }
 
 /* Constants and windows of the search along a flight, and the errors it allows for.
-   bounds of the event condition. 177 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections. */
+   bounds of the event condition. 190 operations: 31 additions, 20 subtractions, 54 multiplications, 3 divisions, 7 square roots, 1 negation, 5 absolute values, 31 comparisons, 38 selections. */
 typedef struct {
     V steady;
     V swing;
@@ -1572,7 +1573,7 @@ typedef struct {
 } LANES(court_ring_prepare_out);
 
 LANES_INLINE LANES(court_ring_prepare_out)
-LANES(court_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+LANES(court_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
 {
     const V _s0 = lanes_mul(vz, vz);
     const V _s1 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
@@ -1633,8 +1634,10 @@ LANES(court_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V position
     const V _s56 = lanes_max(_s55, _s51);
     const V _s57 = lanes_max(_s56, _s53);
     const V _s58 = lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s7));
-    const V _s59 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
-    return (LANES(court_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_max(K(0.0), _s28), lanes_min(_s42, horizon), lanes_max(K(0.0), _s50), lanes_min(_s51, horizon), lanes_max(K(0.0), _s52), lanes_min(_s53, horizon), lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s7), lanes_mul(_s5, lanes_mul(_s54, lanes_mul(_s54, _s54)))), lanes_abs(_s2)), lanes_min(_s57, horizon), lanes_max(_s58, _s59) };
+    const V _s59 = lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s12, lanes_add(lanes_add(lanes_mul(K(2.0), p_ball_radius), extent), lanes_mul(K(2.0), p_wire_radius)))));
+    const V _s60 = lanes_add(_s59, lanes_mul(lanes_mul(K(2.0), speed), _s12));
+    const V _s61 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s60, horizon))), lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
+    return (LANES(court_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_max(K(0.0), _s28), lanes_min(_s42, horizon), lanes_max(K(0.0), _s50), lanes_min(_s51, horizon), lanes_max(K(0.0), _s52), lanes_min(_s53, horizon), lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s7), lanes_mul(_s5, lanes_mul(_s54, lanes_mul(_s54, _s54)))), lanes_abs(_s2)), lanes_min(_s57, horizon), lanes_max(_s58, _s61) };
 }
 
 /* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.

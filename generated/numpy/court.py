@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 1ef19b6365a80494,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 39c0af57d7c91c6f,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -1582,57 +1582,58 @@ def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_b
 def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Positive if there certainly is no contact before the horizon.
 
-    bounds of the event condition. 146 operations: 27 additions, 19 subtractions, 67 multiplications, 1 division, 2 square roots, 15 comparisons, 15 selections.
+    bounds of the event condition. 161 operations: 31 additions, 19 subtractions, 74 multiplications, 1 division, 4 square roots, 16 comparisons, 16 selections.
     Returns clear.
     """
     _s0 = p_ball_radius + p_wire_radius
     _s1 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s0)
-    _s2 = position_error + (horizon * velocity_error)
-    _s3 = (_s2 - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)
-    _s4 = 1.00006103515625 * _s0
-    _s5 = p_ring_radius + _s4
-    _s6 = vz * vz
-    _s7 = _s6 + ((2.0 * p_gravity) * (z - _s4))
-    _s8 = 1.0 / p_gravity
-    _s9 = _sqrt(_s7)
-    _s10 = _s8 * (vz - _s9)
-    _s11 = _s8 * (vz + _s9)
-    _s12 = x + (vx * _s11)
-    _s13 = y + (vy * _s11)
-    _s14 = (_s12 * _s12) + (_s13 * _s13)
-    _s15 = _sqrt(_s14)
-    _s16 = _s15 - p_ring_radius
-    _s17 = z + ((vz - ((0.5 * p_gravity) * _s11)) * _s11)
-    _s18 = _s5 * _s5
-    _s19 = 9.313225746154785e-10 * _s18
-    _s20 = (((_s16 * _s16) + (_s17 * _s17)) - (_s0 * _s0)) - _s19
-    _s21 = (vx * vx) + (vy * vy)
-    _s22 = p_ring_radius - _s4
-    _s23 = 0.0001220703125 * p_ring_radius
-    _s24 = _where(_s22 < _s23, _s23, _s22)
-    _s25 = _s24 * _s24
-    _s26 = _s24 * _s25
-    _s27 = ((((2.0 * _s6) + ((4.0 * p_gravity) * z)) + (2.0 * _s21)) - ((6.0003662109375 * p_gravity) * _s0)) * _s26
-    _s28 = (vy * x) - (vx * y)
-    _s29 = _s28 * _s28
-    _s30 = _s27 - ((2.0 * p_ring_radius) * _s29)
-    _s31 = (_s16 * ((vx * _s12) + (vy * _s13))) + ((_s17 * (vz - (p_gravity * _s11))) * _s15)
-    _s32 = x + (horizon * vx)
-    _s33 = y + (horizon * vy)
-    _s34 = _where(((((_s19 + (_s32 * _s32)) + (_s33 * _s33)) - _s25) < 0.0), 1.0, _where((((_s21 * (_s19 + _s25)) - _s29) < 0.0), 1.0, 0.0))
-    _s35 = _where(((((4.0 * (_s31 * _s31)) * _s26) - (((2.0 * _s30) * _s14) * _s20)) < 0.0), _s34, 0.0)
-    _s36 = _where((horizon < (_s11 - (9.313225746154785e-10 * horizon))), 1.0, _where((0.0 < _s20), _where((0.0 < _s30), _s35, 0.0), 0.0))
-    _s37 = (vx * x) + (vy * y)
-    _s38 = (_s10 * _s21) + _s37
-    _s39 = _where((_s38 < 0.0), _where((_s18 < ((_s10 * (_s37 + _s38)) + ((x * x) + (y * y)))), _s36, 0.0), 0.0)
-    _s40 = _where(((extent + (horizon * (speed + (p_gravity * horizon)))) < (65536.0 * _s5)), _where((0.0 < _s7), _where((_s10 < 0.0), _s36, _s39), 0.0), 0.0)
-    return _where((0.0 < _where(_s1 < _s3, _s3, _s1)), 0.0, _where((_s2 < (5.820766091346741e-11 * _s5)), _s40, 0.0)),
+    _s2 = 1.0 / p_gravity
+    _s3 = _sqrt(2.0) * _sqrt((_s2 * (((2.0 * p_ball_radius) + extent) + (2.0 * p_wire_radius))))
+    _s4 = _s3 + ((2.0 * speed) * _s2)
+    _s5 = ((position_error + (velocity_error * _where(_s4 < horizon, _s4, horizon))) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)
+    _s6 = 1.00006103515625 * _s0
+    _s7 = p_ring_radius + _s6
+    _s8 = vz * vz
+    _s9 = _s8 + ((2.0 * p_gravity) * (z - _s6))
+    _s10 = _sqrt(_s9)
+    _s11 = _s2 * (vz - _s10)
+    _s12 = _s2 * (vz + _s10)
+    _s13 = x + (vx * _s12)
+    _s14 = y + (vy * _s12)
+    _s15 = (_s13 * _s13) + (_s14 * _s14)
+    _s16 = _sqrt(_s15)
+    _s17 = _s16 - p_ring_radius
+    _s18 = z + ((vz - ((0.5 * p_gravity) * _s12)) * _s12)
+    _s19 = _s7 * _s7
+    _s20 = 9.313225746154785e-10 * _s19
+    _s21 = (((_s17 * _s17) + (_s18 * _s18)) - (_s0 * _s0)) - _s20
+    _s22 = (vx * vx) + (vy * vy)
+    _s23 = p_ring_radius - _s6
+    _s24 = 0.0001220703125 * p_ring_radius
+    _s25 = _where(_s23 < _s24, _s24, _s23)
+    _s26 = _s25 * _s25
+    _s27 = _s25 * _s26
+    _s28 = ((((2.0 * _s8) + ((4.0 * p_gravity) * z)) + (2.0 * _s22)) - ((6.0003662109375 * p_gravity) * _s0)) * _s27
+    _s29 = (vy * x) - (vx * y)
+    _s30 = _s29 * _s29
+    _s31 = _s28 - ((2.0 * p_ring_radius) * _s30)
+    _s32 = (_s17 * ((vx * _s13) + (vy * _s14))) + ((_s18 * (vz - (p_gravity * _s12))) * _s16)
+    _s33 = x + (horizon * vx)
+    _s34 = y + (horizon * vy)
+    _s35 = _where(((((_s20 + (_s33 * _s33)) + (_s34 * _s34)) - _s26) < 0.0), 1.0, _where((((_s22 * (_s20 + _s26)) - _s30) < 0.0), 1.0, 0.0))
+    _s36 = _where(((((4.0 * (_s32 * _s32)) * _s27) - (((2.0 * _s31) * _s15) * _s21)) < 0.0), _s35, 0.0)
+    _s37 = _where((horizon < (_s12 - (9.313225746154785e-10 * horizon))), 1.0, _where((0.0 < _s21), _where((0.0 < _s31), _s36, 0.0), 0.0))
+    _s38 = (vx * x) + (vy * y)
+    _s39 = (_s11 * _s22) + _s38
+    _s40 = _where((_s39 < 0.0), _where((_s19 < ((_s11 * (_s38 + _s39)) + ((x * x) + (y * y)))), _s37, 0.0), 0.0)
+    _s41 = _where(((extent + (horizon * (speed + (p_gravity * horizon)))) < (65536.0 * _s7)), _where((0.0 < _s9), _where((_s11 < 0.0), _s37, _s40), 0.0), 0.0)
+    return _where((0.0 < _where(_s1 < _s5, _s5, _s1)), 0.0, _where(((position_error + (horizon * velocity_error)) < (5.820766091346741e-11 * _s7)), _s41, 0.0)),
 
 
-def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
     """Constants and windows of the search along a flight, and the errors it allows for.
 
-    bounds of the event condition. 177 operations: 28 additions, 20 subtractions, 48 multiplications, 3 divisions, 5 square roots, 1 negation, 5 absolute values, 30 comparisons, 37 selections.
+    bounds of the event condition. 190 operations: 31 additions, 20 subtractions, 54 multiplications, 3 divisions, 7 square roots, 1 negation, 5 absolute values, 31 comparisons, 38 selections.
     Returns steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, lost.
     """
     _s0 = vz * vz
@@ -1694,8 +1695,10 @@ def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any
     _s56 = _where(_s55 < _s51, _s51, _s55)
     _s57 = _where(_s56 < _s53, _s53, _s56)
     _s58 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)
-    _s59 = ((position_error + (horizon * velocity_error)) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)
-    return _s2, _s5, _sqrt(_s6), _where(0.0 < _s28, _s28, 0.0), _where(_s42 < horizon, _s42, horizon), _where(0.0 < _s50, _s50, 0.0), _where(_s51 < horizon, _s51, horizon), _where(0.0 < _s52, _s52, 0.0), _where(_s53 < horizon, _s53, horizon), (((6.0003662109375 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + _absolute(_s2), _where(_s57 < horizon, _s57, horizon), _where(_s58 < _s59, _s59, _s58)
+    _s59 = _sqrt(2.0) * _sqrt((_s12 * (((2.0 * p_ball_radius) + extent) + (2.0 * p_wire_radius))))
+    _s60 = _s59 + ((2.0 * speed) * _s12)
+    _s61 = ((position_error + (velocity_error * _where(_s60 < horizon, _s60, horizon))) - (1.52587890625e-05 * p_ball_radius)) - (1.52587890625e-05 * p_wire_radius)
+    return _s2, _s5, _sqrt(_s6), _where(0.0 < _s28, _s28, 0.0), _where(_s42 < horizon, _s42, horizon), _where(0.0 < _s50, _s50, 0.0), _where(_s51 < horizon, _s51, horizon), _where(0.0 < _s52, _s52, 0.0), _where(_s53 < horizon, _s53, horizon), (((6.0003662109375 * p_gravity) * _s7) + (_s5 * (_s54 * (_s54 * _s54)))) + _absolute(_s2), _where(_s57 < horizon, _s57, horizon), _where(_s58 < _s61, _s61, _s58)
 
 
 def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
@@ -2798,7 +2801,7 @@ def reach_plain(columns: dict[str, Any], shots: int) -> None:
         _x_1 = _take(_x_0, _rows1)
         _y_1 = _take(_y_0, _rows1)
         _z_1 = _take(_z_0, _rows1)
-        _steady_1, _swing_1, _rho_start_1, _low0_1, _high0_1, _low1_1, _high1_1, _low2_1, _high2_1, _ceiling_1, _latest_1, *_ = ring_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, 0.0, 0.0, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _steady_1, _swing_1, _rho_start_1, _low0_1, _high0_1, _low1_1, _high1_1, _low2_1, _high2_1, _ceiling_1, _latest_1, *_ = ring_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, 0.0, 0.0, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
         _share_1, _arrival_1, _certain_1 = beginning()
         _position_level_1, _velocity_level_1, *_ = allowance(_share_1, _latest_1, _extent_1, _speed_1, 0.0, 0.0, _p_gravity_1)
         _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
@@ -3641,7 +3644,7 @@ def reach_bounded(columns: dict[str, Any], shots: int) -> None:
         _x_1 = _take(_x_0, _rows1)
         _y_1 = _take(_y_0, _rows1)
         _z_1 = _take(_z_0, _rows1)
-        _steady_1, _swing_1, _rho_start_1, _low0_1, _high0_1, _low1_1, _high1_1, _low2_1, _high2_1, _ceiling_1, _latest_1, _lost_1 = ring_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
+        _steady_1, _swing_1, _rho_start_1, _low0_1, _high0_1, _low1_1, _high1_1, _low2_1, _high2_1, _ceiling_1, _latest_1, _lost_1 = ring_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
         _share_1, _arrival_1, _certain_1 = beginning()
         _position_level_1, _velocity_level_1, _excess_1 = allowance(_share_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1)
         _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1)
