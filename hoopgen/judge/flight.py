@@ -85,7 +85,7 @@ def _follow(
     flown: Flown,
 ) -> None:
     """Add event after event."""
-    last = _left(formulas, flown.state, values, leaving)
+    last = left_by(formulas, flown.state, values, leaving)
     own = formulas.passage
     sizes = None if own is None else own(values)
     through = 1 if sizes is None else passage.at_start(sizes, flown.state, leaving)
@@ -120,7 +120,7 @@ def _follow(
             return
 
 
-def _left(formulas: Formulas, state: list[arb], values: list[arb], leaving: int) -> int:
+def left_by(formulas: Formulas, state: list[arb], values: list[arb], leaving: int) -> int:
     """Return what the ball leaves: of a surface of several parts, the nearest in its bounds."""
     own = [k for k, surface in enumerate(formulas.surfaces) if surface.face == leaving]
     within = [
@@ -309,6 +309,10 @@ def _first(
 
     What lies out of bounds is passed, and so is the way out behind it.
     """
+    while coefficients and coefficients[-1].is_zero():  # of a ball that moves along it
+        coefficients = coefficients[:-1]
+    if len(coefficients) < 2:
+        return None
     end = latest if latest.is_finite() else root_bound(coefficients)
     if end is None:
         return possible_from(arb(0))
