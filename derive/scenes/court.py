@@ -150,7 +150,9 @@ def _court() -> Scene:
         passage=Passage(ring_radius, by_name["end_depth"]),
         axes=HOOP.axes,
         remarks="Board and bridge are plates with all their sides; the bridge's top is as high as "
-        "the ring's, and it ends above the wire's centre circle.",
+        "the ring's, and it ends above the wire's centre circle. How deep the bridge is, is a guess; "
+        "of the presets so are restitutions, frictions and the tangential restitution, where they "
+        "are not the article's.",
     )
 
 
