@@ -15,7 +15,7 @@ import numpy as np
 
 from hoopgen.generated.numpy import court
 
-from .engine import native, trust
+from .engine import trust
 from .engines import EACH, Engine, hoop_releases, installed_library, printed
 from .parameters import FIBA, NBA, Parameters
 

@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 from court_shots import KINDS, all_kinds, thrown
 from hoopgen.derive.scenes import COURT as DERIVED
+from hoopgen.generated.numpy import court as kernels
 from numpy.typing import NDArray
 
 import hoopgen
 from hoopgen import COURT, FIBA_COURT, NBA_COURT, PAPER_COURT
-from hoopgen.generated.numpy import court as kernels
 from hoopgen.judge.audit import deepest
 
 Floats = NDArray[np.float64]

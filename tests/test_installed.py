@@ -38,9 +38,8 @@ def checkout(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Sources with no compiled library and no installation that knows of them."""
     root = tmp_path_factory.mktemp("checkout")
     for room in ROOMS:
-        shutil.copytree(
-            ROOT / room, root / room, ignore=shutil.ignore_patterns("__pycache__", "_hoop.*", "_court.*")
-        )
+        ignored = shutil.ignore_patterns("__pycache__", "_hoop.*", "_court.*")
+        shutil.copytree(ROOT / room, root / room, ignore=ignored)
     shutil.copy(ROOT / "pyproject.toml", root)
     return root
 

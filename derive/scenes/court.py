@@ -1,5 +1,4 @@
-"""The hoop as it stands in a gym: board and bridge are plates with all their sides, and each body
-has a restitution and a friction of its own.
+"""The hoop as it stands in a gym: board and bridge are plates, and each body has a law of its own.
 
 Bodies touch one another, as they do there: the bridge stands on the board's front, and its other
 end meets the ring's wire in a narrow lens. A ball cannot get between them.
@@ -150,9 +149,9 @@ def _court() -> Scene:
         passage=Passage(ring_radius, by_name["end_depth"]),
         axes=HOOP.axes,
         remarks="Board and bridge are plates with all their sides; the bridge's top is as high as "
-        "the ring's, and it ends above the wire's centre circle. How deep the bridge is, is a guess; "
-        "of the presets so are restitutions, frictions and the tangential restitution, where they "
-        "are not the article's.",
+        "the ring's, and it ends above the wire's centre circle. Its depth is a guess; so are "
+        "restitutions, frictions and the tangential restitution of the presets, where they are not "
+        "the article's.",
     )
 
 

@@ -57,6 +57,11 @@ class Passage:
     radius: sp.Expr
     depth: sp.Expr
 
+    @property
+    def sizes(self) -> tuple[sp.Expr, sp.Expr]:
+        """Both."""
+        return self.radius, self.depth
+
 
 def passed(before: sp.Expr, rises: sp.Basic, falls: sp.Basic) -> sp.Expr:
     """Return what `through` becomes where the ball rises through the disc, falls, or both."""

@@ -304,7 +304,7 @@ def formulas(scene: Scene = HOOP) -> Formulas:
         scene.outcomes,
         tuple(sorted(range(len(surfaces)), key=lambda k: surfaces[k].axis < 0)),
         compiled([e for vector in there for e in vector], state, parameters, (t,)),
-        passage and compiled([passage.radius, passage.depth, scene.gravity], parameters),
+        None if passage is None else compiled([*passage.sizes, scene.gravity], parameters),
         compiled(scene.requirements, parameters),
         tuple(p.name for p in scene.parameters),
         tuple(p.sign for p in scene.parameters),

@@ -13,6 +13,9 @@ from .roots import sign
 Sizes = Sequence[arb]
 """Radius and depth of the passage, and gravity."""
 
+Passing = tuple[bool | None, arb]
+"""Whether the plane is passed upwards, None if it may be passed either way; and when."""
+
 
 def at_start(sizes: Sizes, state: Sequence[arb], leaving: int) -> int | None:
     """Return what a ball starts as, None if that is not certain; `leaving` as of `fly`."""
@@ -34,9 +37,10 @@ def after(
     Nothing is asked of a ball that surely is outside the disc where it may pass its plane.
     """
     radius, _, gravity = sizes
-    passings = _passings(gravity, start, end, time)
-    for passing in passings:
-        upwards, when = passing
+    for place in (start, end):
+        if _above(place[2]) is None and _within(place[0], place[1], radius) is not False:
+            return None
+    for upwards, when in _passings(gravity, start, end, time):
         within = _within(start[0] + start[3] * when, start[1] + start[4] * when, radius)
         if within is False:
             continue
@@ -49,16 +53,13 @@ def after(
     return through
 
 
-def _passings(
-    gravity: arb, start: Sequence[arb], end: Sequence[arb], time: arb
-) -> list[tuple[bool | None, arb]]:
-    """Return whether and when the plane is passed upwards; None: it may be passed around then.
+def _passings(gravity: arb, start: Sequence[arb], end: Sequence[arb], time: arb) -> list[Passing]:
+    """Return the passings of a flight, in order.
 
-    On the plane itself is above it.
+    On the plane itself is above it. What may be on either side is taken to be: a passing there is
+    outside the disc.
     """
-    before, behind = _above(start[2]), _above(end[2])
-    if before is None or behind is None:
-        return [(None, arb(0))] * (before is None) + [(None, time)] * (behind is None)
+    before, behind = _above(start[2]) is not False, _above(end[2]) is not False
     up = start[5]
     squared = up * up + 2 * gravity * start[2]
     if before and behind:
@@ -71,7 +72,8 @@ def _passings(
             reach = (abs(squared).upper().sqrt() / gravity).upper()
             return [(None, apex + arb(0, reach))]
     root = squared.sqrt()
-    rising, falling = (True, (up - root) / gravity), (False, (up + root) / gravity)
+    rising: Passing = (True, (up - root) / gravity)
+    falling: Passing = (False, (up + root) / gravity)
     return [rising] * (not before) + [falling] * (not behind)
 
 
