@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from court_shots import KINDS, all_kinds, thrown
+from hoopgen.derive.ground.choice import release
 from hoopgen.derive.scenes import COURT as DERIVED
 from hoopgen.generated.numpy import court as kernels
 from numpy.typing import NDArray
@@ -18,6 +19,7 @@ from numpy.typing import NDArray
 import hoopgen
 from hoopgen import COURT, FIBA_COURT, NBA_COURT, PAPER_COURT
 from hoopgen.judge.audit import deepest
+from hoopgen.scene.seen import Seen
 
 Floats = NDArray[np.float64]
 Outcome = COURT.outcomes
@@ -461,3 +463,32 @@ def test_shots_that_touch_what_both_have_go_the_same_way() -> None:
     assert np.array_equal(hoop.counts[same], whole.counts[same])
     apart = np.abs(hoop.state - whole.state).reshape(-1, 3, 3).max(axis=2)
     assert (apart <= hoop.state_error + whole.state_error)[same].all()
+
+
+# -- Seen
+
+
+def test_what_is_drawn_is_as_large_as_what_is_flown_against() -> None:
+    seen = Seen.of(COURT, FIBA_COURT)
+    ring, *boxes = seen.bodies(seen.room(np.full(3, -1.0), np.full(3, 1.0)))
+    symbols = {p.symbol: FIBA_COURT[p.name] for p in DERIVED.parameters}
+    for shown, body in zip(boxes, DERIVED.bodies[BOARD:], strict=True):
+        corners = shown.mesh.corners[..., :3].reshape(-1, 3)
+        (box,) = body.faces
+        for corner, found in ((box.low, corners.min(axis=0)), (box.high, corners.max(axis=0))):
+            wanted = [float(release(c).xreplace(symbols)) for c in corner]
+            np.testing.assert_allclose(found, wanted, rtol=0, atol=4 * EPS)
+    # Its mesh has corners on the wire.
+    widest = FIBA_COURT["ring_radius"] + FIBA_COURT["wire_radius"]
+    assert np.abs(ring.mesh.corners[..., :2]).max() == pytest.approx(widest, rel=4 * EPS, abs=0.0)
+
+
+def test_shots_have_pictures_and_pages(tmp_path: Any) -> None:
+    pytest.importorskip("matplotlib")
+    states = hoopgen.release(np.linspace(7.0, 7.4, 5), 0.89, height=2.13, distance=4.19)
+    shots = flown(states, NBA_COURT, record=True)
+    assert shots.plot().figure.axes
+    assert shots.trajectory(0).plot().figure.axes
+    page = tmp_path / "court.html"
+    hoopgen.view(shots, path=page)
+    assert page.stat().st_size > 10_000

@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-import sympy as sp
 from flint import arb, ctx
+from hoopgen.derive.ground.symbols import POSITION, VELOCITY
 from hoopgen.derive.scenes import COURT, HOOP
 from hoopgen.derive.scenes.ends import End
 from hoopgen.derive.scenes.passage import FALLEN, NEITHER, RISEN, passage_kernels
@@ -173,8 +173,9 @@ def test_what_cannot_be_passed_is_refused() -> None:
         replace(COURT, ends=(bare, COURT.ends[1]))
     sideways = replace(HOOP, gravity_axis=(1, 0, 0)).flight
     assert COURT.passage is not None
+    order = (*POSITION, *VELOCITY, *COURT.symbols)
     with pytest.raises(ValueError, match=r"free fall is down, along -z"):
-        passage_kernels(COURT.passage, sideways, sp.symbols("a b"))
+        passage_kernels(COURT.passage, sideways, order)
 
 
 def test_the_apex_on_the_plane_is_between_one_rounding_and_the_next() -> None:
