@@ -410,6 +410,42 @@ def test_what_is_not_marked_is_as_the_judge_proves_it(kind: str, preset: str) ->
     )  # errors grow from contact to contact
 
 
+def of_each(count: int, seed: int) -> dict[str, Floats]:
+    """Return sizes and laws for shots, each its own; with infinities, zeros and thin plates."""
+    rng = np.random.Generator(np.random.PCG64(seed))
+    own = {name: np.full(count, float(value)) for name, value in PAPER_COURT.items()}
+    among: dict[str, list[float]] = {
+        **{f"{body}_restitution": [0.3, 0.7, 0.9, 1.0] for body in COURT.surfaces},
+        **{f"{body}_friction": [0.0, 1e-9, 0.3, 0.8, 1e6, math.inf] for body in COURT.surfaces},
+        "tangential_restitution": [-1.0, -0.3, 0.0, 0.15, 1.0],
+        "restitution_speed": [1.0, 40.0, math.inf],
+        "ball_radius": [0.05, 0.12128, 0.2],
+        "board_thickness": [1e-4, 0.0127, 1.0],
+        "board_bottom": [-0.6, -0.14, 0.1],
+        "bridge_half_width": [1e-3, 0.0762, 0.9],
+        "bridge_depth": [1e-3, 0.12, 0.5],
+        "end_depth": [1e-3, 0.024, 0.3],
+        "gravity": [1.6, 9.81, 30.0],
+    }
+    return own | {name: rng.choice(values, count) for name, values in among.items()}
+
+
+def test_with_sizes_and_laws_of_each_shot_engines_and_judge_agree() -> None:
+    states = all_kinds(25, seed=7)
+    own = of_each(len(states), seed=8)
+    options: dict[str, Any] = {"record": True, "max_contacts": 10, "fields": every_field()}
+    c, numpy = (flown(states, own, backend=b, **options) for b in BACKENDS)
+    for name in every_field():
+        assert getattr(c, name).tobytes() == getattr(numpy, name).tobytes(), name
+    assert c.events.tobytes() == numpy.events.tobytes()
+    proof = hoopgen.certify(states, own, scene=COURT, max_contacts=10)
+    assert proof.agrees(c).all()
+    known = proof.decided & ~c.uncertain & (c.outcome != INVALID)
+    assert known.mean() > 0.6
+    apart = np.abs(c.state - proof.state).reshape(-1, 3, 3).max(axis=2)
+    assert (apart <= c.state_error)[known].all()
+
+
 def test_the_impact_is_that_of_its_check_values() -> None:
     """In more digits, from momentum, angular momentum and Coulomb's law."""
     given = dict(
