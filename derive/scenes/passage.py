@@ -129,7 +129,8 @@ def _astray(passage: Passage, flight: Parabola) -> dict[str, sp.Basic]:
     With e a bound on the error of z throughout the flight, a true passing is where |z| <= e: within
     sqrt(8 e / g) of the computed one, the difference of the roots of D and of any D' within 2 g e.
     Whether there is one is in doubt where the ball is so near the plane at an end of the flight, or
-    at an apex with |D| <= 4 g e; not if it surely is outside the disc then.
+    at an apex with |D| <= 4 g e; not if it surely is outside the disc then. What the time of a
+    contact is off by is part of the position's error at the start of the next flight.
     """
     flown, gravity = _flown(flight), flight.strength
     there, moving = flight.rounding(t)
