@@ -50,7 +50,7 @@ validate: $(VENV)/with-study ## results beside those of the literature
 clean: ## remove all that these targets made, .venv too
 	rm -rf $(VENV) build dist hoopgen.egg-info paper-figures attack-findings
 	rm -rf .bench .hypothesis .mypy_cache .pytest_cache .ruff_cache
-	rm -f hoopgen/engine/_hoop.*.so hoopgen/engine/_hoop.*.pyd
+	rm -f hoopgen/engine/_*.so hoopgen/engine/_*.pyd
 	find benchmarks derive generated hoopgen templates tests -name __pycache__ -prune -exec rm -rf {} +
 
 $(BIN)/python:

@@ -8,20 +8,27 @@ from setuptools import Extension, find_namespace_packages, setup
 from setuptools.command.build_ext import build_ext
 
 BUILD = run_path("hoopgen/engine/sources.py")
+SOURCES = Path("generated/c")
+SCENES = sorted(file.stem for file in SOURCES.glob("*.c"))
 ROOMS = ("derive", "templates", "generated")
 
 MSVC_FLAGS = ["/O2", "/std:c11", "/fp:precise"]
 
 
 class BuildPlainLibrary(build_ext):
-    """Build a shared library that ctypes loads: no PyInit, no libpython."""
+    """Build shared libraries that ctypes loads: no PyInit, no libpython."""
+
+    def finalize_options(self) -> None:
+        super().finalize_options()
+        self.parallel = self.parallel or True  # as many compilers as there are processors
 
     def build_extension(self, ext: Extension) -> None:
         msvc = self.compiler.compiler_type == "msvc"
         ext.extra_compile_args = MSVC_FLAGS if msvc else BUILD["FLAGS"]
         # Linking with fast-math makes subnormals zero in every process that loads the library.
         ext.extra_link_args = [] if msvc else BUILD["FLAGS"]
-        ext.define_macros = [("HOOP_SOURCES", BUILD["word"](Path("generated/c")))]
+        scene = Path(ext.sources[0]).stem
+        ext.define_macros = [(f"{scene.upper()}_SOURCES", BUILD["word"](SOURCES, scene))]
         super().build_extension(ext)
 
     def copy_extensions_to_source(self) -> None:
@@ -48,15 +55,16 @@ setup(
     package_dir={f"hoopgen.{room}": room for room in ROOMS},
     ext_modules=[
         Extension(
-            "hoopgen.engine._hoop",
-            sources=["generated/c/hoop.c"],
+            f"hoopgen.engine._{scene}",
+            sources=[f"generated/c/{scene}.c"],
             depends=[
                 "setup.py",
                 "hoopgen/engine/sources.py",
-                *sorted(map(str, Path("generated/c").glob("*.h"))),
+                *sorted(map(str, SOURCES.glob(f"{scene}*.h"))),
             ],
             optional=True,  # without a compiler NumPy serves
         )
+        for scene in SCENES
     ],
     cmdclass={"build_ext": BuildPlainLibrary},
 )

@@ -9,7 +9,7 @@ from typing import Any
 import hoopgen
 from benchmarks.peers import PEERS
 from benchmarks.workloads import States
-from hoopgen import PAPER
+from hoopgen import COURT, HOOP, PAPER, PAPER_COURT
 
 CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 RESULTS = ("outcome", "contacts", "time")
@@ -45,6 +45,21 @@ def contenders() -> tuple[Contender, ...]:
         _ours("c_many_all", f"hoopgen C, {many}, all fields", most, backend="c", threads=CORES),
         _ours("c_one_all", "hoopgen C, 1 thread, all fields", most, backend="c", threads=1),
         _ours("numpy", "hoopgen NumPy", block, backend="numpy", fields=RESULTS),
+        # The same shots about the whole hoop, given up after as many contacts.
+        Contender(
+            "court",
+            "hoopgen C, 1 thread, the scene `COURT`",
+            "hoopgen",
+            partial(
+                hoopgen.simulate,
+                parameters=PAPER_COURT,
+                scene=COURT,
+                max_contacts=HOOP.max_contacts,
+                threads=1,
+                **three,
+            ),
+            most,
+        ),
     )
     peers = tuple(
         Contender(

@@ -82,7 +82,7 @@ def _speed(results: Results) -> list[str]:
     ratios = [
         [one.label, *(_ratio(ours[w.key].over(rates[w.key][one.key])) for w in WORKLOADS)]
         for one in contenders()
-        if one.family != "hoopgen" or one.key == "numpy"
+        if one.family != "hoopgen" or one.key in ("numpy", "court")
     ]
     pairs = [("c_many", "c_one", "three results"), ("c_many_all", "c_one_all", "all fields")]
     threads = [

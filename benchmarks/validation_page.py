@@ -90,6 +90,7 @@ def page(results: Results) -> str:
         *_line(results),
         *_bank(results),
         *_scatter(results),
+        *results.court,
         *_left_out(),
         "## Sources",
         "",
@@ -402,6 +403,8 @@ def _rows(curve: Curve, said: Callable[[float], str]) -> list[list[str]]:
 def _left_out() -> list[str]:
     return [
         "## Where the model differs from the court",
+        "",
+        "That of `HOOP`, the article's, of which most of this page is:",
         "",
         "- **One restitution**, whatever is hit and however fast. That of the rim differs from "
         "that of the board, and from hoop to hoop; the tables above say how much it moves.",

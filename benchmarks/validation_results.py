@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
 import hoopgen
+from benchmarks.validation_court import section
 from hoopgen import FIBA, NBA, PAPER, Outcome, Scatter
 from hoopgen.releases import RING_HEIGHT
 from hoopgen.study.bank import Crossing, bank_or_direct, crossing
@@ -350,6 +351,8 @@ class Results:
     by_angle: Curve
     shots: int
     bank_shots: int
+    court: Sequence[str]
+    """Lines of the section on the whole hoop."""
 
 
 def everything(shots: int, bank_shots: int, distances: Sequence[float]) -> Results:
@@ -364,6 +367,8 @@ def everything(shots: int, bank_shots: int, distances: Sequence[float]) -> Resul
     straighter = banks(distances[-2:], bank_shots, sd=STRAIGHTER)
     print("scatter")
     release = rounded(line.best)
+    print("the whole hoop")
+    court = section(shots)
     return Results(
         checks,
         entries,
@@ -375,4 +380,5 @@ def everything(shots: int, bank_shots: int, distances: Sequence[float]) -> Resul
         success(release, "elevation", [sd * DEGREE for sd in ANGLE_SDS], shots),
         shots,
         bank_shots,
+        court,
     )

@@ -33,6 +33,7 @@ from .ground.symbols import (
 from .scenes import validity
 from .scenes.check import check
 from .scenes.names import check_kernels
+from .scenes.passage import passage_kernels
 from .scenes.scene import Scene
 from .search import events, search
 from .search.search import Formula, Search
@@ -319,6 +320,8 @@ def build(scene: Scene) -> Model:
     check(scene)
     order = _order(scene)
     common = {k.name: k for k in _common(scene, order)}
+    if scene.passage is not None:
+        common |= passage_kernels(scene.passage, scene.flight, order)
     choices = decisions.kernels(scene.faces, scene.outcomes, len(scene.gates))
     laws = {law: _law_kernels(law, scene, order) for law in scene.laws}
     if scene.rolls:
@@ -340,7 +343,7 @@ def build(scene: Scene) -> Model:
         common | choices,
         contacts,
         ends,
-        fields(names, scene.rolls),
+        fields(names, scene.rolls, scene.passage is not None),
         [variable(symbol) for symbol in scene.symbols],
     )
     study = tuple(study_kernels(scene, order))

@@ -17,6 +17,7 @@ if find_spec(f"{__name__}.generated") is None:
     __path__.append(str(Path(__file__).resolve().parent.parent))
 
 if TYPE_CHECKING:
+    from .court import COURT, FIBA_COURT, NBA_COURT, PAPER_COURT
     from .engines import HOOP
     from .parameters import FIBA, NBA, PAPER
     from .releases import release
@@ -32,6 +33,10 @@ __all__ = [
     "PAPER",
     "NBA",
     "FIBA",
+    "COURT",
+    "PAPER_COURT",
+    "NBA_COURT",
+    "FIBA_COURT",
     "Outcome",
     "SURFACES",
     "Shots",
@@ -45,6 +50,10 @@ _LATER = {
     "Scene": "scene",
     "load_scene": "scene",
     "HOOP": "engines",
+    "COURT": "court",
+    "PAPER_COURT": "court",
+    "NBA_COURT": "court",
+    "FIBA_COURT": "court",
     "release": "releases",
     "PAPER": "parameters",
     "NBA": "parameters",

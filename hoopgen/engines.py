@@ -1,4 +1,4 @@
-"""A scene that is ready to be simulated, whichever it is; and the one that comes so: the hoop."""
+"""A scene that is ready to be simulated, whichever it is; and one that comes so: the hoop."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from .parameters import Parameters, Table, Written
 if TYPE_CHECKING:
     from .derive.scenes.scene import Scene
 
-__all__ = ["HOOP", "Engine", "hoop_library", "hoop_shots"]
+__all__ = ["HOOP", "Engine", "hoop_library", "hoop_shots", "installed_library", "printed"]
 
 
 class Engine:
@@ -183,11 +183,16 @@ _KINDS = (
 )
 
 
-def hoop_shots() -> list[trust.Batch]:
-    """Return the shots with which the hoop's C is compared."""
+def hoop_releases() -> NDArray[np.float64]:
+    """Return releases that meet all that a hoop has, (n, 9)."""
     apart = trust.spread(EACH, len(hoop.STATE))
     kinds = [np.asarray(centre) + np.asarray(width) * apart for centre, width in _KINDS]
-    return trust.batches(hoop, np.concatenate(kinds))
+    return np.concatenate(kinds)
+
+
+def hoop_shots() -> list[trust.Batch]:
+    """Return the shots with which the hoop's C is compared."""
+    return trust.batches(hoop, hoop_releases())
 
 
 def hoop_library(path: Path | None = None) -> native.Library | native.Refused:
@@ -203,15 +208,31 @@ def hoop_library(path: Path | None = None) -> native.Library | native.Refused:
     RuntimeError
         If this thread does not compute doubles as IEEE 754 says, so that nothing can be compared.
     """
+    return installed_library(hoop, hoop_shots(), path)
+
+
+def installed_library(
+    kernels: ModuleType, shots: list[trust.Batch], path: Path | None = None
+) -> native.Library | native.Refused:
+    """Return the C engine of a scene that came with hoopgen; all else as of `hoop_library`.
+
+    Parameters
+    ----------
+    kernels
+        Its generated NumPy module.
+    shots
+        With which the two are compared.
+    """
     suffix = importlib.machinery.EXTENSION_SUFFIXES[0]
-    installed = Path(native.__file__).with_name("_hoop" + suffix)
-    folder = Path(hoop.__file__).parents[1] / "c"
-    return native.checked(path or installed, hoop, folder, hoop_shots())
+    installed = Path(native.__file__).with_name(f"_{kernels.SCENE}{suffix}")
+    folder = Path(str(kernels.__file__)).parents[1] / "c"
+    return native.checked(path or installed, kernels, folder, shots)
 
 
-def _hoop_sources() -> dict[str, str]:
-    root = Path(hoop.__file__).parents[1]
-    files = (*sorted((root / "c").glob("hoop*.[ch]")), root / "numpy" / "hoop.py")
+def printed(kernels: ModuleType) -> dict[str, str]:
+    """Return the generated files of a scene that came with hoopgen."""
+    root, scene = Path(str(kernels.__file__)).parents[1], kernels.SCENE
+    files = (*sorted((root / "c").glob(f"{scene}*.[ch]")), root / "numpy" / f"{scene}.py")
     return {f.relative_to(root).as_posix(): f.read_text(encoding="utf-8") for f in files}
 
 
@@ -228,7 +249,7 @@ def _hoop() -> Engine:
 HOOP = Engine(
     hoop,
     find=hoop_library,
-    sources=_hoop_sources,
+    sources=lambda: printed(hoop),
     scene=_hoop_scene,
     max_contacts=40,
     time_limit=math.inf,

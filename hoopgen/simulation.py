@@ -133,9 +133,11 @@ def simulate(
         masked count as NaN.
     parameters
         Name to value, one for all shots or (n,); those left out have the scene's usual values. For
-        the hoop `PAPER`, its usual ones, `NBA` and `FIBA`; they merge with ``|``.
+        the hoop `PAPER`, its usual ones, `NBA` and `FIBA`; for `COURT` `PAPER_COURT`, `NBA_COURT`
+        and `FIBA_COURT`. They merge with ``|``.
     scene
-        None for `HOOP`, the article's; or what `compile` takes or has returned.
+        None for `HOOP`, the article's; `COURT`, the whole hoop with friction; or what `compile`
+        takes or has returned.
     max_contacts
         A shot with so many contacts ends as capped; at least 1. None: 40 in the hoop, as in the
         article, elsewhere 1000.

@@ -123,6 +123,7 @@ def try_flags(
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         few = f"-DHOOP_WIDEST={widest}" if widest < 16 else ""
+        few += " -DCOURT_WIDEST=1"  # setup.py builds it too, and nobody looks at it here
         if ours:
             library, said = _set_up(compiler, f"{few} {flags}", link, folder)
         else:
@@ -149,7 +150,7 @@ def _by_hand(
     compiler: str, flags: str, link: str, source: Path, folder: Path
 ) -> tuple[Path | None, str]:
     library, object_file = folder / "_hoop.so", str(folder / "hoop.o")
-    word = sources.word(ROOT / "generated" / "c")
+    word = sources.word(ROOT / "generated" / "c", "hoop")
     options = shlex.split(f"-O3 -fPIC -DHOOP_SOURCES={word} {flags}")
     said = _run([compiler, *options, "-c", str(source), "-o", object_file])
     if Path(object_file).exists():

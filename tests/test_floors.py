@@ -23,6 +23,7 @@ FLOORS = (
     {"parameters", "releases"},
     # What simulates a scene, and how one becomes that.
     {"engines"},
+    {"court"},
     {"scene"},
     # In which words it is said.
     {"variables"},

@@ -38,9 +38,8 @@ def checkout(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Sources with no compiled library and no installation that knows of them."""
     root = tmp_path_factory.mktemp("checkout")
     for room in ROOMS:
-        shutil.copytree(
-            ROOT / room, root / room, ignore=shutil.ignore_patterns("__pycache__", "_hoop.*")
-        )
+        ignored = shutil.ignore_patterns("__pycache__", "_hoop.*", "_court.*")
+        shutil.copytree(ROOT / room, root / room, ignore=ignored)
     shutil.copy(ROOT / "pyproject.toml", root)
     return root
 
@@ -89,6 +88,7 @@ def test_tab_completion_shows_the_interface_and_nothing_else() -> None:
         *("PAPER", "NBA", "FIBA", "Scatter", "Resample", "Grid", "estimate", "compare", "map"),
         *("optimum", "margins", "bank_or_direct", "aim", "measure", "batch", "run_study"),
         *("view", "plots", "HOOP", "Scene", "compile", "load_scene", "scene"),
+        *("COURT", "PAPER_COURT", "NBA_COURT", "FIBA_COURT"),
     }
     assert {"__version__", "__doc__", "__path__"} <= set(dir(hoopgen))
 

@@ -110,11 +110,12 @@ def test_wheel_without_compiler_is_the_same_less_the_library(
 
 
 @pytest.mark.skipif(shutil.which(COMPILER) is None, reason="no C compiler")
-def test_wheel_with_compiler_holds_one_library_for_ctypes(installed: Path) -> None:
-    (library,) = libraries(installed)
-    assert library.parent == installed / "hoopgen" / "engine"
-    assert library.name.startswith("_hoop.")
-    assert not hasattr(ctypes.CDLL(str(library)), "PyInit__hoop")
+def test_wheel_with_compiler_holds_a_library_of_each_scene_for_ctypes(installed: Path) -> None:
+    court, hoop = sorted(libraries(installed))
+    for library, name in ((court, "_court"), (hoop, "_hoop")):
+        assert library.parent == installed / "hoopgen" / "engine"
+        assert library.name.startswith(f"{name}.")
+        assert not hasattr(ctypes.CDLL(str(library)), f"PyInit_{name}")
 
 
 def test_without_the_library_numpy_serves_and_one_line_says_so(

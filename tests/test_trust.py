@@ -407,13 +407,15 @@ def test_a_library_that_differs_from_numpy_is_not_used_and_one_line_says_so(pack
     assert line.startswith("hoopgen: the C engine does not give NumPy's results (width 1: time, ")
 
 
-def test_the_word_for_sources_is_of_their_names_and_bytes(tmp_path: Path) -> None:
-    assert sources.word(tmp_path) == ""
+def test_the_word_for_sources_is_of_a_scenes_names_and_bytes(tmp_path: Path) -> None:
+    assert sources.word(tmp_path, "a") == ""
     (tmp_path / "a.c").write_bytes(b"int a;")
     (tmp_path / "notes.txt").write_bytes(b"not a source")
-    first = sources.word(tmp_path)
+    first = sources.word(tmp_path, "a")
     assert first.isidentifier()
+    (tmp_path / "b.c").write_bytes(b"int b;")
+    assert sources.word(tmp_path, "a") == first
     (tmp_path / "a.c").write_bytes(b"int b;")
-    second = sources.word(tmp_path)
-    (tmp_path / "a.c").rename(tmp_path / "b.c")
-    assert len({first, second, sources.word(tmp_path)}) == 3
+    second = sources.word(tmp_path, "a")
+    (tmp_path / "a.c").rename(tmp_path / "a.h")
+    assert len({first, second, sources.word(tmp_path, "a")}) == 3

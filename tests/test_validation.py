@@ -17,7 +17,7 @@ for needed in ("matplotlib", "pyarrow", "scipy", "xarray"):
     pytest.importorskip(needed)
 
 import hoopgen  # noqa: E402
-from benchmarks import validation_page  # noqa: E402
+from benchmarks import validation_court, validation_page  # noqa: E402
 from benchmarks import validation_results as validation  # noqa: E402
 from hoopgen.plots import save  # noqa: E402
 from hoopgen.study.board import on_board  # noqa: E402
@@ -70,6 +70,17 @@ def _axis(restitution: float) -> float:
         restitution, rel=8 * EPS, abs=0.0
     )
     return validation.axis_behind(restitution)
+
+
+@pytest.mark.parametrize("kind", validation_court.KINDS)
+def test_every_shot_that_changes_on_the_whole_hoop_has_a_reason(kind: str) -> None:
+    found = validation_court.changes(validation_court.KINDS[kind](4000))
+    assert 0 < found.changed == sum(found.reasons.values()) < found.shots
+
+
+def test_the_whole_hoops_table_on_file_is_of_these_sources() -> None:
+    text = (ROOT / "docs" / "validation.md").read_text(encoding="utf-8")
+    assert "\n".join(validation_court.section()) in text
 
 
 def test_the_page_on_file_is_of_these_sources() -> None:

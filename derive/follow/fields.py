@@ -79,8 +79,8 @@ CLAIMS = ("position_claim", "velocity_claim", "spin_claim", "time_claim")
 """Bounds on the errors of a shot that has ended."""
 
 
-def fields(bodies: Sequence[str], rolls: bool = False) -> tuple[Field, ...]:
-    """Return the fields of a shot among bodies, on which it may stay."""
+def fields(bodies: Sequence[str], rolls: bool = False, passage: bool = False) -> tuple[Field, ...]:
+    """Return the fields of a shot among bodies, which it may stay on, or pass a ring's disc."""
     kept = (
         Field("held", NONE, "surface that it stays in contact with, -1: none"),
         Field("mode", 0.0, "0: in flight; 1, 2, 3: contact begins, goes on, ends"),
@@ -90,6 +90,7 @@ def fields(bodies: Sequence[str], rolls: bool = False) -> tuple[Field, ...]:
     errors = (Field(s.name, 0.0, f"carried error of {s.name[1:]}", True) for s in ERRORS)
     counts = (Field(f"count_{k}", 0.0, f"contacts with {name}") for k, name in enumerate(bodies))
     claims = (Field(name, 0.0, "bound on the error at the end", True) for name in CLAIMS)
+    through = Field("through", 0.0, "1: it has fallen through the ring, -1: it came up through it")
     return (
         *state,
         *errors,
@@ -100,6 +101,7 @@ def fields(bodies: Sequence[str], rolls: bool = False) -> tuple[Field, ...]:
         Field("contacts", 0.0, "how many contacts there were"),
         *counts,
         *(kept if rolls else ()),
+        *([through] if passage else []),
         Field("uncertain", 0.0, "1: a decision lies within its rounding-error bound", True),
         *claims,
         Field("outcome", IN_FLIGHT, "how it ended, -1: in flight"),

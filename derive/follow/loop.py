@@ -87,7 +87,10 @@ def event_loop(
         tuple(parameters),
         {
             "permit": (Do(common["allowed"]), Do(common["finite_parameters"])),
-            "admit": (Do(common["finite_state"]), Do(common["valid"]), Do(common["admitted"])),
+            "admit": (
+                *(Do(common["finite_state"]), Do(common["valid"]), Do(common["admitted"])),
+                *([Do(common["passing_start"])] if "passing" in common else []),
+            ),
             "reach": tuple(_reach(common, contacts, gates)),
             "meet": tuple(_meet(common, contacts, gates)),
         },
@@ -115,7 +118,8 @@ def _reach(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact])
         yield Guard("kept", tuple(staying.in_contact(common, contacts, gates)), rare=True)
     yield Do(common["departed"], {"index": len(contacts)})
     yield Do(common["body_of"])
-    yield Guard("moves", (Do(common["flight"], {"t": "when"}), Do(common["ticked"])))
+    flown = (Do(common["flight"], {"t": "when"}), Do(common["ticked"]))
+    yield Guard("moves", (*_passing(common), *flown))
     yield Guard("limited", (Do(common["expired"], {"index": time}),), rare=True)
     if "kept" in common:
         yield Do(common["unhopped"])
@@ -126,6 +130,14 @@ def _reach(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact])
         yield from _on(common, gate, *(Do(kernel) for kernel in kernels if kernel is not None))
     yield Do(common["doubted_in_contact" if "kept" in common else "doubted"])
     yield Do(common["accounted"])
+
+
+def _passing(common: Parts) -> Iterator[Node]:
+    """Look whether the flight goes through the scene's passage, if it has one."""
+    if "passing" in common:
+        yield Do(common["passing_doubt"], {"t": "when"})
+        yield Do(common["undecided"])
+        yield Do(common["passing"], {"t": "when"})
 
 
 def _meet(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]) -> Iterator[Node]:

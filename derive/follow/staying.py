@@ -97,7 +97,11 @@ def _step(
     yield Do(common["beside_time"])
     yield Do(common["apart"])
     yield Do(common["neighbour"])
+    if "passing" in common:
+        yield Do(common["passing_from"])
     yield from _moved(common, holders, {})
+    if "passing" in common:
+        yield Do(common["passing_in_contact"])
     yield from _moved_beside(common, holders)
     yield Do(common["compared"])
     yield Do(common["rolled_on"])

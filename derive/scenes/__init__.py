@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from .court import COURT
 from .hoop import HOOP
 
-SCENES = (HOOP,)
+SCENES = (HOOP, COURT)
 
-__all__ = ["HOOP", "SCENES"]
+__all__ = ["COURT", "HOOP", "SCENES"]

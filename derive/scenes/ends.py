@@ -29,11 +29,14 @@ class End:
         Of ends on one plane (equal in direction and offset) the first is reached whose bounds hold.
     meaning
         What the outcome says, in one line; "": that the end was reached.
+    passed
+        Whether it is one only for a ball that has fallen through the scene's `passage`.
     """
 
     name: str
     plane: Plane
     meaning: str = ""
+    passed: bool = False
 
 
 def outcomes(ends: Sequence[End]) -> dict[str, int]:
@@ -60,6 +63,7 @@ def gates(ends: Sequence[End]) -> tuple[Gate, ...]:
             ends[own[0]].plane.reach,
             parts=tuple(ends[k].plane.bounds for k in own),
             outcomes=tuple(own),
+            passed=tuple(ends[k].passed for k in own),
         )
         for own in planes.values()
     )
@@ -74,10 +78,25 @@ def check_reached(scene: str, ends: Sequence[End]) -> None:
         Naming the scene and both ends.
     """
     for gate in gates(ends):
-        whole = [k for k, part in zip(gate.outcomes, gate.parts, strict=True) if not part]
+        parts = zip(gate.outcomes, gate.parts, gate.passed, strict=True)
+        whole = [k for k, part, passed in parts if not part and not passed]
         if whole and whole[0] != gate.outcomes[-1]:
             after = next(k for k in gate.outcomes if k > whole[0])
             raise ValueError(
                 f"scene {scene}: end {ends[after].name!r}: comes after "
                 f"{ends[whole[0]].name!r}, which has no bounds and takes the whole plane"
             )
+
+
+def check_passed(scene: str, ends: Sequence[End], passage: bool) -> None:
+    """Refuse an end for balls that have passed what the scene does not have, or without bounds.
+
+    Raises
+    ------
+    ValueError
+        Naming the scene and the end.
+    """
+    for end in ends:
+        if end.passed and not (passage and end.plane.bounds):
+            missing = "bounds" if passage else "a passage of the scene"
+            raise ValueError(f"scene {scene}: end {end.name!r}: passed needs {missing}")

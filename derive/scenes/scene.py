@@ -13,7 +13,8 @@ from ..ground.choice import release
 from ..ground.symbols import ParameterSymbol
 from ..surfaces import Body, Gate, Surface
 from . import names
-from .ends import End, check_reached, gates, outcomes
+from .ends import End, check_passed, check_reached, gates, outcomes
+from .passage import Passage
 
 AXES = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
 """Where free fall can go."""
@@ -92,6 +93,8 @@ class Scene:
         The way free fall goes: along one axis, by default down.
     rolls
         Whether a ball whose bounces accumulate rolls on; no surface then has bounds.
+    passage
+        The ring that a ball must have fallen through for the ends that say so.
     """
 
     name: str
@@ -105,6 +108,7 @@ class Scene:
     remarks: str = ""
     gravity_axis: tuple[int, int, int] = (0, 0, -1)
     rolls: bool = False
+    passage: Passage | None = None
 
     def __post_init__(self) -> None:
         names.check(
@@ -116,6 +120,7 @@ class Scene:
             [law.name for law in self.laws],
         )
         check_reached(self.name, self.ends)
+        check_passed(self.name, self.ends, self.passage is not None)
         if self.gravity_axis not in AXES:
             raise ValueError(
                 f"scene {self.name}: gravity_axis: expected one of "

@@ -38,6 +38,8 @@ rate, bend, apex, height, margin, rate_margin = sp.symbols(
 )
 gap, step, following, root, clearance = sp.symbols("gap step next root clearance", real=True)
 side, candidate = sp.symbols("side candidate", real=True)
+through = sp.Symbol("through", real=True)
+"""1 for a ball that has fallen through the scene's passage, where it has one."""
 flat, tilt, arrival, t, end, refined = sp.symbols("flat tilt arrival t end refined", real=True)
 unsure, arrives, certain, hit, sure, vague, met, sunk = map(
     Truth, ("unsure", "arrives", "certain", "hit", "sure", "vague", "met", "sunk")

@@ -6,9 +6,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..ground.choice import Both, Choose, Either, Not, Nowhere
+from ..ground.choice import Both, Choose, Either, Equal, Not, Nowhere
 from ..ground.kernel import Kernel, decision
 from ..surfaces import Gate
+from .decisions import through
 from .plane import PlaneSearch
 from .search import Formula, inside, nearly, numbered, within
 
@@ -18,20 +19,25 @@ def reached(gate: Gate) -> sp.Basic:
 
     A crossing counts within the bounds of some end: within none of the others', the last's.
     """
-    *others, last = zip(numbered(gate.parts), gate.outcomes, strict=True)
-    found: sp.Basic = sp.Integer(last[1])
-    for bounds, outcome in reversed(others):
-        found = Choose(within(bounds), outcome, found)
+    *others, last = zip(numbered(gate.parts), gate.passed, gate.outcomes, strict=True)
+    found: sp.Basic = sp.Integer(last[2])
+    for bounds, passed, outcome in reversed(others):
+        found = Choose(_of_fallen(passed, within(bounds)), outcome, found)
     return found
+
+
+def _of_fallen(passed: bool, holds: sp.Basic) -> sp.Basic:
+    """Return where an end's bounds hold, and the ball is one that the end is for."""
+    return Both(holds, Equal(through, 1)) if passed else holds
 
 
 def edge(gate: Gate) -> sp.Basic:
     """Return where that is in doubt: an end's bounds may hold, and none's before it surely do."""
     found: sp.Basic = Nowhere()
-    for bounds in reversed(numbered(gate.parts)):
+    for bounds, passed in reversed(list(zip(numbered(gate.parts), gate.passed, strict=True))):
         if bounds:
-            unsure = Both(nearly(bounds), Not(inside(bounds)))
-            later = Both(Not(inside(bounds)), found)
+            unsure = _of_fallen(passed, Both(nearly(bounds), Not(inside(bounds))))
+            later = Both(Not(_of_fallen(passed, inside(bounds))), found)
             found = unsure if found == Nowhere() else Either(unsure, later)
     return found
 

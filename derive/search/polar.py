@@ -11,12 +11,13 @@ from dataclasses import dataclass
 import sympy as sp
 
 from ..flight.parabola import Parabola
-from ..ground.choice import hold, largest
-from ..ground.rounding import position_error, velocity_error
+from ..ground.choice import hold, largest, smallest
+from ..ground.rounding import extent, position_error, velocity_error
 from ..ground.symbols import POSITION, VELOCITY
 from ..surfaces import Ring
 from .approach import Approach
 from .events import horizon
+from .windows import left
 
 WIDER = 1 + sp.Rational(1, 2**14)
 """Windows are drawn for a ring this much thicker: contact cannot begin on their edges."""
@@ -100,5 +101,9 @@ class PolarApproach(Approach, ABC):
         """A hole hardly wider than the ball, or errors near to what the windows are widened by."""
         hole = hold(self.ring.ring_radius - hold(self.ring.reach, "R"))
         narrow = hold(sp.Rational(1, 2**12) * self.ring.ring_radius - hole)
-        moved = hold(position_error + velocity_error * horizon)
+        latest: sp.Expr = horizon
+        if self.ring.below:
+            far = hold(extent + 2 * self.ring.reach)
+            latest = hold(smallest(horizon, left(far, hold(1 / self.gravity))))
+        moved = hold(position_error + velocity_error * latest)
         return largest(narrow, hold(moved - sp.Rational(1, 2**16) * self.ring.reach))

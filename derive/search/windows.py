@@ -46,7 +46,7 @@ def lost(
     """Positive where what is not exact comes near to what the box is wider by.
 
     Errors grow for ever where nothing ends the flight, but count only while the true ball may be in
-    the box, until `_left` at the latest.
+    the box, until `left` at the latest.
     """
     known = [half for half in halves if half is not None]
     half, widest = smallest(*known), largest(*known)
@@ -55,13 +55,13 @@ def lost(
     per_g = hold(1 / smallest(*(sp.Abs(a) for a, _ in falls)))
     latest: sp.Expr = horizon
     if all(h is not None for _, h in falls):
-        latest = hold(smallest(horizon, _left(hold(far + half), per_g)))
+        latest = hold(smallest(horizon, left(hold(far + half), per_g)))
     moved = hold(position_error + velocity_error * latest)
     rounded = hold(far + speed**2 * per_g) * sp.Rational(1, 2**48)
     return hold(moved + rounded) - WIDER / 4 * half
 
 
-def _left(far: sp.Expr, per_g: sp.Expr) -> sp.Expr:
+def left(far: sp.Expr, per_g: sp.Expr) -> sp.Expr:
     """Return T = 2 v / g + sqrt(2 d / g): the ball has left the box for good, the true one too.
 
     Along an axis that the ball falls along let p be the computed place from the centre, |p| + h

@@ -20,10 +20,13 @@ class Gate(Plane):
         positive) is the one that is reached. An end without bounds takes the rest of the plane.
     outcomes
         The number of each end's outcome.
+    passed
+        Whether each end is one only for a ball that has fallen through the scene's passage.
     """
 
     parts: tuple[tuple[sp.Expr, ...], ...] = ()
     outcomes: tuple[int, ...] = ()
+    passed: tuple[bool, ...] = ()
 
     @property
     def sides(self) -> tuple[sp.Expr, ...]:

@@ -22,10 +22,14 @@ class Ring(Surface):
         R_H, radius of the wire's centre circle.
     reach
         R, radii of ball and wire together; less than R_H.
+    below
+        Whether balls are expected below it that fall for ever: then their errors count only as long
+        as they can be near. The article's come from above, and its kernels stay as they are.
     """
 
     ring_radius: sp.Expr
     reach: sp.Expr
+    below: bool = False
 
     @property
     def rho(self) -> sp.Expr:

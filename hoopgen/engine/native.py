@@ -188,7 +188,7 @@ def checked(
     if not arithmetic.exact():
         return Refused("makes subnormals zero in this process when it is loaded", _AGAIN)
     # Without the sources, as in a bundle, there is nothing that could be newer.
-    if sources.word(c_sources) not in ("", library.sources):
+    if sources.word(c_sources, kernels.SCENE) not in ("", library.sources):
         return Refused("was built from other sources than these", "`pip install -e .` again")
     differences = trust.trusted(path, library, kernels, shots)
     if differences:

@@ -30,15 +30,15 @@ FLAGS = [
 ]
 
 
-def word(folder: Path) -> str:
-    """Return a word for the names and bytes of the C files in a folder, "" if there are none.
+def word(folder: Path, scene: str) -> str:
+    """Return a word for the names and bytes of a scene's C files in a folder, "" without any.
 
     It is a C identifier: the compiler gets it as the value of a macro, whatever the shell.
     """
     import hashlib  # loads OpenSSL, which importing hoopgen need not
 
     digest = hashlib.sha256()
-    files = sorted(folder.glob("*.[ch]"))
+    files = sorted(folder.glob(f"{scene}*.[ch]"))
     for file in files:
         text = file.read_bytes()
         digest.update(f"{file.name} {len(text)}\n".encode() + text)

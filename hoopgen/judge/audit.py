@@ -9,7 +9,7 @@ from flint import arb, arb_poly, arb_series, ctx
 from hoopgen.derive.scenes import HOOP
 from hoopgen.derive.scenes.scene import Scene
 
-from .flight import arrival_at
+from .flight import arrival_at, left_by
 from .formulas import Formulas, SurfaceFormulas, formulas
 from .roots import positive_within
 
@@ -53,8 +53,9 @@ def deepest(
         start, values = [arb(c) for c in state], [arb(p) for p in parameters]
         own, end = formulas(scene), arb(duration)
         depths = [0.0] * len(own.solids)
+        left = left_by(own, start, values, leaving)  # of a box, the part that it leaves
         for k, surface in enumerate(own.surfaces[: own.faces]):
-            depth = _depth(own, k, start, end, values, surface.face == leaving)
+            depth = _depth(own, k, start, end, values, k == left)
             depths[surface.face] = max(depths[surface.face], depth)
         return tuple(depths)
 

@@ -14,8 +14,11 @@ from dataclasses import dataclass, field
 
 from flint import arb, arb_poly, ctx
 
+from hoopgen.derive.scenes.passage import FALLEN
+
+from . import passage
 from .formulas import Formulas, Function, SurfaceFormulas
-from .roots import Arrival, first_arrival, possible_from, root_bound, sign
+from .roots import Arrival, descent, first_arrival, possible_from, root_bound, sign
 
 _NEVER = arb.pos_inf()
 
@@ -67,8 +70,7 @@ def fly(
     try:
         if not _valid(formulas, now, values, leaving):
             return Flown(formulas.outcomes["invalid"], arb.nan(), [arb.nan()] * len(now))
-        left = _left(formulas, now, values, leaving)
-        _follow(formulas, values, max_contacts, left, time_limit, flown)
+        _follow(formulas, values, max_contacts, leaving, time_limit, flown)
     except Undecided as question:
         raise Undecided(question.args[0], flown) from None
     return flown
@@ -78,12 +80,18 @@ def _follow(
     formulas: Formulas,
     values: list[arb],
     max_contacts: int,
-    last: int,
+    leaving: int,
     time_limit: float,
     flown: Flown,
 ) -> None:
     """Add event after event."""
+    last = left_by(formulas, flown.state, values, leaving)
+    own = formulas.passage
+    sizes = None if own is None else own(values)
+    through = 1 if sizes is None else passage.at_start(sizes, flown.state, leaving)
     while True:
+        if through is None:
+            raise Undecided("whether the ball passes the ring's disc")
         start = flown.state
         # How many low coefficients of the event polynomial of the last surface vanish.
         vanishing = 2 if flown.events and _stops(formulas.surfaces[last], flown, values) else 1
@@ -93,6 +101,8 @@ def _follow(
             return
         last, time = found
         before = formulas.flight(start, values, (time,)) + start[6:]
+        if sizes is not None:
+            through = passage.after(through, sizes, start, before, time)
         timed = last == len(formulas.surfaces)
         flown.time = arb(time_limit) if timed else flown.time + time
         if last >= formulas.faces:
@@ -100,7 +110,7 @@ def _follow(
             flown.events.append(Event(formulas.bodies, flown.time, before, before))
             flown.outcome = formulas.outcomes["endless"]
             if not timed:
-                flown.outcome = _reached(formulas.surfaces[last], before, values)
+                flown.outcome = _reached(formulas.surfaces[last], before, values, through)
             return
         after = _bounce(formulas.surfaces[last], before, values)
         flown.state = after
@@ -110,7 +120,7 @@ def _follow(
             return
 
 
-def _left(formulas: Formulas, state: list[arb], values: list[arb], leaving: int) -> int:
+def left_by(formulas: Formulas, state: list[arb], values: list[arb], leaving: int) -> int:
     """Return what the ball leaves: of a surface of several parts, the nearest in its bounds."""
     own = [k for k, surface in enumerate(formulas.surfaces) if surface.face == leaving]
     within = [
@@ -138,9 +148,15 @@ def _restitution(surface: SurfaceFormulas, before: list[arb], values: list[arb])
     return arb(surface.restitution(values, (speed,))[0])
 
 
-def _reached(plane: SurfaceFormulas, state: list[arb], values: list[arb]) -> int:
+def _reached(
+    plane: SurfaceFormulas, state: list[arb], values: list[arb], through: int | None
+) -> int:
     """Return the outcome of a crossing that counts: the first end whose bounds hold."""
-    for name, outcome, bounds in plane.ends:
+    for name, outcome, bounds, passed in plane.ends:
+        if passed and through != FALLEN:
+            if through is None:
+                raise Undecided("whether the ball passes the ring's disc")
+            continue
         holds = _holds(bounds, state, values)
         if holds is None:
             raise Undecided(f"the ball crosses the plane {plane.name} on the edge of {name}")
@@ -273,7 +289,7 @@ def arrival_at(
         if entering is not None or surface.axis >= 0:
             return entering
     if surface.axis >= 0:
-        arrival = _descent(rest, moving)
+        arrival = descent(rest, moving)
         return None if arrival is None else _bounded(formulas, surface, state, values, arrival)
     if moving == -1 and not surface.bounded:
         raise AssertionError(f"the ball is inside the {surface.name}")
@@ -293,6 +309,10 @@ def _first(
 
     What lies out of bounds is passed, and so is the way out behind it.
     """
+    while coefficients and coefficients[-1].is_zero():  # of a ball that moves along it
+        coefficients = coefficients[:-1]
+    if len(coefficients) < 2:
+        return None
     end = latest if latest.is_finite() else root_bound(coefficients)
     if end is None:
         return possible_from(arb(0))
@@ -329,44 +349,6 @@ def _behind(coefficients: list[arb], root: arb, inside: bool) -> arb | None:
             return time
         width = width * 2
     return None
-
-
-def _descent(coefficients: list[arb], moving: int | None) -> Arrival | None:
-    """Return the arrival of a plane, in t > 0: the root where the polynomial falls.
-
-    `moving` is the sign of the constant term, if known. Of degree two, the root of a t² + b t + c
-    with negative slope -sqrt(D) is 2 c / (sqrt(D) - b) = -(b + sqrt(D)) / (2 a).
-    """
-    while coefficients and coefficients[-1].is_zero():
-        coefficients = coefficients[:-1]
-    if len(coefficients) < 2:
-        return None
-    c, b = coefficients[:2]
-    if len(coefficients) == 2:
-        falling = sign(b)
-        if falling is None:
-            return None if moving == -1 else possible_from(c.abs_lower() / b.abs_upper())
-        time = -c / b if falling < 0 else None
-    else:
-        a = coefficients[2]
-        discriminant = b * b - 4 * a * c
-        certain = sign(discriminant)
-        if certain in (0, -1):
-            return None
-        if certain is None:
-            nearby = _apex(b, a, discriminant)
-            return None if nearby < 0 else Arrival(nearby, False)
-        root = discriminant.sqrt()
-        time = 2 * c / (root - b) if b < 0 else -(b + root) / (2 * a)
-    if time is None or time < 0:
-        return None
-    return Arrival(time, time > 0)
-
-
-def _apex(b: arb, a: arb, discriminant: arb) -> arb:
-    """Enclose both roots of a parabola that may touch zero: its apex and their distance from it."""
-    reach = discriminant.abs_upper().sqrt() / (2 * abs(a))
-    return -b / (2 * a) + arb(0, reach.abs_upper())
 
 
 def _bounded(

@@ -171,7 +171,8 @@ class SurfaceFormulas:
         Of a plane: the coordinate that its normal points along, and that coordinate at contact,
         as a list of one, from the parameters alone. For any other surface the axis is -1.
     ends
-        Where a shot ends: in order, each end's name, the number of its outcome, and its bounds.
+        Where a shot ends: in order, each end's name, the number of its outcome, its bounds, and
+        whether it is for a ball alone that has fallen through the scene's passage.
     """
 
     name: str
@@ -187,7 +188,7 @@ class SurfaceFormulas:
     offset: Function
     impact: Function | None
     restitution: Function | None
-    ends: tuple[tuple[str, int, Function], ...]
+    ends: tuple[tuple[str, int, Function, bool], ...]
 
 
 @dataclass(frozen=True)
@@ -209,6 +210,8 @@ class Formulas:
         In which they are searched: planes first, whose arrivals then limit the others' search.
     flight
         (state, parameters, (time,)) to position and velocity.
+    passage
+        (parameters,) to radius and depth of the scene's passage and gravity; None without one.
     requirements
         (parameters,): each must be positive.
     names, signs, lowers, uppers, infinite
@@ -223,6 +226,7 @@ class Formulas:
     outcomes: dict[str, int]
     order: tuple[int, ...]
     flight: Function
+    passage: Function | None
     requirements: Function
     names: tuple[str, ...]
     signs: tuple[str, ...]
@@ -246,10 +250,11 @@ def _surface(surface: Surface, face: int, body: int, scene: Scene) -> SurfaceFor
         impact = compiled([e for vector in after for e in vector], state, motion, NORMAL)
         restitution = compiled([law.restitution_at(ARRIVAL)], motion, (ARRIVAL,))
 
-    ends: list[tuple[str, int, Function]] = []
+    ends: list[tuple[str, int, Function, bool]] = []
     if isinstance(surface, Gate):
         for outcome, part in zip(surface.outcomes, surface.parts, strict=True):
-            ends.append((scene.ends[outcome].name, outcome, compiled(part, place, motion)))
+            end = scene.ends[outcome]
+            ends.append((end.name, outcome, compiled(part, place, motion), end.passed))
 
     def by_state(expressions: Sequence[sp.Expr]) -> Function:
         return compiled(expressions, place, motion)
@@ -290,6 +295,7 @@ def formulas(scene: Scene = HOOP) -> Formulas:
         (gate, len(scene.surfaces) + k, len(scene.bodies)) for k, gate in enumerate(scene.gates)
     ]
     surfaces = tuple(_surface(*place, scene) for place in (*touched, *gates))
+    passage = scene.passage
     return Formulas(
         surfaces,
         tuple(compiled(_solid(s), (*POSITION, *VELOCITY), parameters) for s in scene.surfaces),
@@ -298,6 +304,7 @@ def formulas(scene: Scene = HOOP) -> Formulas:
         scene.outcomes,
         tuple(sorted(range(len(surfaces)), key=lambda k: surfaces[k].axis < 0)),
         compiled([e for vector in there for e in vector], state, parameters, (t,)),
+        None if passage is None else compiled([*passage.sizes, scene.gravity], parameters),
         compiled(scene.requirements, parameters),
         tuple(p.name for p in scene.parameters),
         tuple(p.sign for p in scene.parameters),

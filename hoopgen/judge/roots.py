@@ -58,6 +58,44 @@ def root_bound(coefficients: Sequence[arb]) -> arb | None:
     return (2 * largest + 1).upper()
 
 
+def descent(coefficients: list[arb], moving: int | None) -> Arrival | None:
+    """Return the arrival of a plane, in t > 0: the root where the polynomial falls.
+
+    `moving` is the sign of the constant term, if known. Of degree two, the root of a t² + b t + c
+    with negative slope -sqrt(D) is 2 c / (sqrt(D) - b) = -(b + sqrt(D)) / (2 a).
+    """
+    while coefficients and coefficients[-1].is_zero():
+        coefficients = coefficients[:-1]
+    if len(coefficients) < 2:
+        return None
+    c, b = coefficients[:2]
+    if len(coefficients) == 2:
+        falling = sign(b)
+        if falling is None:
+            return None if moving == -1 else possible_from(c.abs_lower() / b.abs_upper())
+        time = -c / b if falling < 0 else None
+    else:
+        a = coefficients[2]
+        discriminant = b * b - 4 * a * c
+        certain = sign(discriminant)
+        if certain in (0, -1):
+            return None
+        if certain is None:
+            nearby = _apex(b, a, discriminant)
+            return None if nearby < 0 else Arrival(nearby, False)
+        root = discriminant.sqrt()
+        time = 2 * c / (root - b) if b < 0 else -(b + root) / (2 * a)
+    if time is None or time < 0:
+        return None
+    return Arrival(time, time > 0)
+
+
+def _apex(b: arb, a: arb, discriminant: arb) -> arb:
+    """Enclose both roots of a parabola that may touch zero: its apex and their distance from it."""
+    reach = discriminant.abs_upper().sqrt() / (2 * abs(a))
+    return -b / (2 * a) + arb(0, reach.abs_upper())
+
+
 def first_arrival(coefficients: Sequence[arb], end: arb) -> Arrival | None:
     """Return the first root in (0, end) of a polynomial that is certainly positive at 0.
 

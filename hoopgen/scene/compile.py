@@ -82,9 +82,13 @@ def compile(scene: Any) -> Engine:
         return HOOP
     if isinstance(scene, Engine):
         return scene
-    shipped = sys.modules.get("hoopgen.derive.scenes")  # imported already, if it is the hoop's
+    shipped = sys.modules.get("hoopgen.derive.scenes")  # imported already, if it is one of these
     if shipped is not None and scene == shipped.HOOP:
         return HOOP
+    if shipped is not None and scene == shipped.COURT:
+        from hoopgen.court import COURT  # whose kernels are many
+
+        return COURT
     known, engine = _KNOWN.get(id(scene), (None, None))
     if engine is None or known is not scene:
         engine = _found(scene)

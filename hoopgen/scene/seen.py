@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from hoopgen.engines import Engine
 
 from .bounds import Terms
+from .drawn import drawn
 from .formulas import Formula
 from .meshes import Bound, Box, Floats, Mesh, cut_all, flat, grid, level, turned
 from .scene import Scene
@@ -99,14 +100,9 @@ class Seen:
         Raises
         ------
         ValueError
-            If the scene is not one of the pieces of `hoopgen.scene`, which alone can be drawn.
+            If the scene has no pieces that could be drawn.
         """
-        scene = engine.table.written
-        if not isinstance(scene, Scene):
-            raise ValueError(
-                f"scene: {engine.name} is written for derivation; drawn are the hoop, and scenes "
-                "of the pieces of hoopgen.scene"
-            )
+        scene = drawn(engine)
         means = {name: float(np.mean(value)) for name, value in parameters.items()}
         own = zip(scene.inputs, scene.values(means), strict=True)
         return cls(scene, {one.name: float(value) for one, value in own})

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from hoopgen.colours import colours, ended
 from hoopgen.results import Shots
+from hoopgen.scene.drawn import drawn
 from hoopgen.scene.meshes import chains
 from hoopgen.scene.seen import Body, Seen, upright
 
@@ -45,8 +46,7 @@ def turned(shots: Shots, states: Floats) -> Floats:
     """Return vectors, three columns each, turned so that the gravity of shots is down."""
     if shots.scene.is_hoop:
         return states
-    written: Any = shots.scene.table.written
-    turn, _ = upright(written.read.down)
+    turn, _ = upright(drawn(shots.scene).read.down)
     return np.asarray((states.reshape(-1, 3) @ turn.T).reshape(states.shape))
 
 
@@ -59,7 +59,7 @@ def shown_parameters(shots: Shots, parameters: Mapping[str, Any], row: int) -> d
 
 def ball_radius(shots: Shots, values: Mapping[str, Any]) -> Any:
     """Return the ball's radius, one or (n,)."""
-    written: Any = shots.scene.table.written
+    written = drawn(shots.scene)
     own = dict(zip((one.name for one in written.inputs), written.values(values), strict=True))
     found = np.asarray(written.read.ball_radius.evaluate(own), dtype=np.float64)
     return found if found.ndim else float(found)

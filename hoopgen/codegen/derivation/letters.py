@@ -94,6 +94,9 @@ LOOP = {
     "reached": Letter(r"\text{reached}", "the outcome of an event that ends the shot"),
     "time_limit": Letter(r"t_{\max}", "time since the release at which a shot ends"),
     "slack": Letter(r"\epsilon", "bound on the error of a length at a computed arrival"),
+    "through": Letter(
+        r"\text{through}", "1 for a ball down through the ring's disc, -1 for one that came up"
+    ),
     "outcome": Letter(r"\text{outcome}", "how the shot ended, -1: it has not"),
     "uncertain": Letter(
         r"\text{uncertain}", "1 if some decision of the shot lies within its error"
@@ -151,6 +154,7 @@ IN_CONTACT = {
     "apart": Letter(r"\lambda", "how many times its errors a neighbouring motion is away"),
     "settles": Letter(r"\text{settles}", "the ball stays on the surface"),
     "lodges": Letter(r"\text{lodges}", "it would, but for another surface next to it"),
+    "over": Letter(r"\text{over}", "the ball is not below the ring's disc"),
     "rests": Letter(r"\text{rests}", "nothing moves"),
 }
 """Of a ball that stays in contact; the last are truths."""

@@ -87,6 +87,7 @@ class EndText:
     name: str
     plane: str
     bounds: tuple[Line, ...]
+    passed: bool
 
 
 @dataclass(frozen=True)
@@ -240,6 +241,7 @@ def derivation_context(model: Model) -> Derivation:
                 scene.ends[outcome].name,
                 gate.name,
                 tuple(brief.line("", side) for side in part),
+                scene.ends[outcome].passed,
             )
             for gate in scene.gates
             for outcome, part in zip(gate.outcomes, gate.parts, strict=True)

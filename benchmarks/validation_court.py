@@ -1,0 +1,171 @@
+"""Which shots of the hoop change on the whole hoop with the article's law, and why."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+import hoopgen
+from benchmarks.report import table
+from benchmarks.workloads import SEED, States, free_throw, swirl
+from hoopgen import COURT, HOOP, PAPER, PAPER_COURT, Outcome
+from hoopgen.phrases import percent
+
+Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+SHOTS = 50_000
+
+RING, BOARD, BRIDGE = range(3)
+
+REASONS = {
+    "edge": "touches an edge or a corner of the board",
+    "board": "touches the board's back, top, side or underside",
+    "front": "touches the bridge's edge above the ring, or its end below",
+    "bridge": "touches the bridge's sides or underside, or an edge of them",
+    "round": "lands where the hoop's bridge goes on beside the wire, but a plate does not",
+    "rose": "goes the same way, and had come up through the ring",
+    "starts": "starts in a body that the hoop does not have",
+    "doubt": "is uncertain in one of the scenes",
+}
+"""Why a shot changes: the first of these that happens to it."""
+
+
+def _scattered(mean: tuple[float, ...], apart: tuple[float, ...]) -> Callable[[int], States]:
+    """Return what makes shots with normal errors about a release."""
+
+    def make(n: int) -> States:
+        random = np.random.Generator(np.random.Philox(SEED))
+        return np.array(mean) + np.array(apart) * random.normal(size=(n, 9))
+
+    return make
+
+
+KINDS: Mapping[str, Callable[[int], States]] = {
+    "free throws": free_throw,
+    "bank shots, 45°": _scattered(
+        (2.1, 2.1, -0.85, -3.2, -2.4, 5.6, 3, 4, 0), (0, 0, 0, 0.1, 0.1, 0.1, 3, 3, 3)
+    ),
+    "swirls": swirl,
+    "tips from beside": _scattered(
+        (0.2, 0.7, 0.1, -0.7, -1.2, 2.0, 0, 0, 0), (0.2, 0.2, 0.2, 0.4, 0.4, 0.5, 9, 9, 9)
+    ),
+    "from below the ring": _scattered(
+        (-0.1, 0, -0.6, 0, 0, 4, 0, 0, 0), (0.3, 0.3, 0.15, 0.5, 0.5, 0.7, 9, 9, 9)
+    ),
+}
+"""Shots about a player's, and such as no player throws."""
+
+
+@dataclass(frozen=True)
+class Changes:
+    """Of shots of a kind: how many there are, which change and why, and who makes them."""
+
+    shots: int
+    changed: int
+    reasons: Mapping[str, int]
+    hoop: int
+    court: int
+
+
+def changes(states: States) -> Changes:
+    """Fly shots in both scenes and look where they differ in the bodies touched or in the end."""
+    hoop = hoopgen.simulate(states, PAPER, record=True)
+    court = hoopgen.simulate(
+        states, PAPER_COURT, scene=COURT, max_contacts=HOOP.max_contacts, record=True
+    )
+    differs = (hoop.outcome != court.outcome) | ~_same_bodies(hoop, court)
+    found = _first_reasons(hoop, court)
+    reasons = {
+        name: int(np.count_nonzero(differs & (found == place)))
+        for place, name in enumerate(REASONS)
+    }
+    made = (int(np.count_nonzero(shots.outcome == Outcome.MADE)) for shots in (hoop, court))
+    return Changes(len(states), int(np.count_nonzero(differs)), reasons, *made)
+
+
+def _same_bodies(one: hoopgen.Shots, other: hoopgen.Shots) -> Flags:
+    """Where two simulations have the same surfaces in the same order."""
+    counts = [np.bincount(s.events["shot"], minlength=len(s)) for s in (one, other)]
+    same = counts[0] == counts[1]
+    left, right = (s.events[same[s.events["shot"]]] for s in (one, other))
+    same[left["shot"][left["surface"] != right["surface"]]] = False
+    return np.asarray(same, np.bool_)
+
+
+def _first_reasons(hoop: hoopgen.Shots, court: hoopgen.Shots) -> NDArray[np.int64]:
+    """Return the place in `REASONS` of each shot's reason; none: their number."""
+    places = {name: k for k, name in enumerate(REASONS)}
+    reason = np.full(len(hoop), len(REASONS))
+    # The last reasons first: others take their place.
+    reason[hoop.uncertain | court.uncertain] = places["doubt"]
+    invalid = (court.outcome == Outcome.INVALID) & (hoop.outcome != Outcome.INVALID)
+    reason[invalid] = places["starts"]
+    reason[(hoop.outcome == Outcome.MADE) & (court.outcome == Outcome.MISSED)] = places["rose"]
+    when = np.full(len(hoop), np.inf)
+    p = PAPER_COURT
+    there = hoop.events["before"]
+    beside = (hoop.events["surface"] == BRIDGE) & (there[:, 0] > -p["ring_radius"])
+    rows = [(hoop.events, beside, np.full(len(beside), places["round"]))]
+    rows.append((court.events, *_parts(court.events, places)))
+    for events, own, why in rows:
+        for row in np.flatnonzero(own):
+            shot = events["shot"][row]
+            if events["time"][row] < when[shot]:
+                when[shot], reason[shot] = events["time"][row], why[row]
+    return reason
+
+
+def _parts(events: NDArray[np.void], places: Mapping[str, int]) -> tuple[Flags, NDArray[np.int64]]:
+    """Return which contacts are with what the hoop has not, and with what of it."""
+    p = PAPER_COURT
+    front, x = -p["board_distance"], events["before"][:, 0]
+    y, z = np.abs(events["before"][:, 1]), events["before"][:, 2]
+    board, bridge = events["surface"] == BOARD, events["surface"] == BRIDGE
+    level = (z >= p["board_bottom"]) & (z <= p["board_top"])
+    plain_front = board & (x > front) & level & (y <= p["board_half_width"])
+    deep = x < front - p["board_thickness"]
+    beyond = [(x > front) | deep, ~level, y > p["board_half_width"]]
+    edge = board & (np.sum(beyond, axis=0) > 1)
+    above = z > p["wire_radius"]
+    width = y <= p["bridge_half_width"]
+    plain_top = bridge & above & width & (x <= -p["ring_radius"])
+    ahead = bridge & (x > -p["ring_radius"]) & width & (z > p["wire_radius"] - p["bridge_depth"])
+    why = np.select(
+        [edge, board, ahead, bridge],
+        [places[name] for name in ("edge", "board", "front", "bridge")],
+        default=len(REASONS),
+    )
+    return (board & ~plain_front) | (bridge & ~plain_top), why
+
+
+def section(shots: int = SHOTS) -> list[str]:
+    """The section of the page."""
+    found = {kind: changes(make(shots)) for kind, make in KINDS.items()}
+    rows = [
+        ["change", *(_of(one.changed, one) for one in found.values())],
+        *(
+            [said, *(_of(one.reasons[name], one) for one in found.values())]
+            for name, said in REASONS.items()
+            if any(one.reasons[name] for one in found.values())
+        ),
+        ["made, `HOOP`", *(percent(one.hoop / one.shots) for one in found.values())],
+        ["made, `COURT`", *(percent(one.court / one.shots) for one in found.values())],
+    ]
+    return [
+        "## The whole hoop: `HOOP` beside `COURT`",
+        "",
+        "`COURT` has what the article leaves out: the board's edges, top, sides and back, the "
+        "bridge's sides and underside, and a ball that comes up through the ring, which is not "
+        "made whatever it does then. With the preset `PAPER_COURT` its contacts are the "
+        f"article's. Of {shots:,} shots of a kind so many touch other bodies, or end otherwise, "
+        "and the reason is the first thing that happens to them and not in `HOOP`. The last two "
+        "kinds are no player's: balls tipped from beside the ring, and thrown up from below it.",
+        "",
+        *table(["", *found], rows),
+    ]
+
+
+def _of(count: int, one: Changes) -> str:
+    return f"{count:,} ({percent(count / one.shots, 2)})" if count else "0"

@@ -1,0 +1,206 @@
+/* court: the widths, and the choice among them.
+
+   Generated from templates/c/scene.c.j2, scene court, derivation ae8c52d58998d1c6,
+   with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
+   and run `make generate`. */
+
+#include "court.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+#if defined(__GNUC__) && defined(__x86_64__)
+#include <immintrin.h>
+#endif
+
+/* Results are the same bits everywhere because every operation is done as it is written. Most of what
+   flags can do to that the compiler admits to here; what it does not, court_exact.h finds. */
+#if FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2 || FLT_EVAL_METHOD > 64
+#error "doubles must be evaluated in double precision (on 32-bit x86: -msse2 -mfpmath=sse)"
+#endif
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST)
+#error "fast-math changes results: compile without it"
+#endif
+#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
+#error "NaN must be told from numbers: compile without -ffinite-math-only"
+#endif
+#if defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error "operations must not be rearranged: compile without -funsafe-math-optimizations"
+#endif
+#ifdef __NO_SIGNED_ZEROS__
+#error "zeros have a sign: compile without -fno-signed-zeros"
+#endif
+_Static_assert(sizeof 0.1 == sizeof(double), "compile without -fsingle-precision-constant");
+
+/* a*b + c is two operations. -ffp-contract=off says so to GCC and Clang; without it, this does, but
+   for Clang under -ffp-contract=fast. */
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#elif defined(__GNUC__)
+#pragma GCC optimize("fp-contract=off")
+#elif defined(_MSC_VER)
+#pragma fp_contract(off)
+#endif
+
+/* The widest vectors that are compiled. A build may ask for fewer, which take less time. */
+#ifndef COURT_WIDEST
+#if defined(__GNUC__) && defined(__x86_64__)
+#define COURT_WIDEST 16
+#elif defined(__GNUC__)
+#define COURT_WIDEST 4
+#else
+#define COURT_WIDEST 1
+#endif
+#endif
+
+/* Which widths are compiled; a build may ask for one alone, which takes least time. */
+#ifdef COURT_ONLY
+#define BUILT(width) (COURT_ONLY == (width))
+#else
+#define BUILT(width) (COURT_WIDEST >= (width))
+#endif
+
+/* What the build says of the sources: a word. */
+#ifndef COURT_SOURCES
+#define COURT_SOURCES unknown
+#endif
+#define TEXT_(word) #word
+#define TEXT(word) TEXT_(word)
+
+/* What the widths share: where shots come from and where their results go. */
+typedef struct {
+    size_t shots;
+    const double *states;
+    const double *const *parameters;
+    const int64_t *strides;
+    const int8_t *leaving;
+    int varying; /* whether any parameter has one value per shot */
+    int32_t max_contacts;
+    double time_limit;
+    const volatile int32_t *stop;
+    const court_results *results;
+} court_job;
+
+#define LANES_PASTE_(name, width) name##_w##width
+#define LANES_PASTE(name, width) LANES_PASTE_(name, width)
+#define LANES(name) LANES_PASTE(name, LANES_WIDTH)
+
+#if defined(__GNUC__)
+#define LANES_INLINE static inline __attribute__((always_inline))
+#else
+#define LANES_INLINE static inline
+#endif
+
+/* Shots in flight at once: what the stages read and write of them stays in the nearest caches. */
+#define LANES_SHOTS 128
+
+/* Idle lanes for which the next shots are fetched. */
+#define LANES_SPARE (LANES_WIDTH < 4 ? 1 : LANES_WIDTH / 4)
+
+#if BUILT(4)
+#define LANES_WIDTH 4
+#include "court_exact.h"
+#include "court_engine.h"
+#undef LANES_WIDTH
+#endif
+
+#if BUILT(8)
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#endif
+#define LANES_WIDTH 8
+#include "court_exact.h"
+#include "court_engine.h"
+#undef LANES_WIDTH
+#ifdef __clang__
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+#endif
+
+#if BUILT(16)
+#ifdef __clang__
+#pragma clang attribute push(__attribute__((target("avx512f,avx512dq,avx512vl"))), apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx512f,avx512dq,avx512vl,prefer-vector-width=512")
+#endif
+#define LANES_WIDTH 16
+#include "court_exact.h"
+#include "court_engine.h"
+#undef LANES_WIDTH
+#ifdef __clang__
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+#endif
+
+#if BUILT(1)
+#define LANES_WIDTH 1
+#include "court_exact.h"
+#include "court_engine.h"
+#undef LANES_WIDTH
+#endif
+
+static int widest(void)
+{
+#ifdef COURT_ONLY
+    return COURT_ONLY; /* who asks for one alone knows the processor */
+#else
+#if BUILT(16)
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl"))
+        return 16;
+#endif
+#if BUILT(8)
+    if (__builtin_cpu_supports("avx2"))
+        return 8;
+#endif
+    return BUILT(4) ? 4 : 1;
+#endif
+}
+
+const char *court_sources(void) { return TEXT(COURT_SOURCES); }
+
+int court_simulate(size_t shots, const double *states, const double *const *parameters,
+                  const int64_t *strides, const int8_t *leaving, int32_t max_contacts,
+                  double time_limit, int width,
+                  const volatile int32_t *stop, const court_results *results)
+{
+    court_job job = {shots, states, parameters, strides, leaving, 0, max_contacts, time_limit,
+                              stop, results};
+    const int most = widest();
+    for (int k = 0; k < COURT_PARAMETERS; k++)
+        job.varying |= strides[k] != 0;
+    if (width == 0)
+        width = most;
+    if (width > most || max_contacts < 1)
+        return -1;
+#define RUN(width) \
+    case width: \
+        if (!court_exact_w##width()) \
+            return -2; \
+        court_run_w##width(&job); \
+        return width;
+    switch (width) {
+#if BUILT(1)
+        RUN(1)
+#endif
+#if BUILT(4)
+        RUN(4)
+#endif
+#if BUILT(8)
+        RUN(8)
+#endif
+#if BUILT(16)
+        RUN(16)
+#endif
+    default:
+        return -1;
+    }
+}

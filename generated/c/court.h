@@ -1,0 +1,138 @@
+/* court: a ball among ring, backboard, bridge, simulated from contact to contact.
+
+   Generated from templates/c/scene.h.j2, scene court, derivation ae8c52d58998d1c6,
+   with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
+   and run `make generate`.
+   Plain C11, no dependencies but sqrt. Compile court.c, next to which this and the other files
+   stand, with contraction of a*b + c off (-ffp-contract=off) and without fast-math: results are
+   then the same bits for every width, compiler and target. Where flags, or the process's rounding
+   mode, stand against that, it does not compile, or nothing runs. SI units, radians. */
+
+#ifndef HOOPGEN_COURT_H
+#define HOOPGEN_COURT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef HOOPGEN_API
+#ifdef _WIN32
+#define HOOPGEN_API __declspec(dllexport)
+#else
+#define HOOPGEN_API
+#endif
+#endif
+
+/* A state: x y z (m), vx vy vz (m/s), wx wy wz (rad/s). */
+#define COURT_STATE 9
+
+/* The bodies, as they are numbered in results; what ends a shot comes after them. */
+enum {
+    COURT_BODY_RING = 0,
+    COURT_BODY_BACKBOARD = 1,
+    COURT_BODY_BRIDGE = 2,
+    COURT_BODY_END = 3,
+    COURT_SURFACES = 3
+};
+
+/* What a row of the event log is; a contact in which the ball stays has a row where it begins and one
+   where the ball leaves. A shot has COURT_LOG_ROWS rows for each contact at most, and its end. */
+enum {
+    COURT_EVENT_IMPACT = 0, /* The ball meets a body. */
+    COURT_EVENT_ROLL = 1, /* Its bounces have accumulated: it stays in contact with the body. */
+    COURT_EVENT_LEAVE = 2, /* That contact ends. */
+    COURT_EVENT_END = 3, /* The shot ends. */
+    COURT_LOG_ROWS = 3
+};
+
+/* The parameters, in the order of `parameters` below. */
+enum {
+    COURT_P_BALL_RADIUS = 0, /* m: R_B, radius of the ball */
+    COURT_P_RING_RADIUS = 1, /* m: R_H, radius of the wire's centre circle */
+    COURT_P_WIRE_RADIUS = 2, /* m: radius of the ring's wire */
+    COURT_P_BOARD_DISTANCE = 3, /* m: a_0, from the ring's centre to the backboard */
+    COURT_P_BOARD_HALF_WIDTH = 4, /* m: y_B, half the backboard's width */
+    COURT_P_BOARD_BOTTOM = 5, /* m: z_B1, height of its lower edge */
+    COURT_P_BOARD_TOP = 6, /* m: z_B2, height of its upper edge */
+    COURT_P_BOARD_THICKNESS = 7, /* m: d, from the board's front to its back */
+    COURT_P_BRIDGE_HALF_WIDTH = 8, /* m: y_BR, half the bridge's width */
+    COURT_P_BRIDGE_DEPTH = 9, /* m: h, from the bridge's top to its underside */
+    COURT_P_GRAVITY = 10, /* m/s²: g */
+    COURT_P_END_DEPTH = 11, /* m: H, of the end plane below the ring */
+    COURT_P_RING_RESTITUTION = 12, /* 1: e0 of the ring */
+    COURT_P_BACKBOARD_RESTITUTION = 13, /* 1: e0 of the backboard */
+    COURT_P_BRIDGE_RESTITUTION = 14, /* 1: e0 of the bridge */
+    COURT_P_RING_FRICTION = 15, /* 1: mu of the ring; infinite: every contact grips */
+    COURT_P_BACKBOARD_FRICTION = 16, /* 1: mu of the backboard; infinite: every contact grips */
+    COURT_P_BRIDGE_FRICTION = 17, /* 1: mu of the bridge; infinite: every contact grips */
+    COURT_P_TANGENTIAL_RESTITUTION = 18, /* 1: e_t, of every contact that grips */
+    COURT_P_RESTITUTION_SPEED = 19, /* m/s: v0, at which e is half of e0; infinite: it does not fall */
+    COURT_PARAMETERS = 20
+};
+
+enum {
+    COURT_OUTCOME_MADE = 0, /* Fell through the ring, and crossed the end plane inside the target. */
+    COURT_OUTCOME_MISSED = 1, /* Crossed the end plane otherwise. */
+    COURT_OUTCOME_CAPPED = 2, /* Had max_contacts contacts before it ended. */
+    COURT_OUTCOME_SHORT = 3, /* Can never reach an end. */
+    COURT_OUTCOME_INVALID = 4, /* Not finite, a parameter not allowed, or a ball that starts inside a surface. */
+    COURT_OUTCOME_LODGED = 5, /* At rest, or wedged between bodies. */
+    COURT_OUTCOME_ENDLESS = 6 /* Still moving at the time limit. */
+};
+
+/* One row of the event log; the end of a shot is a row. */
+typedef struct {
+    int64_t shot;    /* index of the shot */
+    int64_t surface; /* as numbered above */
+    double time;     /* s since the release */
+    double before[COURT_STATE];
+    double after[COURT_STATE];
+    int64_t kind;    /* as numbered above */
+} court_event;
+
+/* Where the results go, by shot; what is NULL is not written. */
+typedef struct {
+    uint8_t *outcome; /* how it ended */
+    int32_t *contacts; /* contacts before the end */
+    int32_t *counts; /* [shot][3], contacts with each body */
+    int8_t *first; /* first body touched, -1: none */
+    double *time; /* s, at the end; capped or short: at the last contact */
+    double *state; /* [shot][9], then */
+    double *time_error; /* bound on the error of time */
+    double *state_error; /* [shot][3], bounds on the errors of each component of position, velocity and spin */
+    uint8_t *uncertain; /* a decision lies within its rounding-error bound */
+    court_event *events;   /* [shot][COURT_LOG_ROWS * max_contacts + 1] */
+    int32_t *event_counts;   /* rows of `events` used, by shot */
+} court_results;
+
+/* Simulate `shots` shots.
+
+   states       [shot][COURT_STATE]
+   parameters   one pointer each, to one value or to one value per shot
+   strides      by parameter: 0 for one value, 1 for one per shot
+   leaving      NULL, or by shot the surface that the ball touches at the start and leaves, -1: none
+   max_contacts at least 1
+   time_limit   s since the release at which a shot ends; INFINITY: none
+   width        vector lanes: 1, 4, 8 or 16; 0 for the widest that this processor has
+   stop         NULL, or a flag: when it becomes nonzero, the run ends, its results unfinished
+
+   Returns the width that was used; or, with nothing run, -1 if that width is not there, -2 if
+   doubles are not computed as IEEE 754 says: flags of the compiler (-ffp-contract=fast, parts of
+   fast-math), or this thread rounds otherwise than to nearest or makes subnormals zero. */
+HOOPGEN_API int court_simulate(size_t shots, const double *states,
+                              const double *const *parameters, const int64_t *strides,
+                              const int8_t *leaving, int32_t max_contacts, double time_limit,
+                              int width, const volatile int32_t *stop,
+                              const court_results *results);
+
+/* The word for its sources that the build gave as COURT_SOURCES, else "unknown". */
+HOOPGEN_API const char *court_sources(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,4387 @@
+/* Kernels of the scene court, in C.
+
+   Generated from templates/c/kernels.h.j2, scene court, derivation ae8c52d58998d1c6,
+   with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
+   and run `make generate`.
+   Included once for every vector width, after these are defined:
+     V, M          a vector of doubles and its comparison result (or double and int)
+     K(c)          the constant c in every lane
+     LANES(name)   the name of a function for this width
+     lanes_sqrt, lanes_abs, lanes_select */
+
+/* Position and velocity at time t of a flight.
+   Eq. 3. 11 operations: 3 additions, 2 subtractions, 6 multiplications. */
+typedef struct {
+    V x;
+    V y;
+    V z;
+    V vx;
+    V vy;
+    V vz;
+} LANES(court_flight_out);
+
+LANES_INLINE LANES(court_flight_out)
+LANES(court_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V p_gravity)
+{
+    return (LANES(court_flight_out)){ lanes_add(x, lanes_mul(t, vx)), lanes_add(y, lanes_mul(t, vy)), lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t)))), vx, vy, lanes_sub(vz, lanes_mul(p_gravity, t)) };
+}
+
+/* Positive clearance if a crossing is certain, and the bound on its delay.
+   Taylor's theorem with the margins of the gap and its rate. 11 operations: 1 addition, 1 subtraction, 4 multiplications, 1 division, 1 negation, 1 comparison, 2 selections. */
+typedef struct {
+    V clearance;
+    V delay;
+} LANES(court_crossing_out);
+
+LANES_INLINE LANES(court_crossing_out)
+LANES(court_crossing)(V margin, V rate_margin, V rate, V ceiling)
+{
+    const V _s0 = lanes_neg(lanes_add(rate, rate_margin));
+    const M _s1 = lanes_less(K(0.0), _s0);
+    return (LANES(court_crossing_out)){ lanes_select(_s1, lanes_sub(lanes_mul(_s0, _s0), lanes_mul(lanes_mul(K(6.0), ceiling), margin)), _s0), lanes_select(_s1, lanes_div(lanes_mul(K(6.0), margin), _s0), K(INFINITY)) };
+}
+
+/* Errors of a state that a search allows for, and by how much the errors exceed them.
+   a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection. */
+typedef struct {
+    V position_level;
+    V velocity_level;
+    V excess;
+} LANES(court_allowance_out);
+
+LANES_INLINE LANES(court_allowance_out)
+LANES(court_allowance)(V share, V horizon, V extent, V speed, V position_error, V velocity_error, V p_gravity)
+{
+    const V _s0 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s1 = lanes_mul(share, lanes_add(extent, lanes_mul(horizon, _s0)));
+    const V _s2 = lanes_mul(share, _s0);
+    const V _s3 = lanes_sub(position_error, _s1);
+    const V _s4 = lanes_sub(velocity_error, _s2);
+    return (LANES(court_allowance_out)){ _s1, _s2, lanes_max(_s3, _s4) };
+}
+
+/* A time after which no event is wanted, and how long that is after t.
+   the earliest arrival, with room for its delay. 5 operations: 2 additions, 2 multiplications, 1 division. */
+typedef struct {
+    V horizon;
+    V pad;
+} LANES(court_horizon_out);
+
+LANES_INLINE LANES(court_horizon_out)
+LANES(court_horizon)(V t, V speed, V p_gravity)
+{
+    const V _s0 = lanes_mul(K(9.5367431640625e-07), lanes_add(t, lanes_mul(speed, lanes_div(K(1.0), p_gravity))));
+    return (LANES(court_horizon_out)){ lanes_add(t, _s0), _s0 };
+}
+
+/* Sums of the sizes of the coordinates and of the velocities; excess over the largest.
+   what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections. */
+typedef struct {
+    V extent;
+    V speed;
+    V excess;
+} LANES(court_scale_out);
+
+LANES_INLINE LANES(court_scale_out)
+LANES(court_scale)(V x, V y, V z, V vx, V vy, V vz, V p_gravity)
+{
+    const V _s0 = lanes_abs(x);
+    const V _s1 = lanes_abs(y);
+    const V _s2 = lanes_abs(z);
+    const V _s3 = lanes_abs(vx);
+    const V _s4 = lanes_abs(vy);
+    const V _s5 = lanes_abs(vz);
+    const V _s6 = lanes_div(K(1.0), p_gravity);
+    const V _s7 = lanes_max(_s6, _s0);
+    const V _s8 = lanes_max(_s7, _s1);
+    const V _s9 = lanes_max(_s8, _s2);
+    const V _s10 = lanes_max(_s9, _s3);
+    const V _s11 = lanes_max(_s10, _s4);
+    return (LANES(court_scale_out)){ lanes_add(lanes_add(_s0, _s1), _s2), lanes_add(lanes_add(_s3, _s4), _s5), lanes_sub(lanes_max(_s11, _s5), K(2.9073548971824276e+135)) };
+}
+
+/* Bound on the error of a length at a computed arrival.
+   running error analysis. 27 operations: 17 additions, 8 multiplications, 2 absolute values. */
+typedef struct {
+    V margin;
+} LANES(court_displacement_out);
+
+LANES_INLINE LANES(court_displacement_out)
+LANES(court_displacement)(V delay, V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_bridge_half_width, V p_bridge_depth, V p_gravity, V p_end_depth)
+{
+    const V _s0 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s1 = lanes_add(extent, lanes_mul(horizon, _s0));
+    const V _s2 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(p_ball_radius, p_board_distance), p_board_half_width), p_board_thickness), p_bridge_depth), p_bridge_half_width), p_end_depth);
+    const V _s3 = lanes_mul(K(4.445228907190568e-16), lanes_add(_s1, lanes_add(lanes_add(lanes_add(lanes_add(_s2, p_ring_radius), p_wire_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_top))));
+    return (LANES(court_displacement_out)){ lanes_add(lanes_add(lanes_mul(lanes_mul(K(1.0009765625), delay), _s0), _s3), lanes_mul(K(3.0029296875), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s1)))) };
+}
+
+/* Errors of a state at the end of a flight to a surface, from those at its start.
+   derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections. */
+typedef struct {
+    V dx;
+    V dy;
+    V dz;
+    V dvx;
+    V dvy;
+    V dvz;
+    V delay;
+    V shift;
+} LANES(court_carry_flight_out);
+
+LANES_INLINE LANES(court_carry_flight_out)
+LANES(court_carry_flight)(V t, V x, V y, V z, V vx, V vy, V vz, V nx, V ny, V nz, V clock, V contacts, V late, V dx, V dy, V dz, V dvx, V dvy, V dvz, V curving, V p_gravity)
+{
+    const V _s0 = lanes_add(dx, lanes_mul(dvx, t));
+    const V _s1 = lanes_abs(vx);
+    const V _s2 = lanes_mul(K(2.0), t);
+    const V _s3 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s2, _s1), lanes_abs(x)));
+    const V _s4 = lanes_add(_s0, lanes_select(lanes_less(_s0, K(0.0)), lanes_neg(_s3), _s3));
+    const V _s5 = lanes_add(dy, lanes_mul(dvy, t));
+    const V _s6 = lanes_abs(vy);
+    const V _s7 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s2, _s6), lanes_abs(y)));
+    const V _s8 = lanes_add(_s5, lanes_select(lanes_less(_s5, K(0.0)), lanes_neg(_s7), _s7));
+    const V _s9 = lanes_add(dz, lanes_mul(dvz, t));
+    const V _s10 = lanes_abs(vz);
+    const V _s11 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(p_gravity, lanes_mul(t, t)), lanes_mul(_s2, _s10)), lanes_abs(z)));
+    const V _s12 = lanes_add(_s9, lanes_select(lanes_less(_s9, K(0.0)), lanes_neg(_s11), _s11));
+    const V _s13 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s14 = lanes_div(lanes_neg(lanes_add(lanes_add(lanes_mul(nx, _s4), lanes_mul(ny, _s8)), lanes_mul(nz, _s12))), _s13);
+    const V _s15 = lanes_add(lanes_mul(vx, _s14), _s4);
+    const V _s16 = lanes_max(_s1, _s6);
+    const V _s17 = lanes_max(_s16, _s10);
+    const V _s18 = lanes_abs(dx);
+    const V _s19 = lanes_abs(dy);
+    const V _s20 = lanes_max(_s18, _s19);
+    const V _s21 = lanes_abs(dz);
+    const V _s22 = lanes_max(_s20, _s21);
+    const V _s23 = lanes_mul(curving, lanes_mul(t, _s17));
+    const V _s24 = lanes_abs(dvx);
+    const V _s25 = lanes_abs(dvy);
+    const V _s26 = lanes_max(_s24, _s25);
+    const V _s27 = lanes_abs(dvz);
+    const V _s28 = lanes_max(_s3, _s7);
+    const V _s29 = lanes_add(lanes_mul(t, lanes_max(_s26, _s27)), lanes_max(_s28, _s11));
+    const V _s30 = lanes_add(lanes_mul(lanes_div(_s17, lanes_abs(_s13)), lanes_add(lanes_mul(_s22, lanes_min(_s23, K(1.0))), _s29)), lanes_add(_s29, _s22));
+    const V _s31 = lanes_div(_s30, lanes_add(K(8.0), lanes_mul(K(8.0), contacts)));
+    const V _s32 = lanes_neg(_s31);
+    const V _s33 = lanes_add(lanes_mul(vy, _s14), _s8);
+    const V _s34 = lanes_add(lanes_mul(vz, _s14), _s12);
+    const V _s35 = lanes_abs(_s14);
+    const V _s36 = lanes_mul(K(0.0625), late);
+    return (LANES(court_carry_flight_out)){ lanes_select(lanes_less(lanes_abs(_s15), _s31), lanes_select(lanes_less(_s15, K(0.0)), _s32, _s31), _s15), lanes_select(lanes_less(lanes_abs(_s33), _s31), lanes_select(lanes_less(_s33, K(0.0)), _s32, _s31), _s33), lanes_select(lanes_less(lanes_abs(_s34), _s31), lanes_select(lanes_less(_s34, K(0.0)), _s32, _s31), _s34), dvx, dvy, lanes_sub(dvz, lanes_mul(p_gravity, _s14)), lanes_add(lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)), lanes_max(_s35, _s36)), _s30 };
+}
+
+/* Errors of a state at the time limit, from those at the start of the flight.
+   derivative of Eq. 3, with roundings. 62 operations: 17 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections. */
+typedef struct {
+    V dx;
+    V dy;
+    V dz;
+    V dvx;
+    V dvy;
+    V dvz;
+    V clock_error;
+} LANES(court_carry_time_out);
+
+LANES_INLINE LANES(court_carry_time_out)
+LANES(court_carry_time)(V t, V x, V y, V z, V vx, V vy, V vz, V clock, V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V p_gravity)
+{
+    const V _s0 = lanes_abs(vx);
+    const V _s1 = lanes_add(clock_error, lanes_mul(K(4.440892098500626e-16), lanes_add(clock, t)));
+    const V _s2 = lanes_abs(dvx);
+    const V _s3 = lanes_abs(dvy);
+    const V _s4 = lanes_max(_s2, _s3);
+    const V _s5 = lanes_abs(dvz);
+    const V _s6 = lanes_mul(K(2.0), t);
+    const V _s7 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s0), lanes_abs(x)));
+    const V _s8 = lanes_abs(vy);
+    const V _s9 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s6, _s8), lanes_abs(y)));
+    const V _s10 = lanes_max(_s7, _s9);
+    const V _s11 = lanes_abs(vz);
+    const V _s12 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_add(lanes_mul(p_gravity, lanes_mul(t, t)), lanes_mul(_s6, _s11)), lanes_abs(z)));
+    const V _s13 = lanes_abs(dx);
+    const V _s14 = lanes_abs(dy);
+    const V _s15 = lanes_max(_s13, _s14);
+    const V _s16 = lanes_abs(dz);
+    const V _s17 = lanes_add(lanes_add(lanes_mul(t, lanes_max(_s4, _s5)), lanes_max(_s10, _s12)), lanes_max(_s15, _s16));
+    const V _s18 = lanes_abs(K(0.0));
+    return (LANES(court_carry_time_out)){ lanes_add(lanes_mul(_s0, _s1), _s17), lanes_add(lanes_mul(_s8, _s1), _s17), lanes_add(lanes_mul(_s11, _s1), _s17), lanes_add(lanes_add(_s18, _s2), lanes_mul(K(2.220446049250313e-16), _s0)), lanes_add(lanes_add(_s18, _s3), lanes_mul(K(2.220446049250313e-16), _s8)), lanes_add(lanes_add(_s5, lanes_mul(K(2.220446049250313e-16), _s11)), lanes_abs(lanes_neg(lanes_mul(p_gravity, _s1)))), K(0.0) };
+}
+
+/* Bounds on the errors of a state and its time that decisions allow for.
+   the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+typedef struct {
+    V position_error;
+    V velocity_error;
+    V spin_error;
+    V time_error;
+} LANES(court_error_bounds_out);
+
+LANES_INLINE LANES(court_error_bounds_out)
+LANES(court_error_bounds)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
+{
+    const V _s0 = lanes_abs(dx);
+    const V _s1 = lanes_abs(dy);
+    const V _s2 = lanes_max(_s0, _s1);
+    const V _s3 = lanes_abs(dz);
+    const V _s4 = lanes_abs(dvx);
+    const V _s5 = lanes_abs(dvy);
+    const V _s6 = lanes_max(_s4, _s5);
+    const V _s7 = lanes_abs(dvz);
+    const V _s8 = lanes_abs(dwx);
+    const V _s9 = lanes_abs(dwy);
+    const V _s10 = lanes_max(_s8, _s9);
+    const V _s11 = lanes_abs(dwz);
+    return (LANES(court_error_bounds_out)){ lanes_mul(K(16.0), lanes_max(_s2, _s3)), lanes_mul(K(16.0), lanes_max(_s6, _s7)), lanes_mul(K(16.0), lanes_max(_s10, _s11)), lanes_mul(K(16.0), clock_error) };
+}
+
+/* Bounds on the errors of a state and its time that a shot claims.
+   the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections. */
+typedef struct {
+    V position_error;
+    V velocity_error;
+    V spin_error;
+    V time_error;
+} LANES(court_claimed_errors_out);
+
+LANES_INLINE LANES(court_claimed_errors_out)
+LANES(court_claimed_errors)(V clock_error, V dx, V dy, V dz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz)
+{
+    const V _s0 = lanes_abs(dx);
+    const V _s1 = lanes_abs(dy);
+    const V _s2 = lanes_max(_s0, _s1);
+    const V _s3 = lanes_abs(dz);
+    const V _s4 = lanes_abs(dvx);
+    const V _s5 = lanes_abs(dvy);
+    const V _s6 = lanes_max(_s4, _s5);
+    const V _s7 = lanes_abs(dvz);
+    const V _s8 = lanes_abs(dwx);
+    const V _s9 = lanes_abs(dwy);
+    const V _s10 = lanes_max(_s8, _s9);
+    const V _s11 = lanes_abs(dwz);
+    return (LANES(court_claimed_errors_out)){ lanes_mul(K(64.0), lanes_max(_s2, _s3)), lanes_mul(K(64.0), lanes_max(_s6, _s7)), lanes_mul(K(64.0), lanes_max(_s10, _s11)), lanes_mul(K(64.0), clock_error) };
+}
+
+/* 1 where finite parameters are allowed.
+   the scene's requirements. 58 operations: 6 subtractions, 26 comparisons, 26 selections. */
+typedef struct {
+    V allowed;
+} LANES(court_allowed_out);
+
+LANES_INLINE LANES(court_allowed_out)
+LANES(court_allowed)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_bridge_half_width, V p_bridge_depth, V p_gravity, V p_end_depth, V p_ring_restitution, V p_backboard_restitution, V p_bridge_restitution, V p_ring_friction, V p_backboard_friction, V p_bridge_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_select(lanes_less(K(0.0), lanes_sub(p_board_top, p_board_bottom)), lanes_select(lanes_less(K(0.0), lanes_sub(lanes_sub(p_board_distance, p_ring_radius), p_wire_radius)), lanes_select(lanes_less(K(0.0), lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius)), K(1.0), K(0.0)), K(0.0)), K(0.0));
+    const V _s1 = lanes_select(lanes_less(K(0.0), p_wire_radius), lanes_select(lanes_less(K(0.0), p_ring_radius), lanes_select(lanes_less(K(0.0), p_ball_radius), lanes_select(lanes_less(K(0.0), lanes_sub(p_board_half_width, p_bridge_half_width)), _s0, K(0.0)), K(0.0)), K(0.0)), K(0.0));
+    const V _s2 = lanes_select(lanes_less(K(0.0), p_bridge_depth), lanes_select(lanes_less(K(0.0), p_bridge_half_width), lanes_select(lanes_less(K(0.0), p_board_thickness), lanes_select(lanes_less(K(0.0), p_board_half_width), lanes_select(lanes_less(K(0.0), p_board_distance), _s1, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
+    const V _s3 = lanes_select(lanes_at_most(K(0.0), p_backboard_restitution), lanes_select(lanes_at_most(p_ring_restitution, K(1.0)), lanes_select(lanes_at_most(K(0.0), p_ring_restitution), lanes_select(lanes_less(K(0.0), p_end_depth), lanes_select(lanes_less(K(0.0), p_gravity), _s2, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
+    const V _s4 = lanes_select(lanes_at_most(K(0.0), p_backboard_friction), lanes_select(lanes_at_most(K(0.0), p_ring_friction), lanes_select(lanes_at_most(p_bridge_restitution, K(1.0)), lanes_select(lanes_at_most(K(0.0), p_bridge_restitution), lanes_select(lanes_at_most(p_backboard_restitution, K(1.0)), _s3, K(0.0)), K(0.0)), K(0.0)), K(0.0)), K(0.0));
+    return (LANES(court_allowed_out)){ lanes_select(lanes_less(K(0.0), p_restitution_speed), lanes_select(lanes_at_most(p_tangential_restitution, K(1.0)), lanes_select(lanes_at_most(K(-1.0), p_tangential_restitution), lanes_select(lanes_at_most(K(0.0), p_bridge_friction), _s4, K(0.0)), K(0.0)), K(0.0)), K(0.0)) };
+}
+
+/* Where the parameters are finite and allowed.
+   IEEE 754. 61 operations: 20 absolute values, 21 comparisons, 20 conjunctions. */
+typedef struct {
+    M permitted;
+} LANES(court_finite_parameters_out);
+
+LANES_INLINE LANES(court_finite_parameters_out)
+LANES(court_finite_parameters)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_bridge_half_width, V p_bridge_depth, V p_gravity, V p_end_depth, V p_ring_restitution, V p_backboard_restitution, V p_bridge_restitution, V p_ring_friction, V p_backboard_friction, V p_bridge_friction, V p_tangential_restitution, V p_restitution_speed, V allowed)
+{
+    const M _s0 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), allowed), lanes_less(lanes_abs(p_ball_radius), K(INFINITY))), lanes_less(lanes_abs(p_ring_radius), K(INFINITY))), lanes_less(lanes_abs(p_wire_radius), K(INFINITY))), lanes_less(lanes_abs(p_board_distance), K(INFINITY)));
+    const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(_s0, lanes_less(lanes_abs(p_board_half_width), K(INFINITY))), lanes_less(lanes_abs(p_board_bottom), K(INFINITY))), lanes_less(lanes_abs(p_board_top), K(INFINITY))), lanes_less(lanes_abs(p_board_thickness), K(INFINITY)));
+    const M _s2 = lanes_both(lanes_both(lanes_both(lanes_both(_s1, lanes_less(lanes_abs(p_bridge_half_width), K(INFINITY))), lanes_less(lanes_abs(p_bridge_depth), K(INFINITY))), lanes_less(lanes_abs(p_gravity), K(INFINITY))), lanes_less(lanes_abs(p_end_depth), K(INFINITY)));
+    const M _s3 = lanes_both(lanes_both(lanes_both(lanes_both(_s2, lanes_less(lanes_abs(p_ring_restitution), K(INFINITY))), lanes_less(lanes_abs(p_backboard_restitution), K(INFINITY))), lanes_less(lanes_abs(p_bridge_restitution), K(INFINITY))), lanes_at_most(lanes_abs(p_ring_friction), K(INFINITY)));
+    const M _s4 = lanes_both(lanes_both(lanes_both(lanes_both(_s3, lanes_at_most(lanes_abs(p_backboard_friction), K(INFINITY))), lanes_at_most(lanes_abs(p_bridge_friction), K(INFINITY))), lanes_less(lanes_abs(p_tangential_restitution), K(INFINITY))), lanes_at_most(lanes_abs(p_restitution_speed), K(INFINITY)));
+    return (LANES(court_finite_parameters_out)){ _s4 };
+}
+
+/* 1 where no surface is overlapped; 1 where that is in doubt.
+   Table 2. 133 operations: 27 additions, 19 subtractions, 15 multiplications, 3 square roots, 4 negations, 20 absolute values, 21 comparisons, 24 selections. */
+typedef struct {
+    V valid;
+    V doubt;
+} LANES(court_valid_out);
+
+LANES_INLINE LANES(court_valid_out)
+LANES(court_valid)(V last, V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_bridge_half_width, V p_bridge_depth, V p_end_depth)
+{
+    const V _s0 = lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), p_ring_radius);
+    const V _s1 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s2 = lanes_sub(lanes_add(lanes_mul(z, z), lanes_mul(_s0, _s0)), lanes_mul(_s1, _s1));
+    const M _s3 = lanes_less(lanes_abs(last), K(0.5));
+    const V _s4 = lanes_select(_s3, K(1.0), lanes_select(lanes_at_most(K(0.0), _s2), K(1.0), K(0.0)));
+    const V _s5 = lanes_sub(z, p_board_top);
+    const V _s6 = lanes_sub(p_board_bottom, z);
+    const V _s7 = lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)));
+    const V _s8 = lanes_add(p_board_distance, x);
+    const V _s9 = lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x));
+    const V _s10 = lanes_sub(lanes_max(_s8, K(0.0)), lanes_max(_s9, K(0.0)));
+    const V _s11 = lanes_sub(y, p_board_half_width);
+    const V _s12 = lanes_neg(lanes_add(p_board_half_width, y));
+    const V _s13 = lanes_sub(lanes_max(_s11, K(0.0)), lanes_max(_s12, K(0.0)));
+    const V _s14 = lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s7, _s7), lanes_mul(_s10, _s10)), lanes_mul(_s13, _s13))), p_ball_radius);
+    const M _s15 = lanes_less(lanes_abs(lanes_sub(last, K(1.0))), K(0.5));
+    const V _s16 = lanes_select(_s15, _s4, lanes_select(lanes_at_most(K(0.0), _s14), _s4, K(0.0)));
+    const V _s17 = lanes_add(p_ring_radius, x);
+    const V _s18 = lanes_neg(_s8);
+    const V _s19 = lanes_sub(lanes_max(_s17, K(0.0)), lanes_max(_s18, K(0.0)));
+    const V _s20 = lanes_sub(y, p_bridge_half_width);
+    const V _s21 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s22 = lanes_sub(lanes_max(_s20, K(0.0)), lanes_max(_s21, K(0.0)));
+    const V _s23 = lanes_sub(z, p_wire_radius);
+    const V _s24 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
+    const V _s25 = lanes_sub(lanes_max(_s23, K(0.0)), lanes_max(_s24, K(0.0)));
+    const V _s26 = lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s19, _s19), lanes_mul(_s22, _s22)), lanes_mul(_s25, _s25))), p_ball_radius);
+    const M _s27 = lanes_less(lanes_abs(lanes_sub(last, K(2.0))), K(0.5));
+    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(p_ball_radius), lanes_abs(p_board_bottom)), lanes_abs(p_board_distance)), lanes_abs(p_board_half_width)), lanes_abs(p_board_thickness)), lanes_abs(p_board_top));
+    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s28, lanes_abs(p_bridge_depth)), lanes_abs(p_bridge_half_width)), lanes_abs(p_end_depth)), lanes_abs(p_ring_radius)), lanes_abs(p_wire_radius));
+    const V _s30 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_add(_s29, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
+    const V _s31 = lanes_select(_s3, K(0.0), lanes_select(lanes_at_most(lanes_abs(_s2), lanes_mul(lanes_add(lanes_mul(K(4.0), p_ball_radius), lanes_mul(K(4.0), p_wire_radius)), _s30)), K(1.0), K(0.0)));
+    const V _s32 = lanes_select(_s15, _s31, lanes_select(lanes_at_most(lanes_abs(_s14), _s30), K(1.0), _s31));
+    return (LANES(court_valid_out)){ lanes_select(_s27, _s16, lanes_select(lanes_at_most(K(0.0), _s26), _s16, K(0.0))), lanes_select(_s27, _s32, lanes_select(lanes_at_most(lanes_abs(_s26), _s30), K(1.0), _s32)) };
+}
+
+/* Whether a ball starts as one that has fallen through the ring.
+   Table 2, success. 22 operations: 2 additions, 1 subtraction, 4 multiplications, 1 negation, 1 absolute value, 6 comparisons, 5 conjunctions, 2 selections. */
+typedef struct {
+    V through;
+    V uncertain;
+} LANES(court_passing_start_out);
+
+LANES_INLINE LANES(court_passing_start_out)
+LANES(court_passing_start)(V last, V outcome, V uncertain, V x, V y, V z, V p_ring_radius, V p_end_depth)
+{
+    const M _s0 = lanes_both(lanes_both(lanes_at_most(K(0.0), last), lanes_less(z, K(0.0))), lanes_at_most(lanes_neg(p_end_depth), z));
+    const V _s1 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
+    const V _s2 = lanes_mul(p_ring_radius, p_ring_radius);
+    const V _s3 = lanes_select(lanes_both(lanes_both(_s0, lanes_at_most(lanes_abs(lanes_sub(_s1, _s2)), lanes_mul(K(8.881784197001252e-16), lanes_add(_s2, _s1)))), lanes_less(outcome, K(0.0))), K(1.0), uncertain);
+    return (LANES(court_passing_start_out)){ lanes_select(lanes_both(_s0, lanes_less(_s1, _s2)), K(1.0), K(0.0)), _s3 };
+}
+
+/* 1 for a ball that is down through the ring's disc, -1 for one that came up, else 0.
+   Eq. 3, its roots in the ring's plane. 66 operations: 9 additions, 2 subtractions, 18 multiplications, 1 division, 1 square root, 16 comparisons, 9 conjunctions, 2 disjunctions, 8 selections. */
+typedef struct {
+    V through;
+} LANES(court_passing_out);
+
+LANES_INLINE LANES(court_passing_out)
+LANES(court_passing)(V through, V t, V x, V y, V z, V vx, V vy, V vz, V p_ring_radius, V p_gravity)
+{
+    const M _s0 = lanes_less(z, K(0.0));
+    const V _s1 = lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t))));
+    const M _s2 = lanes_less(_s1, K(0.0));
+    const V _s3 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), p_gravity), z));
+    const M _s4 = lanes_both(lanes_both(lanes_both(lanes_both(_s0, _s2), lanes_less(K(0.0), vz)), lanes_less(K(0.0), _s3)), lanes_less(vz, lanes_mul(p_gravity, t)));
+    const V _s5 = lanes_sqrt(lanes_max(_s3, K(0.0)));
+    const V _s6 = lanes_div(K(1.0), p_gravity);
+    const V _s7 = lanes_mul(lanes_add(vz, _s5), _s6);
+    const V _s8 = lanes_max(K(0.0), _s7);
+    const V _s9 = lanes_min(_s8, t);
+    const V _s10 = lanes_add(x, lanes_mul(vx, _s9));
+    const V _s11 = lanes_add(y, lanes_mul(vy, _s9));
+    const V _s12 = lanes_mul(p_ring_radius, p_ring_radius);
+    const V _s13 = lanes_mul(lanes_sub(vz, _s5), _s6);
+    const V _s14 = lanes_max(K(0.0), _s13);
+    const V _s15 = lanes_min(_s14, t);
+    const V _s16 = lanes_add(x, lanes_mul(vx, _s15));
+    const V _s17 = lanes_add(y, lanes_mul(vy, _s15));
+    const V _s18 = lanes_select(lanes_both(lanes_either(_s4, lanes_both(_s0, lanes_at_most(K(0.0), _s1))), lanes_less(lanes_add(lanes_mul(_s16, _s16), lanes_mul(_s17, _s17)), _s12)), lanes_select(lanes_equal(through, K(1.0)), K(0.0), K(-1.0)), through);
+    const V _s19 = lanes_select(lanes_both(lanes_both(lanes_either(_s4, lanes_both(_s2, lanes_at_most(K(0.0), z))), lanes_less(lanes_add(lanes_mul(_s10, _s10), lanes_mul(_s11, _s11)), _s12)), lanes_equal(_s18, K(0.0))), K(1.0), _s18);
+    return (LANES(court_passing_out)){ _s19 };
+}
+
+/* Where that lies within its error.
+   running error analysis. 107 operations: 18 additions, 4 subtractions, 31 multiplications, 1 division, 4 square roots, 6 absolute values, 20 comparisons, 11 conjunctions, 6 disjunctions, 6 selections. */
+typedef struct {
+    M unsure;
+} LANES(court_passing_doubt_out);
+
+LANES_INLINE LANES(court_passing_doubt_out)
+LANES(court_passing_doubt)(V t, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ring_radius, V p_gravity)
+{
+    const V _s0 = lanes_add(z, lanes_mul(t, lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t))));
+    const V _s1 = lanes_mul(vz, vz);
+    const V _s2 = lanes_div(K(1.0), p_gravity);
+    const V _s3 = lanes_mul(p_gravity, t);
+    const V _s4 = lanes_add(speed, _s3);
+    const V _s5 = lanes_mul(K(1.0009765625), lanes_add(lanes_add(position_error, lanes_mul(t, velocity_error)), lanes_mul(K(4.440892098500626e-16), lanes_add(extent, lanes_mul(t, _s4)))));
+    const V _s6 = lanes_add(lanes_mul(K(8.881784197001252e-16), lanes_mul(_s1, _s2)), _s5);
+    const M _s7 = lanes_less(z, K(0.0));
+    const M _s8 = lanes_less(_s0, K(0.0));
+    const M _s9 = lanes_both(lanes_both(_s7, _s8), lanes_less(K(0.0), vz));
+    const V _s10 = lanes_add(_s1, lanes_mul(lanes_mul(K(2.0), p_gravity), z));
+    const V _s11 = lanes_sqrt(lanes_max(_s10, K(0.0)));
+    const V _s12 = lanes_mul(lanes_add(vz, _s11), _s2);
+    const V _s13 = lanes_max(K(0.0), _s12);
+    const V _s14 = lanes_min(_s13, t);
+    const V _s15 = lanes_add(x, lanes_mul(vx, _s14));
+    const V _s16 = lanes_add(y, lanes_mul(vy, _s14));
+    const V _s17 = lanes_sqrt(lanes_add(lanes_mul(_s15, _s15), lanes_mul(_s16, _s16)));
+    const V _s18 = lanes_mul(lanes_sub(vz, _s11), _s2);
+    const V _s19 = lanes_max(K(0.0), _s18);
+    const V _s20 = lanes_min(_s19, t);
+    const V _s21 = lanes_add(x, lanes_mul(vx, _s20));
+    const V _s22 = lanes_add(y, lanes_mul(vy, _s20));
+    const V _s23 = lanes_sqrt(lanes_add(lanes_mul(_s21, _s21), lanes_mul(_s22, _s22)));
+    const V _s24 = lanes_mul(lanes_mul(K(1.0009765625), _s4), lanes_add(lanes_sqrt(lanes_mul(lanes_mul(K(8.0), _s2), _s6)), lanes_mul(K(8.881784197001252e-16), lanes_add(t, lanes_mul(lanes_abs(vz), _s2)))));
+    const V _s25 = lanes_add(_s24, _s5);
+    const M _s26 = lanes_both(lanes_either(lanes_either(lanes_both(lanes_less(K(0.0), position_error), lanes_at_most(lanes_abs(z), position_error)), lanes_at_most(lanes_abs(_s0), _s6)), lanes_both(_s9, lanes_at_most(lanes_abs(_s10), lanes_mul(lanes_mul(K(4.0), p_gravity), _s6)))), lanes_at_most(lanes_min(_s17, _s23), lanes_add(p_ring_radius, _s25)));
+    const M _s27 = lanes_both(lanes_both(_s9, lanes_less(K(0.0), _s10)), lanes_less(vz, _s3));
+    const M _s28 = lanes_either(_s26, lanes_either(lanes_both(lanes_either(_s27, lanes_both(_s7, lanes_at_most(K(0.0), _s0))), lanes_at_most(lanes_abs(lanes_sub(_s23, p_ring_radius)), _s25)), lanes_both(lanes_either(_s27, lanes_both(_s8, lanes_at_most(K(0.0), z))), lanes_at_most(lanes_abs(lanes_sub(_s17, p_ring_radius)), _s25))));
+    return (LANES(court_passing_doubt_out)){ _s28 };
+}
+
+/* Whether a ball in contact is over the ring's disc, or beside it.
+   Table 1. 1 operation: 1 comparison. */
+typedef struct {
+    M over;
+} LANES(court_passing_from_out);
+
+LANES_INLINE LANES(court_passing_from_out)
+LANES(court_passing_from)(V z)
+{
+    return (LANES(court_passing_from_out)){ lanes_at_most(K(0.0), z) };
+}
+
+/* The same for a ball in contact, after a step.
+   Table 1. 18 operations: 1 addition, 3 multiplications, 5 comparisons, 5 conjunctions, 1 complement, 3 selections. */
+typedef struct {
+    V through;
+} LANES(court_passing_in_contact_out);
+
+LANES_INLINE LANES(court_passing_in_contact_out)
+LANES(court_passing_in_contact)(M over, V p_ring_radius, V through, V x, V y, V z)
+{
+    const M _s0 = lanes_less(lanes_add(lanes_mul(x, x), lanes_mul(y, y)), lanes_mul(p_ring_radius, p_ring_radius));
+    const V _s1 = lanes_select(lanes_both(lanes_both(lanes_not(over), lanes_at_most(K(0.0), z)), _s0), lanes_select(lanes_equal(through, K(1.0)), K(0.0), K(-1.0)), through);
+    return (LANES(court_passing_in_contact_out)){ lanes_select(lanes_both(lanes_both(lanes_both(over, lanes_less(z, K(0.0))), _s0), lanes_equal(_s1, K(0.0))), K(1.0), _s1) };
+}
+
+/* 1 where the ball leaves a surface.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+typedef struct {
+    V leaving;
+} LANES(court_left_out);
+
+LANES_INLINE LANES(court_left_out)
+LANES(court_left)(V index, V last)
+{
+    return (LANES(court_left_out)){ lanes_select(lanes_equal(last, index), K(1.0), K(0.0)) };
+}
+
+/* Whether a plane's only arrival is one, and the size of the bend there.
+   Table 1. 12 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction. */
+typedef struct {
+    M arrives;
+    V ceiling;
+} LANES(court_meeting_plane_out);
+
+LANES_INLINE LANES(court_meeting_plane_out)
+LANES(court_meeting_plane)(V bend, V rate, V time)
+{
+    const M _s0 = lanes_both(lanes_both(lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_both(lanes_at_most(rate, K(0.0)), lanes_less(bend, K(0.0))), lanes_equal(time, K(0.0)))), lanes_at_most(K(0.0), time)), lanes_less(time, K(INFINITY)));
+    return (LANES(court_meeting_plane_out)){ _s0, lanes_abs(bend) };
+}
+
+/* Whether an arrival may be the earliest, as far as their delays are bounded.
+   Table 1. 5 operations: 1 addition, 1 subtraction, 1 comparison, 1 conjunction, 1 complement. */
+typedef struct {
+    M possible;
+} LANES(court_timely_out);
+
+LANES_INLINE LANES(court_timely_out)
+LANES(court_timely)(M arrives, V delay, V late, V time, V when)
+{
+    return (LANES(court_timely_out)){ lanes_both(arrives, lanes_not(lanes_less(lanes_add(delay, late), lanes_sub(time, when)))) };
+}
+
+/* A doubt where the gap's apex is zero within its error.
+   Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection. */
+typedef struct {
+    V doubt;
+} LANES(court_grazed_out);
+
+LANES_INLINE LANES(court_grazed_out)
+LANES(court_grazed)(V apex, V doubt, V height, V margin)
+{
+    return (LANES(court_grazed_out)){ lanes_select(lanes_both(lanes_both(lanes_at_most(K(0.0), apex), lanes_at_most(lanes_abs(height), margin)), lanes_less(apex, doubt)), apex, doubt) };
+}
+
+/* A doubt about a decision at a time.
+   Table 1. 3 operations: 1 comparison, 1 conjunction, 1 selection. */
+typedef struct {
+    V doubt;
+} LANES(court_questioned_out);
+
+LANES_INLINE LANES(court_questioned_out)
+LANES(court_questioned)(V doubt, V time, M unsure)
+{
+    return (LANES(court_questioned_out)){ lanes_select(lanes_both(unsure, lanes_less(time, doubt)), time, doubt) };
+}
+
+/* A doubt about an arrival whose crossing is not certain.
+   Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection. */
+typedef struct {
+    V doubt;
+} LANES(court_crossed_out);
+
+LANES_INLINE LANES(court_crossed_out)
+LANES(court_crossed)(M arrives, V clearance, V doubt, V time)
+{
+    return (LANES(court_crossed_out)){ lanes_select(lanes_both(lanes_both(arrives, lanes_not(lanes_less(K(0.0), clearance))), lanes_less(time, doubt)), time, doubt) };
+}
+
+/* A doubt about two arrivals within their delays; the delay of the earlier one.
+   Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections. */
+typedef struct {
+    V doubt;
+    V late;
+} LANES(court_tied_out);
+
+LANES_INLINE LANES(court_tied_out)
+LANES(court_tied)(M arrives, V delay, V doubt, V late, V time, V when)
+{
+    const M _s0 = lanes_less(time, when);
+    const V _s1 = lanes_select(_s0, time, when);
+    const V _s2 = lanes_select(lanes_both(lanes_both(arrives, lanes_at_most(lanes_abs(lanes_sub(time, when)), lanes_add(delay, late))), lanes_less(_s1, doubt)), _s1, doubt);
+    return (LANES(court_tied_out)){ _s2, lanes_select(lanes_both(arrives, _s0), delay, late) };
+}
+
+/* The earlier of the earliest arrival so far and this one.
+   Table 1. 4 operations: 1 comparison, 1 conjunction, 2 selections. */
+typedef struct {
+    V when;
+    V which;
+} LANES(court_sooner_out);
+
+LANES_INLINE LANES(court_sooner_out)
+LANES(court_sooner)(M arrives, V index, V time, V when, V which)
+{
+    const M _s0 = lanes_both(arrives, lanes_less(time, when));
+    return (LANES(court_sooner_out)){ lanes_select(_s0, time, when), lanes_select(_s0, index, which) };
+}
+
+/* Where a surface is not certainly missed.
+   Table 1. 2 operations: 1 comparison, 1 complement. */
+typedef struct {
+    M open;
+} LANES(court_opens_out);
+
+LANES_INLINE LANES(court_opens_out)
+LANES(court_opens)(V clear)
+{
+    return (LANES(court_opens_out)){ lanes_not(lanes_less(K(0.0), clear)) };
+}
+
+/* How a search begins: with the errors that it allows for, and nothing found.
+   Table 1. No operations. */
+typedef struct {
+    V share;
+    V arrival;
+    M certain;
+} LANES(court_beginning_out);
+
+LANES_INLINE LANES(court_beginning_out)
+LANES(court_beginning)(void)
+{
+    return (LANES(court_beginning_out)){ K(2.9802322387695312e-08), K(INFINITY), lanes_nowhere() };
+}
+
+/* Nothing is certain where the errors exceed what the search allows for.
+   Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection. */
+typedef struct {
+    V doubt;
+} LANES(court_beyond_out);
+
+LANES_INLINE LANES(court_beyond_out)
+LANES(court_beyond)(V doubt, V excess, V late, V lost, V pad)
+{
+    return (LANES(court_beyond_out)){ lanes_select(lanes_either(lanes_either(lanes_less(K(0.0), excess), lanes_less(K(0.0), lost)), lanes_less(pad, late)), K(0.0), doubt) };
+}
+
+/* 1 near the surface that the ball left, where F/t is known better than F; the margin.
+   Table 1. 6 operations: 1 multiplication, 2 comparisons, 1 conjunction, 2 selections. */
+typedef struct {
+    V leaving;
+    V margin;
+} LANES(court_nearby_out);
+
+LANES_INLINE LANES(court_nearby_out)
+LANES(court_nearby)(V flat, V index, V last, V t, V tilt)
+{
+    const V _s0 = lanes_mul(t, tilt);
+    const M _s1 = lanes_both(lanes_equal(last, index), lanes_less(_s0, flat));
+    return (LANES(court_nearby_out)){ lanes_select(_s1, K(1.0), K(0.0)), lanes_select(_s1, _s0, flat) };
+}
+
+/* Whether the gap closes, surely, or is to be looked at with smaller errors allowed.
+   Table 1. 17 operations: 1 subtraction, 6 comparisons, 6 conjunctions, 2 disjunctions, 2 complements. */
+typedef struct {
+    M hit;
+    M sure;
+    M vague;
+} LANES(court_struck_out);
+
+LANES_INLINE LANES(court_struck_out)
+LANES(court_struck)(V bend, V clearance, V gap, V margin, V rate, V rate_margin, V share)
+{
+    const M _s0 = lanes_either(lanes_less(rate, K(0.0)), lanes_both(lanes_at_most(rate, rate_margin), lanes_less(bend, K(0.0))));
+    const M _s1 = lanes_less(K(0.0), clearance);
+    const M _s2 = lanes_both(_s0, lanes_either(lanes_at_most(lanes_sub(gap, margin), margin), _s1));
+    const M _s3 = lanes_both(_s0, _s1);
+    const M _s4 = lanes_both(lanes_both(_s2, lanes_not(_s3)), lanes_less(K(0.0), share));
+    return (LANES(court_struck_out)){ lanes_both(_s2, lanes_not(_s4)), _s3, _s4 };
+}
+
+/* The next smaller errors that a search allows for.
+   Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
+typedef struct {
+    V share;
+} LANES(court_finer_out);
+
+LANES_INLINE LANES(court_finer_out)
+LANES(court_finer)(V share)
+{
+    return (LANES(court_finer_out)){ lanes_select(lanes_less(K(2.842170943040401e-14), share), lanes_mul(K(0.03125), share), K(0.0)) };
+}
+
+/* A doubt where the errors exceed what is allowed for.
+   Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection. */
+typedef struct {
+    V doubt;
+} LANES(court_exceeded_out);
+
+LANES_INLINE LANES(court_exceeded_out)
+LANES(court_exceeded)(V doubt, V excess, V t)
+{
+    return (LANES(court_exceeded_out)){ lanes_select(lanes_both(lanes_less(K(0.0), excess), lanes_less(t, doubt)), t, doubt) };
+}
+
+/* The search after a step: what it found, whether its window is exhausted, where it is.
+   Table 1. 14 operations: 1 subtraction, 1 comparison, 4 conjunctions, 2 disjunctions, 3 complements, 3 selections. */
+typedef struct {
+    V arrival;
+    M certain;
+    M exhausted;
+    M searching;
+    V t;
+} LANES(court_advanced_out);
+
+LANES_INLINE LANES(court_advanced_out)
+LANES(court_advanced)(V arrival, M certain, V end, M hit, V next, V root, V step, M sure, V t, M vague)
+{
+    const M _s0 = lanes_not(hit);
+    const M _s1 = lanes_both(lanes_both(_s0, lanes_not(vague)), lanes_at_most(lanes_sub(end, t), step));
+    return (LANES(court_advanced_out)){ lanes_select(hit, lanes_select(sure, root, t), arrival), lanes_either(certain, lanes_both(hit, sure)), _s1, lanes_both(_s0, lanes_not(_s1)), lanes_select(lanes_either(hit, vague), t, next) };
+}
+
+/* Whether a search found an arrival.
+   Table 1. 1 operation: 1 comparison. */
+typedef struct {
+    M arrives;
+} LANES(court_found_out);
+
+LANES_INLINE LANES(court_found_out)
+LANES(court_found)(V arrival)
+{
+    return (LANES(court_found_out)){ lanes_less(arrival, K(INFINITY)) };
+}
+
+/* A root that is certain, refined.
+   Table 1. 1 operation: 1 selection. */
+typedef struct {
+    V arrival;
+} LANES(court_polished_out);
+
+LANES_INLINE LANES(court_polished_out)
+LANES(court_polished)(V arrival, M certain, V refined)
+{
+    return (LANES(court_polished_out)){ lanes_select(certain, refined, arrival) };
+}
+
+/* The margin of the form that an arrival was found with.
+   Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection. */
+typedef struct {
+    V margin;
+} LANES(court_own_margin_out);
+
+LANES_INLINE LANES(court_own_margin_out)
+LANES(court_own_margin)(V arrival, V flat, V leaving, V tilt)
+{
+    return (LANES(court_own_margin_out)){ lanes_select(lanes_less(K(0.0), leaving), lanes_mul(arrival, tilt), flat) };
+}
+
+/* The time of an arrival, not before the flight.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+typedef struct {
+    V time;
+} LANES(court_landed_out);
+
+LANES_INLINE LANES(court_landed_out)
+LANES(court_landed)(V arrival)
+{
+    return (LANES(court_landed_out)){ lanes_select(lanes_less(arrival, K(0.0)), K(0.0), arrival) };
+}
+
+/* The delay of an arrival that is certain, a doubt about another one.
+   Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections. */
+typedef struct {
+    V delay;
+    V doubt;
+} LANES(court_landed_surely_out);
+
+LANES_INLINE LANES(court_landed_surely_out)
+LANES(court_landed_surely)(M arrives, M certain, V clearance, V delay, V doubt, V time)
+{
+    const M _s0 = lanes_both(certain, lanes_less(K(0.0), clearance));
+    return (LANES(court_landed_surely_out)){ lanes_select(_s0, delay, K(0.0)), lanes_select(lanes_both(lanes_both(arrives, lanes_not(_s0)), lanes_less(time, doubt)), time, doubt) };
+}
+
+/* A search that begins outside the surface.
+   Table 1. No operations. */
+typedef struct {
+    V side;
+} LANES(court_outside_out);
+
+LANES_INLINE LANES(court_outside_out)
+LANES(court_outside)(void)
+{
+    return (LANES(court_outside_out)){ K(1.0) };
+}
+
+/* Where every number of a state is finite.
+   Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions. */
+typedef struct {
+    M finite;
+} LANES(court_finite_state_out);
+
+LANES_INLINE LANES(court_finite_state_out)
+LANES(court_finite_state)(V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
+{
+    const M _s0 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(lanes_abs(x), K(INFINITY)), lanes_less(lanes_abs(y), K(INFINITY))), lanes_less(lanes_abs(z), K(INFINITY))), lanes_less(lanes_abs(vx), K(INFINITY))), lanes_less(lanes_abs(vy), K(INFINITY)));
+    const M _s1 = lanes_both(lanes_both(lanes_both(lanes_both(_s0, lanes_less(lanes_abs(vz), K(INFINITY))), lanes_less(lanes_abs(wx), K(INFINITY))), lanes_less(lanes_abs(wy), K(INFINITY))), lanes_less(lanes_abs(wz), K(INFINITY)));
+    return (LANES(court_finite_state_out)){ _s1 };
+}
+
+/* No arrival yet; nothing is certain where the errors are not bounded.
+   Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 selection. */
+typedef struct {
+    V when;
+    V which;
+    V late;
+    V doubt;
+} LANES(court_opening_out);
+
+LANES_INLINE LANES(court_opening_out)
+LANES(court_opening)(V excess, V position_error, V velocity_error)
+{
+    return (LANES(court_opening_out)){ K(INFINITY), K(-1.0), K(0.0), lanes_select(lanes_both(lanes_both(lanes_less(position_error, K(INFINITY)), lanes_less(velocity_error, K(INFINITY))), lanes_at_most(excess, K(0.0))), K(INFINITY), K(0.0)) };
+}
+
+/* Whether there is a time limit.
+   Table 1. 1 operation: 1 comparison. */
+typedef struct {
+    M limited;
+} LANES(court_limited_out);
+
+LANES_INLINE LANES(court_limited_out)
+LANES(court_limited)(V time_limit)
+{
+    return (LANES(court_limited_out)){ lanes_less(time_limit, K(INFINITY)) };
+}
+
+/* The time of the event.
+   Table 1. 1 operation: 1 addition. */
+typedef struct {
+    V clock;
+} LANES(court_ticked_out);
+
+LANES_INLINE LANES(court_ticked_out)
+LANES(court_ticked)(V clock, V when)
+{
+    return (LANES(court_ticked_out)){ lanes_add(clock, when) };
+}
+
+/* Where an event changes the ball, or its errors are asked for.
+   Table 1. 3 operations: 1 comparison, 1 conjunction, 1 disjunction. */
+typedef struct {
+    M meeting;
+} LANES(court_meeting_out);
+
+LANES_INLINE LANES(court_meeting_out)
+LANES(court_meeting)(V claims, M ends, M touches)
+{
+    return (LANES(court_meeting_out)){ lanes_either(touches, lanes_both(ends, lanes_less(K(0.0), claims))) };
+}
+
+/* Whether the event is on a surface.
+   Table 1. 1 operation: 1 comparison. */
+typedef struct {
+    M here;
+} LANES(court_here_out);
+
+LANES_INLINE LANES(court_here_out)
+LANES(court_here)(V index, V which)
+{
+    return (LANES(court_here_out)){ lanes_equal(which, index) };
+}
+
+/* One more contact.
+   Table 1. 1 operation: 1 addition. */
+typedef struct {
+    V count;
+} LANES(court_counted_out);
+
+LANES_INLINE LANES(court_counted_out)
+LANES(court_counted)(V count)
+{
+    return (LANES(court_counted_out)){ lanes_add(K(1.0), count) };
+}
+
+/* A ball that meets another surface.
+   Table 1. No operations. */
+typedef struct {
+    V curving;
+} LANES(court_elsewhere_out);
+
+LANES_INLINE LANES(court_elsewhere_out)
+LANES(court_elsewhere)(void)
+{
+    return (LANES(court_elsewhere_out)){ K(INFINITY) };
+}
+
+/* Whether the ball meets the surface that it touched last.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+typedef struct {
+    M again;
+} LANES(court_again_out);
+
+LANES_INLINE LANES(court_again_out)
+LANES(court_again)(V index, V last, V which)
+{
+    return (LANES(court_again_out)){ lanes_both(lanes_equal(which, index), lanes_equal(last, which)) };
+}
+
+/* The error of the event's time.
+   Table 1. 1 operation: 1 addition. */
+typedef struct {
+    V clock_error;
+} LANES(court_delayed_out);
+
+LANES_INLINE LANES(court_delayed_out)
+LANES(court_delayed)(V clock_error, V delay)
+{
+    return (LANES(court_delayed_out)){ lanes_add(clock_error, delay) };
+}
+
+/* Errors of the position at the end, not below what one flight can make.
+   Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections. */
+typedef struct {
+    V dx;
+    V dy;
+    V dz;
+} LANES(court_floored_out);
+
+LANES_INLINE LANES(court_floored_out)
+LANES(court_floored)(V dx, V dy, V dz, V shift)
+{
+    return (LANES(court_floored_out)){ lanes_select(lanes_less(lanes_abs(dx), shift), shift, dx), lanes_select(lanes_less(lanes_abs(dy), shift), shift, dy), lanes_select(lanes_less(lanes_abs(dz), shift), shift, dz) };
+}
+
+/* A normal without error.
+   Table 1. No operations. */
+typedef struct {
+    V dnx;
+    V dny;
+    V dnz;
+    V turn;
+} LANES(court_unturned_out);
+
+LANES_INLINE LANES(court_unturned_out)
+LANES(court_unturned)(void)
+{
+    return (LANES(court_unturned_out)){ K(0.0), K(0.0), K(0.0), K(0.0) };
+}
+
+/* The surfaces that were touched first and last.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+typedef struct {
+    V first;
+    V last;
+} LANES(court_touched_out);
+
+LANES_INLINE LANES(court_touched_out)
+LANES(court_touched)(V body, V first, V which)
+{
+    return (LANES(court_touched_out)){ lanes_select(lanes_less(first, K(0.0)), body, first), which };
+}
+
+/* Where a shot has ended at the time limit whose errors are asked for.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+typedef struct {
+    M timed;
+} LANES(court_timed_out);
+
+LANES_INLINE LANES(court_timed_out)
+LANES(court_timed)(V claims, V index, V which)
+{
+    return (LANES(court_timed_out)){ lanes_both(lanes_equal(which, index), lanes_less(K(0.0), claims)) };
+}
+
+/* Where a shot has ended whose errors are asked for.
+   Table 1. 3 operations: 2 comparisons, 1 conjunction. */
+typedef struct {
+    M closed;
+} LANES(court_closing_out);
+
+LANES_INLINE LANES(court_closing_out)
+LANES(court_closing)(V claims, V outcome)
+{
+    return (LANES(court_closing_out)){ lanes_both(lanes_less(K(0.0), claims), lanes_at_most(K(0.0), outcome)) };
+}
+
+/* 1 where a decision within a contact lies within its error.
+   Table 1. 1 operation: 1 selection. */
+typedef struct {
+    V uncertain;
+} LANES(court_undecided_out);
+
+LANES_INLINE LANES(court_undecided_out)
+LANES(court_undecided)(V uncertain, M unsure)
+{
+    return (LANES(court_undecided_out)){ lanes_select(unsure, K(1.0), uncertain) };
+}
+
+/* The body that the event is on.
+   Table 1. No operations. */
+typedef struct {
+    V body;
+} LANES(court_body_of_out);
+
+LANES_INLINE LANES(court_body_of_out)
+LANES(court_body_of)(V which)
+{
+    return (LANES(court_body_of_out)){ which };
+}
+
+/* Whether a shot can start, and whether that is in doubt.
+   Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections. */
+typedef struct {
+    V outcome;
+    V uncertain;
+} LANES(court_admitted_out);
+
+LANES_INLINE LANES(court_admitted_out)
+LANES(court_admitted)(V doubt, M finite, M permitted, V valid)
+{
+    const M _s0 = lanes_both(permitted, finite);
+    return (LANES(court_admitted_out)){ lanes_select(lanes_both(_s0, lanes_less(K(0.0), valid)), K(-1.0), K(4.0)), lanes_select(lanes_both(_s0, lanes_less(K(0.0), doubt)), K(1.0), K(0.0)) };
+}
+
+/* The time limit, taken for an arrival.
+   Table 1. 12 operations: 2 additions, 1 subtraction, 1 multiplication, 4 comparisons, 1 conjunction, 1 complement, 2 selections. */
+typedef struct {
+    V time;
+    V delay;
+    M arrives;
+    V doubt;
+} LANES(court_expiry_out);
+
+LANES_INLINE LANES(court_expiry_out)
+LANES(court_expiry)(V clock, V doubt, V late, V time_error, V time_limit, V when, V which)
+{
+    const V _s0 = lanes_sub(time_limit, clock);
+    return (LANES(court_expiry_out)){ lanes_max(K(0.0), _s0), lanes_add(time_error, lanes_mul(K(4.440892098500626e-16), time_limit)), lanes_at_most(K(0.0), which), lanes_select(lanes_both(lanes_not(lanes_less(lanes_add(late, when), doubt)), lanes_less(doubt, K(INFINITY))), K(0.0), doubt) };
+}
+
+/* Whether there is no event, an end, or a contact.
+   Table 1. 5 operations: 3 comparisons, 1 conjunction, 1 complement. */
+typedef struct {
+    M stays;
+    M moves;
+    M ends;
+    M touches;
+    V reached;
+    M edge;
+} LANES(court_departed_out);
+
+LANES_INLINE LANES(court_departed_out)
+LANES(court_departed)(V index, V which)
+{
+    const M _s0 = lanes_less(which, K(0.0));
+    const M _s1 = lanes_not(_s0);
+    return (LANES(court_departed_out)){ _s0, _s1, lanes_at_most(index, which), lanes_both(_s1, lanes_less(which, index)), K(3.0), lanes_nowhere() };
+}
+
+/* What a shot ends with that the time limit ends.
+   Table 1. 6 operations: 1 comparison, 1 conjunction, 1 complement, 3 selections. */
+typedef struct {
+    V clock;
+    V body;
+    V reached;
+    M ends;
+} LANES(court_expired_out);
+
+LANES_INLINE LANES(court_expired_out)
+LANES(court_expired)(V body, V clock, M ends, V index, V reached, V time_limit, V which)
+{
+    const M _s0 = lanes_equal(which, index);
+    return (LANES(court_expired_out)){ lanes_select(_s0, time_limit, clock), lanes_select(_s0, K(3.0), body), lanes_select(_s0, K(6.0), reached), lanes_both(ends, lanes_not(_s0)) };
+}
+
+/* How many contacts there were, and whether the shot ends and how.
+   Table 1. 5 operations: 1 addition, 1 comparison, 3 selections. */
+typedef struct {
+    V contacts;
+    V outcome;
+} LANES(court_accounted_out);
+
+LANES_INLINE LANES(court_accounted_out)
+LANES(court_accounted)(V contacts, V most_contacts, V reached, M touches)
+{
+    const V _s0 = lanes_add(K(1.0), contacts);
+    return (LANES(court_accounted_out)){ lanes_select(touches, _s0, contacts), lanes_select(touches, lanes_select(lanes_at_most(most_contacts, _s0), K(2.0), K(-1.0)), reached) };
+}
+
+/* The terms of order 1 of a ball that rolls, from those before.
+   Newton, Euler and rolling without slip. 59 operations: 8 additions, 8 subtractions, 40 multiplications, 3 negations. */
+typedef struct {
+    V across_0;
+    V round_0;
+    V lift_0;
+    V tx_0;
+    V ty_0;
+    V tz_0;
+    V vx_1;
+    V vy_1;
+    V vz_1;
+    V nx_1;
+    V ny_1;
+    V nz_1;
+    V turn_rate_1;
+    V cos_1;
+    V sin_1;
+    V widened_1;
+    V near_1;
+} LANES(court_roll_0_out);
+
+LANES_INLINE LANES(court_roll_0_out)
+LANES(court_roll_0)(V bent_x, V bent_y, V bent_z, V cos_0, V p_gravity, V near_0, V nx_0, V ny_0, V nz_0, V per_reach, V ring, V sin_0, V turn_rate_0, V vx_0, V vy_0, V vz_0)
+{
+    const V _s0 = lanes_sub(lanes_mul(cos_0, vy_0), lanes_mul(sin_0, vx_0));
+    const V _s1 = lanes_mul(near_0, _s0);
+    const V _s2 = lanes_mul(K(0.6), p_gravity);
+    const V _s3 = lanes_neg(lanes_mul(sin_0, _s1));
+    const V _s4 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_x, vx_0), lanes_mul(ring, _s3)));
+    const V _s5 = lanes_mul(cos_0, _s1);
+    const V _s6 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_y, vy_0), lanes_mul(ring, _s5)));
+    const V _s7 = lanes_mul(lanes_mul(bent_z, per_reach), vz_0);
+    const V _s8 = lanes_sub(lanes_mul(_s2, nz_0), lanes_add(lanes_add(lanes_mul(vx_0, _s4), lanes_mul(vy_0, _s6)), lanes_mul(vz_0, _s7)));
+    const V _s9 = lanes_sub(lanes_mul(ny_0, _s7), lanes_mul(nz_0, _s6));
+    const V _s10 = lanes_sub(lanes_mul(nz_0, _s4), lanes_mul(nx_0, _s7));
+    const V _s11 = lanes_sub(lanes_mul(nx_0, _s6), lanes_mul(ny_0, _s4));
+    const V _s12 = lanes_add(lanes_mul(cos_0, vx_0), lanes_mul(sin_0, vy_0));
+    return (LANES(court_roll_0_out)){ _s0, _s1, _s8, _s9, _s10, _s11, lanes_add(lanes_mul(nx_0, _s8), lanes_mul(K(0.4), lanes_mul(turn_rate_0, _s9))), lanes_add(lanes_mul(ny_0, _s8), lanes_mul(K(0.4), lanes_mul(turn_rate_0, _s10))), lanes_sub(lanes_add(lanes_mul(nz_0, _s8), lanes_mul(K(0.4), lanes_mul(turn_rate_0, _s11))), _s2), _s4, _s6, _s7, lanes_neg(lanes_add(lanes_add(lanes_mul(vx_0, _s9), lanes_mul(vy_0, _s10)), lanes_mul(vz_0, _s11))), _s3, _s5, _s12, lanes_neg(lanes_mul(near_0, lanes_mul(near_0, _s12))) };
+}
+
+/* The terms of order 2 of a ball that rolls, from those before.
+   Newton, Euler and rolling without slip. 117 operations: 34 additions, 7 subtractions, 73 multiplications, 3 negations. */
+typedef struct {
+    V across_1;
+    V round_1;
+    V lift_1;
+    V tx_1;
+    V ty_1;
+    V tz_1;
+    V vx_2;
+    V vy_2;
+    V vz_2;
+    V nx_2;
+    V ny_2;
+    V nz_2;
+    V turn_rate_2;
+    V cos_2;
+    V sin_2;
+    V widened_2;
+    V near_2;
+} LANES(court_roll_1_out);
+
+LANES_INLINE LANES(court_roll_1_out)
+LANES(court_roll_1)(V across_0, V bent_x, V bent_y, V bent_z, V cos_0, V cos_1, V p_gravity, V lift_0, V near_0, V near_1, V nx_0, V nx_1, V ny_0, V ny_1, V nz_0, V nz_1, V per_reach, V ring, V round_0, V sin_0, V sin_1, V turn_rate_0, V turn_rate_1, V tx_0, V ty_0, V tz_0, V vx_0, V vx_1, V vy_0, V vy_1, V vz_0, V vz_1, V widened_1)
+{
+    const V _s0 = lanes_sub(lanes_add(lanes_mul(cos_0, vy_1), lanes_mul(cos_1, vy_0)), lanes_add(lanes_mul(sin_0, vx_1), lanes_mul(sin_1, vx_0)));
+    const V _s1 = lanes_add(lanes_mul(across_0, near_1), lanes_mul(near_0, _s0));
+    const V _s2 = lanes_neg(lanes_add(lanes_mul(round_0, sin_1), lanes_mul(sin_0, _s1)));
+    const V _s3 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_x, vx_1), lanes_mul(ring, _s2)));
+    const V _s4 = lanes_add(lanes_mul(cos_0, _s1), lanes_mul(cos_1, round_0));
+    const V _s5 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_y, vy_1), lanes_mul(ring, _s4)));
+    const V _s6 = lanes_mul(lanes_mul(bent_z, per_reach), vz_1);
+    const V _s7 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_1), lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_1), lanes_mul(vx_0, _s3)), lanes_add(lanes_mul(ny_1, vy_1), lanes_mul(vy_0, _s5))), lanes_add(lanes_mul(nz_1, vz_1), lanes_mul(vz_0, _s6))));
+    const V _s8 = lanes_mul(ny_1, nz_1);
+    const V _s9 = lanes_sub(lanes_add(lanes_mul(ny_0, _s6), _s8), lanes_add(_s8, lanes_mul(nz_0, _s5)));
+    const V _s10 = lanes_mul(nx_1, nz_1);
+    const V _s11 = lanes_sub(lanes_add(_s10, lanes_mul(nz_0, _s3)), lanes_add(lanes_mul(nx_0, _s6), _s10));
+    const V _s12 = lanes_mul(nx_1, ny_1);
+    const V _s13 = lanes_sub(lanes_add(lanes_mul(nx_0, _s5), _s12), lanes_add(_s12, lanes_mul(ny_0, _s3)));
+    const V _s14 = lanes_neg(lanes_mul(K(0.5), lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_1), lanes_mul(vx_0, _s9)), lanes_add(lanes_mul(ty_0, vy_1), lanes_mul(vy_0, _s11))), lanes_add(lanes_mul(tz_0, vz_1), lanes_mul(vz_0, _s13)))));
+    const V _s15 = lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(cos_0, vx_1), lanes_mul(cos_1, vx_0)), lanes_add(lanes_mul(sin_0, vy_1), lanes_mul(sin_1, vy_0))));
+    return (LANES(court_roll_1_out)){ _s0, _s1, _s7, _s9, _s11, _s13, lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(lift_0, nx_1), lanes_mul(nx_0, _s7)), lanes_mul(K(0.4), lanes_add(lanes_mul(turn_rate_0, _s9), lanes_mul(turn_rate_1, tx_0))))), lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(lift_0, ny_1), lanes_mul(ny_0, _s7)), lanes_mul(K(0.4), lanes_add(lanes_mul(turn_rate_0, _s11), lanes_mul(turn_rate_1, ty_0))))), lanes_mul(K(0.5), lanes_add(lanes_add(lanes_mul(lift_0, nz_1), lanes_mul(nz_0, _s7)), lanes_mul(K(0.4), lanes_add(lanes_mul(turn_rate_0, _s13), lanes_mul(turn_rate_1, tz_0))))), lanes_mul(K(0.5), _s3), lanes_mul(K(0.5), _s5), lanes_mul(K(0.5), _s6), _s14, lanes_mul(K(0.5), _s2), lanes_mul(K(0.5), _s4), _s15, lanes_neg(lanes_mul(near_0, lanes_add(lanes_mul(near_0, _s15), lanes_mul(near_1, widened_1)))) };
+}
+
+/* The terms of order 3 of a ball that rolls, from those before.
+   Newton, Euler and rolling without slip. 177 operations: 60 additions, 7 subtractions, 107 multiplications, 3 negations. */
+typedef struct {
+    V across_2;
+    V round_2;
+    V lift_2;
+    V tx_2;
+    V ty_2;
+    V tz_2;
+    V vx_3;
+    V vy_3;
+    V vz_3;
+    V nx_3;
+    V ny_3;
+    V nz_3;
+    V turn_rate_3;
+    V cos_3;
+    V sin_3;
+    V widened_3;
+    V near_3;
+} LANES(court_roll_2_out);
+
+LANES_INLINE LANES(court_roll_2_out)
+LANES(court_roll_2)(V across_0, V across_1, V bent_x, V bent_y, V bent_z, V cos_0, V cos_1, V cos_2, V p_gravity, V lift_0, V lift_1, V near_0, V near_1, V near_2, V nx_0, V nx_1, V nx_2, V ny_0, V ny_1, V ny_2, V nz_0, V nz_1, V nz_2, V per_reach, V ring, V round_0, V round_1, V sin_0, V sin_1, V sin_2, V turn_rate_0, V turn_rate_1, V turn_rate_2, V tx_0, V tx_1, V ty_0, V ty_1, V tz_0, V tz_1, V vx_0, V vx_1, V vx_2, V vy_0, V vy_1, V vy_2, V vz_0, V vz_1, V vz_2, V widened_1, V widened_2)
+{
+    const V _s0 = lanes_sub(lanes_add(lanes_add(lanes_mul(cos_0, vy_2), lanes_mul(cos_1, vy_1)), lanes_mul(cos_2, vy_0)), lanes_add(lanes_add(lanes_mul(sin_0, vx_2), lanes_mul(sin_1, vx_1)), lanes_mul(sin_2, vx_0)));
+    const V _s1 = lanes_add(lanes_add(lanes_mul(across_0, near_2), lanes_mul(across_1, near_1)), lanes_mul(near_0, _s0));
+    const V _s2 = lanes_mul(K(2.0), nx_2);
+    const V _s3 = lanes_neg(lanes_add(lanes_add(lanes_mul(round_0, sin_2), lanes_mul(round_1, sin_1)), lanes_mul(sin_0, _s1)));
+    const V _s4 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_x, vx_2), lanes_mul(ring, _s3)));
+    const V _s5 = lanes_mul(K(2.0), ny_2);
+    const V _s6 = lanes_add(lanes_add(lanes_mul(cos_0, _s1), lanes_mul(cos_1, round_1)), lanes_mul(cos_2, round_0));
+    const V _s7 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_y, vy_2), lanes_mul(ring, _s6)));
+    const V _s8 = lanes_mul(lanes_mul(bent_z, per_reach), vz_2);
+    const V _s9 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_2), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_2), lanes_mul(_s2, vx_1)), lanes_mul(vx_0, _s4)), lanes_add(lanes_add(lanes_mul(ny_1, vy_2), lanes_mul(_s5, vy_1)), lanes_mul(vy_0, _s7))), lanes_add(lanes_add(lanes_mul(nz_1, vz_2), lanes_mul(lanes_mul(K(2.0), nz_2), vz_1)), lanes_mul(vz_0, _s8))));
+    const V _s10 = lanes_sub(lanes_add(lanes_add(lanes_mul(ny_0, _s8), lanes_mul(lanes_mul(K(2.0), ny_1), nz_2)), lanes_mul(ny_2, nz_1)), lanes_add(lanes_add(lanes_mul(ny_1, nz_2), lanes_mul(_s5, nz_1)), lanes_mul(nz_0, _s7)));
+    const V _s11 = lanes_mul(K(2.0), nx_1);
+    const V _s12 = lanes_sub(lanes_add(lanes_add(lanes_mul(nx_1, nz_2), lanes_mul(_s2, nz_1)), lanes_mul(nz_0, _s4)), lanes_add(lanes_add(lanes_mul(nx_0, _s8), lanes_mul(_s11, nz_2)), lanes_mul(nx_2, nz_1)));
+    const V _s13 = lanes_sub(lanes_add(lanes_add(lanes_mul(nx_0, _s7), lanes_mul(_s11, ny_2)), lanes_mul(nx_2, ny_1)), lanes_add(lanes_add(lanes_mul(nx_1, ny_2), lanes_mul(_s2, ny_1)), lanes_mul(ny_0, _s4)));
+    const V _s14 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_2), lanes_mul(lift_1, nx_1)), lanes_mul(nx_0, _s9)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(turn_rate_0, _s10), lanes_mul(turn_rate_1, tx_1)), lanes_mul(turn_rate_2, tx_0)))));
+    const V _s15 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_2), lanes_mul(lift_1, ny_1)), lanes_mul(ny_0, _s9)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(turn_rate_0, _s12), lanes_mul(turn_rate_1, ty_1)), lanes_mul(turn_rate_2, ty_0)))));
+    const V _s16 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_2), lanes_mul(lift_1, nz_1)), lanes_mul(nz_0, _s9)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_mul(turn_rate_0, _s13), lanes_mul(turn_rate_1, tz_1)), lanes_mul(turn_rate_2, tz_0)))));
+    const V _s17 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_2), lanes_mul(tx_1, vx_1)), lanes_mul(vx_0, _s10)), lanes_add(lanes_add(lanes_mul(ty_0, vy_2), lanes_mul(ty_1, vy_1)), lanes_mul(vy_0, _s12))), lanes_add(lanes_add(lanes_mul(tz_0, vz_2), lanes_mul(tz_1, vz_1)), lanes_mul(vz_0, _s13))));
+    const V _s18 = lanes_mul(K(0.3333333333333333), lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vx_2), lanes_mul(cos_1, vx_1)), lanes_mul(cos_2, vx_0)), lanes_add(lanes_add(lanes_mul(sin_0, vy_2), lanes_mul(sin_1, vy_1)), lanes_mul(sin_2, vy_0))));
+    return (LANES(court_roll_2_out)){ _s0, _s1, _s9, _s10, _s12, _s13, _s14, _s15, _s16, lanes_mul(K(0.3333333333333333), _s4), lanes_mul(K(0.3333333333333333), _s7), lanes_mul(K(0.3333333333333333), _s8), lanes_neg(_s17), lanes_mul(K(0.3333333333333333), _s3), lanes_mul(K(0.3333333333333333), _s6), _s18, lanes_neg(lanes_mul(near_0, lanes_add(lanes_add(lanes_mul(near_0, _s18), lanes_mul(near_1, widened_2)), lanes_mul(near_2, widened_1)))) };
+}
+
+/* The terms of order 4 of a ball that rolls, from those before.
+   Newton, Euler and rolling without slip. 229 operations: 86 additions, 7 subtractions, 133 multiplications, 3 negations. */
+typedef struct {
+    V across_3;
+    V round_3;
+    V lift_3;
+    V tx_3;
+    V ty_3;
+    V tz_3;
+    V vx_4;
+    V vy_4;
+    V vz_4;
+    V nx_4;
+    V ny_4;
+    V nz_4;
+    V turn_rate_4;
+    V cos_4;
+    V sin_4;
+    V widened_4;
+    V near_4;
+} LANES(court_roll_3_out);
+
+LANES_INLINE LANES(court_roll_3_out)
+LANES(court_roll_3)(V across_0, V across_1, V across_2, V bent_x, V bent_y, V bent_z, V cos_0, V cos_1, V cos_2, V cos_3, V p_gravity, V lift_0, V lift_1, V lift_2, V near_0, V near_1, V near_2, V near_3, V nx_0, V nx_1, V nx_2, V nx_3, V ny_0, V ny_1, V ny_2, V ny_3, V nz_0, V nz_1, V nz_2, V nz_3, V per_reach, V ring, V round_0, V round_1, V round_2, V sin_0, V sin_1, V sin_2, V sin_3, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V tx_0, V tx_1, V tx_2, V ty_0, V ty_1, V ty_2, V tz_0, V tz_1, V tz_2, V vx_0, V vx_1, V vx_2, V vx_3, V vy_0, V vy_1, V vy_2, V vy_3, V vz_0, V vz_1, V vz_2, V vz_3, V widened_1, V widened_2, V widened_3)
+{
+    const V _s0 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vy_3), lanes_mul(cos_1, vy_2)), lanes_mul(cos_2, vy_1)), lanes_mul(cos_3, vy_0)), lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vx_3), lanes_mul(sin_1, vx_2)), lanes_mul(sin_2, vx_1)), lanes_mul(sin_3, vx_0)));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_mul(across_0, near_3), lanes_mul(across_1, near_2)), lanes_mul(across_2, near_1)), lanes_mul(near_0, _s0));
+    const V _s2 = lanes_mul(K(2.0), nx_2);
+    const V _s3 = lanes_mul(K(3.0), nx_3);
+    const V _s4 = lanes_neg(lanes_add(lanes_add(lanes_add(lanes_mul(round_0, sin_3), lanes_mul(round_1, sin_2)), lanes_mul(round_2, sin_1)), lanes_mul(sin_0, _s1)));
+    const V _s5 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_x, vx_3), lanes_mul(ring, _s4)));
+    const V _s6 = lanes_mul(K(2.0), ny_2);
+    const V _s7 = lanes_mul(K(3.0), ny_3);
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s1), lanes_mul(cos_1, round_2)), lanes_mul(cos_2, round_1)), lanes_mul(cos_3, round_0));
+    const V _s9 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_y, vy_3), lanes_mul(ring, _s8)));
+    const V _s10 = lanes_mul(lanes_mul(bent_z, per_reach), vz_3);
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_3), lanes_mul(_s2, vx_2)), lanes_mul(_s3, vx_1)), lanes_mul(vx_0, _s5)), lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_3), lanes_mul(_s6, vy_2)), lanes_mul(_s7, vy_1)), lanes_mul(vy_0, _s9))), lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_3), lanes_mul(lanes_mul(K(2.0), nz_2), vz_2)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_1)), lanes_mul(vz_0, _s10)));
+    const V _s12 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_3), _s11);
+    const V _s13 = lanes_mul(_s6, nz_2);
+    const V _s14 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s10), lanes_mul(lanes_mul(K(3.0), ny_1), nz_3)), _s13), lanes_mul(ny_3, nz_1)), lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_3), _s13), lanes_mul(_s7, nz_1)), lanes_mul(nz_0, _s9)));
+    const V _s15 = lanes_mul(_s2, nz_2);
+    const V _s16 = lanes_mul(K(3.0), nx_1);
+    const V _s17 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, nz_3), _s15), lanes_mul(_s3, nz_1)), lanes_mul(nz_0, _s5)), lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s10), lanes_mul(_s16, nz_3)), _s15), lanes_mul(nx_3, nz_1)));
+    const V _s18 = lanes_mul(_s2, ny_2);
+    const V _s19 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s9), lanes_mul(_s16, ny_3)), _s18), lanes_mul(nx_3, ny_1)), lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_3), _s18), lanes_mul(_s3, ny_1)), lanes_mul(ny_0, _s5)));
+    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_3), lanes_mul(lift_1, nx_2)), lanes_mul(lift_2, nx_1)), lanes_mul(nx_0, _s12)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s14), lanes_mul(turn_rate_1, tx_2)), lanes_mul(turn_rate_2, tx_1)), lanes_mul(turn_rate_3, tx_0))));
+    const V _s21 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_3), lanes_mul(lift_1, ny_2)), lanes_mul(lift_2, ny_1)), lanes_mul(ny_0, _s12)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s17), lanes_mul(turn_rate_1, ty_2)), lanes_mul(turn_rate_2, ty_1)), lanes_mul(turn_rate_3, ty_0))));
+    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_3), lanes_mul(lift_1, nz_2)), lanes_mul(lift_2, nz_1)), lanes_mul(nz_0, _s12)), lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s19), lanes_mul(turn_rate_1, tz_2)), lanes_mul(turn_rate_2, tz_1)), lanes_mul(turn_rate_3, tz_0))));
+    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_3), lanes_mul(tx_1, vx_2)), lanes_mul(tx_2, vx_1)), lanes_mul(vx_0, _s14)), lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_3), lanes_mul(ty_1, vy_2)), lanes_mul(ty_2, vy_1)), lanes_mul(vy_0, _s17))), lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_3), lanes_mul(tz_1, vz_2)), lanes_mul(tz_2, vz_1)), lanes_mul(vz_0, _s19)));
+    const V _s24 = lanes_mul(K(0.25), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vx_3), lanes_mul(cos_1, vx_2)), lanes_mul(cos_2, vx_1)), lanes_mul(cos_3, vx_0)), lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vy_3), lanes_mul(sin_1, vy_2)), lanes_mul(sin_2, vy_1)), lanes_mul(sin_3, vy_0))));
+    const V _s25 = lanes_neg(lanes_mul(near_0, lanes_add(lanes_add(lanes_add(lanes_mul(near_0, _s24), lanes_mul(near_1, widened_3)), lanes_mul(near_2, widened_2)), lanes_mul(near_3, widened_1))));
+    return (LANES(court_roll_3_out)){ _s0, _s1, _s12, _s14, _s17, _s19, lanes_mul(K(0.25), _s20), lanes_mul(K(0.25), _s21), lanes_mul(K(0.25), _s22), lanes_mul(K(0.25), _s5), lanes_mul(K(0.25), _s9), lanes_mul(K(0.25), _s10), lanes_neg(lanes_mul(K(0.25), _s23)), lanes_mul(K(0.25), _s4), lanes_mul(K(0.25), _s8), _s24, _s25 };
+}
+
+/* The terms of order 5 of a ball that rolls, from those before.
+   Newton, Euler and rolling without slip. 291 operations: 112 additions, 7 subtractions, 169 multiplications, 3 negations. */
+typedef struct {
+    V across_4;
+    V round_4;
+    V lift_4;
+    V tx_4;
+    V ty_4;
+    V tz_4;
+    V vx_5;
+    V vy_5;
+    V vz_5;
+    V nx_5;
+    V ny_5;
+    V nz_5;
+    V turn_rate_5;
+    V cos_5;
+    V sin_5;
+    V widened_5;
+    V near_5;
+} LANES(court_roll_4_out);
+
+LANES_INLINE LANES(court_roll_4_out)
+LANES(court_roll_4)(V across_0, V across_1, V across_2, V across_3, V bent_x, V bent_y, V bent_z, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V near_0, V near_1, V near_2, V near_3, V near_4, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V per_reach, V ring, V round_0, V round_1, V round_2, V round_3, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V tx_0, V tx_1, V tx_2, V tx_3, V ty_0, V ty_1, V ty_2, V ty_3, V tz_0, V tz_1, V tz_2, V tz_3, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V widened_1, V widened_2, V widened_3, V widened_4)
+{
+    const V _s0 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vy_4), lanes_mul(cos_1, vy_3)), lanes_mul(cos_2, vy_2)), lanes_mul(cos_3, vy_1)), lanes_mul(cos_4, vy_0)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vx_4), lanes_mul(sin_1, vx_3)), lanes_mul(sin_2, vx_2)), lanes_mul(sin_3, vx_1)), lanes_mul(sin_4, vx_0)));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(across_0, near_4), lanes_mul(across_1, near_3)), lanes_mul(across_2, near_2)), lanes_mul(across_3, near_1)), lanes_mul(near_0, _s0));
+    const V _s2 = lanes_mul(K(2.0), nx_2);
+    const V _s3 = lanes_mul(K(3.0), nx_3);
+    const V _s4 = lanes_mul(K(4.0), nx_4);
+    const V _s5 = lanes_neg(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(round_0, sin_4), lanes_mul(round_1, sin_3)), lanes_mul(round_2, sin_2)), lanes_mul(round_3, sin_1)), lanes_mul(sin_0, _s1)));
+    const V _s6 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_x, vx_4), lanes_mul(ring, _s5)));
+    const V _s7 = lanes_mul(K(2.0), ny_2);
+    const V _s8 = lanes_mul(K(3.0), ny_3);
+    const V _s9 = lanes_mul(K(4.0), ny_4);
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s1), lanes_mul(cos_1, round_3)), lanes_mul(cos_2, round_2)), lanes_mul(cos_3, round_1)), lanes_mul(cos_4, round_0));
+    const V _s11 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_y, vy_4), lanes_mul(ring, _s10)));
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_4), lanes_mul(_s2, vx_3)), lanes_mul(_s3, vx_2)), lanes_mul(_s4, vx_1)), lanes_mul(vx_0, _s6)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_4), lanes_mul(_s7, vy_3)), lanes_mul(_s8, vy_2)), lanes_mul(_s9, vy_1)), lanes_mul(vy_0, _s11)));
+    const V _s13 = lanes_mul(lanes_mul(bent_z, per_reach), vz_4);
+    const V _s14 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_4), lanes_mul(lanes_mul(K(2.0), nz_2), vz_3)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_2)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_1)), lanes_mul(vz_0, _s13));
+    const V _s15 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_4), lanes_add(_s12, _s14));
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s13), lanes_mul(lanes_mul(K(4.0), ny_1), nz_4)), lanes_mul(lanes_mul(K(3.0), ny_2), nz_3)), lanes_mul(lanes_mul(K(2.0), ny_3), nz_2)), lanes_mul(ny_4, nz_1));
+    const V _s17 = lanes_sub(_s16, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_4), lanes_mul(_s7, nz_3)), lanes_mul(_s8, nz_2)), lanes_mul(_s9, nz_1)), lanes_mul(nz_0, _s11)));
+    const V _s18 = lanes_mul(K(4.0), nx_1);
+    const V _s19 = lanes_mul(K(3.0), nx_2);
+    const V _s20 = lanes_mul(K(2.0), nx_3);
+    const V _s21 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, nz_4), lanes_mul(_s2, nz_3)), lanes_mul(_s3, nz_2)), lanes_mul(_s4, nz_1)), lanes_mul(nz_0, _s6)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s13), lanes_mul(_s18, nz_4)), lanes_mul(_s19, nz_3)), lanes_mul(_s20, nz_2)), lanes_mul(nx_4, nz_1)));
+    const V _s22 = lanes_sub(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s11), lanes_mul(_s18, ny_4)), lanes_mul(_s19, ny_3)), lanes_mul(_s20, ny_2)), lanes_mul(nx_4, ny_1)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_4), lanes_mul(_s2, ny_3)), lanes_mul(_s3, ny_2)), lanes_mul(_s4, ny_1)), lanes_mul(ny_0, _s6)));
+    const V _s23 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s17), lanes_mul(turn_rate_1, tx_3)), lanes_mul(turn_rate_2, tx_2)), lanes_mul(turn_rate_3, tx_1)), lanes_mul(turn_rate_4, tx_0)));
+    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_4), lanes_mul(lift_1, nx_3)), lanes_mul(lift_2, nx_2)), lanes_mul(lift_3, nx_1)), lanes_mul(nx_0, _s15)), _s23);
+    const V _s25 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s21), lanes_mul(turn_rate_1, ty_3)), lanes_mul(turn_rate_2, ty_2)), lanes_mul(turn_rate_3, ty_1)), lanes_mul(turn_rate_4, ty_0)));
+    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_4), lanes_mul(lift_1, ny_3)), lanes_mul(lift_2, ny_2)), lanes_mul(lift_3, ny_1)), lanes_mul(ny_0, _s15)), _s25);
+    const V _s27 = lanes_mul(K(0.4), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s22), lanes_mul(turn_rate_1, tz_3)), lanes_mul(turn_rate_2, tz_2)), lanes_mul(turn_rate_3, tz_1)), lanes_mul(turn_rate_4, tz_0)));
+    const V _s28 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_4), lanes_mul(lift_1, nz_3)), lanes_mul(lift_2, nz_2)), lanes_mul(lift_3, nz_1)), lanes_mul(nz_0, _s15)), _s27);
+    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_4), lanes_mul(tx_1, vx_3)), lanes_mul(tx_2, vx_2)), lanes_mul(tx_3, vx_1)), lanes_mul(vx_0, _s17)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_4), lanes_mul(ty_1, vy_3)), lanes_mul(ty_2, vy_2)), lanes_mul(ty_3, vy_1)), lanes_mul(vy_0, _s21)));
+    const V _s30 = lanes_add(_s29, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_4), lanes_mul(tz_1, vz_3)), lanes_mul(tz_2, vz_2)), lanes_mul(tz_3, vz_1)), lanes_mul(vz_0, _s22)));
+    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vx_4), lanes_mul(cos_1, vx_3)), lanes_mul(cos_2, vx_2)), lanes_mul(cos_3, vx_1)), lanes_mul(cos_4, vx_0)), lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vy_4), lanes_mul(sin_1, vy_3)), lanes_mul(sin_2, vy_2)), lanes_mul(sin_3, vy_1)), lanes_mul(sin_4, vy_0)));
+    const V _s32 = lanes_mul(K(0.2), _s31);
+    const V _s33 = lanes_mul(near_0, lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(near_0, _s32), lanes_mul(near_1, widened_4)), lanes_mul(near_2, widened_3)), lanes_mul(near_3, widened_2)), lanes_mul(near_4, widened_1)));
+    return (LANES(court_roll_4_out)){ _s0, _s1, _s15, _s17, _s21, _s22, lanes_mul(K(0.2), _s24), lanes_mul(K(0.2), _s26), lanes_mul(K(0.2), _s28), lanes_mul(K(0.2), _s6), lanes_mul(K(0.2), _s11), lanes_mul(K(0.2), _s13), lanes_neg(lanes_mul(K(0.2), _s30)), lanes_mul(K(0.2), _s5), lanes_mul(K(0.2), _s10), _s32, lanes_neg(_s33) };
+}
+
+/* The terms of order 6 of a ball that rolls, from those before.
+   Newton, Euler and rolling without slip. 343 operations: 138 additions, 7 subtractions, 195 multiplications, 3 negations. */
+typedef struct {
+    V across_5;
+    V round_5;
+    V lift_5;
+    V tx_5;
+    V ty_5;
+    V tz_5;
+    V vx_6;
+    V vy_6;
+    V vz_6;
+    V nx_6;
+    V ny_6;
+    V nz_6;
+    V turn_rate_6;
+    V cos_6;
+    V sin_6;
+    V widened_6;
+    V near_6;
+} LANES(court_roll_5_out);
+
+LANES_INLINE LANES(court_roll_5_out)
+LANES(court_roll_5)(V across_0, V across_1, V across_2, V across_3, V across_4, V bent_x, V bent_y, V bent_z, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V per_reach, V ring, V round_0, V round_1, V round_2, V round_3, V round_4, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V widened_1, V widened_2, V widened_3, V widened_4, V widened_5)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vy_5), lanes_mul(cos_1, vy_4)), lanes_mul(cos_2, vy_3)), lanes_mul(cos_3, vy_2)), lanes_mul(cos_4, vy_1)), lanes_mul(cos_5, vy_0));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vx_5), lanes_mul(sin_1, vx_4)), lanes_mul(sin_2, vx_3)), lanes_mul(sin_3, vx_2)), lanes_mul(sin_4, vx_1)), lanes_mul(sin_5, vx_0));
+    const V _s2 = lanes_sub(_s0, _s1);
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(across_0, near_5), lanes_mul(across_1, near_4)), lanes_mul(across_2, near_3)), lanes_mul(across_3, near_2)), lanes_mul(across_4, near_1)), lanes_mul(near_0, _s2));
+    const V _s4 = lanes_mul(K(2.0), nx_2);
+    const V _s5 = lanes_mul(K(3.0), nx_3);
+    const V _s6 = lanes_mul(K(4.0), nx_4);
+    const V _s7 = lanes_mul(K(5.0), nx_5);
+    const V _s8 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(round_0, sin_5), lanes_mul(round_1, sin_4)), lanes_mul(round_2, sin_3)), lanes_mul(round_3, sin_2)), lanes_mul(round_4, sin_1)), lanes_mul(sin_0, _s3));
+    const V _s9 = lanes_neg(_s8);
+    const V _s10 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_x, vx_5), lanes_mul(ring, _s9)));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_5), lanes_mul(_s4, vx_4)), lanes_mul(_s5, vx_3)), lanes_mul(_s6, vx_2)), lanes_mul(_s7, vx_1)), lanes_mul(vx_0, _s10));
+    const V _s12 = lanes_mul(K(2.0), ny_2);
+    const V _s13 = lanes_mul(K(3.0), ny_3);
+    const V _s14 = lanes_mul(K(4.0), ny_4);
+    const V _s15 = lanes_mul(K(5.0), ny_5);
+    const V _s16 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s3), lanes_mul(cos_1, round_4)), lanes_mul(cos_2, round_3)), lanes_mul(cos_3, round_2)), lanes_mul(cos_4, round_1)), lanes_mul(cos_5, round_0));
+    const V _s17 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_y, vy_5), lanes_mul(ring, _s16)));
+    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_5), lanes_mul(_s12, vy_4)), lanes_mul(_s13, vy_3)), lanes_mul(_s14, vy_2)), lanes_mul(_s15, vy_1)), lanes_mul(vy_0, _s17));
+    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_5), lanes_mul(lanes_mul(K(2.0), nz_2), vz_4)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_3)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_2)), lanes_mul(lanes_mul(K(5.0), nz_5), vz_1));
+    const V _s20 = lanes_mul(lanes_mul(bent_z, per_reach), vz_5);
+    const V _s21 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_5), lanes_add(lanes_add(_s11, _s18), lanes_add(_s19, lanes_mul(vz_0, _s20))));
+    const V _s22 = lanes_mul(_s13, nz_3);
+    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s20), lanes_mul(lanes_mul(K(5.0), ny_1), nz_5)), lanes_mul(lanes_mul(K(4.0), ny_2), nz_4)), _s22), lanes_mul(lanes_mul(K(2.0), ny_4), nz_2));
+    const V _s24 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_5), lanes_mul(_s12, nz_4)), _s22), lanes_mul(_s14, nz_2)), lanes_mul(_s15, nz_1)), lanes_mul(nz_0, _s17));
+    const V _s25 = lanes_sub(lanes_add(_s23, lanes_mul(ny_5, nz_1)), _s24);
+    const V _s26 = lanes_mul(_s5, nz_3);
+    const V _s27 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, nz_5), lanes_mul(_s4, nz_4)), _s26), lanes_mul(_s6, nz_2)), lanes_mul(_s7, nz_1)), lanes_mul(nz_0, _s10));
+    const V _s28 = lanes_mul(K(5.0), nx_1);
+    const V _s29 = lanes_mul(K(4.0), nx_2);
+    const V _s30 = lanes_mul(K(2.0), nx_4);
+    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s20), lanes_mul(_s28, nz_5)), lanes_mul(_s29, nz_4)), _s26), lanes_mul(_s30, nz_2)), lanes_mul(nx_5, nz_1));
+    const V _s32 = lanes_sub(_s27, _s31);
+    const V _s33 = lanes_mul(_s5, ny_3);
+    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s17), lanes_mul(_s28, ny_5)), lanes_mul(_s29, ny_4)), _s33), lanes_mul(_s30, ny_2)), lanes_mul(nx_5, ny_1));
+    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_5), lanes_mul(_s4, ny_4)), _s33), lanes_mul(_s6, ny_2)), lanes_mul(_s7, ny_1)), lanes_mul(ny_0, _s10));
+    const V _s36 = lanes_sub(_s34, _s35);
+    const V _s37 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_5), lanes_mul(lift_1, nx_4)), lanes_mul(lift_2, nx_3)), lanes_mul(lift_3, nx_2)), lanes_mul(lift_4, nx_1)), lanes_mul(nx_0, _s21));
+    const V _s38 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s25), lanes_mul(turn_rate_1, tx_4)), lanes_mul(turn_rate_2, tx_3)), lanes_mul(turn_rate_3, tx_2)), lanes_mul(turn_rate_4, tx_1)), lanes_mul(turn_rate_5, tx_0));
+    const V _s39 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_5), lanes_mul(lift_1, ny_4)), lanes_mul(lift_2, ny_3)), lanes_mul(lift_3, ny_2)), lanes_mul(lift_4, ny_1)), lanes_mul(ny_0, _s21));
+    const V _s40 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s32), lanes_mul(turn_rate_1, ty_4)), lanes_mul(turn_rate_2, ty_3)), lanes_mul(turn_rate_3, ty_2)), lanes_mul(turn_rate_4, ty_1)), lanes_mul(turn_rate_5, ty_0));
+    const V _s41 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_5), lanes_mul(lift_1, nz_4)), lanes_mul(lift_2, nz_3)), lanes_mul(lift_3, nz_2)), lanes_mul(lift_4, nz_1)), lanes_mul(nz_0, _s21));
+    const V _s42 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s36), lanes_mul(turn_rate_1, tz_4)), lanes_mul(turn_rate_2, tz_3)), lanes_mul(turn_rate_3, tz_2)), lanes_mul(turn_rate_4, tz_1)), lanes_mul(turn_rate_5, tz_0));
+    const V _s43 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_5), lanes_mul(tx_1, vx_4)), lanes_mul(tx_2, vx_3)), lanes_mul(tx_3, vx_2)), lanes_mul(tx_4, vx_1)), lanes_mul(vx_0, _s25));
+    const V _s44 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_5), lanes_mul(ty_1, vy_4)), lanes_mul(ty_2, vy_3)), lanes_mul(ty_3, vy_2)), lanes_mul(ty_4, vy_1)), lanes_mul(vy_0, _s32));
+    const V _s45 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_5), lanes_mul(tz_1, vz_4)), lanes_mul(tz_2, vz_3)), lanes_mul(tz_3, vz_2)), lanes_mul(tz_4, vz_1)), lanes_mul(vz_0, _s36));
+    const V _s46 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vx_5), lanes_mul(cos_1, vx_4)), lanes_mul(cos_2, vx_3)), lanes_mul(cos_3, vx_2)), lanes_mul(cos_4, vx_1)), lanes_mul(cos_5, vx_0));
+    const V _s47 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vy_5), lanes_mul(sin_1, vy_4)), lanes_mul(sin_2, vy_3)), lanes_mul(sin_3, vy_2)), lanes_mul(sin_4, vy_1)), lanes_mul(sin_5, vy_0));
+    const V _s48 = lanes_mul(K(0.16666666666666666), lanes_add(_s46, _s47));
+    const V _s49 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(near_0, _s48), lanes_mul(near_1, widened_5)), lanes_mul(near_2, widened_4)), lanes_mul(near_3, widened_3)), lanes_mul(near_4, widened_2)), lanes_mul(near_5, widened_1));
+    return (LANES(court_roll_5_out)){ _s2, _s3, _s21, _s25, _s32, _s36, lanes_mul(K(0.16666666666666666), lanes_add(_s37, lanes_mul(K(0.4), _s38))), lanes_mul(K(0.16666666666666666), lanes_add(_s39, lanes_mul(K(0.4), _s40))), lanes_mul(K(0.16666666666666666), lanes_add(_s41, lanes_mul(K(0.4), _s42))), lanes_mul(K(0.16666666666666666), _s10), lanes_mul(K(0.16666666666666666), _s17), lanes_mul(K(0.16666666666666666), _s20), lanes_neg(lanes_mul(K(0.16666666666666666), lanes_add(lanes_add(_s43, _s44), _s45))), lanes_mul(K(0.16666666666666666), _s9), lanes_mul(K(0.16666666666666666), _s16), _s48, lanes_neg(lanes_mul(near_0, _s49)) };
+}
+
+/* The terms of order 7 of a ball that rolls, from those before.
+   Newton, Euler and rolling without slip. 405 operations: 164 additions, 7 subtractions, 231 multiplications, 3 negations. */
+typedef struct {
+    V across_6;
+    V round_6;
+    V lift_6;
+    V tx_6;
+    V ty_6;
+    V tz_6;
+    V vx_7;
+    V vy_7;
+    V vz_7;
+    V nx_7;
+    V ny_7;
+    V nz_7;
+    V turn_rate_7;
+    V cos_7;
+    V sin_7;
+    V widened_7;
+    V near_7;
+} LANES(court_roll_6_out);
+
+LANES_INLINE LANES(court_roll_6_out)
+LANES(court_roll_6)(V across_0, V across_1, V across_2, V across_3, V across_4, V across_5, V bent_x, V bent_y, V bent_z, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V nx_6, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V ny_6, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V per_reach, V ring, V round_0, V round_1, V round_2, V round_3, V round_4, V round_5, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V tx_5, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V ty_5, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V tz_5, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V widened_1, V widened_2, V widened_3, V widened_4, V widened_5, V widened_6)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vy_6), lanes_mul(cos_1, vy_5)), lanes_mul(cos_2, vy_4)), lanes_mul(cos_3, vy_3)), lanes_mul(cos_4, vy_2)), lanes_mul(cos_5, vy_1));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vx_6), lanes_mul(sin_1, vx_5)), lanes_mul(sin_2, vx_4)), lanes_mul(sin_3, vx_3)), lanes_mul(sin_4, vx_2)), lanes_mul(sin_5, vx_1));
+    const V _s2 = lanes_sub(lanes_add(_s0, lanes_mul(cos_6, vy_0)), lanes_add(_s1, lanes_mul(sin_6, vx_0)));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(across_0, near_6), lanes_mul(across_1, near_5)), lanes_mul(across_2, near_4)), lanes_mul(across_3, near_3)), lanes_mul(across_4, near_2)), lanes_mul(across_5, near_1));
+    const V _s4 = lanes_add(_s3, lanes_mul(near_0, _s2));
+    const V _s5 = lanes_mul(K(2.0), nx_2);
+    const V _s6 = lanes_mul(K(3.0), nx_3);
+    const V _s7 = lanes_mul(K(4.0), nx_4);
+    const V _s8 = lanes_mul(K(5.0), nx_5);
+    const V _s9 = lanes_mul(K(6.0), nx_6);
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_6), lanes_mul(_s5, vx_5)), lanes_mul(_s6, vx_4)), lanes_mul(_s7, vx_3)), lanes_mul(_s8, vx_2)), lanes_mul(_s9, vx_1));
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(round_0, sin_6), lanes_mul(round_1, sin_5)), lanes_mul(round_2, sin_4)), lanes_mul(round_3, sin_3)), lanes_mul(round_4, sin_2)), lanes_mul(round_5, sin_1));
+    const V _s12 = lanes_neg(lanes_add(_s11, lanes_mul(sin_0, _s4)));
+    const V _s13 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_x, vx_6), lanes_mul(ring, _s12)));
+    const V _s14 = lanes_mul(K(2.0), ny_2);
+    const V _s15 = lanes_mul(K(3.0), ny_3);
+    const V _s16 = lanes_mul(K(4.0), ny_4);
+    const V _s17 = lanes_mul(K(5.0), ny_5);
+    const V _s18 = lanes_mul(K(6.0), ny_6);
+    const V _s19 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_6), lanes_mul(_s14, vy_5)), lanes_mul(_s15, vy_4)), lanes_mul(_s16, vy_3)), lanes_mul(_s17, vy_2)), lanes_mul(_s18, vy_1));
+    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s4), lanes_mul(cos_1, round_5)), lanes_mul(cos_2, round_4)), lanes_mul(cos_3, round_3)), lanes_mul(cos_4, round_2)), lanes_mul(cos_5, round_1));
+    const V _s21 = lanes_add(_s20, lanes_mul(cos_6, round_0));
+    const V _s22 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_y, vy_6), lanes_mul(ring, _s21)));
+    const V _s23 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_6), lanes_mul(lanes_mul(K(2.0), nz_2), vz_5)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_4)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_3)), lanes_mul(lanes_mul(K(5.0), nz_5), vz_2));
+    const V _s24 = lanes_mul(lanes_mul(bent_z, per_reach), vz_6);
+    const V _s25 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_6), lanes_add(lanes_add(lanes_add(_s10, lanes_mul(vx_0, _s13)), lanes_add(_s19, lanes_mul(vy_0, _s22))), lanes_add(lanes_add(_s23, lanes_mul(lanes_mul(K(6.0), nz_6), vz_1)), lanes_mul(vz_0, _s24))));
+    const V _s26 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s24), lanes_mul(lanes_mul(K(6.0), ny_1), nz_6)), lanes_mul(lanes_mul(K(5.0), ny_2), nz_5)), lanes_mul(lanes_mul(K(4.0), ny_3), nz_4)), lanes_mul(lanes_mul(K(3.0), ny_4), nz_3));
+    const V _s27 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_6), lanes_mul(_s14, nz_5)), lanes_mul(_s15, nz_4)), lanes_mul(_s16, nz_3)), lanes_mul(_s17, nz_2)), lanes_mul(_s18, nz_1));
+    const V _s28 = lanes_sub(lanes_add(lanes_add(_s26, lanes_mul(lanes_mul(K(2.0), ny_5), nz_2)), lanes_mul(ny_6, nz_1)), lanes_add(_s27, lanes_mul(nz_0, _s22)));
+    const V _s29 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, nz_6), lanes_mul(_s5, nz_5)), lanes_mul(_s6, nz_4)), lanes_mul(_s7, nz_3)), lanes_mul(_s8, nz_2)), lanes_mul(_s9, nz_1));
+    const V _s30 = lanes_mul(K(6.0), nx_1);
+    const V _s31 = lanes_mul(K(5.0), nx_2);
+    const V _s32 = lanes_mul(K(4.0), nx_3);
+    const V _s33 = lanes_mul(K(3.0), nx_4);
+    const V _s34 = lanes_mul(K(2.0), nx_5);
+    const V _s35 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s24), lanes_mul(_s30, nz_6)), lanes_mul(_s31, nz_5)), lanes_mul(_s32, nz_4)), lanes_mul(_s33, nz_3)), lanes_mul(_s34, nz_2));
+    const V _s36 = lanes_sub(lanes_add(_s29, lanes_mul(nz_0, _s13)), lanes_add(_s35, lanes_mul(nx_6, nz_1)));
+    const V _s37 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s22), lanes_mul(_s30, ny_6)), lanes_mul(_s31, ny_5)), lanes_mul(_s32, ny_4)), lanes_mul(_s33, ny_3)), lanes_mul(_s34, ny_2));
+    const V _s38 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_6), lanes_mul(_s5, ny_5)), lanes_mul(_s6, ny_4)), lanes_mul(_s7, ny_3)), lanes_mul(_s8, ny_2)), lanes_mul(_s9, ny_1));
+    const V _s39 = lanes_sub(lanes_add(_s37, lanes_mul(nx_6, ny_1)), lanes_add(_s38, lanes_mul(ny_0, _s13)));
+    const V _s40 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_6), lanes_mul(lift_1, nx_5)), lanes_mul(lift_2, nx_4)), lanes_mul(lift_3, nx_3)), lanes_mul(lift_4, nx_2)), lanes_mul(lift_5, nx_1));
+    const V _s41 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s28), lanes_mul(turn_rate_1, tx_5)), lanes_mul(turn_rate_2, tx_4)), lanes_mul(turn_rate_3, tx_3)), lanes_mul(turn_rate_4, tx_2)), lanes_mul(turn_rate_5, tx_1));
+    const V _s42 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_6), lanes_mul(lift_1, ny_5)), lanes_mul(lift_2, ny_4)), lanes_mul(lift_3, ny_3)), lanes_mul(lift_4, ny_2)), lanes_mul(lift_5, ny_1));
+    const V _s43 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s36), lanes_mul(turn_rate_1, ty_5)), lanes_mul(turn_rate_2, ty_4)), lanes_mul(turn_rate_3, ty_3)), lanes_mul(turn_rate_4, ty_2)), lanes_mul(turn_rate_5, ty_1));
+    const V _s44 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_6), lanes_mul(lift_1, nz_5)), lanes_mul(lift_2, nz_4)), lanes_mul(lift_3, nz_3)), lanes_mul(lift_4, nz_2)), lanes_mul(lift_5, nz_1));
+    const V _s45 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s39), lanes_mul(turn_rate_1, tz_5)), lanes_mul(turn_rate_2, tz_4)), lanes_mul(turn_rate_3, tz_3)), lanes_mul(turn_rate_4, tz_2)), lanes_mul(turn_rate_5, tz_1));
+    const V _s46 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_6), lanes_mul(tx_1, vx_5)), lanes_mul(tx_2, vx_4)), lanes_mul(tx_3, vx_3)), lanes_mul(tx_4, vx_2)), lanes_mul(tx_5, vx_1));
+    const V _s47 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_6), lanes_mul(ty_1, vy_5)), lanes_mul(ty_2, vy_4)), lanes_mul(ty_3, vy_3)), lanes_mul(ty_4, vy_2)), lanes_mul(ty_5, vy_1));
+    const V _s48 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_6), lanes_mul(tz_1, vz_5)), lanes_mul(tz_2, vz_4)), lanes_mul(tz_3, vz_3)), lanes_mul(tz_4, vz_2)), lanes_mul(tz_5, vz_1));
+    const V _s49 = lanes_neg(lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(lanes_add(_s46, lanes_mul(vx_0, _s28)), lanes_add(_s47, lanes_mul(vy_0, _s36))), lanes_add(_s48, lanes_mul(vz_0, _s39)))));
+    const V _s50 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vx_6), lanes_mul(cos_1, vx_5)), lanes_mul(cos_2, vx_4)), lanes_mul(cos_3, vx_3)), lanes_mul(cos_4, vx_2)), lanes_mul(cos_5, vx_1));
+    const V _s51 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vy_6), lanes_mul(sin_1, vy_5)), lanes_mul(sin_2, vy_4)), lanes_mul(sin_3, vy_3)), lanes_mul(sin_4, vy_2)), lanes_mul(sin_5, vy_1));
+    const V _s52 = lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(_s50, lanes_mul(cos_6, vx_0)), lanes_add(_s51, lanes_mul(sin_6, vy_0))));
+    const V _s53 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(near_0, _s52), lanes_mul(near_1, widened_6)), lanes_mul(near_2, widened_5)), lanes_mul(near_3, widened_4)), lanes_mul(near_4, widened_3)), lanes_mul(near_5, widened_2));
+    return (LANES(court_roll_6_out)){ _s2, _s4, _s25, _s28, _s36, _s39, lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(_s40, lanes_mul(nx_0, _s25)), lanes_mul(K(0.4), lanes_add(_s41, lanes_mul(turn_rate_6, tx_0))))), lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(_s42, lanes_mul(ny_0, _s25)), lanes_mul(K(0.4), lanes_add(_s43, lanes_mul(turn_rate_6, ty_0))))), lanes_mul(K(0.14285714285714285), lanes_add(lanes_add(_s44, lanes_mul(nz_0, _s25)), lanes_mul(K(0.4), lanes_add(_s45, lanes_mul(turn_rate_6, tz_0))))), lanes_mul(K(0.14285714285714285), _s13), lanes_mul(K(0.14285714285714285), _s22), lanes_mul(K(0.14285714285714285), _s24), _s49, lanes_mul(K(0.14285714285714285), _s12), lanes_mul(K(0.14285714285714285), _s21), _s52, lanes_neg(lanes_mul(near_0, lanes_add(_s53, lanes_mul(near_6, widened_1)))) };
+}
+
+/* The terms of order 8 of a ball that rolls, from those before.
+   Newton, Euler and rolling without slip. 457 operations: 190 additions, 7 subtractions, 257 multiplications, 3 negations. */
+typedef struct {
+    V across_7;
+    V round_7;
+    V lift_7;
+    V tx_7;
+    V ty_7;
+    V tz_7;
+    V vx_8;
+    V vy_8;
+    V vz_8;
+    V nx_8;
+    V ny_8;
+    V nz_8;
+    V turn_rate_8;
+    V cos_8;
+    V sin_8;
+    V widened_8;
+    V near_8;
+} LANES(court_roll_7_out);
+
+LANES_INLINE LANES(court_roll_7_out)
+LANES(court_roll_7)(V across_0, V across_1, V across_2, V across_3, V across_4, V across_5, V across_6, V bent_x, V bent_y, V bent_z, V cos_0, V cos_1, V cos_2, V cos_3, V cos_4, V cos_5, V cos_6, V cos_7, V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V lift_6, V near_0, V near_1, V near_2, V near_3, V near_4, V near_5, V near_6, V near_7, V nx_0, V nx_1, V nx_2, V nx_3, V nx_4, V nx_5, V nx_6, V nx_7, V ny_0, V ny_1, V ny_2, V ny_3, V ny_4, V ny_5, V ny_6, V ny_7, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V nz_7, V per_reach, V ring, V round_0, V round_1, V round_2, V round_3, V round_4, V round_5, V round_6, V sin_0, V sin_1, V sin_2, V sin_3, V sin_4, V sin_5, V sin_6, V sin_7, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V tx_0, V tx_1, V tx_2, V tx_3, V tx_4, V tx_5, V tx_6, V ty_0, V ty_1, V ty_2, V ty_3, V ty_4, V ty_5, V ty_6, V tz_0, V tz_1, V tz_2, V tz_3, V tz_4, V tz_5, V tz_6, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vx_7, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vy_7, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V vz_7, V widened_1, V widened_2, V widened_3, V widened_4, V widened_5, V widened_6, V widened_7)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vy_7), lanes_mul(cos_1, vy_6)), lanes_mul(cos_2, vy_5)), lanes_mul(cos_3, vy_4)), lanes_mul(cos_4, vy_3)), lanes_mul(cos_5, vy_2));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vx_7), lanes_mul(sin_1, vx_6)), lanes_mul(sin_2, vx_5)), lanes_mul(sin_3, vx_4)), lanes_mul(sin_4, vx_3)), lanes_mul(sin_5, vx_2));
+    const V _s2 = lanes_sub(lanes_add(lanes_add(_s0, lanes_mul(cos_6, vy_1)), lanes_mul(cos_7, vy_0)), lanes_add(lanes_add(_s1, lanes_mul(sin_6, vx_1)), lanes_mul(sin_7, vx_0)));
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(across_0, near_7), lanes_mul(across_1, near_6)), lanes_mul(across_2, near_5)), lanes_mul(across_3, near_4)), lanes_mul(across_4, near_3)), lanes_mul(across_5, near_2));
+    const V _s4 = lanes_add(lanes_add(_s3, lanes_mul(across_6, near_1)), lanes_mul(near_0, _s2));
+    const V _s5 = lanes_mul(K(2.0), nx_2);
+    const V _s6 = lanes_mul(K(3.0), nx_3);
+    const V _s7 = lanes_mul(K(4.0), nx_4);
+    const V _s8 = lanes_mul(K(5.0), nx_5);
+    const V _s9 = lanes_mul(K(6.0), nx_6);
+    const V _s10 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, vx_7), lanes_mul(_s5, vx_6)), lanes_mul(_s6, vx_5)), lanes_mul(_s7, vx_4)), lanes_mul(_s8, vx_3)), lanes_mul(_s9, vx_2));
+    const V _s11 = lanes_mul(K(7.0), nx_7);
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(round_0, sin_7), lanes_mul(round_1, sin_6)), lanes_mul(round_2, sin_5)), lanes_mul(round_3, sin_4)), lanes_mul(round_4, sin_3)), lanes_mul(round_5, sin_2));
+    const V _s13 = lanes_neg(lanes_add(lanes_add(_s12, lanes_mul(round_6, sin_1)), lanes_mul(sin_0, _s4)));
+    const V _s14 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_x, vx_7), lanes_mul(ring, _s13)));
+    const V _s15 = lanes_mul(K(2.0), ny_2);
+    const V _s16 = lanes_mul(K(3.0), ny_3);
+    const V _s17 = lanes_mul(K(4.0), ny_4);
+    const V _s18 = lanes_mul(K(5.0), ny_5);
+    const V _s19 = lanes_mul(K(6.0), ny_6);
+    const V _s20 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, vy_7), lanes_mul(_s15, vy_6)), lanes_mul(_s16, vy_5)), lanes_mul(_s17, vy_4)), lanes_mul(_s18, vy_3)), lanes_mul(_s19, vy_2));
+    const V _s21 = lanes_mul(K(7.0), ny_7);
+    const V _s22 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, _s4), lanes_mul(cos_1, round_6)), lanes_mul(cos_2, round_5)), lanes_mul(cos_3, round_4)), lanes_mul(cos_4, round_3)), lanes_mul(cos_5, round_2));
+    const V _s23 = lanes_add(lanes_add(_s22, lanes_mul(cos_6, round_1)), lanes_mul(cos_7, round_0));
+    const V _s24 = lanes_mul(per_reach, lanes_sub(lanes_mul(bent_y, vy_7), lanes_mul(ring, _s23)));
+    const V _s25 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nz_1, vz_7), lanes_mul(lanes_mul(K(2.0), nz_2), vz_6)), lanes_mul(lanes_mul(K(3.0), nz_3), vz_5)), lanes_mul(lanes_mul(K(4.0), nz_4), vz_4)), lanes_mul(lanes_mul(K(5.0), nz_5), vz_3));
+    const V _s26 = lanes_mul(lanes_mul(bent_z, per_reach), vz_7);
+    const V _s27 = lanes_add(lanes_add(lanes_add(lanes_add(_s10, lanes_mul(_s11, vx_1)), lanes_mul(vx_0, _s14)), lanes_add(lanes_add(_s20, lanes_mul(_s21, vy_1)), lanes_mul(vy_0, _s24))), lanes_add(lanes_add(lanes_add(_s25, lanes_mul(lanes_mul(K(6.0), nz_6), vz_2)), lanes_mul(lanes_mul(K(7.0), nz_7), vz_1)), lanes_mul(vz_0, _s26)));
+    const V _s28 = lanes_sub(lanes_mul(lanes_mul(K(0.6), p_gravity), nz_7), _s27);
+    const V _s29 = lanes_mul(_s17, nz_4);
+    const V _s30 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_0, _s26), lanes_mul(lanes_mul(K(7.0), ny_1), nz_7)), lanes_mul(lanes_mul(K(6.0), ny_2), nz_6)), lanes_mul(lanes_mul(K(5.0), ny_3), nz_5)), _s29);
+    const V _s31 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ny_1, nz_7), lanes_mul(_s15, nz_6)), lanes_mul(_s16, nz_5)), _s29), lanes_mul(_s18, nz_3)), lanes_mul(_s19, nz_2));
+    const V _s32 = lanes_sub(lanes_add(lanes_add(lanes_add(_s30, lanes_mul(lanes_mul(K(3.0), ny_5), nz_3)), lanes_mul(lanes_mul(K(2.0), ny_6), nz_2)), lanes_mul(ny_7, nz_1)), lanes_add(lanes_add(_s31, lanes_mul(_s21, nz_1)), lanes_mul(nz_0, _s24)));
+    const V _s33 = lanes_mul(_s7, nz_4);
+    const V _s34 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, nz_7), lanes_mul(_s5, nz_6)), lanes_mul(_s6, nz_5)), _s33), lanes_mul(_s8, nz_3)), lanes_mul(_s9, nz_2));
+    const V _s35 = lanes_mul(K(7.0), nx_1);
+    const V _s36 = lanes_mul(K(6.0), nx_2);
+    const V _s37 = lanes_mul(K(5.0), nx_3);
+    const V _s38 = lanes_mul(K(3.0), nx_5);
+    const V _s39 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s26), lanes_mul(_s35, nz_7)), lanes_mul(_s36, nz_6)), lanes_mul(_s37, nz_5)), _s33), lanes_mul(_s38, nz_3));
+    const V _s40 = lanes_mul(K(2.0), nx_6);
+    const V _s41 = lanes_sub(lanes_add(lanes_add(_s34, lanes_mul(_s11, nz_1)), lanes_mul(nz_0, _s14)), lanes_add(lanes_add(_s39, lanes_mul(_s40, nz_2)), lanes_mul(nx_7, nz_1)));
+    const V _s42 = lanes_mul(_s7, ny_4);
+    const V _s43 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_0, _s24), lanes_mul(_s35, ny_7)), lanes_mul(_s36, ny_6)), lanes_mul(_s37, ny_5)), _s42), lanes_mul(_s38, ny_3));
+    const V _s44 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(nx_1, ny_7), lanes_mul(_s5, ny_6)), lanes_mul(_s6, ny_5)), _s42), lanes_mul(_s8, ny_3)), lanes_mul(_s9, ny_2));
+    const V _s45 = lanes_sub(lanes_add(lanes_add(_s43, lanes_mul(_s40, ny_2)), lanes_mul(nx_7, ny_1)), lanes_add(lanes_add(_s44, lanes_mul(_s11, ny_1)), lanes_mul(ny_0, _s14)));
+    const V _s46 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nx_7), lanes_mul(lift_1, nx_6)), lanes_mul(lift_2, nx_5)), lanes_mul(lift_3, nx_4)), lanes_mul(lift_4, nx_3)), lanes_mul(lift_5, nx_2));
+    const V _s47 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s32), lanes_mul(turn_rate_1, tx_6)), lanes_mul(turn_rate_2, tx_5)), lanes_mul(turn_rate_3, tx_4)), lanes_mul(turn_rate_4, tx_3)), lanes_mul(turn_rate_5, tx_2));
+    const V _s48 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(_s46, lanes_mul(lift_6, nx_1)), lanes_mul(nx_0, _s28)), lanes_mul(K(0.4), lanes_add(lanes_add(_s47, lanes_mul(turn_rate_6, tx_1)), lanes_mul(turn_rate_7, tx_0)))));
+    const V _s49 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, ny_7), lanes_mul(lift_1, ny_6)), lanes_mul(lift_2, ny_5)), lanes_mul(lift_3, ny_4)), lanes_mul(lift_4, ny_3)), lanes_mul(lift_5, ny_2));
+    const V _s50 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s41), lanes_mul(turn_rate_1, ty_6)), lanes_mul(turn_rate_2, ty_5)), lanes_mul(turn_rate_3, ty_4)), lanes_mul(turn_rate_4, ty_3)), lanes_mul(turn_rate_5, ty_2));
+    const V _s51 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(_s49, lanes_mul(lift_6, ny_1)), lanes_mul(ny_0, _s28)), lanes_mul(K(0.4), lanes_add(lanes_add(_s50, lanes_mul(turn_rate_6, ty_1)), lanes_mul(turn_rate_7, ty_0)))));
+    const V _s52 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(lift_0, nz_7), lanes_mul(lift_1, nz_6)), lanes_mul(lift_2, nz_5)), lanes_mul(lift_3, nz_4)), lanes_mul(lift_4, nz_3)), lanes_mul(lift_5, nz_2));
+    const V _s53 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(turn_rate_0, _s45), lanes_mul(turn_rate_1, tz_6)), lanes_mul(turn_rate_2, tz_5)), lanes_mul(turn_rate_3, tz_4)), lanes_mul(turn_rate_4, tz_3)), lanes_mul(turn_rate_5, tz_2));
+    const V _s54 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(_s52, lanes_mul(lift_6, nz_1)), lanes_mul(nz_0, _s28)), lanes_mul(K(0.4), lanes_add(lanes_add(_s53, lanes_mul(turn_rate_6, tz_1)), lanes_mul(turn_rate_7, tz_0)))));
+    const V _s55 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tx_0, vx_7), lanes_mul(tx_1, vx_6)), lanes_mul(tx_2, vx_5)), lanes_mul(tx_3, vx_4)), lanes_mul(tx_4, vx_3)), lanes_mul(tx_5, vx_2));
+    const V _s56 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(ty_0, vy_7), lanes_mul(ty_1, vy_6)), lanes_mul(ty_2, vy_5)), lanes_mul(ty_3, vy_4)), lanes_mul(ty_4, vy_3)), lanes_mul(ty_5, vy_2));
+    const V _s57 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(tz_0, vz_7), lanes_mul(tz_1, vz_6)), lanes_mul(tz_2, vz_5)), lanes_mul(tz_3, vz_4)), lanes_mul(tz_4, vz_3)), lanes_mul(tz_5, vz_2));
+    const V _s58 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(lanes_add(_s55, lanes_mul(tx_6, vx_1)), lanes_mul(vx_0, _s32)), lanes_add(lanes_add(_s56, lanes_mul(ty_6, vy_1)), lanes_mul(vy_0, _s41))), lanes_add(lanes_add(_s57, lanes_mul(tz_6, vz_1)), lanes_mul(vz_0, _s45))));
+    const V _s59 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(cos_0, vx_7), lanes_mul(cos_1, vx_6)), lanes_mul(cos_2, vx_5)), lanes_mul(cos_3, vx_4)), lanes_mul(cos_4, vx_3)), lanes_mul(cos_5, vx_2));
+    const V _s60 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(sin_0, vy_7), lanes_mul(sin_1, vy_6)), lanes_mul(sin_2, vy_5)), lanes_mul(sin_3, vy_4)), lanes_mul(sin_4, vy_3)), lanes_mul(sin_5, vy_2));
+    const V _s61 = lanes_mul(K(0.125), lanes_add(lanes_add(lanes_add(_s59, lanes_mul(cos_6, vx_1)), lanes_mul(cos_7, vx_0)), lanes_add(lanes_add(_s60, lanes_mul(sin_6, vy_1)), lanes_mul(sin_7, vy_0))));
+    const V _s62 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(near_0, _s61), lanes_mul(near_1, widened_7)), lanes_mul(near_2, widened_6)), lanes_mul(near_3, widened_5)), lanes_mul(near_4, widened_4)), lanes_mul(near_5, widened_3));
+    return (LANES(court_roll_7_out)){ _s2, _s4, _s28, _s32, _s41, _s45, _s48, _s51, _s54, lanes_mul(K(0.125), _s14), lanes_mul(K(0.125), _s24), lanes_mul(K(0.125), _s26), lanes_neg(_s58), lanes_mul(K(0.125), _s13), lanes_mul(K(0.125), _s23), _s61, lanes_neg(lanes_mul(near_0, lanes_add(lanes_add(_s62, lanes_mul(near_6, widened_2)), lanes_mul(near_7, widened_1)))) };
+}
+
+/* The constant terms.
+   rolling. 17 operations: 3 additions, 8 multiplications, 1 division, 1 square root, 1 comparison, 3 selections. */
+typedef struct {
+    V vx_0;
+    V vy_0;
+    V vz_0;
+    V nx_0;
+    V ny_0;
+    V nz_0;
+    V turn_rate_0;
+    V cos_0;
+    V sin_0;
+    V near_0;
+} LANES(court_roll_start_out);
+
+LANES_INLINE LANES(court_roll_start_out)
+LANES(court_roll_start)(V p_ball_radius, V nx, V ny, V nz, V ring, V vx, V vy, V vz, V wx, V wy, V wz, V x, V y)
+{
+    const V _s0 = lanes_div(K(1.0), lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))));
+    const M _s1 = lanes_less(K(0.0), ring);
+    return (LANES(court_roll_start_out)){ vx, vy, vz, nx, ny, nz, lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz))), lanes_select(_s1, lanes_mul(x, _s0), K(1.0)), lanes_select(_s1, lanes_mul(y, _s0), K(0.0)), lanes_select(_s1, _s0, K(1.0)) };
+}
+
+/* Where a rolling ball is at time t.
+   its series. 140 operations: 59 additions, 81 multiplications. */
+typedef struct {
+    V x;
+    V vx;
+    V y;
+    V vy;
+    V z;
+    V vz;
+    V turn_rate;
+} LANES(court_roll_moved_out);
+
+LANES_INLINE LANES(court_roll_moved_out)
+LANES(court_roll_moved)(V t, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vx_7, V vx_8, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vy_7, V vy_8, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V vz_7, V vz_8, V x, V y, V z)
+{
+    const V _s0 = lanes_mul(K(0.1111111111111111), t);
+    const V _s1 = lanes_add(lanes_mul(K(0.16666666666666666), vx_5), lanes_mul(t, lanes_add(lanes_mul(K(0.14285714285714285), vx_6), lanes_mul(t, lanes_add(lanes_mul(K(0.125), vx_7), lanes_mul(_s0, vx_8))))));
+    const V _s2 = lanes_add(lanes_mul(K(0.3333333333333333), vx_2), lanes_mul(t, lanes_add(lanes_mul(K(0.25), vx_3), lanes_mul(t, lanes_add(lanes_mul(K(0.2), vx_4), lanes_mul(t, _s1))))));
+    const V _s3 = lanes_add(x, lanes_mul(t, lanes_add(vx_0, lanes_mul(t, lanes_add(lanes_mul(K(0.5), vx_1), lanes_mul(t, _s2))))));
+    const V _s4 = lanes_add(vx_5, lanes_mul(t, lanes_add(vx_6, lanes_mul(t, lanes_add(vx_7, lanes_mul(t, vx_8))))));
+    const V _s5 = lanes_add(vx_2, lanes_mul(t, lanes_add(vx_3, lanes_mul(t, lanes_add(vx_4, lanes_mul(t, _s4))))));
+    const V _s6 = lanes_add(lanes_mul(K(0.16666666666666666), vy_5), lanes_mul(t, lanes_add(lanes_mul(K(0.14285714285714285), vy_6), lanes_mul(t, lanes_add(lanes_mul(K(0.125), vy_7), lanes_mul(_s0, vy_8))))));
+    const V _s7 = lanes_add(lanes_mul(K(0.3333333333333333), vy_2), lanes_mul(t, lanes_add(lanes_mul(K(0.25), vy_3), lanes_mul(t, lanes_add(lanes_mul(K(0.2), vy_4), lanes_mul(t, _s6))))));
+    const V _s8 = lanes_add(y, lanes_mul(t, lanes_add(vy_0, lanes_mul(t, lanes_add(lanes_mul(K(0.5), vy_1), lanes_mul(t, _s7))))));
+    const V _s9 = lanes_add(vy_5, lanes_mul(t, lanes_add(vy_6, lanes_mul(t, lanes_add(vy_7, lanes_mul(t, vy_8))))));
+    const V _s10 = lanes_add(vy_2, lanes_mul(t, lanes_add(vy_3, lanes_mul(t, lanes_add(vy_4, lanes_mul(t, _s9))))));
+    const V _s11 = lanes_add(lanes_mul(K(0.16666666666666666), vz_5), lanes_mul(t, lanes_add(lanes_mul(K(0.14285714285714285), vz_6), lanes_mul(t, lanes_add(lanes_mul(K(0.125), vz_7), lanes_mul(_s0, vz_8))))));
+    const V _s12 = lanes_add(lanes_mul(K(0.3333333333333333), vz_2), lanes_mul(t, lanes_add(lanes_mul(K(0.25), vz_3), lanes_mul(t, lanes_add(lanes_mul(K(0.2), vz_4), lanes_mul(t, _s11))))));
+    const V _s13 = lanes_add(z, lanes_mul(t, lanes_add(vz_0, lanes_mul(t, lanes_add(lanes_mul(K(0.5), vz_1), lanes_mul(t, _s12))))));
+    const V _s14 = lanes_add(vz_5, lanes_mul(t, lanes_add(vz_6, lanes_mul(t, lanes_add(vz_7, lanes_mul(t, vz_8))))));
+    const V _s15 = lanes_add(vz_2, lanes_mul(t, lanes_add(vz_3, lanes_mul(t, lanes_add(vz_4, lanes_mul(t, _s14))))));
+    const V _s16 = lanes_add(turn_rate_5, lanes_mul(t, lanes_add(turn_rate_6, lanes_mul(t, lanes_add(turn_rate_7, lanes_mul(t, turn_rate_8))))));
+    const V _s17 = lanes_add(turn_rate_2, lanes_mul(t, lanes_add(turn_rate_3, lanes_mul(t, lanes_add(turn_rate_4, lanes_mul(t, _s16))))));
+    return (LANES(court_roll_moved_out)){ _s3, lanes_add(vx_0, lanes_mul(t, lanes_add(vx_1, lanes_mul(t, _s5)))), _s8, lanes_add(vy_0, lanes_mul(t, lanes_add(vy_1, lanes_mul(t, _s10)))), _s13, lanes_add(vz_0, lanes_mul(t, lanes_add(vz_1, lanes_mul(t, _s15)))), lanes_add(turn_rate_0, lanes_mul(t, lanes_add(turn_rate_1, lanes_mul(t, _s17)))) };
+}
+
+/* A ball put onto a surface, rolling.
+   v = R_B (w × n). 36 operations: 5 additions, 9 subtractions, 21 multiplications, 1 division. */
+typedef struct {
+    V x;
+    V y;
+    V z;
+    V vx;
+    V vy;
+    V vz;
+    V wx;
+    V wy;
+    V wz;
+} LANES(court_roll_placed_out);
+
+LANES_INLINE LANES(court_roll_placed_out)
+LANES(court_roll_placed)(V p_ball_radius, V gap, V nx, V ny, V nz, V turn_rate, V vx, V vy, V vz, V x, V y, V z)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_sub(vx, lanes_mul(nx, _s0));
+    const V _s2 = lanes_sub(vy, lanes_mul(ny, _s0));
+    const V _s3 = lanes_sub(vz, lanes_mul(nz, _s0));
+    const V _s4 = lanes_div(K(1.0), p_ball_radius);
+    return (LANES(court_roll_placed_out)){ lanes_sub(x, lanes_mul(gap, nx)), lanes_sub(y, lanes_mul(gap, ny)), lanes_sub(z, lanes_mul(gap, nz)), _s1, _s2, _s3, lanes_mul(_s4, lanes_sub(lanes_add(lanes_mul(nx, turn_rate), lanes_mul(ny, _s3)), lanes_mul(nz, _s2))), lanes_mul(_s4, lanes_sub(lanes_add(lanes_mul(ny, turn_rate), lanes_mul(nz, _s1)), lanes_mul(nx, _s3))), lanes_mul(_s4, lanes_sub(lanes_add(lanes_mul(nx, _s2), lanes_mul(nz, turn_rate)), lanes_mul(ny, _s1))) };
+}
+
+/* A step of the series, bounds of the motion in it, and the normal force.
+   the last terms of the series. 155 operations: 53 additions, 47 multiplications, 1 division, 4 square roots, 46 absolute values, 2 comparisons, 2 selections. */
+typedef struct {
+    V stride;
+    V strongest;
+    V fastest;
+    V force;
+    V force_rate;
+    V force_bend;
+} LANES(court_roll_pace_out);
+
+LANES_INLINE LANES(court_roll_pace_out)
+LANES(court_roll_pace)(V p_gravity, V lift_0, V lift_1, V lift_2, V lift_3, V lift_4, V lift_5, V lift_6, V lift_7, V nx_8, V ny_8, V nz_0, V nz_1, V nz_2, V nz_3, V nz_4, V nz_5, V nz_6, V nz_7, V nz_8, V per_reach, V turn_rate_0, V turn_rate_1, V turn_rate_2, V turn_rate_3, V turn_rate_4, V turn_rate_5, V turn_rate_6, V turn_rate_7, V turn_rate_8, V vx_0, V vx_1, V vx_2, V vx_3, V vx_4, V vx_5, V vx_6, V vx_7, V vx_8, V vy_0, V vy_1, V vy_2, V vy_3, V vy_4, V vy_5, V vy_6, V vy_7, V vy_8, V vz_0, V vz_1, V vz_2, V vz_3, V vz_4, V vz_5, V vz_6, V vz_7, V vz_8)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_0), lanes_abs(vx_0)), lanes_abs(vy_0)), lanes_abs(vz_0));
+    const V _s1 = lanes_add(lanes_mul(K(0.015625), p_gravity), _s0);
+    const V _s2 = lanes_abs(per_reach);
+    const V _s3 = lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_7), lanes_abs(vx_7)), lanes_abs(vy_7)), lanes_abs(vz_7));
+    const V _s4 = lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_8), lanes_abs(vx_8)), lanes_abs(vy_8)), lanes_abs(vz_8));
+    const V _s5 = lanes_add(lanes_mul(lanes_add(lanes_mul(_s2, _s0), lanes_sqrt(lanes_mul(p_gravity, _s2))), _s3), _s4);
+    const V _s6 = lanes_mul(_s1, lanes_add(lanes_add(lanes_abs(nx_8), lanes_abs(ny_8)), lanes_abs(nz_8)));
+    const V _s7 = lanes_sqrt(lanes_sqrt(lanes_sqrt(lanes_div(lanes_mul(K(1.1102230246251565e-16), _s1), lanes_max(_s5, _s6)))));
+    const V _s8 = lanes_min(_s7, K(0.0625));
+    const V _s9 = lanes_mul(lanes_mul(K(2.0), lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_2), lanes_abs(vx_2)), lanes_abs(vy_2)), lanes_abs(vz_2))), _s8);
+    const V _s10 = lanes_mul(_s8, _s8);
+    const V _s11 = lanes_mul(lanes_mul(K(3.0), lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_3), lanes_abs(vx_3)), lanes_abs(vy_3)), lanes_abs(vz_3))), _s10);
+    const V _s12 = lanes_mul(_s8, _s10);
+    const V _s13 = lanes_mul(lanes_mul(K(4.0), lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_4), lanes_abs(vx_4)), lanes_abs(vy_4)), lanes_abs(vz_4))), _s12);
+    const V _s14 = lanes_mul(_s10, _s10);
+    const V _s15 = lanes_mul(lanes_mul(K(5.0), lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_5), lanes_abs(vx_5)), lanes_abs(vy_5)), lanes_abs(vz_5))), _s14);
+    const V _s16 = lanes_mul(_s8, _s14);
+    const V _s17 = lanes_mul(lanes_mul(K(6.0), lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_6), lanes_abs(vx_6)), lanes_abs(vy_6)), lanes_abs(vz_6))), _s16);
+    const V _s18 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(_s9, _s11), _s13), _s15), _s17), lanes_mul(lanes_mul(K(7.0), _s3), lanes_mul(_s10, _s14))), lanes_mul(lanes_mul(K(8.0), _s4), lanes_mul(_s12, _s14)));
+    const V _s19 = lanes_add(_s18, lanes_add(lanes_add(lanes_add(lanes_abs(turn_rate_1), lanes_abs(vx_1)), lanes_abs(vy_1)), lanes_abs(vz_1)));
+    const V _s20 = lanes_mul(K(0.4), p_gravity);
+    const V _s21 = lanes_add(lanes_mul(lanes_mul(K(6.0), lanes_abs(lanes_add(lift_3, lanes_mul(_s20, nz_3)))), _s8), lanes_mul(lanes_mul(K(12.0), lanes_abs(lanes_add(lift_4, lanes_mul(_s20, nz_4)))), _s10));
+    const V _s22 = lanes_add(_s21, lanes_mul(lanes_mul(K(20.0), lanes_abs(lanes_add(lift_5, lanes_mul(_s20, nz_5)))), _s12));
+    const V _s23 = lanes_add(_s22, lanes_mul(lanes_mul(K(30.0), lanes_abs(lanes_add(lift_6, lanes_mul(_s20, nz_6)))), _s14));
+    const V _s24 = lanes_add(_s23, lanes_mul(lanes_mul(K(42.0), lanes_abs(lanes_add(lift_7, lanes_mul(_s20, nz_7)))), _s16));
+    return (LANES(court_roll_pace_out)){ _s8, _s19, lanes_add(lanes_mul(_s19, _s8), _s0), lanes_add(lift_0, lanes_mul(_s20, nz_0)), lanes_add(lift_1, lanes_mul(_s20, nz_1)), lanes_add(_s24, lanes_mul(K(2.0), lanes_abs(lanes_add(lift_2, lanes_mul(_s20, nz_2))))) };
+}
+
+/* The spin about the normal, times the ball's radius.
+   s = R_B (w·n). 6 operations: 2 additions, 4 multiplications. */
+typedef struct {
+    V turn_rate;
+} LANES(court_roll_turn_rate_out);
+
+LANES_INLINE LANES(court_roll_turn_rate_out)
+LANES(court_roll_turn_rate)(V p_ball_radius, V nx, V ny, V nz, V wx, V wy, V wz)
+{
+    return (LANES(court_roll_turn_rate_out)){ lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz))) };
+}
+
+/* Where a ball hardly leaves the surface that it has touched.
+   a hop of less than a micrometre. 8 operations: 2 additions, 5 multiplications, 1 comparison. */
+typedef struct {
+    M slow;
+    V assured;
+} LANES(court_slowed_out);
+
+LANES_INLINE LANES(court_slowed_out)
+LANES(court_slowed)(V p_ball_radius, V nx, V ny, V nz, V vx, V vy, V vz)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    return (LANES(court_slowed_out)){ lanes_less(lanes_mul(_s0, _s0), lanes_mul(K(1.1920928955078125e-07), p_ball_radius)), K(0.0) };
+}
+
+/* The velocity of a ball whose contact point stops; its slip, and how fast it leaves.
+   the momenta that a contact keeps. 40 operations: 4 additions, 12 subtractions, 21 multiplications, 1 square root, 1 comparison, 1 selection. */
+typedef struct {
+    V rolled_x;
+    V rolled_y;
+    V rolled_z;
+    V slip;
+    V bounce;
+} LANES(court_gripped_out);
+
+LANES_INLINE LANES(court_gripped_out)
+LANES(court_gripped)(V p_ball_radius, V nx, V ny, V nz, V vx, V vy, V vz, V wx, V wy, V wz)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_sub(vx, lanes_mul(nx, _s0));
+    const V _s2 = lanes_sub(_s1, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s3 = lanes_sub(vy, lanes_mul(ny, _s0));
+    const V _s4 = lanes_sub(_s3, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s5 = lanes_sub(vz, lanes_mul(nz, _s0));
+    const V _s6 = lanes_sub(_s5, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    return (LANES(court_gripped_out)){ lanes_sub(_s1, lanes_mul(K(0.4), _s2)), lanes_sub(_s3, lanes_mul(K(0.4), _s4)), lanes_sub(_s5, lanes_mul(K(0.4), _s6)), lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s6, _s6), lanes_mul(_s4, _s4)), lanes_mul(_s2, _s2))), lanes_max(K(0.0), _s0) };
+}
+
+/* Nothing next to the ball.
+   Table 1. No operations. */
+typedef struct {
+    V nearest;
+} LANES(court_alone_out);
+
+LANES_INLINE LANES(court_alone_out)
+LANES(court_alone)(void)
+{
+    return (LANES(court_alone_out)){ K(INFINITY) };
+}
+
+/* The distance to what is next to the ball.
+   Table 1. 3 operations: 1 absolute value, 1 comparison, 1 selection. */
+typedef struct {
+    V nearest;
+} LANES(court_neared_out);
+
+LANES_INLINE LANES(court_neared_out)
+LANES(court_neared)(V gap, V nearest)
+{
+    const V _s0 = lanes_abs(gap);
+    return (LANES(court_neared_out)){ lanes_min(_s0, nearest) };
+}
+
+/* What a jump to the end of the bounces adds.
+   its bound. 41 operations: 12 additions, 3 multiplications, 2 divisions, 3 negations, 3 absolute values, 9 comparisons, 9 selections. */
+typedef struct {
+    V dx;
+    V dy;
+    V dz;
+    V dvx;
+    V dvy;
+    V dvz;
+    V dwx;
+    V dwy;
+    V dwz;
+} LANES(court_begun_errors_out);
+
+LANES_INLINE LANES(court_begun_errors_out)
+LANES(court_begun_errors)(V p_ball_radius, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dx, V dy, V dz, V vx, V vy, V vz)
+{
+    const V _s0 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
+    const V _s1 = lanes_neg(_s0);
+    const V _s2 = lanes_mul(lanes_mul(K(1.4551915228366852e-11), p_ball_radius), lanes_add(K(1.0), lanes_div(lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vy)), lanes_abs(vz)), p_ball_radius)));
+    const V _s3 = lanes_neg(_s2);
+    const V _s4 = lanes_div(_s2, p_ball_radius);
+    const V _s5 = lanes_neg(_s4);
+    return (LANES(court_begun_errors_out)){ lanes_add(dx, lanes_select(lanes_less(dx, K(0.0)), _s1, _s0)), lanes_add(dy, lanes_select(lanes_less(dy, K(0.0)), _s1, _s0)), lanes_add(dz, lanes_select(lanes_less(dz, K(0.0)), _s1, _s0)), lanes_add(dvx, lanes_select(lanes_less(dvx, K(0.0)), _s3, _s2)), lanes_add(dvy, lanes_select(lanes_less(dvy, K(0.0)), _s3, _s2)), lanes_add(dvz, lanes_select(lanes_less(dvz, K(0.0)), _s3, _s2)), lanes_add(dwx, lanes_select(lanes_less(dwx, K(0.0)), _s5, _s4)), lanes_add(dwy, lanes_select(lanes_less(dwy, K(0.0)), _s5, _s4)), lanes_add(dwz, lanes_select(lanes_less(dwz, K(0.0)), _s5, _s4)) };
+}
+
+/* Where the normal force is spent, or nothing moves; else how long it certainly lasts.
+   N = 0. 65 operations: 11 additions, 1 subtraction, 14 multiplications, 1 division, 1 square root, 1 negation, 8 absolute values, 11 comparisons, 4 conjunctions, 2 disjunctions, 2 complements, 9 selections. */
+typedef struct {
+    V stride;
+    V which;
+    M rests;
+    V doubt;
+} LANES(court_leaving_force_out);
+
+LANES_INLINE LANES(court_leaving_force_out)
+LANES(court_leaving_force)(V doubt, V fastest, V force, V force_bend, V force_rate, V p_gravity, V per_reach, V position_error, V stride, V velocity_error, V vx, V vx_1, V vy, V vy_1, V vz, V vz_1, V which)
+{
+    const V _s0 = lanes_abs(per_reach);
+    const V _s1 = lanes_add(p_gravity, lanes_mul(lanes_mul(fastest, fastest), _s0));
+    const V _s2 = lanes_mul(K(5.684341886080802e-14), _s1);
+    const M _s3 = lanes_less(force_rate, K(0.0));
+    const M _s4 = lanes_either(lanes_less(force, lanes_neg(_s2)), lanes_both(lanes_at_most(force, _s2), _s3));
+    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vx_1)), lanes_abs(vy)), lanes_abs(vy_1)), lanes_abs(vz)), lanes_abs(vz_1));
+    const M _s6 = lanes_at_most(_s5, K(0.0));
+    const V _s7 = lanes_mul(force_rate, force_rate);
+    const V _s8 = lanes_add(force_bend, lanes_mul(K(9.094947017729282e-13), _s1));
+    const V _s9 = lanes_max(force, K(0.0));
+    const V _s10 = lanes_add(_s7, lanes_mul(lanes_mul(K(2.0), _s8), _s9));
+    const V _s11 = lanes_sqrt(_s10);
+    const V _s12 = lanes_select(lanes_at_most(K(0.0), _s10), lanes_div(lanes_select(_s3, lanes_mul(K(2.0), _s9), lanes_add(force_rate, _s11)), lanes_select(_s3, lanes_sub(_s11, force_rate), lanes_max(K(0.0), _s8))), K(INFINITY));
+    const V _s13 = lanes_add(lanes_mul(lanes_mul(K(8.0), _s0), lanes_add(lanes_mul(fastest, velocity_error), lanes_mul(position_error, _s1))), _s2);
+    const V _s14 = lanes_select(lanes_both(lanes_at_most(lanes_abs(force), _s13), lanes_not(lanes_less(lanes_mul(lanes_mul(K(8.0), _s8), _s13), _s7))), K(0.0), doubt);
+    return (LANES(court_leaving_force_out)){ lanes_select(lanes_either(_s4, _s6), K(0.0), lanes_min(_s12, stride)), lanes_select(lanes_both(_s4, lanes_equal(which, K(-1.0))), K(6.0), which), lanes_both(_s6, lanes_not(_s4)), _s14 };
+}
+
+/* Where a rolling ball meets another surface; else how long it certainly does not.
+   a parabola below the distance. 55 operations: 7 additions, 1 subtraction, 11 multiplications, 2 divisions, 1 square root, 1 negation, 4 absolute values, 10 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 10 selections. */
+typedef struct {
+    V stride;
+    V which;
+    V doubt;
+    V late;
+} LANES(court_beside_body_out);
+
+LANES_INLINE LANES(court_beside_body_out)
+LANES(court_beside_body)(V p_ball_radius, V dent, V doubt, V fastest, V gap, V index, V late, V nearing, V position_error, V stride, V strongest, V which, V x, V y, V z)
+{
+    const V _s0 = lanes_mul(K(7.105427357601002e-15), lanes_add(lanes_add(lanes_add(p_ball_radius, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
+    const M _s1 = lanes_less(nearing, K(0.0));
+    const M _s2 = lanes_both(lanes_at_most(gap, _s0), _s1);
+    const V _s3 = lanes_mul(nearing, nearing);
+    const V _s4 = lanes_add(strongest, lanes_mul(dent, lanes_mul(fastest, fastest)));
+    const V _s5 = lanes_max(gap, K(0.0));
+    const V _s6 = lanes_add(_s3, lanes_mul(lanes_mul(K(2.0), _s4), _s5));
+    const V _s7 = lanes_sqrt(_s6);
+    const V _s8 = lanes_select(lanes_at_most(K(0.0), _s6), lanes_div(lanes_select(_s1, lanes_mul(K(2.0), _s5), lanes_add(nearing, _s7)), lanes_select(_s1, lanes_sub(_s7, nearing), lanes_max(K(0.0), _s4))), K(INFINITY));
+    const M _s9 = lanes_equal(which, K(-1.0));
+    const M _s10 = lanes_both(_s2, _s9);
+    const V _s11 = lanes_add(lanes_mul(K(2.0), position_error), _s0);
+    const M _s12 = lanes_either(lanes_both(lanes_both(lanes_at_most(gap, _s11), lanes_at_most(lanes_neg(_s11), gap)), lanes_not(lanes_less(lanes_mul(lanes_mul(K(8.0), _s11), _s4), _s3))), lanes_both(_s2, lanes_not(_s9)));
+    return (LANES(court_beside_body_out)){ lanes_select(_s2, K(0.0), lanes_min(_s8, stride)), lanes_select(_s10, index, which), lanes_select(_s12, K(0.0), doubt), lanes_select(_s10, lanes_div(lanes_mul(K(2.0), _s11), lanes_abs(nearing)), late) };
+}
+
+/* The same of a plane that ends a shot, which counts from above.
+   a parabola below the distance. 60 operations: 7 additions, 1 subtraction, 11 multiplications, 2 divisions, 1 square root, 2 negations, 4 absolute values, 12 comparisons, 6 conjunctions, 1 disjunction, 2 complements, 11 selections. */
+typedef struct {
+    V stride;
+    V which;
+    V doubt;
+    V late;
+} LANES(court_beside_gate_out);
+
+LANES_INLINE LANES(court_beside_gate_out)
+LANES(court_beside_gate)(V p_ball_radius, V dent, V doubt, V fastest, V gap, V index, V late, V nearing, V position_error, V stride, V strongest, V which, V x, V y, V z)
+{
+    const V _s0 = lanes_mul(K(7.105427357601002e-15), lanes_add(lanes_add(lanes_add(p_ball_radius, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
+    const M _s1 = lanes_less(nearing, K(0.0));
+    const M _s2 = lanes_both(lanes_both(lanes_at_most(gap, _s0), _s1), lanes_at_most(lanes_neg(_s0), gap));
+    const V _s3 = lanes_mul(nearing, nearing);
+    const V _s4 = lanes_add(strongest, lanes_mul(dent, lanes_mul(fastest, fastest)));
+    const V _s5 = lanes_max(gap, K(0.0));
+    const V _s6 = lanes_add(_s3, lanes_mul(lanes_mul(K(2.0), _s4), _s5));
+    const V _s7 = lanes_sqrt(_s6);
+    const V _s8 = lanes_select(lanes_less(K(0.0), gap), lanes_select(lanes_at_most(K(0.0), _s6), lanes_div(lanes_select(_s1, lanes_mul(K(2.0), _s5), lanes_add(nearing, _s7)), lanes_select(_s1, lanes_sub(_s7, nearing), lanes_max(K(0.0), _s4))), K(INFINITY)), K(INFINITY));
+    const M _s9 = lanes_equal(which, K(-1.0));
+    const M _s10 = lanes_both(_s2, _s9);
+    const V _s11 = lanes_add(lanes_mul(K(2.0), position_error), _s0);
+    const M _s12 = lanes_either(lanes_both(lanes_both(lanes_at_most(gap, _s11), lanes_at_most(lanes_neg(_s11), gap)), lanes_not(lanes_less(lanes_mul(lanes_mul(K(8.0), _s11), _s4), _s3))), lanes_both(_s2, lanes_not(_s9)));
+    return (LANES(court_beside_gate_out)){ lanes_select(_s2, K(0.0), lanes_min(_s8, stride)), lanes_select(_s10, index, which), lanes_select(_s12, K(0.0), doubt), lanes_select(_s10, lanes_div(lanes_mul(K(2.0), _s11), lanes_abs(nearing)), late) };
+}
+
+/* How long a rolling ball certainly stays on a part of its surface.
+   a parabola below the distance. 30 operations: 3 additions, 2 subtractions, 5 multiplications, 1 division, 1 square root, 1 negation, 2 absolute values, 7 comparisons, 8 selections. */
+typedef struct {
+    V stride;
+} LANES(court_beside_seam_out);
+
+LANES_INLINE LANES(court_beside_seam_out)
+LANES(court_beside_seam)(V fastest, V gap, V near, V nearing, V stride, V strongest)
+{
+    const V _s0 = lanes_abs(gap);
+    const V _s1 = lanes_sub(_s0, near);
+    const V _s2 = lanes_max(K(0.0), _s1);
+    const V _s3 = lanes_select(lanes_at_most(_s0, near), lanes_add(lanes_mul(K(9.5367431640625e-07), fastest), lanes_abs(nearing)), lanes_select(lanes_less(K(0.0), gap), nearing, lanes_neg(nearing)));
+    const V _s4 = lanes_add(lanes_mul(lanes_mul(K(2.0), strongest), _s2), lanes_mul(_s3, _s3));
+    const V _s5 = lanes_sqrt(_s4);
+    const M _s6 = lanes_less(_s3, K(0.0));
+    const V _s7 = lanes_select(lanes_at_most(K(0.0), _s4), lanes_div(lanes_select(_s6, lanes_mul(K(2.0), _s2), lanes_add(_s3, _s5)), lanes_select(_s6, lanes_sub(_s5, _s3), lanes_max(K(0.0), strongest))), K(INFINITY));
+    return (LANES(court_beside_seam_out)){ lanes_min(_s7, stride) };
+}
+
+/* The time limit.
+   Table 1. 9 operations: 1 subtraction, 4 comparisons, 1 conjunction, 3 selections. */
+typedef struct {
+    V stride;
+    V which;
+} LANES(court_beside_time_out);
+
+LANES_INLINE LANES(court_beside_time_out)
+LANES(court_beside_time)(V clock, V stride, V time_limit, V which)
+{
+    const V _s0 = lanes_sub(time_limit, clock);
+    const V _s1 = lanes_min(_s0, stride);
+    return (LANES(court_beside_time_out)){ lanes_max(K(0.0), _s1), lanes_select(lanes_both(lanes_at_most(time_limit, clock), lanes_equal(which, K(-1.0))), K(4.0), which) };
+}
+
+/* The time after a step, and whether there is a next one.
+   Table 1. 4 operations: 1 addition, 1 comparison, 1 conjunction, 1 complement. */
+typedef struct {
+    V clock;
+    M rolling;
+} LANES(court_rolled_on_out);
+
+LANES_INLINE LANES(court_rolled_on_out)
+LANES(court_rolled_on)(V clock, M rests, V stride, V which)
+{
+    return (LANES(court_rolled_on_out)){ lanes_add(clock, stride), lanes_both(lanes_equal(which, K(-1.0)), lanes_not(rests)) };
+}
+
+/* How long a ball that leaves a surface certainly does not meet it, nor anything else.
+   Taylor's theorem of the gap. 67 operations: 10 additions, 21 multiplications, 6 divisions, 4 square roots, 6 absolute values, 10 comparisons, 1 disjunction, 9 selections. */
+typedef struct {
+    V when;
+    V doubt;
+} LANES(court_parted_out);
+
+LANES_INLINE LANES(court_parted_out)
+LANES(court_parted)(V doubt, V p_gravity, V lift, V nearest, V per_reach, V position_error, V snap, V surge, V velocity_error, V vx, V vy, V vz)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_add(lanes_mul(K(0.0078125), p_gravity), lanes_abs(vx)), lanes_abs(vy)), lanes_abs(vz));
+    const V _s1 = lanes_div(lanes_mul(K(0.25), nearest), _s0);
+    const V _s2 = lanes_abs(per_reach);
+    const V _s3 = lanes_add(p_gravity, lanes_mul(lanes_mul(_s0, _s0), _s2));
+    const V _s4 = lanes_add(lanes_add(K(1.0), lanes_mul(_s0, _s2)), lanes_sqrt(lanes_mul(p_gravity, _s2)));
+    const V _s5 = lanes_mul(lanes_mul(K(64.0), _s3), lanes_mul(_s4, lanes_mul(_s4, _s4)));
+    const V _s6 = lanes_mul(K(0.5), surge);
+    const V _s7 = lanes_sqrt(lanes_div(_s6, _s5));
+    const V _s8 = lanes_mul(K(9.313225746154785e-10), _s5);
+    const V _s9 = lanes_add(lanes_abs(snap), _s8);
+    const V _s10 = lanes_div(_s6, _s9);
+    const V _s11 = lanes_max(K(0.0), lift);
+    const V _s12 = lanes_sqrt(lanes_div(lanes_mul(K(128.0), _s11), _s5));
+    const V _s13 = lanes_sqrt(lanes_div(lanes_mul(K(0.5), _s11), _s9));
+    const V _s14 = lanes_div(_s11, lanes_add(lanes_mul(K(4.0), lanes_abs(surge)), _s8));
+    const V _s15 = lanes_min(_s13, _s14);
+    const V _s16 = lanes_select(lanes_less(K(0.0), surge), lanes_min(_s7, _s10), lanes_min(_s12, _s15));
+    const V _s17 = lanes_min(_s16, K(0.0078125));
+    const V _s18 = lanes_min(_s1, _s17);
+    const V _s19 = lanes_add(lanes_mul(K(5.684341886080802e-14), p_gravity), lanes_mul(lanes_mul(K(16.0), lanes_add(lanes_mul(position_error, _s3), lanes_mul(velocity_error, _s0))), _s2));
+    return (LANES(court_parted_out)){ lanes_max(K(0.0), _s18), lanes_select(lanes_either(lanes_less(lanes_mul(_s19, _s4), surge), lanes_less(_s19, lift)), doubt, K(0.0)) };
+}
+
+/* How often an error makes a neighbouring motion.
+   FAR. 29 operations: 3 additions, 4 multiplications, 1 division, 9 absolute values, 6 comparisons, 6 selections. */
+typedef struct {
+    V apart;
+} LANES(court_apart_out);
+
+LANES_INLINE LANES(court_apart_out)
+LANES(court_apart)(V p_ball_radius, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dx, V dy, V dz)
+{
+    const V _s0 = lanes_abs(dwx);
+    const V _s1 = lanes_abs(dwy);
+    const V _s2 = lanes_max(_s0, _s1);
+    const V _s3 = lanes_abs(dwz);
+    const V _s4 = lanes_abs(dvx);
+    const V _s5 = lanes_abs(dvy);
+    const V _s6 = lanes_max(_s4, _s5);
+    const V _s7 = lanes_abs(dvz);
+    const V _s8 = lanes_abs(dx);
+    const V _s9 = lanes_abs(dy);
+    const V _s10 = lanes_max(_s8, _s9);
+    const V _s11 = lanes_abs(dz);
+    const V _s12 = lanes_add(lanes_add(lanes_mul(K(1.1102230246251565e-16), p_ball_radius), lanes_mul(K(0.125), lanes_add(lanes_mul(p_ball_radius, lanes_max(_s2, _s3)), lanes_max(_s6, _s7)))), lanes_max(_s10, _s11));
+    return (LANES(court_apart_out)){ lanes_div(lanes_mul(K(2.384185791015625e-07), p_ball_radius), _s12) };
+}
+
+/* A neighbouring motion, along the errors.
+   Table 1. 18 operations: 9 additions, 9 multiplications. */
+typedef struct {
+    V far_x;
+    V far_y;
+    V far_z;
+    V far_vx;
+    V far_vy;
+    V far_vz;
+    V far_wx;
+    V far_wy;
+    V far_wz;
+} LANES(court_neighbour_out);
+
+LANES_INLINE LANES(court_neighbour_out)
+LANES(court_neighbour)(V apart, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dx, V dy, V dz, V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
+{
+    return (LANES(court_neighbour_out)){ lanes_add(x, lanes_mul(apart, dx)), lanes_add(y, lanes_mul(apart, dy)), lanes_add(z, lanes_mul(apart, dz)), lanes_add(vx, lanes_mul(apart, dvx)), lanes_add(vy, lanes_mul(apart, dvy)), lanes_add(vz, lanes_mul(apart, dvz)), lanes_add(wx, lanes_mul(apart, dwx)), lanes_add(wy, lanes_mul(apart, dwy)), lanes_add(wz, lanes_mul(apart, dwz)) };
+}
+
+/* The errors after a step, with its roundings.
+   differences. 69 operations: 17 additions, 9 subtractions, 3 multiplications, 10 divisions, 3 negations, 9 absolute values, 9 comparisons, 9 selections. */
+typedef struct {
+    V dx;
+    V dy;
+    V dz;
+    V dvx;
+    V dvy;
+    V dvz;
+    V dwx;
+    V dwy;
+    V dwz;
+} LANES(court_compared_out);
+
+LANES_INLINE LANES(court_compared_out)
+LANES(court_compared)(V apart, V p_ball_radius, V far_vx, V far_vy, V far_vz, V far_wx, V far_wy, V far_wz, V far_x, V far_y, V far_z, V vx, V vy, V vz, V wx, V wy, V wz, V x, V y, V z)
+{
+    const V _s0 = lanes_div(lanes_sub(far_x, x), apart);
+    const V _s1 = lanes_mul(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_add(p_ball_radius, lanes_abs(x)), lanes_abs(y)), lanes_abs(z)));
+    const V _s2 = lanes_neg(_s1);
+    const V _s3 = lanes_div(lanes_sub(far_y, y), apart);
+    const V _s4 = lanes_div(lanes_sub(far_z, z), apart);
+    const V _s5 = lanes_div(lanes_sub(far_vx, vx), apart);
+    const V _s6 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s7 = lanes_mul(K(4.440892098500626e-16), lanes_add(_s6, lanes_abs(vz)));
+    const V _s8 = lanes_neg(_s7);
+    const V _s9 = lanes_div(lanes_sub(far_vy, vy), apart);
+    const V _s10 = lanes_div(lanes_sub(far_vz, vz), apart);
+    const V _s11 = lanes_div(lanes_sub(far_wx, wx), apart);
+    const V _s12 = lanes_div(_s7, p_ball_radius);
+    const V _s13 = lanes_neg(_s12);
+    const V _s14 = lanes_div(lanes_sub(far_wy, wy), apart);
+    const V _s15 = lanes_div(lanes_sub(far_wz, wz), apart);
+    return (LANES(court_compared_out)){ lanes_add(_s0, lanes_select(lanes_less(_s0, K(0.0)), _s2, _s1)), lanes_add(_s3, lanes_select(lanes_less(_s3, K(0.0)), _s2, _s1)), lanes_add(_s4, lanes_select(lanes_less(_s4, K(0.0)), _s2, _s1)), lanes_add(_s5, lanes_select(lanes_less(_s5, K(0.0)), _s8, _s7)), lanes_add(_s9, lanes_select(lanes_less(_s9, K(0.0)), _s8, _s7)), lanes_add(_s10, lanes_select(lanes_less(_s10, K(0.0)), _s8, _s7)), lanes_add(_s11, lanes_select(lanes_less(_s11, K(0.0)), _s13, _s12)), lanes_add(_s14, lanes_select(lanes_less(_s14, K(0.0)), _s13, _s12)), lanes_add(_s15, lanes_select(lanes_less(_s15, K(0.0)), _s13, _s12)) };
+}
+
+/* Errors after a while of flight.
+   derivative of Eq. 3. 34 operations: 9 additions, 10 multiplications, 3 negations, 6 absolute values, 3 comparisons, 3 selections. */
+typedef struct {
+    V dx;
+    V dy;
+    V dz;
+} LANES(court_carry_hop_out);
+
+LANES_INLINE LANES(court_carry_hop_out)
+LANES(court_carry_hop)(V dvx, V dvy, V dvz, V dx, V dy, V dz, V vx, V vy, V vz, V when, V x, V y, V z)
+{
+    const V _s0 = lanes_add(dx, lanes_mul(dvx, when));
+    const V _s1 = lanes_mul(K(2.0), when);
+    const V _s2 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s1, lanes_abs(vx)), lanes_abs(x)));
+    const V _s3 = lanes_add(dy, lanes_mul(dvy, when));
+    const V _s4 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s1, lanes_abs(vy)), lanes_abs(y)));
+    const V _s5 = lanes_add(dz, lanes_mul(dvz, when));
+    const V _s6 = lanes_mul(K(1.1102230246251565e-16), lanes_add(lanes_mul(_s1, lanes_abs(vz)), lanes_abs(z)));
+    return (LANES(court_carry_hop_out)){ lanes_add(_s0, lanes_select(lanes_less(_s0, K(0.0)), lanes_neg(_s2), _s2)), lanes_add(_s3, lanes_select(lanes_less(_s3, K(0.0)), lanes_neg(_s4), _s4)), lanes_add(_s5, lanes_select(lanes_less(_s5, K(0.0)), lanes_neg(_s6), _s6)) };
+}
+
+/* Where a ball is in contact: no flight to search.
+   Table 1. 2 operations: 1 comparison, 1 selection. */
+typedef struct {
+    M kept;
+    V when;
+    M rests;
+} LANES(court_kept_out);
+
+LANES_INLINE LANES(court_kept_out)
+LANES(court_kept)(V mode, V when)
+{
+    const M _s0 = lanes_less(K(0.0), mode);
+    return (LANES(court_kept_out)){ _s0, lanes_select(_s0, K(0.0), when), lanes_nowhere() };
+}
+
+/* No event yet, of a ball in contact.
+   Table 1. 7 operations: 5 comparisons, 1 conjunction, 1 selection. */
+typedef struct {
+    V which;
+    V late;
+    V doubt;
+    M begins;
+    M rolling;
+    M leaves;
+    V nx;
+    V ny;
+    V nz;
+    V gap;
+    V bent_x;
+    V bent_y;
+    V bent_z;
+    V lift;
+    V surge;
+    V snap;
+    V per_reach;
+    V ring;
+} LANES(court_resumed_out);
+
+LANES_INLINE LANES(court_resumed_out)
+LANES(court_resumed)(V mode, V position_error, V velocity_error)
+{
+    return (LANES(court_resumed_out)){ K(-1.0), K(0.0), lanes_select(lanes_both(lanes_less(position_error, K(INFINITY)), lanes_less(velocity_error, K(INFINITY))), K(INFINITY), K(0.0)), lanes_equal(mode, K(1.0)), lanes_equal(mode, K(2.0)), lanes_equal(mode, K(3.0)), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0) };
+}
+
+/* 1 where a decision lies within its error; that a ball bounces on is none.
+   Table 1. 12 operations: 1 addition, 4 comparisons, 3 conjunctions, 1 disjunction, 2 complements, 1 selection. */
+typedef struct {
+    V uncertain;
+} LANES(court_doubted_in_contact_out);
+
+LANES_INLINE LANES(court_doubted_in_contact_out)
+LANES(court_doubted_in_contact)(V assured, V doubt, M edge, V last, V late, V uncertain, V when, V which)
+{
+    const M _s0 = lanes_both(lanes_either(lanes_both(lanes_not(lanes_less(lanes_add(late, when), doubt)), lanes_less(doubt, K(INFINITY))), edge), lanes_not(lanes_both(lanes_less(K(0.0), assured), lanes_equal(which, last))));
+    return (LANES(court_doubted_in_contact_out)){ lanes_select(_s0, K(1.0), uncertain) };
+}
+
+/* Whether it stays on this.
+   Table 1. 1 operation: 1 comparison. */
+typedef struct {
+    M here;
+} LANES(court_holding_out);
+
+LANES_INLINE LANES(court_holding_out)
+LANES(court_holding)(V held, V index)
+{
+    return (LANES(court_holding_out)){ lanes_equal(held, index) };
+}
+
+/* Whether it does not.
+   Table 1. 2 operations: 1 comparison, 1 complement. */
+typedef struct {
+    M beside;
+} LANES(court_beside_out);
+
+LANES_INLINE LANES(court_beside_out)
+LANES(court_beside)(V held, V index)
+{
+    return (LANES(court_beside_out)){ lanes_not(lanes_equal(held, index)) };
+}
+
+/* A ball in flight.
+   Table 1. No operations. */
+typedef struct {
+    M hopped;
+} LANES(court_unhopped_out);
+
+LANES_INLINE LANES(court_unhopped_out)
+LANES(court_unhopped)(void)
+{
+    return (LANES(court_unhopped_out)){ lanes_nowhere() };
+}
+
+/* The contact begins.
+   Table 1. No operations. */
+typedef struct {
+    V which;
+} LANES(court_beginning_contact_out);
+
+LANES_INLINE LANES(court_beginning_contact_out)
+LANES(court_beginning_contact)(void)
+{
+    return (LANES(court_beginning_contact_out)){ K(5.0) };
+}
+
+/* The ball is off.
+   Table 1. No operations. */
+typedef struct {
+    V which;
+} LANES(court_hopping_out);
+
+LANES_INLINE LANES(court_hopping_out)
+LANES(court_hopping)(void)
+{
+    return (LANES(court_hopping_out)){ K(7.0) };
+}
+
+/* What comes of a ball in contact.
+   Table 1. 25 operations: 2 additions, 1 multiplication, 7 comparisons, 1 conjunction, 1 disjunction, 1 complement, 12 selections. */
+typedef struct {
+    V body;
+    V reached;
+    M ends;
+    M hopped;
+    V last;
+    V mode;
+    V held;
+} LANES(court_kept_on_out);
+
+LANES_INLINE LANES(court_kept_on_out)
+LANES(court_kept_on)(V body, M ends, V held, V last, V reached, M rests, V which)
+{
+    const M _s0 = lanes_equal(which, K(5.0));
+    const V _s1 = lanes_mul(K(2.0), lanes_select(lanes_equal(held, K(2.0)), K(2.0), lanes_select(lanes_equal(held, K(1.0)), K(1.0), lanes_select(lanes_equal(held, K(0.0)), K(0.0), K(-1.0)))));
+    const M _s2 = lanes_equal(which, K(6.0));
+    const M _s3 = lanes_equal(which, K(7.0));
+    const M _s4 = lanes_less(K(4.0), which);
+    return (LANES(court_kept_on_out)){ lanes_select(_s0, lanes_add(K(4.0), _s1), lanes_select(_s2, lanes_add(K(5.0), _s1), lanes_select(_s3, K(-1.0), body))), lanes_select(rests, K(5.0), lanes_select(_s4, K(-1.0), reached)), lanes_both(ends, lanes_not(_s4)), _s3, lanes_select(_s3, K(-1.0), last), lanes_select(_s0, K(2.0), lanes_select(_s2, K(3.0), K(0.0))), lanes_select(lanes_either(_s0, _s2), held, K(-1.0)) };
+}
+
+/* Whether the ball stays on a surface, or is wedged between two.
+   Table 1. 7 operations: 1 comparison, 1 conjunction, 1 disjunction, 4 selections. */
+typedef struct {
+    V mode;
+    V held;
+    V outcome;
+    V uncertain;
+} LANES(court_settled_out);
+
+LANES_INLINE LANES(court_settled_out)
+LANES(court_settled)(V index, M lodges, V outcome, M settles, V uncertain, M unsure)
+{
+    return (LANES(court_settled_out)){ lanes_select(settles, K(1.0), K(0.0)), lanes_select(settles, index, K(-1.0)), lanes_select(lanes_both(lodges, lanes_less(outcome, K(0.0))), K(5.0), outcome), lanes_select(lanes_either(lodges, unsure), K(1.0), uncertain) };
+}
+
+/* Where a decision within a contact lies within its error.
+   the law's own slack. 86 operations: 15 additions, 11 subtractions, 29 multiplications, 2 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
+typedef struct {
+    M unsure;
+} LANES(court_ring_impact_doubt_out);
+
+LANES_INLINE LANES(court_ring_impact_doubt_out)
+LANES(court_ring_impact_doubt)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V turn, V p_ball_radius, V p_ring_restitution, V p_ring_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+    const V _s1 = lanes_abs(dwx);
+    const V _s2 = lanes_abs(dwy);
+    const V _s3 = lanes_max(_s1, _s2);
+    const V _s4 = lanes_abs(dwz);
+    const V _s5 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s6 = lanes_add(_s5, lanes_abs(vz));
+    const V _s7 = lanes_abs(dvx);
+    const V _s8 = lanes_abs(dvy);
+    const V _s9 = lanes_max(_s7, _s8);
+    const V _s10 = lanes_abs(dvz);
+    const V _s11 = lanes_mul(K(64.0), lanes_add(lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s3, _s4)), lanes_mul(turn, _s6)), lanes_max(_s9, _s10)), lanes_mul(K(4.440892098500626e-16), _s6)));
+    const V _s12 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s13 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s14 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s15 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s16 = lanes_mul(p_ring_friction, lanes_mul(lanes_add(K(1.0), lanes_div(p_ring_restitution, lanes_sub(K(1.0), lanes_div(_s12, p_restitution_speed)))), _s12));
+    const V _s17 = lanes_sub(lanes_mul(_s0, lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s13, _s13), lanes_mul(_s14, _s14)), lanes_mul(_s15, _s15)))), lanes_neg(_s16));
+    const M _s18 = lanes_both(lanes_both(lanes_less(K(0.0), p_ring_friction), lanes_less(p_ring_friction, K(INFINITY))), lanes_not(lanes_less(lanes_mul(lanes_add(lanes_mul(K(2.0), p_ring_friction), _s0), _s11), lanes_abs(_s17))));
+    return (LANES(court_ring_impact_doubt_out)){ _s18 };
+}
+
+/* Velocity and spin after a contact, frame-free.
+   momentum, angular momentum and Coulomb's law of friction. 83 operations: 9 additions, 19 subtractions, 43 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections. */
+typedef struct {
+    V vx;
+    V vy;
+    V vz;
+    V wx;
+    V wy;
+    V wz;
+} LANES(court_ring_impact_out);
+
+LANES_INLINE LANES(court_ring_impact_out)
+LANES(court_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ball_radius, V p_ring_restitution, V p_ring_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_sub(vx, lanes_mul(nx, _s0));
+    const V _s2 = lanes_sub(_s1, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s3 = lanes_sub(vz, lanes_mul(nz, _s0));
+    const V _s4 = lanes_sub(_s3, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s5 = lanes_sub(vy, lanes_mul(ny, _s0));
+    const V _s6 = lanes_sub(_s5, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s7 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s6, _s6)), lanes_mul(_s2, _s2));
+    const V _s8 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+    const V _s9 = lanes_div(p_ring_restitution, lanes_sub(K(1.0), lanes_div(_s0, p_restitution_speed)));
+    const V _s10 = lanes_neg(lanes_mul(p_ring_friction, lanes_mul(lanes_add(K(1.0), _s9), _s0)));
+    const V _s11 = lanes_select(lanes_less(K(0.0), p_ring_friction), lanes_select(lanes_less(p_ring_friction, K(INFINITY)), lanes_select(lanes_at_most(lanes_mul(_s7, lanes_mul(_s8, _s8)), lanes_mul(_s10, _s10)), _s8, lanes_div(_s10, lanes_sqrt(_s7))), _s8), K(0.0));
+    const V _s12 = lanes_div(lanes_mul(K(1.5), _s11), p_ball_radius);
+    return (LANES(court_ring_impact_out)){ lanes_sub(lanes_sub(_s1, lanes_mul(_s2, _s11)), lanes_mul(lanes_mul(nx, _s9), _s0)), lanes_sub(lanes_sub(_s5, lanes_mul(_s6, _s11)), lanes_mul(lanes_mul(ny, _s9), _s0)), lanes_sub(lanes_sub(_s3, lanes_mul(_s4, _s11)), lanes_mul(lanes_mul(nz, _s9), _s0)), lanes_add(wx, lanes_mul(_s12, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s6)))), lanes_add(wy, lanes_mul(_s12, lanes_sub(lanes_mul(nz, _s2), lanes_mul(nx, _s4)))), lanes_add(wz, lanes_mul(_s12, lanes_sub(lanes_mul(nx, _s6), lanes_mul(ny, _s2)))) };
+}
+
+/* Errors of velocity and spin after a contact, from those before it.
+   derivative of the contact with friction, with roundings. 303 operations: 40 additions, 50 subtractions, 121 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections. */
+typedef struct {
+    V dvx;
+    V dvy;
+    V dvz;
+    V dwx;
+    V dwy;
+    V dwz;
+} LANES(court_carry_ring_impact_out);
+
+LANES_INLINE LANES(court_carry_ring_impact_out)
+LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V p_ball_radius, V p_ring_restitution, V p_ring_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
+    const V _s2 = lanes_sub(lanes_sub(dvx, lanes_mul(dnx, _s0)), lanes_mul(nx, _s1));
+    const V _s3 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s4 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s5 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s6 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s5, _s5)), lanes_mul(_s3, _s3));
+    const V _s7 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+    const V _s8 = lanes_sub(K(1.0), lanes_div(_s0, p_restitution_speed));
+    const V _s9 = lanes_div(p_ring_restitution, _s8);
+    const V _s10 = lanes_add(K(1.0), _s9);
+    const V _s11 = lanes_neg(lanes_mul(p_ring_friction, lanes_mul(_s10, _s0)));
+    const V _s12 = lanes_neg(lanes_div(lanes_mul(p_ring_restitution, lanes_neg(lanes_div(_s1, p_restitution_speed))), lanes_mul(_s8, _s8)));
+    const V _s13 = lanes_sqrt(_s6);
+    const V _s14 = lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s0)), lanes_mul(nz, _s1));
+    const V _s15 = lanes_sub(_s14, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))));
+    const V _s16 = lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s0)), lanes_mul(ny, _s1));
+    const V _s17 = lanes_sub(_s16, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))));
+    const V _s18 = lanes_sub(_s2, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))));
+    const V _s19 = lanes_div(lanes_mul(lanes_mul(K(0.5), _s11), lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s15), lanes_mul(lanes_mul(K(2.0), _s5), _s17)), lanes_mul(lanes_mul(K(2.0), _s3), _s18))), lanes_mul(_s13, _s6));
+    const V _s20 = lanes_sub(lanes_div(lanes_neg(lanes_mul(p_ring_friction, lanes_add(lanes_mul(_s10, _s1), lanes_mul(_s12, _s0)))), _s13), _s19);
+    const M _s21 = lanes_at_most(lanes_mul(_s6, lanes_mul(_s7, _s7)), lanes_mul(_s11, _s11));
+    const M _s22 = lanes_less(p_ring_friction, K(INFINITY));
+    const M _s23 = lanes_less(K(0.0), p_ring_friction);
+    const V _s24 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, K(0.0), _s20), K(0.0)), K(0.0));
+    const V _s25 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, _s7, lanes_div(_s11, _s13)), _s7), K(0.0));
+    const V _s26 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s2, lanes_mul(_s3, _s24)), lanes_mul(_s18, _s25)), lanes_mul(lanes_mul(dnx, _s9), _s0)), lanes_mul(lanes_mul(nx, _s9), _s1)), lanes_mul(lanes_mul(nx, _s12), _s0));
+    const V _s27 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s28 = lanes_add(_s27, lanes_abs(vz));
+    const V _s29 = lanes_mul(K(2.220446049250313e-16), _s28);
+    const V _s30 = lanes_neg(_s29);
+    const V _s31 = lanes_add(_s26, lanes_select(lanes_less(_s26, K(0.0)), _s30, _s29));
+    const V _s32 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
+    const V _s33 = lanes_abs(dwx);
+    const V _s34 = lanes_abs(dwy);
+    const V _s35 = lanes_max(_s33, _s34);
+    const V _s36 = lanes_abs(dwz);
+    const V _s37 = lanes_abs(dvx);
+    const V _s38 = lanes_abs(dvy);
+    const V _s39 = lanes_max(_s37, _s38);
+    const V _s40 = lanes_abs(dvz);
+    const V _s41 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s35, _s36)), lanes_mul(turn, _s28)), lanes_max(_s39, _s40));
+    const V _s42 = lanes_div(_s41, _s32);
+    const V _s43 = lanes_neg(_s42);
+    const V _s44 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s16, lanes_mul(_s5, _s24)), lanes_mul(_s17, _s25)), lanes_mul(lanes_mul(dny, _s9), _s0)), lanes_mul(lanes_mul(ny, _s9), _s1)), lanes_mul(lanes_mul(ny, _s12), _s0));
+    const V _s45 = lanes_add(_s44, lanes_select(lanes_less(_s44, K(0.0)), _s30, _s29));
+    const V _s46 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s14, lanes_mul(_s4, _s24)), lanes_mul(_s15, _s25)), lanes_mul(lanes_mul(dnz, _s9), _s0)), lanes_mul(lanes_mul(nz, _s9), _s1)), lanes_mul(lanes_mul(nz, _s12), _s0));
+    const V _s47 = lanes_add(_s46, lanes_select(lanes_less(_s46, K(0.0)), _s30, _s29));
+    const V _s48 = lanes_div(lanes_mul(K(1.5), _s24), p_ball_radius);
+    const V _s49 = lanes_div(lanes_mul(K(1.5), _s25), p_ball_radius);
+    const V _s50 = lanes_add(lanes_add(dwx, lanes_mul(_s48, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s5)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s4), lanes_mul(ny, _s15)), lanes_mul(dnz, _s5)), lanes_mul(nz, _s17))));
+    const V _s51 = lanes_div(_s29, p_ball_radius);
+    const V _s52 = lanes_neg(_s51);
+    const V _s53 = lanes_add(_s50, lanes_select(lanes_less(_s50, K(0.0)), _s52, _s51));
+    const V _s54 = lanes_div(_s41, lanes_mul(p_ball_radius, _s32));
+    const V _s55 = lanes_neg(_s54);
+    const V _s56 = lanes_add(lanes_add(dwy, lanes_mul(_s48, lanes_sub(lanes_mul(nz, _s3), lanes_mul(nx, _s4)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s3), lanes_mul(nz, _s18)), lanes_mul(dnx, _s4)), lanes_mul(nx, _s15))));
+    const V _s57 = lanes_add(_s56, lanes_select(lanes_less(_s56, K(0.0)), _s52, _s51));
+    const V _s58 = lanes_add(lanes_add(dwz, lanes_mul(_s48, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s5), lanes_mul(nx, _s17)), lanes_mul(dny, _s3)), lanes_mul(ny, _s18))));
+    const V _s59 = lanes_add(_s58, lanes_select(lanes_less(_s58, K(0.0)), _s52, _s51));
+    return (LANES(court_carry_ring_impact_out)){ lanes_select(lanes_less(lanes_abs(_s31), _s42), lanes_select(lanes_less(_s31, K(0.0)), _s43, _s42), _s31), lanes_select(lanes_less(lanes_abs(_s45), _s42), lanes_select(lanes_less(_s45, K(0.0)), _s43, _s42), _s45), lanes_select(lanes_less(lanes_abs(_s47), _s42), lanes_select(lanes_less(_s47, K(0.0)), _s43, _s42), _s47), lanes_select(lanes_less(lanes_abs(_s53), _s54), lanes_select(lanes_less(_s53, K(0.0)), _s55, _s54), _s53), lanes_select(lanes_less(lanes_abs(_s57), _s54), lanes_select(lanes_less(_s57, K(0.0)), _s55, _s54), _s57), lanes_select(lanes_less(lanes_abs(_s59), _s54), lanes_select(lanes_less(_s59, K(0.0)), _s55, _s54), _s59) };
+}
+
+/* Where a ball stays on a surface: its bounces end before anything else can happen, and from when on that is certain.
+   a geometric series of bounces. 131 operations: 24 additions, 6 subtractions, 61 multiplications, 4 divisions, 1 square root, 2 negations, 12 absolute values, 10 comparisons, 9 conjunctions, 1 disjunction, 1 selection. */
+typedef struct {
+    M settles;
+    M lodges;
+    V assured;
+    M unsure;
+} LANES(court_ring_impact_settling_out);
+
+LANES_INLINE LANES(court_ring_impact_settling_out)
+LANES(court_ring_impact_settling)(V p_ball_radius, V bounce, V p_gravity, V nearest, V nx, V ny, V nz, V p_ring_friction, V p_ring_restitution, V rolled_x, V rolled_y, V rolled_z, V slip, V turning_x, V turning_y, V turning_z, V velocity_error, V wx, V wy, V wz)
+{
+    const V _s0 = lanes_neg(lanes_mul(p_gravity, nz));
+    const V _s1 = lanes_sub(lanes_neg(_s0), lanes_add(lanes_add(lanes_mul(rolled_x, turning_x), lanes_mul(rolled_y, turning_y)), lanes_mul(rolled_z, turning_z)));
+    const M _s2 = lanes_less(K(0.0), _s1);
+    const V _s3 = lanes_sub(K(1.0), p_ring_restitution);
+    const V _s4 = lanes_div(bounce, _s1);
+    const V _s5 = lanes_add(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_abs(turning_x), lanes_abs(turning_y)), lanes_abs(turning_z)));
+    const V _s6 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(rolled_x)), lanes_abs(rolled_y));
+    const V _s7 = lanes_add(_s6, lanes_abs(rolled_z));
+    const M _s8 = lanes_less(lanes_mul(lanes_mul(K(3.0), _s4), lanes_mul(lanes_mul(K(8.0), lanes_add(lanes_mul(_s5, _s7), lanes_abs(_s0))), _s5)), lanes_mul(lanes_mul(_s3, _s3), _s1));
+    const V _s9 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
+    const V _s10 = lanes_mul(K(0.4), p_ball_radius);
+    const V _s11 = lanes_add(lanes_mul(lanes_mul(K(0.4), ny), _s0), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(nz, turning_x), lanes_mul(nx, turning_z))), _s9));
+    const V _s12 = lanes_add(lanes_mul(lanes_mul(K(0.4), nx), _s0), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(ny, turning_z), lanes_mul(nz, turning_y))), _s9));
+    const V _s13 = lanes_add(lanes_add(lanes_mul(K(0.4), p_gravity), lanes_mul(lanes_mul(K(0.4), nz), _s0)), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(nx, turning_y), lanes_mul(ny, turning_x))), _s9));
+    const V _s14 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s11, _s11), lanes_mul(_s12, _s12)), lanes_mul(_s13, _s13)));
+    const V _s15 = lanes_add(K(1.0), p_ring_restitution);
+    const M _s16 = lanes_both(lanes_both(lanes_both(lanes_both(_s2, lanes_less(K(0.0), _s3)), _s8), lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), _s4), _s14), lanes_mul(K(1.4210854715202004e-14), _s7)))), lanes_at_most(lanes_mul(K(2.0), _s14), lanes_mul(lanes_mul(p_ring_friction, _s15), _s1)));
+    const V _s17 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(0.5), bounce), _s4), lanes_div(lanes_mul(lanes_mul(K(1.6), slip), _s4), _s3)), lanes_div(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s4, _s4)), _s14), lanes_mul(_s15, _s3)));
+    const V _s18 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
+    const M _s19 = lanes_both(_s16, lanes_at_most(_s17, _s18));
+    const V _s20 = lanes_mul(K(1024.0), _s18);
+    const M _s21 = lanes_less(lanes_add(lanes_div(lanes_mul(lanes_mul(K(16.0), _s4), _s7), _s3), _s20), nearest);
+    const M _s22 = lanes_either(lanes_at_most(lanes_abs(_s1), lanes_mul(lanes_mul(K(4.0), velocity_error), _s5)), lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s17, _s18))), lanes_mul(lanes_mul(K(2.0), velocity_error), _s18)), _s2));
+    return (LANES(court_ring_impact_settling_out)){ lanes_both(_s19, _s21), lanes_both(_s19, lanes_at_most(nearest, _s20)), lanes_select(lanes_both(_s16, _s21), K(1.0), K(0.0)), _s22 };
+}
+
+/* Where a decision within a contact lies within its error.
+   the law's own slack. 86 operations: 15 additions, 11 subtractions, 29 multiplications, 2 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
+typedef struct {
+    M unsure;
+} LANES(court_backboard_impact_doubt_out);
+
+LANES_INLINE LANES(court_backboard_impact_doubt_out)
+LANES(court_backboard_impact_doubt)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V turn, V p_ball_radius, V p_backboard_restitution, V p_backboard_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+    const V _s1 = lanes_abs(dwx);
+    const V _s2 = lanes_abs(dwy);
+    const V _s3 = lanes_max(_s1, _s2);
+    const V _s4 = lanes_abs(dwz);
+    const V _s5 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s6 = lanes_add(_s5, lanes_abs(vz));
+    const V _s7 = lanes_abs(dvx);
+    const V _s8 = lanes_abs(dvy);
+    const V _s9 = lanes_max(_s7, _s8);
+    const V _s10 = lanes_abs(dvz);
+    const V _s11 = lanes_mul(K(64.0), lanes_add(lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s3, _s4)), lanes_mul(turn, _s6)), lanes_max(_s9, _s10)), lanes_mul(K(4.440892098500626e-16), _s6)));
+    const V _s12 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s13 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s14 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s15 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s16 = lanes_mul(p_backboard_friction, lanes_mul(lanes_add(K(1.0), lanes_div(p_backboard_restitution, lanes_sub(K(1.0), lanes_div(_s12, p_restitution_speed)))), _s12));
+    const V _s17 = lanes_sub(lanes_mul(_s0, lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s13, _s13), lanes_mul(_s14, _s14)), lanes_mul(_s15, _s15)))), lanes_neg(_s16));
+    const M _s18 = lanes_both(lanes_both(lanes_less(K(0.0), p_backboard_friction), lanes_less(p_backboard_friction, K(INFINITY))), lanes_not(lanes_less(lanes_mul(lanes_add(lanes_mul(K(2.0), p_backboard_friction), _s0), _s11), lanes_abs(_s17))));
+    return (LANES(court_backboard_impact_doubt_out)){ _s18 };
+}
+
+/* Velocity and spin after a contact, frame-free.
+   momentum, angular momentum and Coulomb's law of friction. 83 operations: 9 additions, 19 subtractions, 43 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections. */
+typedef struct {
+    V vx;
+    V vy;
+    V vz;
+    V wx;
+    V wy;
+    V wz;
+} LANES(court_backboard_impact_out);
+
+LANES_INLINE LANES(court_backboard_impact_out)
+LANES(court_backboard_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ball_radius, V p_backboard_restitution, V p_backboard_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_sub(vx, lanes_mul(nx, _s0));
+    const V _s2 = lanes_sub(_s1, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s3 = lanes_sub(vz, lanes_mul(nz, _s0));
+    const V _s4 = lanes_sub(_s3, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s5 = lanes_sub(vy, lanes_mul(ny, _s0));
+    const V _s6 = lanes_sub(_s5, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s7 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s6, _s6)), lanes_mul(_s2, _s2));
+    const V _s8 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+    const V _s9 = lanes_div(p_backboard_restitution, lanes_sub(K(1.0), lanes_div(_s0, p_restitution_speed)));
+    const V _s10 = lanes_neg(lanes_mul(p_backboard_friction, lanes_mul(lanes_add(K(1.0), _s9), _s0)));
+    const V _s11 = lanes_select(lanes_less(K(0.0), p_backboard_friction), lanes_select(lanes_less(p_backboard_friction, K(INFINITY)), lanes_select(lanes_at_most(lanes_mul(_s7, lanes_mul(_s8, _s8)), lanes_mul(_s10, _s10)), _s8, lanes_div(_s10, lanes_sqrt(_s7))), _s8), K(0.0));
+    const V _s12 = lanes_div(lanes_mul(K(1.5), _s11), p_ball_radius);
+    return (LANES(court_backboard_impact_out)){ lanes_sub(lanes_sub(_s1, lanes_mul(_s2, _s11)), lanes_mul(lanes_mul(nx, _s9), _s0)), lanes_sub(lanes_sub(_s5, lanes_mul(_s6, _s11)), lanes_mul(lanes_mul(ny, _s9), _s0)), lanes_sub(lanes_sub(_s3, lanes_mul(_s4, _s11)), lanes_mul(lanes_mul(nz, _s9), _s0)), lanes_add(wx, lanes_mul(_s12, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s6)))), lanes_add(wy, lanes_mul(_s12, lanes_sub(lanes_mul(nz, _s2), lanes_mul(nx, _s4)))), lanes_add(wz, lanes_mul(_s12, lanes_sub(lanes_mul(nx, _s6), lanes_mul(ny, _s2)))) };
+}
+
+/* Errors of velocity and spin after a contact, from those before it.
+   derivative of the contact with friction, with roundings. 303 operations: 40 additions, 50 subtractions, 121 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections. */
+typedef struct {
+    V dvx;
+    V dvy;
+    V dvz;
+    V dwx;
+    V dwy;
+    V dwz;
+} LANES(court_carry_backboard_impact_out);
+
+LANES_INLINE LANES(court_carry_backboard_impact_out)
+LANES(court_carry_backboard_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V p_ball_radius, V p_backboard_restitution, V p_backboard_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
+    const V _s2 = lanes_sub(lanes_sub(dvx, lanes_mul(dnx, _s0)), lanes_mul(nx, _s1));
+    const V _s3 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s4 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s5 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s6 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s5, _s5)), lanes_mul(_s3, _s3));
+    const V _s7 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+    const V _s8 = lanes_sub(K(1.0), lanes_div(_s0, p_restitution_speed));
+    const V _s9 = lanes_div(p_backboard_restitution, _s8);
+    const V _s10 = lanes_add(K(1.0), _s9);
+    const V _s11 = lanes_neg(lanes_mul(p_backboard_friction, lanes_mul(_s10, _s0)));
+    const V _s12 = lanes_neg(lanes_div(lanes_mul(p_backboard_restitution, lanes_neg(lanes_div(_s1, p_restitution_speed))), lanes_mul(_s8, _s8)));
+    const V _s13 = lanes_sqrt(_s6);
+    const V _s14 = lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s0)), lanes_mul(nz, _s1));
+    const V _s15 = lanes_sub(_s14, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))));
+    const V _s16 = lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s0)), lanes_mul(ny, _s1));
+    const V _s17 = lanes_sub(_s16, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))));
+    const V _s18 = lanes_sub(_s2, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))));
+    const V _s19 = lanes_div(lanes_mul(lanes_mul(K(0.5), _s11), lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s15), lanes_mul(lanes_mul(K(2.0), _s5), _s17)), lanes_mul(lanes_mul(K(2.0), _s3), _s18))), lanes_mul(_s13, _s6));
+    const V _s20 = lanes_sub(lanes_div(lanes_neg(lanes_mul(p_backboard_friction, lanes_add(lanes_mul(_s10, _s1), lanes_mul(_s12, _s0)))), _s13), _s19);
+    const M _s21 = lanes_at_most(lanes_mul(_s6, lanes_mul(_s7, _s7)), lanes_mul(_s11, _s11));
+    const M _s22 = lanes_less(p_backboard_friction, K(INFINITY));
+    const M _s23 = lanes_less(K(0.0), p_backboard_friction);
+    const V _s24 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, K(0.0), _s20), K(0.0)), K(0.0));
+    const V _s25 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, _s7, lanes_div(_s11, _s13)), _s7), K(0.0));
+    const V _s26 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s2, lanes_mul(_s3, _s24)), lanes_mul(_s18, _s25)), lanes_mul(lanes_mul(dnx, _s9), _s0)), lanes_mul(lanes_mul(nx, _s9), _s1)), lanes_mul(lanes_mul(nx, _s12), _s0));
+    const V _s27 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s28 = lanes_add(_s27, lanes_abs(vz));
+    const V _s29 = lanes_mul(K(2.220446049250313e-16), _s28);
+    const V _s30 = lanes_neg(_s29);
+    const V _s31 = lanes_add(_s26, lanes_select(lanes_less(_s26, K(0.0)), _s30, _s29));
+    const V _s32 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
+    const V _s33 = lanes_abs(dwx);
+    const V _s34 = lanes_abs(dwy);
+    const V _s35 = lanes_max(_s33, _s34);
+    const V _s36 = lanes_abs(dwz);
+    const V _s37 = lanes_abs(dvx);
+    const V _s38 = lanes_abs(dvy);
+    const V _s39 = lanes_max(_s37, _s38);
+    const V _s40 = lanes_abs(dvz);
+    const V _s41 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s35, _s36)), lanes_mul(turn, _s28)), lanes_max(_s39, _s40));
+    const V _s42 = lanes_div(_s41, _s32);
+    const V _s43 = lanes_neg(_s42);
+    const V _s44 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s16, lanes_mul(_s5, _s24)), lanes_mul(_s17, _s25)), lanes_mul(lanes_mul(dny, _s9), _s0)), lanes_mul(lanes_mul(ny, _s9), _s1)), lanes_mul(lanes_mul(ny, _s12), _s0));
+    const V _s45 = lanes_add(_s44, lanes_select(lanes_less(_s44, K(0.0)), _s30, _s29));
+    const V _s46 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s14, lanes_mul(_s4, _s24)), lanes_mul(_s15, _s25)), lanes_mul(lanes_mul(dnz, _s9), _s0)), lanes_mul(lanes_mul(nz, _s9), _s1)), lanes_mul(lanes_mul(nz, _s12), _s0));
+    const V _s47 = lanes_add(_s46, lanes_select(lanes_less(_s46, K(0.0)), _s30, _s29));
+    const V _s48 = lanes_div(lanes_mul(K(1.5), _s24), p_ball_radius);
+    const V _s49 = lanes_div(lanes_mul(K(1.5), _s25), p_ball_radius);
+    const V _s50 = lanes_add(lanes_add(dwx, lanes_mul(_s48, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s5)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s4), lanes_mul(ny, _s15)), lanes_mul(dnz, _s5)), lanes_mul(nz, _s17))));
+    const V _s51 = lanes_div(_s29, p_ball_radius);
+    const V _s52 = lanes_neg(_s51);
+    const V _s53 = lanes_add(_s50, lanes_select(lanes_less(_s50, K(0.0)), _s52, _s51));
+    const V _s54 = lanes_div(_s41, lanes_mul(p_ball_radius, _s32));
+    const V _s55 = lanes_neg(_s54);
+    const V _s56 = lanes_add(lanes_add(dwy, lanes_mul(_s48, lanes_sub(lanes_mul(nz, _s3), lanes_mul(nx, _s4)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s3), lanes_mul(nz, _s18)), lanes_mul(dnx, _s4)), lanes_mul(nx, _s15))));
+    const V _s57 = lanes_add(_s56, lanes_select(lanes_less(_s56, K(0.0)), _s52, _s51));
+    const V _s58 = lanes_add(lanes_add(dwz, lanes_mul(_s48, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s5), lanes_mul(nx, _s17)), lanes_mul(dny, _s3)), lanes_mul(ny, _s18))));
+    const V _s59 = lanes_add(_s58, lanes_select(lanes_less(_s58, K(0.0)), _s52, _s51));
+    return (LANES(court_carry_backboard_impact_out)){ lanes_select(lanes_less(lanes_abs(_s31), _s42), lanes_select(lanes_less(_s31, K(0.0)), _s43, _s42), _s31), lanes_select(lanes_less(lanes_abs(_s45), _s42), lanes_select(lanes_less(_s45, K(0.0)), _s43, _s42), _s45), lanes_select(lanes_less(lanes_abs(_s47), _s42), lanes_select(lanes_less(_s47, K(0.0)), _s43, _s42), _s47), lanes_select(lanes_less(lanes_abs(_s53), _s54), lanes_select(lanes_less(_s53, K(0.0)), _s55, _s54), _s53), lanes_select(lanes_less(lanes_abs(_s57), _s54), lanes_select(lanes_less(_s57, K(0.0)), _s55, _s54), _s57), lanes_select(lanes_less(lanes_abs(_s59), _s54), lanes_select(lanes_less(_s59, K(0.0)), _s55, _s54), _s59) };
+}
+
+/* Where a ball stays on a surface: its bounces end before anything else can happen, and from when on that is certain.
+   a geometric series of bounces. 131 operations: 24 additions, 6 subtractions, 61 multiplications, 4 divisions, 1 square root, 2 negations, 12 absolute values, 10 comparisons, 9 conjunctions, 1 disjunction, 1 selection. */
+typedef struct {
+    M settles;
+    M lodges;
+    V assured;
+    M unsure;
+} LANES(court_backboard_impact_settling_out);
+
+LANES_INLINE LANES(court_backboard_impact_settling_out)
+LANES(court_backboard_impact_settling)(V p_backboard_friction, V p_backboard_restitution, V p_ball_radius, V bounce, V p_gravity, V nearest, V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z, V slip, V turning_x, V turning_y, V turning_z, V velocity_error, V wx, V wy, V wz)
+{
+    const V _s0 = lanes_neg(lanes_mul(p_gravity, nz));
+    const V _s1 = lanes_sub(lanes_neg(_s0), lanes_add(lanes_add(lanes_mul(rolled_x, turning_x), lanes_mul(rolled_y, turning_y)), lanes_mul(rolled_z, turning_z)));
+    const M _s2 = lanes_less(K(0.0), _s1);
+    const V _s3 = lanes_sub(K(1.0), p_backboard_restitution);
+    const V _s4 = lanes_div(bounce, _s1);
+    const V _s5 = lanes_add(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_abs(turning_x), lanes_abs(turning_y)), lanes_abs(turning_z)));
+    const V _s6 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(rolled_x)), lanes_abs(rolled_y));
+    const V _s7 = lanes_add(_s6, lanes_abs(rolled_z));
+    const M _s8 = lanes_less(lanes_mul(lanes_mul(K(3.0), _s4), lanes_mul(lanes_mul(K(8.0), lanes_add(lanes_mul(_s5, _s7), lanes_abs(_s0))), _s5)), lanes_mul(lanes_mul(_s3, _s3), _s1));
+    const V _s9 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
+    const V _s10 = lanes_mul(K(0.4), p_ball_radius);
+    const V _s11 = lanes_add(lanes_mul(lanes_mul(K(0.4), ny), _s0), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(nz, turning_x), lanes_mul(nx, turning_z))), _s9));
+    const V _s12 = lanes_add(lanes_mul(lanes_mul(K(0.4), nx), _s0), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(ny, turning_z), lanes_mul(nz, turning_y))), _s9));
+    const V _s13 = lanes_add(lanes_add(lanes_mul(K(0.4), p_gravity), lanes_mul(lanes_mul(K(0.4), nz), _s0)), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(nx, turning_y), lanes_mul(ny, turning_x))), _s9));
+    const V _s14 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s11, _s11), lanes_mul(_s12, _s12)), lanes_mul(_s13, _s13)));
+    const V _s15 = lanes_add(K(1.0), p_backboard_restitution);
+    const M _s16 = lanes_both(lanes_both(lanes_both(lanes_both(_s2, lanes_less(K(0.0), _s3)), _s8), lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), _s4), _s14), lanes_mul(K(1.4210854715202004e-14), _s7)))), lanes_at_most(lanes_mul(K(2.0), _s14), lanes_mul(lanes_mul(p_backboard_friction, _s15), _s1)));
+    const V _s17 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(0.5), bounce), _s4), lanes_div(lanes_mul(lanes_mul(K(1.6), slip), _s4), _s3)), lanes_div(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s4, _s4)), _s14), lanes_mul(_s15, _s3)));
+    const V _s18 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
+    const M _s19 = lanes_both(_s16, lanes_at_most(_s17, _s18));
+    const V _s20 = lanes_mul(K(1024.0), _s18);
+    const M _s21 = lanes_less(lanes_add(lanes_div(lanes_mul(lanes_mul(K(16.0), _s4), _s7), _s3), _s20), nearest);
+    const M _s22 = lanes_either(lanes_at_most(lanes_abs(_s1), lanes_mul(lanes_mul(K(4.0), velocity_error), _s5)), lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s17, _s18))), lanes_mul(lanes_mul(K(2.0), velocity_error), _s18)), _s2));
+    return (LANES(court_backboard_impact_settling_out)){ lanes_both(_s19, _s21), lanes_both(_s19, lanes_at_most(nearest, _s20)), lanes_select(lanes_both(_s16, _s21), K(1.0), K(0.0)), _s22 };
+}
+
+/* Where a decision within a contact lies within its error.
+   the law's own slack. 86 operations: 15 additions, 11 subtractions, 29 multiplications, 2 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
+typedef struct {
+    M unsure;
+} LANES(court_bridge_impact_doubt_out);
+
+LANES_INLINE LANES(court_bridge_impact_doubt_out)
+LANES(court_bridge_impact_doubt)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V turn, V p_ball_radius, V p_bridge_restitution, V p_bridge_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+    const V _s1 = lanes_abs(dwx);
+    const V _s2 = lanes_abs(dwy);
+    const V _s3 = lanes_max(_s1, _s2);
+    const V _s4 = lanes_abs(dwz);
+    const V _s5 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s6 = lanes_add(_s5, lanes_abs(vz));
+    const V _s7 = lanes_abs(dvx);
+    const V _s8 = lanes_abs(dvy);
+    const V _s9 = lanes_max(_s7, _s8);
+    const V _s10 = lanes_abs(dvz);
+    const V _s11 = lanes_mul(K(64.0), lanes_add(lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s3, _s4)), lanes_mul(turn, _s6)), lanes_max(_s9, _s10)), lanes_mul(K(4.440892098500626e-16), _s6)));
+    const V _s12 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s13 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s14 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s15 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s16 = lanes_mul(p_bridge_friction, lanes_mul(lanes_add(K(1.0), lanes_div(p_bridge_restitution, lanes_sub(K(1.0), lanes_div(_s12, p_restitution_speed)))), _s12));
+    const V _s17 = lanes_sub(lanes_mul(_s0, lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s13, _s13), lanes_mul(_s14, _s14)), lanes_mul(_s15, _s15)))), lanes_neg(_s16));
+    const M _s18 = lanes_both(lanes_both(lanes_less(K(0.0), p_bridge_friction), lanes_less(p_bridge_friction, K(INFINITY))), lanes_not(lanes_less(lanes_mul(lanes_add(lanes_mul(K(2.0), p_bridge_friction), _s0), _s11), lanes_abs(_s17))));
+    return (LANES(court_bridge_impact_doubt_out)){ _s18 };
+}
+
+/* Velocity and spin after a contact, frame-free.
+   momentum, angular momentum and Coulomb's law of friction. 83 operations: 9 additions, 19 subtractions, 43 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections. */
+typedef struct {
+    V vx;
+    V vy;
+    V vz;
+    V wx;
+    V wy;
+    V wz;
+} LANES(court_bridge_impact_out);
+
+LANES_INLINE LANES(court_bridge_impact_out)
+LANES(court_bridge_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ball_radius, V p_bridge_restitution, V p_bridge_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_sub(vx, lanes_mul(nx, _s0));
+    const V _s2 = lanes_sub(_s1, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s3 = lanes_sub(vz, lanes_mul(nz, _s0));
+    const V _s4 = lanes_sub(_s3, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s5 = lanes_sub(vy, lanes_mul(ny, _s0));
+    const V _s6 = lanes_sub(_s5, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s7 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s6, _s6)), lanes_mul(_s2, _s2));
+    const V _s8 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+    const V _s9 = lanes_div(p_bridge_restitution, lanes_sub(K(1.0), lanes_div(_s0, p_restitution_speed)));
+    const V _s10 = lanes_neg(lanes_mul(p_bridge_friction, lanes_mul(lanes_add(K(1.0), _s9), _s0)));
+    const V _s11 = lanes_select(lanes_less(K(0.0), p_bridge_friction), lanes_select(lanes_less(p_bridge_friction, K(INFINITY)), lanes_select(lanes_at_most(lanes_mul(_s7, lanes_mul(_s8, _s8)), lanes_mul(_s10, _s10)), _s8, lanes_div(_s10, lanes_sqrt(_s7))), _s8), K(0.0));
+    const V _s12 = lanes_div(lanes_mul(K(1.5), _s11), p_ball_radius);
+    return (LANES(court_bridge_impact_out)){ lanes_sub(lanes_sub(_s1, lanes_mul(_s2, _s11)), lanes_mul(lanes_mul(nx, _s9), _s0)), lanes_sub(lanes_sub(_s5, lanes_mul(_s6, _s11)), lanes_mul(lanes_mul(ny, _s9), _s0)), lanes_sub(lanes_sub(_s3, lanes_mul(_s4, _s11)), lanes_mul(lanes_mul(nz, _s9), _s0)), lanes_add(wx, lanes_mul(_s12, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s6)))), lanes_add(wy, lanes_mul(_s12, lanes_sub(lanes_mul(nz, _s2), lanes_mul(nx, _s4)))), lanes_add(wz, lanes_mul(_s12, lanes_sub(lanes_mul(nx, _s6), lanes_mul(ny, _s2)))) };
+}
+
+/* Errors of velocity and spin after a contact, from those before it.
+   derivative of the contact with friction, with roundings. 303 operations: 40 additions, 50 subtractions, 121 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections. */
+typedef struct {
+    V dvx;
+    V dvy;
+    V dvz;
+    V dwx;
+    V dwy;
+    V dwz;
+} LANES(court_carry_bridge_impact_out);
+
+LANES_INLINE LANES(court_carry_bridge_impact_out)
+LANES(court_carry_bridge_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V p_ball_radius, V p_bridge_restitution, V p_bridge_friction, V p_tangential_restitution, V p_restitution_speed)
+{
+    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
+    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
+    const V _s2 = lanes_sub(lanes_sub(dvx, lanes_mul(dnx, _s0)), lanes_mul(nx, _s1));
+    const V _s3 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
+    const V _s4 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
+    const V _s5 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
+    const V _s6 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s5, _s5)), lanes_mul(_s3, _s3));
+    const V _s7 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
+    const V _s8 = lanes_sub(K(1.0), lanes_div(_s0, p_restitution_speed));
+    const V _s9 = lanes_div(p_bridge_restitution, _s8);
+    const V _s10 = lanes_add(K(1.0), _s9);
+    const V _s11 = lanes_neg(lanes_mul(p_bridge_friction, lanes_mul(_s10, _s0)));
+    const V _s12 = lanes_neg(lanes_div(lanes_mul(p_bridge_restitution, lanes_neg(lanes_div(_s1, p_restitution_speed))), lanes_mul(_s8, _s8)));
+    const V _s13 = lanes_sqrt(_s6);
+    const V _s14 = lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s0)), lanes_mul(nz, _s1));
+    const V _s15 = lanes_sub(_s14, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))));
+    const V _s16 = lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s0)), lanes_mul(ny, _s1));
+    const V _s17 = lanes_sub(_s16, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))));
+    const V _s18 = lanes_sub(_s2, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))));
+    const V _s19 = lanes_div(lanes_mul(lanes_mul(K(0.5), _s11), lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s15), lanes_mul(lanes_mul(K(2.0), _s5), _s17)), lanes_mul(lanes_mul(K(2.0), _s3), _s18))), lanes_mul(_s13, _s6));
+    const V _s20 = lanes_sub(lanes_div(lanes_neg(lanes_mul(p_bridge_friction, lanes_add(lanes_mul(_s10, _s1), lanes_mul(_s12, _s0)))), _s13), _s19);
+    const M _s21 = lanes_at_most(lanes_mul(_s6, lanes_mul(_s7, _s7)), lanes_mul(_s11, _s11));
+    const M _s22 = lanes_less(p_bridge_friction, K(INFINITY));
+    const M _s23 = lanes_less(K(0.0), p_bridge_friction);
+    const V _s24 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, K(0.0), _s20), K(0.0)), K(0.0));
+    const V _s25 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, _s7, lanes_div(_s11, _s13)), _s7), K(0.0));
+    const V _s26 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s2, lanes_mul(_s3, _s24)), lanes_mul(_s18, _s25)), lanes_mul(lanes_mul(dnx, _s9), _s0)), lanes_mul(lanes_mul(nx, _s9), _s1)), lanes_mul(lanes_mul(nx, _s12), _s0));
+    const V _s27 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
+    const V _s28 = lanes_add(_s27, lanes_abs(vz));
+    const V _s29 = lanes_mul(K(2.220446049250313e-16), _s28);
+    const V _s30 = lanes_neg(_s29);
+    const V _s31 = lanes_add(_s26, lanes_select(lanes_less(_s26, K(0.0)), _s30, _s29));
+    const V _s32 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
+    const V _s33 = lanes_abs(dwx);
+    const V _s34 = lanes_abs(dwy);
+    const V _s35 = lanes_max(_s33, _s34);
+    const V _s36 = lanes_abs(dwz);
+    const V _s37 = lanes_abs(dvx);
+    const V _s38 = lanes_abs(dvy);
+    const V _s39 = lanes_max(_s37, _s38);
+    const V _s40 = lanes_abs(dvz);
+    const V _s41 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s35, _s36)), lanes_mul(turn, _s28)), lanes_max(_s39, _s40));
+    const V _s42 = lanes_div(_s41, _s32);
+    const V _s43 = lanes_neg(_s42);
+    const V _s44 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s16, lanes_mul(_s5, _s24)), lanes_mul(_s17, _s25)), lanes_mul(lanes_mul(dny, _s9), _s0)), lanes_mul(lanes_mul(ny, _s9), _s1)), lanes_mul(lanes_mul(ny, _s12), _s0));
+    const V _s45 = lanes_add(_s44, lanes_select(lanes_less(_s44, K(0.0)), _s30, _s29));
+    const V _s46 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s14, lanes_mul(_s4, _s24)), lanes_mul(_s15, _s25)), lanes_mul(lanes_mul(dnz, _s9), _s0)), lanes_mul(lanes_mul(nz, _s9), _s1)), lanes_mul(lanes_mul(nz, _s12), _s0));
+    const V _s47 = lanes_add(_s46, lanes_select(lanes_less(_s46, K(0.0)), _s30, _s29));
+    const V _s48 = lanes_div(lanes_mul(K(1.5), _s24), p_ball_radius);
+    const V _s49 = lanes_div(lanes_mul(K(1.5), _s25), p_ball_radius);
+    const V _s50 = lanes_add(lanes_add(dwx, lanes_mul(_s48, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s5)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s4), lanes_mul(ny, _s15)), lanes_mul(dnz, _s5)), lanes_mul(nz, _s17))));
+    const V _s51 = lanes_div(_s29, p_ball_radius);
+    const V _s52 = lanes_neg(_s51);
+    const V _s53 = lanes_add(_s50, lanes_select(lanes_less(_s50, K(0.0)), _s52, _s51));
+    const V _s54 = lanes_div(_s41, lanes_mul(p_ball_radius, _s32));
+    const V _s55 = lanes_neg(_s54);
+    const V _s56 = lanes_add(lanes_add(dwy, lanes_mul(_s48, lanes_sub(lanes_mul(nz, _s3), lanes_mul(nx, _s4)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s3), lanes_mul(nz, _s18)), lanes_mul(dnx, _s4)), lanes_mul(nx, _s15))));
+    const V _s57 = lanes_add(_s56, lanes_select(lanes_less(_s56, K(0.0)), _s52, _s51));
+    const V _s58 = lanes_add(lanes_add(dwz, lanes_mul(_s48, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s5), lanes_mul(nx, _s17)), lanes_mul(dny, _s3)), lanes_mul(ny, _s18))));
+    const V _s59 = lanes_add(_s58, lanes_select(lanes_less(_s58, K(0.0)), _s52, _s51));
+    return (LANES(court_carry_bridge_impact_out)){ lanes_select(lanes_less(lanes_abs(_s31), _s42), lanes_select(lanes_less(_s31, K(0.0)), _s43, _s42), _s31), lanes_select(lanes_less(lanes_abs(_s45), _s42), lanes_select(lanes_less(_s45, K(0.0)), _s43, _s42), _s45), lanes_select(lanes_less(lanes_abs(_s47), _s42), lanes_select(lanes_less(_s47, K(0.0)), _s43, _s42), _s47), lanes_select(lanes_less(lanes_abs(_s53), _s54), lanes_select(lanes_less(_s53, K(0.0)), _s55, _s54), _s53), lanes_select(lanes_less(lanes_abs(_s57), _s54), lanes_select(lanes_less(_s57, K(0.0)), _s55, _s54), _s57), lanes_select(lanes_less(lanes_abs(_s59), _s54), lanes_select(lanes_less(_s59, K(0.0)), _s55, _s54), _s59) };
+}
+
+/* Where a ball stays on a surface: its bounces end before anything else can happen, and from when on that is certain.
+   a geometric series of bounces. 131 operations: 24 additions, 6 subtractions, 61 multiplications, 4 divisions, 1 square root, 2 negations, 12 absolute values, 10 comparisons, 9 conjunctions, 1 disjunction, 1 selection. */
+typedef struct {
+    M settles;
+    M lodges;
+    V assured;
+    M unsure;
+} LANES(court_bridge_impact_settling_out);
+
+LANES_INLINE LANES(court_bridge_impact_settling_out)
+LANES(court_bridge_impact_settling)(V p_ball_radius, V bounce, V p_bridge_friction, V p_bridge_restitution, V p_gravity, V nearest, V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z, V slip, V turning_x, V turning_y, V turning_z, V velocity_error, V wx, V wy, V wz)
+{
+    const V _s0 = lanes_neg(lanes_mul(p_gravity, nz));
+    const V _s1 = lanes_sub(lanes_neg(_s0), lanes_add(lanes_add(lanes_mul(rolled_x, turning_x), lanes_mul(rolled_y, turning_y)), lanes_mul(rolled_z, turning_z)));
+    const M _s2 = lanes_less(K(0.0), _s1);
+    const V _s3 = lanes_sub(K(1.0), p_bridge_restitution);
+    const V _s4 = lanes_div(bounce, _s1);
+    const V _s5 = lanes_add(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_abs(turning_x), lanes_abs(turning_y)), lanes_abs(turning_z)));
+    const V _s6 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(rolled_x)), lanes_abs(rolled_y));
+    const V _s7 = lanes_add(_s6, lanes_abs(rolled_z));
+    const M _s8 = lanes_less(lanes_mul(lanes_mul(K(3.0), _s4), lanes_mul(lanes_mul(K(8.0), lanes_add(lanes_mul(_s5, _s7), lanes_abs(_s0))), _s5)), lanes_mul(lanes_mul(_s3, _s3), _s1));
+    const V _s9 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
+    const V _s10 = lanes_mul(K(0.4), p_ball_radius);
+    const V _s11 = lanes_add(lanes_mul(lanes_mul(K(0.4), ny), _s0), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(nz, turning_x), lanes_mul(nx, turning_z))), _s9));
+    const V _s12 = lanes_add(lanes_mul(lanes_mul(K(0.4), nx), _s0), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(ny, turning_z), lanes_mul(nz, turning_y))), _s9));
+    const V _s13 = lanes_add(lanes_add(lanes_mul(K(0.4), p_gravity), lanes_mul(lanes_mul(K(0.4), nz), _s0)), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(nx, turning_y), lanes_mul(ny, turning_x))), _s9));
+    const V _s14 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s11, _s11), lanes_mul(_s12, _s12)), lanes_mul(_s13, _s13)));
+    const V _s15 = lanes_add(K(1.0), p_bridge_restitution);
+    const M _s16 = lanes_both(lanes_both(lanes_both(lanes_both(_s2, lanes_less(K(0.0), _s3)), _s8), lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), _s4), _s14), lanes_mul(K(1.4210854715202004e-14), _s7)))), lanes_at_most(lanes_mul(K(2.0), _s14), lanes_mul(lanes_mul(p_bridge_friction, _s15), _s1)));
+    const V _s17 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(0.5), bounce), _s4), lanes_div(lanes_mul(lanes_mul(K(1.6), slip), _s4), _s3)), lanes_div(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s4, _s4)), _s14), lanes_mul(_s15, _s3)));
+    const V _s18 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
+    const M _s19 = lanes_both(_s16, lanes_at_most(_s17, _s18));
+    const V _s20 = lanes_mul(K(1024.0), _s18);
+    const M _s21 = lanes_less(lanes_add(lanes_div(lanes_mul(lanes_mul(K(16.0), _s4), _s7), _s3), _s20), nearest);
+    const M _s22 = lanes_either(lanes_at_most(lanes_abs(_s1), lanes_mul(lanes_mul(K(4.0), velocity_error), _s5)), lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s17, _s18))), lanes_mul(lanes_mul(K(2.0), velocity_error), _s18)), _s2));
+    return (LANES(court_bridge_impact_settling_out)){ lanes_both(_s19, _s21), lanes_both(_s19, lanes_at_most(nearest, _s20)), lanes_select(lanes_both(_s16, _s21), K(1.0), K(0.0)), _s22 };
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. 13 operations: 2 additions, 1 subtraction, 7 multiplications, 2 divisions, 1 square root. */
+typedef struct {
+    V nx;
+    V ny;
+    V nz;
+} LANES(court_ring_normal_out);
+
+LANES_INLINE LANES(court_ring_normal_out)
+LANES(court_ring_normal)(V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius)
+{
+    const V _s0 = lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius));
+    const V _s1 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s2 = lanes_mul(lanes_mul(_s0, lanes_sub(_s1, p_ring_radius)), lanes_div(K(1.0), _s1));
+    return (LANES(court_ring_normal_out)){ lanes_mul(x, _s2), lanes_mul(y, _s2), lanes_mul(z, _s0) };
+}
+
+/* Bound on the rate at which the normal turns along the contact surface.
+   Table 2. 6 operations: 1 addition, 2 subtractions, 1 division, 1 comparison, 1 selection. */
+typedef struct {
+    V curvature;
+} LANES(court_ring_curvature_out);
+
+LANES_INLINE LANES(court_ring_curvature_out)
+LANES(court_ring_curvature)(V p_ball_radius, V p_ring_radius, V p_wire_radius)
+{
+    const V _s0 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+    const V _s1 = lanes_add(p_ball_radius, p_wire_radius);
+    return (LANES(court_ring_curvature_out)){ lanes_div(K(1.0), lanes_min(_s0, _s1)) };
+}
+
+/* Error of the normal, from that of the position.
+   derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection. */
+typedef struct {
+    V dnx;
+    V dny;
+    V dnz;
+    V turn;
+} LANES(court_ring_carry_normal_out);
+
+LANES_INLINE LANES(court_ring_carry_normal_out)
+LANES(court_ring_carry_normal)(V x, V y, V dx, V dy, V dz, V shift, V p_ball_radius, V p_ring_radius, V p_wire_radius)
+{
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_div(K(1.0), _s0);
+    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s3 = lanes_sub(_s2, p_ring_radius);
+    const V _s4 = lanes_div(K(1.0), _s2);
+    const V _s5 = lanes_mul(lanes_mul(_s1, _s3), _s4);
+    const V _s6 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), dx), x), lanes_mul(lanes_mul(K(2.0), dy), y))), _s2);
+    const V _s7 = lanes_add(lanes_mul(lanes_mul(_s6, _s1), _s4), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s6, lanes_mul(_s4, _s4))), _s1), _s3));
+    const V _s8 = lanes_sub(lanes_sub(p_ring_radius, p_ball_radius), p_wire_radius);
+    return (LANES(court_ring_carry_normal_out)){ lanes_add(lanes_mul(dx, _s5), lanes_mul(x, _s7)), lanes_add(lanes_mul(dy, _s5), lanes_mul(y, _s7)), lanes_mul(dz, _s1), lanes_mul(shift, lanes_div(K(1.0), lanes_min(_s8, _s0))) };
+}
+
+/* Positive if there certainly is no contact before the horizon.
+   bounds of the event condition. 161 operations: 31 additions, 19 subtractions, 74 multiplications, 1 division, 4 square roots, 16 comparisons, 16 selections. */
+typedef struct {
+    V clear;
+} LANES(court_ring_clear_out);
+
+LANES_INLINE LANES(court_ring_clear_out)
+LANES(court_ring_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+{
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s0));
+    const V _s2 = lanes_div(K(1.0), p_gravity);
+    const V _s3 = lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s2, lanes_add(lanes_add(lanes_mul(K(2.0), p_ball_radius), extent), lanes_mul(K(2.0), p_wire_radius)))));
+    const V _s4 = lanes_add(_s3, lanes_mul(lanes_mul(K(2.0), speed), _s2));
+    const V _s5 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s4, horizon))), lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
+    const V _s6 = lanes_mul(K(1.00006103515625), _s0);
+    const V _s7 = lanes_add(p_ring_radius, _s6);
+    const V _s8 = lanes_mul(vz, vz);
+    const V _s9 = lanes_add(_s8, lanes_mul(lanes_mul(K(2.0), p_gravity), lanes_sub(z, _s6)));
+    const V _s10 = lanes_sqrt(_s9);
+    const V _s11 = lanes_mul(_s2, lanes_sub(vz, _s10));
+    const V _s12 = lanes_mul(_s2, lanes_add(vz, _s10));
+    const V _s13 = lanes_add(x, lanes_mul(vx, _s12));
+    const V _s14 = lanes_add(y, lanes_mul(vy, _s12));
+    const V _s15 = lanes_add(lanes_mul(_s13, _s13), lanes_mul(_s14, _s14));
+    const V _s16 = lanes_sqrt(_s15);
+    const V _s17 = lanes_sub(_s16, p_ring_radius);
+    const V _s18 = lanes_add(z, lanes_mul(lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), _s12)), _s12));
+    const V _s19 = lanes_mul(_s7, _s7);
+    const V _s20 = lanes_mul(K(9.313225746154785e-10), _s19);
+    const V _s21 = lanes_sub(lanes_sub(lanes_add(lanes_mul(_s17, _s17), lanes_mul(_s18, _s18)), lanes_mul(_s0, _s0)), _s20);
+    const V _s22 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
+    const V _s23 = lanes_sub(p_ring_radius, _s6);
+    const V _s24 = lanes_mul(K(0.0001220703125), p_ring_radius);
+    const V _s25 = lanes_max(_s23, _s24);
+    const V _s26 = lanes_mul(_s25, _s25);
+    const V _s27 = lanes_mul(_s25, _s26);
+    const V _s28 = lanes_mul(lanes_sub(lanes_add(lanes_add(lanes_mul(K(2.0), _s8), lanes_mul(lanes_mul(K(4.0), p_gravity), z)), lanes_mul(K(2.0), _s22)), lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s0)), _s27);
+    const V _s29 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V _s30 = lanes_mul(_s29, _s29);
+    const V _s31 = lanes_sub(_s28, lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s30));
+    const V _s32 = lanes_add(lanes_mul(_s17, lanes_add(lanes_mul(vx, _s13), lanes_mul(vy, _s14))), lanes_mul(lanes_mul(_s18, lanes_sub(vz, lanes_mul(p_gravity, _s12))), _s16));
+    const V _s33 = lanes_add(x, lanes_mul(horizon, vx));
+    const V _s34 = lanes_add(y, lanes_mul(horizon, vy));
+    const V _s35 = lanes_select(lanes_less(lanes_sub(lanes_add(lanes_add(_s20, lanes_mul(_s33, _s33)), lanes_mul(_s34, _s34)), _s26), K(0.0)), K(1.0), lanes_select(lanes_less(lanes_sub(lanes_mul(_s22, lanes_add(_s20, _s26)), _s30), K(0.0)), K(1.0), K(0.0)));
+    const V _s36 = lanes_select(lanes_less(lanes_sub(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s32, _s32)), _s27), lanes_mul(lanes_mul(lanes_mul(K(2.0), _s31), _s15), _s21)), K(0.0)), _s35, K(0.0));
+    const V _s37 = lanes_select(lanes_less(horizon, lanes_sub(_s12, lanes_mul(K(9.313225746154785e-10), horizon))), K(1.0), lanes_select(lanes_less(K(0.0), _s21), lanes_select(lanes_less(K(0.0), _s31), _s36, K(0.0)), K(0.0)));
+    const V _s38 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s39 = lanes_add(lanes_mul(_s11, _s22), _s38);
+    const V _s40 = lanes_select(lanes_less(_s39, K(0.0)), lanes_select(lanes_less(_s19, lanes_add(lanes_mul(_s11, lanes_add(_s38, _s39)), lanes_add(lanes_mul(x, x), lanes_mul(y, y)))), _s37, K(0.0)), K(0.0));
+    const V _s41 = lanes_select(lanes_less(lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon)))), lanes_mul(K(65536.0), _s7)), lanes_select(lanes_less(K(0.0), _s9), lanes_select(lanes_less(_s11, K(0.0)), _s37, _s40), K(0.0)), K(0.0));
+    return (LANES(court_ring_clear_out)){ lanes_select(lanes_less(K(0.0), lanes_max(_s1, _s5)), K(0.0), lanes_select(lanes_less(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(5.820766091346741e-11), _s7)), _s41, K(0.0))) };
+}
+
+/* Constants and windows of the search along a flight, and the errors it allows for.
+   bounds of the event condition. 190 operations: 31 additions, 20 subtractions, 54 multiplications, 3 divisions, 7 square roots, 1 negation, 5 absolute values, 31 comparisons, 38 selections. */
+typedef struct {
+    V steady;
+    V swing;
+    V rho_start;
+    V low0;
+    V high0;
+    V low1;
+    V high1;
+    V low2;
+    V high2;
+    V ceiling;
+    V latest;
+    V lost;
+} LANES(court_ring_prepare_out);
+
+LANES_INLINE LANES(court_ring_prepare_out)
+LANES(court_ring_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+{
+    const V _s0 = lanes_mul(vz, vz);
+    const V _s1 = lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy));
+    const V _s2 = lanes_add(lanes_add(lanes_mul(K(2.0), _s0), lanes_mul(lanes_mul(K(4.0), p_gravity), z)), lanes_mul(K(2.0), _s1));
+    const V _s3 = lanes_sub(lanes_mul(vy, x), lanes_mul(vx, y));
+    const V _s4 = lanes_mul(_s3, _s3);
+    const V _s5 = lanes_mul(lanes_mul(K(2.0), p_ring_radius), _s4);
+    const V _s6 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
+    const V _s7 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s8 = lanes_mul(K(1.00006103515625), _s7);
+    const V _s9 = lanes_mul(K(2.0), p_gravity);
+    const V _s10 = lanes_mul(K(8.881784197001252e-16), lanes_add(_s0, lanes_mul(_s9, lanes_add(lanes_abs(z), _s8))));
+    const V _s11 = lanes_add(lanes_add(_s0, lanes_mul(_s9, lanes_add(z, _s8))), _s10);
+    const V _s12 = lanes_div(K(1.0), p_gravity);
+    const V _s13 = lanes_sqrt(_s11);
+    const V _s14 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_abs(vz), _s13));
+    const M _s15 = lanes_at_most(K(0.0), _s11);
+    const V _s16 = lanes_select(_s15, lanes_mul(_s12, lanes_sub(lanes_sub(vz, _s13), _s14)), K(INFINITY));
+    const V _s17 = lanes_add(p_ring_radius, _s8);
+    const V _s18 = lanes_mul(_s17, _s17);
+    const V _s19 = lanes_mul(lanes_mul(K(1.7763568394002505e-15), _s1), lanes_add(_s18, _s6));
+    const V _s20 = lanes_sub(lanes_add(lanes_mul(_s18, _s1), _s19), _s4);
+    const V _s21 = lanes_add(lanes_mul(vx, x), lanes_mul(vy, y));
+    const V _s22 = lanes_sqrt(_s20);
+    const V _s23 = lanes_mul(K(1.7763568394002505e-15), lanes_add(lanes_add(lanes_abs(_s21), lanes_abs(_s3)), _s22));
+    const V _s24 = lanes_div(K(1.0), _s1);
+    const M _s25 = lanes_at_most(K(0.0), _s20);
+    const M _s26 = lanes_less(K(2.409919865102884e-181), _s1);
+    const V _s27 = lanes_select(_s26, lanes_select(_s25, lanes_mul(lanes_neg(lanes_add(lanes_add(_s21, _s22), _s23)), _s24), K(INFINITY)), K(-INFINITY));
+    const V _s28 = lanes_max(_s16, _s27);
+    const V _s29 = lanes_sub(p_ring_radius, _s8);
+    const V _s30 = lanes_mul(K(0.0001220703125), p_ring_radius);
+    const V _s31 = lanes_max(_s29, _s30);
+    const V _s32 = lanes_sub(lanes_sub(lanes_mul(_s1, lanes_mul(_s31, _s31)), _s19), _s4);
+    const V _s33 = lanes_sqrt(lanes_max(_s32, K(0.0)));
+    const V _s34 = lanes_select(_s26, lanes_select(_s25, lanes_mul(lanes_sub(lanes_add(_s22, _s23), _s21), _s24), K(-INFINITY)), K(INFINITY));
+    const M _s35 = lanes_less(K(0.0), lanes_select(_s26, _s32, K(0.0)));
+    const V _s36 = lanes_select(_s35, lanes_mul(lanes_sub(lanes_sub(_s23, _s21), _s33), _s24), _s34);
+    const V _s37 = lanes_sub(lanes_add(_s0, lanes_mul(_s9, lanes_sub(z, _s8))), _s10);
+    const V _s38 = lanes_sqrt(lanes_max(_s37, K(0.0)));
+    const V _s39 = lanes_select(_s15, lanes_mul(_s12, lanes_add(lanes_add(vz, _s13), _s14)), K(-INFINITY));
+    const M _s40 = lanes_less(K(0.0), _s37);
+    const V _s41 = lanes_select(_s40, lanes_mul(_s12, lanes_sub(lanes_add(vz, _s14), _s38)), _s39);
+    const V _s42 = lanes_min(_s36, _s41);
+    const V _s43 = lanes_select(_s35, lanes_mul(lanes_sub(lanes_sub(_s33, _s21), _s23), _s24), K(INFINITY));
+    const V _s44 = lanes_max(_s43, _s36);
+    const V _s45 = lanes_max(_s16, _s44);
+    const V _s46 = lanes_min(_s34, _s41);
+    const V _s47 = lanes_select(_s40, lanes_mul(_s12, lanes_sub(lanes_add(vz, _s38), _s14)), K(INFINITY));
+    const V _s48 = lanes_max(_s47, _s41);
+    const M _s49 = lanes_at_most(_s45, _s46);
+    const V _s50 = lanes_select(_s49, _s45, lanes_max(_s48, _s27));
+    const V _s51 = lanes_select(_s49, _s46, lanes_min(_s36, _s39));
+    const V _s52 = lanes_max(_s48, _s44);
+    const V _s53 = lanes_min(_s34, _s39);
+    const V _s54 = lanes_div(K(1.0), _s31);
+    const V _s55 = lanes_max(K(0.0), _s42);
+    const V _s56 = lanes_max(_s55, _s51);
+    const V _s57 = lanes_max(_s56, _s53);
+    const V _s58 = lanes_sub(lanes_mul(K(0.000244140625), p_ring_radius), lanes_sub(p_ring_radius, _s7));
+    const V _s59 = lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s12, lanes_add(lanes_add(lanes_mul(K(2.0), p_ball_radius), extent), lanes_mul(K(2.0), p_wire_radius)))));
+    const V _s60 = lanes_add(_s59, lanes_mul(lanes_mul(K(2.0), speed), _s12));
+    const V _s61 = lanes_sub(lanes_sub(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s60, horizon))), lanes_mul(K(1.52587890625e-05), p_ball_radius)), lanes_mul(K(1.52587890625e-05), p_wire_radius));
+    return (LANES(court_ring_prepare_out)){ _s2, _s5, lanes_sqrt(_s6), lanes_max(K(0.0), _s28), lanes_min(_s42, horizon), lanes_max(K(0.0), _s50), lanes_min(_s51, horizon), lanes_max(K(0.0), _s52), lanes_min(_s53, horizon), lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.0003662109375), p_gravity), _s7), lanes_mul(_s5, lanes_mul(_s54, lanes_mul(_s54, _s54)))), lanes_abs(_s2)), lanes_min(_s57, horizon), lanes_max(_s58, _s61) };
+}
+
+/* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
+   running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections. */
+typedef struct {
+    V margin;
+    V leaving_margin;
+    V rate_margin;
+} LANES(court_ring_margins_out);
+
+LANES_INLINE LANES(court_ring_margins_out)
+LANES(court_ring_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+{
+    const V _s0 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s1 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s2 = lanes_mul(K(1.00006103515625), _s0);
+    const V _s3 = lanes_mul(_s2, _s1);
+    const V _s4 = lanes_add(p_ring_radius, _s2);
+    const V _s5 = lanes_add(extent, lanes_mul(horizon, _s1));
+    const V _s6 = lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s5));
+    const V _s7 = lanes_sub(p_ring_radius, _s2);
+    const V _s8 = lanes_mul(K(0.0001220703125), p_ring_radius);
+    const V _s9 = lanes_div(_s2, lanes_max(_s7, _s8));
+    const V _s10 = lanes_max(K(1.0), _s9);
+    const V _s11 = lanes_mul(K(5.0), lanes_add(lanes_mul(lanes_mul(_s1, _s10), _s6), lanes_mul(_s2, lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s1)))));
+    const V _s12 = lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(3.552713678800501e-15), _s1), lanes_add(lanes_mul(_s5, _s10), _s4)), lanes_mul(K(4.440892098500626e-16), _s3)), _s11));
+    return (LANES(court_ring_margins_out)){ lanes_mul(K(1.0009765625), lanes_add(lanes_add(lanes_mul(lanes_mul(K(4.440892098500626e-16), horizon), _s3), lanes_mul(lanes_mul(K(1.3323489447131243e-15), _s0), _s4)), lanes_mul(lanes_mul(K(5.00030517578125), _s0), _s6))), _s12, lanes_mul(K(1.0009765625), lanes_add(lanes_mul(K(3.552713678800501e-15), lanes_mul(_s4, _s1)), _s11)) };
+}
+
+/* Newton's next value of a root near t, and the rate there.
+   Newton's method. 56 operations: 15 additions, 6 subtractions, 30 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection. */
+typedef struct {
+    V time;
+    V rate;
+} LANES(court_ring_refine_out);
+
+LANES_INLINE LANES(court_ring_refine_out)
+LANES(court_ring_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V rho_start, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+{
+    const V _s0 = lanes_add(x, lanes_mul(t, vx));
+    const V _s1 = lanes_add(y, lanes_mul(t, vy));
+    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(_s0, _s0), lanes_mul(_s1, _s1)));
+    const V _s3 = lanes_add(rho_start, _s2);
+    const V _s4 = lanes_div(K(1.0), lanes_mul(_s3, _s2));
+    const V _s5 = lanes_sub(_s2, p_ring_radius);
+    const V _s6 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s7 = lanes_add(z, lanes_mul(t, _s6));
+    const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(lanes_mul(_s3, _s4), lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1))), _s5), lanes_mul(lanes_sub(vz, lanes_mul(p_gravity, t)), _s7)));
+    const V _s9 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, p_ring_radius), _s5)), lanes_mul(_s2, _s4));
+    const V _s10 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s11 = lanes_div(lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s9, lanes_mul(lanes_add(z, _s7), _s6))), lanes_sub(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s7, _s7)), lanes_mul(_s10, _s10))), _s8);
+    return (LANES(court_ring_refine_out)){ lanes_sub(t, _s11), _s8 };
+}
+
+/* Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
+   Newton from the left under a curvature bound. 146 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections. */
+typedef struct {
+    V gap;
+    V rate;
+    V bend;
+    V step;
+    V next;
+    V root;
+    V clearance;
+} LANES(court_ring_advance_out);
+
+LANES_INLINE LANES(court_ring_advance_out)
+LANES(court_ring_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V steady, V swing, V rho_start, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_gravity)
+{
+    const V _s0 = lanes_add(x, lanes_mul(t, vx));
+    const V _s1 = lanes_add(y, lanes_mul(t, vy));
+    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(_s0, _s0), lanes_mul(_s1, _s1)));
+    const V _s3 = lanes_sub(_s2, p_ring_radius);
+    const V _s4 = lanes_add(rho_start, _s2);
+    const V _s5 = lanes_div(K(1.0), lanes_mul(_s4, _s2));
+    const V _s6 = lanes_mul(lanes_mul(lanes_add(lanes_mul(t, lanes_add(lanes_mul(vx, vx), lanes_mul(vy, vy))), lanes_mul(K(2.0), lanes_add(lanes_mul(vx, x), lanes_mul(vy, y)))), lanes_add(lanes_sub(rho_start, p_ring_radius), _s3)), lanes_mul(_s2, _s5));
+    const V _s7 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s8 = lanes_add(z, lanes_mul(t, _s7));
+    const V _s9 = lanes_add(p_ball_radius, p_wire_radius);
+    const V _s10 = lanes_select(lanes_less(K(0.0), leaving), lanes_mul(t, lanes_add(_s6, lanes_mul(lanes_add(z, _s8), _s7))), lanes_sub(lanes_add(lanes_mul(_s3, _s3), lanes_mul(_s8, _s8)), lanes_mul(_s9, _s9)));
+    const V _s11 = lanes_mul(_s4, _s5);
+    const V _s12 = lanes_mul(_s11, lanes_add(lanes_mul(vx, _s0), lanes_mul(vy, _s1)));
+    const V _s13 = lanes_sub(vz, lanes_mul(p_gravity, t));
+    const V _s14 = lanes_add(lanes_mul(_s12, _s3), lanes_mul(_s13, _s8));
+    const V _s15 = lanes_mul(K(2.0), _s14);
+    const V _s16 = lanes_mul(K(6.0), p_gravity);
+    const V _s17 = lanes_mul(_s16, _s8);
+    const V _s18 = lanes_mul(swing, lanes_mul(_s11, lanes_mul(_s11, _s11)));
+    const V _s19 = lanes_mul(K(1.00006103515625), _s9);
+    const V _s20 = lanes_sub(_s15, rate_margin);
+    const V _s21 = lanes_sub(_s10, margin);
+    const V _s22 = lanes_max(_s21, K(0.0));
+    const V _s23 = lanes_sub(lanes_add(_s17, _s18), steady);
+    const M _s24 = lanes_less(_s20, K(0.0));
+    const V _s25 = lanes_mul(K(2.0), _s22);
+    const V _s26 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s20), _s22, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s24, _s25, lanes_mul(K(4.0), _s20)), lanes_select(_s24, lanes_neg(_s20), lanes_max(K(0.0), _s23))));
+    const V _s27 = lanes_sub(end, t);
+    const V _s28 = lanes_min(_s26, _s27);
+    const V _s29 = lanes_add(lanes_mul(_s28, lanes_max(_s13, K(0.0))), _s8);
+    const V _s30 = lanes_mul(_s16, lanes_min(_s19, _s29));
+    const V _s31 = lanes_sub(lanes_add(lanes_mul(_s28, lanes_min(K(0.0), _s12)), _s2), lanes_mul(K(9.094947017729282e-13), lanes_add(p_ring_radius, _s19)));
+    const V _s32 = lanes_sub(p_ring_radius, _s19);
+    const V _s33 = lanes_mul(K(0.0001220703125), p_ring_radius);
+    const V _s34 = lanes_max(_s32, _s33);
+    const V _s35 = lanes_div(K(1.0), lanes_max(_s31, _s34));
+    const V _s36 = lanes_mul(swing, lanes_mul(_s35, lanes_mul(_s35, _s35)));
+    const V _s37 = lanes_sub(lanes_add(lanes_add(_s30, _s36), lanes_mul(K(9.094947017729282e-13), lanes_add(lanes_add(_s36, lanes_abs(steady)), lanes_abs(_s30)))), steady);
+    const V _s38 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s37), _s22), lanes_mul(_s20, _s20));
+    const V _s39 = lanes_sqrt(_s38);
+    const V _s40 = lanes_select(lanes_at_most(K(0.0), _s38), lanes_div(lanes_select(_s24, _s25, lanes_add(_s20, _s39)), lanes_select(_s24, lanes_sub(_s39, _s20), lanes_max(K(0.0), _s37))), K(INFINITY));
+    const V _s41 = lanes_min(_s40, _s28);
+    const V _s42 = lanes_neg(lanes_add(rate_margin, _s15));
+    return (LANES(court_ring_advance_out)){ _s10, _s15, lanes_sub(lanes_sub(steady, _s17), _s18), _s41, lanes_add(t, _s41), lanes_sub(t, lanes_div(lanes_mul(K(0.5), _s10), _s14)), lanes_select(lanes_less(K(0.0), _s42), lanes_sub(lanes_mul(_s42, _s42), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, lanes_mul(K(32.0), _s22)))), _s42) };
+}
+
+/* The distance, its rate, and how fast it bends down at most, by the squared speed.
+   Table 2. 33 operations: 5 additions, 5 subtractions, 15 multiplications, 4 divisions, 2 square roots, 1 comparison, 1 selection. */
+typedef struct {
+    V gap;
+    V nearing;
+    V dent;
+} LANES(court_ring_beside_out);
+
+LANES_INLINE LANES(court_ring_beside_out)
+LANES(court_ring_beside)(V p_ball_radius, V p_ring_radius, V vx, V vy, V vz, V p_wire_radius, V x, V y, V z)
+{
+    const V _s0 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s1 = lanes_sub(_s0, p_ring_radius);
+    const V _s2 = lanes_sqrt(lanes_add(lanes_mul(z, z), lanes_mul(_s1, _s1)));
+    const V _s3 = lanes_mul(K(2.0), p_ring_radius);
+    const V _s4 = lanes_add(lanes_mul(lanes_mul(K(2.0), vz), z), lanes_div(lanes_mul(lanes_mul(K(0.5), lanes_sub(lanes_mul(K(2.0), _s0), _s3)), lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y))), _s0));
+    const V _s5 = lanes_sub(lanes_div(_s3, _s0), K(1.0));
+    return (LANES(court_ring_beside_out)){ lanes_sub(lanes_sub(_s2, p_ball_radius), p_wire_radius), lanes_div(lanes_mul(K(0.5), _s4), _s2), lanes_div(lanes_max(K(0.0), _s5), lanes_add(p_ball_radius, p_wire_radius)) };
+}
+
+/* The distance.
+   Table 2. 11 operations: 2 additions, 3 subtractions, 4 multiplications, 2 square roots. */
+typedef struct {
+    V gap;
+} LANES(court_ring_off_out);
+
+LANES_INLINE LANES(court_ring_off_out)
+LANES(court_ring_off)(V p_ball_radius, V p_ring_radius, V p_wire_radius, V x, V y, V z)
+{
+    const V _s0 = lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), p_ring_radius);
+    return (LANES(court_ring_off_out)){ lanes_sub(lanes_sub(lanes_sqrt(lanes_add(lanes_mul(z, z), lanes_mul(_s0, _s0))), p_ball_radius), p_wire_radius) };
+}
+
+/* What a ball that stays on it rolls on.
+   Table 2. 2 operations: 1 addition, 1 division. */
+typedef struct {
+    V bent_x;
+    V bent_y;
+    V bent_z;
+    V per_reach;
+    V ring;
+} LANES(court_ring_tube_out);
+
+LANES_INLINE LANES(court_ring_tube_out)
+LANES(court_ring_tube)(V p_ball_radius, V p_ring_radius, V p_wire_radius)
+{
+    return (LANES(court_ring_tube_out)){ K(1.0), K(1.0), K(1.0), lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius)), p_ring_radius };
+}
+
+/* The rate at which the normal turns.
+   derivative of Table 2's normal. 32 operations: 6 additions, 1 subtraction, 20 multiplications, 3 divisions, 1 square root, 1 negation. */
+typedef struct {
+    V turning_x;
+    V turning_y;
+    V turning_z;
+} LANES(court_ring_turning_out);
+
+LANES_INLINE LANES(court_ring_turning_out)
+LANES(court_ring_turning)(V p_ball_radius, V p_ring_radius, V rolled_x, V rolled_y, V rolled_z, V p_wire_radius, V x, V y)
+{
+    const V _s0 = lanes_div(K(1.0), lanes_add(p_ball_radius, p_wire_radius));
+    const V _s1 = lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y)));
+    const V _s2 = lanes_sub(_s1, p_ring_radius);
+    const V _s3 = lanes_div(K(1.0), _s1);
+    const V _s4 = lanes_mul(lanes_mul(_s0, _s2), _s3);
+    const V _s5 = lanes_div(lanes_mul(K(0.5), lanes_add(lanes_mul(lanes_mul(K(2.0), rolled_x), x), lanes_mul(lanes_mul(K(2.0), rolled_y), y))), _s1);
+    const V _s6 = lanes_add(lanes_mul(lanes_mul(_s5, _s0), _s3), lanes_mul(lanes_mul(lanes_neg(lanes_mul(_s5, lanes_mul(_s3, _s3))), _s0), _s2));
+    return (LANES(court_ring_turning_out)){ lanes_add(lanes_mul(rolled_x, _s4), lanes_mul(x, _s6)), lanes_add(lanes_mul(rolled_y, _s4), lanes_mul(y, _s6)), lanes_mul(rolled_z, _s0) };
+}
+
+/* The second to the fourth derivative of the distance along a flight.
+   derivatives of Table 2's distance. 120 operations: 14 additions, 11 subtractions, 74 multiplications, 18 divisions, 2 square roots, 1 negation. */
+typedef struct {
+    V lift;
+    V surge;
+    V snap;
+} LANES(court_ring_parting_out);
+
+LANES_INLINE LANES(court_ring_parting_out)
+LANES(court_ring_parting)(V p_gravity, V p_ring_radius, V vx, V vy, V vz, V x, V y, V z)
+{
+    const V _s0 = lanes_add(lanes_mul(x, x), lanes_mul(y, y));
+    const V _s1 = lanes_sqrt(_s0);
+    const V _s2 = lanes_sub(_s1, p_ring_radius);
+    const V _s3 = lanes_add(lanes_mul(z, z), lanes_mul(_s2, _s2));
+    const V _s4 = lanes_sqrt(_s3);
+    const V _s5 = lanes_add(lanes_mul(K(2.0), lanes_mul(vx, vx)), lanes_mul(K(2.0), lanes_mul(vy, vy)));
+    const V _s6 = lanes_mul(_s1, _s0);
+    const V _s7 = lanes_add(lanes_mul(lanes_mul(K(2.0), vx), x), lanes_mul(lanes_mul(K(2.0), vy), y));
+    const V _s8 = lanes_mul(_s7, _s7);
+    const V _s9 = lanes_sub(lanes_div(lanes_mul(K(0.5), _s5), _s1), lanes_div(lanes_mul(K(0.25), _s8), _s6));
+    const V _s10 = lanes_mul(K(2.0), _s2);
+    const V _s11 = lanes_div(lanes_mul(K(0.5), _s7), _s1);
+    const V _s12 = lanes_add(lanes_sub(lanes_mul(K(2.0), lanes_mul(vz, vz)), lanes_mul(lanes_mul(K(2.0), p_gravity), z)), lanes_add(lanes_mul(_s10, _s9), lanes_mul(K(2.0), lanes_mul(_s11, _s11))));
+    const V _s13 = lanes_mul(_s4, _s3);
+    const V _s14 = lanes_add(lanes_mul(lanes_mul(K(2.0), vz), z), lanes_mul(lanes_mul(K(2.0), _s11), _s2));
+    const V _s15 = lanes_mul(_s14, _s14);
+    const V _s16 = lanes_mul(_s3, _s3);
+    const V _s17 = lanes_mul(_s4, _s16);
+    const V _s18 = lanes_mul(_s0, _s0);
+    const V _s19 = lanes_mul(_s1, _s18);
+    const V _s20 = lanes_sub(lanes_div(lanes_mul(K(0.375), lanes_mul(_s7, _s8)), _s19), lanes_div(lanes_mul(lanes_mul(K(0.75), _s5), _s7), _s6));
+    const V _s21 = lanes_add(lanes_neg(lanes_mul(lanes_mul(K(6.0), p_gravity), vz)), lanes_add(lanes_mul(lanes_mul(K(6.0), _s11), _s9), lanes_mul(_s10, _s20)));
+    const V _s22 = lanes_mul(_s10, lanes_sub(lanes_sub(lanes_div(lanes_mul(lanes_mul(K(2.25), _s5), _s8), _s19), lanes_div(lanes_mul(K(0.75), lanes_mul(_s5, _s5)), _s6)), lanes_div(lanes_mul(K(0.9375), lanes_mul(_s8, _s8)), lanes_mul(_s6, _s18))));
+    const V _s23 = lanes_mul(K(0.5), lanes_add(lanes_mul(K(6.0), lanes_mul(p_gravity, p_gravity)), lanes_add(lanes_add(lanes_mul(lanes_mul(K(8.0), _s11), _s20), _s22), lanes_mul(K(6.0), lanes_mul(_s9, _s9)))));
+    const V _s24 = lanes_sub(lanes_sub(lanes_add(lanes_div(_s23, _s4), lanes_div(lanes_mul(lanes_mul(K(2.25), _s15), _s12), _s17)), lanes_div(lanes_mul(K(0.9375), lanes_mul(_s15, _s15)), lanes_mul(_s13, _s16))), lanes_div(lanes_mul(K(0.75), lanes_mul(_s12, _s12)), _s13));
+    return (LANES(court_ring_parting_out)){ lanes_sub(lanes_div(lanes_mul(K(0.5), _s12), _s4), lanes_div(lanes_mul(K(0.25), _s15), _s13)), lanes_sub(lanes_add(lanes_div(lanes_mul(K(0.375), lanes_mul(_s14, _s15)), _s17), lanes_div(lanes_mul(K(0.5), _s21), _s4)), lanes_div(lanes_mul(lanes_mul(K(0.75), _s14), _s12), _s13)), lanes_sub(_s24, lanes_div(lanes_mul(_s21, _s14), _s13)) };
+}
+
+/* The first window that begins no earlier than a time, if there is one.
+   Table 1. 18 operations: 6 comparisons, 3 conjunctions, 3 disjunctions, 6 selections. */
+typedef struct {
+    V t;
+    V end;
+    M searching;
+} LANES(court_ring_enter_out);
+
+LANES_INLINE LANES(court_ring_enter_out)
+LANES(court_ring_enter)(V after, V end, V high0, V high1, V high2, V low0, V low1, V low2, V t)
+{
+    const M _s0 = lanes_both(lanes_less(low0, high0), lanes_at_most(after, low0));
+    const M _s1 = lanes_both(lanes_less(low1, high1), lanes_at_most(after, low1));
+    const M _s2 = lanes_both(lanes_less(low2, high2), lanes_at_most(after, low2));
+    return (LANES(court_ring_enter_out)){ lanes_select(_s0, low0, lanes_select(_s1, low1, lanes_select(_s2, low2, t))), lanes_select(_s0, high0, lanes_select(_s1, high1, lanes_select(_s2, high2, end))), lanes_either(lanes_either(lanes_either(lanes_nowhere(), _s2), _s1), _s0) };
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. 28 operations: 4 additions, 6 subtractions, 3 multiplications, 1 division, 2 negations, 6 comparisons, 6 selections. */
+typedef struct {
+    V nx;
+    V ny;
+    V nz;
+} LANES(court_backboard_normal_out);
+
+LANES_INLINE LANES(court_backboard_normal_out)
+LANES(court_backboard_normal)(V x, V y, V z, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness)
+{
+    const V _s0 = lanes_div(K(1.0), p_ball_radius);
+    const V _s1 = lanes_add(p_board_distance, x);
+    const V _s2 = lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x));
+    const V _s3 = lanes_sub(y, p_board_half_width);
+    const V _s4 = lanes_neg(lanes_add(p_board_half_width, y));
+    const V _s5 = lanes_sub(z, p_board_top);
+    const V _s6 = lanes_sub(p_board_bottom, z);
+    return (LANES(court_backboard_normal_out)){ lanes_mul(_s0, lanes_sub(lanes_max(_s1, K(0.0)), lanes_max(_s2, K(0.0)))), lanes_mul(_s0, lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)))), lanes_mul(_s0, lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)))) };
+}
+
+/* Bound on the rate at which the normal turns along the contact surface.
+   Table 2. 1 operation: 1 division. */
+typedef struct {
+    V curvature;
+} LANES(court_backboard_curvature_out);
+
+LANES_INLINE LANES(court_backboard_curvature_out)
+LANES(court_backboard_curvature)(V p_ball_radius)
+{
+    return (LANES(court_backboard_curvature_out)){ lanes_div(K(1.0), p_ball_radius) };
+}
+
+/* Error of the normal, from that of the position.
+   derivative of Table 2's normal. 32 operations: 4 additions, 6 subtractions, 4 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections. */
+typedef struct {
+    V dnx;
+    V dny;
+    V dnz;
+    V turn;
+} LANES(court_backboard_carry_normal_out);
+
+LANES_INLINE LANES(court_backboard_carry_normal_out)
+LANES(court_backboard_carry_normal)(V x, V y, V z, V dx, V dy, V dz, V shift, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness)
+{
+    const V _s0 = lanes_div(K(1.0), p_ball_radius);
+    const V _s1 = lanes_sub(lanes_select(lanes_less(lanes_add(p_board_distance, x), K(0.0)), K(0.0), dx), lanes_select(lanes_less(lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x)), K(0.0)), K(0.0), lanes_neg(dx)));
+    const V _s2 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(y, p_board_half_width), K(0.0)), K(0.0), dy), lanes_select(lanes_less(lanes_neg(lanes_add(p_board_half_width, y)), K(0.0)), K(0.0), lanes_neg(dy))));
+    return (LANES(court_backboard_carry_normal_out)){ lanes_mul(_s0, _s1), _s2, lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(z, p_board_top), K(0.0)), K(0.0), dz), lanes_select(lanes_less(lanes_sub(p_board_bottom, z), K(0.0)), K(0.0), lanes_neg(dz)))), lanes_mul(shift, _s0) };
+}
+
+/* Positive if there certainly is no contact before the horizon.
+   bounds of the event condition. 123 operations: 24 additions, 10 subtractions, 21 multiplications, 5 divisions, 4 square roots, 4 negations, 3 absolute values, 25 comparisons, 27 selections. */
+typedef struct {
+    V clear;
+} LANES(court_backboard_clear_out);
+
+LANES_INLINE LANES(court_backboard_clear_out)
+LANES(court_backboard_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_gravity)
+{
+    const V _s0 = lanes_div(K(1.0), p_gravity);
+    const V _s1 = lanes_mul(K(0.5), p_board_thickness);
+    const V _s2 = lanes_add(p_board_distance, _s1);
+    const V _s3 = lanes_mul(K(0.5), p_board_bottom);
+    const V _s4 = lanes_mul(K(0.5), p_board_top);
+    const V _s5 = lanes_add(p_ball_radius, _s1);
+    const V _s6 = lanes_add(p_ball_radius, p_board_half_width);
+    const V _s7 = lanes_max(_s5, _s6);
+    const V _s8 = lanes_add(p_ball_radius, _s4);
+    const V _s9 = lanes_sub(_s8, _s3);
+    const V _s10 = lanes_add(lanes_add(lanes_add(_s2, extent), lanes_abs(lanes_add(_s3, _s4))), lanes_max(_s7, _s9));
+    const V _s11 = lanes_min(_s6, _s5);
+    const V _s12 = lanes_min(_s9, _s11);
+    const V _s13 = lanes_add(lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s0, lanes_add(_s10, _s12)))), lanes_mul(lanes_mul(K(2.0), speed), _s0));
+    const V _s14 = lanes_sub(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s13, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _s0), _s10))), lanes_mul(K(1.52587890625e-05), _s12));
+    const V _s15 = lanes_abs(vx);
+    const V _s16 = lanes_mul(K(6.103515625e-05), _s12);
+    const V _s17 = lanes_add(_s5, _s16);
+    const V _s18 = lanes_add(_s2, x);
+    const V _s19 = lanes_select(lanes_less(vx, K(0.0)), lanes_neg(_s18), _s18);
+    const V _s20 = lanes_div(lanes_neg(lanes_add(_s17, _s19)), _s15);
+    const V _s21 = lanes_max(K(0.0), _s20);
+    const V _s22 = lanes_abs(vy);
+    const V _s23 = lanes_add(_s6, _s16);
+    const V _s24 = lanes_select(lanes_less(vy, K(0.0)), lanes_neg(y), y);
+    const V _s25 = lanes_div(lanes_neg(lanes_add(_s23, _s24)), _s22);
+    const V _s26 = lanes_max(_s21, _s25);
+    const V _s27 = lanes_mul(vz, vz);
+    const V _s28 = lanes_sub(lanes_sub(z, _s3), _s4);
+    const V _s29 = lanes_sub(lanes_add(_s8, _s16), _s3);
+    const V _s30 = lanes_mul(K(2.0), p_gravity);
+    const V _s31 = lanes_add(_s27, lanes_mul(_s30, lanes_sub(_s28, _s29)));
+    const V _s32 = lanes_sqrt(lanes_max(_s31, K(0.0)));
+    const M _s33 = lanes_less(K(0.0), _s31);
+    const V _s34 = lanes_select(_s33, lanes_mul(_s0, lanes_add(vz, _s32)), K(INFINITY));
+    const V _s35 = lanes_max(_s26, _s34);
+    const V _s36 = lanes_add(_s27, lanes_mul(_s30, lanes_add(_s28, _s29)));
+    const V _s37 = lanes_sqrt(_s36);
+    const M _s38 = lanes_at_most(K(0.0), _s36);
+    const V _s39 = lanes_select(_s38, lanes_mul(_s0, lanes_add(vz, _s37)), K(-INFINITY));
+    const V _s40 = lanes_div(lanes_sub(_s23, _s24), _s22);
+    const V _s41 = lanes_div(lanes_sub(_s17, _s19), _s15);
+    const V _s42 = lanes_min(_s41, K(INFINITY));
+    const V _s43 = lanes_min(_s40, _s42);
+    const V _s44 = lanes_min(_s39, _s43);
+    const V _s45 = lanes_select(_s38, lanes_mul(_s0, lanes_sub(vz, _s37)), K(INFINITY));
+    const V _s46 = lanes_max(_s26, _s45);
+    const V _s47 = lanes_select(_s33, lanes_mul(_s0, lanes_sub(vz, _s32)), _s39);
+    const V _s48 = lanes_min(_s47, _s43);
+    return (LANES(court_backboard_clear_out)){ lanes_select(lanes_at_most(_s14, K(0.0)), lanes_select(lanes_less(lanes_max(K(0.0), _s35), lanes_min(_s44, horizon)), K(0.0), lanes_select(lanes_less(lanes_max(K(0.0), _s46), lanes_min(_s48, horizon)), K(0.0), K(1.0))), K(0.0)) };
+}
+
+/* Constants and windows of the search along a flight, and the errors it allows for.
+   bounds of the event condition. 135 operations: 27 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections. */
+typedef struct {
+    V low0;
+    V high0;
+    V low1;
+    V high1;
+    V ceiling;
+    V latest;
+    V lost;
+} LANES(court_backboard_prepare_out);
+
+LANES_INLINE LANES(court_backboard_prepare_out)
+LANES(court_backboard_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_gravity)
+{
+    const V _s0 = lanes_abs(vx);
+    const V _s1 = lanes_mul(K(0.5), p_board_thickness);
+    const V _s2 = lanes_add(p_ball_radius, _s1);
+    const V _s3 = lanes_mul(K(0.5), p_board_top);
+    const V _s4 = lanes_add(p_ball_radius, _s3);
+    const V _s5 = lanes_mul(K(0.5), p_board_bottom);
+    const V _s6 = lanes_sub(_s4, _s5);
+    const V _s7 = lanes_add(p_ball_radius, p_board_half_width);
+    const V _s8 = lanes_min(_s7, _s2);
+    const V _s9 = lanes_min(_s6, _s8);
+    const V _s10 = lanes_mul(K(6.103515625e-05), _s9);
+    const V _s11 = lanes_add(_s2, _s10);
+    const V _s12 = lanes_add(p_board_distance, _s1);
+    const V _s13 = lanes_add(_s12, x);
+    const V _s14 = lanes_select(lanes_less(vx, K(0.0)), lanes_neg(_s13), _s13);
+    const V _s15 = lanes_div(lanes_neg(lanes_add(_s11, _s14)), _s0);
+    const V _s16 = lanes_max(K(0.0), _s15);
+    const V _s17 = lanes_abs(vy);
+    const V _s18 = lanes_add(_s7, _s10);
+    const V _s19 = lanes_select(lanes_less(vy, K(0.0)), lanes_neg(y), y);
+    const V _s20 = lanes_div(lanes_neg(lanes_add(_s18, _s19)), _s17);
+    const V _s21 = lanes_max(_s16, _s20);
+    const V _s22 = lanes_mul(vz, vz);
+    const V _s23 = lanes_sub(lanes_sub(z, _s5), _s3);
+    const V _s24 = lanes_sub(lanes_add(_s4, _s10), _s5);
+    const V _s25 = lanes_mul(K(2.0), p_gravity);
+    const V _s26 = lanes_add(_s22, lanes_mul(_s25, lanes_add(_s23, _s24)));
+    const V _s27 = lanes_div(K(1.0), p_gravity);
+    const V _s28 = lanes_sqrt(_s26);
+    const M _s29 = lanes_at_most(K(0.0), _s26);
+    const V _s30 = lanes_select(_s29, lanes_mul(_s27, lanes_sub(vz, _s28)), K(INFINITY));
+    const V _s31 = lanes_max(_s21, _s30);
+    const V _s32 = lanes_add(_s22, lanes_mul(_s25, lanes_sub(_s23, _s24)));
+    const V _s33 = lanes_sqrt(lanes_max(_s32, K(0.0)));
+    const V _s34 = lanes_select(_s29, lanes_mul(_s27, lanes_add(vz, _s28)), K(-INFINITY));
+    const M _s35 = lanes_less(K(0.0), _s32);
+    const V _s36 = lanes_select(_s35, lanes_mul(_s27, lanes_sub(vz, _s33)), _s34);
+    const V _s37 = lanes_div(lanes_sub(_s18, _s19), _s17);
+    const V _s38 = lanes_div(lanes_sub(_s11, _s14), _s0);
+    const V _s39 = lanes_min(_s38, K(INFINITY));
+    const V _s40 = lanes_min(_s37, _s39);
+    const V _s41 = lanes_min(_s36, _s40);
+    const V _s42 = lanes_select(_s35, lanes_mul(_s27, lanes_add(vz, _s33)), K(INFINITY));
+    const V _s43 = lanes_max(_s21, _s42);
+    const V _s44 = lanes_min(_s34, _s40);
+    const V _s45 = lanes_max(K(0.0), _s41);
+    const V _s46 = lanes_max(_s45, _s44);
+    const V _s47 = lanes_min(_s46, horizon);
+    const V _s48 = lanes_add(speed, lanes_mul(p_gravity, _s47));
+    const V _s49 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(K(1.25), lanes_abs(lanes_neg(p_gravity))), lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s9))), lanes_mul(K(3.0), lanes_mul(_s48, _s48))));
+    const V _s50 = lanes_max(_s2, _s7);
+    const V _s51 = lanes_add(lanes_add(lanes_add(_s12, extent), lanes_abs(lanes_add(_s5, _s3))), lanes_max(_s50, _s6));
+    const V _s52 = lanes_add(lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s27, lanes_add(_s51, _s9)))), lanes_mul(lanes_mul(K(2.0), speed), _s27));
+    const V _s53 = lanes_sub(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s52, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _s27), _s51))), lanes_mul(K(1.52587890625e-05), _s9));
+    return (LANES(court_backboard_prepare_out)){ lanes_max(K(0.0), _s31), lanes_min(_s41, horizon), lanes_max(K(0.0), _s43), lanes_min(_s44, horizon), _s49, _s47, _s53 };
+}
+
+/* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
+   running error analysis. 83 operations: 31 additions, 1 subtraction, 45 multiplications, 2 absolute values, 2 comparisons, 2 selections. */
+typedef struct {
+    V margin;
+    V leaving_margin;
+    V rate_margin;
+} LANES(court_backboard_margins_out);
+
+LANES_INLINE LANES(court_backboard_margins_out)
+LANES(court_backboard_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_gravity)
+{
+    const V _s0 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_top)), lanes_mul(K(0.5), p_board_bottom));
+    const V _s1 = lanes_add(p_ball_radius, p_board_half_width);
+    const V _s2 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_thickness));
+    const V _s3 = lanes_min(_s1, _s2);
+    const V _s4 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s0, _s3)));
+    const V _s5 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s6 = lanes_add(extent, lanes_mul(horizon, _s5));
+    const V _s7 = lanes_mul(K(2.220446049250313e-16), _s6);
+    const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s6)));
+    const V _s9 = lanes_add(lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_half_width), _s7), _s8);
+    const V _s10 = lanes_mul(K(2.001953125), _s4);
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_mul(K(3.3306690738754696e-16), p_board_distance), lanes_mul(K(2.220446049250313e-16), p_board_thickness)), lanes_mul(K(3.3306690738754696e-16), _s6)), _s8);
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_bottom)), lanes_mul(K(2.220446049250313e-16), lanes_abs(p_board_top))), _s7), _s8);
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(K(5.55653613398821e-16), lanes_mul(p_ball_radius, p_ball_radius)), lanes_mul(_s10, _s9)), lanes_mul(_s10, _s11)), lanes_mul(_s10, _s12)), lanes_mul(lanes_mul(lanes_mul(K(1.3335686721571705e-15), horizon), _s4), _s5));
+    const V _s14 = lanes_mul(K(4.00390625), _s5);
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(12.01171875), _s4), lanes_add(velocity_error, lanes_mul(K(3.3306690738754696e-16), _s5))), lanes_mul(lanes_mul(K(6.667843360785852e-15), _s4), _s5)), lanes_mul(_s14, _s9)), lanes_mul(_s14, _s11));
+    const V _s16 = lanes_mul(K(2.001953125), _s5);
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.005859375), _s4), lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s5))), lanes_mul(lanes_mul(K(2.667137344314341e-15), _s4), _s5)), lanes_mul(_s16, _s9)), lanes_mul(_s16, _s11));
+    return (LANES(court_backboard_margins_out)){ lanes_add(_s13, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s4, _s4))), lanes_add(_s15, lanes_mul(_s14, _s12)), lanes_add(_s17, lanes_mul(_s16, _s12)) };
+}
+
+/* Newton's next value of a root near t, and the rate there.
+   Newton's method. 101 operations: 19 additions, 19 subtractions, 26 multiplications, 1 division, 4 negations, 16 comparisons, 16 selections. */
+typedef struct {
+    V time;
+    V rate;
+} LANES(court_backboard_refine_out);
+
+LANES_INLINE LANES(court_backboard_refine_out)
+LANES(court_backboard_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_gravity)
+{
+    const V _s0 = lanes_add(x, lanes_mul(t, vx));
+    const V _s1 = lanes_add(p_board_distance, _s0);
+    const V _s2 = lanes_add(p_board_distance, p_board_thickness);
+    const V _s3 = lanes_neg(lanes_add(_s2, _s0));
+    const V _s4 = lanes_sub(lanes_max(_s1, K(0.0)), lanes_max(_s3, K(0.0)));
+    const V _s5 = lanes_add(y, lanes_mul(t, vy));
+    const V _s6 = lanes_sub(_s5, p_board_half_width);
+    const V _s7 = lanes_neg(lanes_add(p_board_half_width, _s5));
+    const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
+    const V _s9 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s10 = lanes_add(z, lanes_mul(t, _s9));
+    const V _s11 = lanes_sub(_s10, p_board_top);
+    const V _s12 = lanes_sub(p_board_bottom, _s10);
+    const V _s13 = lanes_sub(lanes_max(_s11, K(0.0)), lanes_max(_s12, K(0.0)));
+    const V _s14 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(vx, _s4), lanes_mul(vy, _s8)), lanes_mul(lanes_sub(vz, lanes_mul(p_gravity, t)), _s13)));
+    const V _s15 = lanes_sub(z, p_board_top);
+    const V _s16 = lanes_sub(p_board_bottom, z);
+    const V _s17 = lanes_sub(lanes_max(_s15, K(0.0)), lanes_max(_s16, K(0.0)));
+    const V _s18 = lanes_mul(_s13, _s13);
+    const V _s19 = lanes_add(p_board_distance, x);
+    const V _s20 = lanes_neg(lanes_add(_s2, x));
+    const V _s21 = lanes_sub(lanes_max(_s19, K(0.0)), lanes_max(_s20, K(0.0)));
+    const V _s22 = lanes_mul(_s4, _s4);
+    const V _s23 = lanes_sub(y, p_board_half_width);
+    const V _s24 = lanes_neg(lanes_add(p_board_half_width, y));
+    const V _s25 = lanes_sub(lanes_max(_s23, K(0.0)), lanes_max(_s24, K(0.0)));
+    const V _s26 = lanes_mul(_s8, _s8);
+    const V _s27 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s17, _s13)), lanes_mul(t, lanes_mul(_s9, lanes_add(_s17, _s13))), lanes_sub(_s18, lanes_mul(_s17, _s17))), lanes_select(lanes_less(K(0.0), lanes_mul(_s21, _s4)), lanes_mul(t, lanes_mul(vx, lanes_add(_s21, _s4))), lanes_sub(_s22, lanes_mul(_s21, _s21)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s25, _s8)), lanes_mul(t, lanes_mul(vy, lanes_add(_s25, _s8))), lanes_sub(_s26, lanes_mul(_s25, _s25))));
+    const V _s28 = lanes_sub(t, lanes_div(lanes_select(lanes_less(K(0.0), leaving), _s27, lanes_sub(lanes_add(lanes_add(_s18, _s22), _s26), lanes_mul(p_ball_radius, p_ball_radius))), _s14));
+    return (LANES(court_backboard_refine_out)){ _s28, _s14 };
+}
+
+/* Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
+   Newton from the left under a curvature bound. 194 operations: 33 additions, 26 subtractions, 51 multiplications, 3 divisions, 1 square root, 8 negations, 5 absolute values, 32 comparisons, 35 selections. */
+typedef struct {
+    V gap;
+    V rate;
+    V bend;
+    V step;
+    V next;
+    V root;
+    V clearance;
+} LANES(court_backboard_advance_out);
+
+LANES_INLINE LANES(court_backboard_advance_out)
+LANES(court_backboard_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V p_ball_radius, V p_board_distance, V p_board_half_width, V p_board_bottom, V p_board_top, V p_board_thickness, V p_gravity)
+{
+    const V _s0 = lanes_sub(z, p_board_top);
+    const V _s1 = lanes_sub(p_board_bottom, z);
+    const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s3 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s4 = lanes_add(z, lanes_mul(t, _s3));
+    const V _s5 = lanes_sub(_s4, p_board_top);
+    const V _s6 = lanes_sub(p_board_bottom, _s4);
+    const V _s7 = lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)));
+    const V _s8 = lanes_mul(_s7, _s7);
+    const V _s9 = lanes_add(p_board_distance, x);
+    const V _s10 = lanes_add(p_board_distance, p_board_thickness);
+    const V _s11 = lanes_neg(lanes_add(_s10, x));
+    const V _s12 = lanes_sub(lanes_max(_s9, K(0.0)), lanes_max(_s11, K(0.0)));
+    const V _s13 = lanes_add(x, lanes_mul(t, vx));
+    const V _s14 = lanes_add(p_board_distance, _s13);
+    const V _s15 = lanes_neg(lanes_add(_s10, _s13));
+    const V _s16 = lanes_sub(lanes_max(_s14, K(0.0)), lanes_max(_s15, K(0.0)));
+    const V _s17 = lanes_mul(_s16, _s16);
+    const V _s18 = lanes_sub(y, p_board_half_width);
+    const V _s19 = lanes_neg(lanes_add(p_board_half_width, y));
+    const V _s20 = lanes_sub(lanes_max(_s18, K(0.0)), lanes_max(_s19, K(0.0)));
+    const V _s21 = lanes_add(y, lanes_mul(t, vy));
+    const V _s22 = lanes_sub(_s21, p_board_half_width);
+    const V _s23 = lanes_neg(lanes_add(p_board_half_width, _s21));
+    const V _s24 = lanes_sub(lanes_max(_s22, K(0.0)), lanes_max(_s23, K(0.0)));
+    const V _s25 = lanes_mul(_s24, _s24);
+    const V _s26 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s2, _s7)), lanes_mul(t, lanes_mul(_s3, lanes_add(_s2, _s7))), lanes_sub(_s8, lanes_mul(_s2, _s2))), lanes_select(lanes_less(K(0.0), lanes_mul(_s12, _s16)), lanes_mul(t, lanes_mul(vx, lanes_add(_s12, _s16))), lanes_sub(_s17, lanes_mul(_s12, _s12)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s20, _s24)), lanes_mul(t, lanes_mul(vy, lanes_add(_s20, _s24))), lanes_sub(_s25, lanes_mul(_s20, _s20))));
+    const V _s27 = lanes_select(lanes_less(K(0.0), leaving), _s26, lanes_sub(lanes_add(lanes_add(_s8, _s17), _s25), lanes_mul(p_ball_radius, p_ball_radius)));
+    const V _s28 = lanes_sub(vz, lanes_mul(p_gravity, t));
+    const V _s29 = lanes_add(lanes_add(lanes_mul(vx, _s16), lanes_mul(vy, _s24)), lanes_mul(_s28, _s7));
+    const V _s30 = lanes_mul(K(2.0), _s29);
+    const V _s31 = lanes_abs(_s7);
+    const V _s32 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), _s31), lanes_sub(lanes_mul(_s28, _s28), lanes_mul(p_gravity, _s7)), K(0.0)), lanes_select(lanes_less(K(0.0), lanes_abs(_s16)), lanes_mul(vx, vx), K(0.0))), lanes_select(lanes_less(K(0.0), lanes_abs(_s24)), lanes_mul(vy, vy), K(0.0))));
+    const V _s33 = lanes_abs(lanes_neg(p_gravity));
+    const V _s34 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_top)), lanes_mul(K(0.5), p_board_bottom));
+    const V _s35 = lanes_add(p_ball_radius, p_board_half_width);
+    const V _s36 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_thickness));
+    const V _s37 = lanes_min(_s35, _s36);
+    const V _s38 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s34, _s37)));
+    const V _s39 = lanes_sub(_s30, rate_margin);
+    const V _s40 = lanes_sub(_s27, margin);
+    const V _s41 = lanes_max(_s40, K(0.0));
+    const V _s42 = lanes_neg(_s32);
+    const M _s43 = lanes_less(_s39, K(0.0));
+    const V _s44 = lanes_mul(K(2.0), _s41);
+    const V _s45 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s39), _s41, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s43, _s44, lanes_mul(K(4.0), _s39)), lanes_select(_s43, lanes_neg(_s39), lanes_max(K(0.0), _s42))));
+    const V _s46 = lanes_sub(end, t);
+    const V _s47 = lanes_min(_s45, _s46);
+    const V _s48 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(0.5), _s33), _s47), lanes_abs(_s28)), _s47), _s31);
+    const V _s49 = lanes_add(lanes_mul(K(9.094947017729282e-13), ceiling), lanes_mul(K(2.0), lanes_mul(_s33, lanes_min(_s38, _s48))));
+    const V _s50 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s49), _s41), lanes_mul(_s39, _s39));
+    const V _s51 = lanes_sqrt(_s50);
+    const V _s52 = lanes_select(lanes_at_most(K(0.0), _s50), lanes_div(lanes_select(_s43, _s44, lanes_add(_s39, _s51)), lanes_select(_s43, lanes_sub(_s51, _s39), lanes_max(K(0.0), _s49))), K(INFINITY));
+    const V _s53 = lanes_min(_s52, _s47);
+    const V _s54 = lanes_neg(lanes_add(rate_margin, _s30));
+    return (LANES(court_backboard_advance_out)){ _s27, _s30, _s32, _s53, lanes_add(t, _s53), lanes_sub(t, lanes_div(lanes_mul(K(0.5), _s27), _s29)), lanes_select(lanes_less(K(0.0), _s54), lanes_sub(lanes_mul(_s54, _s54), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, lanes_mul(K(32.0), _s41)))), _s54) };
+}
+
+/* The distance, its rate, and how fast it bends down at most, by the squared speed.
+   Table 2. 59 operations: 8 additions, 10 subtractions, 10 multiplications, 1 division, 1 square root, 5 negations, 12 comparisons, 12 selections. */
+typedef struct {
+    V gap;
+    V nearing;
+    V dent;
+} LANES(court_backboard_beside_out);
+
+LANES_INLINE LANES(court_backboard_beside_out)
+LANES(court_backboard_beside)(V p_ball_radius, V p_board_bottom, V p_board_distance, V p_board_half_width, V p_board_thickness, V p_board_top, V vx, V vy, V vz, V x, V y, V z)
+{
+    const V _s0 = lanes_sub(z, p_board_top);
+    const V _s1 = lanes_sub(p_board_bottom, z);
+    const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s3 = lanes_add(p_board_distance, x);
+    const V _s4 = lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x));
+    const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
+    const V _s6 = lanes_sub(y, p_board_half_width);
+    const V _s7 = lanes_neg(lanes_add(p_board_half_width, y));
+    const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
+    const V _s9 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8)));
+    const V _s10 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vz)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s3, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s4, K(0.0)), K(0.0), lanes_neg(vx)))), _s5));
+    const V _s11 = lanes_add(_s10, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s6, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s7, K(0.0)), K(0.0), lanes_neg(vy)))), _s8));
+    return (LANES(court_backboard_beside_out)){ lanes_sub(_s9, p_ball_radius), lanes_div(lanes_mul(K(0.5), _s11), _s9), K(0.0) };
+}
+
+/* The distance.
+   Table 2. 31 operations: 6 additions, 7 subtractions, 3 multiplications, 1 square root, 2 negations, 6 comparisons, 6 selections. */
+typedef struct {
+    V gap;
+} LANES(court_backboard_off_out);
+
+LANES_INLINE LANES(court_backboard_off_out)
+LANES(court_backboard_off)(V p_ball_radius, V p_board_bottom, V p_board_distance, V p_board_half_width, V p_board_thickness, V p_board_top, V x, V y, V z)
+{
+    const V _s0 = lanes_sub(z, p_board_top);
+    const V _s1 = lanes_sub(p_board_bottom, z);
+    const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s3 = lanes_add(p_board_distance, x);
+    const V _s4 = lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x));
+    const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
+    const V _s6 = lanes_sub(y, p_board_half_width);
+    const V _s7 = lanes_neg(lanes_add(p_board_half_width, y));
+    const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
+    return (LANES(court_backboard_off_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8))), p_ball_radius) };
+}
+
+/* What a ball that stays on it rolls on.
+   Table 2. 65 operations: 9 additions, 3 subtractions, 6 multiplications, 1 division, 8 negations, 2 absolute values, 18 comparisons, 6 conjunctions, 9 disjunctions, 3 selections. */
+typedef struct {
+    V bent_x;
+    V bent_y;
+    V bent_z;
+    V per_reach;
+    V ring;
+} LANES(court_backboard_tube_out);
+
+LANES_INLINE LANES(court_backboard_tube_out)
+LANES(court_backboard_tube)(V p_ball_radius, V p_board_bottom, V p_board_distance, V p_board_half_width, V p_board_thickness, V p_board_top, V vx, V vy, V vz, V x, V y, V z)
+{
+    const V _s0 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
+    const V _s1 = lanes_add(lanes_add(_s0, lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness));
+    const V _s2 = lanes_add(p_board_distance, x);
+    const V _s3 = lanes_neg(_s1);
+    const V _s4 = lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x));
+    const V _s5 = lanes_select(lanes_either(lanes_either(lanes_less(_s1, _s2), lanes_both(lanes_less(_s3, _s2), lanes_less(K(0.0), vx))), lanes_either(lanes_less(_s1, _s4), lanes_both(lanes_less(_s3, _s4), lanes_less(K(0.0), lanes_neg(vx))))), K(1.0), K(0.0));
+    const V _s6 = lanes_add(_s0, lanes_mul(K(2.842170943040401e-14), p_board_half_width));
+    const V _s7 = lanes_sub(y, p_board_half_width);
+    const V _s8 = lanes_neg(_s6);
+    const V _s9 = lanes_neg(lanes_add(p_board_half_width, y));
+    const V _s10 = lanes_select(lanes_either(lanes_either(lanes_less(_s6, _s7), lanes_both(lanes_less(_s8, _s7), lanes_less(K(0.0), vy))), lanes_either(lanes_less(_s6, _s9), lanes_both(lanes_less(_s8, _s9), lanes_less(K(0.0), lanes_neg(vy))))), K(1.0), K(0.0));
+    const V _s11 = lanes_add(lanes_add(_s0, lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_bottom))), lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_top)));
+    const V _s12 = lanes_sub(z, p_board_top);
+    const V _s13 = lanes_neg(_s11);
+    const V _s14 = lanes_sub(p_board_bottom, z);
+    const V _s15 = lanes_select(lanes_either(lanes_either(lanes_less(_s11, _s12), lanes_both(lanes_less(_s13, _s12), lanes_less(K(0.0), vz))), lanes_either(lanes_less(_s11, _s14), lanes_both(lanes_less(_s13, _s14), lanes_less(K(0.0), lanes_neg(vz))))), K(1.0), K(0.0));
+    return (LANES(court_backboard_tube_out)){ _s5, _s10, _s15, lanes_div(K(1.0), p_ball_radius), K(0.0) };
+}
+
+/* The rate at which the normal turns.
+   derivative of Table 2's normal. 31 operations: 4 additions, 6 subtractions, 3 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections. */
+typedef struct {
+    V turning_x;
+    V turning_y;
+    V turning_z;
+} LANES(court_backboard_turning_out);
+
+LANES_INLINE LANES(court_backboard_turning_out)
+LANES(court_backboard_turning)(V p_ball_radius, V p_board_bottom, V p_board_distance, V p_board_half_width, V p_board_thickness, V p_board_top, V rolled_x, V rolled_y, V rolled_z, V x, V y, V z)
+{
+    const V _s0 = lanes_div(K(1.0), p_ball_radius);
+    const V _s1 = lanes_sub(lanes_select(lanes_less(lanes_add(p_board_distance, x), K(0.0)), K(0.0), rolled_x), lanes_select(lanes_less(lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x)), K(0.0)), K(0.0), lanes_neg(rolled_x)));
+    const V _s2 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(y, p_board_half_width), K(0.0)), K(0.0), rolled_y), lanes_select(lanes_less(lanes_neg(lanes_add(p_board_half_width, y)), K(0.0)), K(0.0), lanes_neg(rolled_y))));
+    return (LANES(court_backboard_turning_out)){ lanes_mul(_s0, _s1), _s2, lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(z, p_board_top), K(0.0)), K(0.0), rolled_z), lanes_select(lanes_less(lanes_sub(p_board_bottom, z), K(0.0)), K(0.0), lanes_neg(rolled_z)))) };
+}
+
+/* The second to the fourth derivative of the distance along a flight.
+   derivatives of Table 2's distance. 112 operations: 13 additions, 15 subtractions, 41 multiplications, 10 divisions, 1 square root, 6 negations, 12 comparisons, 14 selections. */
+typedef struct {
+    V lift;
+    V surge;
+    V snap;
+} LANES(court_backboard_parting_out);
+
+LANES_INLINE LANES(court_backboard_parting_out)
+LANES(court_backboard_parting)(V p_board_bottom, V p_board_distance, V p_board_half_width, V p_board_thickness, V p_board_top, V p_gravity, V vx, V vy, V vz, V x, V y, V z)
+{
+    const V _s0 = lanes_sub(z, p_board_top);
+    const M _s1 = lanes_less(_s0, K(0.0));
+    const V _s2 = lanes_sub(p_board_bottom, z);
+    const M _s3 = lanes_less(_s2, K(0.0));
+    const V _s4 = lanes_sub(lanes_select(_s1, K(0.0), lanes_neg(p_gravity)), lanes_select(_s3, K(0.0), p_gravity));
+    const V _s5 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s2, K(0.0)));
+    const V _s6 = lanes_sub(lanes_select(_s1, K(0.0), vz), lanes_select(_s3, K(0.0), lanes_neg(vz)));
+    const V _s7 = lanes_add(p_board_distance, x);
+    const V _s8 = lanes_neg(lanes_add(lanes_add(p_board_distance, p_board_thickness), x));
+    const V _s9 = lanes_sub(lanes_select(lanes_less(_s7, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s8, K(0.0)), K(0.0), lanes_neg(vx)));
+    const V _s10 = lanes_sub(y, p_board_half_width);
+    const V _s11 = lanes_neg(lanes_add(p_board_half_width, y));
+    const V _s12 = lanes_sub(lanes_select(lanes_less(_s10, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s11, K(0.0)), K(0.0), lanes_neg(vy)));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s5), lanes_mul(K(2.0), lanes_mul(_s6, _s6))), lanes_mul(K(2.0), lanes_mul(_s9, _s9))), lanes_mul(K(2.0), lanes_mul(_s12, _s12)));
+    const V _s14 = lanes_sub(lanes_max(_s7, K(0.0)), lanes_max(_s8, K(0.0)));
+    const V _s15 = lanes_sub(lanes_max(_s10, K(0.0)), lanes_max(_s11, K(0.0)));
+    const V _s16 = lanes_add(lanes_add(lanes_mul(_s5, _s5), lanes_mul(_s14, _s14)), lanes_mul(_s15, _s15));
+    const V _s17 = lanes_sqrt(_s16);
+    const V _s18 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s6), _s5), lanes_mul(lanes_mul(K(2.0), _s9), _s14)), lanes_mul(lanes_mul(K(2.0), _s12), _s15));
+    const V _s19 = lanes_mul(_s18, _s18);
+    const V _s20 = lanes_mul(_s17, _s16);
+    const V _s21 = lanes_mul(lanes_mul(K(6.0), _s4), _s6);
+    const V _s22 = lanes_mul(_s16, _s16);
+    const V _s23 = lanes_mul(_s17, _s22);
+    const V _s24 = lanes_sub(lanes_add(lanes_div(lanes_mul(K(0.5), lanes_mul(K(6.0), lanes_mul(_s4, _s4))), _s17), lanes_div(lanes_mul(lanes_mul(K(2.25), _s19), _s13), _s23)), lanes_div(lanes_mul(K(0.9375), lanes_mul(_s19, _s19)), lanes_mul(_s20, _s22)));
+    return (LANES(court_backboard_parting_out)){ lanes_sub(lanes_div(lanes_mul(K(0.5), _s13), _s17), lanes_div(lanes_mul(K(0.25), _s19), _s20)), lanes_sub(lanes_add(lanes_div(lanes_mul(K(0.5), _s21), _s17), lanes_div(lanes_mul(K(0.375), lanes_mul(_s18, _s19)), _s23)), lanes_div(lanes_mul(lanes_mul(K(0.75), _s18), _s13), _s20)), lanes_sub(lanes_sub(_s24, lanes_div(lanes_mul(K(0.75), lanes_mul(_s13, _s13)), _s20)), lanes_div(lanes_mul(_s21, _s18), _s20)) };
+}
+
+/* How far the ball is from a seam of the surface, and how fast.
+   Table 2. 7 operations: 4 additions, 3 multiplications. */
+typedef struct {
+    V gap;
+    V nearing;
+    V near;
+} LANES(court_backboard_seam0_out);
+
+LANES_INLINE LANES(court_backboard_seam0_out)
+LANES(court_backboard_seam0)(V p_ball_radius, V p_board_distance, V p_board_thickness, V vx, V x)
+{
+    return (LANES(court_backboard_seam0_out)){ lanes_add(lanes_add(p_board_distance, p_board_thickness), x), vx, lanes_add(lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness)) };
+}
+
+/* How far the ball is from a seam of the surface, and how fast.
+   Table 2. 6 operations: 3 additions, 3 multiplications. */
+typedef struct {
+    V gap;
+    V nearing;
+    V near;
+} LANES(court_backboard_seam1_out);
+
+LANES_INLINE LANES(court_backboard_seam1_out)
+LANES(court_backboard_seam1)(V p_ball_radius, V p_board_distance, V p_board_thickness, V vx, V x)
+{
+    return (LANES(court_backboard_seam1_out)){ lanes_add(p_board_distance, x), vx, lanes_add(lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(2.842170943040401e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_board_thickness)) };
+}
+
+/* How far the ball is from a seam of the surface, and how fast.
+   Table 2. 4 operations: 2 additions, 2 multiplications. */
+typedef struct {
+    V gap;
+    V nearing;
+    V near;
+} LANES(court_backboard_seam2_out);
+
+LANES_INLINE LANES(court_backboard_seam2_out)
+LANES(court_backboard_seam2)(V p_ball_radius, V p_board_half_width, V vy, V y)
+{
+    return (LANES(court_backboard_seam2_out)){ lanes_add(p_board_half_width, y), vy, lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(2.842170943040401e-14), p_board_half_width)) };
+}
+
+/* How far the ball is from a seam of the surface, and how fast.
+   Table 2. 4 operations: 1 addition, 1 subtraction, 2 multiplications. */
+typedef struct {
+    V gap;
+    V nearing;
+    V near;
+} LANES(court_backboard_seam3_out);
+
+LANES_INLINE LANES(court_backboard_seam3_out)
+LANES(court_backboard_seam3)(V p_ball_radius, V p_board_half_width, V vy, V y)
+{
+    return (LANES(court_backboard_seam3_out)){ lanes_sub(y, p_board_half_width), vy, lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(2.842170943040401e-14), p_board_half_width)) };
+}
+
+/* How far the ball is from a seam of the surface, and how fast.
+   Table 2. 8 operations: 2 additions, 1 subtraction, 3 multiplications, 2 absolute values. */
+typedef struct {
+    V gap;
+    V nearing;
+    V near;
+} LANES(court_backboard_seam4_out);
+
+LANES_INLINE LANES(court_backboard_seam4_out)
+LANES(court_backboard_seam4)(V p_ball_radius, V p_board_bottom, V p_board_top, V vz, V z)
+{
+    return (LANES(court_backboard_seam4_out)){ lanes_sub(z, p_board_bottom), vz, lanes_add(lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_bottom))), lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_top))) };
+}
+
+/* How far the ball is from a seam of the surface, and how fast.
+   Table 2. 8 operations: 2 additions, 1 subtraction, 3 multiplications, 2 absolute values. */
+typedef struct {
+    V gap;
+    V nearing;
+    V near;
+} LANES(court_backboard_seam5_out);
+
+LANES_INLINE LANES(court_backboard_seam5_out)
+LANES(court_backboard_seam5)(V p_ball_radius, V p_board_bottom, V p_board_top, V vz, V z)
+{
+    return (LANES(court_backboard_seam5_out)){ lanes_sub(z, p_board_top), vz, lanes_add(lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_bottom))), lanes_mul(K(1.4210854715202004e-14), lanes_abs(p_board_top))) };
+}
+
+/* The first window that begins no earlier than a time, if there is one.
+   Table 1. 12 operations: 4 comparisons, 2 conjunctions, 2 disjunctions, 4 selections. */
+typedef struct {
+    V t;
+    V end;
+    M searching;
+} LANES(court_backboard_enter_out);
+
+LANES_INLINE LANES(court_backboard_enter_out)
+LANES(court_backboard_enter)(V after, V end, V high0, V high1, V low0, V low1, V t)
+{
+    const M _s0 = lanes_both(lanes_less(low0, high0), lanes_at_most(after, low0));
+    const M _s1 = lanes_both(lanes_less(low1, high1), lanes_at_most(after, low1));
+    return (LANES(court_backboard_enter_out)){ lanes_select(_s0, low0, lanes_select(_s1, low1, t)), lanes_select(_s0, high0, lanes_select(_s1, high1, end)), lanes_either(lanes_either(lanes_nowhere(), _s1), _s0) };
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. 28 operations: 3 additions, 7 subtractions, 3 multiplications, 1 division, 2 negations, 6 comparisons, 6 selections. */
+typedef struct {
+    V nx;
+    V ny;
+    V nz;
+} LANES(court_bridge_normal_out);
+
+LANES_INLINE LANES(court_bridge_normal_out)
+LANES(court_bridge_normal)(V x, V y, V z, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth)
+{
+    const V _s0 = lanes_div(K(1.0), p_ball_radius);
+    const V _s1 = lanes_add(p_ring_radius, x);
+    const V _s2 = lanes_neg(lanes_add(p_board_distance, x));
+    const V _s3 = lanes_sub(y, p_bridge_half_width);
+    const V _s4 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s5 = lanes_sub(z, p_wire_radius);
+    const V _s6 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
+    return (LANES(court_bridge_normal_out)){ lanes_mul(_s0, lanes_sub(lanes_max(_s1, K(0.0)), lanes_max(_s2, K(0.0)))), lanes_mul(_s0, lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)))), lanes_mul(_s0, lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)))) };
+}
+
+/* Bound on the rate at which the normal turns along the contact surface.
+   Table 2. 1 operation: 1 division. */
+typedef struct {
+    V curvature;
+} LANES(court_bridge_curvature_out);
+
+LANES_INLINE LANES(court_bridge_curvature_out)
+LANES(court_bridge_curvature)(V p_ball_radius)
+{
+    return (LANES(court_bridge_curvature_out)){ lanes_div(K(1.0), p_ball_radius) };
+}
+
+/* Error of the normal, from that of the position.
+   derivative of Table 2's normal. 32 operations: 3 additions, 7 subtractions, 4 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections. */
+typedef struct {
+    V dnx;
+    V dny;
+    V dnz;
+    V turn;
+} LANES(court_bridge_carry_normal_out);
+
+LANES_INLINE LANES(court_bridge_carry_normal_out)
+LANES(court_bridge_carry_normal)(V x, V y, V z, V dx, V dy, V dz, V shift, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth)
+{
+    const V _s0 = lanes_div(K(1.0), p_ball_radius);
+    const V _s1 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_add(p_ring_radius, x), K(0.0)), K(0.0), dx), lanes_select(lanes_less(lanes_neg(lanes_add(p_board_distance, x)), K(0.0)), K(0.0), lanes_neg(dx))));
+    const V _s2 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(y, p_bridge_half_width), K(0.0)), K(0.0), dy), lanes_select(lanes_less(lanes_neg(lanes_add(p_bridge_half_width, y)), K(0.0)), K(0.0), lanes_neg(dy))));
+    const V _s3 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(z, p_wire_radius), K(0.0)), K(0.0), dz), lanes_select(lanes_less(lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z), K(0.0)), K(0.0), lanes_neg(dz))));
+    return (LANES(court_bridge_carry_normal_out)){ _s1, _s2, _s3, lanes_mul(shift, _s0) };
+}
+
+/* Positive if there certainly is no contact before the horizon.
+   bounds of the event condition. 124 operations: 25 additions, 10 subtractions, 21 multiplications, 5 divisions, 4 square roots, 4 negations, 3 absolute values, 25 comparisons, 27 selections. */
+typedef struct {
+    V clear;
+} LANES(court_bridge_clear_out);
+
+LANES_INLINE LANES(court_bridge_clear_out)
+LANES(court_bridge_clear)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth, V p_gravity)
+{
+    const V _s0 = lanes_div(K(1.0), p_gravity);
+    const V _s1 = lanes_mul(K(0.5), p_board_distance);
+    const V _s2 = lanes_mul(K(0.5), p_ring_radius);
+    const V _s3 = lanes_mul(K(0.5), p_bridge_depth);
+    const V _s4 = lanes_add(p_ball_radius, _s1);
+    const V _s5 = lanes_sub(_s4, _s2);
+    const V _s6 = lanes_add(p_ball_radius, p_bridge_half_width);
+    const V _s7 = lanes_max(_s5, _s6);
+    const V _s8 = lanes_add(p_ball_radius, _s3);
+    const V _s9 = lanes_add(lanes_add(lanes_add(lanes_add(_s1, extent), _s2), lanes_abs(lanes_sub(_s3, p_wire_radius))), lanes_max(_s7, _s8));
+    const V _s10 = lanes_min(_s6, _s5);
+    const V _s11 = lanes_min(_s8, _s10);
+    const V _s12 = lanes_add(lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s0, lanes_add(_s9, _s11)))), lanes_mul(lanes_mul(K(2.0), speed), _s0));
+    const V _s13 = lanes_sub(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s12, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _s0), _s9))), lanes_mul(K(1.52587890625e-05), _s11));
+    const V _s14 = lanes_abs(vx);
+    const V _s15 = lanes_mul(K(6.103515625e-05), _s11);
+    const V _s16 = lanes_sub(lanes_add(_s4, _s15), _s2);
+    const V _s17 = lanes_add(lanes_add(_s1, _s2), x);
+    const V _s18 = lanes_select(lanes_less(vx, K(0.0)), lanes_neg(_s17), _s17);
+    const V _s19 = lanes_div(lanes_neg(lanes_add(_s16, _s18)), _s14);
+    const V _s20 = lanes_max(K(0.0), _s19);
+    const V _s21 = lanes_abs(vy);
+    const V _s22 = lanes_add(_s6, _s15);
+    const V _s23 = lanes_select(lanes_less(vy, K(0.0)), lanes_neg(y), y);
+    const V _s24 = lanes_div(lanes_neg(lanes_add(_s22, _s23)), _s21);
+    const V _s25 = lanes_max(_s20, _s24);
+    const V _s26 = lanes_mul(vz, vz);
+    const V _s27 = lanes_sub(lanes_add(_s3, z), p_wire_radius);
+    const V _s28 = lanes_add(_s8, _s15);
+    const V _s29 = lanes_mul(K(2.0), p_gravity);
+    const V _s30 = lanes_add(_s26, lanes_mul(_s29, lanes_sub(_s27, _s28)));
+    const V _s31 = lanes_sqrt(lanes_max(_s30, K(0.0)));
+    const M _s32 = lanes_less(K(0.0), _s30);
+    const V _s33 = lanes_select(_s32, lanes_mul(_s0, lanes_add(vz, _s31)), K(INFINITY));
+    const V _s34 = lanes_max(_s25, _s33);
+    const V _s35 = lanes_add(_s26, lanes_mul(_s29, lanes_add(_s28, _s27)));
+    const V _s36 = lanes_sqrt(_s35);
+    const M _s37 = lanes_at_most(K(0.0), _s35);
+    const V _s38 = lanes_select(_s37, lanes_mul(_s0, lanes_add(vz, _s36)), K(-INFINITY));
+    const V _s39 = lanes_div(lanes_sub(_s22, _s23), _s21);
+    const V _s40 = lanes_div(lanes_sub(_s16, _s18), _s14);
+    const V _s41 = lanes_min(_s40, K(INFINITY));
+    const V _s42 = lanes_min(_s39, _s41);
+    const V _s43 = lanes_min(_s38, _s42);
+    const V _s44 = lanes_select(_s37, lanes_mul(_s0, lanes_sub(vz, _s36)), K(INFINITY));
+    const V _s45 = lanes_max(_s25, _s44);
+    const V _s46 = lanes_select(_s32, lanes_mul(_s0, lanes_sub(vz, _s31)), _s38);
+    const V _s47 = lanes_min(_s46, _s42);
+    return (LANES(court_bridge_clear_out)){ lanes_select(lanes_at_most(_s13, K(0.0)), lanes_select(lanes_less(lanes_max(K(0.0), _s34), lanes_min(_s43, horizon)), K(0.0), lanes_select(lanes_less(lanes_max(K(0.0), _s45), lanes_min(_s47, horizon)), K(0.0), K(1.0))), K(0.0)) };
+}
+
+/* Constants and windows of the search along a flight, and the errors it allows for.
+   bounds of the event condition. 136 operations: 28 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections. */
+typedef struct {
+    V low0;
+    V high0;
+    V low1;
+    V high1;
+    V ceiling;
+    V latest;
+    V lost;
+} LANES(court_bridge_prepare_out);
+
+LANES_INLINE LANES(court_bridge_prepare_out)
+LANES(court_bridge_prepare)(V horizon, V x, V y, V z, V vx, V vy, V vz, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth, V p_gravity)
+{
+    const V _s0 = lanes_abs(vx);
+    const V _s1 = lanes_mul(K(0.5), p_board_distance);
+    const V _s2 = lanes_add(p_ball_radius, _s1);
+    const V _s3 = lanes_mul(K(0.5), p_bridge_depth);
+    const V _s4 = lanes_add(p_ball_radius, _s3);
+    const V _s5 = lanes_add(p_ball_radius, p_bridge_half_width);
+    const V _s6 = lanes_mul(K(0.5), p_ring_radius);
+    const V _s7 = lanes_sub(_s2, _s6);
+    const V _s8 = lanes_min(_s5, _s7);
+    const V _s9 = lanes_min(_s4, _s8);
+    const V _s10 = lanes_mul(K(6.103515625e-05), _s9);
+    const V _s11 = lanes_sub(lanes_add(_s2, _s10), _s6);
+    const V _s12 = lanes_add(lanes_add(_s1, _s6), x);
+    const V _s13 = lanes_select(lanes_less(vx, K(0.0)), lanes_neg(_s12), _s12);
+    const V _s14 = lanes_div(lanes_neg(lanes_add(_s11, _s13)), _s0);
+    const V _s15 = lanes_max(K(0.0), _s14);
+    const V _s16 = lanes_abs(vy);
+    const V _s17 = lanes_add(_s5, _s10);
+    const V _s18 = lanes_select(lanes_less(vy, K(0.0)), lanes_neg(y), y);
+    const V _s19 = lanes_div(lanes_neg(lanes_add(_s17, _s18)), _s16);
+    const V _s20 = lanes_max(_s15, _s19);
+    const V _s21 = lanes_mul(vz, vz);
+    const V _s22 = lanes_add(_s4, _s10);
+    const V _s23 = lanes_sub(lanes_add(_s3, z), p_wire_radius);
+    const V _s24 = lanes_mul(K(2.0), p_gravity);
+    const V _s25 = lanes_add(_s21, lanes_mul(_s24, lanes_add(_s22, _s23)));
+    const V _s26 = lanes_div(K(1.0), p_gravity);
+    const V _s27 = lanes_sqrt(_s25);
+    const M _s28 = lanes_at_most(K(0.0), _s25);
+    const V _s29 = lanes_select(_s28, lanes_mul(_s26, lanes_sub(vz, _s27)), K(INFINITY));
+    const V _s30 = lanes_max(_s20, _s29);
+    const V _s31 = lanes_add(_s21, lanes_mul(_s24, lanes_sub(_s23, _s22)));
+    const V _s32 = lanes_sqrt(lanes_max(_s31, K(0.0)));
+    const V _s33 = lanes_select(_s28, lanes_mul(_s26, lanes_add(vz, _s27)), K(-INFINITY));
+    const M _s34 = lanes_less(K(0.0), _s31);
+    const V _s35 = lanes_select(_s34, lanes_mul(_s26, lanes_sub(vz, _s32)), _s33);
+    const V _s36 = lanes_div(lanes_sub(_s17, _s18), _s16);
+    const V _s37 = lanes_div(lanes_sub(_s11, _s13), _s0);
+    const V _s38 = lanes_min(_s37, K(INFINITY));
+    const V _s39 = lanes_min(_s36, _s38);
+    const V _s40 = lanes_min(_s35, _s39);
+    const V _s41 = lanes_select(_s34, lanes_mul(_s26, lanes_add(vz, _s32)), K(INFINITY));
+    const V _s42 = lanes_max(_s20, _s41);
+    const V _s43 = lanes_min(_s33, _s39);
+    const V _s44 = lanes_max(K(0.0), _s40);
+    const V _s45 = lanes_max(_s44, _s43);
+    const V _s46 = lanes_min(_s45, horizon);
+    const V _s47 = lanes_add(speed, lanes_mul(p_gravity, _s46));
+    const V _s48 = lanes_mul(K(2.0), lanes_add(lanes_mul(lanes_mul(K(1.25), lanes_abs(lanes_neg(p_gravity))), lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), _s9))), lanes_mul(K(3.0), lanes_mul(_s47, _s47))));
+    const V _s49 = lanes_max(_s7, _s5);
+    const V _s50 = lanes_add(lanes_add(lanes_add(lanes_add(_s1, extent), _s6), lanes_abs(lanes_sub(_s3, p_wire_radius))), lanes_max(_s49, _s4));
+    const V _s51 = lanes_add(lanes_mul(lanes_sqrt(K(2.0)), lanes_sqrt(lanes_mul(_s26, lanes_add(_s50, _s9)))), lanes_mul(lanes_mul(K(2.0), speed), _s26));
+    const V _s52 = lanes_sub(lanes_add(lanes_add(position_error, lanes_mul(velocity_error, lanes_min(_s51, horizon))), lanes_mul(K(3.552713678800501e-15), lanes_add(lanes_mul(lanes_mul(speed, speed), _s26), _s50))), lanes_mul(K(1.52587890625e-05), _s9));
+    return (LANES(court_bridge_prepare_out)){ lanes_max(K(0.0), _s30), lanes_min(_s40, horizon), lanes_max(K(0.0), _s42), lanes_min(_s43, horizon), _s48, _s46, _s52 };
+}
+
+/* Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
+   running error analysis. 81 operations: 31 additions, 1 subtraction, 45 multiplications, 2 comparisons, 2 selections. */
+typedef struct {
+    V margin;
+    V leaving_margin;
+    V rate_margin;
+} LANES(court_bridge_margins_out);
+
+LANES_INLINE LANES(court_bridge_margins_out)
+LANES(court_bridge_margins)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth, V p_gravity)
+{
+    const V _s0 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_bridge_depth));
+    const V _s1 = lanes_add(p_ball_radius, p_bridge_half_width);
+    const V _s2 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_distance)), lanes_mul(K(0.5), p_ring_radius));
+    const V _s3 = lanes_min(_s1, _s2);
+    const V _s4 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s0, _s3)));
+    const V _s5 = lanes_add(speed, lanes_mul(p_gravity, horizon));
+    const V _s6 = lanes_add(extent, lanes_mul(horizon, _s5));
+    const V _s7 = lanes_mul(K(2.220446049250313e-16), _s6);
+    const V _s8 = lanes_mul(K(2.0), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s6)));
+    const V _s9 = lanes_add(lanes_add(lanes_mul(K(3.3306690738754696e-16), p_bridge_half_width), _s7), _s8);
+    const V _s10 = lanes_mul(K(2.001953125), _s4);
+    const V _s11 = lanes_add(lanes_add(lanes_add(lanes_mul(K(1.1102230246251565e-16), p_board_distance), lanes_mul(K(1.1102230246251565e-16), p_ring_radius)), _s7), _s8);
+    const V _s12 = lanes_add(lanes_add(lanes_add(lanes_mul(K(2.220446049250313e-16), p_bridge_depth), lanes_mul(K(5.551115123125783e-16), p_wire_radius)), lanes_mul(K(3.3306690738754696e-16), _s6)), _s8);
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(K(5.55653613398821e-16), lanes_mul(p_ball_radius, p_ball_radius)), lanes_mul(_s10, _s9)), lanes_mul(_s10, _s11)), lanes_mul(_s10, _s12)), lanes_mul(lanes_mul(lanes_mul(K(1.3335686721571705e-15), horizon), _s4), _s5));
+    const V _s14 = lanes_mul(K(4.00390625), _s5);
+    const V _s15 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(12.01171875), _s4), lanes_add(velocity_error, lanes_mul(K(3.3306690738754696e-16), _s5))), lanes_mul(lanes_mul(K(6.667843360785852e-15), _s4), _s5)), lanes_mul(_s14, _s9)), lanes_mul(_s14, _s11));
+    const V _s16 = lanes_mul(K(2.001953125), _s5);
+    const V _s17 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(6.005859375), _s4), lanes_add(velocity_error, lanes_mul(K(2.220446049250313e-16), _s5))), lanes_mul(lanes_mul(K(2.667137344314341e-15), _s4), _s5)), lanes_mul(_s16, _s9)), lanes_mul(_s16, _s11));
+    return (LANES(court_bridge_margins_out)){ lanes_add(_s13, lanes_mul(K(1.3335686721571705e-15), lanes_mul(_s4, _s4))), lanes_add(_s15, lanes_mul(_s14, _s12)), lanes_add(_s17, lanes_mul(_s16, _s12)) };
+}
+
+/* Newton's next value of a root near t, and the rate there.
+   Newton's method. 101 operations: 18 additions, 20 subtractions, 26 multiplications, 1 division, 4 negations, 16 comparisons, 16 selections. */
+typedef struct {
+    V time;
+    V rate;
+} LANES(court_bridge_refine_out);
+
+LANES_INLINE LANES(court_bridge_refine_out)
+LANES(court_bridge_refine)(V t, V leaving, V x, V y, V z, V vx, V vy, V vz, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth, V p_gravity)
+{
+    const V _s0 = lanes_add(x, lanes_mul(t, vx));
+    const V _s1 = lanes_add(p_ring_radius, _s0);
+    const V _s2 = lanes_neg(lanes_add(p_board_distance, _s0));
+    const V _s3 = lanes_sub(lanes_max(_s1, K(0.0)), lanes_max(_s2, K(0.0)));
+    const V _s4 = lanes_add(y, lanes_mul(t, vy));
+    const V _s5 = lanes_sub(_s4, p_bridge_half_width);
+    const V _s6 = lanes_neg(lanes_add(p_bridge_half_width, _s4));
+    const V _s7 = lanes_sub(lanes_max(_s5, K(0.0)), lanes_max(_s6, K(0.0)));
+    const V _s8 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s9 = lanes_add(z, lanes_mul(t, _s8));
+    const V _s10 = lanes_sub(_s9, p_wire_radius);
+    const V _s11 = lanes_sub(p_wire_radius, p_bridge_depth);
+    const V _s12 = lanes_sub(_s11, _s9);
+    const V _s13 = lanes_sub(lanes_max(_s10, K(0.0)), lanes_max(_s12, K(0.0)));
+    const V _s14 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_mul(vx, _s3), lanes_mul(vy, _s7)), lanes_mul(lanes_sub(vz, lanes_mul(p_gravity, t)), _s13)));
+    const V _s15 = lanes_add(p_ring_radius, x);
+    const V _s16 = lanes_neg(lanes_add(p_board_distance, x));
+    const V _s17 = lanes_sub(lanes_max(_s15, K(0.0)), lanes_max(_s16, K(0.0)));
+    const V _s18 = lanes_mul(_s3, _s3);
+    const V _s19 = lanes_sub(y, p_bridge_half_width);
+    const V _s20 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s21 = lanes_sub(lanes_max(_s19, K(0.0)), lanes_max(_s20, K(0.0)));
+    const V _s22 = lanes_mul(_s7, _s7);
+    const V _s23 = lanes_sub(z, p_wire_radius);
+    const V _s24 = lanes_sub(_s11, z);
+    const V _s25 = lanes_sub(lanes_max(_s23, K(0.0)), lanes_max(_s24, K(0.0)));
+    const V _s26 = lanes_mul(_s13, _s13);
+    const V _s27 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s17, _s3)), lanes_mul(t, lanes_mul(vx, lanes_add(_s17, _s3))), lanes_sub(_s18, lanes_mul(_s17, _s17))), lanes_select(lanes_less(K(0.0), lanes_mul(_s21, _s7)), lanes_mul(t, lanes_mul(vy, lanes_add(_s21, _s7))), lanes_sub(_s22, lanes_mul(_s21, _s21)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s25, _s13)), lanes_mul(t, lanes_mul(_s8, lanes_add(_s25, _s13))), lanes_sub(_s26, lanes_mul(_s25, _s25))));
+    const V _s28 = lanes_sub(t, lanes_div(lanes_select(lanes_less(K(0.0), leaving), _s27, lanes_sub(lanes_add(lanes_add(_s18, _s22), _s26), lanes_mul(p_ball_radius, p_ball_radius))), _s14));
+    return (LANES(court_bridge_refine_out)){ _s28, _s14 };
+}
+
+/* Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
+   Newton from the left under a curvature bound. 194 operations: 32 additions, 27 subtractions, 51 multiplications, 3 divisions, 1 square root, 8 negations, 5 absolute values, 32 comparisons, 35 selections. */
+typedef struct {
+    V gap;
+    V rate;
+    V bend;
+    V step;
+    V next;
+    V root;
+    V clearance;
+} LANES(court_bridge_advance_out);
+
+LANES_INLINE LANES(court_bridge_advance_out)
+LANES(court_bridge_advance)(V t, V end, V leaving, V margin, V rate_margin, V ceiling, V x, V y, V z, V vx, V vy, V vz, V p_ball_radius, V p_ring_radius, V p_wire_radius, V p_board_distance, V p_bridge_half_width, V p_bridge_depth, V p_gravity)
+{
+    const V _s0 = lanes_add(p_ring_radius, x);
+    const V _s1 = lanes_neg(lanes_add(p_board_distance, x));
+    const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s3 = lanes_add(x, lanes_mul(t, vx));
+    const V _s4 = lanes_add(p_ring_radius, _s3);
+    const V _s5 = lanes_neg(lanes_add(p_board_distance, _s3));
+    const V _s6 = lanes_sub(lanes_max(_s4, K(0.0)), lanes_max(_s5, K(0.0)));
+    const V _s7 = lanes_mul(_s6, _s6);
+    const V _s8 = lanes_sub(y, p_bridge_half_width);
+    const V _s9 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s10 = lanes_sub(lanes_max(_s8, K(0.0)), lanes_max(_s9, K(0.0)));
+    const V _s11 = lanes_add(y, lanes_mul(t, vy));
+    const V _s12 = lanes_sub(_s11, p_bridge_half_width);
+    const V _s13 = lanes_neg(lanes_add(p_bridge_half_width, _s11));
+    const V _s14 = lanes_sub(lanes_max(_s12, K(0.0)), lanes_max(_s13, K(0.0)));
+    const V _s15 = lanes_mul(_s14, _s14);
+    const V _s16 = lanes_sub(z, p_wire_radius);
+    const V _s17 = lanes_sub(p_wire_radius, p_bridge_depth);
+    const V _s18 = lanes_sub(_s17, z);
+    const V _s19 = lanes_sub(lanes_max(_s16, K(0.0)), lanes_max(_s18, K(0.0)));
+    const V _s20 = lanes_sub(vz, lanes_mul(lanes_mul(K(0.5), p_gravity), t));
+    const V _s21 = lanes_add(z, lanes_mul(t, _s20));
+    const V _s22 = lanes_sub(_s21, p_wire_radius);
+    const V _s23 = lanes_sub(_s17, _s21);
+    const V _s24 = lanes_sub(lanes_max(_s22, K(0.0)), lanes_max(_s23, K(0.0)));
+    const V _s25 = lanes_mul(_s24, _s24);
+    const V _s26 = lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_mul(_s2, _s6)), lanes_mul(t, lanes_mul(vx, lanes_add(_s2, _s6))), lanes_sub(_s7, lanes_mul(_s2, _s2))), lanes_select(lanes_less(K(0.0), lanes_mul(_s10, _s14)), lanes_mul(t, lanes_mul(vy, lanes_add(_s10, _s14))), lanes_sub(_s15, lanes_mul(_s10, _s10)))), lanes_select(lanes_less(K(0.0), lanes_mul(_s19, _s24)), lanes_mul(t, lanes_mul(_s20, lanes_add(_s19, _s24))), lanes_sub(_s25, lanes_mul(_s19, _s19))));
+    const V _s27 = lanes_select(lanes_less(K(0.0), leaving), _s26, lanes_sub(lanes_add(lanes_add(_s7, _s15), _s25), lanes_mul(p_ball_radius, p_ball_radius)));
+    const V _s28 = lanes_sub(vz, lanes_mul(p_gravity, t));
+    const V _s29 = lanes_add(lanes_add(lanes_mul(vx, _s6), lanes_mul(vy, _s14)), lanes_mul(_s28, _s24));
+    const V _s30 = lanes_mul(K(2.0), _s29);
+    const V _s31 = lanes_abs(_s24);
+    const V _s32 = lanes_mul(K(2.0), lanes_add(lanes_add(lanes_select(lanes_less(K(0.0), lanes_abs(_s6)), lanes_mul(vx, vx), K(0.0)), lanes_select(lanes_less(K(0.0), lanes_abs(_s14)), lanes_mul(vy, vy), K(0.0))), lanes_select(lanes_less(K(0.0), _s31), lanes_sub(lanes_mul(_s28, _s28), lanes_mul(p_gravity, _s24)), K(0.0))));
+    const V _s33 = lanes_abs(lanes_neg(p_gravity));
+    const V _s34 = lanes_add(p_ball_radius, lanes_mul(K(0.5), p_bridge_depth));
+    const V _s35 = lanes_add(p_ball_radius, p_bridge_half_width);
+    const V _s36 = lanes_sub(lanes_add(p_ball_radius, lanes_mul(K(0.5), p_board_distance)), lanes_mul(K(0.5), p_ring_radius));
+    const V _s37 = lanes_min(_s35, _s36);
+    const V _s38 = lanes_add(p_ball_radius, lanes_mul(K(0.0001220703125), lanes_min(_s34, _s37)));
+    const V _s39 = lanes_sub(_s30, rate_margin);
+    const V _s40 = lanes_sub(_s27, margin);
+    const V _s41 = lanes_max(_s40, K(0.0));
+    const V _s42 = lanes_neg(_s32);
+    const M _s43 = lanes_less(_s39, K(0.0));
+    const V _s44 = lanes_mul(K(2.0), _s41);
+    const V _s45 = lanes_select(lanes_less(K(0.0), lanes_select(lanes_at_most(K(0.0), _s39), _s41, K(0.0))), K(INFINITY), lanes_div(lanes_select(_s43, _s44, lanes_mul(K(4.0), _s39)), lanes_select(_s43, lanes_neg(_s39), lanes_max(K(0.0), _s42))));
+    const V _s46 = lanes_sub(end, t);
+    const V _s47 = lanes_min(_s45, _s46);
+    const V _s48 = lanes_add(lanes_mul(lanes_add(lanes_mul(lanes_mul(K(0.5), _s33), _s47), lanes_abs(_s28)), _s47), _s31);
+    const V _s49 = lanes_add(lanes_mul(K(9.094947017729282e-13), ceiling), lanes_mul(K(2.0), lanes_mul(_s33, lanes_min(_s38, _s48))));
+    const V _s50 = lanes_add(lanes_mul(lanes_mul(K(2.0), _s49), _s41), lanes_mul(_s39, _s39));
+    const V _s51 = lanes_sqrt(_s50);
+    const V _s52 = lanes_select(lanes_at_most(K(0.0), _s50), lanes_div(lanes_select(_s43, _s44, lanes_add(_s39, _s51)), lanes_select(_s43, lanes_sub(_s51, _s39), lanes_max(K(0.0), _s49))), K(INFINITY));
+    const V _s53 = lanes_min(_s52, _s47);
+    const V _s54 = lanes_neg(lanes_add(rate_margin, _s30));
+    return (LANES(court_bridge_advance_out)){ _s27, _s30, _s32, _s53, lanes_add(t, _s53), lanes_sub(t, lanes_div(lanes_mul(K(0.5), _s27), _s29)), lanes_select(lanes_less(K(0.0), _s54), lanes_sub(lanes_mul(_s54, _s54), lanes_mul(lanes_mul(K(8.0), ceiling), lanes_add(margin, lanes_mul(K(32.0), _s41)))), _s54) };
+}
+
+/* The distance, its rate, and how fast it bends down at most, by the squared speed.
+   Table 2. 59 operations: 7 additions, 11 subtractions, 10 multiplications, 1 division, 1 square root, 5 negations, 12 comparisons, 12 selections. */
+typedef struct {
+    V gap;
+    V nearing;
+    V dent;
+} LANES(court_bridge_beside_out);
+
+LANES_INLINE LANES(court_bridge_beside_out)
+LANES(court_bridge_beside)(V p_ball_radius, V p_board_distance, V p_bridge_depth, V p_bridge_half_width, V p_ring_radius, V vx, V vy, V vz, V p_wire_radius, V x, V y, V z)
+{
+    const V _s0 = lanes_add(p_ring_radius, x);
+    const V _s1 = lanes_neg(lanes_add(p_board_distance, x));
+    const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s3 = lanes_sub(y, p_bridge_half_width);
+    const V _s4 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
+    const V _s6 = lanes_sub(z, p_wire_radius);
+    const V _s7 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
+    const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
+    const V _s9 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8)));
+    const V _s10 = lanes_add(lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s0, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s1, K(0.0)), K(0.0), lanes_neg(vx)))), _s2), lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s3, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s4, K(0.0)), K(0.0), lanes_neg(vy)))), _s5));
+    const V _s11 = lanes_add(_s10, lanes_mul(lanes_mul(K(2.0), lanes_sub(lanes_select(lanes_less(_s6, K(0.0)), K(0.0), vz), lanes_select(lanes_less(_s7, K(0.0)), K(0.0), lanes_neg(vz)))), _s8));
+    return (LANES(court_bridge_beside_out)){ lanes_sub(_s9, p_ball_radius), lanes_div(lanes_mul(K(0.5), _s11), _s9), K(0.0) };
+}
+
+/* The distance.
+   Table 2. 31 operations: 5 additions, 8 subtractions, 3 multiplications, 1 square root, 2 negations, 6 comparisons, 6 selections. */
+typedef struct {
+    V gap;
+} LANES(court_bridge_off_out);
+
+LANES_INLINE LANES(court_bridge_off_out)
+LANES(court_bridge_off)(V p_ball_radius, V p_board_distance, V p_bridge_depth, V p_bridge_half_width, V p_ring_radius, V p_wire_radius, V x, V y, V z)
+{
+    const V _s0 = lanes_add(p_ring_radius, x);
+    const V _s1 = lanes_neg(lanes_add(p_board_distance, x));
+    const V _s2 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s1, K(0.0)));
+    const V _s3 = lanes_sub(y, p_bridge_half_width);
+    const V _s4 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s5 = lanes_sub(lanes_max(_s3, K(0.0)), lanes_max(_s4, K(0.0)));
+    const V _s6 = lanes_sub(z, p_wire_radius);
+    const V _s7 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
+    const V _s8 = lanes_sub(lanes_max(_s6, K(0.0)), lanes_max(_s7, K(0.0)));
+    return (LANES(court_bridge_off_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s2, _s2), lanes_mul(_s5, _s5)), lanes_mul(_s8, _s8))), p_ball_radius) };
+}
+
+/* What a ball that stays on it rolls on.
+   Table 2. 65 operations: 8 additions, 5 subtractions, 6 multiplications, 1 division, 8 negations, 1 absolute value, 18 comparisons, 6 conjunctions, 9 disjunctions, 3 selections. */
+typedef struct {
+    V bent_x;
+    V bent_y;
+    V bent_z;
+    V per_reach;
+    V ring;
+} LANES(court_bridge_tube_out);
+
+LANES_INLINE LANES(court_bridge_tube_out)
+LANES(court_bridge_tube)(V p_ball_radius, V p_board_distance, V p_bridge_depth, V p_bridge_half_width, V p_ring_radius, V vx, V vy, V vz, V p_wire_radius, V x, V y, V z)
+{
+    const V _s0 = lanes_mul(K(1.4210854715202004e-14), p_ball_radius);
+    const V _s1 = lanes_add(lanes_add(_s0, lanes_mul(K(1.4210854715202004e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_ring_radius));
+    const V _s2 = lanes_add(p_ring_radius, x);
+    const V _s3 = lanes_neg(_s1);
+    const V _s4 = lanes_neg(lanes_add(p_board_distance, x));
+    const V _s5 = lanes_select(lanes_either(lanes_either(lanes_less(_s1, _s2), lanes_both(lanes_less(_s3, _s2), lanes_less(K(0.0), vx))), lanes_either(lanes_less(_s1, _s4), lanes_both(lanes_less(_s3, _s4), lanes_less(K(0.0), lanes_neg(vx))))), K(1.0), K(0.0));
+    const V _s6 = lanes_add(_s0, lanes_mul(K(2.842170943040401e-14), p_bridge_half_width));
+    const V _s7 = lanes_sub(y, p_bridge_half_width);
+    const V _s8 = lanes_neg(_s6);
+    const V _s9 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s10 = lanes_select(lanes_either(lanes_either(lanes_less(_s6, _s7), lanes_both(lanes_less(_s8, _s7), lanes_less(K(0.0), vy))), lanes_either(lanes_less(_s6, _s9), lanes_both(lanes_less(_s8, _s9), lanes_less(K(0.0), lanes_neg(vy))))), K(1.0), K(0.0));
+    const V _s11 = lanes_add(lanes_add(_s0, lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius))));
+    const V _s12 = lanes_sub(z, p_wire_radius);
+    const V _s13 = lanes_neg(_s11);
+    const V _s14 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
+    const V _s15 = lanes_select(lanes_either(lanes_either(lanes_less(_s11, _s12), lanes_both(lanes_less(_s13, _s12), lanes_less(K(0.0), vz))), lanes_either(lanes_less(_s11, _s14), lanes_both(lanes_less(_s13, _s14), lanes_less(K(0.0), lanes_neg(vz))))), K(1.0), K(0.0));
+    return (LANES(court_bridge_tube_out)){ _s5, _s10, _s15, lanes_div(K(1.0), p_ball_radius), K(0.0) };
+}
+
+/* The rate at which the normal turns.
+   derivative of Table 2's normal. 31 operations: 3 additions, 7 subtractions, 3 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections. */
+typedef struct {
+    V turning_x;
+    V turning_y;
+    V turning_z;
+} LANES(court_bridge_turning_out);
+
+LANES_INLINE LANES(court_bridge_turning_out)
+LANES(court_bridge_turning)(V p_ball_radius, V p_board_distance, V p_bridge_depth, V p_bridge_half_width, V p_ring_radius, V rolled_x, V rolled_y, V rolled_z, V p_wire_radius, V x, V y, V z)
+{
+    const V _s0 = lanes_div(K(1.0), p_ball_radius);
+    const V _s1 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_add(p_ring_radius, x), K(0.0)), K(0.0), rolled_x), lanes_select(lanes_less(lanes_neg(lanes_add(p_board_distance, x)), K(0.0)), K(0.0), lanes_neg(rolled_x))));
+    const V _s2 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(y, p_bridge_half_width), K(0.0)), K(0.0), rolled_y), lanes_select(lanes_less(lanes_neg(lanes_add(p_bridge_half_width, y)), K(0.0)), K(0.0), lanes_neg(rolled_y))));
+    const V _s3 = lanes_mul(_s0, lanes_sub(lanes_select(lanes_less(lanes_sub(z, p_wire_radius), K(0.0)), K(0.0), rolled_z), lanes_select(lanes_less(lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z), K(0.0)), K(0.0), lanes_neg(rolled_z))));
+    return (LANES(court_bridge_turning_out)){ _s1, _s2, _s3 };
+}
+
+/* The second to the fourth derivative of the distance along a flight.
+   derivatives of Table 2's distance. 112 operations: 12 additions, 16 subtractions, 41 multiplications, 10 divisions, 1 square root, 6 negations, 12 comparisons, 14 selections. */
+typedef struct {
+    V lift;
+    V surge;
+    V snap;
+} LANES(court_bridge_parting_out);
+
+LANES_INLINE LANES(court_bridge_parting_out)
+LANES(court_bridge_parting)(V p_board_distance, V p_bridge_depth, V p_bridge_half_width, V p_gravity, V p_ring_radius, V vx, V vy, V vz, V p_wire_radius, V x, V y, V z)
+{
+    const V _s0 = lanes_sub(z, p_wire_radius);
+    const M _s1 = lanes_less(_s0, K(0.0));
+    const V _s2 = lanes_sub(lanes_sub(p_wire_radius, p_bridge_depth), z);
+    const M _s3 = lanes_less(_s2, K(0.0));
+    const V _s4 = lanes_sub(lanes_select(_s1, K(0.0), lanes_neg(p_gravity)), lanes_select(_s3, K(0.0), p_gravity));
+    const V _s5 = lanes_sub(lanes_max(_s0, K(0.0)), lanes_max(_s2, K(0.0)));
+    const V _s6 = lanes_sub(lanes_select(_s1, K(0.0), vz), lanes_select(_s3, K(0.0), lanes_neg(vz)));
+    const V _s7 = lanes_add(p_ring_radius, x);
+    const V _s8 = lanes_neg(lanes_add(p_board_distance, x));
+    const V _s9 = lanes_sub(lanes_select(lanes_less(_s7, K(0.0)), K(0.0), vx), lanes_select(lanes_less(_s8, K(0.0)), K(0.0), lanes_neg(vx)));
+    const V _s10 = lanes_sub(y, p_bridge_half_width);
+    const V _s11 = lanes_neg(lanes_add(p_bridge_half_width, y));
+    const V _s12 = lanes_sub(lanes_select(lanes_less(_s10, K(0.0)), K(0.0), vy), lanes_select(lanes_less(_s11, K(0.0)), K(0.0), lanes_neg(vy)));
+    const V _s13 = lanes_add(lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s5), lanes_mul(K(2.0), lanes_mul(_s6, _s6))), lanes_mul(K(2.0), lanes_mul(_s9, _s9))), lanes_mul(K(2.0), lanes_mul(_s12, _s12)));
+    const V _s14 = lanes_sub(lanes_max(_s7, K(0.0)), lanes_max(_s8, K(0.0)));
+    const V _s15 = lanes_sub(lanes_max(_s10, K(0.0)), lanes_max(_s11, K(0.0)));
+    const V _s16 = lanes_add(lanes_add(lanes_mul(_s14, _s14), lanes_mul(_s15, _s15)), lanes_mul(_s5, _s5));
+    const V _s17 = lanes_sqrt(_s16);
+    const V _s18 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s9), _s14), lanes_mul(lanes_mul(K(2.0), _s12), _s15)), lanes_mul(lanes_mul(K(2.0), _s6), _s5));
+    const V _s19 = lanes_mul(_s18, _s18);
+    const V _s20 = lanes_mul(_s17, _s16);
+    const V _s21 = lanes_mul(lanes_mul(K(6.0), _s4), _s6);
+    const V _s22 = lanes_mul(_s16, _s16);
+    const V _s23 = lanes_mul(_s17, _s22);
+    const V _s24 = lanes_sub(lanes_add(lanes_div(lanes_mul(K(0.5), lanes_mul(K(6.0), lanes_mul(_s4, _s4))), _s17), lanes_div(lanes_mul(lanes_mul(K(2.25), _s19), _s13), _s23)), lanes_div(lanes_mul(K(0.9375), lanes_mul(_s19, _s19)), lanes_mul(_s20, _s22)));
+    return (LANES(court_bridge_parting_out)){ lanes_sub(lanes_div(lanes_mul(K(0.5), _s13), _s17), lanes_div(lanes_mul(K(0.25), _s19), _s20)), lanes_sub(lanes_add(lanes_div(lanes_mul(K(0.5), _s21), _s17), lanes_div(lanes_mul(K(0.375), lanes_mul(_s18, _s19)), _s23)), lanes_div(lanes_mul(lanes_mul(K(0.75), _s18), _s13), _s20)), lanes_sub(lanes_sub(_s24, lanes_div(lanes_mul(K(0.75), lanes_mul(_s13, _s13)), _s20)), lanes_div(lanes_mul(_s21, _s18), _s20)) };
+}
+
+/* How far the ball is from a seam of the surface, and how fast.
+   Table 2. 6 operations: 3 additions, 3 multiplications. */
+typedef struct {
+    V gap;
+    V nearing;
+    V near;
+} LANES(court_bridge_seam0_out);
+
+LANES_INLINE LANES(court_bridge_seam0_out)
+LANES(court_bridge_seam0)(V p_ball_radius, V p_board_distance, V p_ring_radius, V vx, V x)
+{
+    return (LANES(court_bridge_seam0_out)){ lanes_add(p_board_distance, x), vx, lanes_add(lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(1.4210854715202004e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_ring_radius)) };
+}
+
+/* How far the ball is from a seam of the surface, and how fast.
+   Table 2. 6 operations: 3 additions, 3 multiplications. */
+typedef struct {
+    V gap;
+    V nearing;
+    V near;
+} LANES(court_bridge_seam1_out);
+
+LANES_INLINE LANES(court_bridge_seam1_out)
+LANES(court_bridge_seam1)(V p_ball_radius, V p_board_distance, V p_ring_radius, V vx, V x)
+{
+    return (LANES(court_bridge_seam1_out)){ lanes_add(p_ring_radius, x), vx, lanes_add(lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(1.4210854715202004e-14), p_board_distance)), lanes_mul(K(1.4210854715202004e-14), p_ring_radius)) };
+}
+
+/* How far the ball is from a seam of the surface, and how fast.
+   Table 2. 4 operations: 2 additions, 2 multiplications. */
+typedef struct {
+    V gap;
+    V nearing;
+    V near;
+} LANES(court_bridge_seam2_out);
+
+LANES_INLINE LANES(court_bridge_seam2_out)
+LANES(court_bridge_seam2)(V p_ball_radius, V p_bridge_half_width, V vy, V y)
+{
+    return (LANES(court_bridge_seam2_out)){ lanes_add(p_bridge_half_width, y), vy, lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(2.842170943040401e-14), p_bridge_half_width)) };
+}
+
+/* How far the ball is from a seam of the surface, and how fast.
+   Table 2. 4 operations: 1 addition, 1 subtraction, 2 multiplications. */
+typedef struct {
+    V gap;
+    V nearing;
+    V near;
+} LANES(court_bridge_seam3_out);
+
+LANES_INLINE LANES(court_bridge_seam3_out)
+LANES(court_bridge_seam3)(V p_ball_radius, V p_bridge_half_width, V vy, V y)
+{
+    return (LANES(court_bridge_seam3_out)){ lanes_sub(y, p_bridge_half_width), vy, lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(2.842170943040401e-14), p_bridge_half_width)) };
+}
+
+/* How far the ball is from a seam of the surface, and how fast.
+   Table 2. 9 operations: 3 additions, 2 subtractions, 3 multiplications, 1 absolute value. */
+typedef struct {
+    V gap;
+    V nearing;
+    V near;
+} LANES(court_bridge_seam4_out);
+
+LANES_INLINE LANES(court_bridge_seam4_out)
+LANES(court_bridge_seam4)(V p_ball_radius, V p_bridge_depth, V vz, V p_wire_radius, V z)
+{
+    return (LANES(court_bridge_seam4_out)){ lanes_sub(lanes_add(p_bridge_depth, z), p_wire_radius), vz, lanes_add(lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius)))) };
+}
+
+/* How far the ball is from a seam of the surface, and how fast.
+   Table 2. 8 operations: 2 additions, 2 subtractions, 3 multiplications, 1 absolute value. */
+typedef struct {
+    V gap;
+    V nearing;
+    V near;
+} LANES(court_bridge_seam5_out);
+
+LANES_INLINE LANES(court_bridge_seam5_out)
+LANES(court_bridge_seam5)(V p_ball_radius, V p_bridge_depth, V vz, V p_wire_radius, V z)
+{
+    return (LANES(court_bridge_seam5_out)){ lanes_sub(z, p_wire_radius), vz, lanes_add(lanes_add(lanes_mul(K(1.4210854715202004e-14), p_ball_radius), lanes_mul(K(1.4210854715202004e-14), p_wire_radius)), lanes_mul(K(1.4210854715202004e-14), lanes_abs(lanes_sub(p_bridge_depth, p_wire_radius)))) };
+}
+
+/* The first window that begins no earlier than a time, if there is one.
+   Table 1. 12 operations: 4 comparisons, 2 conjunctions, 2 disjunctions, 4 selections. */
+typedef struct {
+    V t;
+    V end;
+    M searching;
+} LANES(court_bridge_enter_out);
+
+LANES_INLINE LANES(court_bridge_enter_out)
+LANES(court_bridge_enter)(V after, V end, V high0, V high1, V low0, V low1, V t)
+{
+    const M _s0 = lanes_both(lanes_less(low0, high0), lanes_at_most(after, low0));
+    const M _s1 = lanes_both(lanes_less(low1, high1), lanes_at_most(after, low1));
+    return (LANES(court_bridge_enter_out)){ lanes_select(_s0, low0, lanes_select(_s1, low1, t)), lanes_select(_s0, high0, lanes_select(_s1, high1, end)), lanes_either(lanes_either(lanes_nowhere(), _s1), _s0) };
+}
+
+/* Outward unit normal n3 at a contact.
+   Table 2. No operations. */
+typedef struct {
+    V nx;
+    V ny;
+    V nz;
+} LANES(court_end_normal_out);
+
+LANES_INLINE LANES(court_end_normal_out)
+LANES(court_end_normal)(void)
+{
+    return (LANES(court_end_normal_out)){ K(0.0), K(0.0), K(1.0) };
+}
+
+/* Time of the only arrival, the gap's rate there and its bend.
+   Eq. 3 in Table 2, solved. 25 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 2 comparisons, 3 selections. */
+typedef struct {
+    V time;
+    V rate;
+    V bend;
+    V apex;
+    V height;
+} LANES(court_end_arrival_out);
+
+LANES_INLINE LANES(court_end_arrival_out)
+LANES(court_end_arrival)(V leaving, V z, V vz, V p_gravity, V p_end_depth)
+{
+    const V _s0 = lanes_select(lanes_less(K(0.0), leaving), K(0.0), lanes_sub(z, lanes_neg(p_end_depth)));
+    const V _s1 = lanes_add(lanes_mul(vz, vz), lanes_mul(lanes_mul(K(2.0), p_gravity), _s0));
+    const V _s2 = lanes_sqrt(_s1);
+    const M _s3 = lanes_less(vz, K(0.0));
+    const V _s4 = lanes_neg(lanes_div(K(1.0), p_gravity));
+    return (LANES(court_end_arrival_out)){ lanes_div(lanes_select(_s3, lanes_mul(K(2.0), _s0), lanes_add(vz, _s2)), lanes_select(_s3, lanes_sub(_s2, vz), p_gravity)), lanes_neg(_s2), lanes_neg(p_gravity), lanes_neg(lanes_mul(vz, _s4)), lanes_neg(lanes_mul(lanes_mul(K(0.5), _s4), _s1)) };
+}
+
+/* Rounding-error bound of the gap up to the horizon.
+   running error analysis. 13 operations: 6 additions, 7 multiplications. */
+typedef struct {
+    V margin;
+} LANES(court_end_margin_out);
+
+LANES_INLINE LANES(court_end_margin_out)
+LANES(court_end_margin)(V horizon, V extent, V speed, V position_error, V velocity_error, V p_gravity, V p_end_depth)
+{
+    const V _s0 = lanes_add(extent, lanes_mul(horizon, lanes_add(speed, lanes_mul(p_gravity, horizon))));
+    return (LANES(court_end_margin_out)){ lanes_add(lanes_add(lanes_mul(K(6.667843360785852e-16), p_end_depth), lanes_mul(K(2.222614453595284e-16), _s0)), lanes_mul(K(2.001953125), lanes_add(lanes_add(position_error, lanes_mul(horizon, velocity_error)), lanes_mul(K(4.440892098500626e-16), _s0)))) };
+}
+
+/* The bounds of the ends on a plane: the first whose bounds all hold is reached.
+   Table 2, success. 5 operations: 1 addition, 1 subtraction, 2 multiplications, 1 square root. */
+typedef struct {
+    V g0;
+} LANES(court_end_bounds_out);
+
+LANES_INLINE LANES(court_end_bounds_out)
+LANES(court_end_bounds)(V x, V y, V p_ring_radius)
+{
+    return (LANES(court_end_bounds_out)){ lanes_sub(lanes_sqrt(lanes_add(lanes_mul(x, x), lanes_mul(y, y))), p_ring_radius) };
+}
+
+/* The distance, its rate, and how fast it bends down at most, by the squared speed.
+   Table 2. 2 operations: 1 subtraction, 1 negation. */
+typedef struct {
+    V gap;
+    V nearing;
+    V dent;
+} LANES(court_end_beside_out);
+
+LANES_INLINE LANES(court_end_beside_out)
+LANES(court_end_beside)(V p_end_depth, V vz, V z)
+{
+    return (LANES(court_end_beside_out)){ lanes_sub(z, lanes_neg(p_end_depth)), vz, K(0.0) };
+}
+
+/* The end that a crossing reaches.
+   Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection. */
+typedef struct {
+    V reached;
+} LANES(court_end_reached_out);
+
+LANES_INLINE LANES(court_end_reached_out)
+LANES(court_end_reached)(V g0, V through)
+{
+    return (LANES(court_end_reached_out)){ lanes_select(lanes_both(lanes_at_most(g0, K(0.0)), lanes_equal(through, K(1.0))), K(0.0), K(1.0)) };
+}
+
+/* Whether that lies within its error.
+   Table 1. 7 operations: 1 negation, 3 comparisons, 2 conjunctions, 1 complement. */
+typedef struct {
+    M edge;
+} LANES(court_end_edge_out);
+
+LANES_INLINE LANES(court_end_edge_out)
+LANES(court_end_edge)(V g0, V slack, V through)
+{
+    return (LANES(court_end_edge_out)){ lanes_both(lanes_both(lanes_at_most(g0, slack), lanes_not(lanes_less(g0, lanes_neg(slack)))), lanes_equal(through, K(1.0))) };
+}
+

@@ -1,0 +1,519 @@
+/* Values of LANES_WIDTH shots abreast, and what is done to them.
+
+   Generated from templates/c/lanes.h.j2, scene court, derivation ae8c52d58998d1c6,
+   with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
+   and run `make generate`.
+   Included by court.c once for every width. Above one lane a value is a struct of two native
+   vectors: of two independent chains of operations one hides the other's latency. The processor's
+   own comparisons, selections, roots, maxima and minima are asked for by name; the rest is operators,
+   which GCC and Clang have for their vectors. */
+
+#ifndef LANES_POPULATION
+/* How many bits are set, and which is the lowest; without GCC or Clang there is one lane. */
+#if defined(__GNUC__)
+#define LANES_POPULATION(bits) __builtin_popcount(bits)
+#define LANES_LOWEST(bits) __builtin_ctz(bits)
+#else
+#define LANES_POPULATION(bits) ((bits) & 1U)
+#define LANES_LOWEST(bits) 0
+#endif
+
+#if defined(__GNUC__) && defined(__x86_64__)
+/* Which halves of four doubles go where, by the mask of those that are packed, or are filled. */
+static const uint8_t PACKED[16][8] = {
+    {0, 1, 0, 1, 0, 1, 0, 1},
+    {0, 1, 0, 1, 0, 1, 0, 1},
+    {2, 3, 0, 1, 0, 1, 0, 1},
+    {0, 1, 2, 3, 0, 1, 0, 1},
+    {4, 5, 0, 1, 0, 1, 0, 1},
+    {0, 1, 4, 5, 0, 1, 0, 1},
+    {2, 3, 4, 5, 0, 1, 0, 1},
+    {0, 1, 2, 3, 4, 5, 0, 1},
+    {6, 7, 0, 1, 0, 1, 0, 1},
+    {0, 1, 6, 7, 0, 1, 0, 1},
+    {2, 3, 6, 7, 0, 1, 0, 1},
+    {0, 1, 2, 3, 6, 7, 0, 1},
+    {4, 5, 6, 7, 0, 1, 0, 1},
+    {0, 1, 4, 5, 6, 7, 0, 1},
+    {2, 3, 4, 5, 6, 7, 0, 1},
+    {0, 1, 2, 3, 4, 5, 6, 7},
+};
+static const uint8_t EXPANDED[16][8] = {
+    {0, 1, 0, 1, 0, 1, 0, 1},
+    {0, 1, 0, 1, 0, 1, 0, 1},
+    {0, 1, 0, 1, 0, 1, 0, 1},
+    {0, 1, 2, 3, 0, 1, 0, 1},
+    {0, 1, 0, 1, 0, 1, 0, 1},
+    {0, 1, 0, 1, 2, 3, 0, 1},
+    {0, 1, 0, 1, 2, 3, 0, 1},
+    {0, 1, 2, 3, 4, 5, 0, 1},
+    {0, 1, 0, 1, 0, 1, 0, 1},
+    {0, 1, 0, 1, 0, 1, 2, 3},
+    {0, 1, 0, 1, 0, 1, 2, 3},
+    {0, 1, 2, 3, 0, 1, 4, 5},
+    {0, 1, 0, 1, 0, 1, 2, 3},
+    {0, 1, 0, 1, 2, 3, 4, 5},
+    {0, 1, 0, 1, 2, 3, 4, 5},
+    {0, 1, 2, 3, 4, 5, 6, 7},
+};
+#endif
+#endif
+
+#define V LANES(vector)
+#define M LANES(mask)
+#define lanes_all LANES(all)
+#define lanes_add LANES(add)
+#define lanes_sub LANES(sub)
+#define lanes_mul LANES(mul)
+#define lanes_div LANES(div)
+#define lanes_neg LANES(neg)
+#define lanes_sqrt LANES(sqrt)
+#define lanes_abs LANES(abs)
+#define lanes_max LANES(max)
+#define lanes_min LANES(min)
+#define lanes_less LANES(less)
+#define lanes_at_most LANES(at_most)
+#define lanes_equal LANES(equal)
+#define lanes_both LANES(both)
+#define lanes_either LANES(either)
+#define lanes_not LANES(not)
+#define lanes_nowhere LANES(nowhere)
+#define lanes_select LANES(select)
+#define lanes_choose LANES(choose)
+#define lanes_any LANES(any)
+#define lanes_load LANES(load)
+#define lanes_store LANES(store)
+#define lanes_gather LANES(gather)
+#define lanes_columns LANES(columns)
+#define lanes_bits LANES(bits)
+#define lanes_of LANES(of)
+#define lanes_many LANES(many)
+#define lanes_first LANES(first)
+#define lanes_leading LANES(leading)
+#define lanes_count_up LANES(count_up)
+#define lanes_pack LANES(pack)
+#define lanes_expand LANES(expand)
+#define K(c) lanes_all(c)
+
+#if LANES_WIDTH == 1
+
+typedef double V;
+typedef int M;
+LANES_INLINE V lanes_all(double c) { return c; }
+LANES_INLINE V lanes_add(V a, V b) { return a + b; }
+LANES_INLINE V lanes_sub(V a, V b) { return a - b; }
+LANES_INLINE V lanes_mul(V a, V b) { return a * b; }
+LANES_INLINE V lanes_div(V a, V b) { return a / b; }
+LANES_INLINE V lanes_neg(V a) { return -a; }
+LANES_INLINE V lanes_sqrt(V a) { return sqrt(a); }
+LANES_INLINE V lanes_abs(V a) { return fabs(a); }
+LANES_INLINE M lanes_less(V a, V b) { return a < b; }
+LANES_INLINE M lanes_at_most(V a, V b) { return a <= b; }
+LANES_INLINE M lanes_equal(V a, V b) { return a == b; }
+LANES_INLINE M lanes_both(M a, M b) { return a & b; }
+LANES_INLINE M lanes_either(M a, M b) { return a | b; }
+LANES_INLINE M lanes_not(M a) { return !a; }
+LANES_INLINE M lanes_nowhere(void) { return 0; }
+LANES_INLINE V lanes_select(M m, V a, V b) { return m ? a : b; }
+LANES_INLINE V lanes_max(V a, V b) { return a < b ? b : a; }
+LANES_INLINE V lanes_min(V a, V b) { return a < b ? a : b; }
+LANES_INLINE int lanes_any(M m) { return m; }
+LANES_INLINE V lanes_load(const double *row) { return *row; }
+LANES_INLINE void lanes_store(double *row, V a) { *row = a; }
+LANES_INLINE V lanes_gather(const double *first, int64_t stride)
+{
+    (void)stride;
+    return *first;
+}
+LANES_INLINE void lanes_columns(double *const *to, const double *rows, int count)
+{
+    for (int column = 0; column < count; column++)
+        *to[column] = rows[column];
+}
+LANES_INLINE unsigned lanes_bits(M m) { return (unsigned)m; }
+LANES_INLINE M lanes_of(unsigned bits) { return (M)bits; }
+LANES_INLINE V lanes_count_up(void) { return 0.0; }
+LANES_INLINE void lanes_pack(double *to, M m, V a)
+{
+    if (m)
+        *to = a;
+}
+LANES_INLINE V lanes_expand(const double *from, M m, V old) { return m ? *from : old; }
+
+#else
+
+#define N LANES(native)
+#define B LANES(native_mask)
+#define NATIVE (LANES_WIDTH / 2)
+#define n_all LANES(n_all)
+#define n_less LANES(n_less)
+#define n_at_most LANES(n_at_most)
+#define n_equal LANES(n_equal)
+#define n_both LANES(n_both)
+#define n_either LANES(n_either)
+#define n_not LANES(n_not)
+#define n_select LANES(n_select)
+#define n_sqrt LANES(n_sqrt)
+#define n_abs LANES(n_abs)
+#define n_max LANES(n_max)
+#define n_min LANES(n_min)
+#define n_gather LANES(n_gather)
+#define n_square LANES(n_square)
+#define n_bits LANES(n_bits)
+#define n_of LANES(n_of)
+#define n_pack LANES(n_pack)
+#define n_expand LANES(n_expand)
+
+#if defined(__x86_64__) && NATIVE == 8
+
+typedef __m512d N;
+typedef __mmask8 B;
+LANES_INLINE N n_all(double c) { return _mm512_set1_pd(c); }
+LANES_INLINE B n_less(N a, N b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
+LANES_INLINE B n_at_most(N a, N b) { return _mm512_cmp_pd_mask(a, b, _CMP_LE_OQ); }
+LANES_INLINE B n_equal(N a, N b) { return _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ); }
+LANES_INLINE B n_both(B a, B b) { return _kand_mask8(a, b); }
+LANES_INLINE B n_either(B a, B b) { return _kor_mask8(a, b); }
+LANES_INLINE B n_not(B a) { return _knot_mask8(a); }
+LANES_INLINE N n_select(B m, N a, N b) { return _mm512_mask_blend_pd(m, b, a); }
+LANES_INLINE N n_sqrt(N a) { return _mm512_sqrt_pd(a); }
+LANES_INLINE N n_abs(N a) { return _mm512_abs_pd(a); }
+LANES_INLINE N n_max(N a, N b) { return _mm512_max_pd(b, a); }
+LANES_INLINE N n_min(N a, N b) { return _mm512_min_pd(a, b); }
+LANES_INLINE N n_gather(const double *first, int64_t stride)
+{
+    return (N){first[0],          first[stride],     first[2 * stride], first[3 * stride],
+               first[4 * stride], first[5 * stride], first[6 * stride], first[7 * stride]};
+}
+LANES_INLINE void n_square(N *a)
+{
+    N b[8], c[8];
+    for (int k = 0; k < 8; k += 2) {
+        b[k] = _mm512_unpacklo_pd(a[k], a[k + 1]);
+        b[k + 1] = _mm512_unpackhi_pd(a[k], a[k + 1]);
+    }
+    for (int k = 0; k < 2; k++) {
+        c[k] = _mm512_shuffle_f64x2(b[k], b[k + 2], 0x88);
+        c[k + 2] = _mm512_shuffle_f64x2(b[k], b[k + 2], 0xdd);
+        c[k + 4] = _mm512_shuffle_f64x2(b[k + 4], b[k + 6], 0x88);
+        c[k + 6] = _mm512_shuffle_f64x2(b[k + 4], b[k + 6], 0xdd);
+    }
+    for (int k = 0; k < 4; k++) {
+        a[k] = _mm512_shuffle_f64x2(c[k], c[k + 4], 0x88);
+        a[k + 4] = _mm512_shuffle_f64x2(c[k], c[k + 4], 0xdd);
+    }
+}
+LANES_INLINE unsigned n_bits(B m) { return m; }
+LANES_INLINE B n_of(unsigned bits) { return (B)bits; }
+LANES_INLINE void n_pack(double *to, B m, N a)
+{
+    _mm512_storeu_pd(to, _mm512_maskz_compress_pd(m, a));
+}
+LANES_INLINE N n_expand(const double *from, B m, N old)
+{
+    return _mm512_mask_expand_pd(old, m, _mm512_loadu_pd(from));
+}
+
+#elif defined(__x86_64__) && NATIVE == 4
+
+typedef __m256d N;
+typedef __m256d B;
+LANES_INLINE N n_all(double c) { return _mm256_set1_pd(c); }
+LANES_INLINE B n_less(N a, N b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
+LANES_INLINE B n_at_most(N a, N b) { return _mm256_cmp_pd(a, b, _CMP_LE_OQ); }
+LANES_INLINE B n_equal(N a, N b) { return _mm256_cmp_pd(a, b, _CMP_EQ_OQ); }
+LANES_INLINE B n_both(B a, B b) { return _mm256_and_pd(a, b); }
+LANES_INLINE B n_either(B a, B b) { return _mm256_or_pd(a, b); }
+LANES_INLINE B n_not(B a) { return _mm256_xor_pd(a, (N)(_mm256_set1_epi64x(-1))); }
+LANES_INLINE N n_select(B m, N a, N b) { return _mm256_blendv_pd(b, a, m); }
+LANES_INLINE N n_sqrt(N a) { return _mm256_sqrt_pd(a); }
+LANES_INLINE N n_abs(N a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a); }
+LANES_INLINE N n_max(N a, N b) { return _mm256_max_pd(b, a); }
+LANES_INLINE N n_min(N a, N b) { return _mm256_min_pd(a, b); }
+LANES_INLINE N n_gather(const double *first, int64_t stride)
+{
+    return (N){first[0], first[stride], first[2 * stride], first[3 * stride]};
+}
+LANES_INLINE void n_square(N *a)
+{
+    const N even = _mm256_unpacklo_pd(a[0], a[1]), odd = _mm256_unpackhi_pd(a[0], a[1]);
+    const N next = _mm256_unpacklo_pd(a[2], a[3]), last = _mm256_unpackhi_pd(a[2], a[3]);
+    a[0] = _mm256_permute2f128_pd(even, next, 0x20);
+    a[1] = _mm256_permute2f128_pd(odd, last, 0x20);
+    a[2] = _mm256_permute2f128_pd(even, next, 0x31);
+    a[3] = _mm256_permute2f128_pd(odd, last, 0x31);
+}
+LANES_INLINE unsigned n_bits(B m) { return (unsigned)_mm256_movemask_pd(m); }
+LANES_INLINE B n_of(unsigned bits)
+{
+    const __m256i each = _mm256_set_epi64x(8, 4, 2, 1);
+    const __m256i own = _mm256_and_si256(_mm256_set1_epi64x((int64_t)bits), each);
+    return (B)_mm256_cmpeq_epi64(own, each);
+}
+LANES_INLINE N LANES(n_permute)(const uint8_t *order, N a)
+{
+    const __m256i pairs = _mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i *)order));
+    return (N)_mm256_permutevar8x32_epi32((__m256i)a, pairs);
+}
+LANES_INLINE void n_pack(double *to, B m, N a)
+{
+    _mm256_storeu_pd(to, LANES(n_permute)(PACKED[n_bits(m)], a));
+}
+LANES_INLINE N n_expand(const double *from, B m, N old)
+{
+    return n_select(m, LANES(n_permute)(EXPANDED[n_bits(m)], _mm256_loadu_pd(from)), old);
+}
+
+#elif defined(__x86_64__)
+
+typedef __m128d N;
+typedef __m128d B;
+LANES_INLINE N n_all(double c) { return _mm_set1_pd(c); }
+LANES_INLINE B n_less(N a, N b) { return _mm_cmplt_pd(a, b); }
+LANES_INLINE B n_at_most(N a, N b) { return _mm_cmple_pd(a, b); }
+LANES_INLINE B n_equal(N a, N b) { return _mm_cmpeq_pd(a, b); }
+LANES_INLINE B n_both(B a, B b) { return _mm_and_pd(a, b); }
+LANES_INLINE B n_either(B a, B b) { return _mm_or_pd(a, b); }
+LANES_INLINE B n_not(B a) { return _mm_xor_pd(a, (N)_mm_set1_epi64x(-1)); }
+LANES_INLINE N n_select(B m, N a, N b) { return _mm_or_pd(_mm_and_pd(m, a), _mm_andnot_pd(m, b)); }
+LANES_INLINE N n_sqrt(N a) { return _mm_sqrt_pd(a); }
+LANES_INLINE N n_abs(N a) { return _mm_andnot_pd(_mm_set1_pd(-0.0), a); }
+LANES_INLINE N n_max(N a, N b) { return _mm_max_pd(b, a); }
+LANES_INLINE N n_min(N a, N b) { return _mm_min_pd(a, b); }
+LANES_INLINE N n_gather(const double *first, int64_t stride)
+{
+    return _mm_set_pd(first[stride], first[0]);
+}
+LANES_INLINE void n_square(N *a)
+{
+    const N odd = _mm_unpackhi_pd(a[0], a[1]);
+    a[0] = _mm_unpacklo_pd(a[0], a[1]);
+    a[1] = odd;
+}
+LANES_INLINE unsigned n_bits(B m) { return (unsigned)_mm_movemask_pd(m); }
+LANES_INLINE B n_of(unsigned bits)
+{
+    return (B)_mm_set_epi64x(-(int64_t)(bits >> 1 & 1), -(int64_t)(bits & 1));
+}
+LANES_INLINE void n_pack(double *to, B m, N a)
+{
+    const unsigned bits = n_bits(m);
+    _mm_storel_pd(to, a);
+    _mm_storeh_pd(to + (bits & 1), a);
+}
+LANES_INLINE N n_expand(const double *from, B m, N old)
+{
+    return n_select(m, _mm_set_pd(from[n_bits(m) & 1], from[0]), old);
+}
+
+#else
+
+typedef double N __attribute__((vector_size(8 * NATIVE)));
+typedef int64_t B __attribute__((vector_size(8 * NATIVE)));
+LANES_INLINE N n_all(double c) { return c - (N){0}; }
+LANES_INLINE B n_less(N a, N b) { return a < b; }
+LANES_INLINE B n_at_most(N a, N b) { return a <= b; }
+LANES_INLINE B n_equal(N a, N b) { return a == b; }
+LANES_INLINE B n_both(B a, B b) { return a & b; }
+LANES_INLINE B n_either(B a, B b) { return a | b; }
+LANES_INLINE B n_not(B a) { return ~a; }
+LANES_INLINE N n_select(B m, N a, N b) { return (N)(((B)a & m) | ((B)b & ~m)); }
+LANES_INLINE N n_abs(N a) { return (N)((B)a & (INT64_MAX - (B){0})); }
+LANES_INLINE N n_sqrt(N a)
+{
+    for (int lane = 0; lane < NATIVE; lane++)
+        a[lane] = sqrt(a[lane]);
+    return a;
+}
+LANES_INLINE N n_max(N a, N b) { return n_select(a < b, b, a); }
+LANES_INLINE N n_min(N a, N b) { return n_select(a < b, a, b); }
+LANES_INLINE N n_gather(const double *first, int64_t stride)
+{
+    N a;
+    for (int lane = 0; lane < NATIVE; lane++)
+        a[lane] = first[stride * lane];
+    return a;
+}
+LANES_INLINE void n_square(N *a)
+{
+    N b[NATIVE];
+    memcpy(b, a, sizeof b);
+    for (int k = 0; k < NATIVE; k++)
+        for (int lane = 0; lane < NATIVE; lane++)
+            a[k][lane] = b[lane][k];
+}
+LANES_INLINE unsigned n_bits(B m)
+{
+    unsigned bits = 0;
+    for (int lane = 0; lane < NATIVE; lane++)
+        bits |= (unsigned)(m[lane] & 1) << lane;
+    return bits;
+}
+LANES_INLINE B n_of(unsigned bits)
+{
+    B m;
+    for (int lane = 0; lane < NATIVE; lane++)
+        m[lane] = -(int64_t)(bits >> lane & 1);
+    return m;
+}
+LANES_INLINE void n_pack(double *to, B m, N a)
+{
+    for (int lane = 0; lane < NATIVE; lane++) {
+        *to = a[lane];
+        to += m[lane] & 1;
+    }
+}
+LANES_INLINE N n_expand(const double *from, B m, N old)
+{
+    for (int lane = 0; lane < NATIVE; lane++) {
+        old[lane] = m[lane] ? *from : old[lane];
+        from += m[lane] & 1;
+    }
+    return old;
+}
+
+#endif
+
+typedef struct {
+    N lo, hi;
+} V;
+typedef struct {
+    B lo, hi;
+} M;
+
+LANES_INLINE V lanes_all(double c)
+{
+    const N all = n_all(c);
+    return (V){all, all};
+}
+LANES_INLINE V lanes_add(V a, V b) { return (V){a.lo + b.lo, a.hi + b.hi}; }
+LANES_INLINE V lanes_sub(V a, V b) { return (V){a.lo - b.lo, a.hi - b.hi}; }
+LANES_INLINE V lanes_mul(V a, V b) { return (V){a.lo * b.lo, a.hi * b.hi}; }
+LANES_INLINE V lanes_div(V a, V b) { return (V){a.lo / b.lo, a.hi / b.hi}; }
+LANES_INLINE V lanes_neg(V a) { return (V){-a.lo, -a.hi}; }
+LANES_INLINE V lanes_sqrt(V a) { return (V){n_sqrt(a.lo), n_sqrt(a.hi)}; }
+LANES_INLINE V lanes_abs(V a) { return (V){n_abs(a.lo), n_abs(a.hi)}; }
+LANES_INLINE V lanes_max(V a, V b) { return (V){n_max(a.lo, b.lo), n_max(a.hi, b.hi)}; }
+LANES_INLINE V lanes_min(V a, V b) { return (V){n_min(a.lo, b.lo), n_min(a.hi, b.hi)}; }
+LANES_INLINE M lanes_less(V a, V b) { return (M){n_less(a.lo, b.lo), n_less(a.hi, b.hi)}; }
+LANES_INLINE M lanes_at_most(V a, V b) { return (M){n_at_most(a.lo, b.lo), n_at_most(a.hi, b.hi)}; }
+LANES_INLINE M lanes_equal(V a, V b) { return (M){n_equal(a.lo, b.lo), n_equal(a.hi, b.hi)}; }
+LANES_INLINE M lanes_both(M a, M b) { return (M){n_both(a.lo, b.lo), n_both(a.hi, b.hi)}; }
+LANES_INLINE M lanes_either(M a, M b) { return (M){n_either(a.lo, b.lo), n_either(a.hi, b.hi)}; }
+LANES_INLINE M lanes_not(M a) { return (M){n_not(a.lo), n_not(a.hi)}; }
+LANES_INLINE M lanes_nowhere(void)
+{
+    const N zero = n_all(0.0);
+    return (M){n_less(zero, zero), n_less(zero, zero)};
+}
+LANES_INLINE V lanes_select(M m, V a, V b)
+{
+    return (V){n_select(m.lo, a.lo, b.lo), n_select(m.hi, a.hi, b.hi)};
+}
+LANES_INLINE V lanes_load(const double *row)
+{
+    V a;
+    memcpy(&a, row, sizeof a);
+    return a;
+}
+LANES_INLINE void lanes_store(double *row, V a) { memcpy(row, &a, sizeof a); }
+LANES_INLINE V lanes_gather(const double *first, int64_t stride)
+{
+    return (V){n_gather(first, stride), n_gather(first + NATIVE * stride, stride)};
+}
+LANES_INLINE unsigned lanes_bits(M m) { return n_bits(m.lo) | n_bits(m.hi) << NATIVE; }
+LANES_INLINE M lanes_of(unsigned bits)
+{
+    return (M){n_of(bits & ((1U << NATIVE) - 1)), n_of(bits >> NATIVE)};
+}
+/* Rows of so many numbers into columns: squares of rows and columns are turned at once. */
+LANES_INLINE void lanes_columns(double *const *to, const double *rows, int count)
+{
+    for (int half = 0; half < 2; half++, rows += NATIVE * count) {
+        int column = 0;
+        for (; column + NATIVE <= count; column += NATIVE) {
+            N square[NATIVE];
+            for (int k = 0; k < NATIVE; k++)
+                memcpy(&square[k], rows + k * count + column, sizeof(N));
+            n_square(square);
+            for (int k = 0; k < NATIVE; k++)
+                memcpy(to[column + k] + NATIVE * half, &square[k], sizeof(N));
+        }
+        for (; column < count; column++) {
+            const N rest = n_gather(rows + column, count);
+            memcpy(to[column] + NATIVE * half, &rest, sizeof rest);
+        }
+    }
+}
+LANES_INLINE int lanes_any(M m) { return n_bits(n_either(m.lo, m.hi)) != 0; }
+LANES_INLINE V lanes_count_up(void)
+{
+    V up;
+    for (int lane = 0; lane < NATIVE; lane++) {
+        up.lo[lane] = lane;
+        up.hi[lane] = NATIVE + lane;
+    }
+    return up;
+}
+LANES_INLINE void lanes_pack(double *to, M m, V a)
+{
+    n_pack(to, m.lo, a.lo);
+    n_pack(to + LANES_POPULATION(n_bits(m.lo)), m.hi, a.hi);
+}
+LANES_INLINE V lanes_expand(const double *from, M m, V old)
+{
+    return (V){n_expand(from, m.lo, old.lo),
+               n_expand(from + LANES_POPULATION(n_bits(m.lo)), m.hi, old.hi)};
+}
+
+#undef N
+#undef B
+#undef NATIVE
+#undef n_all
+#undef n_less
+#undef n_at_most
+#undef n_equal
+#undef n_both
+#undef n_either
+#undef n_not
+#undef n_select
+#undef n_sqrt
+#undef n_abs
+#undef n_max
+#undef n_min
+#undef n_gather
+#undef n_square
+#undef n_bits
+#undef n_of
+#undef n_pack
+#undef n_expand
+
+#endif
+
+/* Where one truth holds instead of another. */
+LANES_INLINE M lanes_choose(M m, M a, M b)
+{
+    return lanes_either(lanes_both(a, m), lanes_both(b, lanes_not(m)));
+}
+
+/* How many lanes are in a mask. */
+LANES_INLINE size_t lanes_many(M m) { return (size_t)LANES_POPULATION(lanes_bits(m)); }
+
+/* The first lanes, as many as there are shots. */
+LANES_INLINE M lanes_first(size_t shots)
+{
+    return lanes_of(shots < LANES_WIDTH ? (1U << shots) - 1 : (1U << (LANES_WIDTH - 1) << 1) - 1);
+}
+
+/* Those lanes, and of the idle ones the first, as many as there are shots. */
+LANES_INLINE M lanes_leading(M idle, size_t shots, M lanes)
+{
+    unsigned bits = lanes_bits(idle);
+    if ((size_t)LANES_POPULATION(bits) > shots) {
+        unsigned taken = 0;
+        for (; shots > 0; shots--, bits &= bits - 1)
+            taken |= bits & (0U - bits);
+        bits = taken;
+    }
+    return lanes_either(lanes, lanes_of(bits));
+}

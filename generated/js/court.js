@@ -1,0 +1,17 @@
+/* Flight in the scene court.
+
+   Generated from templates/js/flight.js.j2, scene court, derivation ae8c52d58998d1c6,
+   with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
+   and run `make generate`.
+   Numbers in, an array of numbers out; SI units. */
+"use strict";
+
+/**
+ * Position and velocity at time t of a flight.
+ *
+ * Eq. 3. 11 operations: 3 additions, 2 subtractions, 6 multiplications.
+ * Returns x, y, z, vx, vy, vz.
+ */
+function court_flight(t, x, y, z, vx, vy, vz, p_gravity) {
+  return [x + (t * vx), y + (t * vy), z + (t * (vz - ((0.5 * p_gravity) * t))), vx, vy, vz - (p_gravity * t)];
+}

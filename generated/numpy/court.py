@@ -1,0 +1,8971 @@
+"""NumPy kernels of the scene court.
+
+Generated from templates/numpy/kernels.py.j2, scene court, derivation ae8c52d58998d1c6,
+with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
+and run `make generate`.
+Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
+"""
+
+# ruff: noqa: E501
+
+from __future__ import annotations
+
+from enum import IntEnum
+from typing import Any, NamedTuple
+
+from numpy import absolute as _absolute
+from numpy import add as _add
+from numpy import bitwise_and as _bitwise_and
+from numpy import bitwise_xor as _bitwise_xor
+from numpy import count_nonzero as _count_nonzero
+from numpy import divide as _divide
+from numpy import empty_like as _empty_like
+from numpy import flatnonzero as _flatnonzero
+from numpy import float64 as _float64
+from numpy import full as _full
+from numpy import inf as _inf
+from numpy import int8 as _int8
+from numpy import int64 as _int64
+from numpy import logical_and as _logical_and
+from numpy import logical_not as _logical_not
+from numpy import logical_or as _logical_or
+from numpy import multiply as _multiply
+from numpy import ndim as _ndim
+from numpy import ndarray as _ndarray
+from numpy import negative as _negative
+from numpy import sqrt as _sqrt
+from numpy import subtract as _subtract
+from numpy import where as _where
+
+SCENE = "court"
+
+PARAMETERS: dict[str, tuple[float, str, str]] = {
+    "ball_radius": (0.12128, "m", "R_B, radius of the ball"),
+    "ring_radius": (0.235, "m", "R_H, radius of the wire's centre circle"),
+    "wire_radius": (0.01, "m", "radius of the ring's wire"),
+    "board_distance": (0.381, "m", "a_0, from the ring's centre to the backboard"),
+    "board_half_width": (0.9144, "m", "y_B, half the backboard's width"),
+    "board_bottom": (-0.14, "m", "z_B1, height of its lower edge"),
+    "board_top": (0.9268, "m", "z_B2, height of its upper edge"),
+    "board_thickness": (0.0127, "m", "d, from the board's front to its back"),
+    "bridge_half_width": (0.0762, "m", "y_BR, half the bridge's width"),
+    "bridge_depth": (0.12, "m", "h, from the bridge's top to its underside"),
+    "gravity": (9.81, "m/s²", "g"),
+    "end_depth": (0.024256, "m", "H, of the end plane below the ring"),
+    "ring_restitution": (0.7, "1", "e0 of the ring"),
+    "backboard_restitution": (0.7, "1", "e0 of the backboard"),
+    "bridge_restitution": (0.7, "1", "e0 of the bridge"),
+    "ring_friction": (_inf, "1", "mu of the ring; infinite: every contact grips"),
+    "backboard_friction": (_inf, "1", "mu of the backboard; infinite: every contact grips"),
+    "bridge_friction": (_inf, "1", "mu of the bridge; infinite: every contact grips"),
+    "tangential_restitution": (0.0, "1", "e_t, of every contact that grips"),
+    "restitution_speed": (_inf, "m/s", "v0, at which e is half of e0; infinite: it does not fall"),
+}
+"""Parameters in calling order: default, unit, meaning."""
+
+LIMITS: dict[str, tuple[float, float]] = {
+    "ring_restitution": (0.0, 1.0),
+    "backboard_restitution": (0.0, 1.0),
+    "bridge_restitution": (0.0, 1.0),
+    "tangential_restitution": (-1.0, 1.0),
+}
+"""Of parameters with a largest value: between which they are."""
+
+VARIABLES: dict[str, str] = {
+    "ball_radius": "p_ball_radius",
+    "ring_radius": "p_ring_radius",
+    "wire_radius": "p_wire_radius",
+    "board_distance": "p_board_distance",
+    "board_half_width": "p_board_half_width",
+    "board_bottom": "p_board_bottom",
+    "board_top": "p_board_top",
+    "board_thickness": "p_board_thickness",
+    "bridge_half_width": "p_bridge_half_width",
+    "bridge_depth": "p_bridge_depth",
+    "gravity": "p_gravity",
+    "end_depth": "p_end_depth",
+    "ring_restitution": "p_ring_restitution",
+    "backboard_restitution": "p_backboard_restitution",
+    "bridge_restitution": "p_bridge_restitution",
+    "ring_friction": "p_ring_friction",
+    "backboard_friction": "p_backboard_friction",
+    "bridge_friction": "p_bridge_friction",
+    "tangential_restitution": "p_tangential_restitution",
+    "restitution_speed": "p_restitution_speed",
+}
+"""What each parameter is called as an argument, and as a column of the event loop."""
+
+BODIES: tuple[str, ...] = ("ring", "backboard", "bridge",)
+"""What can be touched, in the order of the results; what ends a shot comes after them."""
+
+ENDS: tuple[str, ...] = ("made", "missed",)
+"""What ends a shot, in the order of the outcomes; none: a time limit does."""
+
+STATE: tuple[str, ...] = ('x', 'y', 'z', 'vx', 'vy', 'vz', 'wx', 'wy', 'wz')
+"""The state of the ball, in order: m, m/s, rad/s."""
+
+
+class Outcome(IntEnum):
+    """How a shot ended.
+
+    A code, not a verdict: MADE is 0, so ``bool(outcome)`` is false for a shot that is made. Compare
+    with a member, or ask `Shots.made`.
+    """
+
+    MADE = 0
+    """Fell through the ring, and crossed the end plane inside the target."""
+    MISSED = 1
+    """Crossed the end plane otherwise."""
+    CAPPED = 2
+    """Had max_contacts contacts before it ended."""
+    SHORT = 3
+    """Can never reach an end."""
+    INVALID = 4
+    """Not finite, a parameter not allowed, or a ball that starts inside a surface."""
+    LODGED = 5
+    """At rest, or wedged between bodies."""
+    ENDLESS = 6
+    """Still moving at the time limit."""
+
+
+class Event(IntEnum):
+    """What a row of the event log is."""
+
+    IMPACT = 0
+    """The ball meets a body."""
+    ROLL = 1
+    """Its bounces have accumulated: it stays in contact with the body."""
+    LEAVE = 2
+    """That contact ends."""
+    END = 3
+    """The shot ends."""
+
+
+LOG_ROWS = 3
+"""Rows of the event log for each contact, at most; the end is one more."""
+
+
+class Field(NamedTuple):
+    """What a shot takes from event to event: its start, None if given; whether it bounds errors."""
+
+    name: str
+    start: float | None
+    bounds: bool
+
+
+class Result(NamedTuple):
+    """A result: the fields that it is made of, whether they make a row, whether it is not a number
+    where a shot is invalid, whether it bounds errors, whether it is had by name only."""
+
+    name: str
+    dtype: str
+    columns: tuple[str, ...]
+    row: bool
+    blank: bool
+    bounds: bool
+    asked: bool
+
+
+FIELDS: tuple[Field, ...] = (
+    Field("x", None, False),
+    Field("y", None, False),
+    Field("z", None, False),
+    Field("vx", None, False),
+    Field("vy", None, False),
+    Field("vz", None, False),
+    Field("wx", None, False),
+    Field("wy", None, False),
+    Field("wz", None, False),
+    Field("dx", 0.0, True),
+    Field("dy", 0.0, True),
+    Field("dz", 0.0, True),
+    Field("dvx", 0.0, True),
+    Field("dvy", 0.0, True),
+    Field("dvz", 0.0, True),
+    Field("dwx", 0.0, True),
+    Field("dwy", 0.0, True),
+    Field("dwz", 0.0, True),
+    Field("clock", 0.0, False),
+    Field("clock_error", 0.0, True),
+    Field("last", None, False),
+    Field("first", -1, False),
+    Field("contacts", 0.0, False),
+    Field("count_0", 0.0, False),
+    Field("count_1", 0.0, False),
+    Field("count_2", 0.0, False),
+    Field("held", -1, False),
+    Field("mode", 0.0, False),
+    Field("assured", 0.0, True),
+    Field("through", 0.0, False),
+    Field("uncertain", 0.0, True),
+    Field("position_claim", 0.0, True),
+    Field("velocity_claim", 0.0, True),
+    Field("spin_claim", 0.0, True),
+    Field("time_claim", 0.0, True),
+    Field("outcome", -1, False),
+)
+
+RESULTS: tuple[Result, ...] = (
+    Result("outcome", "uint8", ('outcome',), False, False, False, False),
+    Result("contacts", "int32", ('contacts',), False, False, False, False),
+    Result("counts", "int32", ('count_0', 'count_1', 'count_2'), True, False, False, False),
+    Result("first", "int8", ('first',), False, False, False, False),
+    Result("time", "float64", ('clock',), False, True, False, False),
+    Result("state", "float64", ('x', 'y', 'z', 'vx', 'vy', 'vz', 'wx', 'wy', 'wz'), True, True, False, False),
+    Result("time_error", "float64", ('time_claim',), False, True, True, True),
+    Result("state_error", "float64", ('position_claim', 'velocity_claim', 'spin_claim'), True, True, True, True),
+    Result("uncertain", "bool", ('uncertain',), False, False, True, False),
+)
+
+ARGUMENTS: dict[str, tuple[str, ...]] = {
+    "flight": ("t", "x", "y", "z", "vx", "vy", "vz", "p_gravity",),
+    "contact_frame": ("nx", "ny", "nz",),
+    "impact_through_frame": ("vx", "vy", "vz", "wx", "wy", "wz", "n11", "n12", "n13", "n21", "n22", "n23", "n31", "n32", "n33", "p_ball_radius", "restitution",),
+    "crossing": ("margin", "rate_margin", "rate", "ceiling",),
+    "allowance": ("share", "horizon", "extent", "speed", "position_error", "velocity_error", "p_gravity",),
+    "horizon": ("t", "speed", "p_gravity",),
+    "scale": ("x", "y", "z", "vx", "vy", "vz", "p_gravity",),
+    "displacement": ("delay", "horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_bridge_half_width", "p_bridge_depth", "p_gravity", "p_end_depth",),
+    "carry_flight": ("t", "x", "y", "z", "vx", "vy", "vz", "nx", "ny", "nz", "clock", "contacts", "late", "dx", "dy", "dz", "dvx", "dvy", "dvz", "curving", "p_gravity",),
+    "carry_time": ("t", "x", "y", "z", "vx", "vy", "vz", "clock", "clock_error", "dx", "dy", "dz", "dvx", "dvy", "dvz", "p_gravity",),
+    "error_bounds": ("clock_error", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
+    "claimed_errors": ("clock_error", "dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
+    "allowed": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_bridge_half_width", "p_bridge_depth", "p_gravity", "p_end_depth", "p_ring_restitution", "p_backboard_restitution", "p_bridge_restitution", "p_ring_friction", "p_backboard_friction", "p_bridge_friction", "p_tangential_restitution", "p_restitution_speed",),
+    "finite_parameters": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_bridge_half_width", "p_bridge_depth", "p_gravity", "p_end_depth", "p_ring_restitution", "p_backboard_restitution", "p_bridge_restitution", "p_ring_friction", "p_backboard_friction", "p_bridge_friction", "p_tangential_restitution", "p_restitution_speed", "allowed",),
+    "valid": ("last", "x", "y", "z", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_bridge_half_width", "p_bridge_depth", "p_end_depth",),
+    "passing_start": ("last", "outcome", "uncertain", "x", "y", "z", "p_ring_radius", "p_end_depth",),
+    "passing": ("through", "t", "x", "y", "z", "vx", "vy", "vz", "p_ring_radius", "p_gravity",),
+    "passing_doubt": ("t", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "p_ring_radius", "p_gravity",),
+    "passing_from": ("z",),
+    "passing_in_contact": ("over", "p_ring_radius", "through", "x", "y", "z",),
+    "left": ("index", "last",),
+    "meeting_plane": ("bend", "rate", "time",),
+    "timely": ("arrives", "delay", "late", "time", "when",),
+    "grazed": ("apex", "doubt", "height", "margin",),
+    "questioned": ("doubt", "time", "unsure",),
+    "crossed": ("arrives", "clearance", "doubt", "time",),
+    "tied": ("arrives", "delay", "doubt", "late", "time", "when",),
+    "sooner": ("arrives", "index", "time", "when", "which",),
+    "opens": ("clear",),
+    "beginning": (),
+    "beyond": ("doubt", "excess", "late", "lost", "pad",),
+    "nearby": ("flat", "index", "last", "t", "tilt",),
+    "struck": ("bend", "clearance", "gap", "margin", "rate", "rate_margin", "share",),
+    "finer": ("share",),
+    "exceeded": ("doubt", "excess", "t",),
+    "advanced": ("arrival", "certain", "end", "hit", "next", "root", "step", "sure", "t", "vague",),
+    "found": ("arrival",),
+    "polished": ("arrival", "certain", "refined",),
+    "own_margin": ("arrival", "flat", "leaving", "tilt",),
+    "landed": ("arrival",),
+    "landed_surely": ("arrives", "certain", "clearance", "delay", "doubt", "time",),
+    "outside": (),
+    "finite_state": ("vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",),
+    "opening": ("excess", "position_error", "velocity_error",),
+    "limited": ("time_limit",),
+    "ticked": ("clock", "when",),
+    "meeting": ("claims", "ends", "touches",),
+    "here": ("index", "which",),
+    "counted": ("count",),
+    "elsewhere": (),
+    "again": ("index", "last", "which",),
+    "delayed": ("clock_error", "delay",),
+    "floored": ("dx", "dy", "dz", "shift",),
+    "unturned": (),
+    "touched": ("body", "first", "which",),
+    "timed": ("claims", "index", "which",),
+    "closing": ("claims", "outcome",),
+    "undecided": ("uncertain", "unsure",),
+    "body_of": ("which",),
+    "admitted": ("doubt", "finite", "permitted", "valid",),
+    "expiry": ("clock", "doubt", "late", "time_error", "time_limit", "when", "which",),
+    "departed": ("index", "which",),
+    "expired": ("body", "clock", "ends", "index", "reached", "time_limit", "which",),
+    "accounted": ("contacts", "most_contacts", "reached", "touches",),
+    "roll_0": ("bent_x", "bent_y", "bent_z", "cos_0", "p_gravity", "near_0", "nx_0", "ny_0", "nz_0", "per_reach", "ring", "sin_0", "turn_rate_0", "vx_0", "vy_0", "vz_0",),
+    "roll_1": ("across_0", "bent_x", "bent_y", "bent_z", "cos_0", "cos_1", "p_gravity", "lift_0", "near_0", "near_1", "nx_0", "nx_1", "ny_0", "ny_1", "nz_0", "nz_1", "per_reach", "ring", "round_0", "sin_0", "sin_1", "turn_rate_0", "turn_rate_1", "tx_0", "ty_0", "tz_0", "vx_0", "vx_1", "vy_0", "vy_1", "vz_0", "vz_1", "widened_1",),
+    "roll_2": ("across_0", "across_1", "bent_x", "bent_y", "bent_z", "cos_0", "cos_1", "cos_2", "p_gravity", "lift_0", "lift_1", "near_0", "near_1", "near_2", "nx_0", "nx_1", "nx_2", "ny_0", "ny_1", "ny_2", "nz_0", "nz_1", "nz_2", "per_reach", "ring", "round_0", "round_1", "sin_0", "sin_1", "sin_2", "turn_rate_0", "turn_rate_1", "turn_rate_2", "tx_0", "tx_1", "ty_0", "ty_1", "tz_0", "tz_1", "vx_0", "vx_1", "vx_2", "vy_0", "vy_1", "vy_2", "vz_0", "vz_1", "vz_2", "widened_1", "widened_2",),
+    "roll_3": ("across_0", "across_1", "across_2", "bent_x", "bent_y", "bent_z", "cos_0", "cos_1", "cos_2", "cos_3", "p_gravity", "lift_0", "lift_1", "lift_2", "near_0", "near_1", "near_2", "near_3", "nx_0", "nx_1", "nx_2", "nx_3", "ny_0", "ny_1", "ny_2", "ny_3", "nz_0", "nz_1", "nz_2", "nz_3", "per_reach", "ring", "round_0", "round_1", "round_2", "sin_0", "sin_1", "sin_2", "sin_3", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "tx_0", "tx_1", "tx_2", "ty_0", "ty_1", "ty_2", "tz_0", "tz_1", "tz_2", "vx_0", "vx_1", "vx_2", "vx_3", "vy_0", "vy_1", "vy_2", "vy_3", "vz_0", "vz_1", "vz_2", "vz_3", "widened_1", "widened_2", "widened_3",),
+    "roll_4": ("across_0", "across_1", "across_2", "across_3", "bent_x", "bent_y", "bent_z", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "p_gravity", "lift_0", "lift_1", "lift_2", "lift_3", "near_0", "near_1", "near_2", "near_3", "near_4", "nx_0", "nx_1", "nx_2", "nx_3", "nx_4", "ny_0", "ny_1", "ny_2", "ny_3", "ny_4", "nz_0", "nz_1", "nz_2", "nz_3", "nz_4", "per_reach", "ring", "round_0", "round_1", "round_2", "round_3", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "tx_0", "tx_1", "tx_2", "tx_3", "ty_0", "ty_1", "ty_2", "ty_3", "tz_0", "tz_1", "tz_2", "tz_3", "vx_0", "vx_1", "vx_2", "vx_3", "vx_4", "vy_0", "vy_1", "vy_2", "vy_3", "vy_4", "vz_0", "vz_1", "vz_2", "vz_3", "vz_4", "widened_1", "widened_2", "widened_3", "widened_4",),
+    "roll_5": ("across_0", "across_1", "across_2", "across_3", "across_4", "bent_x", "bent_y", "bent_z", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "cos_5", "p_gravity", "lift_0", "lift_1", "lift_2", "lift_3", "lift_4", "near_0", "near_1", "near_2", "near_3", "near_4", "near_5", "nx_0", "nx_1", "nx_2", "nx_3", "nx_4", "nx_5", "ny_0", "ny_1", "ny_2", "ny_3", "ny_4", "ny_5", "nz_0", "nz_1", "nz_2", "nz_3", "nz_4", "nz_5", "per_reach", "ring", "round_0", "round_1", "round_2", "round_3", "round_4", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "sin_5", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "tx_0", "tx_1", "tx_2", "tx_3", "tx_4", "ty_0", "ty_1", "ty_2", "ty_3", "ty_4", "tz_0", "tz_1", "tz_2", "tz_3", "tz_4", "vx_0", "vx_1", "vx_2", "vx_3", "vx_4", "vx_5", "vy_0", "vy_1", "vy_2", "vy_3", "vy_4", "vy_5", "vz_0", "vz_1", "vz_2", "vz_3", "vz_4", "vz_5", "widened_1", "widened_2", "widened_3", "widened_4", "widened_5",),
+    "roll_6": ("across_0", "across_1", "across_2", "across_3", "across_4", "across_5", "bent_x", "bent_y", "bent_z", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "p_gravity", "lift_0", "lift_1", "lift_2", "lift_3", "lift_4", "lift_5", "near_0", "near_1", "near_2", "near_3", "near_4", "near_5", "near_6", "nx_0", "nx_1", "nx_2", "nx_3", "nx_4", "nx_5", "nx_6", "ny_0", "ny_1", "ny_2", "ny_3", "ny_4", "ny_5", "ny_6", "nz_0", "nz_1", "nz_2", "nz_3", "nz_4", "nz_5", "nz_6", "per_reach", "ring", "round_0", "round_1", "round_2", "round_3", "round_4", "round_5", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "tx_0", "tx_1", "tx_2", "tx_3", "tx_4", "tx_5", "ty_0", "ty_1", "ty_2", "ty_3", "ty_4", "ty_5", "tz_0", "tz_1", "tz_2", "tz_3", "tz_4", "tz_5", "vx_0", "vx_1", "vx_2", "vx_3", "vx_4", "vx_5", "vx_6", "vy_0", "vy_1", "vy_2", "vy_3", "vy_4", "vy_5", "vy_6", "vz_0", "vz_1", "vz_2", "vz_3", "vz_4", "vz_5", "vz_6", "widened_1", "widened_2", "widened_3", "widened_4", "widened_5", "widened_6",),
+    "roll_7": ("across_0", "across_1", "across_2", "across_3", "across_4", "across_5", "across_6", "bent_x", "bent_y", "bent_z", "cos_0", "cos_1", "cos_2", "cos_3", "cos_4", "cos_5", "cos_6", "cos_7", "p_gravity", "lift_0", "lift_1", "lift_2", "lift_3", "lift_4", "lift_5", "lift_6", "near_0", "near_1", "near_2", "near_3", "near_4", "near_5", "near_6", "near_7", "nx_0", "nx_1", "nx_2", "nx_3", "nx_4", "nx_5", "nx_6", "nx_7", "ny_0", "ny_1", "ny_2", "ny_3", "ny_4", "ny_5", "ny_6", "ny_7", "nz_0", "nz_1", "nz_2", "nz_3", "nz_4", "nz_5", "nz_6", "nz_7", "per_reach", "ring", "round_0", "round_1", "round_2", "round_3", "round_4", "round_5", "round_6", "sin_0", "sin_1", "sin_2", "sin_3", "sin_4", "sin_5", "sin_6", "sin_7", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "tx_0", "tx_1", "tx_2", "tx_3", "tx_4", "tx_5", "tx_6", "ty_0", "ty_1", "ty_2", "ty_3", "ty_4", "ty_5", "ty_6", "tz_0", "tz_1", "tz_2", "tz_3", "tz_4", "tz_5", "tz_6", "vx_0", "vx_1", "vx_2", "vx_3", "vx_4", "vx_5", "vx_6", "vx_7", "vy_0", "vy_1", "vy_2", "vy_3", "vy_4", "vy_5", "vy_6", "vy_7", "vz_0", "vz_1", "vz_2", "vz_3", "vz_4", "vz_5", "vz_6", "vz_7", "widened_1", "widened_2", "widened_3", "widened_4", "widened_5", "widened_6", "widened_7",),
+    "roll_start": ("p_ball_radius", "nx", "ny", "nz", "ring", "vx", "vy", "vz", "wx", "wy", "wz", "x", "y",),
+    "roll_moved": ("t", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "vx_0", "vx_1", "vx_2", "vx_3", "vx_4", "vx_5", "vx_6", "vx_7", "vx_8", "vy_0", "vy_1", "vy_2", "vy_3", "vy_4", "vy_5", "vy_6", "vy_7", "vy_8", "vz_0", "vz_1", "vz_2", "vz_3", "vz_4", "vz_5", "vz_6", "vz_7", "vz_8", "x", "y", "z",),
+    "roll_placed": ("p_ball_radius", "gap", "nx", "ny", "nz", "turn_rate", "vx", "vy", "vz", "x", "y", "z",),
+    "roll_pace": ("p_gravity", "lift_0", "lift_1", "lift_2", "lift_3", "lift_4", "lift_5", "lift_6", "lift_7", "nx_8", "ny_8", "nz_0", "nz_1", "nz_2", "nz_3", "nz_4", "nz_5", "nz_6", "nz_7", "nz_8", "per_reach", "turn_rate_0", "turn_rate_1", "turn_rate_2", "turn_rate_3", "turn_rate_4", "turn_rate_5", "turn_rate_6", "turn_rate_7", "turn_rate_8", "vx_0", "vx_1", "vx_2", "vx_3", "vx_4", "vx_5", "vx_6", "vx_7", "vx_8", "vy_0", "vy_1", "vy_2", "vy_3", "vy_4", "vy_5", "vy_6", "vy_7", "vy_8", "vz_0", "vz_1", "vz_2", "vz_3", "vz_4", "vz_5", "vz_6", "vz_7", "vz_8",),
+    "roll_turn_rate": ("p_ball_radius", "nx", "ny", "nz", "wx", "wy", "wz",),
+    "slowed": ("p_ball_radius", "nx", "ny", "nz", "vx", "vy", "vz",),
+    "gripped": ("p_ball_radius", "nx", "ny", "nz", "vx", "vy", "vz", "wx", "wy", "wz",),
+    "alone": (),
+    "neared": ("gap", "nearest",),
+    "begun_errors": ("p_ball_radius", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dx", "dy", "dz", "vx", "vy", "vz",),
+    "leaving_force": ("doubt", "fastest", "force", "force_bend", "force_rate", "p_gravity", "per_reach", "position_error", "stride", "velocity_error", "vx", "vx_1", "vy", "vy_1", "vz", "vz_1", "which",),
+    "beside_body": ("p_ball_radius", "dent", "doubt", "fastest", "gap", "index", "late", "nearing", "position_error", "stride", "strongest", "which", "x", "y", "z",),
+    "beside_gate": ("p_ball_radius", "dent", "doubt", "fastest", "gap", "index", "late", "nearing", "position_error", "stride", "strongest", "which", "x", "y", "z",),
+    "beside_seam": ("fastest", "gap", "near", "nearing", "stride", "strongest",),
+    "beside_time": ("clock", "stride", "time_limit", "which",),
+    "rolled_on": ("clock", "rests", "stride", "which",),
+    "parted": ("doubt", "p_gravity", "lift", "nearest", "per_reach", "position_error", "snap", "surge", "velocity_error", "vx", "vy", "vz",),
+    "apart": ("p_ball_radius", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dx", "dy", "dz",),
+    "neighbour": ("apart", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dx", "dy", "dz", "vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",),
+    "compared": ("apart", "p_ball_radius", "far_vx", "far_vy", "far_vz", "far_wx", "far_wy", "far_wz", "far_x", "far_y", "far_z", "vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",),
+    "carry_hop": ("dvx", "dvy", "dvz", "dx", "dy", "dz", "vx", "vy", "vz", "when", "x", "y", "z",),
+    "kept": ("mode", "when",),
+    "resumed": ("mode", "position_error", "velocity_error",),
+    "doubted_in_contact": ("assured", "doubt", "edge", "last", "late", "uncertain", "when", "which",),
+    "holding": ("held", "index",),
+    "beside": ("held", "index",),
+    "unhopped": (),
+    "beginning_contact": (),
+    "hopping": (),
+    "kept_on": ("body", "ends", "held", "last", "reached", "rests", "which",),
+    "settled": ("index", "lodges", "outcome", "settles", "uncertain", "unsure",),
+    "ring_impact_doubt": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "turn", "p_ball_radius", "p_ring_restitution", "p_ring_friction", "p_tangential_restitution", "p_restitution_speed",),
+    "ring_impact": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "p_ball_radius", "p_ring_restitution", "p_ring_friction", "p_tangential_restitution", "p_restitution_speed",),
+    "carry_ring_impact": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "contacts", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dnx", "dny", "dnz", "turn", "p_ball_radius", "p_ring_restitution", "p_ring_friction", "p_tangential_restitution", "p_restitution_speed",),
+    "ring_impact_settling": ("p_ball_radius", "bounce", "p_gravity", "nearest", "nx", "ny", "nz", "p_ring_friction", "p_ring_restitution", "rolled_x", "rolled_y", "rolled_z", "slip", "turning_x", "turning_y", "turning_z", "velocity_error", "wx", "wy", "wz",),
+    "backboard_impact_doubt": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "turn", "p_ball_radius", "p_backboard_restitution", "p_backboard_friction", "p_tangential_restitution", "p_restitution_speed",),
+    "backboard_impact": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "p_ball_radius", "p_backboard_restitution", "p_backboard_friction", "p_tangential_restitution", "p_restitution_speed",),
+    "carry_backboard_impact": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "contacts", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dnx", "dny", "dnz", "turn", "p_ball_radius", "p_backboard_restitution", "p_backboard_friction", "p_tangential_restitution", "p_restitution_speed",),
+    "backboard_impact_settling": ("p_backboard_friction", "p_backboard_restitution", "p_ball_radius", "bounce", "p_gravity", "nearest", "nx", "ny", "nz", "rolled_x", "rolled_y", "rolled_z", "slip", "turning_x", "turning_y", "turning_z", "velocity_error", "wx", "wy", "wz",),
+    "bridge_impact_doubt": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "turn", "p_ball_radius", "p_bridge_restitution", "p_bridge_friction", "p_tangential_restitution", "p_restitution_speed",),
+    "bridge_impact": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "p_ball_radius", "p_bridge_restitution", "p_bridge_friction", "p_tangential_restitution", "p_restitution_speed",),
+    "carry_bridge_impact": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "contacts", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dnx", "dny", "dnz", "turn", "p_ball_radius", "p_bridge_restitution", "p_bridge_friction", "p_tangential_restitution", "p_restitution_speed",),
+    "bridge_impact_settling": ("p_ball_radius", "bounce", "p_bridge_friction", "p_bridge_restitution", "p_gravity", "nearest", "nx", "ny", "nz", "rolled_x", "rolled_y", "rolled_z", "slip", "turning_x", "turning_y", "turning_z", "velocity_error", "wx", "wy", "wz",),
+    "ring_coefficients": ("x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_deflated": ("x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_normal": ("x", "y", "z", "p_ball_radius", "p_ring_radius", "p_wire_radius",),
+    "ring_curvature": ("p_ball_radius", "p_ring_radius", "p_wire_radius",),
+    "ring_carry_normal": ("x", "y", "dx", "dy", "dz", "shift", "p_ball_radius", "p_ring_radius", "p_wire_radius",),
+    "ring_clear": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_prepare": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_margins": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_refine": ("t", "leaving", "x", "y", "z", "vx", "vy", "vz", "rho_start", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_advance": ("t", "end", "leaving", "margin", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "steady", "swing", "rho_start", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+    "ring_beside": ("p_ball_radius", "p_ring_radius", "vx", "vy", "vz", "p_wire_radius", "x", "y", "z",),
+    "ring_off": ("p_ball_radius", "p_ring_radius", "p_wire_radius", "x", "y", "z",),
+    "ring_tube": ("p_ball_radius", "p_ring_radius", "p_wire_radius",),
+    "ring_turning": ("p_ball_radius", "p_ring_radius", "rolled_x", "rolled_y", "rolled_z", "p_wire_radius", "x", "y",),
+    "ring_parting": ("p_gravity", "p_ring_radius", "vx", "vy", "vz", "x", "y", "z",),
+    "ring_enter": ("after", "end", "high0", "high1", "high2", "low0", "low1", "low2", "t",),
+    "backboard_normal": ("x", "y", "z", "p_ball_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness",),
+    "backboard_curvature": ("p_ball_radius",),
+    "backboard_carry_normal": ("x", "y", "z", "dx", "dy", "dz", "shift", "p_ball_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness",),
+    "backboard_clear": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_gravity",),
+    "backboard_prepare": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_gravity",),
+    "backboard_margins": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_gravity",),
+    "backboard_refine": ("t", "leaving", "x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_gravity",),
+    "backboard_advance": ("t", "end", "leaving", "margin", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_board_distance", "p_board_half_width", "p_board_bottom", "p_board_top", "p_board_thickness", "p_gravity",),
+    "backboard_beside": ("p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "vx", "vy", "vz", "x", "y", "z",),
+    "backboard_off": ("p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "x", "y", "z",),
+    "backboard_tube": ("p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "vx", "vy", "vz", "x", "y", "z",),
+    "backboard_turning": ("p_ball_radius", "p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "rolled_x", "rolled_y", "rolled_z", "x", "y", "z",),
+    "backboard_parting": ("p_board_bottom", "p_board_distance", "p_board_half_width", "p_board_thickness", "p_board_top", "p_gravity", "vx", "vy", "vz", "x", "y", "z",),
+    "backboard_seam0": ("p_ball_radius", "p_board_distance", "p_board_thickness", "vx", "x",),
+    "backboard_seam1": ("p_ball_radius", "p_board_distance", "p_board_thickness", "vx", "x",),
+    "backboard_seam2": ("p_ball_radius", "p_board_half_width", "vy", "y",),
+    "backboard_seam3": ("p_ball_radius", "p_board_half_width", "vy", "y",),
+    "backboard_seam4": ("p_ball_radius", "p_board_bottom", "p_board_top", "vz", "z",),
+    "backboard_seam5": ("p_ball_radius", "p_board_bottom", "p_board_top", "vz", "z",),
+    "backboard_enter": ("after", "end", "high0", "high1", "low0", "low1", "t",),
+    "bridge_normal": ("x", "y", "z", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_bridge_half_width", "p_bridge_depth",),
+    "bridge_curvature": ("p_ball_radius",),
+    "bridge_carry_normal": ("x", "y", "z", "dx", "dy", "dz", "shift", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_bridge_half_width", "p_bridge_depth",),
+    "bridge_clear": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_bridge_half_width", "p_bridge_depth", "p_gravity",),
+    "bridge_prepare": ("horizon", "x", "y", "z", "vx", "vy", "vz", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_bridge_half_width", "p_bridge_depth", "p_gravity",),
+    "bridge_margins": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_bridge_half_width", "p_bridge_depth", "p_gravity",),
+    "bridge_refine": ("t", "leaving", "x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_bridge_half_width", "p_bridge_depth", "p_gravity",),
+    "bridge_advance": ("t", "end", "leaving", "margin", "rate_margin", "ceiling", "x", "y", "z", "vx", "vy", "vz", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_board_distance", "p_bridge_half_width", "p_bridge_depth", "p_gravity",),
+    "bridge_beside": ("p_ball_radius", "p_board_distance", "p_bridge_depth", "p_bridge_half_width", "p_ring_radius", "vx", "vy", "vz", "p_wire_radius", "x", "y", "z",),
+    "bridge_off": ("p_ball_radius", "p_board_distance", "p_bridge_depth", "p_bridge_half_width", "p_ring_radius", "p_wire_radius", "x", "y", "z",),
+    "bridge_tube": ("p_ball_radius", "p_board_distance", "p_bridge_depth", "p_bridge_half_width", "p_ring_radius", "vx", "vy", "vz", "p_wire_radius", "x", "y", "z",),
+    "bridge_turning": ("p_ball_radius", "p_board_distance", "p_bridge_depth", "p_bridge_half_width", "p_ring_radius", "rolled_x", "rolled_y", "rolled_z", "p_wire_radius", "x", "y", "z",),
+    "bridge_parting": ("p_board_distance", "p_bridge_depth", "p_bridge_half_width", "p_gravity", "p_ring_radius", "vx", "vy", "vz", "p_wire_radius", "x", "y", "z",),
+    "bridge_seam0": ("p_ball_radius", "p_board_distance", "p_ring_radius", "vx", "x",),
+    "bridge_seam1": ("p_ball_radius", "p_board_distance", "p_ring_radius", "vx", "x",),
+    "bridge_seam2": ("p_ball_radius", "p_bridge_half_width", "vy", "y",),
+    "bridge_seam3": ("p_ball_radius", "p_bridge_half_width", "vy", "y",),
+    "bridge_seam4": ("p_ball_radius", "p_bridge_depth", "vz", "p_wire_radius", "z",),
+    "bridge_seam5": ("p_ball_radius", "p_bridge_depth", "vz", "p_wire_radius", "z",),
+    "bridge_enter": ("after", "end", "high0", "high1", "low0", "low1", "t",),
+    "end_coefficients": ("z", "vz", "p_gravity", "p_end_depth",),
+    "end_deflated": ("vz", "p_gravity",),
+    "end_normal": (),
+    "end_curvature": (),
+    "end_arrival": ("leaving", "z", "vz", "p_gravity", "p_end_depth",),
+    "end_margin": ("horizon", "extent", "speed", "position_error", "velocity_error", "p_gravity", "p_end_depth",),
+    "end_place": ("x", "y", "p_end_depth",),
+    "end_bounds": ("x", "y", "p_ring_radius",),
+    "end_beside": ("p_end_depth", "vz", "z",),
+    "end_off": ("p_end_depth", "z",),
+    "end_tube": (),
+    "end_turning": (),
+    "end_parting": ("p_gravity",),
+    "end_reached": ("g0", "through",),
+    "end_edge": ("g0", "slack", "through",),
+    "aimed_speed": ("slope", "reach", "rise", "p_gravity",),
+    "entry_slope": ("slope", "reach", "rise",),
+    "slope_of_entry": ("entry", "reach", "rise",),
+    "least_speed": ("reach", "rise", "p_gravity",),
+    "slopes_of_speed": ("release_speed", "reach", "rise", "p_gravity",),
+    "descent": ("z", "vz", "level", "p_gravity",),
+    "apex": ("z", "vz", "p_gravity",),
+    "sighted": ("x", "y", "place_x", "place_y",),
+    "ring_nearness": ("t", "x", "y", "z", "vx", "vy", "vz", "half", "p_ball_radius", "p_ring_radius", "p_wire_radius", "p_gravity",),
+}
+"""Names of each kernel's arguments; rows to write into, which some take after them, are none."""
+
+OUTPUTS: dict[str, tuple[str, ...]] = {
+    "flight": ("x", "y", "z", "vx", "vy", "vz",),
+    "contact_frame": ("n11", "n12", "n13", "n21", "n22", "n23", "n31", "n32", "n33",),
+    "impact_through_frame": ("vx", "vy", "vz", "wx", "wy", "wz",),
+    "crossing": ("clearance", "delay",),
+    "allowance": ("position_level", "velocity_level", "excess",),
+    "horizon": ("horizon", "pad",),
+    "scale": ("extent", "speed", "excess",),
+    "displacement": ("margin",),
+    "carry_flight": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "delay", "shift",),
+    "carry_time": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "clock_error",),
+    "error_bounds": ("position_error", "velocity_error", "spin_error", "time_error",),
+    "claimed_errors": ("position_error", "velocity_error", "spin_error", "time_error",),
+    "allowed": ("allowed",),
+    "finite_parameters": ("permitted",),
+    "valid": ("valid", "doubt",),
+    "passing_start": ("through", "uncertain",),
+    "passing": ("through",),
+    "passing_doubt": ("unsure",),
+    "passing_from": ("over",),
+    "passing_in_contact": ("through",),
+    "left": ("leaving",),
+    "meeting_plane": ("arrives", "ceiling",),
+    "timely": ("possible",),
+    "grazed": ("doubt",),
+    "questioned": ("doubt",),
+    "crossed": ("doubt",),
+    "tied": ("doubt", "late",),
+    "sooner": ("when", "which",),
+    "opens": ("open",),
+    "beginning": ("share", "arrival", "certain",),
+    "beyond": ("doubt",),
+    "nearby": ("leaving", "margin",),
+    "struck": ("hit", "sure", "vague",),
+    "finer": ("share",),
+    "exceeded": ("doubt",),
+    "advanced": ("arrival", "certain", "exhausted", "searching", "t",),
+    "found": ("arrives",),
+    "polished": ("arrival",),
+    "own_margin": ("margin",),
+    "landed": ("time",),
+    "landed_surely": ("delay", "doubt",),
+    "outside": ("side",),
+    "finite_state": ("finite",),
+    "opening": ("when", "which", "late", "doubt",),
+    "limited": ("limited",),
+    "ticked": ("clock",),
+    "meeting": ("meeting",),
+    "here": ("here",),
+    "counted": ("count",),
+    "elsewhere": ("curving",),
+    "again": ("again",),
+    "delayed": ("clock_error",),
+    "floored": ("dx", "dy", "dz",),
+    "unturned": ("dnx", "dny", "dnz", "turn",),
+    "touched": ("first", "last",),
+    "timed": ("timed",),
+    "closing": ("closed",),
+    "undecided": ("uncertain",),
+    "body_of": ("body",),
+    "admitted": ("outcome", "uncertain",),
+    "expiry": ("time", "delay", "arrives", "doubt",),
+    "departed": ("stays", "moves", "ends", "touches", "reached", "edge",),
+    "expired": ("clock", "body", "reached", "ends",),
+    "accounted": ("contacts", "outcome",),
+    "roll_0": ("across_0", "round_0", "lift_0", "tx_0", "ty_0", "tz_0", "vx_1", "vy_1", "vz_1", "nx_1", "ny_1", "nz_1", "turn_rate_1", "cos_1", "sin_1", "widened_1", "near_1",),
+    "roll_1": ("across_1", "round_1", "lift_1", "tx_1", "ty_1", "tz_1", "vx_2", "vy_2", "vz_2", "nx_2", "ny_2", "nz_2", "turn_rate_2", "cos_2", "sin_2", "widened_2", "near_2",),
+    "roll_2": ("across_2", "round_2", "lift_2", "tx_2", "ty_2", "tz_2", "vx_3", "vy_3", "vz_3", "nx_3", "ny_3", "nz_3", "turn_rate_3", "cos_3", "sin_3", "widened_3", "near_3",),
+    "roll_3": ("across_3", "round_3", "lift_3", "tx_3", "ty_3", "tz_3", "vx_4", "vy_4", "vz_4", "nx_4", "ny_4", "nz_4", "turn_rate_4", "cos_4", "sin_4", "widened_4", "near_4",),
+    "roll_4": ("across_4", "round_4", "lift_4", "tx_4", "ty_4", "tz_4", "vx_5", "vy_5", "vz_5", "nx_5", "ny_5", "nz_5", "turn_rate_5", "cos_5", "sin_5", "widened_5", "near_5",),
+    "roll_5": ("across_5", "round_5", "lift_5", "tx_5", "ty_5", "tz_5", "vx_6", "vy_6", "vz_6", "nx_6", "ny_6", "nz_6", "turn_rate_6", "cos_6", "sin_6", "widened_6", "near_6",),
+    "roll_6": ("across_6", "round_6", "lift_6", "tx_6", "ty_6", "tz_6", "vx_7", "vy_7", "vz_7", "nx_7", "ny_7", "nz_7", "turn_rate_7", "cos_7", "sin_7", "widened_7", "near_7",),
+    "roll_7": ("across_7", "round_7", "lift_7", "tx_7", "ty_7", "tz_7", "vx_8", "vy_8", "vz_8", "nx_8", "ny_8", "nz_8", "turn_rate_8", "cos_8", "sin_8", "widened_8", "near_8",),
+    "roll_start": ("vx_0", "vy_0", "vz_0", "nx_0", "ny_0", "nz_0", "turn_rate_0", "cos_0", "sin_0", "near_0",),
+    "roll_moved": ("x", "vx", "y", "vy", "z", "vz", "turn_rate",),
+    "roll_placed": ("x", "y", "z", "vx", "vy", "vz", "wx", "wy", "wz",),
+    "roll_pace": ("stride", "strongest", "fastest", "force", "force_rate", "force_bend",),
+    "roll_turn_rate": ("turn_rate",),
+    "slowed": ("slow", "assured",),
+    "gripped": ("rolled_x", "rolled_y", "rolled_z", "slip", "bounce",),
+    "alone": ("nearest",),
+    "neared": ("nearest",),
+    "begun_errors": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
+    "leaving_force": ("stride", "which", "rests", "doubt",),
+    "beside_body": ("stride", "which", "doubt", "late",),
+    "beside_gate": ("stride", "which", "doubt", "late",),
+    "beside_seam": ("stride",),
+    "beside_time": ("stride", "which",),
+    "rolled_on": ("clock", "rolling",),
+    "parted": ("when", "doubt",),
+    "apart": ("apart",),
+    "neighbour": ("far_x", "far_y", "far_z", "far_vx", "far_vy", "far_vz", "far_wx", "far_wy", "far_wz",),
+    "compared": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
+    "carry_hop": ("dx", "dy", "dz",),
+    "kept": ("kept", "when", "rests",),
+    "resumed": ("which", "late", "doubt", "begins", "rolling", "leaves", "nx", "ny", "nz", "gap", "bent_x", "bent_y", "bent_z", "lift", "surge", "snap", "per_reach", "ring",),
+    "doubted_in_contact": ("uncertain",),
+    "holding": ("here",),
+    "beside": ("beside",),
+    "unhopped": ("hopped",),
+    "beginning_contact": ("which",),
+    "hopping": ("which",),
+    "kept_on": ("body", "reached", "ends", "hopped", "last", "mode", "held",),
+    "settled": ("mode", "held", "outcome", "uncertain",),
+    "ring_impact_doubt": ("unsure",),
+    "ring_impact": ("vx", "vy", "vz", "wx", "wy", "wz",),
+    "carry_ring_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
+    "ring_impact_settling": ("settles", "lodges", "assured", "unsure",),
+    "backboard_impact_doubt": ("unsure",),
+    "backboard_impact": ("vx", "vy", "vz", "wx", "wy", "wz",),
+    "carry_backboard_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
+    "backboard_impact_settling": ("settles", "lodges", "assured", "unsure",),
+    "bridge_impact_doubt": ("unsure",),
+    "bridge_impact": ("vx", "vy", "vz", "wx", "wy", "wz",),
+    "carry_bridge_impact": ("dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
+    "bridge_impact_settling": ("settles", "lodges", "assured", "unsure",),
+    "ring_coefficients": ("c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7", "c8",),
+    "ring_deflated": ("c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7",),
+    "ring_normal": ("nx", "ny", "nz",),
+    "ring_curvature": ("curvature",),
+    "ring_carry_normal": ("dnx", "dny", "dnz", "turn",),
+    "ring_clear": ("clear",),
+    "ring_prepare": ("steady", "swing", "rho_start", "low0", "high0", "low1", "high1", "low2", "high2", "ceiling", "latest", "lost",),
+    "ring_margins": ("margin", "leaving_margin", "rate_margin",),
+    "ring_refine": ("time", "rate",),
+    "ring_advance": ("gap", "rate", "bend", "step", "next", "root", "clearance",),
+    "ring_beside": ("gap", "nearing", "dent",),
+    "ring_off": ("gap",),
+    "ring_tube": ("bent_x", "bent_y", "bent_z", "per_reach", "ring",),
+    "ring_turning": ("turning_x", "turning_y", "turning_z",),
+    "ring_parting": ("lift", "surge", "snap",),
+    "ring_enter": ("t", "end", "searching",),
+    "backboard_normal": ("nx", "ny", "nz",),
+    "backboard_curvature": ("curvature",),
+    "backboard_carry_normal": ("dnx", "dny", "dnz", "turn",),
+    "backboard_clear": ("clear",),
+    "backboard_prepare": ("low0", "high0", "low1", "high1", "ceiling", "latest", "lost",),
+    "backboard_margins": ("margin", "leaving_margin", "rate_margin",),
+    "backboard_refine": ("time", "rate",),
+    "backboard_advance": ("gap", "rate", "bend", "step", "next", "root", "clearance",),
+    "backboard_beside": ("gap", "nearing", "dent",),
+    "backboard_off": ("gap",),
+    "backboard_tube": ("bent_x", "bent_y", "bent_z", "per_reach", "ring",),
+    "backboard_turning": ("turning_x", "turning_y", "turning_z",),
+    "backboard_parting": ("lift", "surge", "snap",),
+    "backboard_seam0": ("gap", "nearing", "near",),
+    "backboard_seam1": ("gap", "nearing", "near",),
+    "backboard_seam2": ("gap", "nearing", "near",),
+    "backboard_seam3": ("gap", "nearing", "near",),
+    "backboard_seam4": ("gap", "nearing", "near",),
+    "backboard_seam5": ("gap", "nearing", "near",),
+    "backboard_enter": ("t", "end", "searching",),
+    "bridge_normal": ("nx", "ny", "nz",),
+    "bridge_curvature": ("curvature",),
+    "bridge_carry_normal": ("dnx", "dny", "dnz", "turn",),
+    "bridge_clear": ("clear",),
+    "bridge_prepare": ("low0", "high0", "low1", "high1", "ceiling", "latest", "lost",),
+    "bridge_margins": ("margin", "leaving_margin", "rate_margin",),
+    "bridge_refine": ("time", "rate",),
+    "bridge_advance": ("gap", "rate", "bend", "step", "next", "root", "clearance",),
+    "bridge_beside": ("gap", "nearing", "dent",),
+    "bridge_off": ("gap",),
+    "bridge_tube": ("bent_x", "bent_y", "bent_z", "per_reach", "ring",),
+    "bridge_turning": ("turning_x", "turning_y", "turning_z",),
+    "bridge_parting": ("lift", "surge", "snap",),
+    "bridge_seam0": ("gap", "nearing", "near",),
+    "bridge_seam1": ("gap", "nearing", "near",),
+    "bridge_seam2": ("gap", "nearing", "near",),
+    "bridge_seam3": ("gap", "nearing", "near",),
+    "bridge_seam4": ("gap", "nearing", "near",),
+    "bridge_seam5": ("gap", "nearing", "near",),
+    "bridge_enter": ("t", "end", "searching",),
+    "end_coefficients": ("c0", "c1", "c2",),
+    "end_deflated": ("c0", "c1",),
+    "end_normal": ("nx", "ny", "nz",),
+    "end_curvature": ("curvature",),
+    "end_arrival": ("time", "rate", "bend", "apex", "height",),
+    "end_margin": ("margin",),
+    "end_place": ("x", "y", "z",),
+    "end_bounds": ("g0",),
+    "end_beside": ("gap", "nearing", "dent",),
+    "end_off": ("gap",),
+    "end_tube": ("bent_x", "bent_y", "bent_z", "per_reach", "ring",),
+    "end_turning": ("turning_x", "turning_y", "turning_z",),
+    "end_parting": ("lift", "surge", "snap",),
+    "end_reached": ("reached",),
+    "end_edge": ("edge",),
+    "aimed_speed": ("speed",),
+    "entry_slope": ("entry",),
+    "slope_of_entry": ("slope",),
+    "least_speed": ("slope", "speed",),
+    "slopes_of_speed": ("low", "high",),
+    "descent": ("time", "vz",),
+    "apex": ("time", "height",),
+    "sighted": ("past", "left",),
+    "ring_nearness": ("gap", "rate", "lower", "concavity", "resolution",),
+}
+"""Names of each kernel's outputs."""
+
+ROWS = 36
+"""Rows that a kernel writes into, at the most: what it computes on the way to its results."""
+
+FEW = 1 << 10
+"""So few shots are quicker with fresh arrays than with rows, and without a look at how many differ."""
+
+NO_ROWS: tuple[None, ...] = (None,) * ROWS
+"""With these in their place it makes arrays of its own."""
+
+
+def _bits(value: Any) -> Any:
+    """Return numbers as the whole numbers of the same bits."""
+    return (value if _ndim(value) else _float64(value)).view(_int64)
+
+
+def _select(truth: Any, then: Any, other: Any, row: Any, keep: bool = True) -> Any:
+    """Return one value where a truth holds, and another where it does not: either, or a row.
+
+    Where it holds for some shots and not for their neighbours, a branch for each would be guessed
+    wrong more often than not: the bits are taken from both.
+    """
+    if row is None:
+        return _where(truth, then, other)
+    shots = len(row)
+    many = _count_nonzero(truth) if _ndim(truth) else shots * bool(truth)
+    if many in (0, shots):
+        all_of = then if many else other
+        if keep and _ndim(all_of):
+            return all_of
+        row[...] = all_of
+        return row
+    if not shots < 16 * many < 15 * shots:
+        return _where(truth, then, other)
+    bits, unlike = row.view(_int64), _bits(other)
+    _bitwise_xor(_bits(then), unlike, bits)
+    _bitwise_and(bits, _negative(truth.view(_int8)).astype(_int64), bits)
+    _bitwise_xor(bits, unlike, bits)
+    return row
+
+
+def _result(truth: Any, then: Any, other: Any, row: Any) -> Any:
+    """Do the same, in an array of its own."""
+    return _select(truth, then, other, None if row is None else _empty_like(row), False)
+
+
+def flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Position and velocity at time t of a flight.
+
+    Eq. 3. 11 operations: 3 additions, 2 subtractions, 6 multiplications.
+    Returns x, y, z, vx, vy, vz.
+    """
+    _r0, *_ = _room
+    return x + _multiply(t, vx, _r0), y + _multiply(t, vy, _r0), z + _multiply(t, _subtract(vz, _multiply(0.5 * p_gravity, t, _r0), _r0), _r0), vx, vy, vz - _multiply(p_gravity, t, _r0)
+
+
+def contact_frame(nx: Any, ny: Any, nz: Any) -> tuple[Any, ...]:
+    """The contact frame R = [n1 n2 n3] of a unit normal.
+
+    Eqs. 7-10, Eq. 7 with the smallest component. 72 operations: 6 additions, 3 subtractions, 18 multiplications, 12 divisions, 3 square roots, 9 negations, 3 comparisons, 18 selections.
+    Returns n11, n12, n13, n21, n22, n23, n31, n32, n33.
+    """
+    _s0 = nx * nx
+    _s1 = ny * ny
+    _s2 = nz * nz
+    _s3 = _sqrt((1.0 - _s0))
+    _s4 = _sqrt((1.0 - _s1))
+    _s5 = nx * ny
+    _s6 = _sqrt((1.0 - _s2))
+    _s7 = nx * nz
+    _s8 = _s1 <= _s2
+    _s9 = _where(_s8, (-(_s5 / _s4)), (-(_s7 / _s6)))
+    _s10 = _s0 <= _s2
+    _s11 = _s0 <= _s1
+    _s12 = _where(_s8, (-((nz * _s4) + ((_s1 * nz) / _s4))), ((ny * _s6) + ((ny * _s2) / _s6)))
+    _s13 = ny * nz
+    _s14 = _where(_s8, _s4, (-(_s13 / _s6)))
+    _s15 = _where(_s8, 0.0, (-((nx * _s6) + ((nx * _s2) / _s6))))
+    _s16 = _where(_s8, (-(_s13 / _s4)), _s6)
+    _s17 = _where(_s8, ((nx * _s4) + ((nx * _s1) / _s4)), 0.0)
+    _s18 = _where(_s11, _where(_s10, (-((ny * _s3) + ((_s0 * ny) / _s3))), _s17), _s17)
+    return _where(_s11, _where(_s10, _s3, _s9), _s9), _where(_s11, _where(_s10, 0.0, _s12), _s12), nx, _where(_s11, _where(_s10, (-(_s5 / _s3)), _s14), _s14), _where(_s11, _where(_s10, ((nz * _s3) + ((_s0 * nz) / _s3)), _s15), _s15), ny, _where(_s11, _where(_s10, (-(_s7 / _s3)), _s16), _s16), _s18, nz
+
+
+def impact_through_frame(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, n11: Any, n12: Any, n13: Any, n21: Any, n22: Any, n23: Any, n31: Any, n32: Any, n33: Any, p_ball_radius: Any, restitution: Any) -> tuple[Any, ...]:
+    """Velocity and spin after a contact, through the contact frame.
+
+    Eqs. 11-17 by the closed-form inverse. 96 operations: 21 additions, 11 subtractions, 57 multiplications, 6 divisions, 1 negation.
+    Returns vx, vy, vz, wx, wy, wz.
+    """
+    _s0 = ((n12 * wx) + (n22 * wy)) + (n32 * wz)
+    _s1 = 0.4 * p_ball_radius
+    _s2 = 0.6 * n11
+    _s3 = 0.6 * n21
+    _s4 = 0.6 * n31
+    _s5 = (((_s1 * _s0) + (_s2 * vx)) + (_s3 * vy)) + (_s4 * vz)
+    _s6 = 0.6 * n12
+    _s7 = 0.6 * n22
+    _s8 = 0.6 * n32
+    _s9 = ((n11 * wx) + (n21 * wy)) + (n31 * wz)
+    _s10 = (((_s6 * vx) + (_s7 * vy)) + (_s8 * vz)) - (_s1 * _s9)
+    _s11 = ((n13 * vx) + (n23 * vy)) + (n33 * vz)
+    _s12 = ((n13 * wx) + (n23 * wy)) + (n33 * wz)
+    _s13 = 0.6666666666666666 * p_ball_radius
+    _s14 = (((n12 * vx) + (n22 * vy)) + (n32 * vz)) - (_s13 * _s9)
+    _s15 = -((((_s13 * _s0) + (n11 * vx)) + (n21 * vy)) + (n31 * vz))
+    return ((n11 * _s5) + (n12 * _s10)) - ((n13 * restitution) * _s11), ((n21 * _s5) + (n22 * _s10)) - ((n23 * restitution) * _s11), ((n31 * _s5) + (n32 * _s10)) - ((n33 * restitution) * _s11), ((n13 * _s12) - ((_s2 * _s14) / p_ball_radius)) - ((_s6 * _s15) / p_ball_radius), ((n23 * _s12) - ((_s3 * _s14) / p_ball_radius)) - ((_s7 * _s15) / p_ball_radius), ((n33 * _s12) - ((_s4 * _s14) / p_ball_radius)) - ((_s8 * _s15) / p_ball_radius)
+
+
+def crossing(margin: Any, rate_margin: Any, rate: Any, ceiling: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Positive clearance if a crossing is certain, and the bound on its delay.
+
+    Taylor's theorem with the margins of the gap and its rate. 11 operations: 1 addition, 1 subtraction, 4 multiplications, 1 division, 1 negation, 1 comparison, 2 selections.
+    Returns clearance, delay.
+    """
+    _r0, _r1, _r2, *_ = _room
+    _s0 = _negative(_add(rate, rate_margin, _r0), _r0)
+    _s1 = 0.0 < _s0
+    return _result(_s1, _subtract(_multiply(_s0, _s0, _r1), _multiply(_multiply(6.0, ceiling, _r2), margin, _r2), _r2), _s0, _r0), _result(_s1, _divide(_multiply(6.0, margin, _r2), _s0, _r2), _inf, _r0)
+
+
+def allowance(share: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Errors of a state that a search allows for, and by how much the errors exceed them.
+
+    a share of the size of the flight. 10 operations: 2 additions, 2 subtractions, 4 multiplications, 1 comparison, 1 selection.
+    Returns position_level, velocity_level, excess.
+    """
+    _r0, _r1, *_ = _room
+    _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
+    _s1 = share * _add(extent, _multiply(horizon, _s0, _r1), _r1)
+    _s2 = share * _s0
+    _s3 = _subtract(position_error, _s1, _r0)
+    _s4 = _subtract(velocity_error, _s2, _r1)
+    return _s1, _s2, _result(_s3 < _s4, _s4, _s3, _r0)
+
+
+def horizon(t: Any, speed: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """A time after which no event is wanted, and how long that is after t.
+
+    the earliest arrival, with room for its delay. 5 operations: 2 additions, 2 multiplications, 1 division.
+    Returns horizon, pad.
+    """
+    _s0 = 9.5367431640625e-07 * (t + (speed * (1.0 / p_gravity)))
+    return t + _s0, _s0
+
+
+def scale(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Sums of the sizes of the coordinates and of the velocities; excess over the largest.
+
+    what rounding errors are measured by. 24 operations: 4 additions, 1 subtraction, 1 division, 6 absolute values, 6 comparisons, 6 selections.
+    Returns extent, speed, excess.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _s0 = _absolute(x, _r0)
+    _s1 = _absolute(y, _r1)
+    _s2 = _absolute(z, _r2)
+    _s3 = _absolute(vx, _r3)
+    _s4 = _absolute(vy, _r4)
+    _s5 = _absolute(vz, _r5)
+    _s6 = 1.0 / p_gravity
+    _s7 = _select(_s6 < _s0, _s0, _s6, _r6)
+    _s8 = _select(_s7 < _s1, _s1, _s7, _r7)
+    _s9 = _select(_s8 < _s2, _s2, _s8, _r8)
+    _s10 = _select(_s9 < _s3, _s3, _s9, _r9)
+    _s11 = _select(_s10 < _s4, _s4, _s10, _r10)
+    return _add(_s0, _s1, _r11) + _s2, _add(_s3, _s4, _r11) + _s5, _select(_s11 < _s5, _s5, _s11, _r11) - 2.9073548971824276e+135
+
+
+def displacement(delay: Any, horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Bound on the error of a length at a computed arrival.
+
+    running error analysis. 27 operations: 17 additions, 8 multiplications, 2 absolute values.
+    Returns margin.
+    """
+    _r0, _r1, _r2, _r3, *_ = _room
+    _s0 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
+    _s1 = _add(extent, _multiply(horizon, _s0, _r1), _r1)
+    _s2 = (((((p_ball_radius + p_board_distance) + p_board_half_width) + p_board_thickness) + p_bridge_depth) + p_bridge_half_width) + p_end_depth
+    _s3 = _multiply(4.445228907190568e-16, _add(_s1, (((_s2 + p_ring_radius) + p_wire_radius) + _absolute(p_board_bottom)) + _absolute(p_board_top), _r2), _r2)
+    return _add(_multiply(_multiply(1.0009765625, delay, _r3), _s0, _r3), _s3, _r2) + _multiply(3.0029296875, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(4.440892098500626e-16, _s1, _r1), _r1), _r1),
+
+
+def carry_flight(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, nx: Any, ny: Any, nz: Any, clock: Any, contacts: Any, late: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, curving: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Errors of a state at the end of a flight to a surface, from those at its start.
+
+    derivative of Eq. 3 and of the contact time, with roundings. 118 operations: 24 additions, 1 subtraction, 30 multiplications, 3 divisions, 5 negations, 17 absolute values, 19 comparisons, 19 selections.
+    Returns dx, dy, dz, dvx, dvy, dvz, delay, shift.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, *_ = _room
+    _s0 = _add(dx, _multiply(dvx, t, _r0), _r0)
+    _s1 = _absolute(vx, _r1)
+    _s2 = _multiply(2.0, t, _r2)
+    _s3 = _multiply(1.1102230246251565e-16, _add(_multiply(_s2, _s1, _r3), _absolute(x, _r4), _r4), _r4)
+    _s4 = _add(_s0, _select(_s0 < 0.0, _negative(_s3, _r3), _s3, _r5), _r5)
+    _s5 = _add(dy, _multiply(dvy, t, _r3), _r3)
+    _s6 = _absolute(vy, _r0)
+    _s7 = _multiply(1.1102230246251565e-16, _add(_multiply(_s2, _s6, _r6), _absolute(y, _r7), _r7), _r7)
+    _s8 = _add(_s5, _select(_s5 < 0.0, _negative(_s7, _r6), _s7, _r8), _r8)
+    _s9 = _add(dz, _multiply(dvz, t, _r6), _r6)
+    _s10 = _absolute(vz, _r3)
+    _s11 = _multiply(1.1102230246251565e-16, _add(_add(_multiply(p_gravity, _multiply(t, t, _r9), _r9), _multiply(_s2, _s10, _r2), _r2), _absolute(z, _r9), _r9), _r9)
+    _s12 = _add(_s9, _select(_s9 < 0.0, _negative(_s11, _r2), _s11, _r10), _r10)
+    _s13 = _add(_add(_multiply(nx, vx, _r2), _multiply(ny, vy, _r6), _r6), _multiply(nz, vz, _r2), _r2)
+    _s14 = _divide(_negative(_add(_add(_multiply(nx, _s4, _r6), _multiply(ny, _s8, _r11), _r11), _multiply(nz, _s12, _r6), _r6), _r6), _s13, _r6)
+    _s15 = _add(_multiply(vx, _s14, _r11), _s4, _r11)
+    _s16 = _select(_s1 < _s6, _s6, _s1, _r5)
+    _s17 = _select(_s16 < _s10, _s10, _s16, _r12)
+    _s18 = _absolute(dx, _r13)
+    _s19 = _absolute(dy, _r14)
+    _s20 = _select(_s18 < _s19, _s19, _s18, _r15)
+    _s21 = _absolute(dz, _r16)
+    _s22 = _select(_s20 < _s21, _s21, _s20, _r17)
+    _s23 = _multiply(curving, _multiply(t, _s17, _r18), _r18)
+    _s24 = _absolute(dvx, _r19)
+    _s25 = _absolute(dvy, _r20)
+    _s26 = _select(_s24 < _s25, _s25, _s24, _r21)
+    _s27 = _absolute(dvz, _r22)
+    _s28 = _select(_s3 < _s7, _s7, _s3, _r23)
+    _s29 = _add(_multiply(t, _select(_s26 < _s27, _s27, _s26, _r24), _r24), _select(_s28 < _s11, _s11, _s28, _r22), _r22)
+    _s30 = _multiply(_divide(_s17, _absolute(_s13, _r2), _r12), _add(_multiply(_s22, _select(_s23 < 1.0, _s23, 1.0, _r5), _r5), _s29, _r5), _r5) + _add(_s29, _s22, _r22)
+    _s31 = _divide(_s30, _add(8.0, _multiply(8.0, contacts, _r22), _r22), _r22)
+    _s32 = _negative(_s31, _r5)
+    _s33 = _add(_multiply(vy, _s14, _r17), _s8, _r17)
+    _s34 = _add(_multiply(vz, _s14, _r8), _s12, _r8)
+    _s35 = _absolute(_s14, _r10)
+    _s36 = _multiply(0.0625, late, _r16)
+    return _result(_absolute(_s15, _r15) < _s31, _select(_s15 < 0.0, _s32, _s31, _r15), _s15, _r0), _result(_absolute(_s33, _r15) < _s31, _select(_s33 < 0.0, _s32, _s31, _r15), _s33, _r0), _result(_absolute(_s34, _r15) < _s31, _select(_s34 < 0.0, _s32, _s31, _r15), _s34, _r0), dvx, dvy, dvz - _multiply(p_gravity, _s14, _r6), _multiply(4.440892098500626e-16, _add(clock, t, _r6), _r6) + _select(_s35 < _s36, _s36, _s35, _r15), _s30
+
+
+def carry_time(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, clock: Any, clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Errors of a state at the time limit, from those at the start of the flight.
+
+    derivative of Eq. 3, with roundings. 62 operations: 17 additions, 18 multiplications, 1 negation, 14 absolute values, 6 comparisons, 6 selections.
+    Returns dx, dy, dz, dvx, dvy, dvz, clock_error.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, *_ = _room
+    _s0 = _absolute(vx, _r0)
+    _s1 = _add(clock_error, _multiply(4.440892098500626e-16, _add(clock, t, _r1), _r1), _r1)
+    _s2 = _absolute(dvx, _r2)
+    _s3 = _absolute(dvy, _r3)
+    _s4 = _select(_s2 < _s3, _s3, _s2, _r4)
+    _s5 = _absolute(dvz, _r5)
+    _s6 = _multiply(2.0, t, _r6)
+    _s7 = _multiply(1.1102230246251565e-16, _add(_multiply(_s6, _s0, _r7), _absolute(x, _r8), _r8), _r8)
+    _s8 = _absolute(vy, _r7)
+    _s9 = _multiply(1.1102230246251565e-16, _add(_multiply(_s6, _s8, _r9), _absolute(y, _r10), _r10), _r10)
+    _s10 = _select(_s7 < _s9, _s9, _s7, _r9)
+    _s11 = _absolute(vz, _r11)
+    _s12 = _multiply(1.1102230246251565e-16, _add(_add(_multiply(p_gravity, _multiply(t, t, _r12), _r12), _multiply(_s6, _s11, _r6), _r6), _absolute(z, _r12), _r12), _r12)
+    _s13 = _absolute(dx, _r6)
+    _s14 = _absolute(dy, _r13)
+    _s15 = _select(_s13 < _s14, _s14, _s13, _r14)
+    _s16 = _absolute(dz, _r15)
+    _s17 = _add(_add(_multiply(t, _select(_s4 < _s5, _s5, _s4, _r16), _r16), _select(_s10 < _s12, _s12, _s10, _r4), _r4), _select(_s15 < _s16, _s16, _s15, _r12), _r12)
+    _s18 = _absolute(0.0)
+    return _multiply(_s0, _s1, _r15) + _s17, _multiply(_s8, _s1, _r15) + _s17, _multiply(_s11, _s1, _r15) + _s17, _add(_s18, _s2, _r2) + _multiply(2.220446049250313e-16, _s0, _r0), _add(_s18, _s3, _r3) + _multiply(2.220446049250313e-16, _s8, _r7), _add(_s5, _multiply(2.220446049250313e-16, _s11, _r11), _r11) + _absolute(_negative(_multiply(p_gravity, _s1, _r1), _r1), _r1), 0.0
+
+
+def error_bounds(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Bounds on the errors of a state and its time that decisions allow for.
+
+    the carried errors times a guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
+    Returns position_error, velocity_error, spin_error, time_error.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
+    _s0 = _absolute(dx, _r0)
+    _s1 = _absolute(dy, _r1)
+    _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
+    _s3 = _absolute(dz, _r3)
+    _s4 = _absolute(dvx, _r4)
+    _s5 = _absolute(dvy, _r5)
+    _s6 = _select(_s4 < _s5, _s5, _s4, _r6)
+    _s7 = _absolute(dvz, _r7)
+    _s8 = _absolute(dwx, _r8)
+    _s9 = _absolute(dwy, _r9)
+    _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
+    _s11 = _absolute(dwz, _r11)
+    return 16.0 * _select(_s2 < _s3, _s3, _s2, _r12), 16.0 * _select(_s6 < _s7, _s7, _s6, _r12), 16.0 * _select(_s10 < _s11, _s11, _s10, _r12), 16.0 * clock_error
+
+
+def claimed_errors(clock_error: Any, dx: Any, dy: Any, dz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Bounds on the errors of a state and its time that a shot claims.
+
+    the carried errors times a larger guard. 25 operations: 4 multiplications, 9 absolute values, 6 comparisons, 6 selections.
+    Returns position_error, velocity_error, spin_error, time_error.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
+    _s0 = _absolute(dx, _r0)
+    _s1 = _absolute(dy, _r1)
+    _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
+    _s3 = _absolute(dz, _r3)
+    _s4 = _absolute(dvx, _r4)
+    _s5 = _absolute(dvy, _r5)
+    _s6 = _select(_s4 < _s5, _s5, _s4, _r6)
+    _s7 = _absolute(dvz, _r7)
+    _s8 = _absolute(dwx, _r8)
+    _s9 = _absolute(dwy, _r9)
+    _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
+    _s11 = _absolute(dwz, _r11)
+    return 64.0 * _select(_s2 < _s3, _s3, _s2, _r12), 64.0 * _select(_s6 < _s7, _s7, _s6, _r12), 64.0 * _select(_s10 < _s11, _s11, _s10, _r12), 64.0 * clock_error
+
+
+def allowed(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, p_end_depth: Any, p_ring_restitution: Any, p_backboard_restitution: Any, p_bridge_restitution: Any, p_ring_friction: Any, p_backboard_friction: Any, p_bridge_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any) -> tuple[Any, ...]:
+    """1 where finite parameters are allowed.
+
+    the scene's requirements. 58 operations: 6 subtractions, 26 comparisons, 26 selections.
+    Returns allowed.
+    """
+    _s0 = _where((0.0 < (p_board_top - p_board_bottom)), _where((0.0 < ((p_board_distance - p_ring_radius) - p_wire_radius)), _where((0.0 < ((p_ring_radius - p_ball_radius) - p_wire_radius)), 1.0, 0.0), 0.0), 0.0)
+    _s1 = _where((0.0 < p_wire_radius), _where((0.0 < p_ring_radius), _where((0.0 < p_ball_radius), _where((0.0 < (p_board_half_width - p_bridge_half_width)), _s0, 0.0), 0.0), 0.0), 0.0)
+    _s2 = _where((0.0 < p_bridge_depth), _where((0.0 < p_bridge_half_width), _where((0.0 < p_board_thickness), _where((0.0 < p_board_half_width), _where((0.0 < p_board_distance), _s1, 0.0), 0.0), 0.0), 0.0), 0.0)
+    _s3 = _where((0.0 <= p_backboard_restitution), _where((p_ring_restitution <= 1.0), _where((0.0 <= p_ring_restitution), _where((0.0 < p_end_depth), _where((0.0 < p_gravity), _s2, 0.0), 0.0), 0.0), 0.0), 0.0)
+    _s4 = _where((0.0 <= p_backboard_friction), _where((0.0 <= p_ring_friction), _where((p_bridge_restitution <= 1.0), _where((0.0 <= p_bridge_restitution), _where((p_backboard_restitution <= 1.0), _s3, 0.0), 0.0), 0.0), 0.0), 0.0)
+    return _where((0.0 < p_restitution_speed), _where((p_tangential_restitution <= 1.0), _where((-1.0 <= p_tangential_restitution), _where((0.0 <= p_bridge_friction), _s4, 0.0), 0.0), 0.0), 0.0),
+
+
+def finite_parameters(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, p_end_depth: Any, p_ring_restitution: Any, p_backboard_restitution: Any, p_bridge_restitution: Any, p_ring_friction: Any, p_backboard_friction: Any, p_bridge_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any, allowed: Any) -> tuple[Any, ...]:
+    """Where the parameters are finite and allowed.
+
+    IEEE 754. 61 operations: 20 absolute values, 21 comparisons, 20 conjunctions.
+    Returns permitted.
+    """
+    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((0.0 < allowed), (_absolute(p_ball_radius) < _inf)), (_absolute(p_ring_radius) < _inf)), (_absolute(p_wire_radius) < _inf)), (_absolute(p_board_distance) < _inf))
+    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(p_board_half_width) < _inf)), (_absolute(p_board_bottom) < _inf)), (_absolute(p_board_top) < _inf)), (_absolute(p_board_thickness) < _inf))
+    _s2 = _logical_and(_logical_and(_logical_and(_logical_and(_s1, (_absolute(p_bridge_half_width) < _inf)), (_absolute(p_bridge_depth) < _inf)), (_absolute(p_gravity) < _inf)), (_absolute(p_end_depth) < _inf))
+    _s3 = _logical_and(_logical_and(_logical_and(_logical_and(_s2, (_absolute(p_ring_restitution) < _inf)), (_absolute(p_backboard_restitution) < _inf)), (_absolute(p_bridge_restitution) < _inf)), (_absolute(p_ring_friction) <= _inf))
+    _s4 = _logical_and(_logical_and(_logical_and(_logical_and(_s3, (_absolute(p_backboard_friction) <= _inf)), (_absolute(p_bridge_friction) <= _inf)), (_absolute(p_tangential_restitution) < _inf)), (_absolute(p_restitution_speed) <= _inf))
+    return _s4,
+
+
+def valid(last: Any, x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """1 where no surface is overlapped; 1 where that is in doubt.
+
+    Table 2. 133 operations: 27 additions, 19 subtractions, 15 multiplications, 3 square roots, 4 negations, 20 absolute values, 21 comparisons, 24 selections.
+    Returns valid, doubt.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _s0 = _subtract(_sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1), p_ring_radius, _r1)
+    _s1 = p_ball_radius + p_wire_radius
+    _s2 = _subtract(_add(_multiply(z, z, _r0), _multiply(_s0, _s0, _r1), _r1), _s1 * _s1, _r1)
+    _s3 = _absolute(last, _r0) < 0.5
+    _s4 = _select(_s3, 1.0, _select(0.0 <= _s2, 1.0, 0.0, _r0), _r2)
+    _s5 = _subtract(z, p_board_top, _r3)
+    _s6 = _subtract(p_board_bottom, z, _r4)
+    _s7 = _subtract(_select(_s5 < 0.0, 0.0, _s5, _r5), _select(_s6 < 0.0, 0.0, _s6, _r6), _r6)
+    _s8 = _add(p_board_distance, x, _r4)
+    _s9 = _negative(_add(p_board_distance + p_board_thickness, x, _r5), _r5)
+    _s10 = _subtract(_select(_s8 < 0.0, 0.0, _s8, _r3), _select(_s9 < 0.0, 0.0, _s9, _r7), _r7)
+    _s11 = _subtract(y, p_board_half_width, _r5)
+    _s12 = _negative(_add(p_board_half_width, y, _r3), _r3)
+    _s13 = _subtract(_select(_s11 < 0.0, 0.0, _s11, _r8), _select(_s12 < 0.0, 0.0, _s12, _r9), _r9)
+    _s14 = _subtract(_sqrt(_add(_add(_multiply(_s7, _s7, _r6), _multiply(_s10, _s10, _r7), _r7), _multiply(_s13, _s13, _r9), _r9), _r9), p_ball_radius, _r9)
+    _s15 = _absolute(_subtract(last, 1.0, _r7), _r7) < 0.5
+    _s16 = _select(_s15, _s4, _select(0.0 <= _s14, _s4, 0.0, _r7), _r6)
+    _s17 = _add(p_ring_radius, x, _r3)
+    _s18 = _negative(_s8, _r4)
+    _s19 = _subtract(_select(_s17 < 0.0, 0.0, _s17, _r8), _select(_s18 < 0.0, 0.0, _s18, _r5), _r5)
+    _s20 = _subtract(y, p_bridge_half_width, _r4)
+    _s21 = _negative(_add(p_bridge_half_width, y, _r8), _r8)
+    _s22 = _subtract(_select(_s20 < 0.0, 0.0, _s20, _r3), _select(_s21 < 0.0, 0.0, _s21, _r10), _r10)
+    _s23 = _subtract(z, p_wire_radius, _r8)
+    _s24 = _subtract(p_wire_radius - p_bridge_depth, z, _r3)
+    _s25 = _subtract(_select(_s23 < 0.0, 0.0, _s23, _r4), _select(_s24 < 0.0, 0.0, _s24, _r11), _r11)
+    _s26 = _subtract(_sqrt(_add(_add(_multiply(_s19, _s19, _r5), _multiply(_s22, _s22, _r10), _r10), _multiply(_s25, _s25, _r11), _r11), _r11), p_ball_radius, _r11)
+    _s27 = _absolute(_subtract(last, 2.0, _r10), _r10) < 0.5
+    _s28 = ((((_absolute(p_ball_radius) + _absolute(p_board_bottom)) + _absolute(p_board_distance)) + _absolute(p_board_half_width)) + _absolute(p_board_thickness)) + _absolute(p_board_top)
+    _s29 = ((((_s28 + _absolute(p_bridge_depth)) + _absolute(p_bridge_half_width)) + _absolute(p_end_depth)) + _absolute(p_ring_radius)) + _absolute(p_wire_radius)
+    _s30 = _multiply(1.7763568394002505e-15, _add(_add(_add(_s29, _absolute(x, _r10), _r10), _absolute(y, _r5), _r5), _absolute(z, _r10), _r10), _r10)
+    _s31 = _select(_s3, 0.0, _select(_absolute(_s2, _r1) <= _multiply((4.0 * p_ball_radius) + (4.0 * p_wire_radius), _s30, _r5), 1.0, 0.0, _r5), _r1)
+    _s32 = _select(_s15, _s31, _select(_absolute(_s14, _r9) <= _s30, 1.0, _s31, _r9), _r3)
+    return _result(_s27, _s16, _select(0.0 <= _s26, _s16, 0.0, _r4), _r0), _result(_s27, _s32, _select(_absolute(_s26, _r11) <= _s30, 1.0, _s32, _r11), _r0)
+
+
+def passing_start(last: Any, outcome: Any, uncertain: Any, x: Any, y: Any, z: Any, p_ring_radius: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Whether a ball starts as one that has fallen through the ring.
+
+    Table 2, success. 22 operations: 2 additions, 1 subtraction, 4 multiplications, 1 negation, 1 absolute value, 6 comparisons, 5 conjunctions, 2 selections.
+    Returns through, uncertain.
+    """
+    _r0, _r1, _r2, *_ = _room
+    _s0 = _logical_and(_logical_and((0.0 <= last), (z < 0.0)), ((-p_end_depth) <= z))
+    _s1 = _add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1)
+    _s2 = p_ring_radius * p_ring_radius
+    _s3 = _result(_logical_and(_logical_and(_s0, (_absolute(_subtract(_s1, _s2, _r0), _r0) <= _multiply(8.881784197001252e-16, _add(_s2, _s1, _r2), _r2))), (outcome < 0.0)), 1.0, uncertain, _r0)
+    return _result(_logical_and(_s0, (_s1 < _s2)), 1.0, 0.0, _r0), _s3
+
+
+def passing(through: Any, t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ring_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """1 for a ball that is down through the ring's disc, -1 for one that came up, else 0.
+
+    Eq. 3, its roots in the ring's plane. 66 operations: 9 additions, 2 subtractions, 18 multiplications, 1 division, 1 square root, 16 comparisons, 9 conjunctions, 2 disjunctions, 8 selections.
+    Returns through.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _s0 = z < 0.0
+    _s1 = _add(z, _multiply(t, _subtract(vz, _multiply(0.5 * p_gravity, t, _r0), _r0), _r0), _r0)
+    _s2 = _s1 < 0.0
+    _s3 = _add(_multiply(vz, vz, _r1), _multiply(2.0 * p_gravity, z, _r2), _r2)
+    _s4 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, _s2), (0.0 < vz)), (0.0 < _s3)), (vz < _multiply(p_gravity, t, _r1)))
+    _s5 = _sqrt(_select(_s3 < 0.0, 0.0, _s3, _r1), _r1)
+    _s6 = 1.0 / p_gravity
+    _s7 = _multiply(_add(vz, _s5, _r2), _s6, _r2)
+    _s8 = _select(0.0 < _s7, _s7, 0.0, _r3)
+    _s9 = _select(_s8 < t, _s8, t, _r4)
+    _s10 = _add(x, _multiply(vx, _s9, _r5), _r5)
+    _s11 = _add(y, _multiply(vy, _s9, _r4), _r4)
+    _s12 = p_ring_radius * p_ring_radius
+    _s13 = _multiply(_subtract(vz, _s5, _r1), _s6, _r1)
+    _s14 = _select(0.0 < _s13, _s13, 0.0, _r3)
+    _s15 = _select(_s14 < t, _s14, t, _r2)
+    _s16 = _add(x, _multiply(vx, _s15, _r6), _r6)
+    _s17 = _add(y, _multiply(vy, _s15, _r2), _r2)
+    _s18 = _select(_logical_and(_logical_or(_s4, _logical_and(_s0, (0.0 <= _s1))), (_add(_multiply(_s16, _s16, _r6), _multiply(_s17, _s17, _r2), _r2) < _s12)), _select(through == 1.0, 0.0, -1.0, _r2), through, _r6)
+    _s19 = _result(_logical_and(_logical_and(_logical_or(_s4, _logical_and(_s2, (0.0 <= z))), (_add(_multiply(_s10, _s10, _r5), _multiply(_s11, _s11, _r4), _r4) < _s12)), (_s18 == 0.0)), 1.0, _s18, _r0)
+    return _s19,
+
+
+def passing_doubt(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ring_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where that lies within its error.
+
+    running error analysis. 107 operations: 18 additions, 4 subtractions, 31 multiplications, 1 division, 4 square roots, 6 absolute values, 20 comparisons, 11 conjunctions, 6 disjunctions, 6 selections.
+    Returns unsure.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _s0 = _add(z, _multiply(t, _subtract(vz, _multiply(0.5 * p_gravity, t, _r0), _r0), _r0), _r0)
+    _s1 = _multiply(vz, vz, _r1)
+    _s2 = 1.0 / p_gravity
+    _s3 = _multiply(p_gravity, t, _r2)
+    _s4 = _add(speed, _s3, _r3)
+    _s5 = _multiply(1.0009765625, _add(_add(position_error, _multiply(t, velocity_error, _r4), _r4), _multiply(4.440892098500626e-16, _add(extent, _multiply(t, _s4, _r5), _r5), _r5), _r5), _r5)
+    _s6 = _add(_multiply(8.881784197001252e-16, _multiply(_s1, _s2, _r4), _r4), _s5, _r4)
+    _s7 = z < 0.0
+    _s8 = _s0 < 0.0
+    _s9 = _logical_and(_logical_and(_s7, _s8), (0.0 < vz))
+    _s10 = _add(_s1, _multiply(2.0 * p_gravity, z, _r6), _r6)
+    _s11 = _sqrt(_select(_s10 < 0.0, 0.0, _s10, _r1), _r1)
+    _s12 = _multiply(_add(vz, _s11, _r7), _s2, _r7)
+    _s13 = _select(0.0 < _s12, _s12, 0.0, _r8)
+    _s14 = _select(_s13 < t, _s13, t, _r9)
+    _s15 = _add(x, _multiply(vx, _s14, _r10), _r10)
+    _s16 = _add(y, _multiply(vy, _s14, _r9), _r9)
+    _s17 = _sqrt(_add(_multiply(_s15, _s15, _r10), _multiply(_s16, _s16, _r9), _r9), _r9)
+    _s18 = _multiply(_subtract(vz, _s11, _r1), _s2, _r1)
+    _s19 = _select(0.0 < _s18, _s18, 0.0, _r10)
+    _s20 = _select(_s19 < t, _s19, t, _r8)
+    _s21 = _add(x, _multiply(vx, _s20, _r7), _r7)
+    _s22 = _add(y, _multiply(vy, _s20, _r8), _r8)
+    _s23 = _sqrt(_add(_multiply(_s21, _s21, _r7), _multiply(_s22, _s22, _r8), _r8), _r8)
+    _s24 = _multiply(_multiply(1.0009765625, _s4, _r3), _add(_sqrt(_multiply(8.0 * _s2, _s6, _r7), _r7), _multiply(8.881784197001252e-16, _add(t, _multiply(_absolute(vz, _r10), _s2, _r10), _r10), _r10), _r10), _r3)
+    _s25 = _add(_s24, _s5, _r3)
+    _s26 = _logical_and(_logical_or(_logical_or(_logical_and((0.0 < position_error), (_absolute(z, _r5) <= position_error)), (_absolute(_s0, _r5) <= _s6)), _logical_and(_s9, (_absolute(_s10, _r5) <= _multiply(4.0 * p_gravity, _s6, _r4)))), (_select(_s17 < _s23, _s17, _s23, _r4) <= _add(p_ring_radius, _s25, _r5)))
+    _s27 = _logical_and(_logical_and(_s9, (0.0 < _s10)), (vz < _s3))
+    _s28 = _logical_or(_s26, _logical_or(_logical_and(_logical_or(_s27, _logical_and(_s7, (0.0 <= _s0))), (_absolute(_subtract(_s23, p_ring_radius, _r8), _r8) <= _s25)), _logical_and(_logical_or(_s27, _logical_and(_s8, (0.0 <= z))), (_absolute(_subtract(_s17, p_ring_radius, _r9), _r9) <= _s25))))
+    return _s28,
+
+
+def passing_from(z: Any) -> tuple[Any, ...]:
+    """Whether a ball in contact is over the ring's disc, or beside it.
+
+    Table 1. 1 operation: 1 comparison.
+    Returns over.
+    """
+    return 0.0 <= z,
+
+
+def passing_in_contact(over: Any, p_ring_radius: Any, through: Any, x: Any, y: Any, z: Any) -> tuple[Any, ...]:
+    """The same for a ball in contact, after a step.
+
+    Table 1. 18 operations: 1 addition, 3 multiplications, 5 comparisons, 5 conjunctions, 1 complement, 3 selections.
+    Returns through.
+    """
+    _s0 = ((x * x) + (y * y)) < (p_ring_radius * p_ring_radius)
+    _s1 = _where(_logical_and(_logical_and(_logical_not(over), (0.0 <= z)), _s0), _where((through == 1.0), 0.0, -1.0), through)
+    return _where(_logical_and(_logical_and(_logical_and(over, (z < 0.0)), _s0), (_s1 == 0.0)), 1.0, _s1),
+
+
+def left(index: Any, last: Any) -> tuple[Any, ...]:
+    """1 where the ball leaves a surface.
+
+    Table 1. 2 operations: 1 comparison, 1 selection.
+    Returns leaving.
+    """
+    return _where((last == index), 1.0, 0.0),
+
+
+def meeting_plane(bend: Any, rate: Any, time: Any) -> tuple[Any, ...]:
+    """Whether a plane's only arrival is one, and the size of the bend there.
+
+    Table 1. 12 operations: 1 absolute value, 6 comparisons, 4 conjunctions, 1 disjunction.
+    Returns arrives, ceiling.
+    """
+    _s0 = _logical_and(_logical_and(_logical_or((rate < 0.0), _logical_and(_logical_and((rate <= 0.0), (bend < 0.0)), (time == 0.0))), (0.0 <= time)), (time < _inf))
+    return _s0, _absolute(bend)
+
+
+def timely(arrives: Any, delay: Any, late: Any, time: Any, when: Any) -> tuple[Any, ...]:
+    """Whether an arrival may be the earliest, as far as their delays are bounded.
+
+    Table 1. 5 operations: 1 addition, 1 subtraction, 1 comparison, 1 conjunction, 1 complement.
+    Returns possible.
+    """
+    return _logical_and(arrives, _logical_not(((delay + late) < (time - when)))),
+
+
+def grazed(apex: Any, doubt: Any, height: Any, margin: Any) -> tuple[Any, ...]:
+    """A doubt where the gap's apex is zero within its error.
+
+    Table 1. 7 operations: 1 absolute value, 3 comparisons, 2 conjunctions, 1 selection.
+    Returns doubt.
+    """
+    return _where(_logical_and(_logical_and((0.0 <= apex), (_absolute(height) <= margin)), (apex < doubt)), apex, doubt),
+
+
+def questioned(doubt: Any, time: Any, unsure: Any) -> tuple[Any, ...]:
+    """A doubt about a decision at a time.
+
+    Table 1. 3 operations: 1 comparison, 1 conjunction, 1 selection.
+    Returns doubt.
+    """
+    return _where(_logical_and(unsure, (time < doubt)), time, doubt),
+
+
+def crossed(arrives: Any, clearance: Any, doubt: Any, time: Any) -> tuple[Any, ...]:
+    """A doubt about an arrival whose crossing is not certain.
+
+    Table 1. 6 operations: 2 comparisons, 2 conjunctions, 1 complement, 1 selection.
+    Returns doubt.
+    """
+    return _where(_logical_and(_logical_and(arrives, _logical_not((0.0 < clearance))), (time < doubt)), time, doubt),
+
+
+def tied(arrives: Any, delay: Any, doubt: Any, late: Any, time: Any, when: Any) -> tuple[Any, ...]:
+    """A doubt about two arrivals within their delays; the delay of the earlier one.
+
+    Table 1. 12 operations: 1 addition, 1 subtraction, 1 absolute value, 3 comparisons, 3 conjunctions, 3 selections.
+    Returns doubt, late.
+    """
+    _s0 = time < when
+    _s1 = _where(_s0, time, when)
+    _s2 = _where(_logical_and(_logical_and(arrives, (_absolute((time - when)) <= (delay + late))), (_s1 < doubt)), _s1, doubt)
+    return _s2, _where(_logical_and(arrives, _s0), delay, late)
+
+
+def sooner(arrives: Any, index: Any, time: Any, when: Any, which: Any) -> tuple[Any, ...]:
+    """The earlier of the earliest arrival so far and this one.
+
+    Table 1. 4 operations: 1 comparison, 1 conjunction, 2 selections.
+    Returns when, which.
+    """
+    _s0 = _logical_and(arrives, (time < when))
+    return _where(_s0, time, when), _where(_s0, index, which)
+
+
+def opens(clear: Any) -> tuple[Any, ...]:
+    """Where a surface is not certainly missed.
+
+    Table 1. 2 operations: 1 comparison, 1 complement.
+    Returns open.
+    """
+    return _logical_not((0.0 < clear)),
+
+
+def beginning() -> tuple[Any, ...]:
+    """How a search begins: with the errors that it allows for, and nothing found.
+
+    Table 1. No operations.
+    Returns share, arrival, certain.
+    """
+    return 2.9802322387695312e-08, _inf, False
+
+
+def beyond(doubt: Any, excess: Any, late: Any, lost: Any, pad: Any) -> tuple[Any, ...]:
+    """Nothing is certain where the errors exceed what the search allows for.
+
+    Table 1. 6 operations: 3 comparisons, 2 disjunctions, 1 selection.
+    Returns doubt.
+    """
+    return _where(_logical_or(_logical_or((0.0 < excess), (0.0 < lost)), (pad < late)), 0.0, doubt),
+
+
+def nearby(flat: Any, index: Any, last: Any, t: Any, tilt: Any) -> tuple[Any, ...]:
+    """1 near the surface that the ball left, where F/t is known better than F; the margin.
+
+    Table 1. 6 operations: 1 multiplication, 2 comparisons, 1 conjunction, 2 selections.
+    Returns leaving, margin.
+    """
+    _s0 = t * tilt
+    _s1 = _logical_and((last == index), (_s0 < flat))
+    return _where(_s1, 1.0, 0.0), _where(_s1, _s0, flat)
+
+
+def struck(bend: Any, clearance: Any, gap: Any, margin: Any, rate: Any, rate_margin: Any, share: Any) -> tuple[Any, ...]:
+    """Whether the gap closes, surely, or is to be looked at with smaller errors allowed.
+
+    Table 1. 17 operations: 1 subtraction, 6 comparisons, 6 conjunctions, 2 disjunctions, 2 complements.
+    Returns hit, sure, vague.
+    """
+    _s0 = _logical_or((rate < 0.0), _logical_and((rate <= rate_margin), (bend < 0.0)))
+    _s1 = 0.0 < clearance
+    _s2 = _logical_and(_s0, _logical_or(((gap - margin) <= margin), _s1))
+    _s3 = _logical_and(_s0, _s1)
+    _s4 = _logical_and(_logical_and(_s2, _logical_not(_s3)), (0.0 < share))
+    return _logical_and(_s2, _logical_not(_s4)), _s3, _s4
+
+
+def finer(share: Any) -> tuple[Any, ...]:
+    """The next smaller errors that a search allows for.
+
+    Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection.
+    Returns share.
+    """
+    return _where((2.842170943040401e-14 < share), (0.03125 * share), 0.0),
+
+
+def exceeded(doubt: Any, excess: Any, t: Any) -> tuple[Any, ...]:
+    """A doubt where the errors exceed what is allowed for.
+
+    Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection.
+    Returns doubt.
+    """
+    return _where(_logical_and((0.0 < excess), (t < doubt)), t, doubt),
+
+
+def advanced(arrival: Any, certain: Any, end: Any, hit: Any, next: Any, root: Any, step: Any, sure: Any, t: Any, vague: Any) -> tuple[Any, ...]:
+    """The search after a step: what it found, whether its window is exhausted, where it is.
+
+    Table 1. 14 operations: 1 subtraction, 1 comparison, 4 conjunctions, 2 disjunctions, 3 complements, 3 selections.
+    Returns arrival, certain, exhausted, searching, t.
+    """
+    _s0 = _logical_not(hit)
+    _s1 = _logical_and(_logical_and(_s0, _logical_not(vague)), ((end - t) <= step))
+    return _where(hit, _where(sure, root, t), arrival), _logical_or(certain, _logical_and(hit, sure)), _s1, _logical_and(_s0, _logical_not(_s1)), _where(_logical_or(hit, vague), t, next)
+
+
+def found(arrival: Any) -> tuple[Any, ...]:
+    """Whether a search found an arrival.
+
+    Table 1. 1 operation: 1 comparison.
+    Returns arrives.
+    """
+    return arrival < _inf,
+
+
+def polished(arrival: Any, certain: Any, refined: Any) -> tuple[Any, ...]:
+    """A root that is certain, refined.
+
+    Table 1. 1 operation: 1 selection.
+    Returns arrival.
+    """
+    return _where(certain, refined, arrival),
+
+
+def own_margin(arrival: Any, flat: Any, leaving: Any, tilt: Any) -> tuple[Any, ...]:
+    """The margin of the form that an arrival was found with.
+
+    Table 1. 3 operations: 1 multiplication, 1 comparison, 1 selection.
+    Returns margin.
+    """
+    return _where((0.0 < leaving), (arrival * tilt), flat),
+
+
+def landed(arrival: Any) -> tuple[Any, ...]:
+    """The time of an arrival, not before the flight.
+
+    Table 1. 2 operations: 1 comparison, 1 selection.
+    Returns time.
+    """
+    return _where((arrival < 0.0), 0.0, arrival),
+
+
+def landed_surely(arrives: Any, certain: Any, clearance: Any, delay: Any, doubt: Any, time: Any) -> tuple[Any, ...]:
+    """The delay of an arrival that is certain, a doubt about another one.
+
+    Table 1. 8 operations: 2 comparisons, 3 conjunctions, 1 complement, 2 selections.
+    Returns delay, doubt.
+    """
+    _s0 = _logical_and(certain, (0.0 < clearance))
+    return _where(_s0, delay, 0.0), _where(_logical_and(_logical_and(arrives, _logical_not(_s0)), (time < doubt)), time, doubt)
+
+
+def outside() -> tuple[Any, ...]:
+    """A search that begins outside the surface.
+
+    Table 1. No operations.
+    Returns side.
+    """
+    return 1.0,
+
+
+def finite_state(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where every number of a state is finite.
+
+    Table 1. 26 operations: 9 absolute values, 9 comparisons, 8 conjunctions.
+    Returns finite.
+    """
+    _r0, *_ = _room
+    _s0 = _logical_and(_logical_and(_logical_and(_logical_and((_absolute(x, _r0) < _inf), (_absolute(y, _r0) < _inf)), (_absolute(z, _r0) < _inf)), (_absolute(vx, _r0) < _inf)), (_absolute(vy, _r0) < _inf))
+    _s1 = _logical_and(_logical_and(_logical_and(_logical_and(_s0, (_absolute(vz, _r0) < _inf)), (_absolute(wx, _r0) < _inf)), (_absolute(wy, _r0) < _inf)), (_absolute(wz, _r0) < _inf))
+    return _s1,
+
+
+def opening(excess: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
+    """No arrival yet; nothing is certain where the errors are not bounded.
+
+    Table 1. 6 operations: 3 comparisons, 2 conjunctions, 1 selection.
+    Returns when, which, late, doubt.
+    """
+    return _inf, -1.0, 0.0, _where(_logical_and(_logical_and((position_error < _inf), (velocity_error < _inf)), (excess <= 0.0)), _inf, 0.0)
+
+
+def limited(time_limit: Any) -> tuple[Any, ...]:
+    """Whether there is a time limit.
+
+    Table 1. 1 operation: 1 comparison.
+    Returns limited.
+    """
+    return time_limit < _inf,
+
+
+def ticked(clock: Any, when: Any) -> tuple[Any, ...]:
+    """The time of the event.
+
+    Table 1. 1 operation: 1 addition.
+    Returns clock.
+    """
+    return clock + when,
+
+
+def meeting(claims: Any, ends: Any, touches: Any) -> tuple[Any, ...]:
+    """Where an event changes the ball, or its errors are asked for.
+
+    Table 1. 3 operations: 1 comparison, 1 conjunction, 1 disjunction.
+    Returns meeting.
+    """
+    return _logical_or(touches, _logical_and(ends, (0.0 < claims))),
+
+
+def here(index: Any, which: Any) -> tuple[Any, ...]:
+    """Whether the event is on a surface.
+
+    Table 1. 1 operation: 1 comparison.
+    Returns here.
+    """
+    return which == index,
+
+
+def counted(count: Any) -> tuple[Any, ...]:
+    """One more contact.
+
+    Table 1. 1 operation: 1 addition.
+    Returns count.
+    """
+    return 1.0 + count,
+
+
+def elsewhere() -> tuple[Any, ...]:
+    """A ball that meets another surface.
+
+    Table 1. No operations.
+    Returns curving.
+    """
+    return _inf,
+
+
+def again(index: Any, last: Any, which: Any) -> tuple[Any, ...]:
+    """Whether the ball meets the surface that it touched last.
+
+    Table 1. 3 operations: 2 comparisons, 1 conjunction.
+    Returns again.
+    """
+    return _logical_and((which == index), (last == which)),
+
+
+def delayed(clock_error: Any, delay: Any) -> tuple[Any, ...]:
+    """The error of the event's time.
+
+    Table 1. 1 operation: 1 addition.
+    Returns clock_error.
+    """
+    return clock_error + delay,
+
+
+def floored(dx: Any, dy: Any, dz: Any, shift: Any) -> tuple[Any, ...]:
+    """Errors of the position at the end, not below what one flight can make.
+
+    Table 1. 9 operations: 3 absolute values, 3 comparisons, 3 selections.
+    Returns dx, dy, dz.
+    """
+    return _where((_absolute(dx) < shift), shift, dx), _where((_absolute(dy) < shift), shift, dy), _where((_absolute(dz) < shift), shift, dz)
+
+
+def unturned() -> tuple[Any, ...]:
+    """A normal without error.
+
+    Table 1. No operations.
+    Returns dnx, dny, dnz, turn.
+    """
+    return 0.0, 0.0, 0.0, 0.0
+
+
+def touched(body: Any, first: Any, which: Any) -> tuple[Any, ...]:
+    """The surfaces that were touched first and last.
+
+    Table 1. 2 operations: 1 comparison, 1 selection.
+    Returns first, last.
+    """
+    return _where((first < 0.0), body, first), which
+
+
+def timed(claims: Any, index: Any, which: Any) -> tuple[Any, ...]:
+    """Where a shot has ended at the time limit whose errors are asked for.
+
+    Table 1. 3 operations: 2 comparisons, 1 conjunction.
+    Returns timed.
+    """
+    return _logical_and((which == index), (0.0 < claims)),
+
+
+def closing(claims: Any, outcome: Any) -> tuple[Any, ...]:
+    """Where a shot has ended whose errors are asked for.
+
+    Table 1. 3 operations: 2 comparisons, 1 conjunction.
+    Returns closed.
+    """
+    return _logical_and((0.0 < claims), (0.0 <= outcome)),
+
+
+def undecided(uncertain: Any, unsure: Any) -> tuple[Any, ...]:
+    """1 where a decision within a contact lies within its error.
+
+    Table 1. 1 operation: 1 selection.
+    Returns uncertain.
+    """
+    return _where(unsure, 1.0, uncertain),
+
+
+def body_of(which: Any) -> tuple[Any, ...]:
+    """The body that the event is on.
+
+    Table 1. No operations.
+    Returns body.
+    """
+    return which,
+
+
+def admitted(doubt: Any, finite: Any, permitted: Any, valid: Any) -> tuple[Any, ...]:
+    """Whether a shot can start, and whether that is in doubt.
+
+    Table 1. 7 operations: 2 comparisons, 3 conjunctions, 2 selections.
+    Returns outcome, uncertain.
+    """
+    _s0 = _logical_and(permitted, finite)
+    return _where(_logical_and(_s0, (0.0 < valid)), -1.0, 4.0), _where(_logical_and(_s0, (0.0 < doubt)), 1.0, 0.0)
+
+
+def expiry(clock: Any, doubt: Any, late: Any, time_error: Any, time_limit: Any, when: Any, which: Any) -> tuple[Any, ...]:
+    """The time limit, taken for an arrival.
+
+    Table 1. 12 operations: 2 additions, 1 subtraction, 1 multiplication, 4 comparisons, 1 conjunction, 1 complement, 2 selections.
+    Returns time, delay, arrives, doubt.
+    """
+    _s0 = time_limit - clock
+    return _where(0.0 < _s0, _s0, 0.0), time_error + (4.440892098500626e-16 * time_limit), 0.0 <= which, _where(_logical_and(_logical_not(((late + when) < doubt)), (doubt < _inf)), 0.0, doubt)
+
+
+def departed(index: Any, which: Any) -> tuple[Any, ...]:
+    """Whether there is no event, an end, or a contact.
+
+    Table 1. 5 operations: 3 comparisons, 1 conjunction, 1 complement.
+    Returns stays, moves, ends, touches, reached, edge.
+    """
+    _s0 = which < 0.0
+    _s1 = _logical_not(_s0)
+    return _s0, _s1, index <= which, _logical_and(_s1, (which < index)), 3.0, False
+
+
+def expired(body: Any, clock: Any, ends: Any, index: Any, reached: Any, time_limit: Any, which: Any) -> tuple[Any, ...]:
+    """What a shot ends with that the time limit ends.
+
+    Table 1. 6 operations: 1 comparison, 1 conjunction, 1 complement, 3 selections.
+    Returns clock, body, reached, ends.
+    """
+    _s0 = which == index
+    return _where(_s0, time_limit, clock), _where(_s0, 3.0, body), _where(_s0, 6.0, reached), _logical_and(ends, _logical_not(_s0))
+
+
+def accounted(contacts: Any, most_contacts: Any, reached: Any, touches: Any) -> tuple[Any, ...]:
+    """How many contacts there were, and whether the shot ends and how.
+
+    Table 1. 5 operations: 1 addition, 1 comparison, 3 selections.
+    Returns contacts, outcome.
+    """
+    _s0 = 1.0 + contacts
+    return _where(touches, _s0, contacts), _where(touches, _where((most_contacts <= _s0), 2.0, -1.0), reached)
+
+
+def roll_0(bent_x: Any, bent_y: Any, bent_z: Any, cos_0: Any, p_gravity: Any, near_0: Any, nx_0: Any, ny_0: Any, nz_0: Any, per_reach: Any, ring: Any, sin_0: Any, turn_rate_0: Any, vx_0: Any, vy_0: Any, vz_0: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 1 of a ball that rolls, from those before.
+
+    Newton, Euler and rolling without slip. 59 operations: 8 additions, 8 subtractions, 40 multiplications, 3 negations.
+    Returns across_0, round_0, lift_0, tx_0, ty_0, tz_0, vx_1, vy_1, vz_1, nx_1, ny_1, nz_1, turn_rate_1, cos_1, sin_1, widened_1, near_1.
+    """
+    _r0, _r1, _r2, *_ = _room
+    _s0 = _multiply(cos_0, vy_0, _r0) - _multiply(sin_0, vx_0, _r1)
+    _s1 = near_0 * _s0
+    _s2 = 0.6 * p_gravity
+    _s3 = -_multiply(sin_0, _s1, _r1)
+    _s4 = per_reach * _subtract(_multiply(bent_x, vx_0, _r1), _multiply(ring, _s3, _r0), _r0)
+    _s5 = cos_0 * _s1
+    _s6 = per_reach * _subtract(_multiply(bent_y, vy_0, _r0), _multiply(ring, _s5, _r1), _r1)
+    _s7 = _multiply(bent_z, per_reach, _r1) * vz_0
+    _s8 = _multiply(_s2, nz_0, _r1) - _add(_add(_multiply(vx_0, _s4, _r0), _multiply(vy_0, _s6, _r2), _r2), _multiply(vz_0, _s7, _r0), _r0)
+    _s9 = _multiply(ny_0, _s7, _r0) - _multiply(nz_0, _s6, _r1)
+    _s10 = _multiply(nz_0, _s4, _r1) - _multiply(nx_0, _s7, _r0)
+    _s11 = _multiply(nx_0, _s6, _r0) - _multiply(ny_0, _s4, _r1)
+    _s12 = _multiply(cos_0, vx_0, _r1) + _multiply(sin_0, vy_0, _r0)
+    return _s0, _s1, _s8, _s9, _s10, _s11, _multiply(nx_0, _s8, _r0) + _multiply(0.4, _multiply(turn_rate_0, _s9, _r1), _r1), _multiply(ny_0, _s8, _r1) + _multiply(0.4, _multiply(turn_rate_0, _s10, _r0), _r0), _add(_multiply(nz_0, _s8, _r0), _multiply(0.4, _multiply(turn_rate_0, _s11, _r1), _r1), _r1) - _s2, _s4, _s6, _s7, -_add(_add(_multiply(vx_0, _s9, _r1), _multiply(vy_0, _s10, _r0), _r0), _multiply(vz_0, _s11, _r1), _r1), _s3, _s5, _s12, -_multiply(near_0, _multiply(near_0, _s12, _r1), _r1)
+
+
+def roll_1(across_0: Any, bent_x: Any, bent_y: Any, bent_z: Any, cos_0: Any, cos_1: Any, p_gravity: Any, lift_0: Any, near_0: Any, near_1: Any, nx_0: Any, nx_1: Any, ny_0: Any, ny_1: Any, nz_0: Any, nz_1: Any, per_reach: Any, ring: Any, round_0: Any, sin_0: Any, sin_1: Any, turn_rate_0: Any, turn_rate_1: Any, tx_0: Any, ty_0: Any, tz_0: Any, vx_0: Any, vx_1: Any, vy_0: Any, vy_1: Any, vz_0: Any, vz_1: Any, widened_1: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 2 of a ball that rolls, from those before.
+
+    Newton, Euler and rolling without slip. 117 operations: 34 additions, 7 subtractions, 73 multiplications, 3 negations.
+    Returns across_1, round_1, lift_1, tx_1, ty_1, tz_1, vx_2, vy_2, vz_2, nx_2, ny_2, nz_2, turn_rate_2, cos_2, sin_2, widened_2, near_2.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _s0 = _add(_multiply(cos_0, vy_1, _r0), _multiply(cos_1, vy_0, _r1), _r1) - _add(_multiply(sin_0, vx_1, _r0), _multiply(sin_1, vx_0, _r2), _r2)
+    _s1 = _multiply(across_0, near_1, _r2) + _multiply(near_0, _s0, _r1)
+    _s2 = _negative(_add(_multiply(round_0, sin_1, _r1), _multiply(sin_0, _s1, _r2), _r2), _r2)
+    _s3 = _multiply(per_reach, _subtract(_multiply(bent_x, vx_1, _r1), _multiply(ring, _s2, _r0), _r0), _r0)
+    _s4 = _add(_multiply(cos_0, _s1, _r1), _multiply(cos_1, round_0, _r3), _r3)
+    _s5 = _multiply(per_reach, _subtract(_multiply(bent_y, vy_1, _r1), _multiply(ring, _s4, _r4), _r4), _r4)
+    _s6 = _multiply(_multiply(bent_z, per_reach, _r1), vz_1, _r1)
+    _s7 = _multiply(0.6 * p_gravity, nz_1, _r5) - _add(_add(_add(_multiply(nx_1, vx_1, _r6), _multiply(vx_0, _s3, _r7), _r7), _add(_multiply(ny_1, vy_1, _r6), _multiply(vy_0, _s5, _r8), _r8), _r8), _add(_multiply(nz_1, vz_1, _r7), _multiply(vz_0, _s6, _r6), _r6), _r6)
+    _s8 = _multiply(ny_1, nz_1, _r6)
+    _s9 = _add(_multiply(ny_0, _s6, _r5), _s8, _r5) - _add(_s8, _multiply(nz_0, _s5, _r8), _r8)
+    _s10 = _multiply(nx_1, nz_1, _r8)
+    _s11 = _add(_s10, _multiply(nz_0, _s3, _r5), _r5) - _add(_multiply(nx_0, _s6, _r6), _s10, _r6)
+    _s12 = _multiply(nx_1, ny_1, _r6)
+    _s13 = _add(_multiply(nx_0, _s5, _r5), _s12, _r5) - _add(_s12, _multiply(ny_0, _s3, _r8), _r8)
+    _s14 = -_multiply(0.5, _add(_add(_add(_multiply(tx_0, vx_1, _r8), _multiply(vx_0, _s9, _r5), _r5), _add(_multiply(ty_0, vy_1, _r8), _multiply(vy_0, _s11, _r6), _r6), _r6), _add(_multiply(tz_0, vz_1, _r5), _multiply(vz_0, _s13, _r8), _r8), _r8), _r8)
+    _s15 = 0.5 * _add(_add(_multiply(cos_0, vx_1, _r8), _multiply(cos_1, vx_0, _r6), _r6), _add(_multiply(sin_0, vy_1, _r8), _multiply(sin_1, vy_0, _r5), _r5), _r5)
+    return _s0, _s1, _s7, _s9, _s11, _s13, 0.5 * _add(_add(_multiply(lift_0, nx_1, _r5), _multiply(nx_0, _s7, _r6), _r6), _multiply(0.4, _add(_multiply(turn_rate_0, _s9, _r5), _multiply(turn_rate_1, tx_0, _r8), _r8), _r8), _r8), 0.5 * _add(_add(_multiply(lift_0, ny_1, _r8), _multiply(ny_0, _s7, _r6), _r6), _multiply(0.4, _add(_multiply(turn_rate_0, _s11, _r8), _multiply(turn_rate_1, ty_0, _r5), _r5), _r5), _r5), 0.5 * _add(_add(_multiply(lift_0, nz_1, _r5), _multiply(nz_0, _s7, _r6), _r6), _multiply(0.4, _add(_multiply(turn_rate_0, _s13, _r5), _multiply(turn_rate_1, tz_0, _r8), _r8), _r8), _r8), 0.5 * _s3, 0.5 * _s5, 0.5 * _s6, _s14, 0.5 * _s2, 0.5 * _s4, _s15, -_multiply(near_0, _add(_multiply(near_0, _s15, _r3), _multiply(near_1, widened_1, _r2), _r2), _r2)
+
+
+def roll_2(across_0: Any, across_1: Any, bent_x: Any, bent_y: Any, bent_z: Any, cos_0: Any, cos_1: Any, cos_2: Any, p_gravity: Any, lift_0: Any, lift_1: Any, near_0: Any, near_1: Any, near_2: Any, nx_0: Any, nx_1: Any, nx_2: Any, ny_0: Any, ny_1: Any, ny_2: Any, nz_0: Any, nz_1: Any, nz_2: Any, per_reach: Any, ring: Any, round_0: Any, round_1: Any, sin_0: Any, sin_1: Any, sin_2: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, tx_0: Any, tx_1: Any, ty_0: Any, ty_1: Any, tz_0: Any, tz_1: Any, vx_0: Any, vx_1: Any, vx_2: Any, vy_0: Any, vy_1: Any, vy_2: Any, vz_0: Any, vz_1: Any, vz_2: Any, widened_1: Any, widened_2: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 3 of a ball that rolls, from those before.
+
+    Newton, Euler and rolling without slip. 177 operations: 60 additions, 7 subtractions, 107 multiplications, 3 negations.
+    Returns across_2, round_2, lift_2, tx_2, ty_2, tz_2, vx_3, vy_3, vz_3, nx_3, ny_3, nz_3, turn_rate_3, cos_3, sin_3, widened_3, near_3.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _s0 = _add(_add(_multiply(cos_0, vy_2, _r0), _multiply(cos_1, vy_1, _r1), _r1), _multiply(cos_2, vy_0, _r0), _r0) - _add(_add(_multiply(sin_0, vx_2, _r1), _multiply(sin_1, vx_1, _r2), _r2), _multiply(sin_2, vx_0, _r1), _r1)
+    _s1 = _add(_multiply(across_0, near_2, _r1), _multiply(across_1, near_1, _r0), _r0) + _multiply(near_0, _s0, _r1)
+    _s2 = _multiply(2.0, nx_2, _r1)
+    _s3 = _negative(_add(_add(_multiply(round_0, sin_2, _r0), _multiply(round_1, sin_1, _r2), _r2), _multiply(sin_0, _s1, _r0), _r0), _r0)
+    _s4 = _multiply(per_reach, _subtract(_multiply(bent_x, vx_2, _r2), _multiply(ring, _s3, _r3), _r3), _r3)
+    _s5 = _multiply(2.0, ny_2, _r2)
+    _s6 = _add(_add(_multiply(cos_0, _s1, _r4), _multiply(cos_1, round_1, _r5), _r5), _multiply(cos_2, round_0, _r4), _r4)
+    _s7 = _multiply(per_reach, _subtract(_multiply(bent_y, vy_2, _r5), _multiply(ring, _s6, _r6), _r6), _r6)
+    _s8 = _multiply(_multiply(bent_z, per_reach, _r5), vz_2, _r5)
+    _s9 = _multiply(0.6 * p_gravity, nz_2, _r7) - _add(_add(_add(_add(_multiply(nx_1, vx_2, _r8), _multiply(_s2, vx_1, _r9), _r9), _multiply(vx_0, _s4, _r8), _r8), _add(_add(_multiply(ny_1, vy_2, _r9), _multiply(_s5, vy_1, _r10), _r10), _multiply(vy_0, _s7, _r9), _r9), _r9), _add(_add(_multiply(nz_1, vz_2, _r8), _multiply(_multiply(2.0, nz_2, _r10), vz_1, _r10), _r10), _multiply(vz_0, _s8, _r8), _r8), _r8)
+    _s10 = _add(_add(_multiply(ny_0, _s8, _r8), _multiply(_multiply(2.0, ny_1, _r7), nz_2, _r7), _r7), _multiply(ny_2, nz_1, _r8), _r8) - _add(_add(_multiply(ny_1, nz_2, _r7), _multiply(_s5, nz_1, _r2), _r2), _multiply(nz_0, _s7, _r7), _r7)
+    _s11 = _multiply(2.0, nx_1, _r7)
+    _s12 = _add(_add(_multiply(nx_1, nz_2, _r8), _multiply(_s2, nz_1, _r2), _r2), _multiply(nz_0, _s4, _r8), _r8) - _add(_add(_multiply(nx_0, _s8, _r2), _multiply(_s11, nz_2, _r9), _r9), _multiply(nx_2, nz_1, _r2), _r2)
+    _s13 = _add(_add(_multiply(nx_0, _s7, _r2), _multiply(_s11, ny_2, _r7), _r7), _multiply(nx_2, ny_1, _r2), _r2) - _add(_add(_multiply(nx_1, ny_2, _r7), _multiply(_s2, ny_1, _r1), _r1), _multiply(ny_0, _s4, _r7), _r7)
+    _s14 = 0.3333333333333333 * _add(_add(_add(_multiply(lift_0, nx_2, _r7), _multiply(lift_1, nx_1, _r2), _r2), _multiply(nx_0, _s9, _r7), _r7), _multiply(0.4, _add(_add(_multiply(turn_rate_0, _s10, _r2), _multiply(turn_rate_1, tx_1, _r1), _r1), _multiply(turn_rate_2, tx_0, _r2), _r2), _r2), _r2)
+    _s15 = 0.3333333333333333 * _add(_add(_add(_multiply(lift_0, ny_2, _r2), _multiply(lift_1, ny_1, _r7), _r7), _multiply(ny_0, _s9, _r2), _r2), _multiply(0.4, _add(_add(_multiply(turn_rate_0, _s12, _r7), _multiply(turn_rate_1, ty_1, _r1), _r1), _multiply(turn_rate_2, ty_0, _r7), _r7), _r7), _r7)
+    _s16 = 0.3333333333333333 * _add(_add(_add(_multiply(lift_0, nz_2, _r7), _multiply(lift_1, nz_1, _r2), _r2), _multiply(nz_0, _s9, _r7), _r7), _multiply(0.4, _add(_add(_multiply(turn_rate_0, _s13, _r2), _multiply(turn_rate_1, tz_1, _r1), _r1), _multiply(turn_rate_2, tz_0, _r2), _r2), _r2), _r2)
+    _s17 = _multiply(0.3333333333333333, _add(_add(_add(_add(_multiply(tx_0, vx_2, _r2), _multiply(tx_1, vx_1, _r7), _r7), _multiply(vx_0, _s10, _r2), _r2), _add(_add(_multiply(ty_0, vy_2, _r7), _multiply(ty_1, vy_1, _r1), _r1), _multiply(vy_0, _s12, _r7), _r7), _r7), _add(_add(_multiply(tz_0, vz_2, _r2), _multiply(tz_1, vz_1, _r1), _r1), _multiply(vz_0, _s13, _r2), _r2), _r2), _r2)
+    _s18 = 0.3333333333333333 * _add(_add(_add(_multiply(cos_0, vx_2, _r7), _multiply(cos_1, vx_1, _r1), _r1), _multiply(cos_2, vx_0, _r7), _r7), _add(_add(_multiply(sin_0, vy_2, _r1), _multiply(sin_1, vy_1, _r8), _r8), _multiply(sin_2, vy_0, _r1), _r1), _r1)
+    return _s0, _s1, _s9, _s10, _s12, _s13, _s14, _s15, _s16, 0.3333333333333333 * _s4, 0.3333333333333333 * _s7, 0.3333333333333333 * _s8, -_s17, 0.3333333333333333 * _s3, 0.3333333333333333 * _s6, _s18, -_multiply(near_0, _add(_add(_multiply(near_0, _s18, _r4), _multiply(near_1, widened_2, _r0), _r0), _multiply(near_2, widened_1, _r4), _r4), _r4)
+
+
+def roll_3(across_0: Any, across_1: Any, across_2: Any, bent_x: Any, bent_y: Any, bent_z: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, per_reach: Any, ring: Any, round_0: Any, round_1: Any, round_2: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, tx_0: Any, tx_1: Any, tx_2: Any, ty_0: Any, ty_1: Any, ty_2: Any, tz_0: Any, tz_1: Any, tz_2: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, widened_1: Any, widened_2: Any, widened_3: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 4 of a ball that rolls, from those before.
+
+    Newton, Euler and rolling without slip. 229 operations: 86 additions, 7 subtractions, 133 multiplications, 3 negations.
+    Returns across_3, round_3, lift_3, tx_3, ty_3, tz_3, vx_4, vy_4, vz_4, nx_4, ny_4, nz_4, turn_rate_4, cos_4, sin_4, widened_4, near_4.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _s0 = _add(_add(_add(_multiply(cos_0, vy_3, _r0), _multiply(cos_1, vy_2, _r1), _r1), _multiply(cos_2, vy_1, _r0), _r0), _multiply(cos_3, vy_0, _r1), _r1) - _add(_add(_add(_multiply(sin_0, vx_3, _r0), _multiply(sin_1, vx_2, _r2), _r2), _multiply(sin_2, vx_1, _r0), _r0), _multiply(sin_3, vx_0, _r2), _r2)
+    _s1 = _add(_add(_multiply(across_0, near_3, _r2), _multiply(across_1, near_2, _r1), _r1), _multiply(across_2, near_1, _r2), _r2) + _multiply(near_0, _s0, _r1)
+    _s2 = _multiply(2.0, nx_2, _r1)
+    _s3 = _multiply(3.0, nx_3, _r2)
+    _s4 = _negative(_add(_add(_add(_multiply(round_0, sin_3, _r0), _multiply(round_1, sin_2, _r3), _r3), _multiply(round_2, sin_1, _r0), _r0), _multiply(sin_0, _s1, _r3), _r3), _r3)
+    _s5 = _multiply(per_reach, _subtract(_multiply(bent_x, vx_3, _r0), _multiply(ring, _s4, _r4), _r4), _r4)
+    _s6 = _multiply(2.0, ny_2, _r0)
+    _s7 = _multiply(3.0, ny_3, _r5)
+    _s8 = _add(_add(_add(_multiply(cos_0, _s1, _r6), _multiply(cos_1, round_2, _r7), _r7), _multiply(cos_2, round_1, _r6), _r6), _multiply(cos_3, round_0, _r7), _r7)
+    _s9 = _multiply(per_reach, _subtract(_multiply(bent_y, vy_3, _r6), _multiply(ring, _s8, _r8), _r8), _r8)
+    _s10 = _multiply(_multiply(bent_z, per_reach, _r6), vz_3, _r6)
+    _s11 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_3, _r9), _multiply(_s2, vx_2, _r10), _r10), _multiply(_s3, vx_1, _r9), _r9), _multiply(vx_0, _s5, _r10), _r10), _add(_add(_add(_multiply(ny_1, vy_3, _r9), _multiply(_s6, vy_2, _r11), _r11), _multiply(_s7, vy_1, _r9), _r9), _multiply(vy_0, _s9, _r11), _r11), _r11), _add(_add(_add(_multiply(nz_1, vz_3, _r10), _multiply(_multiply(2.0, nz_2, _r9), vz_2, _r9), _r9), _multiply(_multiply(3.0, nz_3, _r10), vz_1, _r10), _r10), _multiply(vz_0, _s10, _r9), _r9), _r9)
+    _s12 = _multiply(0.6 * p_gravity, nz_3, _r11) - _s11
+    _s13 = _multiply(_s6, nz_2, _r0)
+    _s14 = _add(_add(_add(_multiply(ny_0, _s10, _r9), _multiply(_multiply(3.0, ny_1, _r11), nz_3, _r11), _r11), _s13, _r11), _multiply(ny_3, nz_1, _r9), _r9) - _add(_add(_add(_multiply(ny_1, nz_3, _r11), _s13, _r11), _multiply(_s7, nz_1, _r5), _r5), _multiply(nz_0, _s9, _r11), _r11)
+    _s15 = _multiply(_s2, nz_2, _r11)
+    _s16 = _multiply(3.0, nx_1, _r9)
+    _s17 = _add(_add(_add(_multiply(nx_1, nz_3, _r5), _s15, _r5), _multiply(_s3, nz_1, _r0), _r0), _multiply(nz_0, _s5, _r5), _r5) - _add(_add(_add(_multiply(nx_0, _s10, _r0), _multiply(_s16, nz_3, _r10), _r10), _s15, _r10), _multiply(nx_3, nz_1, _r11), _r11)
+    _s18 = _multiply(_s2, ny_2, _r1)
+    _s19 = _add(_add(_add(_multiply(nx_0, _s9, _r11), _multiply(_s16, ny_3, _r9), _r9), _s18, _r9), _multiply(nx_3, ny_1, _r11), _r11) - _add(_add(_add(_multiply(nx_1, ny_3, _r9), _s18, _r9), _multiply(_s3, ny_1, _r2), _r2), _multiply(ny_0, _s5, _r9), _r9)
+    _s20 = _add(_add(_add(_add(_multiply(lift_0, nx_3, _r9), _multiply(lift_1, nx_2, _r11), _r11), _multiply(lift_2, nx_1, _r9), _r9), _multiply(nx_0, _s12, _r11), _r11), _multiply(0.4, _add(_add(_add(_multiply(turn_rate_0, _s14, _r9), _multiply(turn_rate_1, tx_2, _r2), _r2), _multiply(turn_rate_2, tx_1, _r9), _r9), _multiply(turn_rate_3, tx_0, _r2), _r2), _r2), _r2)
+    _s21 = _add(_add(_add(_add(_multiply(lift_0, ny_3, _r11), _multiply(lift_1, ny_2, _r9), _r9), _multiply(lift_2, ny_1, _r11), _r11), _multiply(ny_0, _s12, _r9), _r9), _multiply(0.4, _add(_add(_add(_multiply(turn_rate_0, _s17, _r11), _multiply(turn_rate_1, ty_2, _r1), _r1), _multiply(turn_rate_2, ty_1, _r11), _r11), _multiply(turn_rate_3, ty_0, _r1), _r1), _r1), _r1)
+    _s22 = _add(_add(_add(_add(_multiply(lift_0, nz_3, _r9), _multiply(lift_1, nz_2, _r11), _r11), _multiply(lift_2, nz_1, _r9), _r9), _multiply(nz_0, _s12, _r11), _r11), _multiply(0.4, _add(_add(_add(_multiply(turn_rate_0, _s19, _r9), _multiply(turn_rate_1, tz_2, _r5), _r5), _multiply(turn_rate_2, tz_1, _r9), _r9), _multiply(turn_rate_3, tz_0, _r5), _r5), _r5), _r5)
+    _s23 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_3, _r11), _multiply(tx_1, vx_2, _r9), _r9), _multiply(tx_2, vx_1, _r11), _r11), _multiply(vx_0, _s14, _r9), _r9), _add(_add(_add(_multiply(ty_0, vy_3, _r11), _multiply(ty_1, vy_2, _r10), _r10), _multiply(ty_2, vy_1, _r11), _r11), _multiply(vy_0, _s17, _r10), _r10), _r10), _add(_add(_add(_multiply(tz_0, vz_3, _r9), _multiply(tz_1, vz_2, _r11), _r11), _multiply(tz_2, vz_1, _r9), _r9), _multiply(vz_0, _s19, _r11), _r11), _r11)
+    _s24 = 0.25 * _add(_add(_add(_add(_multiply(cos_0, vx_3, _r10), _multiply(cos_1, vx_2, _r9), _r9), _multiply(cos_2, vx_1, _r10), _r10), _multiply(cos_3, vx_0, _r9), _r9), _add(_add(_add(_multiply(sin_0, vy_3, _r10), _multiply(sin_1, vy_2, _r0), _r0), _multiply(sin_2, vy_1, _r10), _r10), _multiply(sin_3, vy_0, _r0), _r0), _r0)
+    _s25 = -_multiply(near_0, _add(_add(_add(_multiply(near_0, _s24, _r0), _multiply(near_1, widened_3, _r9), _r9), _multiply(near_2, widened_2, _r0), _r0), _multiply(near_3, widened_1, _r9), _r9), _r9)
+    return _s0, _s1, _s12, _s14, _s17, _s19, 0.25 * _s20, 0.25 * _s21, 0.25 * _s22, 0.25 * _s5, 0.25 * _s9, 0.25 * _s10, -_multiply(0.25, _s23, _r11), 0.25 * _s4, 0.25 * _s8, _s24, _s25
+
+
+def roll_4(across_0: Any, across_1: Any, across_2: Any, across_3: Any, bent_x: Any, bent_y: Any, bent_z: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, per_reach: Any, ring: Any, round_0: Any, round_1: Any, round_2: Any, round_3: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, widened_1: Any, widened_2: Any, widened_3: Any, widened_4: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 5 of a ball that rolls, from those before.
+
+    Newton, Euler and rolling without slip. 291 operations: 112 additions, 7 subtractions, 169 multiplications, 3 negations.
+    Returns across_4, round_4, lift_4, tx_4, ty_4, tz_4, vx_5, vy_5, vz_5, nx_5, ny_5, nz_5, turn_rate_5, cos_5, sin_5, widened_5, near_5.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, *_ = _room
+    _s0 = _add(_add(_add(_add(_multiply(cos_0, vy_4, _r0), _multiply(cos_1, vy_3, _r1), _r1), _multiply(cos_2, vy_2, _r0), _r0), _multiply(cos_3, vy_1, _r1), _r1), _multiply(cos_4, vy_0, _r0), _r0) - _add(_add(_add(_add(_multiply(sin_0, vx_4, _r1), _multiply(sin_1, vx_3, _r2), _r2), _multiply(sin_2, vx_2, _r1), _r1), _multiply(sin_3, vx_1, _r2), _r2), _multiply(sin_4, vx_0, _r1), _r1)
+    _s1 = _add(_add(_add(_multiply(across_0, near_4, _r1), _multiply(across_1, near_3, _r0), _r0), _multiply(across_2, near_2, _r1), _r1), _multiply(across_3, near_1, _r0), _r0) + _multiply(near_0, _s0, _r1)
+    _s2 = _multiply(2.0, nx_2, _r1)
+    _s3 = _multiply(3.0, nx_3, _r0)
+    _s4 = _multiply(4.0, nx_4, _r2)
+    _s5 = _negative(_add(_add(_add(_add(_multiply(round_0, sin_4, _r3), _multiply(round_1, sin_3, _r4), _r4), _multiply(round_2, sin_2, _r3), _r3), _multiply(round_3, sin_1, _r4), _r4), _multiply(sin_0, _s1, _r3), _r3), _r3)
+    _s6 = _multiply(per_reach, _subtract(_multiply(bent_x, vx_4, _r4), _multiply(ring, _s5, _r5), _r5), _r5)
+    _s7 = _multiply(2.0, ny_2, _r4)
+    _s8 = _multiply(3.0, ny_3, _r6)
+    _s9 = _multiply(4.0, ny_4, _r7)
+    _s10 = _add(_add(_add(_add(_multiply(cos_0, _s1, _r8), _multiply(cos_1, round_3, _r9), _r9), _multiply(cos_2, round_2, _r8), _r8), _multiply(cos_3, round_1, _r9), _r9), _multiply(cos_4, round_0, _r8), _r8)
+    _s11 = _multiply(per_reach, _subtract(_multiply(bent_y, vy_4, _r9), _multiply(ring, _s10, _r10), _r10), _r10)
+    _s12 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_4, _r9), _multiply(_s2, vx_3, _r11), _r11), _multiply(_s3, vx_2, _r9), _r9), _multiply(_s4, vx_1, _r11), _r11), _multiply(vx_0, _s6, _r9), _r9), _add(_add(_add(_add(_multiply(ny_1, vy_4, _r11), _multiply(_s7, vy_3, _r12), _r12), _multiply(_s8, vy_2, _r11), _r11), _multiply(_s9, vy_1, _r12), _r12), _multiply(vy_0, _s11, _r11), _r11), _r11)
+    _s13 = _multiply(_multiply(bent_z, per_reach, _r9), vz_4, _r9)
+    _s14 = _add(_add(_add(_add(_multiply(nz_1, vz_4, _r12), _multiply(_multiply(2.0, nz_2, _r13), vz_3, _r13), _r13), _multiply(_multiply(3.0, nz_3, _r12), vz_2, _r12), _r12), _multiply(_multiply(4.0, nz_4, _r13), vz_1, _r13), _r13), _multiply(vz_0, _s13, _r12), _r12)
+    _s15 = _multiply(0.6 * p_gravity, nz_4, _r13) - _add(_s12, _s14, _r12)
+    _s16 = _add(_add(_add(_add(_multiply(ny_0, _s13, _r12), _multiply(_multiply(4.0, ny_1, _r13), nz_4, _r13), _r13), _multiply(_multiply(3.0, ny_2, _r12), nz_3, _r12), _r12), _multiply(_multiply(2.0, ny_3, _r13), nz_2, _r13), _r13), _multiply(ny_4, nz_1, _r12), _r12)
+    _s17 = _s16 - _add(_add(_add(_add(_multiply(ny_1, nz_4, _r13), _multiply(_s7, nz_3, _r4), _r4), _multiply(_s8, nz_2, _r6), _r6), _multiply(_s9, nz_1, _r7), _r7), _multiply(nz_0, _s11, _r6), _r6)
+    _s18 = _multiply(4.0, nx_1, _r6)
+    _s19 = _multiply(3.0, nx_2, _r12)
+    _s20 = _multiply(2.0, nx_3, _r7)
+    _s21 = _add(_add(_add(_add(_multiply(nx_1, nz_4, _r4), _multiply(_s2, nz_3, _r13), _r13), _multiply(_s3, nz_2, _r4), _r4), _multiply(_s4, nz_1, _r13), _r13), _multiply(nz_0, _s6, _r4), _r4) - _add(_add(_add(_add(_multiply(nx_0, _s13, _r13), _multiply(_s18, nz_4, _r11), _r11), _multiply(_s19, nz_3, _r13), _r13), _multiply(_s20, nz_2, _r11), _r11), _multiply(nx_4, nz_1, _r13), _r13)
+    _s22 = _add(_add(_add(_add(_multiply(nx_0, _s11, _r13), _multiply(_s18, ny_4, _r6), _r6), _multiply(_s19, ny_3, _r12), _r12), _multiply(_s20, ny_2, _r7), _r7), _multiply(nx_4, ny_1, _r12), _r12) - _add(_add(_add(_add(_multiply(nx_1, ny_4, _r7), _multiply(_s2, ny_3, _r1), _r1), _multiply(_s3, ny_2, _r0), _r0), _multiply(_s4, ny_1, _r2), _r2), _multiply(ny_0, _s6, _r0), _r0)
+    _s23 = _multiply(0.4, _add(_add(_add(_add(_multiply(turn_rate_0, _s17, _r0), _multiply(turn_rate_1, tx_3, _r12), _r12), _multiply(turn_rate_2, tx_2, _r0), _r0), _multiply(turn_rate_3, tx_1, _r12), _r12), _multiply(turn_rate_4, tx_0, _r0), _r0), _r0)
+    _s24 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_4, _r12), _multiply(lift_1, nx_3, _r2), _r2), _multiply(lift_2, nx_2, _r12), _r12), _multiply(lift_3, nx_1, _r2), _r2), _multiply(nx_0, _s15, _r12), _r12), _s23, _r0)
+    _s25 = _multiply(0.4, _add(_add(_add(_add(_multiply(turn_rate_0, _s21, _r12), _multiply(turn_rate_1, ty_3, _r2), _r2), _multiply(turn_rate_2, ty_2, _r12), _r12), _multiply(turn_rate_3, ty_1, _r2), _r2), _multiply(turn_rate_4, ty_0, _r12), _r12), _r12)
+    _s26 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_4, _r2), _multiply(lift_1, ny_3, _r1), _r1), _multiply(lift_2, ny_2, _r2), _r2), _multiply(lift_3, ny_1, _r1), _r1), _multiply(ny_0, _s15, _r2), _r2), _s25, _r12)
+    _s27 = _multiply(0.4, _add(_add(_add(_add(_multiply(turn_rate_0, _s22, _r2), _multiply(turn_rate_1, tz_3, _r1), _r1), _multiply(turn_rate_2, tz_2, _r2), _r2), _multiply(turn_rate_3, tz_1, _r1), _r1), _multiply(turn_rate_4, tz_0, _r2), _r2), _r2)
+    _s28 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_4, _r1), _multiply(lift_1, nz_3, _r7), _r7), _multiply(lift_2, nz_2, _r1), _r1), _multiply(lift_3, nz_1, _r7), _r7), _multiply(nz_0, _s15, _r1), _r1), _s27, _r2)
+    _s29 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_4, _r1), _multiply(tx_1, vx_3, _r7), _r7), _multiply(tx_2, vx_2, _r1), _r1), _multiply(tx_3, vx_1, _r7), _r7), _multiply(vx_0, _s17, _r1), _r1), _add(_add(_add(_add(_multiply(ty_0, vy_4, _r7), _multiply(ty_1, vy_3, _r6), _r6), _multiply(ty_2, vy_2, _r7), _r7), _multiply(ty_3, vy_1, _r6), _r6), _multiply(vy_0, _s21, _r7), _r7), _r7)
+    _s30 = _add(_s29, _add(_add(_add(_add(_multiply(tz_0, vz_4, _r1), _multiply(tz_1, vz_3, _r6), _r6), _multiply(tz_2, vz_2, _r1), _r1), _multiply(tz_3, vz_1, _r6), _r6), _multiply(vz_0, _s22, _r1), _r1), _r1)
+    _s31 = _add(_add(_add(_add(_add(_multiply(cos_0, vx_4, _r7), _multiply(cos_1, vx_3, _r6), _r6), _multiply(cos_2, vx_2, _r7), _r7), _multiply(cos_3, vx_1, _r6), _r6), _multiply(cos_4, vx_0, _r7), _r7), _add(_add(_add(_add(_multiply(sin_0, vy_4, _r6), _multiply(sin_1, vy_3, _r13), _r13), _multiply(sin_2, vy_2, _r6), _r6), _multiply(sin_3, vy_1, _r13), _r13), _multiply(sin_4, vy_0, _r6), _r6), _r6)
+    _s32 = 0.2 * _s31
+    _s33 = _multiply(near_0, _add(_add(_add(_add(_multiply(near_0, _s32, _r6), _multiply(near_1, widened_4, _r7), _r7), _multiply(near_2, widened_3, _r6), _r6), _multiply(near_3, widened_2, _r7), _r7), _multiply(near_4, widened_1, _r6), _r6), _r6)
+    return _s0, _s1, _s15, _s17, _s21, _s22, 0.2 * _s24, 0.2 * _s26, 0.2 * _s28, 0.2 * _s6, 0.2 * _s11, 0.2 * _s13, -_multiply(0.2, _s30, _r1), 0.2 * _s5, 0.2 * _s10, _s32, -_s33
+
+
+def roll_5(across_0: Any, across_1: Any, across_2: Any, across_3: Any, across_4: Any, bent_x: Any, bent_y: Any, bent_z: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, per_reach: Any, ring: Any, round_0: Any, round_1: Any, round_2: Any, round_3: Any, round_4: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, widened_1: Any, widened_2: Any, widened_3: Any, widened_4: Any, widened_5: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 6 of a ball that rolls, from those before.
+
+    Newton, Euler and rolling without slip. 343 operations: 138 additions, 7 subtractions, 195 multiplications, 3 negations.
+    Returns across_5, round_5, lift_5, tx_5, ty_5, tz_5, vx_6, vy_6, vz_6, nx_6, ny_6, nz_6, turn_rate_6, cos_6, sin_6, widened_6, near_6.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, *_ = _room
+    _s0 = _add(_add(_add(_add(_add(_multiply(cos_0, vy_5, _r0), _multiply(cos_1, vy_4, _r1), _r1), _multiply(cos_2, vy_3, _r0), _r0), _multiply(cos_3, vy_2, _r1), _r1), _multiply(cos_4, vy_1, _r0), _r0), _multiply(cos_5, vy_0, _r1), _r1)
+    _s1 = _add(_add(_add(_add(_add(_multiply(sin_0, vx_5, _r0), _multiply(sin_1, vx_4, _r2), _r2), _multiply(sin_2, vx_3, _r0), _r0), _multiply(sin_3, vx_2, _r2), _r2), _multiply(sin_4, vx_1, _r0), _r0), _multiply(sin_5, vx_0, _r2), _r2)
+    _s2 = _s0 - _s1
+    _s3 = _add(_add(_add(_add(_multiply(across_0, near_5, _r2), _multiply(across_1, near_4, _r1), _r1), _multiply(across_2, near_3, _r2), _r2), _multiply(across_3, near_2, _r1), _r1), _multiply(across_4, near_1, _r2), _r2) + _multiply(near_0, _s2, _r1)
+    _s4 = _multiply(2.0, nx_2, _r1)
+    _s5 = _multiply(3.0, nx_3, _r2)
+    _s6 = _multiply(4.0, nx_4, _r0)
+    _s7 = _multiply(5.0, nx_5, _r3)
+    _s8 = _add(_add(_add(_add(_add(_multiply(round_0, sin_5, _r4), _multiply(round_1, sin_4, _r5), _r5), _multiply(round_2, sin_3, _r4), _r4), _multiply(round_3, sin_2, _r5), _r5), _multiply(round_4, sin_1, _r4), _r4), _multiply(sin_0, _s3, _r5), _r5)
+    _s9 = _negative(_s8, _r5)
+    _s10 = _multiply(per_reach, _subtract(_multiply(bent_x, vx_5, _r4), _multiply(ring, _s9, _r6), _r6), _r6)
+    _s11 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_5, _r4), _multiply(_s4, vx_4, _r7), _r7), _multiply(_s5, vx_3, _r4), _r4), _multiply(_s6, vx_2, _r7), _r7), _multiply(_s7, vx_1, _r4), _r4), _multiply(vx_0, _s10, _r7), _r7)
+    _s12 = _multiply(2.0, ny_2, _r4)
+    _s13 = _multiply(3.0, ny_3, _r8)
+    _s14 = _multiply(4.0, ny_4, _r9)
+    _s15 = _multiply(5.0, ny_5, _r10)
+    _s16 = _add(_add(_add(_add(_add(_multiply(cos_0, _s3, _r11), _multiply(cos_1, round_4, _r12), _r12), _multiply(cos_2, round_3, _r11), _r11), _multiply(cos_3, round_2, _r12), _r12), _multiply(cos_4, round_1, _r11), _r11), _multiply(cos_5, round_0, _r12), _r12)
+    _s17 = _multiply(per_reach, _subtract(_multiply(bent_y, vy_5, _r11), _multiply(ring, _s16, _r13), _r13), _r13)
+    _s18 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_5, _r11), _multiply(_s12, vy_4, _r14), _r14), _multiply(_s13, vy_3, _r11), _r11), _multiply(_s14, vy_2, _r14), _r14), _multiply(_s15, vy_1, _r11), _r11), _multiply(vy_0, _s17, _r14), _r14)
+    _s19 = _add(_add(_add(_add(_multiply(nz_1, vz_5, _r11), _multiply(_multiply(2.0, nz_2, _r15), vz_4, _r15), _r15), _multiply(_multiply(3.0, nz_3, _r11), vz_3, _r11), _r11), _multiply(_multiply(4.0, nz_4, _r15), vz_2, _r15), _r15), _multiply(_multiply(5.0, nz_5, _r11), vz_1, _r11), _r11)
+    _s20 = _multiply(_multiply(bent_z, per_reach, _r15), vz_5, _r15)
+    _s21 = _multiply(0.6 * p_gravity, nz_5, _r16) - _add(_add(_s11, _s18, _r14), _add(_s19, _multiply(vz_0, _s20, _r7), _r7), _r7)
+    _s22 = _multiply(_s13, nz_3, _r8)
+    _s23 = _add(_add(_add(_add(_multiply(ny_0, _s20, _r7), _multiply(_multiply(5.0, ny_1, _r16), nz_5, _r16), _r16), _multiply(_multiply(4.0, ny_2, _r7), nz_4, _r7), _r7), _s22, _r7), _multiply(_multiply(2.0, ny_4, _r16), nz_2, _r16), _r16)
+    _s24 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_5, _r7), _multiply(_s12, nz_4, _r4), _r4), _s22, _r4), _multiply(_s14, nz_2, _r9), _r9), _multiply(_s15, nz_1, _r10), _r10), _multiply(nz_0, _s17, _r9), _r9)
+    _s25 = _add(_s23, _multiply(ny_5, nz_1, _r10), _r10) - _s24
+    _s26 = _multiply(_s5, nz_3, _r9)
+    _s27 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_5, _r10), _multiply(_s4, nz_4, _r16), _r16), _s26, _r16), _multiply(_s6, nz_2, _r10), _r10), _multiply(_s7, nz_1, _r16), _r16), _multiply(nz_0, _s10, _r10), _r10)
+    _s28 = _multiply(5.0, nx_1, _r16)
+    _s29 = _multiply(4.0, nx_2, _r4)
+    _s30 = _multiply(2.0, nx_4, _r8)
+    _s31 = _add(_add(_add(_add(_add(_multiply(nx_0, _s20, _r7), _multiply(_s28, nz_5, _r14), _r14), _multiply(_s29, nz_4, _r7), _r7), _s26, _r7), _multiply(_s30, nz_2, _r9), _r9), _multiply(nx_5, nz_1, _r7), _r7)
+    _s32 = _s27 - _s31
+    _s33 = _multiply(_s5, ny_3, _r2)
+    _s34 = _add(_add(_add(_add(_add(_multiply(nx_0, _s17, _r7), _multiply(_s28, ny_5, _r16), _r16), _multiply(_s29, ny_4, _r4), _r4), _s33, _r4), _multiply(_s30, ny_2, _r8), _r8), _multiply(nx_5, ny_1, _r4), _r4)
+    _s35 = _add(_add(_add(_add(_add(_multiply(nx_1, ny_5, _r8), _multiply(_s4, ny_4, _r1), _r1), _s33, _r1), _multiply(_s6, ny_2, _r0), _r0), _multiply(_s7, ny_1, _r3), _r3), _multiply(ny_0, _s10, _r0), _r0)
+    _s36 = _s34 - _s35
+    _s37 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_5, _r0), _multiply(lift_1, nx_4, _r4), _r4), _multiply(lift_2, nx_3, _r0), _r0), _multiply(lift_3, nx_2, _r4), _r4), _multiply(lift_4, nx_1, _r0), _r0), _multiply(nx_0, _s21, _r4), _r4)
+    _s38 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s25, _r0), _multiply(turn_rate_1, tx_4, _r3), _r3), _multiply(turn_rate_2, tx_3, _r0), _r0), _multiply(turn_rate_3, tx_2, _r3), _r3), _multiply(turn_rate_4, tx_1, _r0), _r0), _multiply(turn_rate_5, tx_0, _r3), _r3)
+    _s39 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_5, _r0), _multiply(lift_1, ny_4, _r1), _r1), _multiply(lift_2, ny_3, _r0), _r0), _multiply(lift_3, ny_2, _r1), _r1), _multiply(lift_4, ny_1, _r0), _r0), _multiply(ny_0, _s21, _r1), _r1)
+    _s40 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s32, _r0), _multiply(turn_rate_1, ty_4, _r2), _r2), _multiply(turn_rate_2, ty_3, _r0), _r0), _multiply(turn_rate_3, ty_2, _r2), _r2), _multiply(turn_rate_4, ty_1, _r0), _r0), _multiply(turn_rate_5, ty_0, _r2), _r2)
+    _s41 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_5, _r0), _multiply(lift_1, nz_4, _r8), _r8), _multiply(lift_2, nz_3, _r0), _r0), _multiply(lift_3, nz_2, _r8), _r8), _multiply(lift_4, nz_1, _r0), _r0), _multiply(nz_0, _s21, _r8), _r8)
+    _s42 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s36, _r0), _multiply(turn_rate_1, tz_4, _r16), _r16), _multiply(turn_rate_2, tz_3, _r0), _r0), _multiply(turn_rate_3, tz_2, _r16), _r16), _multiply(turn_rate_4, tz_1, _r0), _r0), _multiply(turn_rate_5, tz_0, _r16), _r16)
+    _s43 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_5, _r0), _multiply(tx_1, vx_4, _r7), _r7), _multiply(tx_2, vx_3, _r0), _r0), _multiply(tx_3, vx_2, _r7), _r7), _multiply(tx_4, vx_1, _r0), _r0), _multiply(vx_0, _s25, _r7), _r7)
+    _s44 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_5, _r0), _multiply(ty_1, vy_4, _r10), _r10), _multiply(ty_2, vy_3, _r0), _r0), _multiply(ty_3, vy_2, _r10), _r10), _multiply(ty_4, vy_1, _r0), _r0), _multiply(vy_0, _s32, _r10), _r10)
+    _s45 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_5, _r0), _multiply(tz_1, vz_4, _r9), _r9), _multiply(tz_2, vz_3, _r0), _r0), _multiply(tz_3, vz_2, _r9), _r9), _multiply(tz_4, vz_1, _r0), _r0), _multiply(vz_0, _s36, _r9), _r9)
+    _s46 = _add(_add(_add(_add(_add(_multiply(cos_0, vx_5, _r0), _multiply(cos_1, vx_4, _r14), _r14), _multiply(cos_2, vx_3, _r0), _r0), _multiply(cos_3, vx_2, _r14), _r14), _multiply(cos_4, vx_1, _r0), _r0), _multiply(cos_5, vx_0, _r14), _r14)
+    _s47 = _add(_add(_add(_add(_add(_multiply(sin_0, vy_5, _r0), _multiply(sin_1, vy_4, _r11), _r11), _multiply(sin_2, vy_3, _r0), _r0), _multiply(sin_3, vy_2, _r11), _r11), _multiply(sin_4, vy_1, _r0), _r0), _multiply(sin_5, vy_0, _r11), _r11)
+    _s48 = 0.16666666666666666 * _add(_s46, _s47, _r11)
+    _s49 = _add(_add(_add(_add(_add(_multiply(near_0, _s48, _r11), _multiply(near_1, widened_5, _r14), _r14), _multiply(near_2, widened_4, _r11), _r11), _multiply(near_3, widened_3, _r14), _r14), _multiply(near_4, widened_2, _r11), _r11), _multiply(near_5, widened_1, _r14), _r14)
+    return _s2, _s3, _s21, _s25, _s32, _s36, 0.16666666666666666 * _add(_s37, _multiply(0.4, _s38, _r3), _r3), 0.16666666666666666 * _add(_s39, _multiply(0.4, _s40, _r2), _r2), 0.16666666666666666 * _add(_s41, _multiply(0.4, _s42, _r16), _r16), 0.16666666666666666 * _s10, 0.16666666666666666 * _s17, 0.16666666666666666 * _s20, -_multiply(0.16666666666666666, _add(_add(_s43, _s44, _r10), _s45, _r9), _r9), 0.16666666666666666 * _s9, 0.16666666666666666 * _s16, _s48, -_multiply(near_0, _s49, _r14)
+
+
+def roll_6(across_0: Any, across_1: Any, across_2: Any, across_3: Any, across_4: Any, across_5: Any, bent_x: Any, bent_y: Any, bent_z: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, per_reach: Any, ring: Any, round_0: Any, round_1: Any, round_2: Any, round_3: Any, round_4: Any, round_5: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, widened_1: Any, widened_2: Any, widened_3: Any, widened_4: Any, widened_5: Any, widened_6: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 7 of a ball that rolls, from those before.
+
+    Newton, Euler and rolling without slip. 405 operations: 164 additions, 7 subtractions, 231 multiplications, 3 negations.
+    Returns across_6, round_6, lift_6, tx_6, ty_6, tz_6, vx_7, vy_7, vz_7, nx_7, ny_7, nz_7, turn_rate_7, cos_7, sin_7, widened_7, near_7.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, *_ = _room
+    _s0 = _add(_add(_add(_add(_add(_multiply(cos_0, vy_6, _r0), _multiply(cos_1, vy_5, _r1), _r1), _multiply(cos_2, vy_4, _r0), _r0), _multiply(cos_3, vy_3, _r1), _r1), _multiply(cos_4, vy_2, _r0), _r0), _multiply(cos_5, vy_1, _r1), _r1)
+    _s1 = _add(_add(_add(_add(_add(_multiply(sin_0, vx_6, _r0), _multiply(sin_1, vx_5, _r2), _r2), _multiply(sin_2, vx_4, _r0), _r0), _multiply(sin_3, vx_3, _r2), _r2), _multiply(sin_4, vx_2, _r0), _r0), _multiply(sin_5, vx_1, _r2), _r2)
+    _s2 = _add(_s0, _multiply(cos_6, vy_0, _r0), _r0) - _add(_s1, _multiply(sin_6, vx_0, _r1), _r1)
+    _s3 = _add(_add(_add(_add(_add(_multiply(across_0, near_6, _r1), _multiply(across_1, near_5, _r0), _r0), _multiply(across_2, near_4, _r1), _r1), _multiply(across_3, near_3, _r0), _r0), _multiply(across_4, near_2, _r1), _r1), _multiply(across_5, near_1, _r0), _r0)
+    _s4 = _s3 + _multiply(near_0, _s2, _r1)
+    _s5 = _multiply(2.0, nx_2, _r1)
+    _s6 = _multiply(3.0, nx_3, _r0)
+    _s7 = _multiply(4.0, nx_4, _r2)
+    _s8 = _multiply(5.0, nx_5, _r3)
+    _s9 = _multiply(6.0, nx_6, _r4)
+    _s10 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_6, _r5), _multiply(_s5, vx_5, _r6), _r6), _multiply(_s6, vx_4, _r5), _r5), _multiply(_s7, vx_3, _r6), _r6), _multiply(_s8, vx_2, _r5), _r5), _multiply(_s9, vx_1, _r6), _r6)
+    _s11 = _add(_add(_add(_add(_add(_multiply(round_0, sin_6, _r5), _multiply(round_1, sin_5, _r7), _r7), _multiply(round_2, sin_4, _r5), _r5), _multiply(round_3, sin_3, _r7), _r7), _multiply(round_4, sin_2, _r5), _r5), _multiply(round_5, sin_1, _r7), _r7)
+    _s12 = _negative(_add(_s11, _multiply(sin_0, _s4, _r5), _r5), _r5)
+    _s13 = _multiply(per_reach, _subtract(_multiply(bent_x, vx_6, _r7), _multiply(ring, _s12, _r8), _r8), _r8)
+    _s14 = _multiply(2.0, ny_2, _r7)
+    _s15 = _multiply(3.0, ny_3, _r9)
+    _s16 = _multiply(4.0, ny_4, _r10)
+    _s17 = _multiply(5.0, ny_5, _r11)
+    _s18 = _multiply(6.0, ny_6, _r12)
+    _s19 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_6, _r13), _multiply(_s14, vy_5, _r14), _r14), _multiply(_s15, vy_4, _r13), _r13), _multiply(_s16, vy_3, _r14), _r14), _multiply(_s17, vy_2, _r13), _r13), _multiply(_s18, vy_1, _r14), _r14)
+    _s20 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r13), _multiply(cos_1, round_5, _r15), _r15), _multiply(cos_2, round_4, _r13), _r13), _multiply(cos_3, round_3, _r15), _r15), _multiply(cos_4, round_2, _r13), _r13), _multiply(cos_5, round_1, _r15), _r15)
+    _s21 = _add(_s20, _multiply(cos_6, round_0, _r13), _r13)
+    _s22 = _multiply(per_reach, _subtract(_multiply(bent_y, vy_6, _r15), _multiply(ring, _s21, _r16), _r16), _r16)
+    _s23 = _add(_add(_add(_add(_multiply(nz_1, vz_6, _r15), _multiply(_multiply(2.0, nz_2, _r17), vz_5, _r17), _r17), _multiply(_multiply(3.0, nz_3, _r15), vz_4, _r15), _r15), _multiply(_multiply(4.0, nz_4, _r17), vz_3, _r17), _r17), _multiply(_multiply(5.0, nz_5, _r15), vz_2, _r15), _r15)
+    _s24 = _multiply(_multiply(bent_z, per_reach, _r17), vz_6, _r17)
+    _s25 = _multiply(0.6 * p_gravity, nz_6, _r18) - _add(_add(_add(_s10, _multiply(vx_0, _s13, _r19), _r19), _add(_s19, _multiply(vy_0, _s22, _r6), _r6), _r6), _add(_add(_s23, _multiply(_multiply(6.0, nz_6, _r19), vz_1, _r19), _r19), _multiply(vz_0, _s24, _r15), _r15), _r15)
+    _s26 = _add(_add(_add(_add(_multiply(ny_0, _s24, _r15), _multiply(_multiply(6.0, ny_1, _r18), nz_6, _r18), _r18), _multiply(_multiply(5.0, ny_2, _r15), nz_5, _r15), _r15), _multiply(_multiply(4.0, ny_3, _r18), nz_4, _r18), _r18), _multiply(_multiply(3.0, ny_4, _r15), nz_3, _r15), _r15)
+    _s27 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_6, _r18), _multiply(_s14, nz_5, _r7), _r7), _multiply(_s15, nz_4, _r9), _r9), _multiply(_s16, nz_3, _r10), _r10), _multiply(_s17, nz_2, _r11), _r11), _multiply(_s18, nz_1, _r12), _r12)
+    _s28 = _add(_add(_s26, _multiply(_multiply(2.0, ny_5, _r11), nz_2, _r11), _r11), _multiply(ny_6, nz_1, _r15), _r15) - _add(_s27, _multiply(nz_0, _s22, _r11), _r11)
+    _s29 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_6, _r11), _multiply(_s5, nz_5, _r15), _r15), _multiply(_s6, nz_4, _r11), _r11), _multiply(_s7, nz_3, _r15), _r15), _multiply(_s8, nz_2, _r11), _r11), _multiply(_s9, nz_1, _r15), _r15)
+    _s30 = _multiply(6.0, nx_1, _r11)
+    _s31 = _multiply(5.0, nx_2, _r12)
+    _s32 = _multiply(4.0, nx_3, _r10)
+    _s33 = _multiply(3.0, nx_4, _r9)
+    _s34 = _multiply(2.0, nx_5, _r7)
+    _s35 = _add(_add(_add(_add(_add(_multiply(nx_0, _s24, _r18), _multiply(_s30, nz_6, _r6), _r6), _multiply(_s31, nz_5, _r18), _r18), _multiply(_s32, nz_4, _r6), _r6), _multiply(_s33, nz_3, _r18), _r18), _multiply(_s34, nz_2, _r6), _r6)
+    _s36 = _add(_s29, _multiply(nz_0, _s13, _r18), _r18) - _add(_s35, _multiply(nx_6, nz_1, _r15), _r15)
+    _s37 = _add(_add(_add(_add(_add(_multiply(nx_0, _s22, _r15), _multiply(_s30, ny_6, _r11), _r11), _multiply(_s31, ny_5, _r12), _r12), _multiply(_s32, ny_4, _r10), _r10), _multiply(_s33, ny_3, _r9), _r9), _multiply(_s34, ny_2, _r7), _r7)
+    _s38 = _add(_add(_add(_add(_add(_multiply(nx_1, ny_6, _r9), _multiply(_s5, ny_5, _r1), _r1), _multiply(_s6, ny_4, _r0), _r0), _multiply(_s7, ny_3, _r2), _r2), _multiply(_s8, ny_2, _r3), _r3), _multiply(_s9, ny_1, _r4), _r4)
+    _s39 = _add(_s37, _multiply(nx_6, ny_1, _r3), _r3) - _add(_s38, _multiply(ny_0, _s13, _r7), _r7)
+    _s40 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_6, _r7), _multiply(lift_1, nx_5, _r3), _r3), _multiply(lift_2, nx_4, _r7), _r7), _multiply(lift_3, nx_3, _r3), _r3), _multiply(lift_4, nx_2, _r7), _r7), _multiply(lift_5, nx_1, _r3), _r3)
+    _s41 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s28, _r7), _multiply(turn_rate_1, tx_5, _r4), _r4), _multiply(turn_rate_2, tx_4, _r7), _r7), _multiply(turn_rate_3, tx_3, _r4), _r4), _multiply(turn_rate_4, tx_2, _r7), _r7), _multiply(turn_rate_5, tx_1, _r4), _r4)
+    _s42 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_6, _r7), _multiply(lift_1, ny_5, _r2), _r2), _multiply(lift_2, ny_4, _r7), _r7), _multiply(lift_3, ny_3, _r2), _r2), _multiply(lift_4, ny_2, _r7), _r7), _multiply(lift_5, ny_1, _r2), _r2)
+    _s43 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s36, _r7), _multiply(turn_rate_1, ty_5, _r0), _r0), _multiply(turn_rate_2, ty_4, _r7), _r7), _multiply(turn_rate_3, ty_3, _r0), _r0), _multiply(turn_rate_4, ty_2, _r7), _r7), _multiply(turn_rate_5, ty_1, _r0), _r0)
+    _s44 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_6, _r7), _multiply(lift_1, nz_5, _r1), _r1), _multiply(lift_2, nz_4, _r7), _r7), _multiply(lift_3, nz_3, _r1), _r1), _multiply(lift_4, nz_2, _r7), _r7), _multiply(lift_5, nz_1, _r1), _r1)
+    _s45 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s39, _r7), _multiply(turn_rate_1, tz_5, _r9), _r9), _multiply(turn_rate_2, tz_4, _r7), _r7), _multiply(turn_rate_3, tz_3, _r9), _r9), _multiply(turn_rate_4, tz_2, _r7), _r7), _multiply(turn_rate_5, tz_1, _r9), _r9)
+    _s46 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_6, _r7), _multiply(tx_1, vx_5, _r10), _r10), _multiply(tx_2, vx_4, _r7), _r7), _multiply(tx_3, vx_3, _r10), _r10), _multiply(tx_4, vx_2, _r7), _r7), _multiply(tx_5, vx_1, _r10), _r10)
+    _s47 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_6, _r7), _multiply(ty_1, vy_5, _r12), _r12), _multiply(ty_2, vy_4, _r7), _r7), _multiply(ty_3, vy_3, _r12), _r12), _multiply(ty_4, vy_2, _r7), _r7), _multiply(ty_5, vy_1, _r12), _r12)
+    _s48 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_6, _r7), _multiply(tz_1, vz_5, _r11), _r11), _multiply(tz_2, vz_4, _r7), _r7), _multiply(tz_3, vz_3, _r11), _r11), _multiply(tz_4, vz_2, _r7), _r7), _multiply(tz_5, vz_1, _r11), _r11)
+    _s49 = -_multiply(0.14285714285714285, _add(_add(_add(_s46, _multiply(vx_0, _s28, _r7), _r7), _add(_s47, _multiply(vy_0, _s36, _r10), _r10), _r10), _add(_s48, _multiply(vz_0, _s39, _r7), _r7), _r7), _r7)
+    _s50 = _add(_add(_add(_add(_add(_multiply(cos_0, vx_6, _r7), _multiply(cos_1, vx_5, _r10), _r10), _multiply(cos_2, vx_4, _r7), _r7), _multiply(cos_3, vx_3, _r10), _r10), _multiply(cos_4, vx_2, _r7), _r7), _multiply(cos_5, vx_1, _r10), _r10)
+    _s51 = _add(_add(_add(_add(_add(_multiply(sin_0, vy_6, _r7), _multiply(sin_1, vy_5, _r11), _r11), _multiply(sin_2, vy_4, _r7), _r7), _multiply(sin_3, vy_3, _r11), _r11), _multiply(sin_4, vy_2, _r7), _r7), _multiply(sin_5, vy_1, _r11), _r11)
+    _s52 = 0.14285714285714285 * _add(_add(_s50, _multiply(cos_6, vx_0, _r7), _r7), _add(_s51, _multiply(sin_6, vy_0, _r10), _r10), _r10)
+    _s53 = _add(_add(_add(_add(_add(_multiply(near_0, _s52, _r10), _multiply(near_1, widened_6, _r7), _r7), _multiply(near_2, widened_5, _r10), _r10), _multiply(near_3, widened_4, _r7), _r7), _multiply(near_4, widened_3, _r10), _r10), _multiply(near_5, widened_2, _r7), _r7)
+    return _s2, _s4, _s25, _s28, _s36, _s39, 0.14285714285714285 * _add(_add(_s40, _multiply(nx_0, _s25, _r10), _r10), _multiply(0.4, _add(_s41, _multiply(turn_rate_6, tx_0, _r3), _r3), _r3), _r3), 0.14285714285714285 * _add(_add(_s42, _multiply(ny_0, _s25, _r3), _r3), _multiply(0.4, _add(_s43, _multiply(turn_rate_6, ty_0, _r2), _r2), _r2), _r2), 0.14285714285714285 * _add(_add(_s44, _multiply(nz_0, _s25, _r2), _r2), _multiply(0.4, _add(_s45, _multiply(turn_rate_6, tz_0, _r1), _r1), _r1), _r1), 0.14285714285714285 * _s13, 0.14285714285714285 * _s22, 0.14285714285714285 * _s24, _s49, 0.14285714285714285 * _s12, 0.14285714285714285 * _s21, _s52, -_multiply(near_0, _add(_s53, _multiply(near_6, widened_1, _r13), _r13), _r13)
+
+
+def roll_7(across_0: Any, across_1: Any, across_2: Any, across_3: Any, across_4: Any, across_5: Any, across_6: Any, bent_x: Any, bent_y: Any, bent_z: Any, cos_0: Any, cos_1: Any, cos_2: Any, cos_3: Any, cos_4: Any, cos_5: Any, cos_6: Any, cos_7: Any, p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, near_0: Any, near_1: Any, near_2: Any, near_3: Any, near_4: Any, near_5: Any, near_6: Any, near_7: Any, nx_0: Any, nx_1: Any, nx_2: Any, nx_3: Any, nx_4: Any, nx_5: Any, nx_6: Any, nx_7: Any, ny_0: Any, ny_1: Any, ny_2: Any, ny_3: Any, ny_4: Any, ny_5: Any, ny_6: Any, ny_7: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, per_reach: Any, ring: Any, round_0: Any, round_1: Any, round_2: Any, round_3: Any, round_4: Any, round_5: Any, round_6: Any, sin_0: Any, sin_1: Any, sin_2: Any, sin_3: Any, sin_4: Any, sin_5: Any, sin_6: Any, sin_7: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, tx_0: Any, tx_1: Any, tx_2: Any, tx_3: Any, tx_4: Any, tx_5: Any, tx_6: Any, ty_0: Any, ty_1: Any, ty_2: Any, ty_3: Any, ty_4: Any, ty_5: Any, ty_6: Any, tz_0: Any, tz_1: Any, tz_2: Any, tz_3: Any, tz_4: Any, tz_5: Any, tz_6: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, widened_1: Any, widened_2: Any, widened_3: Any, widened_4: Any, widened_5: Any, widened_6: Any, widened_7: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The terms of order 8 of a ball that rolls, from those before.
+
+    Newton, Euler and rolling without slip. 457 operations: 190 additions, 7 subtractions, 257 multiplications, 3 negations.
+    Returns across_7, round_7, lift_7, tx_7, ty_7, tz_7, vx_8, vy_8, vz_8, nx_8, ny_8, nz_8, turn_rate_8, cos_8, sin_8, widened_8, near_8.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, *_ = _room
+    _s0 = _add(_add(_add(_add(_add(_multiply(cos_0, vy_7, _r0), _multiply(cos_1, vy_6, _r1), _r1), _multiply(cos_2, vy_5, _r0), _r0), _multiply(cos_3, vy_4, _r1), _r1), _multiply(cos_4, vy_3, _r0), _r0), _multiply(cos_5, vy_2, _r1), _r1)
+    _s1 = _add(_add(_add(_add(_add(_multiply(sin_0, vx_7, _r0), _multiply(sin_1, vx_6, _r2), _r2), _multiply(sin_2, vx_5, _r0), _r0), _multiply(sin_3, vx_4, _r2), _r2), _multiply(sin_4, vx_3, _r0), _r0), _multiply(sin_5, vx_2, _r2), _r2)
+    _s2 = _add(_add(_s0, _multiply(cos_6, vy_1, _r0), _r0), _multiply(cos_7, vy_0, _r1), _r1) - _add(_add(_s1, _multiply(sin_6, vx_1, _r0), _r0), _multiply(sin_7, vx_0, _r2), _r2)
+    _s3 = _add(_add(_add(_add(_add(_multiply(across_0, near_7, _r2), _multiply(across_1, near_6, _r1), _r1), _multiply(across_2, near_5, _r2), _r2), _multiply(across_3, near_4, _r1), _r1), _multiply(across_4, near_3, _r2), _r2), _multiply(across_5, near_2, _r1), _r1)
+    _s4 = _add(_s3, _multiply(across_6, near_1, _r2), _r2) + _multiply(near_0, _s2, _r1)
+    _s5 = _multiply(2.0, nx_2, _r1)
+    _s6 = _multiply(3.0, nx_3, _r2)
+    _s7 = _multiply(4.0, nx_4, _r0)
+    _s8 = _multiply(5.0, nx_5, _r3)
+    _s9 = _multiply(6.0, nx_6, _r4)
+    _s10 = _add(_add(_add(_add(_add(_multiply(nx_1, vx_7, _r5), _multiply(_s5, vx_6, _r6), _r6), _multiply(_s6, vx_5, _r5), _r5), _multiply(_s7, vx_4, _r6), _r6), _multiply(_s8, vx_3, _r5), _r5), _multiply(_s9, vx_2, _r6), _r6)
+    _s11 = _multiply(7.0, nx_7, _r5)
+    _s12 = _add(_add(_add(_add(_add(_multiply(round_0, sin_7, _r7), _multiply(round_1, sin_6, _r8), _r8), _multiply(round_2, sin_5, _r7), _r7), _multiply(round_3, sin_4, _r8), _r8), _multiply(round_4, sin_3, _r7), _r7), _multiply(round_5, sin_2, _r8), _r8)
+    _s13 = _negative(_add(_add(_s12, _multiply(round_6, sin_1, _r7), _r7), _multiply(sin_0, _s4, _r8), _r8), _r8)
+    _s14 = _multiply(per_reach, _subtract(_multiply(bent_x, vx_7, _r7), _multiply(ring, _s13, _r9), _r9), _r9)
+    _s15 = _multiply(2.0, ny_2, _r7)
+    _s16 = _multiply(3.0, ny_3, _r10)
+    _s17 = _multiply(4.0, ny_4, _r11)
+    _s18 = _multiply(5.0, ny_5, _r12)
+    _s19 = _multiply(6.0, ny_6, _r13)
+    _s20 = _add(_add(_add(_add(_add(_multiply(ny_1, vy_7, _r14), _multiply(_s15, vy_6, _r15), _r15), _multiply(_s16, vy_5, _r14), _r14), _multiply(_s17, vy_4, _r15), _r15), _multiply(_s18, vy_3, _r14), _r14), _multiply(_s19, vy_2, _r15), _r15)
+    _s21 = _multiply(7.0, ny_7, _r14)
+    _s22 = _add(_add(_add(_add(_add(_multiply(cos_0, _s4, _r16), _multiply(cos_1, round_6, _r17), _r17), _multiply(cos_2, round_5, _r16), _r16), _multiply(cos_3, round_4, _r17), _r17), _multiply(cos_4, round_3, _r16), _r16), _multiply(cos_5, round_2, _r17), _r17)
+    _s23 = _add(_add(_s22, _multiply(cos_6, round_1, _r16), _r16), _multiply(cos_7, round_0, _r17), _r17)
+    _s24 = _multiply(per_reach, _subtract(_multiply(bent_y, vy_7, _r16), _multiply(ring, _s23, _r18), _r18), _r18)
+    _s25 = _add(_add(_add(_add(_multiply(nz_1, vz_7, _r16), _multiply(_multiply(2.0, nz_2, _r19), vz_6, _r19), _r19), _multiply(_multiply(3.0, nz_3, _r16), vz_5, _r16), _r16), _multiply(_multiply(4.0, nz_4, _r19), vz_4, _r19), _r19), _multiply(_multiply(5.0, nz_5, _r16), vz_3, _r16), _r16)
+    _s26 = _multiply(_multiply(bent_z, per_reach, _r19), vz_7, _r19)
+    _s27 = _add(_add(_add(_add(_s10, _multiply(_s11, vx_1, _r20), _r20), _multiply(vx_0, _s14, _r6), _r6), _add(_add(_s20, _multiply(_s21, vy_1, _r20), _r20), _multiply(vy_0, _s24, _r15), _r15), _r15), _add(_add(_add(_s25, _multiply(_multiply(6.0, nz_6, _r6), vz_2, _r6), _r6), _multiply(_multiply(7.0, nz_7, _r16), vz_1, _r16), _r16), _multiply(vz_0, _s26, _r6), _r6), _r6)
+    _s28 = _multiply(0.6 * p_gravity, nz_7, _r15) - _s27
+    _s29 = _multiply(_s17, nz_4, _r11)
+    _s30 = _add(_add(_add(_add(_multiply(ny_0, _s26, _r6), _multiply(_multiply(7.0, ny_1, _r15), nz_7, _r15), _r15), _multiply(_multiply(6.0, ny_2, _r6), nz_6, _r6), _r6), _multiply(_multiply(5.0, ny_3, _r15), nz_5, _r15), _r15), _s29, _r15)
+    _s31 = _add(_add(_add(_add(_add(_multiply(ny_1, nz_7, _r6), _multiply(_s15, nz_6, _r7), _r7), _multiply(_s16, nz_5, _r10), _r10), _s29, _r10), _multiply(_s18, nz_3, _r12), _r12), _multiply(_s19, nz_2, _r13), _r13)
+    _s32 = _add(_add(_add(_s30, _multiply(_multiply(3.0, ny_5, _r12), nz_3, _r12), _r12), _multiply(_multiply(2.0, ny_6, _r15), nz_2, _r15), _r15), _multiply(ny_7, nz_1, _r12), _r12) - _add(_add(_s31, _multiply(_s21, nz_1, _r14), _r14), _multiply(nz_0, _s24, _r13), _r13)
+    _s33 = _multiply(_s7, nz_4, _r13)
+    _s34 = _add(_add(_add(_add(_add(_multiply(nx_1, nz_7, _r12), _multiply(_s5, nz_6, _r14), _r14), _multiply(_s6, nz_5, _r12), _r12), _s33, _r12), _multiply(_s8, nz_3, _r14), _r14), _multiply(_s9, nz_2, _r12), _r12)
+    _s35 = _multiply(7.0, nx_1, _r14)
+    _s36 = _multiply(6.0, nx_2, _r15)
+    _s37 = _multiply(5.0, nx_3, _r10)
+    _s38 = _multiply(3.0, nx_5, _r11)
+    _s39 = _add(_add(_add(_add(_add(_multiply(nx_0, _s26, _r7), _multiply(_s35, nz_7, _r6), _r6), _multiply(_s36, nz_6, _r7), _r7), _multiply(_s37, nz_5, _r6), _r6), _s33, _r6), _multiply(_s38, nz_3, _r13), _r13)
+    _s40 = _multiply(2.0, nx_6, _r6)
+    _s41 = _add(_add(_s34, _multiply(_s11, nz_1, _r7), _r7), _multiply(nz_0, _s14, _r12), _r12) - _add(_add(_s39, _multiply(_s40, nz_2, _r7), _r7), _multiply(nx_7, nz_1, _r13), _r13)
+    _s42 = _multiply(_s7, ny_4, _r0)
+    _s43 = _add(_add(_add(_add(_add(_multiply(nx_0, _s24, _r13), _multiply(_s35, ny_7, _r14), _r14), _multiply(_s36, ny_6, _r15), _r15), _multiply(_s37, ny_5, _r10), _r10), _s42, _r10), _multiply(_s38, ny_3, _r11), _r11)
+    _s44 = _add(_add(_add(_add(_add(_multiply(nx_1, ny_7, _r10), _multiply(_s5, ny_6, _r1), _r1), _multiply(_s6, ny_5, _r2), _r2), _s42, _r2), _multiply(_s8, ny_3, _r3), _r3), _multiply(_s9, ny_2, _r4), _r4)
+    _s45 = _add(_add(_s43, _multiply(_s40, ny_2, _r6), _r6), _multiply(nx_7, ny_1, _r11), _r11) - _add(_add(_s44, _multiply(_s11, ny_1, _r5), _r5), _multiply(ny_0, _s14, _r4), _r4)
+    _s46 = _add(_add(_add(_add(_add(_multiply(lift_0, nx_7, _r4), _multiply(lift_1, nx_6, _r11), _r11), _multiply(lift_2, nx_5, _r4), _r4), _multiply(lift_3, nx_4, _r11), _r11), _multiply(lift_4, nx_3, _r4), _r4), _multiply(lift_5, nx_2, _r11), _r11)
+    _s47 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s32, _r4), _multiply(turn_rate_1, tx_6, _r5), _r5), _multiply(turn_rate_2, tx_5, _r4), _r4), _multiply(turn_rate_3, tx_4, _r5), _r5), _multiply(turn_rate_4, tx_3, _r4), _r4), _multiply(turn_rate_5, tx_2, _r5), _r5)
+    _s48 = 0.125 * _add(_add(_add(_s46, _multiply(lift_6, nx_1, _r4), _r4), _multiply(nx_0, _s28, _r11), _r11), _multiply(0.4, _add(_add(_s47, _multiply(turn_rate_6, tx_1, _r4), _r4), _multiply(turn_rate_7, tx_0, _r5), _r5), _r5), _r5)
+    _s49 = _add(_add(_add(_add(_add(_multiply(lift_0, ny_7, _r5), _multiply(lift_1, ny_6, _r11), _r11), _multiply(lift_2, ny_5, _r5), _r5), _multiply(lift_3, ny_4, _r11), _r11), _multiply(lift_4, ny_3, _r5), _r5), _multiply(lift_5, ny_2, _r11), _r11)
+    _s50 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s41, _r5), _multiply(turn_rate_1, ty_6, _r4), _r4), _multiply(turn_rate_2, ty_5, _r5), _r5), _multiply(turn_rate_3, ty_4, _r4), _r4), _multiply(turn_rate_4, ty_3, _r5), _r5), _multiply(turn_rate_5, ty_2, _r4), _r4)
+    _s51 = 0.125 * _add(_add(_add(_s49, _multiply(lift_6, ny_1, _r5), _r5), _multiply(ny_0, _s28, _r11), _r11), _multiply(0.4, _add(_add(_s50, _multiply(turn_rate_6, ty_1, _r5), _r5), _multiply(turn_rate_7, ty_0, _r4), _r4), _r4), _r4)
+    _s52 = _add(_add(_add(_add(_add(_multiply(lift_0, nz_7, _r4), _multiply(lift_1, nz_6, _r11), _r11), _multiply(lift_2, nz_5, _r4), _r4), _multiply(lift_3, nz_4, _r11), _r11), _multiply(lift_4, nz_3, _r4), _r4), _multiply(lift_5, nz_2, _r11), _r11)
+    _s53 = _add(_add(_add(_add(_add(_multiply(turn_rate_0, _s45, _r4), _multiply(turn_rate_1, tz_6, _r5), _r5), _multiply(turn_rate_2, tz_5, _r4), _r4), _multiply(turn_rate_3, tz_4, _r5), _r5), _multiply(turn_rate_4, tz_3, _r4), _r4), _multiply(turn_rate_5, tz_2, _r5), _r5)
+    _s54 = 0.125 * _add(_add(_add(_s52, _multiply(lift_6, nz_1, _r4), _r4), _multiply(nz_0, _s28, _r11), _r11), _multiply(0.4, _add(_add(_s53, _multiply(turn_rate_6, tz_1, _r4), _r4), _multiply(turn_rate_7, tz_0, _r5), _r5), _r5), _r5)
+    _s55 = _add(_add(_add(_add(_add(_multiply(tx_0, vx_7, _r5), _multiply(tx_1, vx_6, _r11), _r11), _multiply(tx_2, vx_5, _r5), _r5), _multiply(tx_3, vx_4, _r11), _r11), _multiply(tx_4, vx_3, _r5), _r5), _multiply(tx_5, vx_2, _r11), _r11)
+    _s56 = _add(_add(_add(_add(_add(_multiply(ty_0, vy_7, _r5), _multiply(ty_1, vy_6, _r4), _r4), _multiply(ty_2, vy_5, _r5), _r5), _multiply(ty_3, vy_4, _r4), _r4), _multiply(ty_4, vy_3, _r5), _r5), _multiply(ty_5, vy_2, _r4), _r4)
+    _s57 = _add(_add(_add(_add(_add(_multiply(tz_0, vz_7, _r5), _multiply(tz_1, vz_6, _r6), _r6), _multiply(tz_2, vz_5, _r5), _r5), _multiply(tz_3, vz_4, _r6), _r6), _multiply(tz_4, vz_3, _r5), _r5), _multiply(tz_5, vz_2, _r6), _r6)
+    _s58 = _multiply(0.125, _add(_add(_add(_add(_s55, _multiply(tx_6, vx_1, _r5), _r5), _multiply(vx_0, _s32, _r11), _r11), _add(_add(_s56, _multiply(ty_6, vy_1, _r5), _r5), _multiply(vy_0, _s41, _r4), _r4), _r4), _add(_add(_s57, _multiply(tz_6, vz_1, _r11), _r11), _multiply(vz_0, _s45, _r6), _r6), _r6), _r6)
+    _s59 = _add(_add(_add(_add(_add(_multiply(cos_0, vx_7, _r4), _multiply(cos_1, vx_6, _r11), _r11), _multiply(cos_2, vx_5, _r4), _r4), _multiply(cos_3, vx_4, _r11), _r11), _multiply(cos_4, vx_3, _r4), _r4), _multiply(cos_5, vx_2, _r11), _r11)
+    _s60 = _add(_add(_add(_add(_add(_multiply(sin_0, vy_7, _r4), _multiply(sin_1, vy_6, _r5), _r5), _multiply(sin_2, vy_5, _r4), _r4), _multiply(sin_3, vy_4, _r5), _r5), _multiply(sin_4, vy_3, _r4), _r4), _multiply(sin_5, vy_2, _r5), _r5)
+    _s61 = 0.125 * _add(_add(_add(_s59, _multiply(cos_6, vx_1, _r4), _r4), _multiply(cos_7, vx_0, _r11), _r11), _add(_add(_s60, _multiply(sin_6, vy_1, _r4), _r4), _multiply(sin_7, vy_0, _r5), _r5), _r5)
+    _s62 = _add(_add(_add(_add(_add(_multiply(near_0, _s61, _r5), _multiply(near_1, widened_7, _r11), _r11), _multiply(near_2, widened_6, _r5), _r5), _multiply(near_3, widened_5, _r11), _r11), _multiply(near_4, widened_4, _r5), _r5), _multiply(near_5, widened_3, _r11), _r11)
+    return _s2, _s4, _s28, _s32, _s41, _s45, _s48, _s51, _s54, 0.125 * _s14, 0.125 * _s24, 0.125 * _s26, -_s58, 0.125 * _s13, 0.125 * _s23, _s61, -_multiply(near_0, _add(_add(_s62, _multiply(near_6, widened_2, _r17), _r17), _multiply(near_7, widened_1, _r11), _r11), _r11)
+
+
+def roll_start(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, ring: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The constant terms.
+
+    rolling. 17 operations: 3 additions, 8 multiplications, 1 division, 1 square root, 1 comparison, 3 selections.
+    Returns vx_0, vy_0, vz_0, nx_0, ny_0, nz_0, turn_rate_0, cos_0, sin_0, near_0.
+    """
+    _r0, _r1, _r2, *_ = _room
+    _s0 = _divide(1.0, _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1), _r1)
+    _s1 = 0.0 < ring
+    return vx, vy, vz, nx, ny, nz, p_ball_radius * _add(_add(_multiply(nx, wx, _r0), _multiply(ny, wy, _r2), _r2), _multiply(nz, wz, _r0), _r0), _result(_s1, _multiply(x, _s0, _r0), 1.0, _r0), _result(_s1, _multiply(y, _s0, _r0), 0.0, _r0), _result(_s1, _s0, 1.0, _r0)
+
+
+def roll_moved(t: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vx_8: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vy_8: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, vz_8: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where a rolling ball is at time t.
+
+    its series. 140 operations: 59 additions, 81 multiplications.
+    Returns x, vx, y, vy, z, vz, turn_rate.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _s0 = _multiply(0.1111111111111111, t, _r0)
+    _s1 = _add(_multiply(0.16666666666666666, vx_5, _r1), _multiply(t, _add(_multiply(0.14285714285714285, vx_6, _r2), _multiply(t, _add(_multiply(0.125, vx_7, _r3), _multiply(_s0, vx_8, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s2 = _add(_multiply(0.3333333333333333, vx_2, _r1), _multiply(t, _add(_multiply(0.25, vx_3, _r2), _multiply(t, _add(_multiply(0.2, vx_4, _r3), _multiply(t, _s1, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s3 = x + _multiply(t, _add(vx_0, _multiply(t, _add(_multiply(0.5, vx_1, _r1), _multiply(t, _s2, _r4), _r4), _r4), _r4), _r4)
+    _s4 = _add(vx_5, _multiply(t, _add(vx_6, _multiply(t, _add(vx_7, _multiply(t, vx_8, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s5 = _add(vx_2, _multiply(t, _add(vx_3, _multiply(t, _add(vx_4, _multiply(t, _s4, _r4), _r4), _r4), _r4), _r4), _r4)
+    _s6 = _add(_multiply(0.16666666666666666, vy_5, _r1), _multiply(t, _add(_multiply(0.14285714285714285, vy_6, _r2), _multiply(t, _add(_multiply(0.125, vy_7, _r3), _multiply(_s0, vy_8, _r5), _r5), _r5), _r5), _r5), _r5)
+    _s7 = _add(_multiply(0.3333333333333333, vy_2, _r1), _multiply(t, _add(_multiply(0.25, vy_3, _r2), _multiply(t, _add(_multiply(0.2, vy_4, _r3), _multiply(t, _s6, _r5), _r5), _r5), _r5), _r5), _r5)
+    _s8 = y + _multiply(t, _add(vy_0, _multiply(t, _add(_multiply(0.5, vy_1, _r1), _multiply(t, _s7, _r5), _r5), _r5), _r5), _r5)
+    _s9 = _add(vy_5, _multiply(t, _add(vy_6, _multiply(t, _add(vy_7, _multiply(t, vy_8, _r5), _r5), _r5), _r5), _r5), _r5)
+    _s10 = _add(vy_2, _multiply(t, _add(vy_3, _multiply(t, _add(vy_4, _multiply(t, _s9, _r5), _r5), _r5), _r5), _r5), _r5)
+    _s11 = _add(_multiply(0.16666666666666666, vz_5, _r1), _multiply(t, _add(_multiply(0.14285714285714285, vz_6, _r2), _multiply(t, _add(_multiply(0.125, vz_7, _r3), _multiply(_s0, vz_8, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s12 = _add(_multiply(0.3333333333333333, vz_2, _r1), _multiply(t, _add(_multiply(0.25, vz_3, _r2), _multiply(t, _add(_multiply(0.2, vz_4, _r3), _multiply(t, _s11, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s13 = z + _multiply(t, _add(vz_0, _multiply(t, _add(_multiply(0.5, vz_1, _r1), _multiply(t, _s12, _r0), _r0), _r0), _r0), _r0)
+    _s14 = _add(vz_5, _multiply(t, _add(vz_6, _multiply(t, _add(vz_7, _multiply(t, vz_8, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s15 = _add(vz_2, _multiply(t, _add(vz_3, _multiply(t, _add(vz_4, _multiply(t, _s14, _r0), _r0), _r0), _r0), _r0), _r0)
+    _s16 = _add(turn_rate_5, _multiply(t, _add(turn_rate_6, _multiply(t, _add(turn_rate_7, _multiply(t, turn_rate_8, _r1), _r1), _r1), _r1), _r1), _r1)
+    _s17 = _add(turn_rate_2, _multiply(t, _add(turn_rate_3, _multiply(t, _add(turn_rate_4, _multiply(t, _s16, _r1), _r1), _r1), _r1), _r1), _r1)
+    return _s3, vx_0 + _multiply(t, _add(vx_1, _multiply(t, _s5, _r4), _r4), _r4), _s8, vy_0 + _multiply(t, _add(vy_1, _multiply(t, _s10, _r5), _r5), _r5), _s13, vz_0 + _multiply(t, _add(vz_1, _multiply(t, _s15, _r0), _r0), _r0), turn_rate_0 + _multiply(t, _add(turn_rate_1, _multiply(t, _s17, _r1), _r1), _r1)
+
+
+def roll_placed(p_ball_radius: Any, gap: Any, nx: Any, ny: Any, nz: Any, turn_rate: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """A ball put onto a surface, rolling.
+
+    v = R_B (w × n). 36 operations: 5 additions, 9 subtractions, 21 multiplications, 1 division.
+    Returns x, y, z, vx, vy, vz, wx, wy, wz.
+    """
+    _r0, _r1, *_ = _room
+    _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
+    _s1 = vx - _multiply(nx, _s0, _r1)
+    _s2 = vy - _multiply(ny, _s0, _r1)
+    _s3 = vz - _multiply(nz, _s0, _r0)
+    _s4 = 1.0 / p_ball_radius
+    return x - _multiply(gap, nx, _r0), y - _multiply(gap, ny, _r0), z - _multiply(gap, nz, _r0), _s1, _s2, _s3, _s4 * _subtract(_add(_multiply(nx, turn_rate, _r0), _multiply(ny, _s3, _r1), _r1), _multiply(nz, _s2, _r0), _r0), _s4 * _subtract(_add(_multiply(ny, turn_rate, _r0), _multiply(nz, _s1, _r1), _r1), _multiply(nx, _s3, _r0), _r0), _s4 * _subtract(_add(_multiply(nx, _s2, _r0), _multiply(nz, turn_rate, _r1), _r1), _multiply(ny, _s1, _r0), _r0)
+
+
+def roll_pace(p_gravity: Any, lift_0: Any, lift_1: Any, lift_2: Any, lift_3: Any, lift_4: Any, lift_5: Any, lift_6: Any, lift_7: Any, nx_8: Any, ny_8: Any, nz_0: Any, nz_1: Any, nz_2: Any, nz_3: Any, nz_4: Any, nz_5: Any, nz_6: Any, nz_7: Any, nz_8: Any, per_reach: Any, turn_rate_0: Any, turn_rate_1: Any, turn_rate_2: Any, turn_rate_3: Any, turn_rate_4: Any, turn_rate_5: Any, turn_rate_6: Any, turn_rate_7: Any, turn_rate_8: Any, vx_0: Any, vx_1: Any, vx_2: Any, vx_3: Any, vx_4: Any, vx_5: Any, vx_6: Any, vx_7: Any, vx_8: Any, vy_0: Any, vy_1: Any, vy_2: Any, vy_3: Any, vy_4: Any, vy_5: Any, vy_6: Any, vy_7: Any, vy_8: Any, vz_0: Any, vz_1: Any, vz_2: Any, vz_3: Any, vz_4: Any, vz_5: Any, vz_6: Any, vz_7: Any, vz_8: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """A step of the series, bounds of the motion in it, and the normal force.
+
+    the last terms of the series. 155 operations: 53 additions, 47 multiplications, 1 division, 4 square roots, 46 absolute values, 2 comparisons, 2 selections.
+    Returns stride, strongest, fastest, force, force_rate, force_bend.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, *_ = _room
+    _s0 = _add(_add(_add(_absolute(turn_rate_0, _r0), _absolute(vx_0, _r1), _r1), _absolute(vy_0, _r0), _r0), _absolute(vz_0, _r1), _r1)
+    _s1 = _add(0.015625 * p_gravity, _s0, _r0)
+    _s2 = _absolute(per_reach, _r2)
+    _s3 = _add(_add(_add(_absolute(turn_rate_7, _r3), _absolute(vx_7, _r4), _r4), _absolute(vy_7, _r3), _r3), _absolute(vz_7, _r4), _r4)
+    _s4 = _add(_add(_add(_absolute(turn_rate_8, _r3), _absolute(vx_8, _r5), _r5), _absolute(vy_8, _r3), _r3), _absolute(vz_8, _r5), _r5)
+    _s5 = _add(_multiply(_add(_multiply(_s2, _s0, _r3), _sqrt(_multiply(p_gravity, _s2, _r2), _r2), _r2), _s3, _r2), _s4, _r2)
+    _s6 = _multiply(_s1, _add(_add(_absolute(nx_8, _r3), _absolute(ny_8, _r6), _r6), _absolute(nz_8, _r3), _r3), _r3)
+    _s7 = _sqrt(_sqrt(_sqrt(_divide(_multiply(1.1102230246251565e-16, _s1, _r0), _select(_s5 < _s6, _s6, _s5, _r6), _r0), _r0), _r0), _r0)
+    _s8 = _result(_s7 < 0.0625, _s7, 0.0625, _r0)
+    _s9 = _multiply(_multiply(2.0, _add(_add(_add(_absolute(turn_rate_2, _r6), _absolute(vx_2, _r3), _r3), _absolute(vy_2, _r6), _r6), _absolute(vz_2, _r3), _r3), _r3), _s8, _r3)
+    _s10 = _multiply(_s8, _s8, _r6)
+    _s11 = _multiply(_multiply(3.0, _add(_add(_add(_absolute(turn_rate_3, _r2), _absolute(vx_3, _r7), _r7), _absolute(vy_3, _r2), _r2), _absolute(vz_3, _r7), _r7), _r7), _s10, _r7)
+    _s12 = _multiply(_s8, _s10, _r2)
+    _s13 = _multiply(_multiply(4.0, _add(_add(_add(_absolute(turn_rate_4, _r8), _absolute(vx_4, _r9), _r9), _absolute(vy_4, _r8), _r8), _absolute(vz_4, _r9), _r9), _r9), _s12, _r9)
+    _s14 = _multiply(_s10, _s10, _r8)
+    _s15 = _multiply(_multiply(5.0, _add(_add(_add(_absolute(turn_rate_5, _r10), _absolute(vx_5, _r11), _r11), _absolute(vy_5, _r10), _r10), _absolute(vz_5, _r11), _r11), _r11), _s14, _r11)
+    _s16 = _multiply(_s8, _s14, _r10)
+    _s17 = _multiply(_multiply(6.0, _add(_add(_add(_absolute(turn_rate_6, _r12), _absolute(vx_6, _r13), _r13), _absolute(vy_6, _r12), _r12), _absolute(vz_6, _r13), _r13), _r13), _s16, _r13)
+    _s18 = _add(_add(_add(_add(_add(_add(_s9, _s11, _r7), _s13, _r9), _s15, _r11), _s17, _r13), _multiply(_multiply(7.0, _s3, _r4), _multiply(_s10, _s14, _r11), _r4), _r4), _multiply(_multiply(8.0, _s4, _r5), _multiply(_s12, _s14, _r13), _r5), _r5)
+    _s19 = _s18 + _add(_add(_add(_absolute(turn_rate_1, _r4), _absolute(vx_1, _r13), _r13), _absolute(vy_1, _r4), _r4), _absolute(vz_1, _r13), _r13)
+    _s20 = 0.4 * p_gravity
+    _s21 = _add(_multiply(_multiply(6.0, _absolute(_add(lift_3, _multiply(_s20, nz_3, _r13), _r13), _r13), _r13), _s8, _r13), _multiply(_multiply(12.0, _absolute(_add(lift_4, _multiply(_s20, nz_4, _r5), _r5), _r5), _r5), _s10, _r5), _r5)
+    _s22 = _add(_s21, _multiply(_multiply(20.0, _absolute(_add(lift_5, _multiply(_s20, nz_5, _r13), _r13), _r13), _r13), _s12, _r13), _r13)
+    _s23 = _add(_s22, _multiply(_multiply(30.0, _absolute(_add(lift_6, _multiply(_s20, nz_6, _r5), _r5), _r5), _r5), _s14, _r5), _r5)
+    _s24 = _add(_s23, _multiply(_multiply(42.0, _absolute(_add(lift_7, _multiply(_s20, nz_7, _r13), _r13), _r13), _r13), _s16, _r13), _r13)
+    return _s8, _s19, _multiply(_s19, _s8, _r0) + _s0, lift_0 + _multiply(_s20, nz_0, _r0), lift_1 + _multiply(_s20, nz_1, _r0), _s24 + _multiply(2.0, _absolute(_add(lift_2, _multiply(_s20, nz_2, _r0), _r0), _r0), _r0)
+
+
+def roll_turn_rate(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, wx: Any, wy: Any, wz: Any) -> tuple[Any, ...]:
+    """The spin about the normal, times the ball's radius.
+
+    s = R_B (w·n). 6 operations: 2 additions, 4 multiplications.
+    Returns turn_rate.
+    """
+    return p_ball_radius * (((nx * wx) + (ny * wy)) + (nz * wz)),
+
+
+def slowed(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where a ball hardly leaves the surface that it has touched.
+
+    a hop of less than a micrometre. 8 operations: 2 additions, 5 multiplications, 1 comparison.
+    Returns slow, assured.
+    """
+    _r0, _r1, *_ = _room
+    _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
+    return _multiply(_s0, _s0, _r0) < (1.1920928955078125e-07 * p_ball_radius), 0.0
+
+
+def gripped(p_ball_radius: Any, nx: Any, ny: Any, nz: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The velocity of a ball whose contact point stops; its slip, and how fast it leaves.
+
+    the momenta that a contact keeps. 40 operations: 4 additions, 12 subtractions, 21 multiplications, 1 square root, 1 comparison, 1 selection.
+    Returns rolled_x, rolled_y, rolled_z, slip, bounce.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
+    _s1 = _subtract(vx, _multiply(nx, _s0, _r1), _r1)
+    _s2 = _subtract(_s1, _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r2), _multiply(ny, wz, _r3), _r3), _r3), _r3)
+    _s3 = _subtract(vy, _multiply(ny, _s0, _r2), _r2)
+    _s4 = _subtract(_s3, _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r4), _multiply(nz, wx, _r5), _r5), _r5), _r5)
+    _s5 = _subtract(vz, _multiply(nz, _s0, _r4), _r4)
+    _s6 = _subtract(_s5, _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r6), _multiply(nx, wy, _r7), _r7), _r7), _r7)
+    return _s1 - _multiply(0.4, _s2, _r6), _s3 - _multiply(0.4, _s4, _r6), _s5 - _multiply(0.4, _s6, _r6), _sqrt(_add(_add(_multiply(_s6, _s6, _r7), _multiply(_s4, _s4, _r5), _r5), _multiply(_s2, _s2, _r3), _r3)), _result(0.0 < _s0, _s0, 0.0, _r0)
+
+
+def alone() -> tuple[Any, ...]:
+    """Nothing next to the ball.
+
+    Table 1. No operations.
+    Returns nearest.
+    """
+    return _inf,
+
+
+def neared(gap: Any, nearest: Any) -> tuple[Any, ...]:
+    """The distance to what is next to the ball.
+
+    Table 1. 3 operations: 1 absolute value, 1 comparison, 1 selection.
+    Returns nearest.
+    """
+    _s0 = _absolute(gap)
+    return _where(_s0 < nearest, _s0, nearest),
+
+
+def begun_errors(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dx: Any, dy: Any, dz: Any, vx: Any, vy: Any, vz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """What a jump to the end of the bounces adds.
+
+    its bound. 41 operations: 12 additions, 3 multiplications, 2 divisions, 3 negations, 3 absolute values, 9 comparisons, 9 selections.
+    Returns dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz.
+    """
+    _r0, _r1, _r2, _r3, _r4, *_ = _room
+    _s0 = 3.637978807091713e-12 * p_ball_radius
+    _s1 = -_s0
+    _s2 = _multiply(1.4551915228366852e-11 * p_ball_radius, _add(1.0, _divide(_add(_add(_absolute(vx, _r0), _absolute(vy, _r1), _r1), _absolute(vz, _r0), _r0), p_ball_radius, _r0), _r0), _r0)
+    _s3 = _negative(_s2, _r1)
+    _s4 = _divide(_s2, p_ball_radius, _r2)
+    _s5 = _negative(_s4, _r3)
+    return dx + _select(dx < 0.0, _s1, _s0, _r4), dy + _select(dy < 0.0, _s1, _s0, _r4), dz + _select(dz < 0.0, _s1, _s0, _r4), dvx + _select(dvx < 0.0, _s3, _s2, _r4), dvy + _select(dvy < 0.0, _s3, _s2, _r4), dvz + _select(dvz < 0.0, _s3, _s2, _r4), dwx + _select(dwx < 0.0, _s5, _s4, _r4), dwy + _select(dwy < 0.0, _s5, _s4, _r4), dwz + _select(dwz < 0.0, _s5, _s4, _r4)
+
+
+def leaving_force(doubt: Any, fastest: Any, force: Any, force_bend: Any, force_rate: Any, p_gravity: Any, per_reach: Any, position_error: Any, stride: Any, velocity_error: Any, vx: Any, vx_1: Any, vy: Any, vy_1: Any, vz: Any, vz_1: Any, which: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where the normal force is spent, or nothing moves; else how long it certainly lasts.
+
+    N = 0. 65 operations: 11 additions, 1 subtraction, 14 multiplications, 1 division, 1 square root, 1 negation, 8 absolute values, 11 comparisons, 4 conjunctions, 2 disjunctions, 2 complements, 9 selections.
+    Returns stride, which, rests, doubt.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _s0 = _absolute(per_reach, _r0)
+    _s1 = _add(p_gravity, _multiply(_multiply(fastest, fastest, _r1), _s0, _r1), _r1)
+    _s2 = _multiply(5.684341886080802e-14, _s1, _r2)
+    _s3 = force_rate < 0.0
+    _s4 = _logical_or((force < _negative(_s2, _r3)), _logical_and((force <= _s2), _s3))
+    _s5 = _add(_add(_add(_add(_add(_absolute(vx, _r3), _absolute(vx_1, _r4), _r4), _absolute(vy, _r3), _r3), _absolute(vy_1, _r4), _r4), _absolute(vz, _r3), _r3), _absolute(vz_1, _r4), _r4)
+    _s6 = _s5 <= 0.0
+    _s7 = _multiply(force_rate, force_rate, _r4)
+    _s8 = _add(force_bend, _multiply(9.094947017729282e-13, _s1, _r3), _r3)
+    _s9 = _select(force < 0.0, 0.0, force, _r5)
+    _s10 = _add(_s7, _multiply(_multiply(2.0, _s8, _r6), _s9, _r6), _r6)
+    _s11 = _sqrt(_s10, _r7)
+    _s12 = _select(0.0 <= _s10, _divide(_select(_s3, _multiply(2.0, _s9, _r5), _add(force_rate, _s11, _r6), _r8), _select(_s3, _subtract(_s11, force_rate, _r7), _select(0.0 < _s8, _s8, 0.0, _r9), _r10), _r8), _inf, _r6)
+    _s13 = _add(_multiply(_multiply(8.0, _s0, _r0), _add(_multiply(fastest, velocity_error, _r5), _multiply(position_error, _s1, _r1), _r1), _r0), _s2, _r0)
+    _s14 = _result(_logical_and((_absolute(force, _r2) <= _s13), _logical_not((_multiply(_multiply(8.0, _s8, _r3), _s13, _r3) < _s7))), 0.0, doubt, _r0)
+    return _result(_logical_or(_s4, _s6), 0.0, _select(_s12 < stride, _s12, stride, _r3), _r0), _result(_logical_and(_s4, (which == -1.0)), 6.0, which, _r0), _logical_and(_s6, _logical_not(_s4)), _s14
+
+
+def beside_body(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: Any, index: Any, late: Any, nearing: Any, position_error: Any, stride: Any, strongest: Any, which: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where a rolling ball meets another surface; else how long it certainly does not.
+
+    a parabola below the distance. 55 operations: 7 additions, 1 subtraction, 11 multiplications, 2 divisions, 1 square root, 1 negation, 4 absolute values, 10 comparisons, 5 conjunctions, 1 disjunction, 2 complements, 10 selections.
+    Returns stride, which, doubt, late.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _s0 = _multiply(7.105427357601002e-15, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
+    _s1 = nearing < 0.0
+    _s2 = _logical_and((gap <= _s0), _s1)
+    _s3 = _multiply(nearing, nearing, _r1)
+    _s4 = _add(strongest, _multiply(dent, _multiply(fastest, fastest, _r2), _r2), _r2)
+    _s5 = _select(gap < 0.0, 0.0, gap, _r3)
+    _s6 = _add(_s3, _multiply(_multiply(2.0, _s4, _r4), _s5, _r4), _r4)
+    _s7 = _sqrt(_s6, _r5)
+    _s8 = _select(0.0 <= _s6, _divide(_select(_s1, _multiply(2.0, _s5, _r3), _add(nearing, _s7, _r4), _r6), _select(_s1, _subtract(_s7, nearing, _r5), _select(0.0 < _s4, _s4, 0.0, _r7), _r8), _r6), _inf, _r4)
+    _s9 = which == -1.0
+    _s10 = _logical_and(_s2, _s9)
+    _s11 = _add(_multiply(2.0, position_error, _r3), _s0, _r3)
+    _s12 = _logical_or(_logical_and(_logical_and((gap <= _s11), (_negative(_s11, _r0) <= gap)), _logical_not((_multiply(_multiply(8.0, _s11, _r0), _s4, _r0) < _s3))), _logical_and(_s2, _logical_not(_s9)))
+    return _result(_s2, 0.0, _select(_s8 < stride, _s8, stride, _r0), _r0), _result(_s10, index, which, _r0), _result(_s12, 0.0, doubt, _r0), _result(_s10, _divide(_multiply(2.0, _s11, _r3), _absolute(nearing, _r0), _r3), late, _r0)
+
+
+def beside_gate(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: Any, index: Any, late: Any, nearing: Any, position_error: Any, stride: Any, strongest: Any, which: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The same of a plane that ends a shot, which counts from above.
+
+    a parabola below the distance. 60 operations: 7 additions, 1 subtraction, 11 multiplications, 2 divisions, 1 square root, 2 negations, 4 absolute values, 12 comparisons, 6 conjunctions, 1 disjunction, 2 complements, 11 selections.
+    Returns stride, which, doubt, late.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _s0 = _multiply(7.105427357601002e-15, _add(_add(_add(p_ball_radius, _absolute(x, _r0), _r0), _absolute(y, _r1), _r1), _absolute(z, _r0), _r0), _r0)
+    _s1 = nearing < 0.0
+    _s2 = _logical_and(_logical_and((gap <= _s0), _s1), (_negative(_s0, _r1) <= gap))
+    _s3 = _multiply(nearing, nearing, _r1)
+    _s4 = _add(strongest, _multiply(dent, _multiply(fastest, fastest, _r2), _r2), _r2)
+    _s5 = _select(gap < 0.0, 0.0, gap, _r3)
+    _s6 = _add(_s3, _multiply(_multiply(2.0, _s4, _r4), _s5, _r4), _r4)
+    _s7 = _sqrt(_s6, _r5)
+    _s8 = _select(0.0 < gap, _select(0.0 <= _s6, _divide(_select(_s1, _multiply(2.0, _s5, _r3), _add(nearing, _s7, _r4), _r6), _select(_s1, _subtract(_s7, nearing, _r5), _select(0.0 < _s4, _s4, 0.0, _r7), _r8), _r6), _inf, _r4), _inf, _r3)
+    _s9 = which == -1.0
+    _s10 = _logical_and(_s2, _s9)
+    _s11 = _add(_multiply(2.0, position_error, _r8), _s0, _r8)
+    _s12 = _logical_or(_logical_and(_logical_and((gap <= _s11), (_negative(_s11, _r0) <= gap)), _logical_not((_multiply(_multiply(8.0, _s11, _r0), _s4, _r0) < _s3))), _logical_and(_s2, _logical_not(_s9)))
+    return _result(_s2, 0.0, _select(_s8 < stride, _s8, stride, _r0), _r0), _result(_s10, index, which, _r0), _result(_s12, 0.0, doubt, _r0), _result(_s10, _divide(_multiply(2.0, _s11, _r8), _absolute(nearing, _r0), _r8), late, _r0)
+
+
+def beside_seam(fastest: Any, gap: Any, near: Any, nearing: Any, stride: Any, strongest: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """How long a rolling ball certainly stays on a part of its surface.
+
+    a parabola below the distance. 30 operations: 3 additions, 2 subtractions, 5 multiplications, 1 division, 1 square root, 1 negation, 2 absolute values, 7 comparisons, 8 selections.
+    Returns stride.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _s0 = _absolute(gap, _r0)
+    _s1 = _subtract(_s0, near, _r1)
+    _s2 = _select(0.0 < _s1, _s1, 0.0, _r2)
+    _s3 = _select(_s0 <= near, _add(_multiply(9.5367431640625e-07, fastest, _r0), _absolute(nearing, _r3), _r3), _select(0.0 < gap, nearing, _negative(nearing, _r0), _r4), _r5)
+    _s4 = _add(_multiply(_multiply(2.0, strongest, _r6), _s2, _r6), _multiply(_s3, _s3, _r7), _r7)
+    _s5 = _sqrt(_s4, _r6)
+    _s6 = _s3 < 0.0
+    _s7 = _select(0.0 <= _s4, _divide(_select(_s6, _multiply(2.0, _s2, _r2), _add(_s3, _s5, _r1), _r7), _select(_s6, _subtract(_s5, _s3, _r6), _select(0.0 < strongest, strongest, 0.0, _r5), _r4), _r7), _inf, _r1)
+    return _result(_s7 < stride, _s7, stride, _r0),
+
+
+def beside_time(clock: Any, stride: Any, time_limit: Any, which: Any) -> tuple[Any, ...]:
+    """The time limit.
+
+    Table 1. 9 operations: 1 subtraction, 4 comparisons, 1 conjunction, 3 selections.
+    Returns stride, which.
+    """
+    _s0 = time_limit - clock
+    _s1 = _where(_s0 < stride, _s0, stride)
+    return _where(0.0 < _s1, _s1, 0.0), _where(_logical_and((time_limit <= clock), (which == -1.0)), 4.0, which)
+
+
+def rolled_on(clock: Any, rests: Any, stride: Any, which: Any) -> tuple[Any, ...]:
+    """The time after a step, and whether there is a next one.
+
+    Table 1. 4 operations: 1 addition, 1 comparison, 1 conjunction, 1 complement.
+    Returns clock, rolling.
+    """
+    return clock + stride, _logical_and((which == -1.0), _logical_not(rests))
+
+
+def parted(doubt: Any, p_gravity: Any, lift: Any, nearest: Any, per_reach: Any, position_error: Any, snap: Any, surge: Any, velocity_error: Any, vx: Any, vy: Any, vz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """How long a ball that leaves a surface certainly does not meet it, nor anything else.
+
+    Taylor's theorem of the gap. 67 operations: 10 additions, 21 multiplications, 6 divisions, 4 square roots, 6 absolute values, 10 comparisons, 1 disjunction, 9 selections.
+    Returns when, doubt.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, *_ = _room
+    _s0 = _add(_add(_add(0.0078125 * p_gravity, _absolute(vx, _r0), _r0), _absolute(vy, _r1), _r1), _absolute(vz, _r0), _r0)
+    _s1 = _divide(_multiply(0.25, nearest, _r1), _s0, _r1)
+    _s2 = _absolute(per_reach, _r2)
+    _s3 = _add(p_gravity, _multiply(_multiply(_s0, _s0, _r3), _s2, _r3), _r3)
+    _s4 = _add(_add(1.0, _multiply(_s0, _s2, _r4), _r4), _sqrt(_multiply(p_gravity, _s2, _r5), _r5), _r5)
+    _s5 = _multiply(_multiply(64.0, _s3, _r4), _multiply(_s4, _multiply(_s4, _s4, _r6), _r6), _r4)
+    _s6 = _multiply(0.5, surge, _r6)
+    _s7 = _sqrt(_divide(_s6, _s5, _r7), _r7)
+    _s8 = _multiply(9.313225746154785e-10, _s5, _r8)
+    _s9 = _add(_absolute(snap, _r9), _s8, _r9)
+    _s10 = _divide(_s6, _s9, _r6)
+    _s11 = _select(0.0 < lift, lift, 0.0, _r10)
+    _s12 = _sqrt(_divide(_multiply(128.0, _s11, _r11), _s5, _r11), _r11)
+    _s13 = _sqrt(_divide(_multiply(0.5, _s11, _r4), _s9, _r4), _r4)
+    _s14 = _divide(_s11, _add(_multiply(4.0, _absolute(surge, _r9), _r9), _s8, _r9), _r9)
+    _s15 = _select(_s13 < _s14, _s13, _s14, _r10)
+    _s16 = _select(0.0 < surge, _select(_s7 < _s10, _s7, _s10, _r8), _select(_s12 < _s15, _s12, _s15, _r12), _r13)
+    _s17 = _select(_s16 < 0.0078125, _s16, 0.0078125, _r14)
+    _s18 = _select(_s1 < _s17, _s1, _s17, _r15)
+    _s19 = _add(5.684341886080802e-14 * p_gravity, _multiply(_multiply(16.0, _add(_multiply(position_error, _s3, _r3), _multiply(velocity_error, _s0, _r0), _r0), _r0), _s2, _r0), _r0)
+    return _result(0.0 < _s18, _s18, 0.0, _r0), _result(_logical_or((_multiply(_s19, _s4, _r5) < surge), (_s19 < lift)), doubt, 0.0, _r0)
+
+
+def apart(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dx: Any, dy: Any, dz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """How often an error makes a neighbouring motion.
+
+    FAR. 29 operations: 3 additions, 4 multiplications, 1 division, 9 absolute values, 6 comparisons, 6 selections.
+    Returns apart.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, *_ = _room
+    _s0 = _absolute(dwx, _r0)
+    _s1 = _absolute(dwy, _r1)
+    _s2 = _select(_s0 < _s1, _s1, _s0, _r2)
+    _s3 = _absolute(dwz, _r3)
+    _s4 = _absolute(dvx, _r4)
+    _s5 = _absolute(dvy, _r5)
+    _s6 = _select(_s4 < _s5, _s5, _s4, _r6)
+    _s7 = _absolute(dvz, _r7)
+    _s8 = _absolute(dx, _r8)
+    _s9 = _absolute(dy, _r9)
+    _s10 = _select(_s8 < _s9, _s9, _s8, _r10)
+    _s11 = _absolute(dz, _r11)
+    _s12 = _add(_add(1.1102230246251565e-16 * p_ball_radius, _multiply(0.125, _add(_multiply(p_ball_radius, _select(_s2 < _s3, _s3, _s2, _r12), _r12), _select(_s6 < _s7, _s7, _s6, _r3), _r3), _r3), _r3), _select(_s10 < _s11, _s11, _s10, _r7), _r7)
+    return (2.384185791015625e-07 * p_ball_radius) / _s12,
+
+
+def neighbour(apart: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dx: Any, dy: Any, dz: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """A neighbouring motion, along the errors.
+
+    Table 1. 18 operations: 9 additions, 9 multiplications.
+    Returns far_x, far_y, far_z, far_vx, far_vy, far_vz, far_wx, far_wy, far_wz.
+    """
+    _r0, *_ = _room
+    return x + _multiply(apart, dx, _r0), y + _multiply(apart, dy, _r0), z + _multiply(apart, dz, _r0), vx + _multiply(apart, dvx, _r0), vy + _multiply(apart, dvy, _r0), vz + _multiply(apart, dvz, _r0), wx + _multiply(apart, dwx, _r0), wy + _multiply(apart, dwy, _r0), wz + _multiply(apart, dwz, _r0)
+
+
+def compared(apart: Any, p_ball_radius: Any, far_vx: Any, far_vy: Any, far_vz: Any, far_wx: Any, far_wy: Any, far_wz: Any, far_x: Any, far_y: Any, far_z: Any, vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The errors after a step, with its roundings.
+
+    differences. 69 operations: 17 additions, 9 subtractions, 3 multiplications, 10 divisions, 3 negations, 9 absolute values, 9 comparisons, 9 selections.
+    Returns dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, *_ = _room
+    _s0 = _divide(_subtract(far_x, x, _r0), apart, _r0)
+    _s1 = _multiply(4.440892098500626e-16, _add(_add(_add(p_ball_radius, _absolute(x, _r1), _r1), _absolute(y, _r2), _r2), _absolute(z, _r1), _r1), _r1)
+    _s2 = _negative(_s1, _r2)
+    _s3 = _divide(_subtract(far_y, y, _r3), apart, _r3)
+    _s4 = _divide(_subtract(far_z, z, _r4), apart, _r4)
+    _s5 = _divide(_subtract(far_vx, vx, _r5), apart, _r5)
+    _s6 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r6), _absolute(wy, _r7), _r7), _absolute(wz, _r6), _r6), _r6), _absolute(vx, _r7), _r7), _absolute(vy, _r6), _r6)
+    _s7 = _multiply(4.440892098500626e-16, _add(_s6, _absolute(vz, _r7), _r7), _r7)
+    _s8 = _negative(_s7, _r6)
+    _s9 = _divide(_subtract(far_vy, vy, _r8), apart, _r8)
+    _s10 = _divide(_subtract(far_vz, vz, _r9), apart, _r9)
+    _s11 = _divide(_subtract(far_wx, wx, _r10), apart, _r10)
+    _s12 = _divide(_s7, p_ball_radius, _r11)
+    _s13 = _negative(_s12, _r12)
+    _s14 = _divide(_subtract(far_wy, wy, _r13), apart, _r13)
+    _s15 = _divide(_subtract(far_wz, wz, _r14), apart, _r14)
+    return _s0 + _select(_s0 < 0.0, _s2, _s1, _r15), _s3 + _select(_s3 < 0.0, _s2, _s1, _r15), _s4 + _select(_s4 < 0.0, _s2, _s1, _r15), _s5 + _select(_s5 < 0.0, _s8, _s7, _r15), _s9 + _select(_s9 < 0.0, _s8, _s7, _r15), _s10 + _select(_s10 < 0.0, _s8, _s7, _r15), _s11 + _select(_s11 < 0.0, _s13, _s12, _r15), _s14 + _select(_s14 < 0.0, _s13, _s12, _r15), _s15 + _select(_s15 < 0.0, _s13, _s12, _r15)
+
+
+def carry_hop(dvx: Any, dvy: Any, dvz: Any, dx: Any, dy: Any, dz: Any, vx: Any, vy: Any, vz: Any, when: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Errors after a while of flight.
+
+    derivative of Eq. 3. 34 operations: 9 additions, 10 multiplications, 3 negations, 6 absolute values, 3 comparisons, 3 selections.
+    Returns dx, dy, dz.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _s0 = _add(dx, _multiply(dvx, when, _r0), _r0)
+    _s1 = _multiply(2.0, when, _r1)
+    _s2 = _multiply(1.1102230246251565e-16, _add(_multiply(_s1, _absolute(vx, _r2), _r2), _absolute(x, _r3), _r3), _r3)
+    _s3 = _add(dy, _multiply(dvy, when, _r2), _r2)
+    _s4 = _multiply(1.1102230246251565e-16, _add(_multiply(_s1, _absolute(vy, _r4), _r4), _absolute(y, _r5), _r5), _r5)
+    _s5 = _add(dz, _multiply(dvz, when, _r4), _r4)
+    _s6 = _multiply(1.1102230246251565e-16, _add(_multiply(_s1, _absolute(vz, _r6), _r6), _absolute(z, _r1), _r1), _r1)
+    return _s0 + _select(_s0 < 0.0, _negative(_s2, _r6), _s2, _r7), _s3 + _select(_s3 < 0.0, _negative(_s4, _r7), _s4, _r6), _s5 + _select(_s5 < 0.0, _negative(_s6, _r6), _s6, _r7)
+
+
+def kept(mode: Any, when: Any) -> tuple[Any, ...]:
+    """Where a ball is in contact: no flight to search.
+
+    Table 1. 2 operations: 1 comparison, 1 selection.
+    Returns kept, when, rests.
+    """
+    _s0 = 0.0 < mode
+    return _s0, _where(_s0, 0.0, when), False
+
+
+def resumed(mode: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
+    """No event yet, of a ball in contact.
+
+    Table 1. 7 operations: 5 comparisons, 1 conjunction, 1 selection.
+    Returns which, late, doubt, begins, rolling, leaves, nx, ny, nz, gap, bent_x, bent_y, bent_z, lift, surge, snap, per_reach, ring.
+    """
+    return -1.0, 0.0, _where(_logical_and((position_error < _inf), (velocity_error < _inf)), _inf, 0.0), mode == 1.0, mode == 2.0, mode == 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+
+
+def doubted_in_contact(assured: Any, doubt: Any, edge: Any, last: Any, late: Any, uncertain: Any, when: Any, which: Any) -> tuple[Any, ...]:
+    """1 where a decision lies within its error; that a ball bounces on is none.
+
+    Table 1. 12 operations: 1 addition, 4 comparisons, 3 conjunctions, 1 disjunction, 2 complements, 1 selection.
+    Returns uncertain.
+    """
+    _s0 = _logical_and(_logical_or(_logical_and(_logical_not(((late + when) < doubt)), (doubt < _inf)), edge), _logical_not(_logical_and((0.0 < assured), (which == last))))
+    return _where(_s0, 1.0, uncertain),
+
+
+def holding(held: Any, index: Any) -> tuple[Any, ...]:
+    """Whether it stays on this.
+
+    Table 1. 1 operation: 1 comparison.
+    Returns here.
+    """
+    return held == index,
+
+
+def beside(held: Any, index: Any) -> tuple[Any, ...]:
+    """Whether it does not.
+
+    Table 1. 2 operations: 1 comparison, 1 complement.
+    Returns beside.
+    """
+    return _logical_not((held == index)),
+
+
+def unhopped() -> tuple[Any, ...]:
+    """A ball in flight.
+
+    Table 1. No operations.
+    Returns hopped.
+    """
+    return False,
+
+
+def beginning_contact() -> tuple[Any, ...]:
+    """The contact begins.
+
+    Table 1. No operations.
+    Returns which.
+    """
+    return 5.0,
+
+
+def hopping() -> tuple[Any, ...]:
+    """The ball is off.
+
+    Table 1. No operations.
+    Returns which.
+    """
+    return 7.0,
+
+
+def kept_on(body: Any, ends: Any, held: Any, last: Any, reached: Any, rests: Any, which: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """What comes of a ball in contact.
+
+    Table 1. 25 operations: 2 additions, 1 multiplication, 7 comparisons, 1 conjunction, 1 disjunction, 1 complement, 12 selections.
+    Returns body, reached, ends, hopped, last, mode, held.
+    """
+    _r0, _r1, _r2, _r3, *_ = _room
+    _s0 = which == 5.0
+    _s1 = _multiply(2.0, _select(held == 2.0, 2.0, _select(held == 1.0, 1.0, _select(held == 0.0, 0.0, -1.0, _r0), _r1), _r2), _r2)
+    _s2 = which == 6.0
+    _s3 = which == 7.0
+    _s4 = 4.0 < which
+    return _result(_s0, _add(4.0, _s1, _r1), _select(_s2, _add(5.0, _s1, _r2), _select(_s3, -1.0, body, _r0), _r3), _r0), _result(rests, 5.0, _select(_s4, -1.0, reached, _r3), _r0), _logical_and(ends, _logical_not(_s4)), _s3, _result(_s3, -1.0, last, _r0), _result(_s0, 2.0, _select(_s2, 3.0, 0.0, _r3), _r0), _result(_logical_or(_s0, _s2), held, -1.0, _r0)
+
+
+def settled(index: Any, lodges: Any, outcome: Any, settles: Any, uncertain: Any, unsure: Any) -> tuple[Any, ...]:
+    """Whether the ball stays on a surface, or is wedged between two.
+
+    Table 1. 7 operations: 1 comparison, 1 conjunction, 1 disjunction, 4 selections.
+    Returns mode, held, outcome, uncertain.
+    """
+    return _where(settles, 1.0, 0.0), _where(settles, index, -1.0), _where(_logical_and(lodges, (outcome < 0.0)), 5.0, outcome), _where(_logical_or(lodges, unsure), 1.0, uncertain)
+
+
+def ring_impact_doubt(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, turn: Any, p_ball_radius: Any, p_ring_restitution: Any, p_ring_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where a decision within a contact lies within its error.
+
+    the law's own slack. 86 operations: 15 additions, 11 subtractions, 29 multiplications, 2 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections.
+    Returns unsure.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, *_ = _room
+    _s0 = 0.4 + (0.4 * p_tangential_restitution)
+    _s1 = _absolute(dwx, _r0)
+    _s2 = _absolute(dwy, _r1)
+    _s3 = _select(_s1 < _s2, _s2, _s1, _r2)
+    _s4 = _absolute(dwz, _r3)
+    _s5 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r4), _absolute(wy, _r5), _r5), _absolute(wz, _r4), _r4), _r4), _absolute(vx, _r5), _r5), _absolute(vy, _r4), _r4)
+    _s6 = _add(_s5, _absolute(vz, _r5), _r5)
+    _s7 = _absolute(dvx, _r4)
+    _s8 = _absolute(dvy, _r6)
+    _s9 = _select(_s7 < _s8, _s8, _s7, _r7)
+    _s10 = _absolute(dvz, _r8)
+    _s11 = _multiply(64.0, _add(_add(_add(_multiply(p_ball_radius, _select(_s3 < _s4, _s4, _s3, _r9), _r9), _multiply(turn, _s6, _r3), _r3), _select(_s9 < _s10, _s10, _s9, _r9), _r9), _multiply(4.440892098500626e-16, _s6, _r5), _r5), _r5)
+    _s12 = _add(_add(_multiply(nx, vx, _r9), _multiply(ny, vy, _r8), _r8), _multiply(nz, vz, _r9), _r9)
+    _s13 = _subtract(_subtract(vz, _multiply(nz, _s12, _r8), _r8), _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r7), _multiply(nx, wy, _r6), _r6), _r6), _r6)
+    _s14 = _subtract(_subtract(vy, _multiply(ny, _s12, _r8), _r8), _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r7), _multiply(nz, wx, _r4), _r4), _r4), _r4)
+    _s15 = _subtract(_subtract(vx, _multiply(nx, _s12, _r8), _r8), _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r7), _multiply(ny, wz, _r3), _r3), _r3), _r3)
+    _s16 = _multiply(p_ring_friction, _multiply(_add(1.0, _divide(p_ring_restitution, _subtract(1.0, _divide(_s12, p_restitution_speed, _r8), _r8), _r8), _r8), _s12, _r8), _r8)
+    _s17 = _subtract(_multiply(_s0, _sqrt(_add(_add(_multiply(_s13, _s13, _r6), _multiply(_s14, _s14, _r4), _r4), _multiply(_s15, _s15, _r3), _r3), _r3), _r3), _negative(_s16, _r8), _r8)
+    _s18 = _logical_and(_logical_and((0.0 < p_ring_friction), (p_ring_friction < _inf)), _logical_not((_multiply((2.0 * p_ring_friction) + _s0, _s11, _r5) < _absolute(_s17, _r8))))
+    return _s18,
+
+
+def ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, p_ball_radius: Any, p_ring_restitution: Any, p_ring_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Velocity and spin after a contact, frame-free.
+
+    momentum, angular momentum and Coulomb's law of friction. 83 operations: 9 additions, 19 subtractions, 43 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections.
+    Returns vx, vy, vz, wx, wy, wz.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, *_ = _room
+    _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
+    _s1 = _subtract(vx, _multiply(nx, _s0, _r1), _r1)
+    _s2 = _subtract(_s1, _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r2), _multiply(ny, wz, _r3), _r3), _r3), _r3)
+    _s3 = _subtract(vz, _multiply(nz, _s0, _r2), _r2)
+    _s4 = _subtract(_s3, _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r4), _multiply(nx, wy, _r5), _r5), _r5), _r5)
+    _s5 = _subtract(vy, _multiply(ny, _s0, _r4), _r4)
+    _s6 = _subtract(_s5, _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r6), _multiply(nz, wx, _r7), _r7), _r7), _r7)
+    _s7 = _add(_add(_multiply(_s4, _s4, _r6), _multiply(_s6, _s6, _r8), _r8), _multiply(_s2, _s2, _r6), _r6)
+    _s8 = 0.4 + (0.4 * p_tangential_restitution)
+    _s9 = _divide(p_ring_restitution, _subtract(1.0, _divide(_s0, p_restitution_speed, _r8), _r8), _r8)
+    _s10 = _negative(_multiply(p_ring_friction, _multiply(_add(1.0, _s9, _r9), _s0, _r9), _r9), _r9)
+    _s11 = _select(0.0 < p_ring_friction, _select(p_ring_friction < _inf, _select(_multiply(_s7, _s8 * _s8, _r10) <= _multiply(_s10, _s10, _r11), _s8, _divide(_s10, _sqrt(_s7, _r6), _r6), _r9), _s8, _r11), 0.0, _r10)
+    _s12 = _divide(_multiply(1.5, _s11, _r12), p_ball_radius, _r12)
+    return _subtract(_s1, _multiply(_s2, _s11, _r13), _r13) - _multiply(_multiply(nx, _s9, _r1), _s0, _r1), _subtract(_s5, _multiply(_s6, _s11, _r1), _r1) - _multiply(_multiply(ny, _s9, _r4), _s0, _r4), _subtract(_s3, _multiply(_s4, _s11, _r10), _r10) - _multiply(_multiply(nz, _s9, _r8), _s0, _r8), wx + _multiply(_s12, _subtract(_multiply(ny, _s4, _r8), _multiply(nz, _s6, _r10), _r10), _r10), wy + _multiply(_s12, _subtract(_multiply(nz, _s2, _r10), _multiply(nx, _s4, _r5), _r5), _r5), wz + _multiply(_s12, _subtract(_multiply(nx, _s6, _r7), _multiply(ny, _s2, _r3), _r3), _r3)
+
+
+def carry_ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, contacts: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, p_ball_radius: Any, p_ring_restitution: Any, p_ring_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Errors of velocity and spin after a contact, from those before it.
+
+    derivative of the contact with friction, with roundings. 303 operations: 40 additions, 50 subtractions, 121 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections.
+    Returns dvx, dvy, dvz, dwx, dwy, dwz.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, *_ = _room
+    _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
+    _s1 = _add(_add(_add(_add(_add(_multiply(dnx, vx, _r1), _multiply(dny, vy, _r2), _r2), _multiply(dnz, vz, _r1), _r1), _multiply(dvx, nx, _r2), _r2), _multiply(dvy, ny, _r1), _r1), _multiply(dvz, nz, _r2), _r2)
+    _s2 = _subtract(_subtract(dvx, _multiply(dnx, _s0, _r1), _r1), _multiply(nx, _s1, _r3), _r3)
+    _s3 = _subtract(_subtract(vx, _multiply(nx, _s0, _r1), _r1), _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r4), _multiply(ny, wz, _r5), _r5), _r5), _r5)
+    _s4 = _subtract(_subtract(vz, _multiply(nz, _s0, _r1), _r1), _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r4), _multiply(nx, wy, _r6), _r6), _r6), _r6)
+    _s5 = _subtract(_subtract(vy, _multiply(ny, _s0, _r1), _r1), _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r4), _multiply(nz, wx, _r7), _r7), _r7), _r7)
+    _s6 = _add(_add(_multiply(_s4, _s4, _r1), _multiply(_s5, _s5, _r4), _r4), _multiply(_s3, _s3, _r1), _r1)
+    _s7 = 0.4 + (0.4 * p_tangential_restitution)
+    _s8 = _subtract(1.0, _divide(_s0, p_restitution_speed, _r4), _r4)
+    _s9 = _divide(p_ring_restitution, _s8, _r8)
+    _s10 = _add(1.0, _s9, _r9)
+    _s11 = _negative(_multiply(p_ring_friction, _multiply(_s10, _s0, _r10), _r10), _r10)
+    _s12 = _negative(_divide(_multiply(p_ring_restitution, _negative(_divide(_s1, p_restitution_speed, _r11), _r11), _r11), _multiply(_s8, _s8, _r4), _r11), _r11)
+    _s13 = _sqrt(_s6, _r4)
+    _s14 = _subtract(_subtract(dvz, _multiply(dnz, _s0, _r12), _r12), _multiply(nz, _s1, _r13), _r13)
+    _s15 = _subtract(_s14, _multiply(p_ball_radius, _subtract(_subtract(_add(_multiply(dny, wx, _r12), _multiply(dwx, ny, _r14), _r14), _multiply(dnx, wy, _r12), _r12), _multiply(dwy, nx, _r14), _r14), _r14), _r14)
+    _s16 = _subtract(_subtract(dvy, _multiply(dny, _s0, _r12), _r12), _multiply(ny, _s1, _r15), _r15)
+    _s17 = _subtract(_s16, _multiply(p_ball_radius, _subtract(_subtract(_add(_multiply(dnx, wz, _r12), _multiply(dwz, nx, _r16), _r16), _multiply(dnz, wx, _r12), _r12), _multiply(dwx, nz, _r16), _r16), _r16), _r16)
+    _s18 = _subtract(_s2, _multiply(p_ball_radius, _subtract(_subtract(_add(_multiply(dnz, wy, _r12), _multiply(dwy, nz, _r17), _r17), _multiply(dny, wz, _r12), _r12), _multiply(dwz, ny, _r17), _r17), _r17), _r17)
+    _s19 = _divide(_multiply(_multiply(0.5, _s11, _r12), _add(_add(_multiply(_multiply(2.0, _s4, _r18), _s15, _r18), _multiply(_multiply(2.0, _s5, _r19), _s17, _r19), _r19), _multiply(_multiply(2.0, _s3, _r18), _s18, _r18), _r18), _r12), _multiply(_s13, _s6, _r18), _r12)
+    _s20 = _subtract(_divide(_negative(_multiply(p_ring_friction, _add(_multiply(_s10, _s1, _r9), _multiply(_s12, _s0, _r18), _r18), _r18), _r18), _s13, _r18), _s19, _r12)
+    _s21 = _multiply(_s6, _s7 * _s7, _r1) <= _multiply(_s11, _s11, _r18)
+    _s22 = p_ring_friction < _inf
+    _s23 = 0.0 < p_ring_friction
+    _s24 = _select(_s23, _select(_s22, _select(_s21, 0.0, _s20, _r18), 0.0, _r1), 0.0, _r9)
+    _s25 = _select(_s23, _select(_s22, _select(_s21, _s7, _divide(_s11, _s13, _r4), _r10), _s7, _r19), 0.0, _r20)
+    _s26 = _subtract(_subtract(_subtract(_subtract(_subtract(_s2, _multiply(_s3, _s24, _r21), _r21), _multiply(_s18, _s25, _r3), _r3), _multiply(_multiply(dnx, _s9, _r21), _s0, _r21), _r21), _multiply(_multiply(nx, _s9, _r3), _s1, _r3), _r3), _multiply(_multiply(nx, _s12, _r21), _s0, _r21), _r21)
+    _s27 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r3), _absolute(wy, _r22), _r22), _absolute(wz, _r3), _r3), _r3), _absolute(vx, _r22), _r22), _absolute(vy, _r3), _r3)
+    _s28 = _add(_s27, _absolute(vz, _r22), _r22)
+    _s29 = _multiply(2.220446049250313e-16, _s28, _r3)
+    _s30 = _negative(_s29, _r23)
+    _s31 = _add(_s26, _select(_s26 < 0.0, _s30, _s29, _r24), _r24)
+    _s32 = _add(8.0, _multiply(8.0, contacts, _r21), _r21)
+    _s33 = _absolute(dwx, _r25)
+    _s34 = _absolute(dwy, _r26)
+    _s35 = _select(_s33 < _s34, _s34, _s33, _r27)
+    _s36 = _absolute(dwz, _r28)
+    _s37 = _absolute(dvx, _r29)
+    _s38 = _absolute(dvy, _r30)
+    _s39 = _select(_s37 < _s38, _s38, _s37, _r31)
+    _s40 = _absolute(dvz, _r32)
+    _s41 = _add(_add(_multiply(p_ball_radius, _select(_s35 < _s36, _s36, _s35, _r33), _r33), _multiply(turn, _s28, _r22), _r22), _select(_s39 < _s40, _s40, _s39, _r33), _r33)
+    _s42 = _divide(_s41, _s32, _r32)
+    _s43 = _negative(_s42, _r31)
+    _s44 = _subtract(_subtract(_subtract(_subtract(_subtract(_s16, _multiply(_s5, _s24, _r30), _r30), _multiply(_s17, _s25, _r15), _r15), _multiply(_multiply(dny, _s9, _r30), _s0, _r30), _r30), _multiply(_multiply(ny, _s9, _r15), _s1, _r15), _r15), _multiply(_multiply(ny, _s12, _r30), _s0, _r30), _r30)
+    _s45 = _add(_s44, _select(_s44 < 0.0, _s30, _s29, _r15), _r15)
+    _s46 = _subtract(_subtract(_subtract(_subtract(_subtract(_s14, _multiply(_s4, _s24, _r30), _r30), _multiply(_s15, _s25, _r13), _r13), _multiply(_multiply(dnz, _s9, _r30), _s0, _r30), _r30), _multiply(_multiply(nz, _s9, _r8), _s1, _r8), _r8), _multiply(_multiply(nz, _s12, _r11), _s0, _r11), _r11)
+    _s47 = _add(_s46, _select(_s46 < 0.0, _s30, _s29, _r8), _r8)
+    _s48 = _divide(_multiply(1.5, _s24, _r9), p_ball_radius, _r9)
+    _s49 = _divide(_multiply(1.5, _s25, _r20), p_ball_radius, _r20)
+    _s50 = _add(_add(dwx, _multiply(_s48, _subtract(_multiply(ny, _s4, _r19), _multiply(nz, _s5, _r10), _r10), _r10), _r10), _multiply(_s49, _subtract(_subtract(_add(_multiply(dny, _s4, _r19), _multiply(ny, _s15, _r4), _r4), _multiply(dnz, _s5, _r19), _r19), _multiply(nz, _s17, _r4), _r4), _r4), _r4)
+    _s51 = _divide(_s29, p_ball_radius, _r3)
+    _s52 = _negative(_s51, _r10)
+    _s53 = _add(_s50, _select(_s50 < 0.0, _s52, _s51, _r19), _r19)
+    _s54 = _divide(_s41, _multiply(p_ball_radius, _s32, _r21), _r21)
+    _s55 = _negative(_s54, _r33)
+    _s56 = _add(_add(dwy, _multiply(_s48, _subtract(_multiply(nz, _s3, _r4), _multiply(nx, _s4, _r1), _r1), _r1), _r1), _multiply(_s49, _subtract(_subtract(_add(_multiply(dnz, _s3, _r4), _multiply(nz, _s18, _r18), _r18), _multiply(dnx, _s4, _r6), _r6), _multiply(nx, _s15, _r14), _r14), _r14), _r14)
+    _s57 = _add(_s56, _select(_s56 < 0.0, _s52, _s51, _r1), _r1)
+    _s58 = _add(_add(dwz, _multiply(_s48, _subtract(_multiply(nx, _s5, _r14), _multiply(ny, _s3, _r6), _r6), _r6), _r6), _multiply(_s49, _subtract(_subtract(_add(_multiply(dnx, _s5, _r7), _multiply(nx, _s17, _r16), _r16), _multiply(dny, _s3, _r5), _r5), _multiply(ny, _s18, _r17), _r17), _r17), _r17)
+    _s59 = _add(_s58, _select(_s58 < 0.0, _s52, _s51, _r6), _r6)
+    return _result(_absolute(_s31, _r17) < _s42, _select(_s31 < 0.0, _s43, _s42, _r17), _s31, _r0), _result(_absolute(_s45, _r17) < _s42, _select(_s45 < 0.0, _s43, _s42, _r17), _s45, _r0), _result(_absolute(_s47, _r17) < _s42, _select(_s47 < 0.0, _s43, _s42, _r17), _s47, _r0), _result(_absolute(_s53, _r17) < _s54, _select(_s53 < 0.0, _s55, _s54, _r17), _s53, _r0), _result(_absolute(_s57, _r17) < _s54, _select(_s57 < 0.0, _s55, _s54, _r17), _s57, _r0), _result(_absolute(_s59, _r17) < _s54, _select(_s59 < 0.0, _s55, _s54, _r17), _s59, _r0)
+
+
+def ring_impact_settling(p_ball_radius: Any, bounce: Any, p_gravity: Any, nearest: Any, nx: Any, ny: Any, nz: Any, p_ring_friction: Any, p_ring_restitution: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, slip: Any, turning_x: Any, turning_y: Any, turning_z: Any, velocity_error: Any, wx: Any, wy: Any, wz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where a ball stays on a surface: its bounces end before anything else can happen, and from when on that is certain.
+
+    a geometric series of bounces. 131 operations: 24 additions, 6 subtractions, 61 multiplications, 4 divisions, 1 square root, 2 negations, 12 absolute values, 10 comparisons, 9 conjunctions, 1 disjunction, 1 selection.
+    Returns settles, lodges, assured, unsure.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, *_ = _room
+    _s0 = _negative(_multiply(p_gravity, nz, _r0), _r0)
+    _s1 = _subtract(_negative(_s0, _r1), _add(_add(_multiply(rolled_x, turning_x, _r2), _multiply(rolled_y, turning_y, _r3), _r3), _multiply(rolled_z, turning_z, _r2), _r2), _r2)
+    _s2 = 0.0 < _s1
+    _s3 = 1.0 - p_ring_restitution
+    _s4 = _divide(bounce, _s1, _r1)
+    _s5 = _add(4.440892098500626e-16, _add(_add(_absolute(turning_x, _r3), _absolute(turning_y, _r4), _r4), _absolute(turning_z, _r3), _r3), _r3)
+    _s6 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r4), _absolute(wy, _r5), _r5), _absolute(wz, _r4), _r4), _r4), _absolute(rolled_x, _r5), _r5), _absolute(rolled_y, _r4), _r4)
+    _s7 = _add(_s6, _absolute(rolled_z, _r5), _r5)
+    _s8 = _multiply(_multiply(3.0, _s4, _r4), _multiply(_multiply(8.0, _add(_multiply(_s5, _s7, _r6), _absolute(_s0, _r7), _r7), _r7), _s5, _r7), _r4) < _multiply(_s3 * _s3, _s1, _r7)
+    _s9 = _add(_add(_multiply(nx, wx, _r7), _multiply(ny, wy, _r4), _r4), _multiply(nz, wz, _r7), _r7)
+    _s10 = 0.4 * p_ball_radius
+    _s11 = _add(_multiply(_multiply(0.4, ny, _r4), _s0, _r4), _multiply(_multiply(_s10, _subtract(_multiply(nz, turning_x, _r6), _multiply(nx, turning_z, _r8), _r8), _r8), _s9, _r8), _r8)
+    _s12 = _add(_multiply(_multiply(0.4, nx, _r4), _s0, _r4), _multiply(_multiply(_s10, _subtract(_multiply(ny, turning_z, _r6), _multiply(nz, turning_y, _r9), _r9), _r9), _s9, _r9), _r9)
+    _s13 = _add(_add(0.4 * p_gravity, _multiply(_multiply(0.4, nz, _r4), _s0, _r4), _r4), _multiply(_multiply(_s10, _subtract(_multiply(nx, turning_y, _r0), _multiply(ny, turning_x, _r6), _r6), _r6), _s9, _r6), _r6)
+    _s14 = _sqrt(_add(_add(_multiply(_s11, _s11, _r8), _multiply(_s12, _s12, _r9), _r9), _multiply(_s13, _s13, _r6), _r6), _r6)
+    _s15 = 1.0 + p_ring_restitution
+    _s16 = _logical_and(_logical_and(_logical_and(_logical_and(_s2, (0.0 < _s3)), _s8), (slip <= _add(_multiply(_multiply(8.0, _s4, _r9), _s14, _r9), _multiply(1.4210854715202004e-14, _s7, _r8), _r8))), (_multiply(2.0, _s14, _r8) <= _multiply(p_ring_friction * _s15, _s1, _r9)))
+    _s17 = _add(_add(_multiply(_multiply(0.5, bounce, _r9), _s4, _r9), _divide(_multiply(_multiply(1.6, slip, _r8), _s4, _r8), _s3, _r8), _r8), _divide(_multiply(_multiply(4.0, _multiply(_s4, _s4, _r9), _r9), _s14, _r9), _s15 * _s3, _r9), _r9)
+    _s18 = 3.637978807091713e-12 * p_ball_radius
+    _s19 = _logical_and(_s16, (_s17 <= _s18))
+    _s20 = 1024.0 * _s18
+    _s21 = _add(_divide(_multiply(_multiply(16.0, _s4, _r1), _s7, _r1), _s3, _r1), _s20, _r1) < nearest
+    _s22 = _logical_or((_absolute(_s1, _r2) <= _multiply(_multiply(4.0, velocity_error, _r1), _s5, _r1)), _logical_and((_multiply(bounce, _absolute(_subtract(_s17, _s18, _r9), _r9), _r9) <= _multiply(_multiply(2.0, velocity_error, _r1), _s18, _r1)), _s2))
+    return _logical_and(_s19, _s21), _logical_and(_s19, (nearest <= _s20)), _result(_logical_and(_s16, _s21), 1.0, 0.0, _r0), _s22
+
+
+def backboard_impact_doubt(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, turn: Any, p_ball_radius: Any, p_backboard_restitution: Any, p_backboard_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where a decision within a contact lies within its error.
+
+    the law's own slack. 86 operations: 15 additions, 11 subtractions, 29 multiplications, 2 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections.
+    Returns unsure.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, *_ = _room
+    _s0 = 0.4 + (0.4 * p_tangential_restitution)
+    _s1 = _absolute(dwx, _r0)
+    _s2 = _absolute(dwy, _r1)
+    _s3 = _select(_s1 < _s2, _s2, _s1, _r2)
+    _s4 = _absolute(dwz, _r3)
+    _s5 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r4), _absolute(wy, _r5), _r5), _absolute(wz, _r4), _r4), _r4), _absolute(vx, _r5), _r5), _absolute(vy, _r4), _r4)
+    _s6 = _add(_s5, _absolute(vz, _r5), _r5)
+    _s7 = _absolute(dvx, _r4)
+    _s8 = _absolute(dvy, _r6)
+    _s9 = _select(_s7 < _s8, _s8, _s7, _r7)
+    _s10 = _absolute(dvz, _r8)
+    _s11 = _multiply(64.0, _add(_add(_add(_multiply(p_ball_radius, _select(_s3 < _s4, _s4, _s3, _r9), _r9), _multiply(turn, _s6, _r3), _r3), _select(_s9 < _s10, _s10, _s9, _r9), _r9), _multiply(4.440892098500626e-16, _s6, _r5), _r5), _r5)
+    _s12 = _add(_add(_multiply(nx, vx, _r9), _multiply(ny, vy, _r8), _r8), _multiply(nz, vz, _r9), _r9)
+    _s13 = _subtract(_subtract(vz, _multiply(nz, _s12, _r8), _r8), _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r7), _multiply(nx, wy, _r6), _r6), _r6), _r6)
+    _s14 = _subtract(_subtract(vy, _multiply(ny, _s12, _r8), _r8), _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r7), _multiply(nz, wx, _r4), _r4), _r4), _r4)
+    _s15 = _subtract(_subtract(vx, _multiply(nx, _s12, _r8), _r8), _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r7), _multiply(ny, wz, _r3), _r3), _r3), _r3)
+    _s16 = _multiply(p_backboard_friction, _multiply(_add(1.0, _divide(p_backboard_restitution, _subtract(1.0, _divide(_s12, p_restitution_speed, _r8), _r8), _r8), _r8), _s12, _r8), _r8)
+    _s17 = _subtract(_multiply(_s0, _sqrt(_add(_add(_multiply(_s13, _s13, _r6), _multiply(_s14, _s14, _r4), _r4), _multiply(_s15, _s15, _r3), _r3), _r3), _r3), _negative(_s16, _r8), _r8)
+    _s18 = _logical_and(_logical_and((0.0 < p_backboard_friction), (p_backboard_friction < _inf)), _logical_not((_multiply((2.0 * p_backboard_friction) + _s0, _s11, _r5) < _absolute(_s17, _r8))))
+    return _s18,
+
+
+def backboard_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, p_ball_radius: Any, p_backboard_restitution: Any, p_backboard_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Velocity and spin after a contact, frame-free.
+
+    momentum, angular momentum and Coulomb's law of friction. 83 operations: 9 additions, 19 subtractions, 43 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections.
+    Returns vx, vy, vz, wx, wy, wz.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, *_ = _room
+    _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
+    _s1 = _subtract(vx, _multiply(nx, _s0, _r1), _r1)
+    _s2 = _subtract(_s1, _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r2), _multiply(ny, wz, _r3), _r3), _r3), _r3)
+    _s3 = _subtract(vz, _multiply(nz, _s0, _r2), _r2)
+    _s4 = _subtract(_s3, _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r4), _multiply(nx, wy, _r5), _r5), _r5), _r5)
+    _s5 = _subtract(vy, _multiply(ny, _s0, _r4), _r4)
+    _s6 = _subtract(_s5, _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r6), _multiply(nz, wx, _r7), _r7), _r7), _r7)
+    _s7 = _add(_add(_multiply(_s4, _s4, _r6), _multiply(_s6, _s6, _r8), _r8), _multiply(_s2, _s2, _r6), _r6)
+    _s8 = 0.4 + (0.4 * p_tangential_restitution)
+    _s9 = _divide(p_backboard_restitution, _subtract(1.0, _divide(_s0, p_restitution_speed, _r8), _r8), _r8)
+    _s10 = _negative(_multiply(p_backboard_friction, _multiply(_add(1.0, _s9, _r9), _s0, _r9), _r9), _r9)
+    _s11 = _select(0.0 < p_backboard_friction, _select(p_backboard_friction < _inf, _select(_multiply(_s7, _s8 * _s8, _r10) <= _multiply(_s10, _s10, _r11), _s8, _divide(_s10, _sqrt(_s7, _r6), _r6), _r9), _s8, _r11), 0.0, _r10)
+    _s12 = _divide(_multiply(1.5, _s11, _r12), p_ball_radius, _r12)
+    return _subtract(_s1, _multiply(_s2, _s11, _r13), _r13) - _multiply(_multiply(nx, _s9, _r1), _s0, _r1), _subtract(_s5, _multiply(_s6, _s11, _r1), _r1) - _multiply(_multiply(ny, _s9, _r4), _s0, _r4), _subtract(_s3, _multiply(_s4, _s11, _r10), _r10) - _multiply(_multiply(nz, _s9, _r8), _s0, _r8), wx + _multiply(_s12, _subtract(_multiply(ny, _s4, _r8), _multiply(nz, _s6, _r10), _r10), _r10), wy + _multiply(_s12, _subtract(_multiply(nz, _s2, _r10), _multiply(nx, _s4, _r5), _r5), _r5), wz + _multiply(_s12, _subtract(_multiply(nx, _s6, _r7), _multiply(ny, _s2, _r3), _r3), _r3)
+
+
+def carry_backboard_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, contacts: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, p_ball_radius: Any, p_backboard_restitution: Any, p_backboard_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Errors of velocity and spin after a contact, from those before it.
+
+    derivative of the contact with friction, with roundings. 303 operations: 40 additions, 50 subtractions, 121 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections.
+    Returns dvx, dvy, dvz, dwx, dwy, dwz.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, *_ = _room
+    _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
+    _s1 = _add(_add(_add(_add(_add(_multiply(dnx, vx, _r1), _multiply(dny, vy, _r2), _r2), _multiply(dnz, vz, _r1), _r1), _multiply(dvx, nx, _r2), _r2), _multiply(dvy, ny, _r1), _r1), _multiply(dvz, nz, _r2), _r2)
+    _s2 = _subtract(_subtract(dvx, _multiply(dnx, _s0, _r1), _r1), _multiply(nx, _s1, _r3), _r3)
+    _s3 = _subtract(_subtract(vx, _multiply(nx, _s0, _r1), _r1), _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r4), _multiply(ny, wz, _r5), _r5), _r5), _r5)
+    _s4 = _subtract(_subtract(vz, _multiply(nz, _s0, _r1), _r1), _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r4), _multiply(nx, wy, _r6), _r6), _r6), _r6)
+    _s5 = _subtract(_subtract(vy, _multiply(ny, _s0, _r1), _r1), _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r4), _multiply(nz, wx, _r7), _r7), _r7), _r7)
+    _s6 = _add(_add(_multiply(_s4, _s4, _r1), _multiply(_s5, _s5, _r4), _r4), _multiply(_s3, _s3, _r1), _r1)
+    _s7 = 0.4 + (0.4 * p_tangential_restitution)
+    _s8 = _subtract(1.0, _divide(_s0, p_restitution_speed, _r4), _r4)
+    _s9 = _divide(p_backboard_restitution, _s8, _r8)
+    _s10 = _add(1.0, _s9, _r9)
+    _s11 = _negative(_multiply(p_backboard_friction, _multiply(_s10, _s0, _r10), _r10), _r10)
+    _s12 = _negative(_divide(_multiply(p_backboard_restitution, _negative(_divide(_s1, p_restitution_speed, _r11), _r11), _r11), _multiply(_s8, _s8, _r4), _r11), _r11)
+    _s13 = _sqrt(_s6, _r4)
+    _s14 = _subtract(_subtract(dvz, _multiply(dnz, _s0, _r12), _r12), _multiply(nz, _s1, _r13), _r13)
+    _s15 = _subtract(_s14, _multiply(p_ball_radius, _subtract(_subtract(_add(_multiply(dny, wx, _r12), _multiply(dwx, ny, _r14), _r14), _multiply(dnx, wy, _r12), _r12), _multiply(dwy, nx, _r14), _r14), _r14), _r14)
+    _s16 = _subtract(_subtract(dvy, _multiply(dny, _s0, _r12), _r12), _multiply(ny, _s1, _r15), _r15)
+    _s17 = _subtract(_s16, _multiply(p_ball_radius, _subtract(_subtract(_add(_multiply(dnx, wz, _r12), _multiply(dwz, nx, _r16), _r16), _multiply(dnz, wx, _r12), _r12), _multiply(dwx, nz, _r16), _r16), _r16), _r16)
+    _s18 = _subtract(_s2, _multiply(p_ball_radius, _subtract(_subtract(_add(_multiply(dnz, wy, _r12), _multiply(dwy, nz, _r17), _r17), _multiply(dny, wz, _r12), _r12), _multiply(dwz, ny, _r17), _r17), _r17), _r17)
+    _s19 = _divide(_multiply(_multiply(0.5, _s11, _r12), _add(_add(_multiply(_multiply(2.0, _s4, _r18), _s15, _r18), _multiply(_multiply(2.0, _s5, _r19), _s17, _r19), _r19), _multiply(_multiply(2.0, _s3, _r18), _s18, _r18), _r18), _r12), _multiply(_s13, _s6, _r18), _r12)
+    _s20 = _subtract(_divide(_negative(_multiply(p_backboard_friction, _add(_multiply(_s10, _s1, _r9), _multiply(_s12, _s0, _r18), _r18), _r18), _r18), _s13, _r18), _s19, _r12)
+    _s21 = _multiply(_s6, _s7 * _s7, _r1) <= _multiply(_s11, _s11, _r18)
+    _s22 = p_backboard_friction < _inf
+    _s23 = 0.0 < p_backboard_friction
+    _s24 = _select(_s23, _select(_s22, _select(_s21, 0.0, _s20, _r18), 0.0, _r1), 0.0, _r9)
+    _s25 = _select(_s23, _select(_s22, _select(_s21, _s7, _divide(_s11, _s13, _r4), _r10), _s7, _r19), 0.0, _r20)
+    _s26 = _subtract(_subtract(_subtract(_subtract(_subtract(_s2, _multiply(_s3, _s24, _r21), _r21), _multiply(_s18, _s25, _r3), _r3), _multiply(_multiply(dnx, _s9, _r21), _s0, _r21), _r21), _multiply(_multiply(nx, _s9, _r3), _s1, _r3), _r3), _multiply(_multiply(nx, _s12, _r21), _s0, _r21), _r21)
+    _s27 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r3), _absolute(wy, _r22), _r22), _absolute(wz, _r3), _r3), _r3), _absolute(vx, _r22), _r22), _absolute(vy, _r3), _r3)
+    _s28 = _add(_s27, _absolute(vz, _r22), _r22)
+    _s29 = _multiply(2.220446049250313e-16, _s28, _r3)
+    _s30 = _negative(_s29, _r23)
+    _s31 = _add(_s26, _select(_s26 < 0.0, _s30, _s29, _r24), _r24)
+    _s32 = _add(8.0, _multiply(8.0, contacts, _r21), _r21)
+    _s33 = _absolute(dwx, _r25)
+    _s34 = _absolute(dwy, _r26)
+    _s35 = _select(_s33 < _s34, _s34, _s33, _r27)
+    _s36 = _absolute(dwz, _r28)
+    _s37 = _absolute(dvx, _r29)
+    _s38 = _absolute(dvy, _r30)
+    _s39 = _select(_s37 < _s38, _s38, _s37, _r31)
+    _s40 = _absolute(dvz, _r32)
+    _s41 = _add(_add(_multiply(p_ball_radius, _select(_s35 < _s36, _s36, _s35, _r33), _r33), _multiply(turn, _s28, _r22), _r22), _select(_s39 < _s40, _s40, _s39, _r33), _r33)
+    _s42 = _divide(_s41, _s32, _r32)
+    _s43 = _negative(_s42, _r31)
+    _s44 = _subtract(_subtract(_subtract(_subtract(_subtract(_s16, _multiply(_s5, _s24, _r30), _r30), _multiply(_s17, _s25, _r15), _r15), _multiply(_multiply(dny, _s9, _r30), _s0, _r30), _r30), _multiply(_multiply(ny, _s9, _r15), _s1, _r15), _r15), _multiply(_multiply(ny, _s12, _r30), _s0, _r30), _r30)
+    _s45 = _add(_s44, _select(_s44 < 0.0, _s30, _s29, _r15), _r15)
+    _s46 = _subtract(_subtract(_subtract(_subtract(_subtract(_s14, _multiply(_s4, _s24, _r30), _r30), _multiply(_s15, _s25, _r13), _r13), _multiply(_multiply(dnz, _s9, _r30), _s0, _r30), _r30), _multiply(_multiply(nz, _s9, _r8), _s1, _r8), _r8), _multiply(_multiply(nz, _s12, _r11), _s0, _r11), _r11)
+    _s47 = _add(_s46, _select(_s46 < 0.0, _s30, _s29, _r8), _r8)
+    _s48 = _divide(_multiply(1.5, _s24, _r9), p_ball_radius, _r9)
+    _s49 = _divide(_multiply(1.5, _s25, _r20), p_ball_radius, _r20)
+    _s50 = _add(_add(dwx, _multiply(_s48, _subtract(_multiply(ny, _s4, _r19), _multiply(nz, _s5, _r10), _r10), _r10), _r10), _multiply(_s49, _subtract(_subtract(_add(_multiply(dny, _s4, _r19), _multiply(ny, _s15, _r4), _r4), _multiply(dnz, _s5, _r19), _r19), _multiply(nz, _s17, _r4), _r4), _r4), _r4)
+    _s51 = _divide(_s29, p_ball_radius, _r3)
+    _s52 = _negative(_s51, _r10)
+    _s53 = _add(_s50, _select(_s50 < 0.0, _s52, _s51, _r19), _r19)
+    _s54 = _divide(_s41, _multiply(p_ball_radius, _s32, _r21), _r21)
+    _s55 = _negative(_s54, _r33)
+    _s56 = _add(_add(dwy, _multiply(_s48, _subtract(_multiply(nz, _s3, _r4), _multiply(nx, _s4, _r1), _r1), _r1), _r1), _multiply(_s49, _subtract(_subtract(_add(_multiply(dnz, _s3, _r4), _multiply(nz, _s18, _r18), _r18), _multiply(dnx, _s4, _r6), _r6), _multiply(nx, _s15, _r14), _r14), _r14), _r14)
+    _s57 = _add(_s56, _select(_s56 < 0.0, _s52, _s51, _r1), _r1)
+    _s58 = _add(_add(dwz, _multiply(_s48, _subtract(_multiply(nx, _s5, _r14), _multiply(ny, _s3, _r6), _r6), _r6), _r6), _multiply(_s49, _subtract(_subtract(_add(_multiply(dnx, _s5, _r7), _multiply(nx, _s17, _r16), _r16), _multiply(dny, _s3, _r5), _r5), _multiply(ny, _s18, _r17), _r17), _r17), _r17)
+    _s59 = _add(_s58, _select(_s58 < 0.0, _s52, _s51, _r6), _r6)
+    return _result(_absolute(_s31, _r17) < _s42, _select(_s31 < 0.0, _s43, _s42, _r17), _s31, _r0), _result(_absolute(_s45, _r17) < _s42, _select(_s45 < 0.0, _s43, _s42, _r17), _s45, _r0), _result(_absolute(_s47, _r17) < _s42, _select(_s47 < 0.0, _s43, _s42, _r17), _s47, _r0), _result(_absolute(_s53, _r17) < _s54, _select(_s53 < 0.0, _s55, _s54, _r17), _s53, _r0), _result(_absolute(_s57, _r17) < _s54, _select(_s57 < 0.0, _s55, _s54, _r17), _s57, _r0), _result(_absolute(_s59, _r17) < _s54, _select(_s59 < 0.0, _s55, _s54, _r17), _s59, _r0)
+
+
+def backboard_impact_settling(p_backboard_friction: Any, p_backboard_restitution: Any, p_ball_radius: Any, bounce: Any, p_gravity: Any, nearest: Any, nx: Any, ny: Any, nz: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, slip: Any, turning_x: Any, turning_y: Any, turning_z: Any, velocity_error: Any, wx: Any, wy: Any, wz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where a ball stays on a surface: its bounces end before anything else can happen, and from when on that is certain.
+
+    a geometric series of bounces. 131 operations: 24 additions, 6 subtractions, 61 multiplications, 4 divisions, 1 square root, 2 negations, 12 absolute values, 10 comparisons, 9 conjunctions, 1 disjunction, 1 selection.
+    Returns settles, lodges, assured, unsure.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, *_ = _room
+    _s0 = _negative(_multiply(p_gravity, nz, _r0), _r0)
+    _s1 = _subtract(_negative(_s0, _r1), _add(_add(_multiply(rolled_x, turning_x, _r2), _multiply(rolled_y, turning_y, _r3), _r3), _multiply(rolled_z, turning_z, _r2), _r2), _r2)
+    _s2 = 0.0 < _s1
+    _s3 = 1.0 - p_backboard_restitution
+    _s4 = _divide(bounce, _s1, _r1)
+    _s5 = _add(4.440892098500626e-16, _add(_add(_absolute(turning_x, _r3), _absolute(turning_y, _r4), _r4), _absolute(turning_z, _r3), _r3), _r3)
+    _s6 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r4), _absolute(wy, _r5), _r5), _absolute(wz, _r4), _r4), _r4), _absolute(rolled_x, _r5), _r5), _absolute(rolled_y, _r4), _r4)
+    _s7 = _add(_s6, _absolute(rolled_z, _r5), _r5)
+    _s8 = _multiply(_multiply(3.0, _s4, _r4), _multiply(_multiply(8.0, _add(_multiply(_s5, _s7, _r6), _absolute(_s0, _r7), _r7), _r7), _s5, _r7), _r4) < _multiply(_s3 * _s3, _s1, _r7)
+    _s9 = _add(_add(_multiply(nx, wx, _r7), _multiply(ny, wy, _r4), _r4), _multiply(nz, wz, _r7), _r7)
+    _s10 = 0.4 * p_ball_radius
+    _s11 = _add(_multiply(_multiply(0.4, ny, _r4), _s0, _r4), _multiply(_multiply(_s10, _subtract(_multiply(nz, turning_x, _r6), _multiply(nx, turning_z, _r8), _r8), _r8), _s9, _r8), _r8)
+    _s12 = _add(_multiply(_multiply(0.4, nx, _r4), _s0, _r4), _multiply(_multiply(_s10, _subtract(_multiply(ny, turning_z, _r6), _multiply(nz, turning_y, _r9), _r9), _r9), _s9, _r9), _r9)
+    _s13 = _add(_add(0.4 * p_gravity, _multiply(_multiply(0.4, nz, _r4), _s0, _r4), _r4), _multiply(_multiply(_s10, _subtract(_multiply(nx, turning_y, _r0), _multiply(ny, turning_x, _r6), _r6), _r6), _s9, _r6), _r6)
+    _s14 = _sqrt(_add(_add(_multiply(_s11, _s11, _r8), _multiply(_s12, _s12, _r9), _r9), _multiply(_s13, _s13, _r6), _r6), _r6)
+    _s15 = 1.0 + p_backboard_restitution
+    _s16 = _logical_and(_logical_and(_logical_and(_logical_and(_s2, (0.0 < _s3)), _s8), (slip <= _add(_multiply(_multiply(8.0, _s4, _r9), _s14, _r9), _multiply(1.4210854715202004e-14, _s7, _r8), _r8))), (_multiply(2.0, _s14, _r8) <= _multiply(p_backboard_friction * _s15, _s1, _r9)))
+    _s17 = _add(_add(_multiply(_multiply(0.5, bounce, _r9), _s4, _r9), _divide(_multiply(_multiply(1.6, slip, _r8), _s4, _r8), _s3, _r8), _r8), _divide(_multiply(_multiply(4.0, _multiply(_s4, _s4, _r9), _r9), _s14, _r9), _s15 * _s3, _r9), _r9)
+    _s18 = 3.637978807091713e-12 * p_ball_radius
+    _s19 = _logical_and(_s16, (_s17 <= _s18))
+    _s20 = 1024.0 * _s18
+    _s21 = _add(_divide(_multiply(_multiply(16.0, _s4, _r1), _s7, _r1), _s3, _r1), _s20, _r1) < nearest
+    _s22 = _logical_or((_absolute(_s1, _r2) <= _multiply(_multiply(4.0, velocity_error, _r1), _s5, _r1)), _logical_and((_multiply(bounce, _absolute(_subtract(_s17, _s18, _r9), _r9), _r9) <= _multiply(_multiply(2.0, velocity_error, _r1), _s18, _r1)), _s2))
+    return _logical_and(_s19, _s21), _logical_and(_s19, (nearest <= _s20)), _result(_logical_and(_s16, _s21), 1.0, 0.0, _r0), _s22
+
+
+def bridge_impact_doubt(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, turn: Any, p_ball_radius: Any, p_bridge_restitution: Any, p_bridge_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where a decision within a contact lies within its error.
+
+    the law's own slack. 86 operations: 15 additions, 11 subtractions, 29 multiplications, 2 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections.
+    Returns unsure.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, *_ = _room
+    _s0 = 0.4 + (0.4 * p_tangential_restitution)
+    _s1 = _absolute(dwx, _r0)
+    _s2 = _absolute(dwy, _r1)
+    _s3 = _select(_s1 < _s2, _s2, _s1, _r2)
+    _s4 = _absolute(dwz, _r3)
+    _s5 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r4), _absolute(wy, _r5), _r5), _absolute(wz, _r4), _r4), _r4), _absolute(vx, _r5), _r5), _absolute(vy, _r4), _r4)
+    _s6 = _add(_s5, _absolute(vz, _r5), _r5)
+    _s7 = _absolute(dvx, _r4)
+    _s8 = _absolute(dvy, _r6)
+    _s9 = _select(_s7 < _s8, _s8, _s7, _r7)
+    _s10 = _absolute(dvz, _r8)
+    _s11 = _multiply(64.0, _add(_add(_add(_multiply(p_ball_radius, _select(_s3 < _s4, _s4, _s3, _r9), _r9), _multiply(turn, _s6, _r3), _r3), _select(_s9 < _s10, _s10, _s9, _r9), _r9), _multiply(4.440892098500626e-16, _s6, _r5), _r5), _r5)
+    _s12 = _add(_add(_multiply(nx, vx, _r9), _multiply(ny, vy, _r8), _r8), _multiply(nz, vz, _r9), _r9)
+    _s13 = _subtract(_subtract(vz, _multiply(nz, _s12, _r8), _r8), _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r7), _multiply(nx, wy, _r6), _r6), _r6), _r6)
+    _s14 = _subtract(_subtract(vy, _multiply(ny, _s12, _r8), _r8), _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r7), _multiply(nz, wx, _r4), _r4), _r4), _r4)
+    _s15 = _subtract(_subtract(vx, _multiply(nx, _s12, _r8), _r8), _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r7), _multiply(ny, wz, _r3), _r3), _r3), _r3)
+    _s16 = _multiply(p_bridge_friction, _multiply(_add(1.0, _divide(p_bridge_restitution, _subtract(1.0, _divide(_s12, p_restitution_speed, _r8), _r8), _r8), _r8), _s12, _r8), _r8)
+    _s17 = _subtract(_multiply(_s0, _sqrt(_add(_add(_multiply(_s13, _s13, _r6), _multiply(_s14, _s14, _r4), _r4), _multiply(_s15, _s15, _r3), _r3), _r3), _r3), _negative(_s16, _r8), _r8)
+    _s18 = _logical_and(_logical_and((0.0 < p_bridge_friction), (p_bridge_friction < _inf)), _logical_not((_multiply((2.0 * p_bridge_friction) + _s0, _s11, _r5) < _absolute(_s17, _r8))))
+    return _s18,
+
+
+def bridge_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, p_ball_radius: Any, p_bridge_restitution: Any, p_bridge_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Velocity and spin after a contact, frame-free.
+
+    momentum, angular momentum and Coulomb's law of friction. 83 operations: 9 additions, 19 subtractions, 43 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections.
+    Returns vx, vy, vz, wx, wy, wz.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, *_ = _room
+    _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
+    _s1 = _subtract(vx, _multiply(nx, _s0, _r1), _r1)
+    _s2 = _subtract(_s1, _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r2), _multiply(ny, wz, _r3), _r3), _r3), _r3)
+    _s3 = _subtract(vz, _multiply(nz, _s0, _r2), _r2)
+    _s4 = _subtract(_s3, _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r4), _multiply(nx, wy, _r5), _r5), _r5), _r5)
+    _s5 = _subtract(vy, _multiply(ny, _s0, _r4), _r4)
+    _s6 = _subtract(_s5, _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r6), _multiply(nz, wx, _r7), _r7), _r7), _r7)
+    _s7 = _add(_add(_multiply(_s4, _s4, _r6), _multiply(_s6, _s6, _r8), _r8), _multiply(_s2, _s2, _r6), _r6)
+    _s8 = 0.4 + (0.4 * p_tangential_restitution)
+    _s9 = _divide(p_bridge_restitution, _subtract(1.0, _divide(_s0, p_restitution_speed, _r8), _r8), _r8)
+    _s10 = _negative(_multiply(p_bridge_friction, _multiply(_add(1.0, _s9, _r9), _s0, _r9), _r9), _r9)
+    _s11 = _select(0.0 < p_bridge_friction, _select(p_bridge_friction < _inf, _select(_multiply(_s7, _s8 * _s8, _r10) <= _multiply(_s10, _s10, _r11), _s8, _divide(_s10, _sqrt(_s7, _r6), _r6), _r9), _s8, _r11), 0.0, _r10)
+    _s12 = _divide(_multiply(1.5, _s11, _r12), p_ball_radius, _r12)
+    return _subtract(_s1, _multiply(_s2, _s11, _r13), _r13) - _multiply(_multiply(nx, _s9, _r1), _s0, _r1), _subtract(_s5, _multiply(_s6, _s11, _r1), _r1) - _multiply(_multiply(ny, _s9, _r4), _s0, _r4), _subtract(_s3, _multiply(_s4, _s11, _r10), _r10) - _multiply(_multiply(nz, _s9, _r8), _s0, _r8), wx + _multiply(_s12, _subtract(_multiply(ny, _s4, _r8), _multiply(nz, _s6, _r10), _r10), _r10), wy + _multiply(_s12, _subtract(_multiply(nz, _s2, _r10), _multiply(nx, _s4, _r5), _r5), _r5), wz + _multiply(_s12, _subtract(_multiply(nx, _s6, _r7), _multiply(ny, _s2, _r3), _r3), _r3)
+
+
+def carry_bridge_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, contacts: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy: Any, dwz: Any, dnx: Any, dny: Any, dnz: Any, turn: Any, p_ball_radius: Any, p_bridge_restitution: Any, p_bridge_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Errors of velocity and spin after a contact, from those before it.
+
+    derivative of the contact with friction, with roundings. 303 operations: 40 additions, 50 subtractions, 121 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections.
+    Returns dvx, dvy, dvz, dwx, dwy, dwz.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, *_ = _room
+    _s0 = _add(_add(_multiply(nx, vx, _r0), _multiply(ny, vy, _r1), _r1), _multiply(nz, vz, _r0), _r0)
+    _s1 = _add(_add(_add(_add(_add(_multiply(dnx, vx, _r1), _multiply(dny, vy, _r2), _r2), _multiply(dnz, vz, _r1), _r1), _multiply(dvx, nx, _r2), _r2), _multiply(dvy, ny, _r1), _r1), _multiply(dvz, nz, _r2), _r2)
+    _s2 = _subtract(_subtract(dvx, _multiply(dnx, _s0, _r1), _r1), _multiply(nx, _s1, _r3), _r3)
+    _s3 = _subtract(_subtract(vx, _multiply(nx, _s0, _r1), _r1), _multiply(p_ball_radius, _subtract(_multiply(nz, wy, _r4), _multiply(ny, wz, _r5), _r5), _r5), _r5)
+    _s4 = _subtract(_subtract(vz, _multiply(nz, _s0, _r1), _r1), _multiply(p_ball_radius, _subtract(_multiply(ny, wx, _r4), _multiply(nx, wy, _r6), _r6), _r6), _r6)
+    _s5 = _subtract(_subtract(vy, _multiply(ny, _s0, _r1), _r1), _multiply(p_ball_radius, _subtract(_multiply(nx, wz, _r4), _multiply(nz, wx, _r7), _r7), _r7), _r7)
+    _s6 = _add(_add(_multiply(_s4, _s4, _r1), _multiply(_s5, _s5, _r4), _r4), _multiply(_s3, _s3, _r1), _r1)
+    _s7 = 0.4 + (0.4 * p_tangential_restitution)
+    _s8 = _subtract(1.0, _divide(_s0, p_restitution_speed, _r4), _r4)
+    _s9 = _divide(p_bridge_restitution, _s8, _r8)
+    _s10 = _add(1.0, _s9, _r9)
+    _s11 = _negative(_multiply(p_bridge_friction, _multiply(_s10, _s0, _r10), _r10), _r10)
+    _s12 = _negative(_divide(_multiply(p_bridge_restitution, _negative(_divide(_s1, p_restitution_speed, _r11), _r11), _r11), _multiply(_s8, _s8, _r4), _r11), _r11)
+    _s13 = _sqrt(_s6, _r4)
+    _s14 = _subtract(_subtract(dvz, _multiply(dnz, _s0, _r12), _r12), _multiply(nz, _s1, _r13), _r13)
+    _s15 = _subtract(_s14, _multiply(p_ball_radius, _subtract(_subtract(_add(_multiply(dny, wx, _r12), _multiply(dwx, ny, _r14), _r14), _multiply(dnx, wy, _r12), _r12), _multiply(dwy, nx, _r14), _r14), _r14), _r14)
+    _s16 = _subtract(_subtract(dvy, _multiply(dny, _s0, _r12), _r12), _multiply(ny, _s1, _r15), _r15)
+    _s17 = _subtract(_s16, _multiply(p_ball_radius, _subtract(_subtract(_add(_multiply(dnx, wz, _r12), _multiply(dwz, nx, _r16), _r16), _multiply(dnz, wx, _r12), _r12), _multiply(dwx, nz, _r16), _r16), _r16), _r16)
+    _s18 = _subtract(_s2, _multiply(p_ball_radius, _subtract(_subtract(_add(_multiply(dnz, wy, _r12), _multiply(dwy, nz, _r17), _r17), _multiply(dny, wz, _r12), _r12), _multiply(dwz, ny, _r17), _r17), _r17), _r17)
+    _s19 = _divide(_multiply(_multiply(0.5, _s11, _r12), _add(_add(_multiply(_multiply(2.0, _s4, _r18), _s15, _r18), _multiply(_multiply(2.0, _s5, _r19), _s17, _r19), _r19), _multiply(_multiply(2.0, _s3, _r18), _s18, _r18), _r18), _r12), _multiply(_s13, _s6, _r18), _r12)
+    _s20 = _subtract(_divide(_negative(_multiply(p_bridge_friction, _add(_multiply(_s10, _s1, _r9), _multiply(_s12, _s0, _r18), _r18), _r18), _r18), _s13, _r18), _s19, _r12)
+    _s21 = _multiply(_s6, _s7 * _s7, _r1) <= _multiply(_s11, _s11, _r18)
+    _s22 = p_bridge_friction < _inf
+    _s23 = 0.0 < p_bridge_friction
+    _s24 = _select(_s23, _select(_s22, _select(_s21, 0.0, _s20, _r18), 0.0, _r1), 0.0, _r9)
+    _s25 = _select(_s23, _select(_s22, _select(_s21, _s7, _divide(_s11, _s13, _r4), _r10), _s7, _r19), 0.0, _r20)
+    _s26 = _subtract(_subtract(_subtract(_subtract(_subtract(_s2, _multiply(_s3, _s24, _r21), _r21), _multiply(_s18, _s25, _r3), _r3), _multiply(_multiply(dnx, _s9, _r21), _s0, _r21), _r21), _multiply(_multiply(nx, _s9, _r3), _s1, _r3), _r3), _multiply(_multiply(nx, _s12, _r21), _s0, _r21), _r21)
+    _s27 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r3), _absolute(wy, _r22), _r22), _absolute(wz, _r3), _r3), _r3), _absolute(vx, _r22), _r22), _absolute(vy, _r3), _r3)
+    _s28 = _add(_s27, _absolute(vz, _r22), _r22)
+    _s29 = _multiply(2.220446049250313e-16, _s28, _r3)
+    _s30 = _negative(_s29, _r23)
+    _s31 = _add(_s26, _select(_s26 < 0.0, _s30, _s29, _r24), _r24)
+    _s32 = _add(8.0, _multiply(8.0, contacts, _r21), _r21)
+    _s33 = _absolute(dwx, _r25)
+    _s34 = _absolute(dwy, _r26)
+    _s35 = _select(_s33 < _s34, _s34, _s33, _r27)
+    _s36 = _absolute(dwz, _r28)
+    _s37 = _absolute(dvx, _r29)
+    _s38 = _absolute(dvy, _r30)
+    _s39 = _select(_s37 < _s38, _s38, _s37, _r31)
+    _s40 = _absolute(dvz, _r32)
+    _s41 = _add(_add(_multiply(p_ball_radius, _select(_s35 < _s36, _s36, _s35, _r33), _r33), _multiply(turn, _s28, _r22), _r22), _select(_s39 < _s40, _s40, _s39, _r33), _r33)
+    _s42 = _divide(_s41, _s32, _r32)
+    _s43 = _negative(_s42, _r31)
+    _s44 = _subtract(_subtract(_subtract(_subtract(_subtract(_s16, _multiply(_s5, _s24, _r30), _r30), _multiply(_s17, _s25, _r15), _r15), _multiply(_multiply(dny, _s9, _r30), _s0, _r30), _r30), _multiply(_multiply(ny, _s9, _r15), _s1, _r15), _r15), _multiply(_multiply(ny, _s12, _r30), _s0, _r30), _r30)
+    _s45 = _add(_s44, _select(_s44 < 0.0, _s30, _s29, _r15), _r15)
+    _s46 = _subtract(_subtract(_subtract(_subtract(_subtract(_s14, _multiply(_s4, _s24, _r30), _r30), _multiply(_s15, _s25, _r13), _r13), _multiply(_multiply(dnz, _s9, _r30), _s0, _r30), _r30), _multiply(_multiply(nz, _s9, _r8), _s1, _r8), _r8), _multiply(_multiply(nz, _s12, _r11), _s0, _r11), _r11)
+    _s47 = _add(_s46, _select(_s46 < 0.0, _s30, _s29, _r8), _r8)
+    _s48 = _divide(_multiply(1.5, _s24, _r9), p_ball_radius, _r9)
+    _s49 = _divide(_multiply(1.5, _s25, _r20), p_ball_radius, _r20)
+    _s50 = _add(_add(dwx, _multiply(_s48, _subtract(_multiply(ny, _s4, _r19), _multiply(nz, _s5, _r10), _r10), _r10), _r10), _multiply(_s49, _subtract(_subtract(_add(_multiply(dny, _s4, _r19), _multiply(ny, _s15, _r4), _r4), _multiply(dnz, _s5, _r19), _r19), _multiply(nz, _s17, _r4), _r4), _r4), _r4)
+    _s51 = _divide(_s29, p_ball_radius, _r3)
+    _s52 = _negative(_s51, _r10)
+    _s53 = _add(_s50, _select(_s50 < 0.0, _s52, _s51, _r19), _r19)
+    _s54 = _divide(_s41, _multiply(p_ball_radius, _s32, _r21), _r21)
+    _s55 = _negative(_s54, _r33)
+    _s56 = _add(_add(dwy, _multiply(_s48, _subtract(_multiply(nz, _s3, _r4), _multiply(nx, _s4, _r1), _r1), _r1), _r1), _multiply(_s49, _subtract(_subtract(_add(_multiply(dnz, _s3, _r4), _multiply(nz, _s18, _r18), _r18), _multiply(dnx, _s4, _r6), _r6), _multiply(nx, _s15, _r14), _r14), _r14), _r14)
+    _s57 = _add(_s56, _select(_s56 < 0.0, _s52, _s51, _r1), _r1)
+    _s58 = _add(_add(dwz, _multiply(_s48, _subtract(_multiply(nx, _s5, _r14), _multiply(ny, _s3, _r6), _r6), _r6), _r6), _multiply(_s49, _subtract(_subtract(_add(_multiply(dnx, _s5, _r7), _multiply(nx, _s17, _r16), _r16), _multiply(dny, _s3, _r5), _r5), _multiply(ny, _s18, _r17), _r17), _r17), _r17)
+    _s59 = _add(_s58, _select(_s58 < 0.0, _s52, _s51, _r6), _r6)
+    return _result(_absolute(_s31, _r17) < _s42, _select(_s31 < 0.0, _s43, _s42, _r17), _s31, _r0), _result(_absolute(_s45, _r17) < _s42, _select(_s45 < 0.0, _s43, _s42, _r17), _s45, _r0), _result(_absolute(_s47, _r17) < _s42, _select(_s47 < 0.0, _s43, _s42, _r17), _s47, _r0), _result(_absolute(_s53, _r17) < _s54, _select(_s53 < 0.0, _s55, _s54, _r17), _s53, _r0), _result(_absolute(_s57, _r17) < _s54, _select(_s57 < 0.0, _s55, _s54, _r17), _s57, _r0), _result(_absolute(_s59, _r17) < _s54, _select(_s59 < 0.0, _s55, _s54, _r17), _s59, _r0)
+
+
+def bridge_impact_settling(p_ball_radius: Any, bounce: Any, p_bridge_friction: Any, p_bridge_restitution: Any, p_gravity: Any, nearest: Any, nx: Any, ny: Any, nz: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, slip: Any, turning_x: Any, turning_y: Any, turning_z: Any, velocity_error: Any, wx: Any, wy: Any, wz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Where a ball stays on a surface: its bounces end before anything else can happen, and from when on that is certain.
+
+    a geometric series of bounces. 131 operations: 24 additions, 6 subtractions, 61 multiplications, 4 divisions, 1 square root, 2 negations, 12 absolute values, 10 comparisons, 9 conjunctions, 1 disjunction, 1 selection.
+    Returns settles, lodges, assured, unsure.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, *_ = _room
+    _s0 = _negative(_multiply(p_gravity, nz, _r0), _r0)
+    _s1 = _subtract(_negative(_s0, _r1), _add(_add(_multiply(rolled_x, turning_x, _r2), _multiply(rolled_y, turning_y, _r3), _r3), _multiply(rolled_z, turning_z, _r2), _r2), _r2)
+    _s2 = 0.0 < _s1
+    _s3 = 1.0 - p_bridge_restitution
+    _s4 = _divide(bounce, _s1, _r1)
+    _s5 = _add(4.440892098500626e-16, _add(_add(_absolute(turning_x, _r3), _absolute(turning_y, _r4), _r4), _absolute(turning_z, _r3), _r3), _r3)
+    _s6 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r4), _absolute(wy, _r5), _r5), _absolute(wz, _r4), _r4), _r4), _absolute(rolled_x, _r5), _r5), _absolute(rolled_y, _r4), _r4)
+    _s7 = _add(_s6, _absolute(rolled_z, _r5), _r5)
+    _s8 = _multiply(_multiply(3.0, _s4, _r4), _multiply(_multiply(8.0, _add(_multiply(_s5, _s7, _r6), _absolute(_s0, _r7), _r7), _r7), _s5, _r7), _r4) < _multiply(_s3 * _s3, _s1, _r7)
+    _s9 = _add(_add(_multiply(nx, wx, _r7), _multiply(ny, wy, _r4), _r4), _multiply(nz, wz, _r7), _r7)
+    _s10 = 0.4 * p_ball_radius
+    _s11 = _add(_multiply(_multiply(0.4, ny, _r4), _s0, _r4), _multiply(_multiply(_s10, _subtract(_multiply(nz, turning_x, _r6), _multiply(nx, turning_z, _r8), _r8), _r8), _s9, _r8), _r8)
+    _s12 = _add(_multiply(_multiply(0.4, nx, _r4), _s0, _r4), _multiply(_multiply(_s10, _subtract(_multiply(ny, turning_z, _r6), _multiply(nz, turning_y, _r9), _r9), _r9), _s9, _r9), _r9)
+    _s13 = _add(_add(0.4 * p_gravity, _multiply(_multiply(0.4, nz, _r4), _s0, _r4), _r4), _multiply(_multiply(_s10, _subtract(_multiply(nx, turning_y, _r0), _multiply(ny, turning_x, _r6), _r6), _r6), _s9, _r6), _r6)
+    _s14 = _sqrt(_add(_add(_multiply(_s11, _s11, _r8), _multiply(_s12, _s12, _r9), _r9), _multiply(_s13, _s13, _r6), _r6), _r6)
+    _s15 = 1.0 + p_bridge_restitution
+    _s16 = _logical_and(_logical_and(_logical_and(_logical_and(_s2, (0.0 < _s3)), _s8), (slip <= _add(_multiply(_multiply(8.0, _s4, _r9), _s14, _r9), _multiply(1.4210854715202004e-14, _s7, _r8), _r8))), (_multiply(2.0, _s14, _r8) <= _multiply(p_bridge_friction * _s15, _s1, _r9)))
+    _s17 = _add(_add(_multiply(_multiply(0.5, bounce, _r9), _s4, _r9), _divide(_multiply(_multiply(1.6, slip, _r8), _s4, _r8), _s3, _r8), _r8), _divide(_multiply(_multiply(4.0, _multiply(_s4, _s4, _r9), _r9), _s14, _r9), _s15 * _s3, _r9), _r9)
+    _s18 = 3.637978807091713e-12 * p_ball_radius
+    _s19 = _logical_and(_s16, (_s17 <= _s18))
+    _s20 = 1024.0 * _s18
+    _s21 = _add(_divide(_multiply(_multiply(16.0, _s4, _r1), _s7, _r1), _s3, _r1), _s20, _r1) < nearest
+    _s22 = _logical_or((_absolute(_s1, _r2) <= _multiply(_multiply(4.0, velocity_error, _r1), _s5, _r1)), _logical_and((_multiply(bounce, _absolute(_subtract(_s17, _s18, _r9), _r9), _r9) <= _multiply(_multiply(2.0, velocity_error, _r1), _s18, _r1)), _s2))
+    return _logical_and(_s19, _s21), _logical_and(_s19, (nearest <= _s20)), _result(_logical_and(_s16, _s21), 1.0, 0.0, _r0), _s22
+
+
+def ring_coefficients(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """Coefficients in time of the event polynomial, constant first.
+
+    Eq. 3 in Table 2. 64 operations: 12 additions, 8 subtractions, 43 multiplications, 1 negation.
+    Returns c0, c1, c2, c3, c4, c5, c6, c7, c8.
+    """
+    _s0 = p_ring_radius * p_ring_radius
+    _s1 = x * x
+    _s2 = y * y
+    _s3 = p_ball_radius + p_wire_radius
+    _s4 = (((_s0 + _s1) + _s2) + (z * z)) - (_s3 * _s3)
+    _s5 = 4.0 * _s0
+    _s6 = ((2.0 * vx) * x) + ((2.0 * vy) * y)
+    _s7 = _s6 + ((2.0 * vz) * z)
+    _s8 = 2.0 * _s7
+    _s9 = (vx * vx) + (vy * vy)
+    _s10 = vz * vz
+    _s11 = (_s9 + _s10) - (p_gravity * z)
+    _s12 = (2.0 * p_gravity) * vz
+    _s13 = p_gravity * p_gravity
+    _s14 = 0.5 * _s13
+    return (_s4 * _s4) - (_s5 * (_s1 + _s2)), (_s8 * _s4) - (_s5 * _s6), (((2.0 * _s11) * _s4) + (_s7 * _s7)) - (_s5 * _s9), (_s8 * _s11) - (_s12 * _s4), ((_s14 * _s4) + (_s11 * _s11)) - (_s12 * _s7), (_s14 * _s7) - (_s12 * _s11), (_s13 * _s10) + (_s14 * _s11), -((0.5 * (p_gravity * _s13)) * vz), 0.0625 * (_s13 * _s13)
+
+
+def ring_deflated(x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """Coefficients of the event polynomial over t, after a contact at t = 0.
+
+    Eq. 3 in Table 2, the exact root divided out. 60 operations: 11 additions, 7 subtractions, 41 multiplications, 1 negation.
+    Returns c0, c1, c2, c3, c4, c5, c6, c7.
+    """
+    _s0 = ((2.0 * vx) * x) + ((2.0 * vy) * y)
+    _s1 = _s0 + ((2.0 * vz) * z)
+    _s2 = p_ring_radius * p_ring_radius
+    _s3 = p_ball_radius + p_wire_radius
+    _s4 = (((_s2 + (x * x)) + (y * y)) + (z * z)) - (_s3 * _s3)
+    _s5 = 2.0 * _s1
+    _s6 = 4.0 * _s2
+    _s7 = (vx * vx) + (vy * vy)
+    _s8 = vz * vz
+    _s9 = (_s7 + _s8) - (p_gravity * z)
+    _s10 = (2.0 * p_gravity) * vz
+    _s11 = p_gravity * p_gravity
+    _s12 = 0.5 * _s11
+    return (_s5 * _s4) - (_s6 * _s0), (((2.0 * _s9) * _s4) + (_s1 * _s1)) - (_s6 * _s7), (_s5 * _s9) - (_s10 * _s4), ((_s12 * _s4) + (_s9 * _s9)) - (_s10 * _s1), (_s12 * _s1) - (_s10 * _s9), (_s11 * _s8) + (_s12 * _s9), -((0.5 * (p_gravity * _s11)) * vz), 0.0625 * (_s11 * _s11)
+
+
+def ring_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Outward unit normal n3 at a contact.
+
+    Table 2. 13 operations: 2 additions, 1 subtraction, 7 multiplications, 2 divisions, 1 square root.
+    Returns nx, ny, nz.
+    """
+    _r0, _r1, *_ = _room
+    _s0 = 1.0 / (p_ball_radius + p_wire_radius)
+    _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
+    _s2 = _multiply(_multiply(_s0, _subtract(_s1, p_ring_radius, _r0), _r0), _divide(1.0, _s1, _r1), _r0)
+    return x * _s2, y * _s2, z * _s0
+
+
+def ring_curvature(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+    """Bound on the rate at which the normal turns along the contact surface.
+
+    Table 2. 6 operations: 1 addition, 2 subtractions, 1 division, 1 comparison, 1 selection.
+    Returns curvature.
+    """
+    _s0 = (p_ring_radius - p_ball_radius) - p_wire_radius
+    _s1 = p_ball_radius + p_wire_radius
+    return 1.0 / _where(_s0 < _s1, _s0, _s1),
+
+
+def ring_carry_normal(x: Any, y: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Error of the normal, from that of the position.
+
+    derivative of Table 2's normal. 38 operations: 6 additions, 3 subtractions, 21 multiplications, 4 divisions, 1 square root, 1 negation, 1 comparison, 1 selection.
+    Returns dnx, dny, dnz, turn.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = 1.0 / _s0
+    _s2 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
+    _s3 = _subtract(_s2, p_ring_radius, _r0)
+    _s4 = _divide(1.0, _s2, _r2)
+    _s5 = _multiply(_multiply(_s1, _s3, _r3), _s4, _r3)
+    _s6 = _divide(_multiply(0.5, _add(_multiply(_multiply(2.0, dx, _r4), x, _r4), _multiply(_multiply(2.0, dy, _r5), y, _r5), _r5), _r5), _s2, _r5)
+    _s7 = _add(_multiply(_multiply(_s6, _s1, _r1), _s4, _r1), _multiply(_multiply(_negative(_multiply(_s6, _multiply(_s4, _s4, _r2), _r2), _r2), _s1, _r2), _s3, _r2), _r2)
+    _s8 = (p_ring_radius - p_ball_radius) - p_wire_radius
+    return _multiply(dx, _s5, _r1) + _multiply(x, _s7, _r0), _multiply(dy, _s5, _r3) + _multiply(y, _s7, _r2), dz * _s1, shift * (1.0 / _where(_s8 < _s0, _s8, _s0))
+
+
+def ring_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Positive if there certainly is no contact before the horizon.
+
+    bounds of the event condition. 161 operations: 31 additions, 19 subtractions, 74 multiplications, 1 division, 4 square roots, 16 comparisons, 16 selections.
+    Returns clear.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, *_ = _room
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s0)
+    _s2 = 1.0 / p_gravity
+    _s3 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s2, _add(_add(2.0 * p_ball_radius, extent, _r0), 2.0 * p_wire_radius, _r0), _r0), _r0), _r0)
+    _s4 = _add(_s3, _multiply(_multiply(2.0, speed, _r1), _s2, _r1), _r1)
+    _s5 = _subtract(_subtract(_add(position_error, _multiply(velocity_error, _select(_s4 < horizon, _s4, horizon, _r0), _r0), _r0), 1.52587890625e-05 * p_ball_radius, _r0), 1.52587890625e-05 * p_wire_radius, _r0)
+    _s6 = 1.00006103515625 * _s0
+    _s7 = p_ring_radius + _s6
+    _s8 = _multiply(vz, vz, _r1)
+    _s9 = _add(_s8, _multiply(2.0 * p_gravity, _subtract(z, _s6, _r2), _r2), _r2)
+    _s10 = _sqrt(_s9, _r3)
+    _s11 = _multiply(_s2, _subtract(vz, _s10, _r4), _r4)
+    _s12 = _multiply(_s2, _add(vz, _s10, _r3), _r3)
+    _s13 = _add(x, _multiply(vx, _s12, _r5), _r5)
+    _s14 = _add(y, _multiply(vy, _s12, _r6), _r6)
+    _s15 = _add(_multiply(_s13, _s13, _r7), _multiply(_s14, _s14, _r8), _r8)
+    _s16 = _sqrt(_s15, _r7)
+    _s17 = _subtract(_s16, p_ring_radius, _r9)
+    _s18 = _add(z, _multiply(_subtract(vz, _multiply(0.5 * p_gravity, _s12, _r10), _r10), _s12, _r10), _r10)
+    _s19 = _s7 * _s7
+    _s20 = 9.313225746154785e-10 * _s19
+    _s21 = _subtract(_subtract(_add(_multiply(_s17, _s17, _r11), _multiply(_s18, _s18, _r12), _r12), _s0 * _s0, _r12), _s20, _r12)
+    _s22 = _add(_multiply(vx, vx, _r11), _multiply(vy, vy, _r13), _r13)
+    _s23 = p_ring_radius - _s6
+    _s24 = 0.0001220703125 * p_ring_radius
+    _s25 = _where(_s23 < _s24, _s24, _s23)
+    _s26 = _s25 * _s25
+    _s27 = _s25 * _s26
+    _s28 = _multiply(_subtract(_add(_add(_multiply(2.0, _s8, _r1), _multiply(4.0 * p_gravity, z, _r11), _r11), _multiply(2.0, _s22, _r1), _r1), (6.0003662109375 * p_gravity) * _s0, _r1), _s27, _r1)
+    _s29 = _subtract(_multiply(vy, x, _r11), _multiply(vx, y, _r14), _r14)
+    _s30 = _multiply(_s29, _s29, _r14)
+    _s31 = _subtract(_s28, _multiply(2.0 * p_ring_radius, _s30, _r11), _r11)
+    _s32 = _add(_multiply(_s17, _add(_multiply(vx, _s13, _r5), _multiply(vy, _s14, _r6), _r6), _r6), _multiply(_multiply(_s18, _subtract(vz, _multiply(p_gravity, _s12, _r9), _r9), _r9), _s16, _r9), _r9)
+    _s33 = _add(x, _multiply(horizon, vx, _r6), _r6)
+    _s34 = _add(y, _multiply(horizon, vy, _r7), _r7)
+    _s35 = _select(_subtract(_add(_add(_s20, _multiply(_s33, _s33, _r6), _r6), _multiply(_s34, _s34, _r7), _r7), _s26, _r7) < 0.0, 1.0, _select(_subtract(_multiply(_s22, _s20 + _s26, _r7), _s30, _r7) < 0.0, 1.0, 0.0, _r7), _r14)
+    _s36 = _select(_subtract(_multiply(_multiply(4.0, _multiply(_s32, _s32, _r9), _r9), _s27, _r9), _multiply(_multiply(_multiply(2.0, _s31, _r6), _s15, _r6), _s21, _r6), _r6) < 0.0, _s35, 0.0, _r6)
+    _s37 = _select(horizon < _subtract(_s12, _multiply(9.313225746154785e-10, horizon, _r9), _r9), 1.0, _select(0.0 < _s21, _select(0.0 < _s31, _s36, 0.0, _r11), 0.0, _r12), _r9)
+    _s38 = _add(_multiply(vx, x, _r3), _multiply(vy, y, _r8), _r8)
+    _s39 = _add(_multiply(_s11, _s22, _r13), _s38, _r13)
+    _s40 = _select(_s39 < 0.0, _select(_s19 < _add(_multiply(_s11, _add(_s38, _s39, _r13), _r13), _add(_multiply(x, x, _r8), _multiply(y, y, _r3), _r3), _r3), _s37, 0.0, _r3), 0.0, _r13)
+    _s41 = _select(_add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r8), _r8), _r8), _r8) < (65536.0 * _s7), _select(0.0 < _s9, _select(_s11 < 0.0, _s37, _s40, _r4), 0.0, _r2), 0.0, _r8)
+    return _result(0.0 < _select(_s1 < _s5, _s5, _s1, _r10), 0.0, _select(_add(position_error, _multiply(horizon, velocity_error, _r10), _r10) < (5.820766091346741e-11 * _s7), _s41, 0.0, _r10), _r0),
+
+
+def ring_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Constants and windows of the search along a flight, and the errors it allows for.
+
+    bounds of the event condition. 190 operations: 31 additions, 20 subtractions, 54 multiplications, 3 divisions, 7 square roots, 1 negation, 5 absolute values, 31 comparisons, 38 selections.
+    Returns steady, swing, rho_start, low0, high0, low1, high1, low2, high2, ceiling, latest, lost.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, _r23, _r24, _r25, _r26, _r27, _r28, _r29, _r30, _r31, _r32, _r33, _r34, _r35, *_ = _room
+    _s0 = _multiply(vz, vz, _r0)
+    _s1 = _add(_multiply(vx, vx, _r1), _multiply(vy, vy, _r2), _r2)
+    _s2 = _add(_multiply(2.0, _s0, _r1), _multiply(4.0 * p_gravity, z, _r3), _r3) + _multiply(2.0, _s1, _r1)
+    _s3 = _subtract(_multiply(vy, x, _r1), _multiply(vx, y, _r3), _r3)
+    _s4 = _multiply(_s3, _s3, _r1)
+    _s5 = (2.0 * p_ring_radius) * _s4
+    _s6 = _add(_multiply(x, x, _r4), _multiply(y, y, _r5), _r5)
+    _s7 = p_ball_radius + p_wire_radius
+    _s8 = 1.00006103515625 * _s7
+    _s9 = 2.0 * p_gravity
+    _s10 = _multiply(8.881784197001252e-16, _add(_s0, _multiply(_s9, _add(_absolute(z, _r4), _s8, _r4), _r4), _r4), _r4)
+    _s11 = _add(_add(_s0, _multiply(_s9, _add(z, _s8, _r6), _r6), _r6), _s10, _r6)
+    _s12 = 1.0 / p_gravity
+    _s13 = _sqrt(_s11, _r7)
+    _s14 = _multiply(1.7763568394002505e-15, _add(_absolute(vz, _r8), _s13, _r8), _r8)
+    _s15 = 0.0 <= _s11
+    _s16 = _select(_s15, _multiply(_s12, _subtract(_subtract(vz, _s13, _r6), _s14, _r6), _r6), _inf, _r9)
+    _s17 = p_ring_radius + _s8
+    _s18 = _s17 * _s17
+    _s19 = _multiply(_multiply(1.7763568394002505e-15, _s1, _r10), _add(_s18, _s6, _r11), _r10)
+    _s20 = _subtract(_add(_multiply(_s18, _s1, _r11), _s19, _r11), _s4, _r11)
+    _s21 = _add(_multiply(vx, x, _r12), _multiply(vy, y, _r13), _r13)
+    _s22 = _sqrt(_s20, _r12)
+    _s23 = _multiply(1.7763568394002505e-15, _add(_add(_absolute(_s21, _r14), _absolute(_s3, _r3), _r3), _s22, _r3), _r3)
+    _s24 = _divide(1.0, _s1, _r14)
+    _s25 = 0.0 <= _s20
+    _s26 = 2.409919865102884e-181 < _s1
+    _s27 = _select(_s26, _select(_s25, _multiply(_negative(_add(_add(_s21, _s22, _r11), _s23, _r11), _r11), _s24, _r11), _inf, _r15), -_inf, _r16)
+    _s28 = _select(_s16 < _s27, _s27, _s16, _r17)
+    _s29 = p_ring_radius - _s8
+    _s30 = 0.0001220703125 * p_ring_radius
+    _s31 = _where(_s29 < _s30, _s30, _s29)
+    _s32 = _subtract(_subtract(_multiply(_s1, _s31 * _s31, _r2), _s19, _r2), _s4, _r2)
+    _s33 = _sqrt(_select(_s32 < 0.0, 0.0, _s32, _r1), _r1)
+    _s34 = _select(_s26, _select(_s25, _multiply(_subtract(_add(_s22, _s23, _r12), _s21, _r12), _s24, _r12), -_inf, _r10), _inf, _r18)
+    _s35 = 0.0 < _select(_s26, _s32, 0.0, _r19)
+    _s36 = _select(_s35, _multiply(_subtract(_subtract(_s23, _s21, _r19), _s33, _r19), _s24, _r19), _s34, _r2)
+    _s37 = _subtract(_add(_s0, _multiply(_s9, _subtract(z, _s8, _r20), _r20), _r20), _s10, _r20)
+    _s38 = _sqrt(_select(_s37 < 0.0, 0.0, _s37, _r4), _r4)
+    _s39 = _select(_s15, _multiply(_s12, _add(_add(vz, _s13, _r7), _s14, _r7), _r7), -_inf, _r0)
+    _s40 = 0.0 < _s37
+    _s41 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s14, _r20), _s38, _r20), _r20), _s39, _r21)
+    _s42 = _select(_s36 < _s41, _s36, _s41, _r22)
+    _s43 = _select(_s35, _multiply(_subtract(_subtract(_s33, _s21, _r1), _s23, _r1), _s24, _r1), _inf, _r14)
+    _s44 = _select(_s43 < _s36, _s36, _s43, _r3)
+    _s45 = _select(_s16 < _s44, _s44, _s16, _r13)
+    _s46 = _select(_s34 < _s41, _s34, _s41, _r23)
+    _s47 = _select(_s40, _multiply(_s12, _subtract(_add(vz, _s38, _r4), _s14, _r4), _r4), _inf, _r8)
+    _s48 = _select(_s47 < _s41, _s41, _s47, _r24)
+    _s49 = _s45 <= _s46
+    _s50 = _select(_s49, _s45, _select(_s48 < _s27, _s27, _s48, _r25), _r26)
+    _s51 = _select(_s49, _s46, _select(_s36 < _s39, _s36, _s39, _r27), _r28)
+    _s52 = _select(_s48 < _s44, _s44, _s48, _r29)
+    _s53 = _select(_s34 < _s39, _s34, _s39, _r30)
+    _s54 = 1.0 / _s31
+    _s55 = _select(0.0 < _s42, _s42, 0.0, _r31)
+    _s56 = _select(_s55 < _s51, _s51, _s55, _r32)
+    _s57 = _select(_s56 < _s53, _s53, _s56, _r33)
+    _s58 = (0.000244140625 * p_ring_radius) - (p_ring_radius - _s7)
+    _s59 = _multiply(_sqrt(2.0), _sqrt(_multiply(_s12, _add(_add(2.0 * p_ball_radius, extent, _r34), 2.0 * p_wire_radius, _r34), _r34), _r34), _r34)
+    _s60 = _add(_s59, _multiply(_multiply(2.0, speed, _r35), _s12, _r35), _r35)
+    _s61 = _subtract(_subtract(_add(position_error, _multiply(velocity_error, _select(_s60 < horizon, _s60, horizon, _r34), _r34), _r34), 1.52587890625e-05 * p_ball_radius, _r34), 1.52587890625e-05 * p_wire_radius, _r34)
+    return _s2, _s5, _sqrt(_s6), _result(0.0 < _s28, _s28, 0.0, _r0), _result(_s42 < horizon, _s42, horizon, _r0), _result(0.0 < _s50, _s50, 0.0, _r0), _result(_s51 < horizon, _s51, horizon, _r0), _result(0.0 < _s52, _s52, 0.0, _r0), _result(_s53 < horizon, _s53, horizon, _r0), _add((6.0003662109375 * p_gravity) * _s7, _multiply(_s5, _s54 * (_s54 * _s54), _r29), _r29) + _absolute(_s2, _r24), _result(_s57 < horizon, _s57, horizon, _r0), _result(_s58 < _s61, _s61, _s58, _r0)
+
+
+def ring_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
+
+    running error analysis. 47 operations: 14 additions, 1 subtraction, 27 multiplications, 1 division, 2 comparisons, 2 selections.
+    Returns margin, leaving_margin, rate_margin.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _s0 = p_ball_radius + p_wire_radius
+    _s1 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
+    _s2 = 1.00006103515625 * _s0
+    _s3 = _multiply(_s2, _s1, _r1)
+    _s4 = p_ring_radius + _s2
+    _s5 = _add(extent, _multiply(horizon, _s1, _r2), _r2)
+    _s6 = _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(4.440892098500626e-16, _s5, _r4), _r4)
+    _s7 = p_ring_radius - _s2
+    _s8 = 0.0001220703125 * p_ring_radius
+    _s9 = _s2 / _where(_s7 < _s8, _s8, _s7)
+    _s10 = _where(1.0 < _s9, _s9, 1.0)
+    _s11 = _multiply(5.0, _add(_multiply(_multiply(_s1, _s10, _r3), _s6, _r3), _multiply(_s2, _add(velocity_error, _multiply(2.220446049250313e-16, _s1, _r5), _r5), _r5), _r5), _r5)
+    _s12 = 1.0009765625 * _add(_add(_multiply(_multiply(3.552713678800501e-15, _s1, _r3), _add(_multiply(_s5, _s10, _r2), _s4, _r2), _r3), _multiply(4.440892098500626e-16, _s3, _r2), _r2), _s11, _r2)
+    return 1.0009765625 * _add(_add(_multiply(_multiply(4.440892098500626e-16, horizon, _r2), _s3, _r2), (1.3323489447131243e-15 * _s0) * _s4, _r2), _multiply(5.00030517578125 * _s0, _s6, _r4), _r4), _s12, 1.0009765625 * _add(_multiply(3.552713678800501e-15, _multiply(_s4, _s1, _r0), _r0), _s11, _r0)
+
+
+def ring_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Newton's next value of a root near t, and the rate there.
+
+    Newton's method. 56 operations: 15 additions, 6 subtractions, 30 multiplications, 2 divisions, 1 square root, 1 comparison, 1 selection.
+    Returns time, rate.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _s0 = _add(x, _multiply(t, vx, _r0), _r0)
+    _s1 = _add(y, _multiply(t, vy, _r1), _r1)
+    _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
+    _s3 = _add(rho_start, _s2, _r2)
+    _s4 = _divide(1.0, _multiply(_s3, _s2, _r4), _r4)
+    _s5 = _subtract(_s2, p_ring_radius, _r5)
+    _s6 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r6), _r6)
+    _s7 = _add(z, _multiply(t, _s6, _r7), _r7)
+    _s8 = 2.0 * _add(_multiply(_multiply(_multiply(_s3, _s4, _r2), _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1), _s5, _r1), _multiply(_subtract(vz, _multiply(p_gravity, t, _r2), _r2), _s7, _r2), _r2)
+    _s9 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r2), _multiply(vy, vy, _r1), _r1), _r1), _multiply(2.0, _add(_multiply(vx, x, _r2), _multiply(vy, y, _r0), _r0), _r0), _r0), _add(_subtract(rho_start, p_ring_radius, _r1), _s5, _r1), _r1), _multiply(_s2, _s4, _r4), _r4)
+    _s10 = p_ball_radius + p_wire_radius
+    _s11 = _divide(_select(0.0 < leaving, _multiply(t, _add(_s9, _multiply(_add(z, _s7, _r1), _s6, _r1), _r1), _r1), _subtract(_add(_multiply(_s5, _s5, _r5), _multiply(_s7, _s7, _r7), _r7), _s10 * _s10, _r7), _r5), _s8, _r5)
+    return t - _s11, _s8
+
+
+def ring_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, steady: Any, swing: Any, rho_start: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
+
+    Newton from the left under a curvature bound. 146 operations: 28 additions, 17 subtractions, 55 multiplications, 5 divisions, 2 square roots, 2 negations, 2 absolute values, 16 comparisons, 19 selections.
+    Returns gap, rate, bend, step, next, root, clearance.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, *_ = _room
+    _s0 = _add(x, _multiply(t, vx, _r0), _r0)
+    _s1 = _add(y, _multiply(t, vy, _r1), _r1)
+    _s2 = _sqrt(_add(_multiply(_s0, _s0, _r2), _multiply(_s1, _s1, _r3), _r3), _r3)
+    _s3 = _subtract(_s2, p_ring_radius, _r2)
+    _s4 = _add(rho_start, _s2, _r4)
+    _s5 = _divide(1.0, _multiply(_s4, _s2, _r5), _r5)
+    _s6 = _multiply(_multiply(_add(_multiply(t, _add(_multiply(vx, vx, _r6), _multiply(vy, vy, _r7), _r7), _r7), _multiply(2.0, _add(_multiply(vx, x, _r6), _multiply(vy, y, _r8), _r8), _r8), _r8), _add(_subtract(rho_start, p_ring_radius, _r7), _s3, _r7), _r7), _multiply(_s2, _s5, _r8), _r8)
+    _s7 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r7), _r7)
+    _s8 = _add(z, _multiply(t, _s7, _r6), _r6)
+    _s9 = p_ball_radius + p_wire_radius
+    _s10 = _result(0.0 < leaving, _multiply(t, _add(_s6, _multiply(_add(z, _s8, _r9), _s7, _r9), _r9), _r9), _subtract(_add(_multiply(_s3, _s3, _r8), _multiply(_s8, _s8, _r7), _r7), _s9 * _s9, _r7), _r0)
+    _s11 = _multiply(_s4, _s5, _r5)
+    _s12 = _multiply(_s11, _add(_multiply(vx, _s0, _r0), _multiply(vy, _s1, _r1), _r1), _r1)
+    _s13 = _subtract(vz, _multiply(p_gravity, t, _r0), _r0)
+    _s14 = _add(_multiply(_s12, _s3, _r2), _multiply(_s13, _s8, _r4), _r4)
+    _s15 = 2.0 * _s14
+    _s16 = 6.0 * p_gravity
+    _s17 = _multiply(_s16, _s8, _r2)
+    _s18 = _multiply(swing, _multiply(_s11, _multiply(_s11, _s11, _r8), _r8), _r8)
+    _s19 = 1.00006103515625 * _s9
+    _s20 = _subtract(_s15, rate_margin, _r5)
+    _s21 = _subtract(_s10, margin, _r10)
+    _s22 = _select(_s21 < 0.0, 0.0, _s21, _r11)
+    _s23 = _subtract(_add(_s17, _s18, _r12), steady, _r12)
+    _s24 = _s20 < 0.0
+    _s25 = _multiply(2.0, _s22, _r13)
+    _s26 = _select(0.0 < _select(0.0 <= _s20, _s22, 0.0, _r14), _inf, _divide(_select(_s24, _s25, _multiply(4.0, _s20, _r14), _r15), _select(_s24, _negative(_s20, _r16), _select(0.0 < _s23, _s23, 0.0, _r17), _r18), _r15), _r14)
+    _s27 = _subtract(end, t, _r18)
+    _s28 = _select(_s26 < _s27, _s26, _s27, _r17)
+    _s29 = _add(_multiply(_s28, _select(_s13 < 0.0, 0.0, _s13, _r12), _r12), _s8, _r12)
+    _s30 = _multiply(_s16, _select(_s19 < _s29, _s19, _s29, _r6), _r6)
+    _s31 = _subtract(_add(_multiply(_s28, _select(0.0 < _s12, 0.0, _s12, _r12), _r12), _s2, _r12), 9.094947017729282e-13 * (p_ring_radius + _s19), _r12)
+    _s32 = p_ring_radius - _s19
+    _s33 = 0.0001220703125 * p_ring_radius
+    _s34 = _where(_s32 < _s33, _s33, _s32)
+    _s35 = _divide(1.0, _select(_s31 < _s34, _s34, _s31, _r3), _r3)
+    _s36 = _multiply(swing, _multiply(_s35, _multiply(_s35, _s35, _r12), _r12), _r12)
+    _s37 = _subtract(_add(_add(_s30, _s36, _r3), _multiply(9.094947017729282e-13, _add(_add(_s36, _absolute(steady, _r1), _r1), _absolute(_s30, _r6), _r6), _r6), _r6), steady, _r6)
+    _s38 = _add(_multiply(_multiply(2.0, _s37, _r3), _s22, _r3), _multiply(_s20, _s20, _r1), _r1)
+    _s39 = _sqrt(_s38, _r3)
+    _s40 = _select(0.0 <= _s38, _divide(_select(_s24, _s25, _add(_s20, _s39, _r1), _r12), _select(_s24, _subtract(_s39, _s20, _r3), _select(0.0 < _s37, _s37, 0.0, _r5), _r0), _r12), _inf, _r1)
+    _s41 = _result(_s40 < _s28, _s40, _s28, _r0)
+    _s42 = _negative(_add(rate_margin, _s15, _r0), _r0)
+    return _s10, _s15, _subtract(steady, _s17, _r2) - _s18, _s41, t + _s41, t - _divide(_multiply(0.5, _s10, _r7), _s14, _r7), _result(0.0 < _s42, _subtract(_multiply(_s42, _s42, _r7), _multiply(_multiply(8.0, ceiling, _r4), _add(margin, _multiply(32.0, _s22, _r11), _r11), _r4), _r4), _s42, _r0)
+
+
+def ring_beside(p_ball_radius: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The distance, its rate, and how fast it bends down at most, by the squared speed.
+
+    Table 2. 33 operations: 5 additions, 5 subtractions, 15 multiplications, 4 divisions, 2 square roots, 1 comparison, 1 selection.
+    Returns gap, nearing, dent.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _s0 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
+    _s1 = _subtract(_s0, p_ring_radius, _r0)
+    _s2 = _sqrt(_add(_multiply(z, z, _r2), _multiply(_s1, _s1, _r0), _r0), _r0)
+    _s3 = 2.0 * p_ring_radius
+    _s4 = _add(_multiply(_multiply(2.0, vz, _r2), z, _r2), _divide(_multiply(_multiply(0.5, _subtract(_multiply(2.0, _s0, _r3), _s3, _r3), _r3), _add(_multiply(_multiply(2.0, vx, _r4), x, _r4), _multiply(_multiply(2.0, vy, _r5), y, _r5), _r5), _r3), _s0, _r3), _r3)
+    _s5 = _subtract(_divide(_s3, _s0, _r1), 1.0, _r1)
+    return _subtract(_s2, p_ball_radius, _r2) - p_wire_radius, _multiply(0.5, _s4, _r3) / _s2, _select(0.0 < _s5, _s5, 0.0, _r3) / (p_ball_radius + p_wire_radius)
+
+
+def ring_off(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The distance.
+
+    Table 2. 11 operations: 2 additions, 3 subtractions, 4 multiplications, 2 square roots.
+    Returns gap.
+    """
+    _r0, _r1, *_ = _room
+    _s0 = _subtract(_sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1), p_ring_radius, _r1)
+    return _subtract(_sqrt(_add(_multiply(z, z, _r0), _multiply(_s0, _s0, _r1), _r1), _r1), p_ball_radius, _r1) - p_wire_radius,
+
+
+def ring_tube(p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any) -> tuple[Any, ...]:
+    """What a ball that stays on it rolls on.
+
+    Table 2. 2 operations: 1 addition, 1 division.
+    Returns bent_x, bent_y, bent_z, per_reach, ring.
+    """
+    return 1.0, 1.0, 1.0, 1.0 / (p_ball_radius + p_wire_radius), p_ring_radius
+
+
+def ring_turning(p_ball_radius: Any, p_ring_radius: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, p_wire_radius: Any, x: Any, y: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The rate at which the normal turns.
+
+    derivative of Table 2's normal. 32 operations: 6 additions, 1 subtraction, 20 multiplications, 3 divisions, 1 square root, 1 negation.
+    Returns turning_x, turning_y, turning_z.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _s0 = 1.0 / (p_ball_radius + p_wire_radius)
+    _s1 = _sqrt(_add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1), _r1)
+    _s2 = _subtract(_s1, p_ring_radius, _r0)
+    _s3 = _divide(1.0, _s1, _r2)
+    _s4 = _multiply(_multiply(_s0, _s2, _r3), _s3, _r3)
+    _s5 = _divide(_multiply(0.5, _add(_multiply(_multiply(2.0, rolled_x, _r4), x, _r4), _multiply(_multiply(2.0, rolled_y, _r5), y, _r5), _r5), _r5), _s1, _r5)
+    _s6 = _add(_multiply(_multiply(_s5, _s0, _r1), _s3, _r1), _multiply(_multiply(_negative(_multiply(_s5, _multiply(_s3, _s3, _r2), _r2), _r2), _s0, _r2), _s2, _r2), _r2)
+    return _multiply(rolled_x, _s4, _r1) + _multiply(x, _s6, _r0), _multiply(rolled_y, _s4, _r3) + _multiply(y, _s6, _r2), rolled_z * _s0
+
+
+def ring_parting(p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The second to the fourth derivative of the distance along a flight.
+
+    derivatives of Table 2's distance. 120 operations: 14 additions, 11 subtractions, 74 multiplications, 18 divisions, 2 square roots, 1 negation.
+    Returns lift, surge, snap.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, *_ = _room
+    _s0 = _add(_multiply(x, x, _r0), _multiply(y, y, _r1), _r1)
+    _s1 = _sqrt(_s0, _r0)
+    _s2 = _subtract(_s1, p_ring_radius, _r2)
+    _s3 = _add(_multiply(z, z, _r3), _multiply(_s2, _s2, _r4), _r4)
+    _s4 = _sqrt(_s3, _r3)
+    _s5 = _add(_multiply(2.0, _multiply(vx, vx, _r5), _r5), _multiply(2.0, _multiply(vy, vy, _r6), _r6), _r6)
+    _s6 = _multiply(_s1, _s0, _r5)
+    _s7 = _add(_multiply(_multiply(2.0, vx, _r7), x, _r7), _multiply(_multiply(2.0, vy, _r8), y, _r8), _r8)
+    _s8 = _multiply(_s7, _s7, _r7)
+    _s9 = _subtract(_divide(_multiply(0.5, _s5, _r9), _s1, _r9), _divide(_multiply(0.25, _s8, _r10), _s6, _r10), _r10)
+    _s10 = _multiply(2.0, _s2, _r9)
+    _s11 = _divide(_multiply(0.5, _s7, _r11), _s1, _r11)
+    _s12 = _add(_subtract(_multiply(2.0, _multiply(vz, vz, _r12), _r12), _multiply(2.0 * p_gravity, z, _r13), _r13), _add(_multiply(_s10, _s9, _r12), _multiply(2.0, _multiply(_s11, _s11, _r14), _r14), _r14), _r14)
+    _s13 = _multiply(_s4, _s3, _r13)
+    _s14 = _add(_multiply(_multiply(2.0, vz, _r12), z, _r12), _multiply(_multiply(2.0, _s11, _r15), _s2, _r15), _r15)
+    _s15 = _multiply(_s14, _s14, _r12)
+    _s16 = _multiply(_s3, _s3, _r4)
+    _s17 = _multiply(_s4, _s16, _r2)
+    _s18 = _multiply(_s0, _s0, _r1)
+    _s19 = _multiply(_s1, _s18, _r0)
+    _s20 = _subtract(_divide(_multiply(0.375, _multiply(_s7, _s8, _r16), _r16), _s19, _r16), _divide(_multiply(_multiply(0.75, _s5, _r17), _s7, _r17), _s6, _r17), _r17)
+    _s21 = _add(_negative(_multiply(6.0 * p_gravity, vz, _r16), _r16), _add(_multiply(_multiply(6.0, _s11, _r8), _s9, _r8), _multiply(_s10, _s20, _r18), _r18), _r18)
+    _s22 = _multiply(_s10, _subtract(_subtract(_divide(_multiply(_multiply(2.25, _s5, _r16), _s8, _r16), _s19, _r16), _divide(_multiply(0.75, _multiply(_s5, _s5, _r6), _r6), _s6, _r6), _r6), _divide(_multiply(0.9375, _multiply(_s8, _s8, _r7), _r7), _multiply(_s6, _s18, _r1), _r7), _r7), _r7)
+    _s23 = _multiply(0.5, _add(6.0 * (p_gravity * p_gravity), _add(_add(_multiply(_multiply(8.0, _s11, _r11), _s20, _r11), _s22, _r7), _multiply(6.0, _multiply(_s9, _s9, _r10), _r10), _r10), _r10), _r10)
+    _s24 = _subtract(_subtract(_add(_divide(_s23, _s4, _r10), _divide(_multiply(_multiply(2.25, _s15, _r7), _s12, _r7), _s17, _r7), _r7), _divide(_multiply(0.9375, _multiply(_s15, _s15, _r10), _r10), _multiply(_s13, _s16, _r4), _r10), _r10), _divide(_multiply(0.75, _multiply(_s12, _s12, _r7), _r7), _s13, _r7), _r7)
+    return _divide(_multiply(0.5, _s12, _r10), _s4, _r10) - _divide(_multiply(0.25, _s15, _r4), _s13, _r4), _add(_divide(_multiply(0.375, _multiply(_s14, _s15, _r12), _r12), _s17, _r12), _divide(_multiply(0.5, _s21, _r2), _s4, _r2), _r2) - _divide(_multiply(_multiply(0.75, _s14, _r12), _s12, _r12), _s13, _r12), _s24 - _divide(_multiply(_s21, _s14, _r18), _s13, _r18)
+
+
+def ring_enter(after: Any, end: Any, high0: Any, high1: Any, high2: Any, low0: Any, low1: Any, low2: Any, t: Any) -> tuple[Any, ...]:
+    """The first window that begins no earlier than a time, if there is one.
+
+    Table 1. 18 operations: 6 comparisons, 3 conjunctions, 3 disjunctions, 6 selections.
+    Returns t, end, searching.
+    """
+    _s0 = _logical_and((low0 < high0), (after <= low0))
+    _s1 = _logical_and((low1 < high1), (after <= low1))
+    _s2 = _logical_and((low2 < high2), (after <= low2))
+    return _where(_s0, low0, _where(_s1, low1, _where(_s2, low2, t))), _where(_s0, high0, _where(_s1, high1, _where(_s2, high2, end))), _logical_or(_logical_or(_logical_or(False, _s2), _s1), _s0)
+
+
+def backboard_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Outward unit normal n3 at a contact.
+
+    Table 2. 28 operations: 4 additions, 6 subtractions, 3 multiplications, 1 division, 2 negations, 6 comparisons, 6 selections.
+    Returns nx, ny, nz.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _s0 = 1.0 / p_ball_radius
+    _s1 = _add(p_board_distance, x, _r0)
+    _s2 = _negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1)
+    _s3 = _subtract(y, p_board_half_width, _r2)
+    _s4 = _negative(_add(p_board_half_width, y, _r3), _r3)
+    _s5 = _subtract(z, p_board_top, _r4)
+    _s6 = _subtract(p_board_bottom, z, _r5)
+    return _s0 * _subtract(_select(_s1 < 0.0, 0.0, _s1, _r6), _select(_s2 < 0.0, 0.0, _s2, _r7), _r7), _s0 * _subtract(_select(_s3 < 0.0, 0.0, _s3, _r7), _select(_s4 < 0.0, 0.0, _s4, _r1), _r1), _s0 * _subtract(_select(_s5 < 0.0, 0.0, _s5, _r1), _select(_s6 < 0.0, 0.0, _s6, _r3), _r3)
+
+
+def backboard_curvature(p_ball_radius: Any) -> tuple[Any, ...]:
+    """Bound on the rate at which the normal turns along the contact surface.
+
+    Table 2. 1 operation: 1 division.
+    Returns curvature.
+    """
+    return 1.0 / p_ball_radius,
+
+
+def backboard_carry_normal(x: Any, y: Any, z: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Error of the normal, from that of the position.
+
+    derivative of Table 2's normal. 32 operations: 4 additions, 6 subtractions, 4 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections.
+    Returns dnx, dny, dnz, turn.
+    """
+    _r0, _r1, _r2, _r3, *_ = _room
+    _s0 = 1.0 / p_ball_radius
+    _s1 = _subtract(_select(_add(p_board_distance, x, _r0) < 0.0, 0.0, dx, _r0), _select(_negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1) < 0.0, 0.0, _negative(dx, _r1), _r2), _r2)
+    _s2 = _s0 * _subtract(_select(_subtract(y, p_board_half_width, _r1) < 0.0, 0.0, dy, _r1), _select(_negative(_add(p_board_half_width, y, _r0), _r0) < 0.0, 0.0, _negative(dy, _r0), _r3), _r3)
+    return _s0 * _s1, _s2, _s0 * _subtract(_select(_subtract(z, p_board_top, _r2) < 0.0, 0.0, dz, _r2), _select(_subtract(p_board_bottom, z, _r3) < 0.0, 0.0, _negative(dz, _r3), _r0), _r0), shift * _s0
+
+
+def backboard_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Positive if there certainly is no contact before the horizon.
+
+    bounds of the event condition. 123 operations: 24 additions, 10 subtractions, 21 multiplications, 5 divisions, 4 square roots, 4 negations, 3 absolute values, 25 comparisons, 27 selections.
+    Returns clear.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, *_ = _room
+    _s0 = 1.0 / p_gravity
+    _s1 = 0.5 * p_board_thickness
+    _s2 = p_board_distance + _s1
+    _s3 = 0.5 * p_board_bottom
+    _s4 = 0.5 * p_board_top
+    _s5 = p_ball_radius + _s1
+    _s6 = p_ball_radius + p_board_half_width
+    _s7 = _where(_s5 < _s6, _s6, _s5)
+    _s8 = p_ball_radius + _s4
+    _s9 = _s8 - _s3
+    _s10 = _add(_add(_add(_s2, extent, _r0), _absolute((_s3 + _s4)), _r0), _where(_s7 < _s9, _s9, _s7), _r0)
+    _s11 = _where(_s6 < _s5, _s6, _s5)
+    _s12 = _where(_s9 < _s11, _s9, _s11)
+    _s13 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s0, _add(_s10, _s12, _r1), _r1), _r1), _r1), _multiply(_multiply(2.0, speed, _r2), _s0, _r2), _r2)
+    _s14 = _subtract(_add(_add(position_error, _multiply(velocity_error, _select(_s13 < horizon, _s13, horizon, _r1), _r1), _r1), _multiply(3.552713678800501e-15, _add(_multiply(_multiply(speed, speed, _r2), _s0, _r2), _s10, _r2), _r2), _r2), 1.52587890625e-05 * _s12, _r2)
+    _s15 = _absolute(vx, _r1)
+    _s16 = 6.103515625e-05 * _s12
+    _s17 = _s5 + _s16
+    _s18 = _add(_s2, x, _r0)
+    _s19 = _select(vx < 0.0, _negative(_s18, _r3), _s18, _r4)
+    _s20 = _divide(_negative(_add(_s17, _s19, _r5), _r5), _s15, _r5)
+    _s21 = _select(0.0 < _s20, _s20, 0.0, _r6)
+    _s22 = _absolute(vy, _r7)
+    _s23 = _s6 + _s16
+    _s24 = _select(vy < 0.0, _negative(y, _r8), y, _r9)
+    _s25 = _divide(_negative(_add(_s23, _s24, _r10), _r10), _s22, _r10)
+    _s26 = _select(_s21 < _s25, _s25, _s21, _r11)
+    _s27 = _multiply(vz, vz, _r12)
+    _s28 = _subtract(_subtract(z, _s3, _r13), _s4, _r13)
+    _s29 = (_s8 + _s16) - _s3
+    _s30 = 2.0 * p_gravity
+    _s31 = _add(_s27, _multiply(_s30, _subtract(_s28, _s29, _r14), _r14), _r14)
+    _s32 = _sqrt(_select(_s31 < 0.0, 0.0, _s31, _r15), _r15)
+    _s33 = 0.0 < _s31
+    _s34 = _select(_s33, _multiply(_s0, _add(vz, _s32, _r14), _r14), _inf, _r16)
+    _s35 = _select(_s26 < _s34, _s34, _s26, _r17)
+    _s36 = _add(_s27, _multiply(_s30, _add(_s28, _s29, _r13), _r13), _r13)
+    _s37 = _sqrt(_s36, _r12)
+    _s38 = 0.0 <= _s36
+    _s39 = _select(_s38, _multiply(_s0, _add(vz, _s37, _r13), _r13), -_inf, _r18)
+    _s40 = _divide(_subtract(_s23, _s24, _r9), _s22, _r9)
+    _s41 = _divide(_subtract(_s17, _s19, _r4), _s15, _r4)
+    _s42 = _select(_s41 < _inf, _s41, _inf, _r1)
+    _s43 = _select(_s40 < _s42, _s40, _s42, _r3)
+    _s44 = _select(_s39 < _s43, _s39, _s43, _r0)
+    _s45 = _select(_s38, _multiply(_s0, _subtract(vz, _s37, _r12), _r12), _inf, _r7)
+    _s46 = _select(_s26 < _s45, _s45, _s26, _r8)
+    _s47 = _select(_s33, _multiply(_s0, _subtract(vz, _s32, _r15), _r15), _s39, _r19)
+    _s48 = _select(_s47 < _s43, _s47, _s43, _r20)
+    return _result(_s14 <= 0.0, _select(_select(0.0 < _s35, _s35, 0.0, _r2) < _select(_s44 < horizon, _s44, horizon, _r21), 0.0, _select(_select(0.0 < _s46, _s46, 0.0, _r21) < _select(_s48 < horizon, _s48, horizon, _r0), 0.0, 1.0, _r0), _r20), 0.0, _r0),
+
+
+def backboard_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Constants and windows of the search along a flight, and the errors it allows for.
+
+    bounds of the event condition. 135 operations: 27 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections.
+    Returns low0, high0, low1, high1, ceiling, latest, lost.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, *_ = _room
+    _s0 = _absolute(vx, _r0)
+    _s1 = 0.5 * p_board_thickness
+    _s2 = p_ball_radius + _s1
+    _s3 = 0.5 * p_board_top
+    _s4 = p_ball_radius + _s3
+    _s5 = 0.5 * p_board_bottom
+    _s6 = _s4 - _s5
+    _s7 = p_ball_radius + p_board_half_width
+    _s8 = _where(_s7 < _s2, _s7, _s2)
+    _s9 = _where(_s6 < _s8, _s6, _s8)
+    _s10 = 6.103515625e-05 * _s9
+    _s11 = _s2 + _s10
+    _s12 = p_board_distance + _s1
+    _s13 = _add(_s12, x, _r1)
+    _s14 = _select(vx < 0.0, _negative(_s13, _r2), _s13, _r3)
+    _s15 = _divide(_negative(_add(_s11, _s14, _r4), _r4), _s0, _r4)
+    _s16 = _select(0.0 < _s15, _s15, 0.0, _r5)
+    _s17 = _absolute(vy, _r6)
+    _s18 = _s7 + _s10
+    _s19 = _select(vy < 0.0, _negative(y, _r7), y, _r8)
+    _s20 = _divide(_negative(_add(_s18, _s19, _r9), _r9), _s17, _r9)
+    _s21 = _select(_s16 < _s20, _s20, _s16, _r10)
+    _s22 = _multiply(vz, vz, _r11)
+    _s23 = _subtract(_subtract(z, _s5, _r12), _s3, _r12)
+    _s24 = (_s4 + _s10) - _s5
+    _s25 = 2.0 * p_gravity
+    _s26 = _add(_s22, _multiply(_s25, _add(_s23, _s24, _r13), _r13), _r13)
+    _s27 = 1.0 / p_gravity
+    _s28 = _sqrt(_s26, _r14)
+    _s29 = 0.0 <= _s26
+    _s30 = _select(_s29, _multiply(_s27, _subtract(vz, _s28, _r13), _r13), _inf, _r15)
+    _s31 = _select(_s21 < _s30, _s30, _s21, _r16)
+    _s32 = _add(_s22, _multiply(_s25, _subtract(_s23, _s24, _r12), _r12), _r12)
+    _s33 = _sqrt(_select(_s32 < 0.0, 0.0, _s32, _r11), _r11)
+    _s34 = _select(_s29, _multiply(_s27, _add(vz, _s28, _r14), _r14), -_inf, _r17)
+    _s35 = 0.0 < _s32
+    _s36 = _select(_s35, _multiply(_s27, _subtract(vz, _s33, _r12), _r12), _s34, _r18)
+    _s37 = _divide(_subtract(_s18, _s19, _r8), _s17, _r8)
+    _s38 = _divide(_subtract(_s11, _s14, _r3), _s0, _r3)
+    _s39 = _select(_s38 < _inf, _s38, _inf, _r0)
+    _s40 = _select(_s37 < _s39, _s37, _s39, _r2)
+    _s41 = _select(_s36 < _s40, _s36, _s40, _r1)
+    _s42 = _select(_s35, _multiply(_s27, _add(vz, _s33, _r11), _r11), _inf, _r6)
+    _s43 = _select(_s21 < _s42, _s42, _s21, _r7)
+    _s44 = _select(_s34 < _s40, _s34, _s40, _r19)
+    _s45 = _select(0.0 < _s41, _s41, 0.0, _r20)
+    _s46 = _select(_s45 < _s44, _s44, _s45, _r21)
+    _s47 = _result(_s46 < horizon, _s46, horizon, _r0)
+    _s48 = _add(speed, _multiply(p_gravity, _s47, _r21), _r21)
+    _s49 = 2.0 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(3.0, _multiply(_s48, _s48, _r21), _r21), _r21)
+    _s50 = _where(_s2 < _s7, _s7, _s2)
+    _s51 = _add(_add(_add(_s12, extent, _r21), _absolute((_s5 + _s3)), _r21), _where(_s50 < _s6, _s6, _s50), _r21)
+    _s52 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s27, _add(_s51, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(2.0, speed, _r22), _s27, _r22), _r22)
+    _s53 = _add(_add(position_error, _multiply(velocity_error, _select(_s52 < horizon, _s52, horizon, _r20), _r20), _r20), _multiply(3.552713678800501e-15, _add(_multiply(_multiply(speed, speed, _r22), _s27, _r22), _s51, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
+    return _result(0.0 < _s31, _s31, 0.0, _r0), _result(_s41 < horizon, _s41, horizon, _r0), _result(0.0 < _s43, _s43, 0.0, _r0), _result(_s44 < horizon, _s44, horizon, _r0), _s49, _s47, _s53
+
+
+def backboard_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
+
+    running error analysis. 83 operations: 31 additions, 1 subtraction, 45 multiplications, 2 absolute values, 2 comparisons, 2 selections.
+    Returns margin, leaving_margin, rate_margin.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _s0 = (p_ball_radius + (0.5 * p_board_top)) - (0.5 * p_board_bottom)
+    _s1 = p_ball_radius + p_board_half_width
+    _s2 = p_ball_radius + (0.5 * p_board_thickness)
+    _s3 = _where(_s1 < _s2, _s1, _s2)
+    _s4 = p_ball_radius + (0.0001220703125 * _where(_s0 < _s3, _s0, _s3))
+    _s5 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
+    _s6 = _add(extent, _multiply(horizon, _s5, _r1), _r1)
+    _s7 = _multiply(2.220446049250313e-16, _s6, _r2)
+    _s8 = _multiply(2.0, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(4.440892098500626e-16, _s6, _r4), _r4), _r4)
+    _s9 = _add(_add(3.3306690738754696e-16 * p_board_half_width, _s7, _r3), _s8, _r3)
+    _s10 = 2.001953125 * _s4
+    _s11 = _add(_add((3.3306690738754696e-16 * p_board_distance) + (2.220446049250313e-16 * p_board_thickness), _multiply(3.3306690738754696e-16, _s6, _r1), _r1), _s8, _r1)
+    _s12 = _add(_add((2.220446049250313e-16 * _absolute(p_board_bottom)) + (2.220446049250313e-16 * _absolute(p_board_top)), _s7, _r2), _s8, _r2)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(1.3335686721571705e-15, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(4.00390625, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(12.01171875 * _s4, _add(velocity_error, _multiply(3.3306690738754696e-16, _s5, _r6), _r6), _r6), _multiply(6.667843360785852e-15 * _s4, _s5, _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(2.001953125, _s5, _r6)
+    _s17 = _add(_add(_add(_multiply(6.005859375 * _s4, _add(velocity_error, _multiply(2.220446049250313e-16, _s5, _r8), _r8), _r8), _multiply(2.667137344314341e-15 * _s4, _s5, _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r1), _r1)
+    return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
+
+
+def backboard_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Newton's next value of a root near t, and the rate there.
+
+    Newton's method. 101 operations: 19 additions, 19 subtractions, 26 multiplications, 1 division, 4 negations, 16 comparisons, 16 selections.
+    Returns time, rate.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _s0 = _add(x, _multiply(t, vx, _r0), _r0)
+    _s1 = _add(p_board_distance, _s0, _r1)
+    _s2 = p_board_distance + p_board_thickness
+    _s3 = _negative(_add(_s2, _s0, _r0), _r0)
+    _s4 = _subtract(_select(_s1 < 0.0, 0.0, _s1, _r2), _select(_s3 < 0.0, 0.0, _s3, _r3), _r3)
+    _s5 = _add(y, _multiply(t, vy, _r0), _r0)
+    _s6 = _subtract(_s5, p_board_half_width, _r2)
+    _s7 = _negative(_add(p_board_half_width, _s5, _r0), _r0)
+    _s8 = _subtract(_select(_s6 < 0.0, 0.0, _s6, _r1), _select(_s7 < 0.0, 0.0, _s7, _r4), _r4)
+    _s9 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r0), _r0)
+    _s10 = _add(z, _multiply(t, _s9, _r1), _r1)
+    _s11 = _subtract(_s10, p_board_top, _r2)
+    _s12 = _subtract(p_board_bottom, _s10, _r1)
+    _s13 = _subtract(_select(_s11 < 0.0, 0.0, _s11, _r5), _select(_s12 < 0.0, 0.0, _s12, _r6), _r6)
+    _s14 = 2.0 * _add(_add(_multiply(vx, _s4, _r1), _multiply(vy, _s8, _r5), _r5), _multiply(_subtract(vz, _multiply(p_gravity, t, _r1), _r1), _s13, _r1), _r1)
+    _s15 = _subtract(z, p_board_top, _r1)
+    _s16 = _subtract(p_board_bottom, z, _r5)
+    _s17 = _subtract(_select(_s15 < 0.0, 0.0, _s15, _r2), _select(_s16 < 0.0, 0.0, _s16, _r7), _r7)
+    _s18 = _multiply(_s13, _s13, _r5)
+    _s19 = _add(p_board_distance, x, _r2)
+    _s20 = _negative(_add(_s2, x, _r1), _r1)
+    _s21 = _subtract(_select(_s19 < 0.0, 0.0, _s19, _r8), _select(_s20 < 0.0, 0.0, _s20, _r9), _r9)
+    _s22 = _multiply(_s4, _s4, _r1)
+    _s23 = _subtract(y, p_board_half_width, _r8)
+    _s24 = _negative(_add(p_board_half_width, y, _r2), _r2)
+    _s25 = _subtract(_select(_s23 < 0.0, 0.0, _s23, _r10), _select(_s24 < 0.0, 0.0, _s24, _r11), _r11)
+    _s26 = _multiply(_s8, _s8, _r2)
+    _s27 = _add(_add(_select(0.0 < _multiply(_s17, _s13, _r10), _multiply(t, _multiply(_s9, _add(_s17, _s13, _r6), _r6), _r6), _subtract(_s18, _multiply(_s17, _s17, _r7), _r7), _r0), _select(0.0 < _multiply(_s21, _s4, _r10), _multiply(t, _multiply(vx, _add(_s21, _s4, _r3), _r3), _r3), _subtract(_s22, _multiply(_s21, _s21, _r9), _r9), _r10), _r10), _select(0.0 < _multiply(_s25, _s8, _r9), _multiply(t, _multiply(vy, _add(_s25, _s8, _r4), _r4), _r4), _subtract(_s26, _multiply(_s25, _s25, _r11), _r11), _r9), _r9)
+    _s28 = t - _divide(_select(0.0 < leaving, _s27, _subtract(_add(_add(_s18, _s22, _r1), _s26, _r1), p_ball_radius * p_ball_radius, _r1), _r2), _s14, _r2)
+    return _s28, _s14
+
+
+def backboard_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_board_distance: Any, p_board_half_width: Any, p_board_bottom: Any, p_board_top: Any, p_board_thickness: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
+
+    Newton from the left under a curvature bound. 194 operations: 33 additions, 26 subtractions, 51 multiplications, 3 divisions, 1 square root, 8 negations, 5 absolute values, 32 comparisons, 35 selections.
+    Returns gap, rate, bend, step, next, root, clearance.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, *_ = _room
+    _s0 = _subtract(z, p_board_top, _r0)
+    _s1 = _subtract(p_board_bottom, z, _r1)
+    _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
+    _s3 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r1), _r1)
+    _s4 = _add(z, _multiply(t, _s3, _r2), _r2)
+    _s5 = _subtract(_s4, p_board_top, _r0)
+    _s6 = _subtract(p_board_bottom, _s4, _r2)
+    _s7 = _subtract(_select(_s5 < 0.0, 0.0, _s5, _r4), _select(_s6 < 0.0, 0.0, _s6, _r5), _r5)
+    _s8 = _multiply(_s7, _s7, _r2)
+    _s9 = _add(p_board_distance, x, _r4)
+    _s10 = p_board_distance + p_board_thickness
+    _s11 = _negative(_add(_s10, x, _r0), _r0)
+    _s12 = _subtract(_select(_s9 < 0.0, 0.0, _s9, _r6), _select(_s11 < 0.0, 0.0, _s11, _r7), _r7)
+    _s13 = _add(x, _multiply(t, vx, _r0), _r0)
+    _s14 = _add(p_board_distance, _s13, _r6)
+    _s15 = _negative(_add(_s10, _s13, _r0), _r0)
+    _s16 = _subtract(_select(_s14 < 0.0, 0.0, _s14, _r4), _select(_s15 < 0.0, 0.0, _s15, _r8), _r8)
+    _s17 = _multiply(_s16, _s16, _r0)
+    _s18 = _subtract(y, p_board_half_width, _r4)
+    _s19 = _negative(_add(p_board_half_width, y, _r6), _r6)
+    _s20 = _subtract(_select(_s18 < 0.0, 0.0, _s18, _r9), _select(_s19 < 0.0, 0.0, _s19, _r10), _r10)
+    _s21 = _add(y, _multiply(t, vy, _r6), _r6)
+    _s22 = _subtract(_s21, p_board_half_width, _r9)
+    _s23 = _negative(_add(p_board_half_width, _s21, _r6), _r6)
+    _s24 = _subtract(_select(_s22 < 0.0, 0.0, _s22, _r4), _select(_s23 < 0.0, 0.0, _s23, _r11), _r11)
+    _s25 = _multiply(_s24, _s24, _r6)
+    _s26 = _add(_add(_select(0.0 < _multiply(_s2, _s7, _r4), _multiply(t, _multiply(_s3, _add(_s2, _s7, _r4), _r4), _r4), _subtract(_s8, _multiply(_s2, _s2, _r3), _r3), _r1), _select(0.0 < _multiply(_s12, _s16, _r9), _multiply(t, _multiply(vx, _add(_s12, _s16, _r9), _r9), _r9), _subtract(_s17, _multiply(_s12, _s12, _r7), _r7), _r12), _r12), _select(0.0 < _multiply(_s20, _s24, _r7), _multiply(t, _multiply(vy, _add(_s20, _s24, _r7), _r7), _r7), _subtract(_s25, _multiply(_s20, _s20, _r10), _r10), _r9), _r9)
+    _s27 = _result(0.0 < leaving, _s26, _subtract(_add(_add(_s8, _s17, _r0), _s25, _r0), p_ball_radius * p_ball_radius, _r0), _r0)
+    _s28 = _subtract(vz, _multiply(p_gravity, t, _r6), _r6)
+    _s29 = _add(_add(_multiply(vx, _s16, _r2), _multiply(vy, _s24, _r10), _r10), _multiply(_s28, _s7, _r2), _r2)
+    _s30 = 2.0 * _s29
+    _s31 = _absolute(_s7, _r10)
+    _s32 = 2.0 * _add(_add(_select(0.0 < _s31, _subtract(_multiply(_s28, _s28, _r7), _multiply(p_gravity, _s7, _r5), _r5), 0.0, _r7), _select(0.0 < _absolute(_s16, _r8), _multiply(vx, vx, _r8), 0.0, _r12), _r12), _select(0.0 < _absolute(_s24, _r11), _multiply(vy, vy, _r11), 0.0, _r8), _r8)
+    _s33 = _absolute((-p_gravity))
+    _s34 = (p_ball_radius + (0.5 * p_board_top)) - (0.5 * p_board_bottom)
+    _s35 = p_ball_radius + p_board_half_width
+    _s36 = p_ball_radius + (0.5 * p_board_thickness)
+    _s37 = _where(_s35 < _s36, _s35, _s36)
+    _s38 = p_ball_radius + (0.0001220703125 * _where(_s34 < _s37, _s34, _s37))
+    _s39 = _subtract(_s30, rate_margin, _r8)
+    _s40 = _subtract(_s27, margin, _r11)
+    _s41 = _select(_s40 < 0.0, 0.0, _s40, _r12)
+    _s42 = _negative(_s32, _r7)
+    _s43 = _s39 < 0.0
+    _s44 = _multiply(2.0, _s41, _r5)
+    _s45 = _select(0.0 < _select(0.0 <= _s39, _s41, 0.0, _r1), _inf, _divide(_select(_s43, _s44, _multiply(4.0, _s39, _r1), _r3), _select(_s43, _negative(_s39, _r4), _select(0.0 < _s42, _s42, 0.0, _r13), _r14), _r3), _r1)
+    _s46 = _subtract(end, t, _r14)
+    _s47 = _select(_s45 < _s46, _s45, _s46, _r13)
+    _s48 = _add(_multiply(_add(_multiply(0.5 * _s33, _s47, _r7), _absolute(_s28, _r6), _r6), _s47, _r6), _s31, _r6)
+    _s49 = _add(_multiply(9.094947017729282e-13, ceiling, _r10), _multiply(2.0, _multiply(_s33, _select(_s38 < _s48, _s38, _s48, _r7), _r7), _r7), _r7)
+    _s50 = _add(_multiply(_multiply(2.0, _s49, _r10), _s41, _r10), _multiply(_s39, _s39, _r6), _r6)
+    _s51 = _sqrt(_s50, _r10)
+    _s52 = _select(0.0 <= _s50, _divide(_select(_s43, _s44, _add(_s39, _s51, _r6), _r4), _select(_s43, _subtract(_s51, _s39, _r10), _select(0.0 < _s49, _s49, 0.0, _r8), _r15), _r4), _inf, _r6)
+    _s53 = _result(_s52 < _s47, _s52, _s47, _r0)
+    _s54 = _negative(_add(rate_margin, _s30, _r15), _r15)
+    return _s27, _s30, _s32, _s53, t + _s53, t - _divide(_multiply(0.5, _s27, _r0), _s29, _r0), _result(0.0 < _s54, _subtract(_multiply(_s54, _s54, _r0), _multiply(_multiply(8.0, ceiling, _r2), _add(margin, _multiply(32.0, _s41, _r12), _r12), _r2), _r2), _s54, _r0)
+
+
+def backboard_beside(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The distance, its rate, and how fast it bends down at most, by the squared speed.
+
+    Table 2. 59 operations: 8 additions, 10 subtractions, 10 multiplications, 1 division, 1 square root, 5 negations, 12 comparisons, 12 selections.
+    Returns gap, nearing, dent.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _s0 = _subtract(z, p_board_top, _r0)
+    _s1 = _subtract(p_board_bottom, z, _r1)
+    _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
+    _s3 = _add(p_board_distance, x, _r2)
+    _s4 = _negative(_add(p_board_distance + p_board_thickness, x, _r4), _r4)
+    _s5 = _subtract(_select(_s3 < 0.0, 0.0, _s3, _r5), _select(_s4 < 0.0, 0.0, _s4, _r6), _r6)
+    _s6 = _subtract(y, p_board_half_width, _r5)
+    _s7 = _negative(_add(p_board_half_width, y, _r7), _r7)
+    _s8 = _subtract(_select(_s6 < 0.0, 0.0, _s6, _r8), _select(_s7 < 0.0, 0.0, _s7, _r9), _r9)
+    _s9 = _sqrt(_add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8), _r8)
+    _s10 = _add(_multiply(_multiply(2.0, _subtract(_select(_s0 < 0.0, 0.0, vz, _r0), _select(_s1 < 0.0, 0.0, _negative(vz, _r1), _r10), _r10), _r10), _s2, _r10), _multiply(_multiply(2.0, _subtract(_select(_s3 < 0.0, 0.0, vx, _r2), _select(_s4 < 0.0, 0.0, _negative(vx, _r4), _r3), _r3), _r3), _s5, _r3), _r3)
+    _s11 = _add(_s10, _multiply(_multiply(2.0, _subtract(_select(_s6 < 0.0, 0.0, vy, _r5), _select(_s7 < 0.0, 0.0, _negative(vy, _r7), _r10), _r10), _r10), _s8, _r10), _r10)
+    return _s9 - p_ball_radius, _multiply(0.5, _s11, _r10) / _s9, 0.0
+
+
+def backboard_off(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The distance.
+
+    Table 2. 31 operations: 6 additions, 7 subtractions, 3 multiplications, 1 square root, 2 negations, 6 comparisons, 6 selections.
+    Returns gap.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _s0 = _subtract(z, p_board_top, _r0)
+    _s1 = _subtract(p_board_bottom, z, _r1)
+    _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
+    _s3 = _add(p_board_distance, x, _r1)
+    _s4 = _negative(_add(p_board_distance + p_board_thickness, x, _r2), _r2)
+    _s5 = _subtract(_select(_s3 < 0.0, 0.0, _s3, _r0), _select(_s4 < 0.0, 0.0, _s4, _r4), _r4)
+    _s6 = _subtract(y, p_board_half_width, _r2)
+    _s7 = _negative(_add(p_board_half_width, y, _r0), _r0)
+    _s8 = _subtract(_select(_s6 < 0.0, 0.0, _s6, _r1), _select(_s7 < 0.0, 0.0, _s7, _r5), _r5)
+    return _sqrt(_add(_add(_multiply(_s2, _s2, _r3), _multiply(_s5, _s5, _r4), _r4), _multiply(_s8, _s8, _r5), _r5), _r5) - p_ball_radius,
+
+
+def backboard_tube(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """What a ball that stays on it rolls on.
+
+    Table 2. 65 operations: 9 additions, 3 subtractions, 6 multiplications, 1 division, 8 negations, 2 absolute values, 18 comparisons, 6 conjunctions, 9 disjunctions, 3 selections.
+    Returns bent_x, bent_y, bent_z, per_reach, ring.
+    """
+    _r0, _r1, *_ = _room
+    _s0 = 1.4210854715202004e-14 * p_ball_radius
+    _s1 = (_s0 + (2.842170943040401e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_board_thickness)
+    _s2 = _add(p_board_distance, x, _r0)
+    _s3 = -_s1
+    _s4 = _negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1)
+    _s5 = _result(_logical_or(_logical_or((_s1 < _s2), _logical_and((_s3 < _s2), (0.0 < vx))), _logical_or((_s1 < _s4), _logical_and((_s3 < _s4), (0.0 < _negative(vx, _r1))))), 1.0, 0.0, _r0)
+    _s6 = _s0 + (2.842170943040401e-14 * p_board_half_width)
+    _s7 = _subtract(y, p_board_half_width, _r1)
+    _s8 = -_s6
+    _s9 = _negative(_add(p_board_half_width, y, _r0), _r0)
+    _s10 = _result(_logical_or(_logical_or((_s6 < _s7), _logical_and((_s8 < _s7), (0.0 < vy))), _logical_or((_s6 < _s9), _logical_and((_s8 < _s9), (0.0 < _negative(vy, _r0))))), 1.0, 0.0, _r0)
+    _s11 = (_s0 + (1.4210854715202004e-14 * _absolute(p_board_bottom))) + (1.4210854715202004e-14 * _absolute(p_board_top))
+    _s12 = _subtract(z, p_board_top, _r0)
+    _s13 = -_s11
+    _s14 = _subtract(p_board_bottom, z, _r1)
+    _s15 = _result(_logical_or(_logical_or((_s11 < _s12), _logical_and((_s13 < _s12), (0.0 < vz))), _logical_or((_s11 < _s14), _logical_and((_s13 < _s14), (0.0 < _negative(vz, _r1))))), 1.0, 0.0, _r0)
+    return _s5, _s10, _s15, 1.0 / p_ball_radius, 0.0
+
+
+def backboard_turning(p_ball_radius: Any, p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The rate at which the normal turns.
+
+    derivative of Table 2's normal. 31 operations: 4 additions, 6 subtractions, 3 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections.
+    Returns turning_x, turning_y, turning_z.
+    """
+    _r0, _r1, _r2, _r3, *_ = _room
+    _s0 = 1.0 / p_ball_radius
+    _s1 = _subtract(_select(_add(p_board_distance, x, _r0) < 0.0, 0.0, rolled_x, _r0), _select(_negative(_add(p_board_distance + p_board_thickness, x, _r1), _r1) < 0.0, 0.0, _negative(rolled_x, _r1), _r2), _r2)
+    _s2 = _s0 * _subtract(_select(_subtract(y, p_board_half_width, _r1) < 0.0, 0.0, rolled_y, _r1), _select(_negative(_add(p_board_half_width, y, _r0), _r0) < 0.0, 0.0, _negative(rolled_y, _r0), _r3), _r3)
+    return _s0 * _s1, _s2, _s0 * _subtract(_select(_subtract(z, p_board_top, _r2) < 0.0, 0.0, rolled_z, _r2), _select(_subtract(p_board_bottom, z, _r3) < 0.0, 0.0, _negative(rolled_z, _r3), _r0), _r0)
+
+
+def backboard_parting(p_board_bottom: Any, p_board_distance: Any, p_board_half_width: Any, p_board_thickness: Any, p_board_top: Any, p_gravity: Any, vx: Any, vy: Any, vz: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The second to the fourth derivative of the distance along a flight.
+
+    derivatives of Table 2's distance. 112 operations: 13 additions, 15 subtractions, 41 multiplications, 10 divisions, 1 square root, 6 negations, 12 comparisons, 14 selections.
+    Returns lift, surge, snap.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _s0 = _subtract(z, p_board_top, _r0)
+    _s1 = _s0 < 0.0
+    _s2 = _subtract(p_board_bottom, z, _r1)
+    _s3 = _s2 < 0.0
+    _s4 = _subtract(_select(_s1, 0.0, -p_gravity, _r2), _select(_s3, 0.0, p_gravity, _r3), _r3)
+    _s5 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s2 < 0.0, 0.0, _s2, _r4), _r4)
+    _s6 = _subtract(_select(_s1, 0.0, vz, _r2), _select(_s3, 0.0, _negative(vz, _r1), _r0), _r0)
+    _s7 = _add(p_board_distance, x, _r1)
+    _s8 = _negative(_add(p_board_distance + p_board_thickness, x, _r2), _r2)
+    _s9 = _subtract(_select(_s7 < 0.0, 0.0, vx, _r5), _select(_s8 < 0.0, 0.0, _negative(vx, _r6), _r7), _r7)
+    _s10 = _subtract(y, p_board_half_width, _r6)
+    _s11 = _negative(_add(p_board_half_width, y, _r5), _r5)
+    _s12 = _subtract(_select(_s10 < 0.0, 0.0, vy, _r8), _select(_s11 < 0.0, 0.0, _negative(vy, _r9), _r10), _r10)
+    _s13 = _add(_add(_add(_multiply(_multiply(2.0, _s4, _r9), _s5, _r9), _multiply(2.0, _multiply(_s6, _s6, _r8), _r8), _r8), _multiply(2.0, _multiply(_s9, _s9, _r9), _r9), _r9), _multiply(2.0, _multiply(_s12, _s12, _r8), _r8), _r8)
+    _s14 = _subtract(_select(_s7 < 0.0, 0.0, _s7, _r9), _select(_s8 < 0.0, 0.0, _s8, _r11), _r11)
+    _s15 = _subtract(_select(_s10 < 0.0, 0.0, _s10, _r9), _select(_s11 < 0.0, 0.0, _s11, _r2), _r2)
+    _s16 = _add(_add(_multiply(_s5, _s5, _r9), _multiply(_s14, _s14, _r5), _r5), _multiply(_s15, _s15, _r9), _r9)
+    _s17 = _sqrt(_s16, _r5)
+    _s18 = _add(_add(_multiply(_multiply(2.0, _s6, _r6), _s5, _r6), _multiply(_multiply(2.0, _s9, _r7), _s14, _r7), _r7), _multiply(_multiply(2.0, _s12, _r10), _s15, _r10), _r10)
+    _s19 = _multiply(_s18, _s18, _r7)
+    _s20 = _multiply(_s17, _s16, _r2)
+    _s21 = _multiply(_multiply(6.0, _s4, _r6), _s6, _r6)
+    _s22 = _multiply(_s16, _s16, _r9)
+    _s23 = _multiply(_s17, _s22, _r0)
+    _s24 = _subtract(_add(_divide(_multiply(0.5, _multiply(6.0, _multiply(_s4, _s4, _r3), _r3), _r3), _s17, _r3), _divide(_multiply(_multiply(2.25, _s19, _r11), _s13, _r11), _s23, _r11), _r11), _divide(_multiply(0.9375, _multiply(_s19, _s19, _r3), _r3), _multiply(_s20, _s22, _r9), _r3), _r3)
+    return _divide(_multiply(0.5, _s13, _r11), _s17, _r11) - _divide(_multiply(0.25, _s19, _r9), _s20, _r9), _add(_divide(_multiply(0.5, _s21, _r9), _s17, _r9), _divide(_multiply(0.375, _multiply(_s18, _s19, _r7), _r7), _s23, _r7), _r7) - _divide(_multiply(_multiply(0.75, _s18, _r9), _s13, _r9), _s20, _r9), _subtract(_s24, _divide(_multiply(0.75, _multiply(_s13, _s13, _r8), _r8), _s20, _r8), _r8) - _divide(_multiply(_s21, _s18, _r6), _s20, _r6)
+
+
+def backboard_seam0(p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, vx: Any, x: Any) -> tuple[Any, ...]:
+    """How far the ball is from a seam of the surface, and how fast.
+
+    Table 2. 7 operations: 4 additions, 3 multiplications.
+    Returns gap, nearing, near.
+    """
+    return (p_board_distance + p_board_thickness) + x, vx, ((1.4210854715202004e-14 * p_ball_radius) + (2.842170943040401e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_board_thickness)
+
+
+def backboard_seam1(p_ball_radius: Any, p_board_distance: Any, p_board_thickness: Any, vx: Any, x: Any) -> tuple[Any, ...]:
+    """How far the ball is from a seam of the surface, and how fast.
+
+    Table 2. 6 operations: 3 additions, 3 multiplications.
+    Returns gap, nearing, near.
+    """
+    return p_board_distance + x, vx, ((1.4210854715202004e-14 * p_ball_radius) + (2.842170943040401e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_board_thickness)
+
+
+def backboard_seam2(p_ball_radius: Any, p_board_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
+    """How far the ball is from a seam of the surface, and how fast.
+
+    Table 2. 4 operations: 2 additions, 2 multiplications.
+    Returns gap, nearing, near.
+    """
+    return p_board_half_width + y, vy, (1.4210854715202004e-14 * p_ball_radius) + (2.842170943040401e-14 * p_board_half_width)
+
+
+def backboard_seam3(p_ball_radius: Any, p_board_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
+    """How far the ball is from a seam of the surface, and how fast.
+
+    Table 2. 4 operations: 1 addition, 1 subtraction, 2 multiplications.
+    Returns gap, nearing, near.
+    """
+    return y - p_board_half_width, vy, (1.4210854715202004e-14 * p_ball_radius) + (2.842170943040401e-14 * p_board_half_width)
+
+
+def backboard_seam4(p_ball_radius: Any, p_board_bottom: Any, p_board_top: Any, vz: Any, z: Any) -> tuple[Any, ...]:
+    """How far the ball is from a seam of the surface, and how fast.
+
+    Table 2. 8 operations: 2 additions, 1 subtraction, 3 multiplications, 2 absolute values.
+    Returns gap, nearing, near.
+    """
+    return z - p_board_bottom, vz, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * _absolute(p_board_bottom))) + (1.4210854715202004e-14 * _absolute(p_board_top))
+
+
+def backboard_seam5(p_ball_radius: Any, p_board_bottom: Any, p_board_top: Any, vz: Any, z: Any) -> tuple[Any, ...]:
+    """How far the ball is from a seam of the surface, and how fast.
+
+    Table 2. 8 operations: 2 additions, 1 subtraction, 3 multiplications, 2 absolute values.
+    Returns gap, nearing, near.
+    """
+    return z - p_board_top, vz, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * _absolute(p_board_bottom))) + (1.4210854715202004e-14 * _absolute(p_board_top))
+
+
+def backboard_enter(after: Any, end: Any, high0: Any, high1: Any, low0: Any, low1: Any, t: Any) -> tuple[Any, ...]:
+    """The first window that begins no earlier than a time, if there is one.
+
+    Table 1. 12 operations: 4 comparisons, 2 conjunctions, 2 disjunctions, 4 selections.
+    Returns t, end, searching.
+    """
+    _s0 = _logical_and((low0 < high0), (after <= low0))
+    _s1 = _logical_and((low1 < high1), (after <= low1))
+    return _where(_s0, low0, _where(_s1, low1, t)), _where(_s0, high0, _where(_s1, high1, end)), _logical_or(_logical_or(False, _s1), _s0)
+
+
+def bridge_normal(x: Any, y: Any, z: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Outward unit normal n3 at a contact.
+
+    Table 2. 28 operations: 3 additions, 7 subtractions, 3 multiplications, 1 division, 2 negations, 6 comparisons, 6 selections.
+    Returns nx, ny, nz.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
+    _s0 = 1.0 / p_ball_radius
+    _s1 = _add(p_ring_radius, x, _r0)
+    _s2 = _negative(_add(p_board_distance, x, _r1), _r1)
+    _s3 = _subtract(y, p_bridge_half_width, _r2)
+    _s4 = _negative(_add(p_bridge_half_width, y, _r3), _r3)
+    _s5 = _subtract(z, p_wire_radius, _r4)
+    _s6 = _subtract(p_wire_radius - p_bridge_depth, z, _r5)
+    return _s0 * _subtract(_select(_s1 < 0.0, 0.0, _s1, _r6), _select(_s2 < 0.0, 0.0, _s2, _r7), _r7), _s0 * _subtract(_select(_s3 < 0.0, 0.0, _s3, _r7), _select(_s4 < 0.0, 0.0, _s4, _r1), _r1), _s0 * _subtract(_select(_s5 < 0.0, 0.0, _s5, _r1), _select(_s6 < 0.0, 0.0, _s6, _r3), _r3)
+
+
+def bridge_curvature(p_ball_radius: Any) -> tuple[Any, ...]:
+    """Bound on the rate at which the normal turns along the contact surface.
+
+    Table 2. 1 operation: 1 division.
+    Returns curvature.
+    """
+    return 1.0 / p_ball_radius,
+
+
+def bridge_carry_normal(x: Any, y: Any, z: Any, dx: Any, dy: Any, dz: Any, shift: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Error of the normal, from that of the position.
+
+    derivative of Table 2's normal. 32 operations: 3 additions, 7 subtractions, 4 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections.
+    Returns dnx, dny, dnz, turn.
+    """
+    _r0, _r1, _r2, *_ = _room
+    _s0 = 1.0 / p_ball_radius
+    _s1 = _s0 * _subtract(_select(_add(p_ring_radius, x, _r0) < 0.0, 0.0, dx, _r0), _select(_negative(_add(p_board_distance, x, _r1), _r1) < 0.0, 0.0, _negative(dx, _r1), _r2), _r2)
+    _s2 = _s0 * _subtract(_select(_subtract(y, p_bridge_half_width, _r2) < 0.0, 0.0, dy, _r2), _select(_negative(_add(p_bridge_half_width, y, _r1), _r1) < 0.0, 0.0, _negative(dy, _r1), _r0), _r0)
+    _s3 = _s0 * _subtract(_select(_subtract(z, p_wire_radius, _r0) < 0.0, 0.0, dz, _r0), _select(_subtract(p_wire_radius - p_bridge_depth, z, _r1) < 0.0, 0.0, _negative(dz, _r1), _r2), _r2)
+    return _s1, _s2, _s3, shift * _s0
+
+
+def bridge_clear(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Positive if there certainly is no contact before the horizon.
+
+    bounds of the event condition. 124 operations: 25 additions, 10 subtractions, 21 multiplications, 5 divisions, 4 square roots, 4 negations, 3 absolute values, 25 comparisons, 27 selections.
+    Returns clear.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, *_ = _room
+    _s0 = 1.0 / p_gravity
+    _s1 = 0.5 * p_board_distance
+    _s2 = 0.5 * p_ring_radius
+    _s3 = 0.5 * p_bridge_depth
+    _s4 = p_ball_radius + _s1
+    _s5 = _s4 - _s2
+    _s6 = p_ball_radius + p_bridge_half_width
+    _s7 = _where(_s5 < _s6, _s6, _s5)
+    _s8 = p_ball_radius + _s3
+    _s9 = _add(_add(_add(_add(_s1, extent, _r0), _s2, _r0), _absolute((_s3 - p_wire_radius)), _r0), _where(_s7 < _s8, _s8, _s7), _r0)
+    _s10 = _where(_s6 < _s5, _s6, _s5)
+    _s11 = _where(_s8 < _s10, _s8, _s10)
+    _s12 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s0, _add(_s9, _s11, _r1), _r1), _r1), _r1), _multiply(_multiply(2.0, speed, _r2), _s0, _r2), _r2)
+    _s13 = _subtract(_add(_add(position_error, _multiply(velocity_error, _select(_s12 < horizon, _s12, horizon, _r1), _r1), _r1), _multiply(3.552713678800501e-15, _add(_multiply(_multiply(speed, speed, _r2), _s0, _r2), _s9, _r2), _r2), _r2), 1.52587890625e-05 * _s11, _r2)
+    _s14 = _absolute(vx, _r1)
+    _s15 = 6.103515625e-05 * _s11
+    _s16 = (_s4 + _s15) - _s2
+    _s17 = _add(_s1 + _s2, x, _r0)
+    _s18 = _select(vx < 0.0, _negative(_s17, _r3), _s17, _r4)
+    _s19 = _divide(_negative(_add(_s16, _s18, _r5), _r5), _s14, _r5)
+    _s20 = _select(0.0 < _s19, _s19, 0.0, _r6)
+    _s21 = _absolute(vy, _r7)
+    _s22 = _s6 + _s15
+    _s23 = _select(vy < 0.0, _negative(y, _r8), y, _r9)
+    _s24 = _divide(_negative(_add(_s22, _s23, _r10), _r10), _s21, _r10)
+    _s25 = _select(_s20 < _s24, _s24, _s20, _r11)
+    _s26 = _multiply(vz, vz, _r12)
+    _s27 = _subtract(_add(_s3, z, _r13), p_wire_radius, _r13)
+    _s28 = _s8 + _s15
+    _s29 = 2.0 * p_gravity
+    _s30 = _add(_s26, _multiply(_s29, _subtract(_s27, _s28, _r14), _r14), _r14)
+    _s31 = _sqrt(_select(_s30 < 0.0, 0.0, _s30, _r15), _r15)
+    _s32 = 0.0 < _s30
+    _s33 = _select(_s32, _multiply(_s0, _add(vz, _s31, _r14), _r14), _inf, _r16)
+    _s34 = _select(_s25 < _s33, _s33, _s25, _r17)
+    _s35 = _add(_s26, _multiply(_s29, _add(_s28, _s27, _r13), _r13), _r13)
+    _s36 = _sqrt(_s35, _r12)
+    _s37 = 0.0 <= _s35
+    _s38 = _select(_s37, _multiply(_s0, _add(vz, _s36, _r13), _r13), -_inf, _r18)
+    _s39 = _divide(_subtract(_s22, _s23, _r9), _s21, _r9)
+    _s40 = _divide(_subtract(_s16, _s18, _r4), _s14, _r4)
+    _s41 = _select(_s40 < _inf, _s40, _inf, _r1)
+    _s42 = _select(_s39 < _s41, _s39, _s41, _r3)
+    _s43 = _select(_s38 < _s42, _s38, _s42, _r0)
+    _s44 = _select(_s37, _multiply(_s0, _subtract(vz, _s36, _r12), _r12), _inf, _r7)
+    _s45 = _select(_s25 < _s44, _s44, _s25, _r8)
+    _s46 = _select(_s32, _multiply(_s0, _subtract(vz, _s31, _r15), _r15), _s38, _r19)
+    _s47 = _select(_s46 < _s42, _s46, _s42, _r20)
+    return _result(_s13 <= 0.0, _select(_select(0.0 < _s34, _s34, 0.0, _r2) < _select(_s43 < horizon, _s43, horizon, _r21), 0.0, _select(_select(0.0 < _s45, _s45, 0.0, _r21) < _select(_s47 < horizon, _s47, horizon, _r0), 0.0, 1.0, _r0), _r20), 0.0, _r0),
+
+
+def bridge_prepare(horizon: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Constants and windows of the search along a flight, and the errors it allows for.
+
+    bounds of the event condition. 136 operations: 28 additions, 10 subtractions, 28 multiplications, 5 divisions, 4 square roots, 5 negations, 4 absolute values, 25 comparisons, 27 selections.
+    Returns low0, high0, low1, high1, ceiling, latest, lost.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, _r16, _r17, _r18, _r19, _r20, _r21, _r22, *_ = _room
+    _s0 = _absolute(vx, _r0)
+    _s1 = 0.5 * p_board_distance
+    _s2 = p_ball_radius + _s1
+    _s3 = 0.5 * p_bridge_depth
+    _s4 = p_ball_radius + _s3
+    _s5 = p_ball_radius + p_bridge_half_width
+    _s6 = 0.5 * p_ring_radius
+    _s7 = _s2 - _s6
+    _s8 = _where(_s5 < _s7, _s5, _s7)
+    _s9 = _where(_s4 < _s8, _s4, _s8)
+    _s10 = 6.103515625e-05 * _s9
+    _s11 = (_s2 + _s10) - _s6
+    _s12 = _add(_s1 + _s6, x, _r1)
+    _s13 = _select(vx < 0.0, _negative(_s12, _r2), _s12, _r3)
+    _s14 = _divide(_negative(_add(_s11, _s13, _r4), _r4), _s0, _r4)
+    _s15 = _select(0.0 < _s14, _s14, 0.0, _r5)
+    _s16 = _absolute(vy, _r6)
+    _s17 = _s5 + _s10
+    _s18 = _select(vy < 0.0, _negative(y, _r7), y, _r8)
+    _s19 = _divide(_negative(_add(_s17, _s18, _r9), _r9), _s16, _r9)
+    _s20 = _select(_s15 < _s19, _s19, _s15, _r10)
+    _s21 = _multiply(vz, vz, _r11)
+    _s22 = _s4 + _s10
+    _s23 = _subtract(_add(_s3, z, _r12), p_wire_radius, _r12)
+    _s24 = 2.0 * p_gravity
+    _s25 = _add(_s21, _multiply(_s24, _add(_s22, _s23, _r13), _r13), _r13)
+    _s26 = 1.0 / p_gravity
+    _s27 = _sqrt(_s25, _r14)
+    _s28 = 0.0 <= _s25
+    _s29 = _select(_s28, _multiply(_s26, _subtract(vz, _s27, _r13), _r13), _inf, _r15)
+    _s30 = _select(_s20 < _s29, _s29, _s20, _r16)
+    _s31 = _add(_s21, _multiply(_s24, _subtract(_s23, _s22, _r12), _r12), _r12)
+    _s32 = _sqrt(_select(_s31 < 0.0, 0.0, _s31, _r11), _r11)
+    _s33 = _select(_s28, _multiply(_s26, _add(vz, _s27, _r14), _r14), -_inf, _r17)
+    _s34 = 0.0 < _s31
+    _s35 = _select(_s34, _multiply(_s26, _subtract(vz, _s32, _r12), _r12), _s33, _r18)
+    _s36 = _divide(_subtract(_s17, _s18, _r8), _s16, _r8)
+    _s37 = _divide(_subtract(_s11, _s13, _r3), _s0, _r3)
+    _s38 = _select(_s37 < _inf, _s37, _inf, _r0)
+    _s39 = _select(_s36 < _s38, _s36, _s38, _r2)
+    _s40 = _select(_s35 < _s39, _s35, _s39, _r1)
+    _s41 = _select(_s34, _multiply(_s26, _add(vz, _s32, _r11), _r11), _inf, _r6)
+    _s42 = _select(_s20 < _s41, _s41, _s20, _r7)
+    _s43 = _select(_s33 < _s39, _s33, _s39, _r19)
+    _s44 = _select(0.0 < _s40, _s40, 0.0, _r20)
+    _s45 = _select(_s44 < _s43, _s43, _s44, _r21)
+    _s46 = _result(_s45 < horizon, _s45, horizon, _r0)
+    _s47 = _add(speed, _multiply(p_gravity, _s46, _r21), _r21)
+    _s48 = 2.0 * _add((1.25 * _absolute((-p_gravity))) * (p_ball_radius + (0.0001220703125 * _s9)), _multiply(3.0, _multiply(_s47, _s47, _r21), _r21), _r21)
+    _s49 = _where(_s7 < _s5, _s5, _s7)
+    _s50 = _add(_add(_add(_add(_s1, extent, _r21), _s6, _r21), _absolute((_s3 - p_wire_radius)), _r21), _where(_s49 < _s4, _s4, _s49), _r21)
+    _s51 = _add(_multiply(_sqrt(2.0), _sqrt(_multiply(_s26, _add(_s50, _s9, _r20), _r20), _r20), _r20), _multiply(_multiply(2.0, speed, _r22), _s26, _r22), _r22)
+    _s52 = _add(_add(position_error, _multiply(velocity_error, _select(_s51 < horizon, _s51, horizon, _r20), _r20), _r20), _multiply(3.552713678800501e-15, _add(_multiply(_multiply(speed, speed, _r22), _s26, _r22), _s50, _r22), _r22), _r22) - (1.52587890625e-05 * _s9)
+    return _result(0.0 < _s30, _s30, 0.0, _r0), _result(_s40 < horizon, _s40, horizon, _r0), _result(0.0 < _s42, _s42, 0.0, _r0), _result(_s43 < horizon, _s43, horizon, _r0), _s48, _s46, _s52
+
+
+def bridge_margins(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Bounds on the errors of the gap, of the gap over t when leaving, and of its rate.
+
+    running error analysis. 81 operations: 31 additions, 1 subtraction, 45 multiplications, 2 comparisons, 2 selections.
+    Returns margin, leaving_margin, rate_margin.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, *_ = _room
+    _s0 = p_ball_radius + (0.5 * p_bridge_depth)
+    _s1 = p_ball_radius + p_bridge_half_width
+    _s2 = (p_ball_radius + (0.5 * p_board_distance)) - (0.5 * p_ring_radius)
+    _s3 = _where(_s1 < _s2, _s1, _s2)
+    _s4 = p_ball_radius + (0.0001220703125 * _where(_s0 < _s3, _s0, _s3))
+    _s5 = _add(speed, _multiply(p_gravity, horizon, _r0), _r0)
+    _s6 = _add(extent, _multiply(horizon, _s5, _r1), _r1)
+    _s7 = _multiply(2.220446049250313e-16, _s6, _r2)
+    _s8 = _multiply(2.0, _add(_add(position_error, _multiply(horizon, velocity_error, _r3), _r3), _multiply(4.440892098500626e-16, _s6, _r4), _r4), _r4)
+    _s9 = _add(_add(3.3306690738754696e-16 * p_bridge_half_width, _s7, _r3), _s8, _r3)
+    _s10 = 2.001953125 * _s4
+    _s11 = _add(_add((1.1102230246251565e-16 * p_board_distance) + (1.1102230246251565e-16 * p_ring_radius), _s7, _r2), _s8, _r2)
+    _s12 = _add(_add((2.220446049250313e-16 * p_bridge_depth) + (5.551115123125783e-16 * p_wire_radius), _multiply(3.3306690738754696e-16, _s6, _r1), _r1), _s8, _r1)
+    _s13 = _add(_add(_add(_add(5.55653613398821e-16 * (p_ball_radius * p_ball_radius), _multiply(_s10, _s9, _r4), _r4), _multiply(_s10, _s11, _r5), _r5), _multiply(_s10, _s12, _r4), _r4), _multiply(_multiply(_multiply(1.3335686721571705e-15, horizon, _r5), _s4, _r5), _s5, _r5), _r5)
+    _s14 = _multiply(4.00390625, _s5, _r4)
+    _s15 = _add(_add(_add(_multiply(12.01171875 * _s4, _add(velocity_error, _multiply(3.3306690738754696e-16, _s5, _r6), _r6), _r6), _multiply(6.667843360785852e-15 * _s4, _s5, _r7), _r7), _multiply(_s14, _s9, _r6), _r6), _multiply(_s14, _s11, _r7), _r7)
+    _s16 = _multiply(2.001953125, _s5, _r6)
+    _s17 = _add(_add(_add(_multiply(6.005859375 * _s4, _add(velocity_error, _multiply(2.220446049250313e-16, _s5, _r8), _r8), _r8), _multiply(2.667137344314341e-15 * _s4, _s5, _r0), _r0), _multiply(_s16, _s9, _r3), _r3), _multiply(_s16, _s11, _r2), _r2)
+    return _s13 + (1.3335686721571705e-15 * (_s4 * _s4)), _s15 + _multiply(_s14, _s12, _r4), _s17 + _multiply(_s16, _s12, _r6)
+
+
+def bridge_refine(t: Any, leaving: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Newton's next value of a root near t, and the rate there.
+
+    Newton's method. 101 operations: 18 additions, 20 subtractions, 26 multiplications, 1 division, 4 negations, 16 comparisons, 16 selections.
+    Returns time, rate.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _s0 = _add(x, _multiply(t, vx, _r0), _r0)
+    _s1 = _add(p_ring_radius, _s0, _r1)
+    _s2 = _negative(_add(p_board_distance, _s0, _r0), _r0)
+    _s3 = _subtract(_select(_s1 < 0.0, 0.0, _s1, _r2), _select(_s2 < 0.0, 0.0, _s2, _r3), _r3)
+    _s4 = _add(y, _multiply(t, vy, _r0), _r0)
+    _s5 = _subtract(_s4, p_bridge_half_width, _r2)
+    _s6 = _negative(_add(p_bridge_half_width, _s4, _r0), _r0)
+    _s7 = _subtract(_select(_s5 < 0.0, 0.0, _s5, _r1), _select(_s6 < 0.0, 0.0, _s6, _r4), _r4)
+    _s8 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r0), _r0)
+    _s9 = _add(z, _multiply(t, _s8, _r1), _r1)
+    _s10 = _subtract(_s9, p_wire_radius, _r2)
+    _s11 = p_wire_radius - p_bridge_depth
+    _s12 = _subtract(_s11, _s9, _r1)
+    _s13 = _subtract(_select(_s10 < 0.0, 0.0, _s10, _r5), _select(_s12 < 0.0, 0.0, _s12, _r6), _r6)
+    _s14 = 2.0 * _add(_add(_multiply(vx, _s3, _r1), _multiply(vy, _s7, _r5), _r5), _multiply(_subtract(vz, _multiply(p_gravity, t, _r1), _r1), _s13, _r1), _r1)
+    _s15 = _add(p_ring_radius, x, _r1)
+    _s16 = _negative(_add(p_board_distance, x, _r5), _r5)
+    _s17 = _subtract(_select(_s15 < 0.0, 0.0, _s15, _r2), _select(_s16 < 0.0, 0.0, _s16, _r7), _r7)
+    _s18 = _multiply(_s3, _s3, _r5)
+    _s19 = _subtract(y, p_bridge_half_width, _r2)
+    _s20 = _negative(_add(p_bridge_half_width, y, _r1), _r1)
+    _s21 = _subtract(_select(_s19 < 0.0, 0.0, _s19, _r8), _select(_s20 < 0.0, 0.0, _s20, _r9), _r9)
+    _s22 = _multiply(_s7, _s7, _r1)
+    _s23 = _subtract(z, p_wire_radius, _r8)
+    _s24 = _subtract(_s11, z, _r2)
+    _s25 = _subtract(_select(_s23 < 0.0, 0.0, _s23, _r10), _select(_s24 < 0.0, 0.0, _s24, _r11), _r11)
+    _s26 = _multiply(_s13, _s13, _r2)
+    _s27 = _add(_add(_select(0.0 < _multiply(_s17, _s3, _r10), _multiply(t, _multiply(vx, _add(_s17, _s3, _r3), _r3), _r3), _subtract(_s18, _multiply(_s17, _s17, _r7), _r7), _r10), _select(0.0 < _multiply(_s21, _s7, _r8), _multiply(t, _multiply(vy, _add(_s21, _s7, _r4), _r4), _r4), _subtract(_s22, _multiply(_s21, _s21, _r9), _r9), _r8), _r8), _select(0.0 < _multiply(_s25, _s13, _r9), _multiply(t, _multiply(_s8, _add(_s25, _s13, _r6), _r6), _r6), _subtract(_s26, _multiply(_s25, _s25, _r11), _r11), _r0), _r0)
+    _s28 = t - _divide(_select(0.0 < leaving, _s27, _subtract(_add(_add(_s18, _s22, _r1), _s26, _r1), p_ball_radius * p_ball_radius, _r1), _r2), _s14, _r2)
+    return _s28, _s14
+
+
+def bridge_advance(t: Any, end: Any, leaving: Any, margin: Any, rate_margin: Any, ceiling: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_board_distance: Any, p_bridge_half_width: Any, p_bridge_depth: Any, p_gravity: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Gap, rate, bend, a step without a root and its end, Newton's root and its clearance.
+
+    Newton from the left under a curvature bound. 194 operations: 32 additions, 27 subtractions, 51 multiplications, 3 divisions, 1 square root, 8 negations, 5 absolute values, 32 comparisons, 35 selections.
+    Returns gap, rate, bend, step, next, root, clearance.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, _r12, _r13, _r14, _r15, *_ = _room
+    _s0 = _add(p_ring_radius, x, _r0)
+    _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
+    _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
+    _s3 = _add(x, _multiply(t, vx, _r1), _r1)
+    _s4 = _add(p_ring_radius, _s3, _r2)
+    _s5 = _negative(_add(p_board_distance, _s3, _r1), _r1)
+    _s6 = _subtract(_select(_s4 < 0.0, 0.0, _s4, _r0), _select(_s5 < 0.0, 0.0, _s5, _r4), _r4)
+    _s7 = _multiply(_s6, _s6, _r1)
+    _s8 = _subtract(y, p_bridge_half_width, _r0)
+    _s9 = _negative(_add(p_bridge_half_width, y, _r2), _r2)
+    _s10 = _subtract(_select(_s8 < 0.0, 0.0, _s8, _r5), _select(_s9 < 0.0, 0.0, _s9, _r6), _r6)
+    _s11 = _add(y, _multiply(t, vy, _r2), _r2)
+    _s12 = _subtract(_s11, p_bridge_half_width, _r5)
+    _s13 = _negative(_add(p_bridge_half_width, _s11, _r2), _r2)
+    _s14 = _subtract(_select(_s12 < 0.0, 0.0, _s12, _r0), _select(_s13 < 0.0, 0.0, _s13, _r7), _r7)
+    _s15 = _multiply(_s14, _s14, _r2)
+    _s16 = _subtract(z, p_wire_radius, _r0)
+    _s17 = p_wire_radius - p_bridge_depth
+    _s18 = _subtract(_s17, z, _r5)
+    _s19 = _subtract(_select(_s16 < 0.0, 0.0, _s16, _r8), _select(_s18 < 0.0, 0.0, _s18, _r9), _r9)
+    _s20 = _subtract(vz, _multiply(0.5 * p_gravity, t, _r5), _r5)
+    _s21 = _add(z, _multiply(t, _s20, _r8), _r8)
+    _s22 = _subtract(_s21, p_wire_radius, _r0)
+    _s23 = _subtract(_s17, _s21, _r8)
+    _s24 = _subtract(_select(_s22 < 0.0, 0.0, _s22, _r10), _select(_s23 < 0.0, 0.0, _s23, _r11), _r11)
+    _s25 = _multiply(_s24, _s24, _r8)
+    _s26 = _add(_add(_select(0.0 < _multiply(_s2, _s6, _r10), _multiply(t, _multiply(vx, _add(_s2, _s6, _r10), _r10), _r10), _subtract(_s7, _multiply(_s2, _s2, _r3), _r3), _r0), _select(0.0 < _multiply(_s10, _s14, _r12), _multiply(t, _multiply(vy, _add(_s10, _s14, _r12), _r12), _r12), _subtract(_s15, _multiply(_s10, _s10, _r6), _r6), _r13), _r13), _select(0.0 < _multiply(_s19, _s24, _r6), _multiply(t, _multiply(_s20, _add(_s19, _s24, _r6), _r6), _r6), _subtract(_s25, _multiply(_s19, _s19, _r9), _r9), _r5), _r5)
+    _s27 = _result(0.0 < leaving, _s26, _subtract(_add(_add(_s7, _s15, _r2), _s25, _r2), p_ball_radius * p_ball_radius, _r2), _r0)
+    _s28 = _subtract(vz, _multiply(p_gravity, t, _r8), _r8)
+    _s29 = _add(_add(_multiply(vx, _s6, _r1), _multiply(vy, _s14, _r9), _r9), _multiply(_s28, _s24, _r1), _r1)
+    _s30 = 2.0 * _s29
+    _s31 = _absolute(_s24, _r9)
+    _s32 = 2.0 * _add(_add(_select(0.0 < _absolute(_s6, _r4), _multiply(vx, vx, _r4), 0.0, _r6), _select(0.0 < _absolute(_s14, _r7), _multiply(vy, vy, _r7), 0.0, _r13), _r13), _select(0.0 < _s31, _subtract(_multiply(_s28, _s28, _r7), _multiply(p_gravity, _s24, _r11), _r11), 0.0, _r7), _r7)
+    _s33 = _absolute((-p_gravity))
+    _s34 = p_ball_radius + (0.5 * p_bridge_depth)
+    _s35 = p_ball_radius + p_bridge_half_width
+    _s36 = (p_ball_radius + (0.5 * p_board_distance)) - (0.5 * p_ring_radius)
+    _s37 = _where(_s35 < _s36, _s35, _s36)
+    _s38 = p_ball_radius + (0.0001220703125 * _where(_s34 < _s37, _s34, _s37))
+    _s39 = _subtract(_s30, rate_margin, _r7)
+    _s40 = _subtract(_s27, margin, _r11)
+    _s41 = _select(_s40 < 0.0, 0.0, _s40, _r13)
+    _s42 = _negative(_s32, _r6)
+    _s43 = _s39 < 0.0
+    _s44 = _multiply(2.0, _s41, _r4)
+    _s45 = _select(0.0 < _select(0.0 <= _s39, _s41, 0.0, _r12), _inf, _divide(_select(_s43, _s44, _multiply(4.0, _s39, _r12), _r0), _select(_s43, _negative(_s39, _r3), _select(0.0 < _s42, _s42, 0.0, _r10), _r14), _r0), _r12)
+    _s46 = _subtract(end, t, _r14)
+    _s47 = _select(_s45 < _s46, _s45, _s46, _r10)
+    _s48 = _add(_multiply(_add(_multiply(0.5 * _s33, _s47, _r6), _absolute(_s28, _r8), _r8), _s47, _r8), _s31, _r8)
+    _s49 = _add(_multiply(9.094947017729282e-13, ceiling, _r9), _multiply(2.0, _multiply(_s33, _select(_s38 < _s48, _s38, _s48, _r6), _r6), _r6), _r6)
+    _s50 = _add(_multiply(_multiply(2.0, _s49, _r9), _s41, _r9), _multiply(_s39, _s39, _r8), _r8)
+    _s51 = _sqrt(_s50, _r9)
+    _s52 = _select(0.0 <= _s50, _divide(_select(_s43, _s44, _add(_s39, _s51, _r8), _r3), _select(_s43, _subtract(_s51, _s39, _r9), _select(0.0 < _s49, _s49, 0.0, _r7), _r15), _r3), _inf, _r8)
+    _s53 = _result(_s52 < _s47, _s52, _s47, _r0)
+    _s54 = _negative(_add(rate_margin, _s30, _r15), _r15)
+    return _s27, _s30, _s32, _s53, t + _s53, t - _divide(_multiply(0.5, _s27, _r2), _s29, _r2), _result(0.0 < _s54, _subtract(_multiply(_s54, _s54, _r2), _multiply(_multiply(8.0, ceiling, _r1), _add(margin, _multiply(32.0, _s41, _r13), _r13), _r1), _r1), _s54, _r0)
+
+
+def bridge_beside(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The distance, its rate, and how fast it bends down at most, by the squared speed.
+
+    Table 2. 59 operations: 7 additions, 11 subtractions, 10 multiplications, 1 division, 1 square root, 5 negations, 12 comparisons, 12 selections.
+    Returns gap, nearing, dent.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
+    _s0 = _add(p_ring_radius, x, _r0)
+    _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
+    _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
+    _s3 = _subtract(y, p_bridge_half_width, _r2)
+    _s4 = _negative(_add(p_bridge_half_width, y, _r4), _r4)
+    _s5 = _subtract(_select(_s3 < 0.0, 0.0, _s3, _r5), _select(_s4 < 0.0, 0.0, _s4, _r6), _r6)
+    _s6 = _subtract(z, p_wire_radius, _r5)
+    _s7 = _subtract(p_wire_radius - p_bridge_depth, z, _r7)
+    _s8 = _subtract(_select(_s6 < 0.0, 0.0, _s6, _r8), _select(_s7 < 0.0, 0.0, _s7, _r9), _r9)
+    _s9 = _sqrt(_add(_add(_multiply(_s2, _s2, _r8), _multiply(_s5, _s5, _r10), _r10), _multiply(_s8, _s8, _r8), _r8), _r8)
+    _s10 = _add(_multiply(_multiply(2.0, _subtract(_select(_s0 < 0.0, 0.0, vx, _r0), _select(_s1 < 0.0, 0.0, _negative(vx, _r1), _r10), _r10), _r10), _s2, _r10), _multiply(_multiply(2.0, _subtract(_select(_s3 < 0.0, 0.0, vy, _r2), _select(_s4 < 0.0, 0.0, _negative(vy, _r4), _r3), _r3), _r3), _s5, _r3), _r3)
+    _s11 = _add(_s10, _multiply(_multiply(2.0, _subtract(_select(_s6 < 0.0, 0.0, vz, _r5), _select(_s7 < 0.0, 0.0, _negative(vz, _r7), _r10), _r10), _r10), _s8, _r10), _r10)
+    return _s9 - p_ball_radius, _multiply(0.5, _s11, _r10) / _s9, 0.0
+
+
+def bridge_off(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The distance.
+
+    Table 2. 31 operations: 5 additions, 8 subtractions, 3 multiplications, 1 square root, 2 negations, 6 comparisons, 6 selections.
+    Returns gap.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, *_ = _room
+    _s0 = _add(p_ring_radius, x, _r0)
+    _s1 = _negative(_add(p_board_distance, x, _r1), _r1)
+    _s2 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s1 < 0.0, 0.0, _s1, _r3), _r3)
+    _s3 = _subtract(y, p_bridge_half_width, _r1)
+    _s4 = _negative(_add(p_bridge_half_width, y, _r2), _r2)
+    _s5 = _subtract(_select(_s3 < 0.0, 0.0, _s3, _r0), _select(_s4 < 0.0, 0.0, _s4, _r4), _r4)
+    _s6 = _subtract(z, p_wire_radius, _r2)
+    _s7 = _subtract(p_wire_radius - p_bridge_depth, z, _r0)
+    _s8 = _subtract(_select(_s6 < 0.0, 0.0, _s6, _r1), _select(_s7 < 0.0, 0.0, _s7, _r5), _r5)
+    return _sqrt(_add(_add(_multiply(_s2, _s2, _r3), _multiply(_s5, _s5, _r4), _r4), _multiply(_s8, _s8, _r5), _r5), _r5) - p_ball_radius,
+
+
+def bridge_tube(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """What a ball that stays on it rolls on.
+
+    Table 2. 65 operations: 8 additions, 5 subtractions, 6 multiplications, 1 division, 8 negations, 1 absolute value, 18 comparisons, 6 conjunctions, 9 disjunctions, 3 selections.
+    Returns bent_x, bent_y, bent_z, per_reach, ring.
+    """
+    _r0, _r1, *_ = _room
+    _s0 = 1.4210854715202004e-14 * p_ball_radius
+    _s1 = (_s0 + (1.4210854715202004e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_ring_radius)
+    _s2 = _add(p_ring_radius, x, _r0)
+    _s3 = -_s1
+    _s4 = _negative(_add(p_board_distance, x, _r1), _r1)
+    _s5 = _result(_logical_or(_logical_or((_s1 < _s2), _logical_and((_s3 < _s2), (0.0 < vx))), _logical_or((_s1 < _s4), _logical_and((_s3 < _s4), (0.0 < _negative(vx, _r1))))), 1.0, 0.0, _r0)
+    _s6 = _s0 + (2.842170943040401e-14 * p_bridge_half_width)
+    _s7 = _subtract(y, p_bridge_half_width, _r1)
+    _s8 = -_s6
+    _s9 = _negative(_add(p_bridge_half_width, y, _r0), _r0)
+    _s10 = _result(_logical_or(_logical_or((_s6 < _s7), _logical_and((_s8 < _s7), (0.0 < vy))), _logical_or((_s6 < _s9), _logical_and((_s8 < _s9), (0.0 < _negative(vy, _r0))))), 1.0, 0.0, _r0)
+    _s11 = (_s0 + (1.4210854715202004e-14 * p_wire_radius)) + (1.4210854715202004e-14 * _absolute((p_bridge_depth - p_wire_radius)))
+    _s12 = _subtract(z, p_wire_radius, _r0)
+    _s13 = -_s11
+    _s14 = _subtract(p_wire_radius - p_bridge_depth, z, _r1)
+    _s15 = _result(_logical_or(_logical_or((_s11 < _s12), _logical_and((_s13 < _s12), (0.0 < vz))), _logical_or((_s11 < _s14), _logical_and((_s13 < _s14), (0.0 < _negative(vz, _r1))))), 1.0, 0.0, _r0)
+    return _s5, _s10, _s15, 1.0 / p_ball_radius, 0.0
+
+
+def bridge_turning(p_ball_radius: Any, p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_ring_radius: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The rate at which the normal turns.
+
+    derivative of Table 2's normal. 31 operations: 3 additions, 7 subtractions, 3 multiplications, 1 division, 5 negations, 6 comparisons, 6 selections.
+    Returns turning_x, turning_y, turning_z.
+    """
+    _r0, _r1, _r2, *_ = _room
+    _s0 = 1.0 / p_ball_radius
+    _s1 = _s0 * _subtract(_select(_add(p_ring_radius, x, _r0) < 0.0, 0.0, rolled_x, _r0), _select(_negative(_add(p_board_distance, x, _r1), _r1) < 0.0, 0.0, _negative(rolled_x, _r1), _r2), _r2)
+    _s2 = _s0 * _subtract(_select(_subtract(y, p_bridge_half_width, _r2) < 0.0, 0.0, rolled_y, _r2), _select(_negative(_add(p_bridge_half_width, y, _r1), _r1) < 0.0, 0.0, _negative(rolled_y, _r1), _r0), _r0)
+    _s3 = _s0 * _subtract(_select(_subtract(z, p_wire_radius, _r0) < 0.0, 0.0, rolled_z, _r0), _select(_subtract(p_wire_radius - p_bridge_depth, z, _r1) < 0.0, 0.0, _negative(rolled_z, _r1), _r2), _r2)
+    return _s1, _s2, _s3
+
+
+def bridge_parting(p_board_distance: Any, p_bridge_depth: Any, p_bridge_half_width: Any, p_gravity: Any, p_ring_radius: Any, vx: Any, vy: Any, vz: Any, p_wire_radius: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """The second to the fourth derivative of the distance along a flight.
+
+    derivatives of Table 2's distance. 112 operations: 12 additions, 16 subtractions, 41 multiplications, 10 divisions, 1 square root, 6 negations, 12 comparisons, 14 selections.
+    Returns lift, surge, snap.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, _r11, *_ = _room
+    _s0 = _subtract(z, p_wire_radius, _r0)
+    _s1 = _s0 < 0.0
+    _s2 = _subtract(p_wire_radius - p_bridge_depth, z, _r1)
+    _s3 = _s2 < 0.0
+    _s4 = _subtract(_select(_s1, 0.0, -p_gravity, _r2), _select(_s3, 0.0, p_gravity, _r3), _r3)
+    _s5 = _subtract(_select(_s0 < 0.0, 0.0, _s0, _r2), _select(_s2 < 0.0, 0.0, _s2, _r4), _r4)
+    _s6 = _subtract(_select(_s1, 0.0, vz, _r2), _select(_s3, 0.0, _negative(vz, _r1), _r0), _r0)
+    _s7 = _add(p_ring_radius, x, _r1)
+    _s8 = _negative(_add(p_board_distance, x, _r2), _r2)
+    _s9 = _subtract(_select(_s7 < 0.0, 0.0, vx, _r5), _select(_s8 < 0.0, 0.0, _negative(vx, _r6), _r7), _r7)
+    _s10 = _subtract(y, p_bridge_half_width, _r6)
+    _s11 = _negative(_add(p_bridge_half_width, y, _r5), _r5)
+    _s12 = _subtract(_select(_s10 < 0.0, 0.0, vy, _r8), _select(_s11 < 0.0, 0.0, _negative(vy, _r9), _r10), _r10)
+    _s13 = _add(_add(_add(_multiply(_multiply(2.0, _s4, _r9), _s5, _r9), _multiply(2.0, _multiply(_s6, _s6, _r8), _r8), _r8), _multiply(2.0, _multiply(_s9, _s9, _r9), _r9), _r9), _multiply(2.0, _multiply(_s12, _s12, _r8), _r8), _r8)
+    _s14 = _subtract(_select(_s7 < 0.0, 0.0, _s7, _r9), _select(_s8 < 0.0, 0.0, _s8, _r11), _r11)
+    _s15 = _subtract(_select(_s10 < 0.0, 0.0, _s10, _r9), _select(_s11 < 0.0, 0.0, _s11, _r2), _r2)
+    _s16 = _add(_add(_multiply(_s14, _s14, _r9), _multiply(_s15, _s15, _r5), _r5), _multiply(_s5, _s5, _r9), _r9)
+    _s17 = _sqrt(_s16, _r5)
+    _s18 = _add(_add(_multiply(_multiply(2.0, _s9, _r7), _s14, _r7), _multiply(_multiply(2.0, _s12, _r10), _s15, _r10), _r10), _multiply(_multiply(2.0, _s6, _r7), _s5, _r7), _r7)
+    _s19 = _multiply(_s18, _s18, _r10)
+    _s20 = _multiply(_s17, _s16, _r4)
+    _s21 = _multiply(_multiply(6.0, _s4, _r2), _s6, _r2)
+    _s22 = _multiply(_s16, _s16, _r9)
+    _s23 = _multiply(_s17, _s22, _r0)
+    _s24 = _subtract(_add(_divide(_multiply(0.5, _multiply(6.0, _multiply(_s4, _s4, _r3), _r3), _r3), _s17, _r3), _divide(_multiply(_multiply(2.25, _s19, _r11), _s13, _r11), _s23, _r11), _r11), _divide(_multiply(0.9375, _multiply(_s19, _s19, _r3), _r3), _multiply(_s20, _s22, _r9), _r3), _r3)
+    return _divide(_multiply(0.5, _s13, _r11), _s17, _r11) - _divide(_multiply(0.25, _s19, _r9), _s20, _r9), _add(_divide(_multiply(0.5, _s21, _r9), _s17, _r9), _divide(_multiply(0.375, _multiply(_s18, _s19, _r10), _r10), _s23, _r10), _r10) - _divide(_multiply(_multiply(0.75, _s18, _r9), _s13, _r9), _s20, _r9), _subtract(_s24, _divide(_multiply(0.75, _multiply(_s13, _s13, _r8), _r8), _s20, _r8), _r8) - _divide(_multiply(_s21, _s18, _r2), _s20, _r2)
+
+
+def bridge_seam0(p_ball_radius: Any, p_board_distance: Any, p_ring_radius: Any, vx: Any, x: Any) -> tuple[Any, ...]:
+    """How far the ball is from a seam of the surface, and how fast.
+
+    Table 2. 6 operations: 3 additions, 3 multiplications.
+    Returns gap, nearing, near.
+    """
+    return p_board_distance + x, vx, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_ring_radius)
+
+
+def bridge_seam1(p_ball_radius: Any, p_board_distance: Any, p_ring_radius: Any, vx: Any, x: Any) -> tuple[Any, ...]:
+    """How far the ball is from a seam of the surface, and how fast.
+
+    Table 2. 6 operations: 3 additions, 3 multiplications.
+    Returns gap, nearing, near.
+    """
+    return p_ring_radius + x, vx, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * p_board_distance)) + (1.4210854715202004e-14 * p_ring_radius)
+
+
+def bridge_seam2(p_ball_radius: Any, p_bridge_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
+    """How far the ball is from a seam of the surface, and how fast.
+
+    Table 2. 4 operations: 2 additions, 2 multiplications.
+    Returns gap, nearing, near.
+    """
+    return p_bridge_half_width + y, vy, (1.4210854715202004e-14 * p_ball_radius) + (2.842170943040401e-14 * p_bridge_half_width)
+
+
+def bridge_seam3(p_ball_radius: Any, p_bridge_half_width: Any, vy: Any, y: Any) -> tuple[Any, ...]:
+    """How far the ball is from a seam of the surface, and how fast.
+
+    Table 2. 4 operations: 1 addition, 1 subtraction, 2 multiplications.
+    Returns gap, nearing, near.
+    """
+    return y - p_bridge_half_width, vy, (1.4210854715202004e-14 * p_ball_radius) + (2.842170943040401e-14 * p_bridge_half_width)
+
+
+def bridge_seam4(p_ball_radius: Any, p_bridge_depth: Any, vz: Any, p_wire_radius: Any, z: Any) -> tuple[Any, ...]:
+    """How far the ball is from a seam of the surface, and how fast.
+
+    Table 2. 9 operations: 3 additions, 2 subtractions, 3 multiplications, 1 absolute value.
+    Returns gap, nearing, near.
+    """
+    return (p_bridge_depth + z) - p_wire_radius, vz, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * p_wire_radius)) + (1.4210854715202004e-14 * _absolute((p_bridge_depth - p_wire_radius)))
+
+
+def bridge_seam5(p_ball_radius: Any, p_bridge_depth: Any, vz: Any, p_wire_radius: Any, z: Any) -> tuple[Any, ...]:
+    """How far the ball is from a seam of the surface, and how fast.
+
+    Table 2. 8 operations: 2 additions, 2 subtractions, 3 multiplications, 1 absolute value.
+    Returns gap, nearing, near.
+    """
+    return z - p_wire_radius, vz, ((1.4210854715202004e-14 * p_ball_radius) + (1.4210854715202004e-14 * p_wire_radius)) + (1.4210854715202004e-14 * _absolute((p_bridge_depth - p_wire_radius)))
+
+
+def bridge_enter(after: Any, end: Any, high0: Any, high1: Any, low0: Any, low1: Any, t: Any) -> tuple[Any, ...]:
+    """The first window that begins no earlier than a time, if there is one.
+
+    Table 1. 12 operations: 4 comparisons, 2 conjunctions, 2 disjunctions, 4 selections.
+    Returns t, end, searching.
+    """
+    _s0 = _logical_and((low0 < high0), (after <= low0))
+    _s1 = _logical_and((low1 < high1), (after <= low1))
+    return _where(_s0, low0, _where(_s1, low1, t)), _where(_s0, high0, _where(_s1, high1, end)), _logical_or(_logical_or(False, _s1), _s0)
+
+
+def end_coefficients(z: Any, vz: Any, p_gravity: Any, p_end_depth: Any) -> tuple[Any, ...]:
+    """Coefficients in time of the event polynomial, constant first.
+
+    Eq. 3 in Table 2. 4 operations: 1 subtraction, 1 multiplication, 2 negations.
+    Returns c0, c1, c2.
+    """
+    return z - (-p_end_depth), vz, -(0.5 * p_gravity)
+
+
+def end_deflated(vz: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """Coefficients of the event polynomial over t, after a contact at t = 0.
+
+    Eq. 3 in Table 2, the exact root divided out. 2 operations: 1 multiplication, 1 negation.
+    Returns c0, c1.
+    """
+    return vz, -(0.5 * p_gravity)
+
+
+def end_normal() -> tuple[Any, ...]:
+    """Outward unit normal n3 at a contact.
+
+    Table 2. No operations.
+    Returns nx, ny, nz.
+    """
+    return 0.0, 0.0, 1.0
+
+
+def end_curvature() -> tuple[Any, ...]:
+    """Bound on the rate at which the normal turns along the contact surface.
+
+    Table 2. No operations.
+    Returns curvature.
+    """
+    return 0.0,
+
+
+def end_arrival(leaving: Any, z: Any, vz: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Time of the only arrival, the gap's rate there and its bend.
+
+    Eq. 3 in Table 2, solved. 25 operations: 2 additions, 2 subtractions, 7 multiplications, 2 divisions, 1 square root, 6 negations, 2 comparisons, 3 selections.
+    Returns time, rate, bend, apex, height.
+    """
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, *_ = _room
+    _s0 = _select(0.0 < leaving, 0.0, _subtract(z, -p_end_depth, _r0), _r1)
+    _s1 = _add(_multiply(vz, vz, _r2), _multiply(2.0 * p_gravity, _s0, _r3), _r3)
+    _s2 = _sqrt(_s1, _r2)
+    _s3 = vz < 0.0
+    _s4 = -(1.0 / p_gravity)
+    return _select(_s3, _multiply(2.0, _s0, _r1), _add(vz, _s2, _r0), _r4) / _select(_s3, _subtract(_s2, vz, _r5), p_gravity, _r6), -_s2, -p_gravity, -_multiply(vz, _s4, _r2), -_multiply(0.5 * _s4, _s1, _r3)
+
+
+def end_margin(horizon: Any, extent: Any, speed: Any, position_error: Any, velocity_error: Any, p_gravity: Any, p_end_depth: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+    """Rounding-error bound of the gap up to the horizon.
+
+    running error analysis. 13 operations: 6 additions, 7 multiplications.
+    Returns margin.
+    """
+    _r0, _r1, _r2, *_ = _room
+    _s0 = _add(extent, _multiply(horizon, _add(speed, _multiply(p_gravity, horizon, _r0), _r0), _r0), _r0)
+    return _add(6.667843360785852e-16 * p_end_depth, _multiply(2.222614453595284e-16, _s0, _r1), _r1) + _multiply(2.001953125, _add(_add(position_error, _multiply(horizon, velocity_error, _r2), _r2), _multiply(4.440892098500626e-16, _s0, _r0), _r0), _r0),
+
+
+def end_place(x: Any, y: Any, p_end_depth: Any) -> tuple[Any, ...]:
+    """The point of the contact plane nearest to a position.
+
+    Table 2. 1 operation: 1 negation.
+    Returns x, y, z.
+    """
+    return x, y, -p_end_depth
+
+
+def end_bounds(x: Any, y: Any, p_ring_radius: Any) -> tuple[Any, ...]:
+    """The bounds of the ends on a plane: the first whose bounds all hold is reached.
+
+    Table 2, success. 5 operations: 1 addition, 1 subtraction, 2 multiplications, 1 square root.
+    Returns g0.
+    """
+    return _sqrt(((x * x) + (y * y))) - p_ring_radius,
+
+
+def end_beside(p_end_depth: Any, vz: Any, z: Any) -> tuple[Any, ...]:
+    """The distance, its rate, and how fast it bends down at most, by the squared speed.
+
+    Table 2. 2 operations: 1 subtraction, 1 negation.
+    Returns gap, nearing, dent.
+    """
+    return z - (-p_end_depth), vz, 0.0
+
+
+def end_off(p_end_depth: Any, z: Any) -> tuple[Any, ...]:
+    """The distance.
+
+    Table 2. 2 operations: 1 subtraction, 1 negation.
+    Returns gap.
+    """
+    return z - (-p_end_depth),
+
+
+def end_tube() -> tuple[Any, ...]:
+    """What a ball that stays on it rolls on.
+
+    Table 2. No operations.
+    Returns bent_x, bent_y, bent_z, per_reach, ring.
+    """
+    return 0.0, 0.0, 0.0, 0.0, 0.0
+
+
+def end_turning() -> tuple[Any, ...]:
+    """The rate at which the normal turns.
+
+    derivative of Table 2's normal. No operations.
+    Returns turning_x, turning_y, turning_z.
+    """
+    return 0.0, 0.0, 0.0
+
+
+def end_parting(p_gravity: Any) -> tuple[Any, ...]:
+    """The second to the fourth derivative of the distance along a flight.
+
+    derivatives of Table 2's distance. 1 operation: 1 negation.
+    Returns lift, surge, snap.
+    """
+    return -p_gravity, 0.0, 0.0
+
+
+def end_reached(g0: Any, through: Any) -> tuple[Any, ...]:
+    """The end that a crossing reaches.
+
+    Table 1. 4 operations: 2 comparisons, 1 conjunction, 1 selection.
+    Returns reached.
+    """
+    return _where(_logical_and((g0 <= 0.0), (through == 1.0)), 0.0, 1.0),
+
+
+def end_edge(g0: Any, slack: Any, through: Any) -> tuple[Any, ...]:
+    """Whether that lies within its error.
+
+    Table 1. 7 operations: 1 negation, 3 comparisons, 2 conjunctions, 1 complement.
+    Returns edge.
+    """
+    return _logical_and(_logical_and((g0 <= slack), _logical_not((g0 < (-slack)))), (through == 1.0)),
+
+
+def aimed_speed(slope: Any, reach: Any, rise: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """Speed of the flight that goes through a point with a slope of release.
+
+    Eq. 3 without its time, solved for the speed. 9 operations: 1 addition, 1 subtraction, 5 multiplications, 1 division, 1 square root.
+    Returns speed.
+    """
+    _s0 = reach * _sqrt((((0.5 * p_gravity) * (1.0 + (slope * slope))) / ((reach * slope) - rise)))
+    return _s0,
+
+
+def entry_slope(slope: Any, reach: Any, rise: Any) -> tuple[Any, ...]:
+    """Slope at a point, positive downwards, of the flight with a slope of release.
+
+    derivative of Eq. 3 without its time. 3 operations: 1 subtraction, 1 multiplication, 1 division.
+    Returns entry.
+    """
+    return slope - ((2.0 * rise) / reach),
+
+
+def slope_of_entry(entry: Any, reach: Any, rise: Any) -> tuple[Any, ...]:
+    """Slope of release of the flight that has a slope at a point, positive downwards.
+
+    derivative of Eq. 3 without its time, solved for the release. 3 operations: 1 addition, 1 multiplication, 1 division.
+    Returns slope.
+    """
+    return entry + ((2.0 * rise) / reach),
+
+
+def least_speed(reach: Any, rise: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """Slope and speed of the slowest release through a point.
+
+    Eq. 3 without its time, least speed: at 45° + atan(rise/reach)/2, v² = g (rise + distance). 14 operations: 2 additions, 1 subtraction, 3 multiplications, 3 divisions, 2 square roots, 1 comparison, 2 selections.
+    Returns slope, speed.
+    """
+    _s0 = reach * reach
+    _s1 = _sqrt((_s0 + (rise * rise)))
+    _s2 = _s1 - rise
+    _s3 = rise + _s1
+    _s4 = rise < 0.0
+    return _where(_s4, (reach / _s2), (_s3 / reach)), _sqrt((p_gravity * _where(_s4, (_s0 / _s2), _s3)))
+
+
+def slopes_of_speed(release_speed: Any, reach: Any, rise: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """The low and the high slope of release through a point at a speed.
+
+    Eq. 3 without its time, solved for the slope. 25 operations: 5 additions, 2 subtractions, 11 multiplications, 3 divisions, 2 square roots, 1 comparison, 1 selection.
+    Returns low, high.
+    """
+    _s0 = release_speed * release_speed
+    _s1 = reach * reach
+    _s2 = _sqrt((_s1 + (rise * rise)))
+    _s3 = _s2 - rise
+    _s4 = _sqrt((((p_gravity * _s3) + _s0) * (_s0 - (p_gravity * _where((rise < 0.0), (_s1 / _s3), (rise + _s2))))))
+    _s5 = _s0 + _s4
+    _s6 = p_gravity * reach
+    return ((reach * _s6) + ((2.0 * rise) * _s0)) / (reach * _s5), _s5 / _s6
+
+
+def descent(z: Any, vz: Any, level: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """When the centre comes down to a height, and its upward velocity then.
+
+    Eq. 3, solved. 14 operations: 2 additions, 2 subtractions, 4 multiplications, 1 division, 1 square root, 1 negation, 1 comparison, 2 selections.
+    Returns time, vz.
+    """
+    _s0 = z - level
+    _s1 = _sqrt(((vz * vz) + ((2.0 * p_gravity) * _s0)))
+    _s2 = vz < 0.0
+    return _where(_s2, (2.0 * _s0), (vz + _s1)) / _where(_s2, (_s1 - vz), p_gravity), -_s1
+
+
+def apex(z: Any, vz: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """When the centre is highest, and its height then.
+
+    Eq. 3, its derivative zero. 8 operations: 1 addition, 2 multiplications, 2 divisions, 1 comparison, 2 selections.
+    Returns time, height.
+    """
+    _s0 = 0.0 < vz
+    return _where(_s0, (vz / p_gravity), 0.0), _where(_s0, (z + ((0.5 * (vz * vz)) / p_gravity)), z)
+
+
+def sighted(x: Any, y: Any, place_x: Any, place_y: Any) -> tuple[Any, ...]:
+    """How far a point is past the origin and to the left, seen from a place.
+
+    components along and across the line of sight. 13 operations: 2 additions, 1 subtraction, 6 multiplications, 2 divisions, 1 square root, 1 negation.
+    Returns past, left.
+    """
+    _s0 = _sqrt(((place_x * place_x) + (place_y * place_y)))
+    return -(((place_x * x) + (place_y * y)) / _s0), ((place_y * x) - (place_x * y)) / _s0
+
+
+def ring_nearness(t: Any, x: Any, y: Any, z: Any, vx: Any, vy: Any, vz: Any, half: Any, p_ball_radius: Any, p_ring_radius: Any, p_wire_radius: Any, p_gravity: Any) -> tuple[Any, ...]:
+    """Distance of ball and wire at time t, and what bounds it within half a width of t.
+
+    Eq. 3 in Table 2, Taylor's theorem. 153 operations: 35 additions, 15 subtractions, 58 multiplications, 4 divisions, 6 square roots, 2 negations, 7 absolute values, 13 comparisons, 13 selections.
+    Returns gap, rate, lower, concavity, resolution.
+    """
+    _s0 = x + (t * vx)
+    _s1 = y + (t * vy)
+    _s2 = _sqrt(((_s0 * _s0) + (_s1 * _s1)))
+    _s3 = _s2 - p_ring_radius
+    _s4 = 0.5 * p_gravity
+    _s5 = z + (t * (vz - (_s4 * t)))
+    _s6 = (_s3 * _s3) + (_s5 * _s5)
+    _s7 = p_ball_radius + p_wire_radius
+    _s8 = 2.0 * (((((vx * _s0) + (vy * _s1)) / _s2) * _s3) + ((vz - (p_gravity * t)) * _s5))
+    _s9 = t - half
+    _s10 = (vx * vx) + (vy * vy)
+    _s11 = -(((vx * x) + (vy * y)) / _s10)
+    _s12 = half + t
+    _s13 = _where(_s11 < _s12, _s11, _s12)
+    _s14 = _where(_s9 < _s13, _s13, _s9)
+    _s15 = x + (vx * _s14)
+    _s16 = y + (vy * _s14)
+    _s17 = _sqrt(((_s15 * _s15) + (_s16 * _s16)))
+    _s18 = _s17 - p_ring_radius
+    _s19 = _where(0.0 < _s18, _s18, 0.0)
+    _s20 = x + (vx * _s9)
+    _s21 = y + (vy * _s9)
+    _s22 = _sqrt(((_s20 * _s20) + (_s21 * _s21)))
+    _s23 = x + (vx * _s12)
+    _s24 = y + (vy * _s12)
+    _s25 = _sqrt(((_s23 * _s23) + (_s24 * _s24)))
+    _s26 = p_ring_radius - _where(_s22 < _s25, _s25, _s22)
+    _s27 = _where(_s19 < _s26, _s26, _s19)
+    _s28 = z + ((vz - (_s4 * _s12)) * _s12)
+    _s29 = z + ((vz - (_s4 * _s9)) * _s9)
+    _s30 = _where(_s28 < _s29, _s28, _s29)
+    _s31 = _where(0.0 < _s30, _s30, 0.0)
+    _s32 = vz / p_gravity
+    _s33 = _where(_s32 < _s12, _s32, _s12)
+    _s34 = _where(_s9 < _s33, _s33, _s9)
+    _s35 = z + ((vz - (_s4 * _s34)) * _s34)
+    _s36 = -_s35
+    _s37 = _where(_s31 < _s36, _s36, _s31)
+    _s38 = (_s27 * _s27) + (_s37 * _s37)
+    _s39 = (_s12 * ((((p_gravity * _s12) + _absolute(vx)) + _absolute(vy)) + _absolute(vz))) + _absolute(x)
+    _s40 = 7.105427357601002e-15 * (p_ring_radius + ((_s39 + _absolute(y)) + _absolute(z)))
+    _s41 = _s17 - _s40
+    _s42 = (vy * x) - (vx * y)
+    _s43 = (((2.0 * p_ring_radius) * (_s42 * _s42)) / (_s41 * (_s41 * _s41))) + (((6.0 * p_gravity) * _s35) - (2.0 * (((2.0 * p_gravity) * z) + ((vz * vz) + _s10))))
+    _s44 = _where((0.0 < _s41), _s43, _inf)
+    _s45 = _s6 - (half * (((0.5 * half) * _where(0.0 < _s44, _s44, 0.0)) + _absolute(_s8)))
+    return _sqrt(_s6) - _s7, _s8, _sqrt(_where(_s38 < _s45, _s45, _s38)) - _s7, _s44, _s40
+
+
+# The event loop, one function for each stage: it reads and writes the columns of the shots.
+
+
+def _choose(truth: Any, new: Any, old: Any) -> Any:
+    """Return new values where a truth holds."""
+    if _ndim(truth) and len(truth) >= FEW:
+        many = _count_nonzero(truth)
+        if many == 0 and _ndim(old):
+            return old
+        if many == len(truth) and _ndim(new):
+            return new
+    return _where(truth, new, old)
+
+
+_NOWHERE = _flatnonzero(())
+
+
+def _where_true(truth: Any) -> Any:
+    """Return the rows where a column of truths holds."""
+    return truth.nonzero()[0]
+
+
+def _rows(truth: Any, shots: int) -> tuple[Any, int]:
+    """Return the rows where a truth holds, None if that is all of them, and how many they are."""
+    if type(truth) is not _ndarray or not truth.ndim:
+        return (None, shots) if truth else (_NOWHERE, 0)
+    rows = _where_true(truth)
+    return (None if len(rows) == shots else rows), len(rows)
+
+
+def _take(values: Any, rows: Any) -> Any:
+    """Return some rows of a column; what all shots share stays."""
+    if rows is None or type(values) is not _ndarray or not values.ndim:
+        return values
+    return values[rows]
+
+
+def _of(rows: Any, some: Any) -> Any:
+    """Return some of the rows; None is all of them."""
+    return some if rows is None else rows if some is None else rows[some]
+
+
+def _copy(values: Any, shots: int) -> Any:
+    """Return a column of one's own."""
+    return values.copy() if _ndim(values) else _full(shots, values)
+
+
+def _put(values: Any, rows: Any, new: Any, shots: int) -> Any:
+    """Return a column with new values in some rows."""
+    if rows is None:
+        return new
+    column = _copy(values, shots)
+    column[rows] = new
+    return column
+
+
+def _store(values: Any, rows: Any, new: Any, some: Any) -> None:
+    """Put some of the new values into rows of a column."""
+    values[... if rows is None else rows] = _take(new, some)
+
+
+def permit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
+    """Stage permit of the event loop, the path alone."""
+    _p_backboard_friction_0 = columns["p_backboard_friction"]
+    _p_backboard_restitution_0 = columns["p_backboard_restitution"]
+    _p_ball_radius_0 = columns["p_ball_radius"]
+    _p_board_bottom_0 = columns["p_board_bottom"]
+    _p_board_distance_0 = columns["p_board_distance"]
+    _p_board_half_width_0 = columns["p_board_half_width"]
+    _p_board_thickness_0 = columns["p_board_thickness"]
+    _p_board_top_0 = columns["p_board_top"]
+    _p_bridge_depth_0 = columns["p_bridge_depth"]
+    _p_bridge_friction_0 = columns["p_bridge_friction"]
+    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
+    _p_bridge_restitution_0 = columns["p_bridge_restitution"]
+    _p_end_depth_0 = columns["p_end_depth"]
+    _p_gravity_0 = columns["p_gravity"]
+    _p_restitution_speed_0 = columns["p_restitution_speed"]
+    _p_ring_friction_0 = columns["p_ring_friction"]
+    _p_ring_radius_0 = columns["p_ring_radius"]
+    _p_ring_restitution_0 = columns["p_ring_restitution"]
+    _p_tangential_restitution_0 = columns["p_tangential_restitution"]
+    _p_wire_radius_0 = columns["p_wire_radius"]
+    _allowed_0, = allowed(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _p_end_depth_0, _p_ring_restitution_0, _p_backboard_restitution_0, _p_bridge_restitution_0, _p_ring_friction_0, _p_backboard_friction_0, _p_bridge_friction_0, _p_tangential_restitution_0, _p_restitution_speed_0)
+    _permitted_0, = finite_parameters(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _p_end_depth_0, _p_ring_restitution_0, _p_backboard_restitution_0, _p_bridge_restitution_0, _p_ring_friction_0, _p_backboard_friction_0, _p_bridge_friction_0, _p_tangential_restitution_0, _p_restitution_speed_0, _allowed_0)
+    columns["permitted"] = _permitted_0
+
+
+def admit_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
+    """Stage admit of the event loop, the path alone."""
+    _last_0 = columns["last"]
+    _p_ball_radius_0 = columns["p_ball_radius"]
+    _p_board_bottom_0 = columns["p_board_bottom"]
+    _p_board_distance_0 = columns["p_board_distance"]
+    _p_board_half_width_0 = columns["p_board_half_width"]
+    _p_board_thickness_0 = columns["p_board_thickness"]
+    _p_board_top_0 = columns["p_board_top"]
+    _p_bridge_depth_0 = columns["p_bridge_depth"]
+    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
+    _p_end_depth_0 = columns["p_end_depth"]
+    _p_ring_radius_0 = columns["p_ring_radius"]
+    _p_wire_radius_0 = columns["p_wire_radius"]
+    _permitted_0 = columns["permitted"]
+    _vx_0 = columns["vx"]
+    _vy_0 = columns["vy"]
+    _vz_0 = columns["vz"]
+    _wx_0 = columns["wx"]
+    _wy_0 = columns["wy"]
+    _wz_0 = columns["wz"]
+    _x_0 = columns["x"]
+    _y_0 = columns["y"]
+    _z_0 = columns["z"]
+    _room_0 = room(shots)
+    _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
+    _valid_0, *_ = valid(_last_0, _x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_end_depth_0, _room_0)
+    _outcome_0, *_ = admitted(_inf, _finite_0, _permitted_0, _valid_0)
+    _through_0, *_ = passing_start(_last_0, _outcome_0, 0.0, _x_0, _y_0, _z_0, _p_ring_radius_0, _p_end_depth_0, _room_0)
+    columns["outcome"] = _outcome_0
+    columns["through"] = _through_0
+
+
+def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
+    """Stage reach of the event loop, the path alone."""
+    _clock_0 = columns["clock"]
+    _contacts_0 = columns["contacts"]
+    _held_0 = columns["held"]
+    _last_0 = columns["last"]
+    _mode_0 = columns["mode"]
+    _most_contacts_0 = columns["most_contacts"]
+    _p_ball_radius_0 = columns["p_ball_radius"]
+    _p_board_bottom_0 = columns["p_board_bottom"]
+    _p_board_distance_0 = columns["p_board_distance"]
+    _p_board_half_width_0 = columns["p_board_half_width"]
+    _p_board_thickness_0 = columns["p_board_thickness"]
+    _p_board_top_0 = columns["p_board_top"]
+    _p_bridge_depth_0 = columns["p_bridge_depth"]
+    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
+    _p_end_depth_0 = columns["p_end_depth"]
+    _p_gravity_0 = columns["p_gravity"]
+    _p_ring_radius_0 = columns["p_ring_radius"]
+    _p_wire_radius_0 = columns["p_wire_radius"]
+    _through_0 = columns["through"]
+    _time_limit_0 = columns["time_limit"]
+    _vx_0 = columns["vx"]
+    _vy_0 = columns["vy"]
+    _vz_0 = columns["vz"]
+    _wx_0 = columns["wx"]
+    _wy_0 = columns["wy"]
+    _wz_0 = columns["wz"]
+    _x_0 = columns["x"]
+    _y_0 = columns["y"]
+    _z_0 = columns["z"]
+    _room_0 = room(shots)
+    _, _, _, _time_error_0 = error_bounds(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, _room_0)
+    _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
+    _when_0, _which_0, *_ = opening(_excess_0, 0.0, 0.0)
+    _limited_0, = limited(_time_limit_0)
+    _kept_0, _when_0, _rests_0 = kept(_mode_0, _when_0)
+    _leaving_0, = left(3.0, _last_0)
+    _time_0, _rate_0, _bend_0, *_ = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
+    _arrives_0, *_ = meeting_plane(_bend_0, _rate_0, _time_0)
+    _possible_0, = timely(_arrives_0, 0.0, 0.0, _time_0, _when_0)
+    _when_1, _which_1 = sooner(_arrives_0, 3.0, _time_0, _when_0, _which_0)
+    _when_0 = _choose(_possible_0, _when_1, _when_0)
+    _which_0 = _choose(_possible_0, _which_1, _which_0)
+    _until_0, *_ = horizon(_when_0, _speed_0, _p_gravity_0)
+    _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
+    _open_0, = opens(_clear_0)
+    _rows1, _count2 = _rows(_open_0, shots)
+    if _count2:
+        _extent_1 = _take(_extent_0, _rows1)
+        _last_1 = _take(_last_0, _rows1)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
+        _p_gravity_1 = _take(_p_gravity_0, _rows1)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows1)
+        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows1)
+        _speed_1 = _take(_speed_0, _rows1)
+        _until_1 = _take(_until_0, _rows1)
+        _vx_1 = _take(_vx_0, _rows1)
+        _vy_1 = _take(_vy_0, _rows1)
+        _vz_1 = _take(_vz_0, _rows1)
+        _when_1 = _take(_when_0, _rows1)
+        _which_1 = _take(_which_0, _rows1)
+        _x_1 = _take(_x_0, _rows1)
+        _y_1 = _take(_y_0, _rows1)
+        _z_1 = _take(_z_0, _rows1)
+        _room_1 = room(_count2)
+        _steady_1, _swing_1, _rho_start_1, _low0_1, _high0_1, _low1_1, _high1_1, _low2_1, _high2_1, _ceiling_1, _latest_1, *_ = ring_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, 0.0, 0.0, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _share_1, _arrival_1, _certain_1 = beginning()
+        _position_level_1, _velocity_level_1, *_ = allowance(_share_1, _latest_1, _extent_1, _speed_1, 0.0, 0.0, _p_gravity_1, _room_1)
+        _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _t_1, _end_1, _searching_1 = ring_enter(0.0, 0.0, _high0_1, _high1_1, _high2_1, _low0_1, _low1_1, _low2_1, 0.0)
+        _rows3, _count4 = _rows(_searching_1, _count2)
+        if _count4:
+            _arrival_2 = _take(_arrival_1, _rows3)
+            _ceiling_2 = _take(_ceiling_1, _rows3)
+            _certain_2 = _take(_certain_1, _rows3)
+            _end_2 = _take(_end_1, _rows3)
+            _flat_2 = _take(_flat_1, _rows3)
+            _last_2 = _take(_last_1, _rows3)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows3)
+            _p_gravity_2 = _take(_p_gravity_1, _rows3)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows3)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows3)
+            _rate_slack_2 = _take(_rate_slack_1, _rows3)
+            _rho_start_2 = _take(_rho_start_1, _rows3)
+            _searching_2 = _take(_searching_1, _rows3)
+            _share_2 = _take(_share_1, _rows3)
+            _steady_2 = _take(_steady_1, _rows3)
+            _swing_2 = _take(_swing_1, _rows3)
+            _t_2 = _take(_t_1, _rows3)
+            _tilt_2 = _take(_tilt_1, _rows3)
+            _vx_2 = _take(_vx_1, _rows3)
+            _vy_2 = _take(_vy_1, _rows3)
+            _vz_2 = _take(_vz_1, _rows3)
+            _x_2 = _take(_x_1, _rows3)
+            _y_2 = _take(_y_1, _rows3)
+            _z_2 = _take(_z_1, _rows3)
+            _arrival_1 = _copy(_arrival_1, _count2)
+            _certain_1 = _copy(_certain_1, _count2)
+            _flat_1 = _copy(_flat_1, _count2)
+            _tilt_1 = _copy(_tilt_1, _count2)
+            for _ in range(201):
+                _room_2 = room(_count4)
+                _leaving_2, _margin_2 = nearby(_flat_2, 0.0, _last_2, _t_2, _tilt_2)
+                _gap_2, _rate_2, _bend_2, _step_2, _next_2, _root_2, _clearance_2 = ring_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _steady_2, _swing_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+                _hit_2, _sure_2, _vague_2 = struck(_bend_2, _clearance_2, _gap_2, _margin_2, _rate_2, _rate_slack_2, _share_2)
+                _rows5, _count6 = _rows(_vague_2, _count4)
+                if _count6:
+                    _far = _of(_rows3, _rows5)
+                    _extent_3 = _take(_extent_1, _far)
+                    _latest_3 = _take(_latest_1, _far)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows5)
+                    _p_gravity_3 = _take(_p_gravity_2, _rows5)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows5)
+                    _p_wire_radius_3 = _take(_p_wire_radius_2, _rows5)
+                    _share_3 = _take(_share_2, _rows5)
+                    _speed_3 = _take(_speed_1, _far)
+                    _room_3 = room(_count6)
+                    _share_3, = finer(_share_3)
+                    _position_level_3, _velocity_level_3, *_ = allowance(_share_3, _latest_3, _extent_3, _speed_3, 0.0, 0.0, _p_gravity_3, _room_3)
+                    _flat_3, _tilt_3, _rate_slack_3 = ring_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3, _room_3)
+                    _flat_2 = _put(_flat_2, _rows5, _flat_3, _count4)
+                    _rate_slack_2 = _put(_rate_slack_2, _rows5, _rate_slack_3, _count4)
+                    _share_2 = _put(_share_2, _rows5, _share_3, _count4)
+                    _tilt_2 = _put(_tilt_2, _rows5, _tilt_3, _count4)
+                _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_arrival_2, _certain_2, _end_2, _hit_2, _next_2, _root_2, _step_2, _sure_2, _t_2, _vague_2)
+                _rows7, _count8 = _rows(_exhausted_2, _count4)
+                if _count8:
+                    _far = _of(_rows3, _rows7)
+                    _end_3 = _take(_end_2, _rows7)
+                    _high0_3 = _take(_high0_1, _far)
+                    _high1_3 = _take(_high1_1, _far)
+                    _high2_3 = _take(_high2_1, _far)
+                    _low0_3 = _take(_low0_1, _far)
+                    _low1_3 = _take(_low1_1, _far)
+                    _low2_3 = _take(_low2_1, _far)
+                    _t_3 = _take(_t_2, _rows7)
+                    _t_3, _end_3, _searching_3 = ring_enter(_end_3, _end_3, _high0_3, _high1_3, _high2_3, _low0_3, _low1_3, _low2_3, _t_3)
+                    _end_2 = _put(_end_2, _rows7, _end_3, _count4)
+                    _searching_2 = _put(_searching_2, _rows7, _searching_3, _count4)
+                    _t_2 = _put(_t_2, _rows7, _t_3, _count4)
+                _going9 = _where_true(_searching_2)
+                if len(_going9) == _count4:
+                    continue
+                _done = _where_true(_logical_not(_searching_2))
+                _store(_arrival_1, _of(_rows3, _done), _arrival_2, _done)
+                _store(_certain_1, _of(_rows3, _done), _certain_2, _done)
+                _store(_flat_1, _of(_rows3, _done), _flat_2, _done)
+                _store(_tilt_1, _of(_rows3, _done), _tilt_2, _done)
+                _rows3, _count4 = _of(_rows3, _going9), len(_going9)
+                if not _count4:
+                    break
+                _arrival_2 = _take(_arrival_2, _going9)
+                _ceiling_2 = _take(_ceiling_2, _going9)
+                _certain_2 = _take(_certain_2, _going9)
+                _end_2 = _take(_end_2, _going9)
+                _flat_2 = _take(_flat_2, _going9)
+                _last_2 = _take(_last_2, _going9)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going9)
+                _p_gravity_2 = _take(_p_gravity_2, _going9)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going9)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going9)
+                _rate_slack_2 = _take(_rate_slack_2, _going9)
+                _rho_start_2 = _take(_rho_start_2, _going9)
+                _searching_2 = _take(_searching_2, _going9)
+                _share_2 = _take(_share_2, _going9)
+                _steady_2 = _take(_steady_2, _going9)
+                _swing_2 = _take(_swing_2, _going9)
+                _t_2 = _take(_t_2, _going9)
+                _tilt_2 = _take(_tilt_2, _going9)
+                _vx_2 = _take(_vx_2, _going9)
+                _vy_2 = _take(_vy_2, _going9)
+                _vz_2 = _take(_vz_2, _going9)
+                _x_2 = _take(_x_2, _going9)
+                _y_2 = _take(_y_2, _going9)
+                _z_2 = _take(_z_2, _going9)
+            else:
+                _store(_arrival_1, _rows3, _arrival_2, None)
+                _store(_certain_1, _rows3, _certain_2, None)
+                _store(_flat_1, _rows3, _flat_2, None)
+                _store(_tilt_1, _rows3, _tilt_2, None)
+        _arrives_1, = found(_arrival_1)
+        _leaving_1, *_ = nearby(_flat_1, 0.0, _last_1, _arrival_1, _tilt_1)
+        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
+        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
+        _time_1, = landed(_arrival_1)
+        _when_1, _which_1 = sooner(_arrives_1, 0.0, _time_1, _when_1, _which_1)
+        _when_0 = _put(_when_0, _rows1, _when_1, shots)
+        _which_0 = _put(_which_0, _rows1, _which_1, shots)
+    _until_0, *_ = horizon(_when_0, _speed_0, _p_gravity_0)
+    _clear_0, = backboard_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, _p_ball_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_gravity_0, _room_0)
+    _open_0, = opens(_clear_0)
+    _rows10, _count11 = _rows(_open_0, shots)
+    if _count11:
+        _extent_1 = _take(_extent_0, _rows10)
+        _last_1 = _take(_last_0, _rows10)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows10)
+        _p_board_bottom_1 = _take(_p_board_bottom_0, _rows10)
+        _p_board_distance_1 = _take(_p_board_distance_0, _rows10)
+        _p_board_half_width_1 = _take(_p_board_half_width_0, _rows10)
+        _p_board_thickness_1 = _take(_p_board_thickness_0, _rows10)
+        _p_board_top_1 = _take(_p_board_top_0, _rows10)
+        _p_gravity_1 = _take(_p_gravity_0, _rows10)
+        _speed_1 = _take(_speed_0, _rows10)
+        _until_1 = _take(_until_0, _rows10)
+        _vx_1 = _take(_vx_0, _rows10)
+        _vy_1 = _take(_vy_0, _rows10)
+        _vz_1 = _take(_vz_0, _rows10)
+        _when_1 = _take(_when_0, _rows10)
+        _which_1 = _take(_which_0, _rows10)
+        _x_1 = _take(_x_0, _rows10)
+        _y_1 = _take(_y_0, _rows10)
+        _z_1 = _take(_z_0, _rows10)
+        _room_1 = room(_count11)
+        _low0_1, _high0_1, _low1_1, _high1_1, _ceiling_1, _latest_1, *_ = backboard_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, 0.0, 0.0, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
+        _share_1, _arrival_1, _certain_1 = beginning()
+        _position_level_1, _velocity_level_1, *_ = allowance(_share_1, _latest_1, _extent_1, _speed_1, 0.0, 0.0, _p_gravity_1, _room_1)
+        _flat_1, _tilt_1, _rate_slack_1 = backboard_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
+        _t_1, _end_1, _searching_1 = backboard_enter(0.0, 0.0, _high0_1, _high1_1, _low0_1, _low1_1, 0.0)
+        _rows12, _count13 = _rows(_searching_1, _count11)
+        if _count13:
+            _arrival_2 = _take(_arrival_1, _rows12)
+            _ceiling_2 = _take(_ceiling_1, _rows12)
+            _certain_2 = _take(_certain_1, _rows12)
+            _end_2 = _take(_end_1, _rows12)
+            _flat_2 = _take(_flat_1, _rows12)
+            _last_2 = _take(_last_1, _rows12)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows12)
+            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows12)
+            _p_board_distance_2 = _take(_p_board_distance_1, _rows12)
+            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows12)
+            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows12)
+            _p_board_top_2 = _take(_p_board_top_1, _rows12)
+            _p_gravity_2 = _take(_p_gravity_1, _rows12)
+            _rate_slack_2 = _take(_rate_slack_1, _rows12)
+            _searching_2 = _take(_searching_1, _rows12)
+            _share_2 = _take(_share_1, _rows12)
+            _t_2 = _take(_t_1, _rows12)
+            _tilt_2 = _take(_tilt_1, _rows12)
+            _vx_2 = _take(_vx_1, _rows12)
+            _vy_2 = _take(_vy_1, _rows12)
+            _vz_2 = _take(_vz_1, _rows12)
+            _x_2 = _take(_x_1, _rows12)
+            _y_2 = _take(_y_1, _rows12)
+            _z_2 = _take(_z_1, _rows12)
+            _arrival_1 = _copy(_arrival_1, _count11)
+            _certain_1 = _copy(_certain_1, _count11)
+            _flat_1 = _copy(_flat_1, _count11)
+            _tilt_1 = _copy(_tilt_1, _count11)
+            for _ in range(201):
+                _room_2 = room(_count13)
+                _leaving_2, _margin_2 = nearby(_flat_2, 1.0, _last_2, _t_2, _tilt_2)
+                _gap_2, _rate_2, _bend_2, _step_2, _next_2, _root_2, _clearance_2 = backboard_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
+                _hit_2, _sure_2, _vague_2 = struck(_bend_2, _clearance_2, _gap_2, _margin_2, _rate_2, _rate_slack_2, _share_2)
+                _rows14, _count15 = _rows(_vague_2, _count13)
+                if _count15:
+                    _far = _of(_rows12, _rows14)
+                    _extent_3 = _take(_extent_1, _far)
+                    _latest_3 = _take(_latest_1, _far)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows14)
+                    _p_board_bottom_3 = _take(_p_board_bottom_2, _rows14)
+                    _p_board_distance_3 = _take(_p_board_distance_2, _rows14)
+                    _p_board_half_width_3 = _take(_p_board_half_width_2, _rows14)
+                    _p_board_thickness_3 = _take(_p_board_thickness_2, _rows14)
+                    _p_board_top_3 = _take(_p_board_top_2, _rows14)
+                    _p_gravity_3 = _take(_p_gravity_2, _rows14)
+                    _share_3 = _take(_share_2, _rows14)
+                    _speed_3 = _take(_speed_1, _far)
+                    _room_3 = room(_count15)
+                    _share_3, = finer(_share_3)
+                    _position_level_3, _velocity_level_3, *_ = allowance(_share_3, _latest_3, _extent_3, _speed_3, 0.0, 0.0, _p_gravity_3, _room_3)
+                    _flat_3, _tilt_3, _rate_slack_3 = backboard_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _p_gravity_3, _room_3)
+                    _flat_2 = _put(_flat_2, _rows14, _flat_3, _count13)
+                    _rate_slack_2 = _put(_rate_slack_2, _rows14, _rate_slack_3, _count13)
+                    _share_2 = _put(_share_2, _rows14, _share_3, _count13)
+                    _tilt_2 = _put(_tilt_2, _rows14, _tilt_3, _count13)
+                _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_arrival_2, _certain_2, _end_2, _hit_2, _next_2, _root_2, _step_2, _sure_2, _t_2, _vague_2)
+                _rows16, _count17 = _rows(_exhausted_2, _count13)
+                if _count17:
+                    _far = _of(_rows12, _rows16)
+                    _end_3 = _take(_end_2, _rows16)
+                    _high0_3 = _take(_high0_1, _far)
+                    _high1_3 = _take(_high1_1, _far)
+                    _low0_3 = _take(_low0_1, _far)
+                    _low1_3 = _take(_low1_1, _far)
+                    _t_3 = _take(_t_2, _rows16)
+                    _t_3, _end_3, _searching_3 = backboard_enter(_end_3, _end_3, _high0_3, _high1_3, _low0_3, _low1_3, _t_3)
+                    _end_2 = _put(_end_2, _rows16, _end_3, _count13)
+                    _searching_2 = _put(_searching_2, _rows16, _searching_3, _count13)
+                    _t_2 = _put(_t_2, _rows16, _t_3, _count13)
+                _going18 = _where_true(_searching_2)
+                if len(_going18) == _count13:
+                    continue
+                _done = _where_true(_logical_not(_searching_2))
+                _store(_arrival_1, _of(_rows12, _done), _arrival_2, _done)
+                _store(_certain_1, _of(_rows12, _done), _certain_2, _done)
+                _store(_flat_1, _of(_rows12, _done), _flat_2, _done)
+                _store(_tilt_1, _of(_rows12, _done), _tilt_2, _done)
+                _rows12, _count13 = _of(_rows12, _going18), len(_going18)
+                if not _count13:
+                    break
+                _arrival_2 = _take(_arrival_2, _going18)
+                _ceiling_2 = _take(_ceiling_2, _going18)
+                _certain_2 = _take(_certain_2, _going18)
+                _end_2 = _take(_end_2, _going18)
+                _flat_2 = _take(_flat_2, _going18)
+                _last_2 = _take(_last_2, _going18)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going18)
+                _p_board_bottom_2 = _take(_p_board_bottom_2, _going18)
+                _p_board_distance_2 = _take(_p_board_distance_2, _going18)
+                _p_board_half_width_2 = _take(_p_board_half_width_2, _going18)
+                _p_board_thickness_2 = _take(_p_board_thickness_2, _going18)
+                _p_board_top_2 = _take(_p_board_top_2, _going18)
+                _p_gravity_2 = _take(_p_gravity_2, _going18)
+                _rate_slack_2 = _take(_rate_slack_2, _going18)
+                _searching_2 = _take(_searching_2, _going18)
+                _share_2 = _take(_share_2, _going18)
+                _t_2 = _take(_t_2, _going18)
+                _tilt_2 = _take(_tilt_2, _going18)
+                _vx_2 = _take(_vx_2, _going18)
+                _vy_2 = _take(_vy_2, _going18)
+                _vz_2 = _take(_vz_2, _going18)
+                _x_2 = _take(_x_2, _going18)
+                _y_2 = _take(_y_2, _going18)
+                _z_2 = _take(_z_2, _going18)
+            else:
+                _store(_arrival_1, _rows12, _arrival_2, None)
+                _store(_certain_1, _rows12, _certain_2, None)
+                _store(_flat_1, _rows12, _flat_2, None)
+                _store(_tilt_1, _rows12, _tilt_2, None)
+        _arrives_1, = found(_arrival_1)
+        _leaving_1, *_ = nearby(_flat_1, 1.0, _last_1, _arrival_1, _tilt_1)
+        _refined_1, *_ = backboard_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
+        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
+        _refined_1, *_ = backboard_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
+        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
+        _time_1, = landed(_arrival_1)
+        _when_1, _which_1 = sooner(_arrives_1, 1.0, _time_1, _when_1, _which_1)
+        _when_0 = _put(_when_0, _rows10, _when_1, shots)
+        _which_0 = _put(_which_0, _rows10, _which_1, shots)
+    _until_0, *_ = horizon(_when_0, _speed_0, _p_gravity_0)
+    _clear_0, = bridge_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, 0.0, 0.0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _room_0)
+    _open_0, = opens(_clear_0)
+    _rows19, _count20 = _rows(_open_0, shots)
+    if _count20:
+        _extent_1 = _take(_extent_0, _rows19)
+        _last_1 = _take(_last_0, _rows19)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows19)
+        _p_board_distance_1 = _take(_p_board_distance_0, _rows19)
+        _p_bridge_depth_1 = _take(_p_bridge_depth_0, _rows19)
+        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows19)
+        _p_gravity_1 = _take(_p_gravity_0, _rows19)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows19)
+        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows19)
+        _speed_1 = _take(_speed_0, _rows19)
+        _until_1 = _take(_until_0, _rows19)
+        _vx_1 = _take(_vx_0, _rows19)
+        _vy_1 = _take(_vy_0, _rows19)
+        _vz_1 = _take(_vz_0, _rows19)
+        _when_1 = _take(_when_0, _rows19)
+        _which_1 = _take(_which_0, _rows19)
+        _x_1 = _take(_x_0, _rows19)
+        _y_1 = _take(_y_0, _rows19)
+        _z_1 = _take(_z_0, _rows19)
+        _room_1 = room(_count20)
+        _low0_1, _high0_1, _low1_1, _high1_1, _ceiling_1, _latest_1, *_ = bridge_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, 0.0, 0.0, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
+        _share_1, _arrival_1, _certain_1 = beginning()
+        _position_level_1, _velocity_level_1, *_ = allowance(_share_1, _latest_1, _extent_1, _speed_1, 0.0, 0.0, _p_gravity_1, _room_1)
+        _flat_1, _tilt_1, _rate_slack_1 = bridge_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
+        _t_1, _end_1, _searching_1 = bridge_enter(0.0, 0.0, _high0_1, _high1_1, _low0_1, _low1_1, 0.0)
+        _rows21, _count22 = _rows(_searching_1, _count20)
+        if _count22:
+            _arrival_2 = _take(_arrival_1, _rows21)
+            _ceiling_2 = _take(_ceiling_1, _rows21)
+            _certain_2 = _take(_certain_1, _rows21)
+            _end_2 = _take(_end_1, _rows21)
+            _flat_2 = _take(_flat_1, _rows21)
+            _last_2 = _take(_last_1, _rows21)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows21)
+            _p_board_distance_2 = _take(_p_board_distance_1, _rows21)
+            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows21)
+            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows21)
+            _p_gravity_2 = _take(_p_gravity_1, _rows21)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows21)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows21)
+            _rate_slack_2 = _take(_rate_slack_1, _rows21)
+            _searching_2 = _take(_searching_1, _rows21)
+            _share_2 = _take(_share_1, _rows21)
+            _t_2 = _take(_t_1, _rows21)
+            _tilt_2 = _take(_tilt_1, _rows21)
+            _vx_2 = _take(_vx_1, _rows21)
+            _vy_2 = _take(_vy_1, _rows21)
+            _vz_2 = _take(_vz_1, _rows21)
+            _x_2 = _take(_x_1, _rows21)
+            _y_2 = _take(_y_1, _rows21)
+            _z_2 = _take(_z_1, _rows21)
+            _arrival_1 = _copy(_arrival_1, _count20)
+            _certain_1 = _copy(_certain_1, _count20)
+            _flat_1 = _copy(_flat_1, _count20)
+            _tilt_1 = _copy(_tilt_1, _count20)
+            for _ in range(201):
+                _room_2 = room(_count22)
+                _leaving_2, _margin_2 = nearby(_flat_2, 2.0, _last_2, _t_2, _tilt_2)
+                _gap_2, _rate_2, _bend_2, _step_2, _next_2, _root_2, _clearance_2 = bridge_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
+                _hit_2, _sure_2, _vague_2 = struck(_bend_2, _clearance_2, _gap_2, _margin_2, _rate_2, _rate_slack_2, _share_2)
+                _rows23, _count24 = _rows(_vague_2, _count22)
+                if _count24:
+                    _far = _of(_rows21, _rows23)
+                    _extent_3 = _take(_extent_1, _far)
+                    _latest_3 = _take(_latest_1, _far)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows23)
+                    _p_board_distance_3 = _take(_p_board_distance_2, _rows23)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows23)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows23)
+                    _p_gravity_3 = _take(_p_gravity_2, _rows23)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows23)
+                    _p_wire_radius_3 = _take(_p_wire_radius_2, _rows23)
+                    _share_3 = _take(_share_2, _rows23)
+                    _speed_3 = _take(_speed_1, _far)
+                    _room_3 = room(_count24)
+                    _share_3, = finer(_share_3)
+                    _position_level_3, _velocity_level_3, *_ = allowance(_share_3, _latest_3, _extent_3, _speed_3, 0.0, 0.0, _p_gravity_3, _room_3)
+                    _flat_3, _tilt_3, _rate_slack_3 = bridge_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _p_gravity_3, _room_3)
+                    _flat_2 = _put(_flat_2, _rows23, _flat_3, _count22)
+                    _rate_slack_2 = _put(_rate_slack_2, _rows23, _rate_slack_3, _count22)
+                    _share_2 = _put(_share_2, _rows23, _share_3, _count22)
+                    _tilt_2 = _put(_tilt_2, _rows23, _tilt_3, _count22)
+                _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_arrival_2, _certain_2, _end_2, _hit_2, _next_2, _root_2, _step_2, _sure_2, _t_2, _vague_2)
+                _rows25, _count26 = _rows(_exhausted_2, _count22)
+                if _count26:
+                    _far = _of(_rows21, _rows25)
+                    _end_3 = _take(_end_2, _rows25)
+                    _high0_3 = _take(_high0_1, _far)
+                    _high1_3 = _take(_high1_1, _far)
+                    _low0_3 = _take(_low0_1, _far)
+                    _low1_3 = _take(_low1_1, _far)
+                    _t_3 = _take(_t_2, _rows25)
+                    _t_3, _end_3, _searching_3 = bridge_enter(_end_3, _end_3, _high0_3, _high1_3, _low0_3, _low1_3, _t_3)
+                    _end_2 = _put(_end_2, _rows25, _end_3, _count22)
+                    _searching_2 = _put(_searching_2, _rows25, _searching_3, _count22)
+                    _t_2 = _put(_t_2, _rows25, _t_3, _count22)
+                _going27 = _where_true(_searching_2)
+                if len(_going27) == _count22:
+                    continue
+                _done = _where_true(_logical_not(_searching_2))
+                _store(_arrival_1, _of(_rows21, _done), _arrival_2, _done)
+                _store(_certain_1, _of(_rows21, _done), _certain_2, _done)
+                _store(_flat_1, _of(_rows21, _done), _flat_2, _done)
+                _store(_tilt_1, _of(_rows21, _done), _tilt_2, _done)
+                _rows21, _count22 = _of(_rows21, _going27), len(_going27)
+                if not _count22:
+                    break
+                _arrival_2 = _take(_arrival_2, _going27)
+                _ceiling_2 = _take(_ceiling_2, _going27)
+                _certain_2 = _take(_certain_2, _going27)
+                _end_2 = _take(_end_2, _going27)
+                _flat_2 = _take(_flat_2, _going27)
+                _last_2 = _take(_last_2, _going27)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going27)
+                _p_board_distance_2 = _take(_p_board_distance_2, _going27)
+                _p_bridge_depth_2 = _take(_p_bridge_depth_2, _going27)
+                _p_bridge_half_width_2 = _take(_p_bridge_half_width_2, _going27)
+                _p_gravity_2 = _take(_p_gravity_2, _going27)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going27)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going27)
+                _rate_slack_2 = _take(_rate_slack_2, _going27)
+                _searching_2 = _take(_searching_2, _going27)
+                _share_2 = _take(_share_2, _going27)
+                _t_2 = _take(_t_2, _going27)
+                _tilt_2 = _take(_tilt_2, _going27)
+                _vx_2 = _take(_vx_2, _going27)
+                _vy_2 = _take(_vy_2, _going27)
+                _vz_2 = _take(_vz_2, _going27)
+                _x_2 = _take(_x_2, _going27)
+                _y_2 = _take(_y_2, _going27)
+                _z_2 = _take(_z_2, _going27)
+            else:
+                _store(_arrival_1, _rows21, _arrival_2, None)
+                _store(_certain_1, _rows21, _certain_2, None)
+                _store(_flat_1, _rows21, _flat_2, None)
+                _store(_tilt_1, _rows21, _tilt_2, None)
+        _arrives_1, = found(_arrival_1)
+        _leaving_1, *_ = nearby(_flat_1, 2.0, _last_1, _arrival_1, _tilt_1)
+        _refined_1, *_ = bridge_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
+        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
+        _refined_1, *_ = bridge_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
+        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
+        _time_1, = landed(_arrival_1)
+        _when_1, _which_1 = sooner(_arrives_1, 2.0, _time_1, _when_1, _which_1)
+        _when_0 = _put(_when_0, _rows19, _when_1, shots)
+        _which_0 = _put(_which_0, _rows19, _which_1, shots)
+    _rows28, _count29 = _rows(_limited_0, shots)
+    if _count29:
+        _clock_1 = _take(_clock_0, _rows28)
+        _time_error_1 = _take(_time_error_0, _rows28)
+        _time_limit_1 = _take(_time_limit_0, _rows28)
+        _when_1 = _take(_when_0, _rows28)
+        _which_1 = _take(_which_0, _rows28)
+        _time_1, _, _arrives_1, *_ = expiry(_clock_1, _inf, 0.0, _time_error_1, _time_limit_1, _when_1, _which_1)
+        _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
+        _when_0 = _put(_when_0, _rows28, _when_1, shots)
+        _which_0 = _put(_which_0, _rows28, _which_1, shots)
+    _rows30, _count31 = _rows(_kept_0, shots)
+    if _count31:
+        _clock_1 = _take(_clock_0, _rows30)
+        _held_1 = _take(_held_0, _rows30)
+        _mode_1 = _take(_mode_0, _rows30)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows30)
+        _p_board_bottom_1 = _take(_p_board_bottom_0, _rows30)
+        _p_board_distance_1 = _take(_p_board_distance_0, _rows30)
+        _p_board_half_width_1 = _take(_p_board_half_width_0, _rows30)
+        _p_board_thickness_1 = _take(_p_board_thickness_0, _rows30)
+        _p_board_top_1 = _take(_p_board_top_0, _rows30)
+        _p_bridge_depth_1 = _take(_p_bridge_depth_0, _rows30)
+        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows30)
+        _p_end_depth_1 = _take(_p_end_depth_0, _rows30)
+        _p_gravity_1 = _take(_p_gravity_0, _rows30)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows30)
+        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows30)
+        _rests_1 = _take(_rests_0, _rows30)
+        _through_1 = _take(_through_0, _rows30)
+        _time_limit_1 = _take(_time_limit_0, _rows30)
+        _vx_1 = _take(_vx_0, _rows30)
+        _vy_1 = _take(_vy_0, _rows30)
+        _vz_1 = _take(_vz_0, _rows30)
+        _when_1 = _take(_when_0, _rows30)
+        _wx_1 = _take(_wx_0, _rows30)
+        _wy_1 = _take(_wy_0, _rows30)
+        _wz_1 = _take(_wz_0, _rows30)
+        _x_1 = _take(_x_0, _rows30)
+        _y_1 = _take(_y_0, _rows30)
+        _z_1 = _take(_z_0, _rows30)
+        _which_1, _, _, _begins_1, _rolling_1, _leaves_1, _nx_1, _ny_1, _nz_1, _gap_1, _bent_x_1, _bent_y_1, _bent_z_1, _lift_1, _surge_1, _snap_1, _per_reach_1, _ring_1 = resumed(_mode_1, 0.0, 0.0)
+        _rows32, _count33 = _rows(_begins_1, _count31)
+        if _count33:
+            _gap_2 = _take(_gap_1, _rows32)
+            _held_2 = _take(_held_1, _rows32)
+            _nx_2 = _take(_nx_1, _rows32)
+            _ny_2 = _take(_ny_1, _rows32)
+            _nz_2 = _take(_nz_1, _rows32)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows32)
+            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows32)
+            _p_board_distance_2 = _take(_p_board_distance_1, _rows32)
+            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows32)
+            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows32)
+            _p_board_top_2 = _take(_p_board_top_1, _rows32)
+            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows32)
+            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows32)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows32)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows32)
+            _vx_2 = _take(_vx_1, _rows32)
+            _vy_2 = _take(_vy_1, _rows32)
+            _vz_2 = _take(_vz_1, _rows32)
+            _wx_2 = _take(_wx_1, _rows32)
+            _wy_2 = _take(_wy_1, _rows32)
+            _wz_2 = _take(_wz_1, _rows32)
+            _x_2 = _take(_x_1, _rows32)
+            _y_2 = _take(_y_1, _rows32)
+            _z_2 = _take(_z_1, _rows32)
+            _room_2 = room(_count33)
+            _here_2, = holding(_held_2, 0.0)
+            _nx_3, _ny_3, _nz_3 = ring_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _room_2)
+            _nx_2 = _choose(_here_2, _nx_3, _nx_2)
+            _ny_2 = _choose(_here_2, _ny_3, _ny_2)
+            _nz_2 = _choose(_here_2, _nz_3, _nz_2)
+            _here_2, = holding(_held_2, 1.0)
+            _nx_3, _ny_3, _nz_3 = backboard_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _room_2)
+            _nx_2 = _choose(_here_2, _nx_3, _nx_2)
+            _ny_2 = _choose(_here_2, _ny_3, _ny_2)
+            _nz_2 = _choose(_here_2, _nz_3, _nz_2)
+            _here_2, = holding(_held_2, 2.0)
+            _nx_3, _ny_3, _nz_3 = bridge_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _room_2)
+            _nx_2 = _choose(_here_2, _nx_3, _nx_2)
+            _ny_2 = _choose(_here_2, _ny_3, _ny_2)
+            _nz_2 = _choose(_here_2, _nz_3, _nz_2)
+            _turn_rate_2, = roll_turn_rate(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2)
+            _rolled_x_2, _rolled_y_2, _rolled_z_2, *_ = gripped(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _room_2)
+            _here_2, = holding(_held_2, 0.0)
+            _gap_3, = ring_off(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _room_2)
+            _gap_2 = _choose(_here_2, _gap_3, _gap_2)
+            _here_2, = holding(_held_2, 1.0)
+            _gap_3, = backboard_off(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _room_2)
+            _gap_2 = _choose(_here_2, _gap_3, _gap_2)
+            _here_2, = holding(_held_2, 2.0)
+            _gap_3, = bridge_off(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _room_2)
+            _gap_2 = _choose(_here_2, _gap_3, _gap_2)
+            _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _x_2, _y_2, _z_2, _room_2)
+            _which_2, = beginning_contact()
+            _nx_1 = _put(_nx_1, _rows32, _nx_2, _count31)
+            _ny_1 = _put(_ny_1, _rows32, _ny_2, _count31)
+            _nz_1 = _put(_nz_1, _rows32, _nz_2, _count31)
+            _vx_1 = _put(_vx_1, _rows32, _vx_2, _count31)
+            _vy_1 = _put(_vy_1, _rows32, _vy_2, _count31)
+            _vz_1 = _put(_vz_1, _rows32, _vz_2, _count31)
+            _which_1 = _put(_which_1, _rows32, _which_2, _count31)
+            _wx_1 = _put(_wx_1, _rows32, _wx_2, _count31)
+            _wy_1 = _put(_wy_1, _rows32, _wy_2, _count31)
+            _wz_1 = _put(_wz_1, _rows32, _wz_2, _count31)
+            _x_1 = _put(_x_1, _rows32, _x_2, _count31)
+            _y_1 = _put(_y_1, _rows32, _y_2, _count31)
+            _z_1 = _put(_z_1, _rows32, _z_2, _count31)
+        _rows34, _count35 = _rows(_rolling_1, _count31)
+        if _count35:
+            _bent_x_2 = _take(_bent_x_1, _rows34)
+            _bent_y_2 = _take(_bent_y_1, _rows34)
+            _bent_z_2 = _take(_bent_z_1, _rows34)
+            _clock_2 = _take(_clock_1, _rows34)
+            _held_2 = _take(_held_1, _rows34)
+            _nx_2 = _take(_nx_1, _rows34)
+            _ny_2 = _take(_ny_1, _rows34)
+            _nz_2 = _take(_nz_1, _rows34)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows34)
+            _p_end_depth_2 = _take(_p_end_depth_1, _rows34)
+            _p_gravity_2 = _take(_p_gravity_1, _rows34)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows34)
+            _per_reach_2 = _take(_per_reach_1, _rows34)
+            _ring_2 = _take(_ring_1, _rows34)
+            _rolling_2 = _take(_rolling_1, _rows34)
+            _through_2 = _take(_through_1, _rows34)
+            _time_limit_2 = _take(_time_limit_1, _rows34)
+            _vx_2 = _take(_vx_1, _rows34)
+            _vy_2 = _take(_vy_1, _rows34)
+            _vz_2 = _take(_vz_1, _rows34)
+            _which_2 = _take(_which_1, _rows34)
+            _wx_2 = _take(_wx_1, _rows34)
+            _wy_2 = _take(_wy_1, _rows34)
+            _wz_2 = _take(_wz_1, _rows34)
+            _x_2 = _take(_x_1, _rows34)
+            _y_2 = _take(_y_1, _rows34)
+            _z_2 = _take(_z_1, _rows34)
+            _clock_1 = _copy(_clock_1, _count31)
+            _per_reach_1 = _copy(_per_reach_1, _count31)
+            _rests_1 = _copy(_rests_1, _count31)
+            _through_1 = _copy(_through_1, _count31)
+            _vx_1 = _copy(_vx_1, _count31)
+            _vy_1 = _copy(_vy_1, _count31)
+            _vz_1 = _copy(_vz_1, _count31)
+            _which_1 = _copy(_which_1, _count31)
+            _wx_1 = _copy(_wx_1, _count31)
+            _wy_1 = _copy(_wy_1, _count31)
+            _wz_1 = _copy(_wz_1, _count31)
+            _x_1 = _copy(_x_1, _count31)
+            _y_1 = _copy(_y_1, _count31)
+            _z_1 = _copy(_z_1, _count31)
+            for _ in range(131072):
+                _room_2 = room(_count35)
+                _here_2, = holding(_held_2, 0.0)
+                _rows36, _count37 = _rows(_here_2, _count35)
+                if _count37:
+                    _far = _of(_rows34, _rows36)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows36)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows36)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _x_3 = _take(_x_2, _rows36)
+                    _y_3 = _take(_y_2, _rows36)
+                    _z_3 = _take(_z_2, _rows36)
+                    _room_3 = room(_count37)
+                    _nx_3, _ny_3, _nz_3 = ring_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
+                    _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3, _ring_3 = ring_tube(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3)
+                    _bent_x_2 = _put(_bent_x_2, _rows36, _bent_x_3, _count35)
+                    _bent_y_2 = _put(_bent_y_2, _rows36, _bent_y_3, _count35)
+                    _bent_z_2 = _put(_bent_z_2, _rows36, _bent_z_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows36, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows36, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows36, _nz_3, _count35)
+                    _per_reach_2 = _put(_per_reach_2, _rows36, _per_reach_3, _count35)
+                    _ring_2 = _put(_ring_2, _rows36, _ring_3, _count35)
+                _here_2, = holding(_held_2, 1.0)
+                _rows38, _count39 = _rows(_here_2, _count35)
+                if _count39:
+                    _far = _of(_rows34, _rows38)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows38)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _vx_3 = _take(_vx_2, _rows38)
+                    _vy_3 = _take(_vy_2, _rows38)
+                    _vz_3 = _take(_vz_2, _rows38)
+                    _x_3 = _take(_x_2, _rows38)
+                    _y_3 = _take(_y_2, _rows38)
+                    _z_3 = _take(_z_2, _rows38)
+                    _room_3 = room(_count39)
+                    _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3, _ring_3 = backboard_tube(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                    _bent_x_2 = _put(_bent_x_2, _rows38, _bent_x_3, _count35)
+                    _bent_y_2 = _put(_bent_y_2, _rows38, _bent_y_3, _count35)
+                    _bent_z_2 = _put(_bent_z_2, _rows38, _bent_z_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows38, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows38, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows38, _nz_3, _count35)
+                    _per_reach_2 = _put(_per_reach_2, _rows38, _per_reach_3, _count35)
+                    _ring_2 = _put(_ring_2, _rows38, _ring_3, _count35)
+                _here_2, = holding(_held_2, 2.0)
+                _rows40, _count41 = _rows(_here_2, _count35)
+                if _count41:
+                    _far = _of(_rows34, _rows40)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows40)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows40)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _vx_3 = _take(_vx_2, _rows40)
+                    _vy_3 = _take(_vy_2, _rows40)
+                    _vz_3 = _take(_vz_2, _rows40)
+                    _x_3 = _take(_x_2, _rows40)
+                    _y_3 = _take(_y_2, _rows40)
+                    _z_3 = _take(_z_2, _rows40)
+                    _room_3 = room(_count41)
+                    _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3, _ring_3 = bridge_tube(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _bent_x_2 = _put(_bent_x_2, _rows40, _bent_x_3, _count35)
+                    _bent_y_2 = _put(_bent_y_2, _rows40, _bent_y_3, _count35)
+                    _bent_z_2 = _put(_bent_z_2, _rows40, _bent_z_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows40, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows40, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows40, _nz_3, _count35)
+                    _per_reach_2 = _put(_per_reach_2, _rows40, _per_reach_3, _count35)
+                    _ring_2 = _put(_ring_2, _rows40, _ring_3, _count35)
+                _vx_0_2, _vy_0_2, _vz_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _near_0_2 = roll_start(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _ring_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _room_2)
+                _across_0_2, _round_0_2, _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_1_2, _vy_1_2, _vz_1_2, _nx_1_2, _ny_1_2, _nz_1_2, _turn_rate_1_2, _cos_1_2, _sin_1_2, _widened_1_2, _near_1_2 = roll_0(_bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _p_gravity_2, _near_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _per_reach_2, _ring_2, _sin_0_2, _turn_rate_0_2, _vx_0_2, _vy_0_2, _vz_0_2, _room_2)
+                _across_1_2, _round_1_2, _lift_1_2, _tx_1_2, _ty_1_2, _tz_1_2, _vx_2_2, _vy_2_2, _vz_2_2, _nx_2_2, _ny_2_2, _nz_2_2, _turn_rate_2_2, _cos_2_2, _sin_2_2, _widened_2_2, _near_2_2 = roll_1(_across_0_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _p_gravity_2, _lift_0_2, _near_0_2, _near_1_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _per_reach_2, _ring_2, _round_0_2, _sin_0_2, _sin_1_2, _turn_rate_0_2, _turn_rate_1_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_0_2, _vx_1_2, _vy_0_2, _vy_1_2, _vz_0_2, _vz_1_2, _widened_1_2, _room_2)
+                _across_2_2, _round_2_2, _lift_2_2, _tx_2_2, _ty_2_2, _tz_2_2, _vx_3_2, _vy_3_2, _vz_3_2, _nx_3_2, _ny_3_2, _nz_3_2, _turn_rate_3_2, _cos_3_2, _sin_3_2, _widened_3_2, _near_3_2 = roll_2(_across_0_2, _across_1_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _p_gravity_2, _lift_0_2, _lift_1_2, _near_0_2, _near_1_2, _near_2_2, _nx_0_2, _nx_1_2, _nx_2_2, _ny_0_2, _ny_1_2, _ny_2_2, _nz_0_2, _nz_1_2, _nz_2_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _sin_0_2, _sin_1_2, _sin_2_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _tx_0_2, _tx_1_2, _ty_0_2, _ty_1_2, _tz_0_2, _tz_1_2, _vx_0_2, _vx_1_2, _vx_2_2, _vy_0_2, _vy_1_2, _vy_2_2, _vz_0_2, _vz_1_2, _vz_2_2, _widened_1_2, _widened_2_2, _room_2)
+                _across_3_2, _round_3_2, _lift_3_2, _tx_3_2, _ty_3_2, _tz_3_2, _vx_4_2, _vy_4_2, _vz_4_2, _nx_4_2, _ny_4_2, _nz_4_2, _turn_rate_4_2, _cos_4_2, _sin_4_2, _widened_4_2, _near_4_2 = roll_3(_across_0_2, _across_1_2, _across_2_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _tx_0_2, _tx_1_2, _tx_2_2, _ty_0_2, _ty_1_2, _ty_2_2, _tz_0_2, _tz_1_2, _tz_2_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _widened_1_2, _widened_2_2, _widened_3_2, _room_2)
+                _across_4_2, _round_4_2, _lift_4_2, _tx_4_2, _ty_4_2, _tz_4_2, _vx_5_2, _vy_5_2, _vz_5_2, _nx_5_2, _ny_5_2, _nz_5_2, _turn_rate_5_2, _cos_5_2, _sin_5_2, _widened_5_2, _near_5_2 = roll_4(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _room_2)
+                _across_5_2, _round_5_2, _lift_5_2, _tx_5_2, _ty_5_2, _tz_5_2, _vx_6_2, _vy_6_2, _vz_6_2, _nx_6_2, _ny_6_2, _nz_6_2, _turn_rate_6_2, _cos_6_2, _sin_6_2, _widened_6_2, _near_6_2 = roll_5(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _room_2)
+                _across_6_2, _round_6_2, _lift_6_2, _tx_6_2, _ty_6_2, _tz_6_2, _vx_7_2, _vy_7_2, _vz_7_2, _nx_7_2, _ny_7_2, _nz_7_2, _turn_rate_7_2, _cos_7_2, _sin_7_2, _widened_7_2, _near_7_2 = roll_6(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _room_2)
+                _, _, _lift_7_2, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _nx_8_2, _ny_8_2, _nz_8_2, _turn_rate_8_2, *_ = roll_7(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _across_6_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _round_6_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _widened_7_2, _room_2)
+                _stride_2, _strongest_2, _fastest_2, _force_2, _force_rate_2, _force_bend_2 = roll_pace(_p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _lift_7_2, _nx_8_2, _ny_8_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _nz_8_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _room_2)
+                _stride_2, _which_2, _rests_2, *_ = leaving_force(_inf, _fastest_2, _force_2, _force_bend_2, _force_rate_2, _p_gravity_2, _per_reach_2, 0.0, _stride_2, 0.0, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _room_2)
+                _beside_2, = beside(_held_2, 0.0)
+                _rows42, _count43 = _rows(_beside_2, _count35)
+                if _count43:
+                    _far = _of(_rows34, _rows42)
+                    _fastest_3 = _take(_fastest_2, _rows42)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows42)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows42)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _stride_3 = _take(_stride_2, _rows42)
+                    _strongest_3 = _take(_strongest_2, _rows42)
+                    _vx_3 = _take(_vx_2, _rows42)
+                    _vy_3 = _take(_vy_2, _rows42)
+                    _vz_3 = _take(_vz_2, _rows42)
+                    _which_3 = _take(_which_2, _rows42)
+                    _x_3 = _take(_x_2, _rows42)
+                    _y_3 = _take(_y_2, _rows42)
+                    _z_3 = _take(_z_2, _rows42)
+                    _room_3 = room(_count43)
+                    _gap_3, _nearing_3, _dent_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _dent_3, _inf, _fastest_3, _gap_3, 0.0, 0.0, _nearing_3, 0.0, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_2 = _put(_stride_2, _rows42, _stride_3, _count35)
+                    _which_2 = _put(_which_2, _rows42, _which_3, _count35)
+                _beside_2, = beside(_held_2, 1.0)
+                _rows44, _count45 = _rows(_beside_2, _count35)
+                if _count45:
+                    _far = _of(_rows34, _rows44)
+                    _fastest_3 = _take(_fastest_2, _rows44)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows44)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _stride_3 = _take(_stride_2, _rows44)
+                    _strongest_3 = _take(_strongest_2, _rows44)
+                    _vx_3 = _take(_vx_2, _rows44)
+                    _vy_3 = _take(_vy_2, _rows44)
+                    _vz_3 = _take(_vz_2, _rows44)
+                    _which_3 = _take(_which_2, _rows44)
+                    _x_3 = _take(_x_2, _rows44)
+                    _y_3 = _take(_y_2, _rows44)
+                    _z_3 = _take(_z_2, _rows44)
+                    _room_3 = room(_count45)
+                    _gap_3, _nearing_3, _dent_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _dent_3, _inf, _fastest_3, _gap_3, 1.0, 0.0, _nearing_3, 0.0, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_2 = _put(_stride_2, _rows44, _stride_3, _count35)
+                    _which_2 = _put(_which_2, _rows44, _which_3, _count35)
+                _beside_2, = beside(_held_2, 2.0)
+                _rows46, _count47 = _rows(_beside_2, _count35)
+                if _count47:
+                    _far = _of(_rows34, _rows46)
+                    _fastest_3 = _take(_fastest_2, _rows46)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows46)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows46)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _stride_3 = _take(_stride_2, _rows46)
+                    _strongest_3 = _take(_strongest_2, _rows46)
+                    _vx_3 = _take(_vx_2, _rows46)
+                    _vy_3 = _take(_vy_2, _rows46)
+                    _vz_3 = _take(_vz_2, _rows46)
+                    _which_3 = _take(_which_2, _rows46)
+                    _x_3 = _take(_x_2, _rows46)
+                    _y_3 = _take(_y_2, _rows46)
+                    _z_3 = _take(_z_2, _rows46)
+                    _room_3 = room(_count47)
+                    _gap_3, _nearing_3, _dent_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_3, _which_3, *_ = beside_body(_p_ball_radius_3, _dent_3, _inf, _fastest_3, _gap_3, 2.0, 0.0, _nearing_3, 0.0, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_2 = _put(_stride_2, _rows46, _stride_3, _count35)
+                    _which_2 = _put(_which_2, _rows46, _which_3, _count35)
+                _gap_2, _nearing_2, _dent_2 = end_beside(_p_end_depth_2, _vz_2, _z_2)
+                _stride_2, _which_2, *_ = beside_gate(_p_ball_radius_2, _dent_2, _inf, _fastest_2, _gap_2, 3.0, 0.0, _nearing_2, 0.0, _stride_2, _strongest_2, _which_2, _x_2, _y_2, _z_2, _room_2)
+                _here_2, = holding(_held_2, 1.0)
+                _rows48, _count49 = _rows(_here_2, _count35)
+                if _count49:
+                    _far = _of(_rows34, _rows48)
+                    _fastest_3 = _take(_fastest_2, _rows48)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows48)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _stride_3 = _take(_stride_2, _rows48)
+                    _strongest_3 = _take(_strongest_2, _rows48)
+                    _vx_3 = _take(_vx_2, _rows48)
+                    _vy_3 = _take(_vy_2, _rows48)
+                    _vz_3 = _take(_vz_2, _rows48)
+                    _x_3 = _take(_x_2, _rows48)
+                    _y_3 = _take(_y_2, _rows48)
+                    _z_3 = _take(_z_2, _rows48)
+                    _room_3 = room(_count49)
+                    _gap_3, _nearing_3, _near_3 = backboard_seam0(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _vx_3, _x_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = backboard_seam1(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _vx_3, _x_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = backboard_seam2(_p_ball_radius_3, _p_board_half_width_3, _vy_3, _y_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = backboard_seam3(_p_ball_radius_3, _p_board_half_width_3, _vy_3, _y_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = backboard_seam4(_p_ball_radius_3, _p_board_bottom_3, _p_board_top_3, _vz_3, _z_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = backboard_seam5(_p_ball_radius_3, _p_board_bottom_3, _p_board_top_3, _vz_3, _z_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows48, _gap_3, _count35)
+                    _stride_2 = _put(_stride_2, _rows48, _stride_3, _count35)
+                _here_2, = holding(_held_2, 2.0)
+                _rows50, _count51 = _rows(_here_2, _count35)
+                if _count51:
+                    _far = _of(_rows34, _rows50)
+                    _fastest_3 = _take(_fastest_2, _rows50)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows50)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows50)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _stride_3 = _take(_stride_2, _rows50)
+                    _strongest_3 = _take(_strongest_2, _rows50)
+                    _vx_3 = _take(_vx_2, _rows50)
+                    _vy_3 = _take(_vy_2, _rows50)
+                    _vz_3 = _take(_vz_2, _rows50)
+                    _x_3 = _take(_x_2, _rows50)
+                    _y_3 = _take(_y_2, _rows50)
+                    _z_3 = _take(_z_2, _rows50)
+                    _room_3 = room(_count51)
+                    _gap_3, _nearing_3, _near_3 = bridge_seam0(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _vx_3, _x_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = bridge_seam1(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _vx_3, _x_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = bridge_seam2(_p_ball_radius_3, _p_bridge_half_width_3, _vy_3, _y_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = bridge_seam3(_p_ball_radius_3, _p_bridge_half_width_3, _vy_3, _y_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = bridge_seam4(_p_ball_radius_3, _p_bridge_depth_3, _vz_3, _p_wire_radius_3, _z_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = bridge_seam5(_p_ball_radius_3, _p_bridge_depth_3, _vz_3, _p_wire_radius_3, _z_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows50, _gap_3, _count35)
+                    _stride_2 = _put(_stride_2, _rows50, _stride_3, _count35)
+                _stride_2, _which_2 = beside_time(_clock_2, _stride_2, _time_limit_2, _which_2)
+                _apart_2, = apart(_p_ball_radius_2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, _room_2)
+                _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = neighbour(_apart_2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
+                _over_2, = passing_from(_z_2)
+                _x_2, _vx_2, _y_2, _vy_2, _z_2, _vz_2, _turn_rate_2 = roll_moved(_stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _x_2, _y_2, _z_2, _room_2)
+                _here_2, = holding(_held_2, 0.0)
+                _rows52, _count53 = _rows(_here_2, _count35)
+                if _count53:
+                    _far = _of(_rows34, _rows52)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows52)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows52)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _x_3 = _take(_x_2, _rows52)
+                    _y_3 = _take(_y_2, _rows52)
+                    _z_3 = _take(_z_2, _rows52)
+                    _room_3 = room(_count53)
+                    _nx_3, _ny_3, _nz_3 = ring_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
+                    _gap_3, = ring_off(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows52, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows52, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows52, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows52, _nz_3, _count35)
+                _here_2, = holding(_held_2, 1.0)
+                _rows54, _count55 = _rows(_here_2, _count35)
+                if _count55:
+                    _far = _of(_rows34, _rows54)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows54)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _x_3 = _take(_x_2, _rows54)
+                    _y_3 = _take(_y_2, _rows54)
+                    _z_3 = _take(_z_2, _rows54)
+                    _room_3 = room(_count55)
+                    _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows54, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows54, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows54, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows54, _nz_3, _count35)
+                _here_2, = holding(_held_2, 2.0)
+                _rows56, _count57 = _rows(_here_2, _count35)
+                if _count57:
+                    _far = _of(_rows34, _rows56)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows56)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows56)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _x_3 = _take(_x_2, _rows56)
+                    _y_3 = _take(_y_2, _rows56)
+                    _z_3 = _take(_z_2, _rows56)
+                    _room_3 = room(_count57)
+                    _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows56, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows56, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows56, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows56, _nz_3, _count35)
+                _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _room_2)
+                _through_2, = passing_in_contact(_over_2, _p_ring_radius_2, _through_2, _x_2, _y_2, _z_2)
+                _here_2, = holding(_held_2, 0.0)
+                _rows58, _count59 = _rows(_here_2, _count35)
+                if _count59:
+                    _far = _of(_rows34, _rows58)
+                    _far_x_3 = _take(_far_x_2, _rows58)
+                    _far_y_3 = _take(_far_y_2, _rows58)
+                    _far_z_3 = _take(_far_z_2, _rows58)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows58)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows58)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _room_3 = room(_count59)
+                    _nx_3, _ny_3, _nz_3 = ring_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
+                    _nx_2 = _put(_nx_2, _rows58, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows58, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows58, _nz_3, _count35)
+                _here_2, = holding(_held_2, 1.0)
+                _rows60, _count61 = _rows(_here_2, _count35)
+                if _count61:
+                    _far = _of(_rows34, _rows60)
+                    _far_x_3 = _take(_far_x_2, _rows60)
+                    _far_y_3 = _take(_far_y_2, _rows60)
+                    _far_z_3 = _take(_far_z_2, _rows60)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows60)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _room_3 = room(_count61)
+                    _nx_3, _ny_3, _nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _nx_2 = _put(_nx_2, _rows60, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows60, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows60, _nz_3, _count35)
+                _here_2, = holding(_held_2, 2.0)
+                _rows62, _count63 = _rows(_here_2, _count35)
+                if _count63:
+                    _far = _of(_rows34, _rows62)
+                    _far_x_3 = _take(_far_x_2, _rows62)
+                    _far_y_3 = _take(_far_y_2, _rows62)
+                    _far_z_3 = _take(_far_z_2, _rows62)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows62)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows62)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _room_3 = room(_count63)
+                    _nx_3, _ny_3, _nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _nx_2 = _put(_nx_2, _rows62, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows62, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows62, _nz_3, _count35)
+                _turn_rate_2, = roll_turn_rate(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _far_wx_2, _far_wy_2, _far_wz_2)
+                _here_2, = holding(_held_2, 0.0)
+                _rows64, _count65 = _rows(_here_2, _count35)
+                if _count65:
+                    _far = _of(_rows34, _rows64)
+                    _far_x_3 = _take(_far_x_2, _rows64)
+                    _far_y_3 = _take(_far_y_2, _rows64)
+                    _far_z_3 = _take(_far_z_2, _rows64)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows64)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows64)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _room_3 = room(_count65)
+                    _nx_3, _ny_3, _nz_3 = ring_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
+                    _gap_3, = ring_off(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows64, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows64, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows64, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows64, _nz_3, _count35)
+                _here_2, = holding(_held_2, 1.0)
+                _rows66, _count67 = _rows(_here_2, _count35)
+                if _count67:
+                    _far = _of(_rows34, _rows66)
+                    _far_x_3 = _take(_far_x_2, _rows66)
+                    _far_y_3 = _take(_far_y_2, _rows66)
+                    _far_z_3 = _take(_far_z_2, _rows66)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows66)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _room_3 = room(_count67)
+                    _nx_3, _ny_3, _nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows66, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows66, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows66, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows66, _nz_3, _count35)
+                _here_2, = holding(_held_2, 2.0)
+                _rows68, _count69 = _rows(_here_2, _count35)
+                if _count69:
+                    _far = _of(_rows34, _rows68)
+                    _far_x_3 = _take(_far_x_2, _rows68)
+                    _far_y_3 = _take(_far_y_2, _rows68)
+                    _far_z_3 = _take(_far_z_2, _rows68)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows68)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows68)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _room_3 = room(_count69)
+                    _nx_3, _ny_3, _nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows68, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows68, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows68, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows68, _nz_3, _count35)
+                _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
+                _vx_0_2, _vy_0_2, _vz_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _near_0_2 = roll_start(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _ring_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_x_2, _far_y_2, _room_2)
+                _across_0_2, _round_0_2, _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_1_2, _vy_1_2, _vz_1_2, _nx_1_2, _ny_1_2, _nz_1_2, _turn_rate_1_2, _cos_1_2, _sin_1_2, _widened_1_2, _near_1_2 = roll_0(_bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _p_gravity_2, _near_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _per_reach_2, _ring_2, _sin_0_2, _turn_rate_0_2, _vx_0_2, _vy_0_2, _vz_0_2, _room_2)
+                _across_1_2, _round_1_2, _lift_1_2, _tx_1_2, _ty_1_2, _tz_1_2, _vx_2_2, _vy_2_2, _vz_2_2, _nx_2_2, _ny_2_2, _nz_2_2, _turn_rate_2_2, _cos_2_2, _sin_2_2, _widened_2_2, _near_2_2 = roll_1(_across_0_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _p_gravity_2, _lift_0_2, _near_0_2, _near_1_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _per_reach_2, _ring_2, _round_0_2, _sin_0_2, _sin_1_2, _turn_rate_0_2, _turn_rate_1_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_0_2, _vx_1_2, _vy_0_2, _vy_1_2, _vz_0_2, _vz_1_2, _widened_1_2, _room_2)
+                _across_2_2, _round_2_2, _lift_2_2, _tx_2_2, _ty_2_2, _tz_2_2, _vx_3_2, _vy_3_2, _vz_3_2, _nx_3_2, _ny_3_2, _nz_3_2, _turn_rate_3_2, _cos_3_2, _sin_3_2, _widened_3_2, _near_3_2 = roll_2(_across_0_2, _across_1_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _p_gravity_2, _lift_0_2, _lift_1_2, _near_0_2, _near_1_2, _near_2_2, _nx_0_2, _nx_1_2, _nx_2_2, _ny_0_2, _ny_1_2, _ny_2_2, _nz_0_2, _nz_1_2, _nz_2_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _sin_0_2, _sin_1_2, _sin_2_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _tx_0_2, _tx_1_2, _ty_0_2, _ty_1_2, _tz_0_2, _tz_1_2, _vx_0_2, _vx_1_2, _vx_2_2, _vy_0_2, _vy_1_2, _vy_2_2, _vz_0_2, _vz_1_2, _vz_2_2, _widened_1_2, _widened_2_2, _room_2)
+                _across_3_2, _round_3_2, _lift_3_2, _tx_3_2, _ty_3_2, _tz_3_2, _vx_4_2, _vy_4_2, _vz_4_2, _nx_4_2, _ny_4_2, _nz_4_2, _turn_rate_4_2, _cos_4_2, _sin_4_2, _widened_4_2, _near_4_2 = roll_3(_across_0_2, _across_1_2, _across_2_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _tx_0_2, _tx_1_2, _tx_2_2, _ty_0_2, _ty_1_2, _ty_2_2, _tz_0_2, _tz_1_2, _tz_2_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _widened_1_2, _widened_2_2, _widened_3_2, _room_2)
+                _across_4_2, _round_4_2, _lift_4_2, _tx_4_2, _ty_4_2, _tz_4_2, _vx_5_2, _vy_5_2, _vz_5_2, _nx_5_2, _ny_5_2, _nz_5_2, _turn_rate_5_2, _cos_5_2, _sin_5_2, _widened_5_2, _near_5_2 = roll_4(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _room_2)
+                _across_5_2, _round_5_2, _lift_5_2, _tx_5_2, _ty_5_2, _tz_5_2, _vx_6_2, _vy_6_2, _vz_6_2, _nx_6_2, _ny_6_2, _nz_6_2, _turn_rate_6_2, _cos_6_2, _sin_6_2, _widened_6_2, _near_6_2 = roll_5(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _room_2)
+                _across_6_2, _round_6_2, _lift_6_2, _tx_6_2, _ty_6_2, _tz_6_2, _vx_7_2, _vy_7_2, _vz_7_2, _nx_7_2, _ny_7_2, _nz_7_2, _turn_rate_7_2, _cos_7_2, _sin_7_2, _widened_7_2, _near_7_2 = roll_6(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _room_2)
+                _, _, _, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _, _, _, _turn_rate_8_2, *_ = roll_7(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _across_6_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _round_6_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _widened_7_2, _room_2)
+                _far_x_2, _, _far_y_2, _, _far_z_2, *_ = roll_moved(_stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
+                _here_2, = holding(_held_2, 0.0)
+                _rows70, _count71 = _rows(_here_2, _count35)
+                if _count71:
+                    _far = _of(_rows34, _rows70)
+                    _far_x_3 = _take(_far_x_2, _rows70)
+                    _far_y_3 = _take(_far_y_2, _rows70)
+                    _far_z_3 = _take(_far_z_2, _rows70)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows70)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows70)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _room_3 = room(_count71)
+                    _nx_3, _ny_3, _nz_3 = ring_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
+                    _nx_2 = _put(_nx_2, _rows70, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows70, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows70, _nz_3, _count35)
+                _here_2, = holding(_held_2, 1.0)
+                _rows72, _count73 = _rows(_here_2, _count35)
+                if _count73:
+                    _far = _of(_rows34, _rows72)
+                    _far_x_3 = _take(_far_x_2, _rows72)
+                    _far_y_3 = _take(_far_y_2, _rows72)
+                    _far_z_3 = _take(_far_z_2, _rows72)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows72)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _room_3 = room(_count73)
+                    _nx_3, _ny_3, _nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _nx_2 = _put(_nx_2, _rows72, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows72, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows72, _nz_3, _count35)
+                _here_2, = holding(_held_2, 2.0)
+                _rows74, _count75 = _rows(_here_2, _count35)
+                if _count75:
+                    _far = _of(_rows34, _rows74)
+                    _far_x_3 = _take(_far_x_2, _rows74)
+                    _far_y_3 = _take(_far_y_2, _rows74)
+                    _far_z_3 = _take(_far_z_2, _rows74)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows74)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows74)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _room_3 = room(_count75)
+                    _nx_3, _ny_3, _nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _nx_2 = _put(_nx_2, _rows74, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows74, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows74, _nz_3, _count35)
+                _clock_2, _rolling_2 = rolled_on(_clock_2, _rests_2, _stride_2, _which_2)
+                _going76 = _where_true(_rolling_2)
+                if len(_going76) == _count35:
+                    continue
+                _done = _where_true(_logical_not(_rolling_2))
+                _store(_clock_1, _of(_rows34, _done), _clock_2, _done)
+                _store(_per_reach_1, _of(_rows34, _done), _per_reach_2, _done)
+                _store(_rests_1, _of(_rows34, _done), _rests_2, _done)
+                _store(_through_1, _of(_rows34, _done), _through_2, _done)
+                _store(_vx_1, _of(_rows34, _done), _vx_2, _done)
+                _store(_vy_1, _of(_rows34, _done), _vy_2, _done)
+                _store(_vz_1, _of(_rows34, _done), _vz_2, _done)
+                _store(_which_1, _of(_rows34, _done), _which_2, _done)
+                _store(_wx_1, _of(_rows34, _done), _wx_2, _done)
+                _store(_wy_1, _of(_rows34, _done), _wy_2, _done)
+                _store(_wz_1, _of(_rows34, _done), _wz_2, _done)
+                _store(_x_1, _of(_rows34, _done), _x_2, _done)
+                _store(_y_1, _of(_rows34, _done), _y_2, _done)
+                _store(_z_1, _of(_rows34, _done), _z_2, _done)
+                _rows34, _count35 = _of(_rows34, _going76), len(_going76)
+                if not _count35:
+                    break
+                _bent_x_2 = _take(_bent_x_2, _going76)
+                _bent_y_2 = _take(_bent_y_2, _going76)
+                _bent_z_2 = _take(_bent_z_2, _going76)
+                _clock_2 = _take(_clock_2, _going76)
+                _held_2 = _take(_held_2, _going76)
+                _nx_2 = _take(_nx_2, _going76)
+                _ny_2 = _take(_ny_2, _going76)
+                _nz_2 = _take(_nz_2, _going76)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going76)
+                _p_end_depth_2 = _take(_p_end_depth_2, _going76)
+                _p_gravity_2 = _take(_p_gravity_2, _going76)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going76)
+                _per_reach_2 = _take(_per_reach_2, _going76)
+                _rests_2 = _take(_rests_2, _going76)
+                _ring_2 = _take(_ring_2, _going76)
+                _rolling_2 = _take(_rolling_2, _going76)
+                _through_2 = _take(_through_2, _going76)
+                _time_limit_2 = _take(_time_limit_2, _going76)
+                _vx_2 = _take(_vx_2, _going76)
+                _vy_2 = _take(_vy_2, _going76)
+                _vz_2 = _take(_vz_2, _going76)
+                _which_2 = _take(_which_2, _going76)
+                _wx_2 = _take(_wx_2, _going76)
+                _wy_2 = _take(_wy_2, _going76)
+                _wz_2 = _take(_wz_2, _going76)
+                _x_2 = _take(_x_2, _going76)
+                _y_2 = _take(_y_2, _going76)
+                _z_2 = _take(_z_2, _going76)
+            else:
+                _store(_clock_1, _rows34, _clock_2, None)
+                _store(_per_reach_1, _rows34, _per_reach_2, None)
+                _store(_rests_1, _rows34, _rests_2, None)
+                _store(_through_1, _rows34, _through_2, None)
+                _store(_vx_1, _rows34, _vx_2, None)
+                _store(_vy_1, _rows34, _vy_2, None)
+                _store(_vz_1, _rows34, _vz_2, None)
+                _store(_which_1, _rows34, _which_2, None)
+                _store(_wx_1, _rows34, _wx_2, None)
+                _store(_wy_1, _rows34, _wy_2, None)
+                _store(_wz_1, _rows34, _wz_2, None)
+                _store(_x_1, _rows34, _x_2, None)
+                _store(_y_1, _rows34, _y_2, None)
+                _store(_z_1, _rows34, _z_2, None)
+        _rows77, _count78 = _rows(_leaves_1, _count31)
+        if _count78:
+            _held_2 = _take(_held_1, _rows77)
+            _lift_2 = _take(_lift_1, _rows77)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows77)
+            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows77)
+            _p_board_distance_2 = _take(_p_board_distance_1, _rows77)
+            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows77)
+            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows77)
+            _p_board_top_2 = _take(_p_board_top_1, _rows77)
+            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows77)
+            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows77)
+            _p_end_depth_2 = _take(_p_end_depth_1, _rows77)
+            _p_gravity_2 = _take(_p_gravity_1, _rows77)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows77)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows77)
+            _per_reach_2 = _take(_per_reach_1, _rows77)
+            _snap_2 = _take(_snap_1, _rows77)
+            _surge_2 = _take(_surge_1, _rows77)
+            _vx_2 = _take(_vx_1, _rows77)
+            _vy_2 = _take(_vy_1, _rows77)
+            _vz_2 = _take(_vz_1, _rows77)
+            _x_2 = _take(_x_1, _rows77)
+            _y_2 = _take(_y_1, _rows77)
+            _z_2 = _take(_z_1, _rows77)
+            _room_2 = room(_count78)
+            _here_2, = holding(_held_2, 0.0)
+            _rows79, _count80 = _rows(_here_2, _count78)
+            if _count80:
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows79)
+                _p_gravity_3 = _take(_p_gravity_2, _rows79)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows79)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows79)
+                _vx_3 = _take(_vx_2, _rows79)
+                _vy_3 = _take(_vy_2, _rows79)
+                _vz_3 = _take(_vz_2, _rows79)
+                _x_3 = _take(_x_2, _rows79)
+                _y_3 = _take(_y_2, _rows79)
+                _z_3 = _take(_z_2, _rows79)
+                _room_3 = room(_count80)
+                _, _, _, _per_reach_3, *_ = ring_tube(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3)
+                _lift_3, _surge_3, _snap_3 = ring_parting(_p_gravity_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                _lift_2 = _put(_lift_2, _rows79, _lift_3, _count78)
+                _per_reach_2 = _put(_per_reach_2, _rows79, _per_reach_3, _count78)
+                _snap_2 = _put(_snap_2, _rows79, _snap_3, _count78)
+                _surge_2 = _put(_surge_2, _rows79, _surge_3, _count78)
+            _here_2, = holding(_held_2, 1.0)
+            _rows81, _count82 = _rows(_here_2, _count78)
+            if _count82:
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows81)
+                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows81)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows81)
+                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows81)
+                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows81)
+                _p_board_top_3 = _take(_p_board_top_2, _rows81)
+                _p_gravity_3 = _take(_p_gravity_2, _rows81)
+                _vx_3 = _take(_vx_2, _rows81)
+                _vy_3 = _take(_vy_2, _rows81)
+                _vz_3 = _take(_vz_2, _rows81)
+                _x_3 = _take(_x_2, _rows81)
+                _y_3 = _take(_y_2, _rows81)
+                _z_3 = _take(_z_2, _rows81)
+                _room_3 = room(_count82)
+                _, _, _, _per_reach_3, *_ = backboard_tube(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                _lift_3, _surge_3, _snap_3 = backboard_parting(_p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                _lift_2 = _put(_lift_2, _rows81, _lift_3, _count78)
+                _per_reach_2 = _put(_per_reach_2, _rows81, _per_reach_3, _count78)
+                _snap_2 = _put(_snap_2, _rows81, _snap_3, _count78)
+                _surge_2 = _put(_surge_2, _rows81, _surge_3, _count78)
+            _here_2, = holding(_held_2, 2.0)
+            _rows83, _count84 = _rows(_here_2, _count78)
+            if _count84:
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows83)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows83)
+                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows83)
+                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows83)
+                _p_gravity_3 = _take(_p_gravity_2, _rows83)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows83)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows83)
+                _vx_3 = _take(_vx_2, _rows83)
+                _vy_3 = _take(_vy_2, _rows83)
+                _vz_3 = _take(_vz_2, _rows83)
+                _x_3 = _take(_x_2, _rows83)
+                _y_3 = _take(_y_2, _rows83)
+                _z_3 = _take(_z_2, _rows83)
+                _room_3 = room(_count84)
+                _, _, _, _per_reach_3, *_ = bridge_tube(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                _lift_3, _surge_3, _snap_3 = bridge_parting(_p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                _lift_2 = _put(_lift_2, _rows83, _lift_3, _count78)
+                _per_reach_2 = _put(_per_reach_2, _rows83, _per_reach_3, _count78)
+                _snap_2 = _put(_snap_2, _rows83, _snap_3, _count78)
+                _surge_2 = _put(_surge_2, _rows83, _surge_3, _count78)
+            _nearest_2, = alone()
+            _beside_2, = beside(_held_2, 0.0)
+            _rows85, _count86 = _rows(_beside_2, _count78)
+            if _count86:
+                _nearest_3 = _take(_nearest_2, _rows85)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows85)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows85)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows85)
+                _vx_3 = _take(_vx_2, _rows85)
+                _vy_3 = _take(_vy_2, _rows85)
+                _vz_3 = _take(_vz_2, _rows85)
+                _x_3 = _take(_x_2, _rows85)
+                _y_3 = _take(_y_2, _rows85)
+                _z_3 = _take(_z_2, _rows85)
+                _room_3 = room(_count86)
+                _gap_3, *_ = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                _nearest_3, = neared(_gap_3, _nearest_3)
+                _nearest_2 = _put(_nearest_2, _rows85, _nearest_3, _count78)
+            _beside_2, = beside(_held_2, 1.0)
+            _rows87, _count88 = _rows(_beside_2, _count78)
+            if _count88:
+                _nearest_3 = _take(_nearest_2, _rows87)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows87)
+                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows87)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows87)
+                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows87)
+                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows87)
+                _p_board_top_3 = _take(_p_board_top_2, _rows87)
+                _vx_3 = _take(_vx_2, _rows87)
+                _vy_3 = _take(_vy_2, _rows87)
+                _vz_3 = _take(_vz_2, _rows87)
+                _x_3 = _take(_x_2, _rows87)
+                _y_3 = _take(_y_2, _rows87)
+                _z_3 = _take(_z_2, _rows87)
+                _room_3 = room(_count88)
+                _gap_3, *_ = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                _nearest_3, = neared(_gap_3, _nearest_3)
+                _nearest_2 = _put(_nearest_2, _rows87, _nearest_3, _count78)
+            _beside_2, = beside(_held_2, 2.0)
+            _rows89, _count90 = _rows(_beside_2, _count78)
+            if _count90:
+                _nearest_3 = _take(_nearest_2, _rows89)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows89)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows89)
+                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows89)
+                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows89)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows89)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows89)
+                _vx_3 = _take(_vx_2, _rows89)
+                _vy_3 = _take(_vy_2, _rows89)
+                _vz_3 = _take(_vz_2, _rows89)
+                _x_3 = _take(_x_2, _rows89)
+                _y_3 = _take(_y_2, _rows89)
+                _z_3 = _take(_z_2, _rows89)
+                _room_3 = room(_count90)
+                _gap_3, *_ = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                _nearest_3, = neared(_gap_3, _nearest_3)
+                _nearest_2 = _put(_nearest_2, _rows89, _nearest_3, _count78)
+            _beside_2, = beside(_held_2, 3.0)
+            _gap_3, *_ = end_beside(_p_end_depth_2, _vz_2, _z_2)
+            _nearest_3, = neared(_gap_3, _nearest_2)
+            _nearest_2 = _choose(_beside_2, _nearest_3, _nearest_2)
+            _when_2, *_ = parted(_inf, _p_gravity_2, _lift_2, _nearest_2, _per_reach_2, 0.0, _snap_2, _surge_2, 0.0, _vx_2, _vy_2, _vz_2, _room_2)
+            _which_2, = hopping()
+            _when_1 = _put(_when_1, _rows77, _when_2, _count31)
+            _which_1 = _put(_which_1, _rows77, _which_2, _count31)
+        _clock_0 = _put(_clock_0, _rows30, _clock_1, shots)
+        _rests_0 = _put(_rests_0, _rows30, _rests_1, shots)
+        _through_0 = _put(_through_0, _rows30, _through_1, shots)
+        _vx_0 = _put(_vx_0, _rows30, _vx_1, shots)
+        _vy_0 = _put(_vy_0, _rows30, _vy_1, shots)
+        _vz_0 = _put(_vz_0, _rows30, _vz_1, shots)
+        _when_0 = _put(_when_0, _rows30, _when_1, shots)
+        _which_0 = _put(_which_0, _rows30, _which_1, shots)
+        _wx_0 = _put(_wx_0, _rows30, _wx_1, shots)
+        _wy_0 = _put(_wy_0, _rows30, _wy_1, shots)
+        _wz_0 = _put(_wz_0, _rows30, _wz_1, shots)
+        _x_0 = _put(_x_0, _rows30, _x_1, shots)
+        _y_0 = _put(_y_0, _rows30, _y_1, shots)
+        _z_0 = _put(_z_0, _rows30, _z_1, shots)
+    _, _moves_0, _ends_0, _touches_0, _reached_0, *_ = departed(3.0, _which_0)
+    _body_0, = body_of(_which_0)
+    _rows91, _count92 = _rows(_moves_0, shots)
+    if _count92:
+        _clock_1 = _take(_clock_0, _rows91)
+        _p_gravity_1 = _take(_p_gravity_0, _rows91)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows91)
+        _through_1 = _take(_through_0, _rows91)
+        _vx_1 = _take(_vx_0, _rows91)
+        _vy_1 = _take(_vy_0, _rows91)
+        _vz_1 = _take(_vz_0, _rows91)
+        _when_1 = _take(_when_0, _rows91)
+        _x_1 = _take(_x_0, _rows91)
+        _y_1 = _take(_y_0, _rows91)
+        _z_1 = _take(_z_0, _rows91)
+        _room_1 = room(_count92)
+        _through_1, = passing(_through_1, _when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _p_gravity_1, _room_1)
+        _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
+        _clock_1, = ticked(_clock_1, _when_1)
+        _clock_0 = _put(_clock_0, _rows91, _clock_1, shots)
+        _through_0 = _put(_through_0, _rows91, _through_1, shots)
+        _vx_0 = _put(_vx_0, _rows91, _vx_1, shots)
+        _vy_0 = _put(_vy_0, _rows91, _vy_1, shots)
+        _vz_0 = _put(_vz_0, _rows91, _vz_1, shots)
+        _x_0 = _put(_x_0, _rows91, _x_1, shots)
+        _y_0 = _put(_y_0, _rows91, _y_1, shots)
+        _z_0 = _put(_z_0, _rows91, _z_1, shots)
+    _rows93, _count94 = _rows(_limited_0, shots)
+    if _count94:
+        _body_1 = _take(_body_0, _rows93)
+        _clock_1 = _take(_clock_0, _rows93)
+        _ends_1 = _take(_ends_0, _rows93)
+        _reached_1 = _take(_reached_0, _rows93)
+        _time_limit_1 = _take(_time_limit_0, _rows93)
+        _which_1 = _take(_which_0, _rows93)
+        _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
+        _body_0 = _put(_body_0, _rows93, _body_1, shots)
+        _clock_0 = _put(_clock_0, _rows93, _clock_1, shots)
+        _ends_0 = _put(_ends_0, _rows93, _ends_1, shots)
+        _reached_0 = _put(_reached_0, _rows93, _reached_1, shots)
+    _rows95, _count96 = _rows(_kept_0, shots)
+    if _count96:
+        _body_1 = _take(_body_0, _rows95)
+        _ends_1 = _take(_ends_0, _rows95)
+        _held_1 = _take(_held_0, _rows95)
+        _last_1 = _take(_last_0, _rows95)
+        _reached_1 = _take(_reached_0, _rows95)
+        _rests_1 = _take(_rests_0, _rows95)
+        _which_1 = _take(_which_0, _rows95)
+        _room_1 = room(_count96)
+        _body_1, _reached_1, _ends_1, _, _last_1, _mode_1, _held_1 = kept_on(_body_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _which_1, _room_1)
+        _body_0 = _put(_body_0, _rows95, _body_1, shots)
+        _ends_0 = _put(_ends_0, _rows95, _ends_1, shots)
+        _held_0 = _put(_held_0, _rows95, _held_1, shots)
+        _last_0 = _put(_last_0, _rows95, _last_1, shots)
+        _mode_0 = _put(_mode_0, _rows95, _mode_1, shots)
+        _reached_0 = _put(_reached_0, _rows95, _reached_1, shots)
+    _here_0, = here(3.0, _which_0)
+    _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
+    _reached_1, = end_reached(_g0_1, _through_0)
+    _reached_0 = _choose(_here_0, _reached_1, _reached_0)
+    _contacts_0, _outcome_0 = accounted(_contacts_0, _most_contacts_0, _reached_0, _touches_0)
+    columns["body"] = _body_0
+    columns["clock"] = _clock_0
+    columns["contacts"] = _contacts_0
+    columns["ends"] = _ends_0
+    columns["held"] = _held_0
+    columns["last"] = _last_0
+    columns["mode"] = _mode_0
+    columns["outcome"] = _outcome_0
+    columns["through"] = _through_0
+    columns["touches"] = _touches_0
+    columns["vx"] = _vx_0
+    columns["vy"] = _vy_0
+    columns["vz"] = _vz_0
+    columns["which"] = _which_0
+    columns["wx"] = _wx_0
+    columns["wy"] = _wy_0
+    columns["wz"] = _wz_0
+    columns["x"] = _x_0
+    columns["y"] = _y_0
+    columns["z"] = _z_0
+
+
+def meet_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
+    """Stage meet of the event loop, the path alone."""
+    _body_0 = columns["body"]
+    _count_0_0 = columns["count_0"]
+    _count_1_0 = columns["count_1"]
+    _count_2_0 = columns["count_2"]
+    _ends_0 = columns["ends"]
+    _first_0 = columns["first"]
+    _held_0 = columns["held"]
+    _last_0 = columns["last"]
+    _mode_0 = columns["mode"]
+    _outcome_0 = columns["outcome"]
+    _p_backboard_friction_0 = columns["p_backboard_friction"]
+    _p_backboard_restitution_0 = columns["p_backboard_restitution"]
+    _p_ball_radius_0 = columns["p_ball_radius"]
+    _p_board_bottom_0 = columns["p_board_bottom"]
+    _p_board_distance_0 = columns["p_board_distance"]
+    _p_board_half_width_0 = columns["p_board_half_width"]
+    _p_board_thickness_0 = columns["p_board_thickness"]
+    _p_board_top_0 = columns["p_board_top"]
+    _p_bridge_depth_0 = columns["p_bridge_depth"]
+    _p_bridge_friction_0 = columns["p_bridge_friction"]
+    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
+    _p_bridge_restitution_0 = columns["p_bridge_restitution"]
+    _p_end_depth_0 = columns["p_end_depth"]
+    _p_gravity_0 = columns["p_gravity"]
+    _p_restitution_speed_0 = columns["p_restitution_speed"]
+    _p_ring_friction_0 = columns["p_ring_friction"]
+    _p_ring_radius_0 = columns["p_ring_radius"]
+    _p_ring_restitution_0 = columns["p_ring_restitution"]
+    _p_tangential_restitution_0 = columns["p_tangential_restitution"]
+    _p_wire_radius_0 = columns["p_wire_radius"]
+    _touches_0 = columns["touches"]
+    _vx_0 = columns["vx"]
+    _vy_0 = columns["vy"]
+    _vz_0 = columns["vz"]
+    _which_0 = columns["which"]
+    _wx_0 = columns["wx"]
+    _wy_0 = columns["wy"]
+    _wz_0 = columns["wz"]
+    _x_0 = columns["x"]
+    _y_0 = columns["y"]
+    _z_0 = columns["z"]
+    _meeting_0, = meeting(0.0, _ends_0, _touches_0)
+    _rows1, _count2 = _rows(_meeting_0, shots)
+    if _count2:
+        _body_1 = _take(_body_0, _rows1)
+        _count_0_1 = _take(_count_0_0, _rows1)
+        _count_1_1 = _take(_count_1_0, _rows1)
+        _count_2_1 = _take(_count_2_0, _rows1)
+        _first_1 = _take(_first_0, _rows1)
+        _held_1 = _take(_held_0, _rows1)
+        _last_1 = _take(_last_0, _rows1)
+        _mode_1 = _take(_mode_0, _rows1)
+        _outcome_1 = _take(_outcome_0, _rows1)
+        _p_backboard_friction_1 = _take(_p_backboard_friction_0, _rows1)
+        _p_backboard_restitution_1 = _take(_p_backboard_restitution_0, _rows1)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
+        _p_board_bottom_1 = _take(_p_board_bottom_0, _rows1)
+        _p_board_distance_1 = _take(_p_board_distance_0, _rows1)
+        _p_board_half_width_1 = _take(_p_board_half_width_0, _rows1)
+        _p_board_thickness_1 = _take(_p_board_thickness_0, _rows1)
+        _p_board_top_1 = _take(_p_board_top_0, _rows1)
+        _p_bridge_depth_1 = _take(_p_bridge_depth_0, _rows1)
+        _p_bridge_friction_1 = _take(_p_bridge_friction_0, _rows1)
+        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows1)
+        _p_bridge_restitution_1 = _take(_p_bridge_restitution_0, _rows1)
+        _p_end_depth_1 = _take(_p_end_depth_0, _rows1)
+        _p_gravity_1 = _take(_p_gravity_0, _rows1)
+        _p_restitution_speed_1 = _take(_p_restitution_speed_0, _rows1)
+        _p_ring_friction_1 = _take(_p_ring_friction_0, _rows1)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows1)
+        _p_ring_restitution_1 = _take(_p_ring_restitution_0, _rows1)
+        _p_tangential_restitution_1 = _take(_p_tangential_restitution_0, _rows1)
+        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows1)
+        _touches_1 = _take(_touches_0, _rows1)
+        _vx_1 = _take(_vx_0, _rows1)
+        _vy_1 = _take(_vy_0, _rows1)
+        _vz_1 = _take(_vz_0, _rows1)
+        _which_1 = _take(_which_0, _rows1)
+        _wx_1 = _take(_wx_0, _rows1)
+        _wy_1 = _take(_wy_0, _rows1)
+        _wz_1 = _take(_wz_0, _rows1)
+        _x_1 = _take(_x_0, _rows1)
+        _y_1 = _take(_y_0, _rows1)
+        _z_1 = _take(_z_0, _rows1)
+        _room_1 = room(_count2)
+        _nx_1, _ny_1, _nz_1 = end_normal()
+        _here_1, = here(0.0, _which_1)
+        _nx_2, _ny_2, _nz_2 = ring_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _room_1)
+        _count_0_2, = counted(_count_0_1)
+        _count_0_1 = _choose(_here_1, _count_0_2, _count_0_1)
+        _nx_1 = _choose(_here_1, _nx_2, _nx_1)
+        _ny_1 = _choose(_here_1, _ny_2, _ny_1)
+        _nz_1 = _choose(_here_1, _nz_2, _nz_1)
+        _here_1, = here(1.0, _which_1)
+        _nx_2, _ny_2, _nz_2 = backboard_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _room_1)
+        _count_1_2, = counted(_count_1_1)
+        _count_1_1 = _choose(_here_1, _count_1_2, _count_1_1)
+        _nx_1 = _choose(_here_1, _nx_2, _nx_1)
+        _ny_1 = _choose(_here_1, _ny_2, _ny_1)
+        _nz_1 = _choose(_here_1, _nz_2, _nz_1)
+        _here_1, = here(2.0, _which_1)
+        _nx_2, _ny_2, _nz_2 = bridge_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _room_1)
+        _count_2_2, = counted(_count_2_1)
+        _count_2_1 = _choose(_here_1, _count_2_2, _count_2_1)
+        _nx_1 = _choose(_here_1, _nx_2, _nx_1)
+        _ny_1 = _choose(_here_1, _ny_2, _ny_1)
+        _nz_1 = _choose(_here_1, _nz_2, _nz_1)
+        _here_1, = here(0.0, _which_1)
+        _rows3, _count4 = _rows(_here_1, _count2)
+        if _count4:
+            _nx_2 = _take(_nx_1, _rows3)
+            _ny_2 = _take(_ny_1, _rows3)
+            _nz_2 = _take(_nz_1, _rows3)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows3)
+            _p_restitution_speed_2 = _take(_p_restitution_speed_1, _rows3)
+            _p_ring_friction_2 = _take(_p_ring_friction_1, _rows3)
+            _p_ring_restitution_2 = _take(_p_ring_restitution_1, _rows3)
+            _p_tangential_restitution_2 = _take(_p_tangential_restitution_1, _rows3)
+            _vx_2 = _take(_vx_1, _rows3)
+            _vy_2 = _take(_vy_1, _rows3)
+            _vz_2 = _take(_vz_1, _rows3)
+            _wx_2 = _take(_wx_1, _rows3)
+            _wy_2 = _take(_wy_1, _rows3)
+            _wz_2 = _take(_wz_1, _rows3)
+            _room_2 = room(_count4)
+            _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = ring_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_ring_restitution_2, _p_ring_friction_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
+            _vx_1 = _put(_vx_1, _rows3, _vx_2, _count2)
+            _vy_1 = _put(_vy_1, _rows3, _vy_2, _count2)
+            _vz_1 = _put(_vz_1, _rows3, _vz_2, _count2)
+            _wx_1 = _put(_wx_1, _rows3, _wx_2, _count2)
+            _wy_1 = _put(_wy_1, _rows3, _wy_2, _count2)
+            _wz_1 = _put(_wz_1, _rows3, _wz_2, _count2)
+        _here_1, = here(1.0, _which_1)
+        _rows5, _count6 = _rows(_here_1, _count2)
+        if _count6:
+            _nx_2 = _take(_nx_1, _rows5)
+            _ny_2 = _take(_ny_1, _rows5)
+            _nz_2 = _take(_nz_1, _rows5)
+            _p_backboard_friction_2 = _take(_p_backboard_friction_1, _rows5)
+            _p_backboard_restitution_2 = _take(_p_backboard_restitution_1, _rows5)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows5)
+            _p_restitution_speed_2 = _take(_p_restitution_speed_1, _rows5)
+            _p_tangential_restitution_2 = _take(_p_tangential_restitution_1, _rows5)
+            _vx_2 = _take(_vx_1, _rows5)
+            _vy_2 = _take(_vy_1, _rows5)
+            _vz_2 = _take(_vz_1, _rows5)
+            _wx_2 = _take(_wx_1, _rows5)
+            _wy_2 = _take(_wy_1, _rows5)
+            _wz_2 = _take(_wz_1, _rows5)
+            _room_2 = room(_count6)
+            _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = backboard_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_backboard_restitution_2, _p_backboard_friction_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
+            _vx_1 = _put(_vx_1, _rows5, _vx_2, _count2)
+            _vy_1 = _put(_vy_1, _rows5, _vy_2, _count2)
+            _vz_1 = _put(_vz_1, _rows5, _vz_2, _count2)
+            _wx_1 = _put(_wx_1, _rows5, _wx_2, _count2)
+            _wy_1 = _put(_wy_1, _rows5, _wy_2, _count2)
+            _wz_1 = _put(_wz_1, _rows5, _wz_2, _count2)
+        _here_1, = here(2.0, _which_1)
+        _rows7, _count8 = _rows(_here_1, _count2)
+        if _count8:
+            _nx_2 = _take(_nx_1, _rows7)
+            _ny_2 = _take(_ny_1, _rows7)
+            _nz_2 = _take(_nz_1, _rows7)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows7)
+            _p_bridge_friction_2 = _take(_p_bridge_friction_1, _rows7)
+            _p_bridge_restitution_2 = _take(_p_bridge_restitution_1, _rows7)
+            _p_restitution_speed_2 = _take(_p_restitution_speed_1, _rows7)
+            _p_tangential_restitution_2 = _take(_p_tangential_restitution_1, _rows7)
+            _vx_2 = _take(_vx_1, _rows7)
+            _vy_2 = _take(_vy_1, _rows7)
+            _vz_2 = _take(_vz_1, _rows7)
+            _wx_2 = _take(_wx_1, _rows7)
+            _wy_2 = _take(_wy_1, _rows7)
+            _wz_2 = _take(_wz_1, _rows7)
+            _room_2 = room(_count8)
+            _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = bridge_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_bridge_restitution_2, _p_bridge_friction_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
+            _vx_1 = _put(_vx_1, _rows7, _vx_2, _count2)
+            _vy_1 = _put(_vy_1, _rows7, _vy_2, _count2)
+            _vz_1 = _put(_vz_1, _rows7, _vz_2, _count2)
+            _wx_1 = _put(_wx_1, _rows7, _wx_2, _count2)
+            _wy_1 = _put(_wy_1, _rows7, _wy_2, _count2)
+            _wz_1 = _put(_wz_1, _rows7, _wz_2, _count2)
+        _first_2, _last_2 = touched(_body_1, _first_1, _which_1)
+        _first_1 = _choose(_touches_1, _first_2, _first_1)
+        _last_1 = _choose(_touches_1, _last_2, _last_1)
+        _rows9, _count10 = _rows(_touches_1, _count2)
+        if _count10:
+            _held_2 = _take(_held_1, _rows9)
+            _mode_2 = _take(_mode_1, _rows9)
+            _nx_2 = _take(_nx_1, _rows9)
+            _ny_2 = _take(_ny_1, _rows9)
+            _nz_2 = _take(_nz_1, _rows9)
+            _outcome_2 = _take(_outcome_1, _rows9)
+            _p_backboard_friction_2 = _take(_p_backboard_friction_1, _rows9)
+            _p_backboard_restitution_2 = _take(_p_backboard_restitution_1, _rows9)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows9)
+            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows9)
+            _p_board_distance_2 = _take(_p_board_distance_1, _rows9)
+            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows9)
+            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows9)
+            _p_board_top_2 = _take(_p_board_top_1, _rows9)
+            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows9)
+            _p_bridge_friction_2 = _take(_p_bridge_friction_1, _rows9)
+            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows9)
+            _p_bridge_restitution_2 = _take(_p_bridge_restitution_1, _rows9)
+            _p_end_depth_2 = _take(_p_end_depth_1, _rows9)
+            _p_gravity_2 = _take(_p_gravity_1, _rows9)
+            _p_ring_friction_2 = _take(_p_ring_friction_1, _rows9)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows9)
+            _p_ring_restitution_2 = _take(_p_ring_restitution_1, _rows9)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows9)
+            _vx_2 = _take(_vx_1, _rows9)
+            _vy_2 = _take(_vy_1, _rows9)
+            _vz_2 = _take(_vz_1, _rows9)
+            _which_2 = _take(_which_1, _rows9)
+            _wx_2 = _take(_wx_1, _rows9)
+            _wy_2 = _take(_wy_1, _rows9)
+            _wz_2 = _take(_wz_1, _rows9)
+            _x_2 = _take(_x_1, _rows9)
+            _y_2 = _take(_y_1, _rows9)
+            _z_2 = _take(_z_1, _rows9)
+            _room_2 = room(_count10)
+            _slow_2, *_ = slowed(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _room_2)
+            _rows11, _count12 = _rows(_slow_2, _count10)
+            if _count12:
+                _held_3 = _take(_held_2, _rows11)
+                _mode_3 = _take(_mode_2, _rows11)
+                _nx_3 = _take(_nx_2, _rows11)
+                _ny_3 = _take(_ny_2, _rows11)
+                _nz_3 = _take(_nz_2, _rows11)
+                _outcome_3 = _take(_outcome_2, _rows11)
+                _p_backboard_friction_3 = _take(_p_backboard_friction_2, _rows11)
+                _p_backboard_restitution_3 = _take(_p_backboard_restitution_2, _rows11)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows11)
+                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows11)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows11)
+                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows11)
+                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows11)
+                _p_board_top_3 = _take(_p_board_top_2, _rows11)
+                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows11)
+                _p_bridge_friction_3 = _take(_p_bridge_friction_2, _rows11)
+                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows11)
+                _p_bridge_restitution_3 = _take(_p_bridge_restitution_2, _rows11)
+                _p_end_depth_3 = _take(_p_end_depth_2, _rows11)
+                _p_gravity_3 = _take(_p_gravity_2, _rows11)
+                _p_ring_friction_3 = _take(_p_ring_friction_2, _rows11)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows11)
+                _p_ring_restitution_3 = _take(_p_ring_restitution_2, _rows11)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows11)
+                _vx_3 = _take(_vx_2, _rows11)
+                _vy_3 = _take(_vy_2, _rows11)
+                _vz_3 = _take(_vz_2, _rows11)
+                _which_3 = _take(_which_2, _rows11)
+                _wx_3 = _take(_wx_2, _rows11)
+                _wy_3 = _take(_wy_2, _rows11)
+                _wz_3 = _take(_wz_2, _rows11)
+                _x_3 = _take(_x_2, _rows11)
+                _y_3 = _take(_y_2, _rows11)
+                _z_3 = _take(_z_2, _rows11)
+                _room_3 = room(_count12)
+                _rolled_x_3, _rolled_y_3, _rolled_z_3, _slip_3, _bounce_3 = gripped(_p_ball_radius_3, _nx_3, _ny_3, _nz_3, _vx_3, _vy_3, _vz_3, _wx_3, _wy_3, _wz_3, _room_3)
+                _here_3, = here(0.0, _which_3)
+                _rows13, _count14 = _rows(_here_3, _count12)
+                if _count14:
+                    _bounce_4 = _take(_bounce_3, _rows13)
+                    _nx_4 = _take(_nx_3, _rows13)
+                    _ny_4 = _take(_ny_3, _rows13)
+                    _nz_4 = _take(_nz_3, _rows13)
+                    _outcome_4 = _take(_outcome_3, _rows13)
+                    _p_ball_radius_4 = _take(_p_ball_radius_3, _rows13)
+                    _p_board_bottom_4 = _take(_p_board_bottom_3, _rows13)
+                    _p_board_distance_4 = _take(_p_board_distance_3, _rows13)
+                    _p_board_half_width_4 = _take(_p_board_half_width_3, _rows13)
+                    _p_board_thickness_4 = _take(_p_board_thickness_3, _rows13)
+                    _p_board_top_4 = _take(_p_board_top_3, _rows13)
+                    _p_bridge_depth_4 = _take(_p_bridge_depth_3, _rows13)
+                    _p_bridge_half_width_4 = _take(_p_bridge_half_width_3, _rows13)
+                    _p_end_depth_4 = _take(_p_end_depth_3, _rows13)
+                    _p_gravity_4 = _take(_p_gravity_3, _rows13)
+                    _p_ring_friction_4 = _take(_p_ring_friction_3, _rows13)
+                    _p_ring_radius_4 = _take(_p_ring_radius_3, _rows13)
+                    _p_ring_restitution_4 = _take(_p_ring_restitution_3, _rows13)
+                    _p_wire_radius_4 = _take(_p_wire_radius_3, _rows13)
+                    _rolled_x_4 = _take(_rolled_x_3, _rows13)
+                    _rolled_y_4 = _take(_rolled_y_3, _rows13)
+                    _rolled_z_4 = _take(_rolled_z_3, _rows13)
+                    _slip_4 = _take(_slip_3, _rows13)
+                    _vx_4 = _take(_vx_3, _rows13)
+                    _vy_4 = _take(_vy_3, _rows13)
+                    _vz_4 = _take(_vz_3, _rows13)
+                    _wx_4 = _take(_wx_3, _rows13)
+                    _wy_4 = _take(_wy_3, _rows13)
+                    _wz_4 = _take(_wz_3, _rows13)
+                    _x_4 = _take(_x_3, _rows13)
+                    _y_4 = _take(_y_3, _rows13)
+                    _z_4 = _take(_z_3, _rows13)
+                    _room_4 = room(_count14)
+                    _turning_x_4, _turning_y_4, _turning_z_4 = ring_turning(_p_ball_radius_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _p_wire_radius_4, _x_4, _y_4, _room_4)
+                    _nearest_4, = alone()
+                    _gap_4, *_ = backboard_beside(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _gap_4, *_ = bridge_beside(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _gap_4, *_ = end_beside(_p_end_depth_4, _vz_4, _z_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _settles_4, _lodges_4, _, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _p_gravity_4, _nearest_4, _nx_4, _ny_4, _nz_4, _p_ring_friction_4, _p_ring_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, 0.0, _wx_4, _wy_4, _wz_4, _room_4)
+                    _mode_4, _held_4, _outcome_4, *_ = settled(0.0, _lodges_4, _outcome_4, _settles_4, 0.0, _unsure_4)
+                    _held_3 = _put(_held_3, _rows13, _held_4, _count12)
+                    _mode_3 = _put(_mode_3, _rows13, _mode_4, _count12)
+                    _outcome_3 = _put(_outcome_3, _rows13, _outcome_4, _count12)
+                _here_3, = here(1.0, _which_3)
+                _rows15, _count16 = _rows(_here_3, _count12)
+                if _count16:
+                    _bounce_4 = _take(_bounce_3, _rows15)
+                    _nx_4 = _take(_nx_3, _rows15)
+                    _ny_4 = _take(_ny_3, _rows15)
+                    _nz_4 = _take(_nz_3, _rows15)
+                    _outcome_4 = _take(_outcome_3, _rows15)
+                    _p_backboard_friction_4 = _take(_p_backboard_friction_3, _rows15)
+                    _p_backboard_restitution_4 = _take(_p_backboard_restitution_3, _rows15)
+                    _p_ball_radius_4 = _take(_p_ball_radius_3, _rows15)
+                    _p_board_bottom_4 = _take(_p_board_bottom_3, _rows15)
+                    _p_board_distance_4 = _take(_p_board_distance_3, _rows15)
+                    _p_board_half_width_4 = _take(_p_board_half_width_3, _rows15)
+                    _p_board_thickness_4 = _take(_p_board_thickness_3, _rows15)
+                    _p_board_top_4 = _take(_p_board_top_3, _rows15)
+                    _p_bridge_depth_4 = _take(_p_bridge_depth_3, _rows15)
+                    _p_bridge_half_width_4 = _take(_p_bridge_half_width_3, _rows15)
+                    _p_end_depth_4 = _take(_p_end_depth_3, _rows15)
+                    _p_gravity_4 = _take(_p_gravity_3, _rows15)
+                    _p_ring_radius_4 = _take(_p_ring_radius_3, _rows15)
+                    _p_wire_radius_4 = _take(_p_wire_radius_3, _rows15)
+                    _rolled_x_4 = _take(_rolled_x_3, _rows15)
+                    _rolled_y_4 = _take(_rolled_y_3, _rows15)
+                    _rolled_z_4 = _take(_rolled_z_3, _rows15)
+                    _slip_4 = _take(_slip_3, _rows15)
+                    _vx_4 = _take(_vx_3, _rows15)
+                    _vy_4 = _take(_vy_3, _rows15)
+                    _vz_4 = _take(_vz_3, _rows15)
+                    _wx_4 = _take(_wx_3, _rows15)
+                    _wy_4 = _take(_wy_3, _rows15)
+                    _wz_4 = _take(_wz_3, _rows15)
+                    _x_4 = _take(_x_3, _rows15)
+                    _y_4 = _take(_y_3, _rows15)
+                    _z_4 = _take(_z_3, _rows15)
+                    _room_4 = room(_count16)
+                    _turning_x_4, _turning_y_4, _turning_z_4 = backboard_turning(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, = alone()
+                    _gap_4, *_ = ring_beside(_p_ball_radius_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _gap_4, *_ = bridge_beside(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _gap_4, *_ = end_beside(_p_end_depth_4, _vz_4, _z_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _settles_4, _lodges_4, _, _unsure_4 = backboard_impact_settling(_p_backboard_friction_4, _p_backboard_restitution_4, _p_ball_radius_4, _bounce_4, _p_gravity_4, _nearest_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, 0.0, _wx_4, _wy_4, _wz_4, _room_4)
+                    _mode_4, _held_4, _outcome_4, *_ = settled(1.0, _lodges_4, _outcome_4, _settles_4, 0.0, _unsure_4)
+                    _held_3 = _put(_held_3, _rows15, _held_4, _count12)
+                    _mode_3 = _put(_mode_3, _rows15, _mode_4, _count12)
+                    _outcome_3 = _put(_outcome_3, _rows15, _outcome_4, _count12)
+                _here_3, = here(2.0, _which_3)
+                _rows17, _count18 = _rows(_here_3, _count12)
+                if _count18:
+                    _bounce_4 = _take(_bounce_3, _rows17)
+                    _nx_4 = _take(_nx_3, _rows17)
+                    _ny_4 = _take(_ny_3, _rows17)
+                    _nz_4 = _take(_nz_3, _rows17)
+                    _outcome_4 = _take(_outcome_3, _rows17)
+                    _p_ball_radius_4 = _take(_p_ball_radius_3, _rows17)
+                    _p_board_bottom_4 = _take(_p_board_bottom_3, _rows17)
+                    _p_board_distance_4 = _take(_p_board_distance_3, _rows17)
+                    _p_board_half_width_4 = _take(_p_board_half_width_3, _rows17)
+                    _p_board_thickness_4 = _take(_p_board_thickness_3, _rows17)
+                    _p_board_top_4 = _take(_p_board_top_3, _rows17)
+                    _p_bridge_depth_4 = _take(_p_bridge_depth_3, _rows17)
+                    _p_bridge_friction_4 = _take(_p_bridge_friction_3, _rows17)
+                    _p_bridge_half_width_4 = _take(_p_bridge_half_width_3, _rows17)
+                    _p_bridge_restitution_4 = _take(_p_bridge_restitution_3, _rows17)
+                    _p_end_depth_4 = _take(_p_end_depth_3, _rows17)
+                    _p_gravity_4 = _take(_p_gravity_3, _rows17)
+                    _p_ring_radius_4 = _take(_p_ring_radius_3, _rows17)
+                    _p_wire_radius_4 = _take(_p_wire_radius_3, _rows17)
+                    _rolled_x_4 = _take(_rolled_x_3, _rows17)
+                    _rolled_y_4 = _take(_rolled_y_3, _rows17)
+                    _rolled_z_4 = _take(_rolled_z_3, _rows17)
+                    _slip_4 = _take(_slip_3, _rows17)
+                    _vx_4 = _take(_vx_3, _rows17)
+                    _vy_4 = _take(_vy_3, _rows17)
+                    _vz_4 = _take(_vz_3, _rows17)
+                    _wx_4 = _take(_wx_3, _rows17)
+                    _wy_4 = _take(_wy_3, _rows17)
+                    _wz_4 = _take(_wz_3, _rows17)
+                    _x_4 = _take(_x_3, _rows17)
+                    _y_4 = _take(_y_3, _rows17)
+                    _z_4 = _take(_z_3, _rows17)
+                    _room_4 = room(_count18)
+                    _turning_x_4, _turning_y_4, _turning_z_4 = bridge_turning(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, = alone()
+                    _gap_4, *_ = ring_beside(_p_ball_radius_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _gap_4, *_ = backboard_beside(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _gap_4, *_ = end_beside(_p_end_depth_4, _vz_4, _z_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _settles_4, _lodges_4, _, _unsure_4 = bridge_impact_settling(_p_ball_radius_4, _bounce_4, _p_bridge_friction_4, _p_bridge_restitution_4, _p_gravity_4, _nearest_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, 0.0, _wx_4, _wy_4, _wz_4, _room_4)
+                    _mode_4, _held_4, _outcome_4, *_ = settled(2.0, _lodges_4, _outcome_4, _settles_4, 0.0, _unsure_4)
+                    _held_3 = _put(_held_3, _rows17, _held_4, _count12)
+                    _mode_3 = _put(_mode_3, _rows17, _mode_4, _count12)
+                    _outcome_3 = _put(_outcome_3, _rows17, _outcome_4, _count12)
+                _held_2 = _put(_held_2, _rows11, _held_3, _count10)
+                _mode_2 = _put(_mode_2, _rows11, _mode_3, _count10)
+                _outcome_2 = _put(_outcome_2, _rows11, _outcome_3, _count10)
+            _held_1 = _put(_held_1, _rows9, _held_2, _count2)
+            _mode_1 = _put(_mode_1, _rows9, _mode_2, _count2)
+            _outcome_1 = _put(_outcome_1, _rows9, _outcome_2, _count2)
+        _count_0_0 = _put(_count_0_0, _rows1, _count_0_1, shots)
+        _count_1_0 = _put(_count_1_0, _rows1, _count_1_1, shots)
+        _count_2_0 = _put(_count_2_0, _rows1, _count_2_1, shots)
+        _first_0 = _put(_first_0, _rows1, _first_1, shots)
+        _held_0 = _put(_held_0, _rows1, _held_1, shots)
+        _last_0 = _put(_last_0, _rows1, _last_1, shots)
+        _mode_0 = _put(_mode_0, _rows1, _mode_1, shots)
+        _outcome_0 = _put(_outcome_0, _rows1, _outcome_1, shots)
+        _vx_0 = _put(_vx_0, _rows1, _vx_1, shots)
+        _vy_0 = _put(_vy_0, _rows1, _vy_1, shots)
+        _vz_0 = _put(_vz_0, _rows1, _vz_1, shots)
+        _wx_0 = _put(_wx_0, _rows1, _wx_1, shots)
+        _wy_0 = _put(_wy_0, _rows1, _wy_1, shots)
+        _wz_0 = _put(_wz_0, _rows1, _wz_1, shots)
+    columns["count_0"] = _count_0_0
+    columns["count_1"] = _count_1_0
+    columns["count_2"] = _count_2_0
+    columns["first"] = _first_0
+    columns["held"] = _held_0
+    columns["last"] = _last_0
+    columns["mode"] = _mode_0
+    columns["outcome"] = _outcome_0
+    columns["vx"] = _vx_0
+    columns["vy"] = _vy_0
+    columns["vz"] = _vz_0
+    columns["wx"] = _wx_0
+    columns["wy"] = _wy_0
+    columns["wz"] = _wz_0
+
+
+def permit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
+    """Stage permit of the event loop, with bounds on errors."""
+    _p_backboard_friction_0 = columns["p_backboard_friction"]
+    _p_backboard_restitution_0 = columns["p_backboard_restitution"]
+    _p_ball_radius_0 = columns["p_ball_radius"]
+    _p_board_bottom_0 = columns["p_board_bottom"]
+    _p_board_distance_0 = columns["p_board_distance"]
+    _p_board_half_width_0 = columns["p_board_half_width"]
+    _p_board_thickness_0 = columns["p_board_thickness"]
+    _p_board_top_0 = columns["p_board_top"]
+    _p_bridge_depth_0 = columns["p_bridge_depth"]
+    _p_bridge_friction_0 = columns["p_bridge_friction"]
+    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
+    _p_bridge_restitution_0 = columns["p_bridge_restitution"]
+    _p_end_depth_0 = columns["p_end_depth"]
+    _p_gravity_0 = columns["p_gravity"]
+    _p_restitution_speed_0 = columns["p_restitution_speed"]
+    _p_ring_friction_0 = columns["p_ring_friction"]
+    _p_ring_radius_0 = columns["p_ring_radius"]
+    _p_ring_restitution_0 = columns["p_ring_restitution"]
+    _p_tangential_restitution_0 = columns["p_tangential_restitution"]
+    _p_wire_radius_0 = columns["p_wire_radius"]
+    _allowed_0, = allowed(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _p_end_depth_0, _p_ring_restitution_0, _p_backboard_restitution_0, _p_bridge_restitution_0, _p_ring_friction_0, _p_backboard_friction_0, _p_bridge_friction_0, _p_tangential_restitution_0, _p_restitution_speed_0)
+    _permitted_0, = finite_parameters(_p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _p_end_depth_0, _p_ring_restitution_0, _p_backboard_restitution_0, _p_bridge_restitution_0, _p_ring_friction_0, _p_backboard_friction_0, _p_bridge_friction_0, _p_tangential_restitution_0, _p_restitution_speed_0, _allowed_0)
+    columns["permitted"] = _permitted_0
+
+
+def admit_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
+    """Stage admit of the event loop, with bounds on errors."""
+    _last_0 = columns["last"]
+    _p_ball_radius_0 = columns["p_ball_radius"]
+    _p_board_bottom_0 = columns["p_board_bottom"]
+    _p_board_distance_0 = columns["p_board_distance"]
+    _p_board_half_width_0 = columns["p_board_half_width"]
+    _p_board_thickness_0 = columns["p_board_thickness"]
+    _p_board_top_0 = columns["p_board_top"]
+    _p_bridge_depth_0 = columns["p_bridge_depth"]
+    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
+    _p_end_depth_0 = columns["p_end_depth"]
+    _p_ring_radius_0 = columns["p_ring_radius"]
+    _p_wire_radius_0 = columns["p_wire_radius"]
+    _permitted_0 = columns["permitted"]
+    _vx_0 = columns["vx"]
+    _vy_0 = columns["vy"]
+    _vz_0 = columns["vz"]
+    _wx_0 = columns["wx"]
+    _wy_0 = columns["wy"]
+    _wz_0 = columns["wz"]
+    _x_0 = columns["x"]
+    _y_0 = columns["y"]
+    _z_0 = columns["z"]
+    _room_0 = room(shots)
+    _finite_0, = finite_state(_vx_0, _vy_0, _vz_0, _wx_0, _wy_0, _wz_0, _x_0, _y_0, _z_0, _room_0)
+    _valid_0, _doubt_0 = valid(_last_0, _x_0, _y_0, _z_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_end_depth_0, _room_0)
+    _outcome_0, _uncertain_0 = admitted(_doubt_0, _finite_0, _permitted_0, _valid_0)
+    _through_0, _uncertain_0 = passing_start(_last_0, _outcome_0, _uncertain_0, _x_0, _y_0, _z_0, _p_ring_radius_0, _p_end_depth_0, _room_0)
+    columns["outcome"] = _outcome_0
+    columns["through"] = _through_0
+    columns["uncertain"] = _uncertain_0
+
+
+def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
+    """Stage reach of the event loop, with bounds on errors."""
+    _assured_0 = columns["assured"]
+    _clock_0 = columns["clock"]
+    _clock_error_0 = columns["clock_error"]
+    _contacts_0 = columns["contacts"]
+    _dvx_0 = columns["dvx"]
+    _dvy_0 = columns["dvy"]
+    _dvz_0 = columns["dvz"]
+    _dwx_0 = columns["dwx"]
+    _dwy_0 = columns["dwy"]
+    _dwz_0 = columns["dwz"]
+    _dx_0 = columns["dx"]
+    _dy_0 = columns["dy"]
+    _dz_0 = columns["dz"]
+    _held_0 = columns["held"]
+    _last_0 = columns["last"]
+    _mode_0 = columns["mode"]
+    _most_contacts_0 = columns["most_contacts"]
+    _p_ball_radius_0 = columns["p_ball_radius"]
+    _p_board_bottom_0 = columns["p_board_bottom"]
+    _p_board_distance_0 = columns["p_board_distance"]
+    _p_board_half_width_0 = columns["p_board_half_width"]
+    _p_board_thickness_0 = columns["p_board_thickness"]
+    _p_board_top_0 = columns["p_board_top"]
+    _p_bridge_depth_0 = columns["p_bridge_depth"]
+    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
+    _p_end_depth_0 = columns["p_end_depth"]
+    _p_gravity_0 = columns["p_gravity"]
+    _p_ring_radius_0 = columns["p_ring_radius"]
+    _p_wire_radius_0 = columns["p_wire_radius"]
+    _through_0 = columns["through"]
+    _time_limit_0 = columns["time_limit"]
+    _uncertain_0 = columns["uncertain"]
+    _vx_0 = columns["vx"]
+    _vy_0 = columns["vy"]
+    _vz_0 = columns["vz"]
+    _wx_0 = columns["wx"]
+    _wy_0 = columns["wy"]
+    _wz_0 = columns["wz"]
+    _x_0 = columns["x"]
+    _y_0 = columns["y"]
+    _z_0 = columns["z"]
+    _room_0 = room(shots)
+    _position_error_0, _velocity_error_0, _, _time_error_0 = error_bounds(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _room_0)
+    _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
+    _when_0, _which_0, _late_0, _doubt_0 = opening(_excess_0, _position_error_0, _velocity_error_0)
+    _limited_0, = limited(_time_limit_0)
+    _kept_0, _when_0, _rests_0 = kept(_mode_0, _when_0)
+    _leaving_0, = left(3.0, _last_0)
+    _time_0, _rate_0, _bend_0, _apex_0, _height_0 = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
+    _arrives_0, _ceiling_0 = meeting_plane(_bend_0, _rate_0, _time_0)
+    _margin_0, = end_margin(_time_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_gravity_0, _p_end_depth_0, _room_0)
+    _clearance_0, _delay_0 = crossing(_margin_0, 0.0, _rate_0, _ceiling_0, _room_0)
+    _possible_0, = timely(_arrives_0, _delay_0, _late_0, _time_0, _when_0)
+    _margin_0, = end_margin(_apex_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_gravity_0, _p_end_depth_0, _room_0)
+    _doubt_0, = grazed(_apex_0, _doubt_0, _height_0, _margin_0)
+    _doubt_1, = crossed(_arrives_0, _clearance_0, _doubt_0, _time_0)
+    _doubt_1, _late_1 = tied(_arrives_0, _delay_0, _doubt_1, _late_0, _time_0, _when_0)
+    _when_1, _which_1 = sooner(_arrives_0, 3.0, _time_0, _when_0, _which_0)
+    _doubt_0 = _choose(_possible_0, _doubt_1, _doubt_0)
+    _late_0 = _choose(_possible_0, _late_1, _late_0)
+    _when_0 = _choose(_possible_0, _when_1, _when_0)
+    _which_0 = _choose(_possible_0, _which_1, _which_0)
+    _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
+    _clear_0, = ring_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_gravity_0, _room_0)
+    _open_0, = opens(_clear_0)
+    _rows1, _count2 = _rows(_open_0, shots)
+    if _count2:
+        _doubt_1 = _take(_doubt_0, _rows1)
+        _extent_1 = _take(_extent_0, _rows1)
+        _last_1 = _take(_last_0, _rows1)
+        _late_1 = _take(_late_0, _rows1)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
+        _p_gravity_1 = _take(_p_gravity_0, _rows1)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows1)
+        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows1)
+        _pad_1 = _take(_pad_0, _rows1)
+        _position_error_1 = _take(_position_error_0, _rows1)
+        _speed_1 = _take(_speed_0, _rows1)
+        _until_1 = _take(_until_0, _rows1)
+        _velocity_error_1 = _take(_velocity_error_0, _rows1)
+        _vx_1 = _take(_vx_0, _rows1)
+        _vy_1 = _take(_vy_0, _rows1)
+        _vz_1 = _take(_vz_0, _rows1)
+        _when_1 = _take(_when_0, _rows1)
+        _which_1 = _take(_which_0, _rows1)
+        _x_1 = _take(_x_0, _rows1)
+        _y_1 = _take(_y_0, _rows1)
+        _z_1 = _take(_z_0, _rows1)
+        _room_1 = room(_count2)
+        _steady_1, _swing_1, _rho_start_1, _low0_1, _high0_1, _low1_1, _high1_1, _low2_1, _high2_1, _ceiling_1, _latest_1, _lost_1 = ring_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _share_1, _arrival_1, _certain_1 = beginning()
+        _position_level_1, _velocity_level_1, _excess_1 = allowance(_share_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
+        _flat_1, _tilt_1, _rate_slack_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _doubt_1, = beyond(_doubt_1, _excess_1, _late_1, _lost_1, _pad_1)
+        _t_1, _end_1, _searching_1 = ring_enter(0.0, 0.0, _high0_1, _high1_1, _high2_1, _low0_1, _low1_1, _low2_1, 0.0)
+        _rows3, _count4 = _rows(_searching_1, _count2)
+        if _count4:
+            _arrival_2 = _take(_arrival_1, _rows3)
+            _ceiling_2 = _take(_ceiling_1, _rows3)
+            _certain_2 = _take(_certain_1, _rows3)
+            _doubt_2 = _take(_doubt_1, _rows3)
+            _end_2 = _take(_end_1, _rows3)
+            _flat_2 = _take(_flat_1, _rows3)
+            _last_2 = _take(_last_1, _rows3)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows3)
+            _p_gravity_2 = _take(_p_gravity_1, _rows3)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows3)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows3)
+            _rate_slack_2 = _take(_rate_slack_1, _rows3)
+            _rho_start_2 = _take(_rho_start_1, _rows3)
+            _searching_2 = _take(_searching_1, _rows3)
+            _share_2 = _take(_share_1, _rows3)
+            _steady_2 = _take(_steady_1, _rows3)
+            _swing_2 = _take(_swing_1, _rows3)
+            _t_2 = _take(_t_1, _rows3)
+            _tilt_2 = _take(_tilt_1, _rows3)
+            _vx_2 = _take(_vx_1, _rows3)
+            _vy_2 = _take(_vy_1, _rows3)
+            _vz_2 = _take(_vz_1, _rows3)
+            _x_2 = _take(_x_1, _rows3)
+            _y_2 = _take(_y_1, _rows3)
+            _z_2 = _take(_z_1, _rows3)
+            _arrival_1 = _copy(_arrival_1, _count2)
+            _certain_1 = _copy(_certain_1, _count2)
+            _doubt_1 = _copy(_doubt_1, _count2)
+            _flat_1 = _copy(_flat_1, _count2)
+            _searching_1 = _copy(_searching_1, _count2)
+            _t_1 = _copy(_t_1, _count2)
+            _tilt_1 = _copy(_tilt_1, _count2)
+            for _ in range(201):
+                _room_2 = room(_count4)
+                _leaving_2, _margin_2 = nearby(_flat_2, 0.0, _last_2, _t_2, _tilt_2)
+                _gap_2, _rate_2, _bend_2, _step_2, _next_2, _root_2, _clearance_2 = ring_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _steady_2, _swing_2, _rho_start_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_gravity_2, _room_2)
+                _hit_2, _sure_2, _vague_2 = struck(_bend_2, _clearance_2, _gap_2, _margin_2, _rate_2, _rate_slack_2, _share_2)
+                _rows5, _count6 = _rows(_vague_2, _count4)
+                if _count6:
+                    _far = _of(_rows3, _rows5)
+                    _doubt_3 = _take(_doubt_2, _rows5)
+                    _extent_3 = _take(_extent_1, _far)
+                    _latest_3 = _take(_latest_1, _far)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows5)
+                    _p_gravity_3 = _take(_p_gravity_2, _rows5)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows5)
+                    _p_wire_radius_3 = _take(_p_wire_radius_2, _rows5)
+                    _position_error_3 = _take(_position_error_1, _far)
+                    _share_3 = _take(_share_2, _rows5)
+                    _speed_3 = _take(_speed_1, _far)
+                    _t_3 = _take(_t_2, _rows5)
+                    _velocity_error_3 = _take(_velocity_error_1, _far)
+                    _room_3 = room(_count6)
+                    _share_3, = finer(_share_3)
+                    _position_level_3, _velocity_level_3, _excess_3 = allowance(_share_3, _latest_3, _extent_3, _speed_3, _position_error_3, _velocity_error_3, _p_gravity_3, _room_3)
+                    _flat_3, _tilt_3, _rate_slack_3 = ring_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_gravity_3, _room_3)
+                    _doubt_3, = exceeded(_doubt_3, _excess_3, _t_3)
+                    _doubt_2 = _put(_doubt_2, _rows5, _doubt_3, _count4)
+                    _flat_2 = _put(_flat_2, _rows5, _flat_3, _count4)
+                    _rate_slack_2 = _put(_rate_slack_2, _rows5, _rate_slack_3, _count4)
+                    _share_2 = _put(_share_2, _rows5, _share_3, _count4)
+                    _tilt_2 = _put(_tilt_2, _rows5, _tilt_3, _count4)
+                _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_arrival_2, _certain_2, _end_2, _hit_2, _next_2, _root_2, _step_2, _sure_2, _t_2, _vague_2)
+                _rows7, _count8 = _rows(_exhausted_2, _count4)
+                if _count8:
+                    _far = _of(_rows3, _rows7)
+                    _end_3 = _take(_end_2, _rows7)
+                    _high0_3 = _take(_high0_1, _far)
+                    _high1_3 = _take(_high1_1, _far)
+                    _high2_3 = _take(_high2_1, _far)
+                    _low0_3 = _take(_low0_1, _far)
+                    _low1_3 = _take(_low1_1, _far)
+                    _low2_3 = _take(_low2_1, _far)
+                    _t_3 = _take(_t_2, _rows7)
+                    _t_3, _end_3, _searching_3 = ring_enter(_end_3, _end_3, _high0_3, _high1_3, _high2_3, _low0_3, _low1_3, _low2_3, _t_3)
+                    _end_2 = _put(_end_2, _rows7, _end_3, _count4)
+                    _searching_2 = _put(_searching_2, _rows7, _searching_3, _count4)
+                    _t_2 = _put(_t_2, _rows7, _t_3, _count4)
+                _going9 = _where_true(_searching_2)
+                if len(_going9) == _count4:
+                    continue
+                _done = _where_true(_logical_not(_searching_2))
+                _store(_arrival_1, _of(_rows3, _done), _arrival_2, _done)
+                _store(_certain_1, _of(_rows3, _done), _certain_2, _done)
+                _store(_doubt_1, _of(_rows3, _done), _doubt_2, _done)
+                _store(_flat_1, _of(_rows3, _done), _flat_2, _done)
+                _store(_searching_1, _of(_rows3, _done), _searching_2, _done)
+                _store(_t_1, _of(_rows3, _done), _t_2, _done)
+                _store(_tilt_1, _of(_rows3, _done), _tilt_2, _done)
+                _rows3, _count4 = _of(_rows3, _going9), len(_going9)
+                if not _count4:
+                    break
+                _arrival_2 = _take(_arrival_2, _going9)
+                _ceiling_2 = _take(_ceiling_2, _going9)
+                _certain_2 = _take(_certain_2, _going9)
+                _doubt_2 = _take(_doubt_2, _going9)
+                _end_2 = _take(_end_2, _going9)
+                _flat_2 = _take(_flat_2, _going9)
+                _last_2 = _take(_last_2, _going9)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going9)
+                _p_gravity_2 = _take(_p_gravity_2, _going9)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going9)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going9)
+                _rate_slack_2 = _take(_rate_slack_2, _going9)
+                _rho_start_2 = _take(_rho_start_2, _going9)
+                _searching_2 = _take(_searching_2, _going9)
+                _share_2 = _take(_share_2, _going9)
+                _steady_2 = _take(_steady_2, _going9)
+                _swing_2 = _take(_swing_2, _going9)
+                _t_2 = _take(_t_2, _going9)
+                _tilt_2 = _take(_tilt_2, _going9)
+                _vx_2 = _take(_vx_2, _going9)
+                _vy_2 = _take(_vy_2, _going9)
+                _vz_2 = _take(_vz_2, _going9)
+                _x_2 = _take(_x_2, _going9)
+                _y_2 = _take(_y_2, _going9)
+                _z_2 = _take(_z_2, _going9)
+            else:
+                _store(_arrival_1, _rows3, _arrival_2, None)
+                _store(_certain_1, _rows3, _certain_2, None)
+                _store(_doubt_1, _rows3, _doubt_2, None)
+                _store(_flat_1, _rows3, _flat_2, None)
+                _store(_searching_1, _rows3, _searching_2, None)
+                _store(_t_1, _rows3, _t_2, None)
+                _store(_tilt_1, _rows3, _tilt_2, None)
+        _doubt_1, = questioned(_doubt_1, _t_1, _searching_1)
+        _arrives_1, = found(_arrival_1)
+        _leaving_1, *_ = nearby(_flat_1, 0.0, _last_1, _arrival_1, _tilt_1)
+        _refined_1, *_ = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
+        _refined_1, _rate_1 = ring_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _rho_start_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
+        _flat_1, _tilt_1, _rate_margin_1 = ring_margins(_latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_gravity_1, _room_1)
+        _margin_1, = own_margin(_arrival_1, _flat_1, _leaving_1, _tilt_1)
+        _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
+        _time_1, = landed(_arrival_1)
+        _delay_1, _doubt_1 = landed_surely(_arrives_1, _certain_1, _clearance_1, _delay_1, _doubt_1, _time_1)
+        _doubt_1, _late_1 = tied(_arrives_1, _delay_1, _doubt_1, _late_1, _time_1, _when_1)
+        _when_1, _which_1 = sooner(_arrives_1, 0.0, _time_1, _when_1, _which_1)
+        _doubt_0 = _put(_doubt_0, _rows1, _doubt_1, shots)
+        _late_0 = _put(_late_0, _rows1, _late_1, shots)
+        _when_0 = _put(_when_0, _rows1, _when_1, shots)
+        _which_0 = _put(_which_0, _rows1, _which_1, shots)
+    _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
+    _clear_0, = backboard_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_gravity_0, _room_0)
+    _open_0, = opens(_clear_0)
+    _rows10, _count11 = _rows(_open_0, shots)
+    if _count11:
+        _doubt_1 = _take(_doubt_0, _rows10)
+        _extent_1 = _take(_extent_0, _rows10)
+        _last_1 = _take(_last_0, _rows10)
+        _late_1 = _take(_late_0, _rows10)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows10)
+        _p_board_bottom_1 = _take(_p_board_bottom_0, _rows10)
+        _p_board_distance_1 = _take(_p_board_distance_0, _rows10)
+        _p_board_half_width_1 = _take(_p_board_half_width_0, _rows10)
+        _p_board_thickness_1 = _take(_p_board_thickness_0, _rows10)
+        _p_board_top_1 = _take(_p_board_top_0, _rows10)
+        _p_gravity_1 = _take(_p_gravity_0, _rows10)
+        _pad_1 = _take(_pad_0, _rows10)
+        _position_error_1 = _take(_position_error_0, _rows10)
+        _speed_1 = _take(_speed_0, _rows10)
+        _until_1 = _take(_until_0, _rows10)
+        _velocity_error_1 = _take(_velocity_error_0, _rows10)
+        _vx_1 = _take(_vx_0, _rows10)
+        _vy_1 = _take(_vy_0, _rows10)
+        _vz_1 = _take(_vz_0, _rows10)
+        _when_1 = _take(_when_0, _rows10)
+        _which_1 = _take(_which_0, _rows10)
+        _x_1 = _take(_x_0, _rows10)
+        _y_1 = _take(_y_0, _rows10)
+        _z_1 = _take(_z_0, _rows10)
+        _room_1 = room(_count11)
+        _low0_1, _high0_1, _low1_1, _high1_1, _ceiling_1, _latest_1, _lost_1 = backboard_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
+        _share_1, _arrival_1, _certain_1 = beginning()
+        _position_level_1, _velocity_level_1, _excess_1 = allowance(_share_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
+        _flat_1, _tilt_1, _rate_slack_1 = backboard_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
+        _doubt_1, = beyond(_doubt_1, _excess_1, _late_1, _lost_1, _pad_1)
+        _t_1, _end_1, _searching_1 = backboard_enter(0.0, 0.0, _high0_1, _high1_1, _low0_1, _low1_1, 0.0)
+        _rows12, _count13 = _rows(_searching_1, _count11)
+        if _count13:
+            _arrival_2 = _take(_arrival_1, _rows12)
+            _ceiling_2 = _take(_ceiling_1, _rows12)
+            _certain_2 = _take(_certain_1, _rows12)
+            _doubt_2 = _take(_doubt_1, _rows12)
+            _end_2 = _take(_end_1, _rows12)
+            _flat_2 = _take(_flat_1, _rows12)
+            _last_2 = _take(_last_1, _rows12)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows12)
+            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows12)
+            _p_board_distance_2 = _take(_p_board_distance_1, _rows12)
+            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows12)
+            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows12)
+            _p_board_top_2 = _take(_p_board_top_1, _rows12)
+            _p_gravity_2 = _take(_p_gravity_1, _rows12)
+            _rate_slack_2 = _take(_rate_slack_1, _rows12)
+            _searching_2 = _take(_searching_1, _rows12)
+            _share_2 = _take(_share_1, _rows12)
+            _t_2 = _take(_t_1, _rows12)
+            _tilt_2 = _take(_tilt_1, _rows12)
+            _vx_2 = _take(_vx_1, _rows12)
+            _vy_2 = _take(_vy_1, _rows12)
+            _vz_2 = _take(_vz_1, _rows12)
+            _x_2 = _take(_x_1, _rows12)
+            _y_2 = _take(_y_1, _rows12)
+            _z_2 = _take(_z_1, _rows12)
+            _arrival_1 = _copy(_arrival_1, _count11)
+            _certain_1 = _copy(_certain_1, _count11)
+            _doubt_1 = _copy(_doubt_1, _count11)
+            _flat_1 = _copy(_flat_1, _count11)
+            _searching_1 = _copy(_searching_1, _count11)
+            _t_1 = _copy(_t_1, _count11)
+            _tilt_1 = _copy(_tilt_1, _count11)
+            for _ in range(201):
+                _room_2 = room(_count13)
+                _leaving_2, _margin_2 = nearby(_flat_2, 1.0, _last_2, _t_2, _tilt_2)
+                _gap_2, _rate_2, _bend_2, _step_2, _next_2, _root_2, _clearance_2 = backboard_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _p_gravity_2, _room_2)
+                _hit_2, _sure_2, _vague_2 = struck(_bend_2, _clearance_2, _gap_2, _margin_2, _rate_2, _rate_slack_2, _share_2)
+                _rows14, _count15 = _rows(_vague_2, _count13)
+                if _count15:
+                    _far = _of(_rows12, _rows14)
+                    _doubt_3 = _take(_doubt_2, _rows14)
+                    _extent_3 = _take(_extent_1, _far)
+                    _latest_3 = _take(_latest_1, _far)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows14)
+                    _p_board_bottom_3 = _take(_p_board_bottom_2, _rows14)
+                    _p_board_distance_3 = _take(_p_board_distance_2, _rows14)
+                    _p_board_half_width_3 = _take(_p_board_half_width_2, _rows14)
+                    _p_board_thickness_3 = _take(_p_board_thickness_2, _rows14)
+                    _p_board_top_3 = _take(_p_board_top_2, _rows14)
+                    _p_gravity_3 = _take(_p_gravity_2, _rows14)
+                    _position_error_3 = _take(_position_error_1, _far)
+                    _share_3 = _take(_share_2, _rows14)
+                    _speed_3 = _take(_speed_1, _far)
+                    _t_3 = _take(_t_2, _rows14)
+                    _velocity_error_3 = _take(_velocity_error_1, _far)
+                    _room_3 = room(_count15)
+                    _share_3, = finer(_share_3)
+                    _position_level_3, _velocity_level_3, _excess_3 = allowance(_share_3, _latest_3, _extent_3, _speed_3, _position_error_3, _velocity_error_3, _p_gravity_3, _room_3)
+                    _flat_3, _tilt_3, _rate_slack_3 = backboard_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _p_gravity_3, _room_3)
+                    _doubt_3, = exceeded(_doubt_3, _excess_3, _t_3)
+                    _doubt_2 = _put(_doubt_2, _rows14, _doubt_3, _count13)
+                    _flat_2 = _put(_flat_2, _rows14, _flat_3, _count13)
+                    _rate_slack_2 = _put(_rate_slack_2, _rows14, _rate_slack_3, _count13)
+                    _share_2 = _put(_share_2, _rows14, _share_3, _count13)
+                    _tilt_2 = _put(_tilt_2, _rows14, _tilt_3, _count13)
+                _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_arrival_2, _certain_2, _end_2, _hit_2, _next_2, _root_2, _step_2, _sure_2, _t_2, _vague_2)
+                _rows16, _count17 = _rows(_exhausted_2, _count13)
+                if _count17:
+                    _far = _of(_rows12, _rows16)
+                    _end_3 = _take(_end_2, _rows16)
+                    _high0_3 = _take(_high0_1, _far)
+                    _high1_3 = _take(_high1_1, _far)
+                    _low0_3 = _take(_low0_1, _far)
+                    _low1_3 = _take(_low1_1, _far)
+                    _t_3 = _take(_t_2, _rows16)
+                    _t_3, _end_3, _searching_3 = backboard_enter(_end_3, _end_3, _high0_3, _high1_3, _low0_3, _low1_3, _t_3)
+                    _end_2 = _put(_end_2, _rows16, _end_3, _count13)
+                    _searching_2 = _put(_searching_2, _rows16, _searching_3, _count13)
+                    _t_2 = _put(_t_2, _rows16, _t_3, _count13)
+                _going18 = _where_true(_searching_2)
+                if len(_going18) == _count13:
+                    continue
+                _done = _where_true(_logical_not(_searching_2))
+                _store(_arrival_1, _of(_rows12, _done), _arrival_2, _done)
+                _store(_certain_1, _of(_rows12, _done), _certain_2, _done)
+                _store(_doubt_1, _of(_rows12, _done), _doubt_2, _done)
+                _store(_flat_1, _of(_rows12, _done), _flat_2, _done)
+                _store(_searching_1, _of(_rows12, _done), _searching_2, _done)
+                _store(_t_1, _of(_rows12, _done), _t_2, _done)
+                _store(_tilt_1, _of(_rows12, _done), _tilt_2, _done)
+                _rows12, _count13 = _of(_rows12, _going18), len(_going18)
+                if not _count13:
+                    break
+                _arrival_2 = _take(_arrival_2, _going18)
+                _ceiling_2 = _take(_ceiling_2, _going18)
+                _certain_2 = _take(_certain_2, _going18)
+                _doubt_2 = _take(_doubt_2, _going18)
+                _end_2 = _take(_end_2, _going18)
+                _flat_2 = _take(_flat_2, _going18)
+                _last_2 = _take(_last_2, _going18)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going18)
+                _p_board_bottom_2 = _take(_p_board_bottom_2, _going18)
+                _p_board_distance_2 = _take(_p_board_distance_2, _going18)
+                _p_board_half_width_2 = _take(_p_board_half_width_2, _going18)
+                _p_board_thickness_2 = _take(_p_board_thickness_2, _going18)
+                _p_board_top_2 = _take(_p_board_top_2, _going18)
+                _p_gravity_2 = _take(_p_gravity_2, _going18)
+                _rate_slack_2 = _take(_rate_slack_2, _going18)
+                _searching_2 = _take(_searching_2, _going18)
+                _share_2 = _take(_share_2, _going18)
+                _t_2 = _take(_t_2, _going18)
+                _tilt_2 = _take(_tilt_2, _going18)
+                _vx_2 = _take(_vx_2, _going18)
+                _vy_2 = _take(_vy_2, _going18)
+                _vz_2 = _take(_vz_2, _going18)
+                _x_2 = _take(_x_2, _going18)
+                _y_2 = _take(_y_2, _going18)
+                _z_2 = _take(_z_2, _going18)
+            else:
+                _store(_arrival_1, _rows12, _arrival_2, None)
+                _store(_certain_1, _rows12, _certain_2, None)
+                _store(_doubt_1, _rows12, _doubt_2, None)
+                _store(_flat_1, _rows12, _flat_2, None)
+                _store(_searching_1, _rows12, _searching_2, None)
+                _store(_t_1, _rows12, _t_2, None)
+                _store(_tilt_1, _rows12, _tilt_2, None)
+        _doubt_1, = questioned(_doubt_1, _t_1, _searching_1)
+        _arrives_1, = found(_arrival_1)
+        _leaving_1, *_ = nearby(_flat_1, 1.0, _last_1, _arrival_1, _tilt_1)
+        _refined_1, *_ = backboard_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
+        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
+        _refined_1, _rate_1 = backboard_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
+        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
+        _flat_1, _tilt_1, _rate_margin_1 = backboard_margins(_latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _p_gravity_1, _room_1)
+        _margin_1, = own_margin(_arrival_1, _flat_1, _leaving_1, _tilt_1)
+        _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
+        _time_1, = landed(_arrival_1)
+        _delay_1, _doubt_1 = landed_surely(_arrives_1, _certain_1, _clearance_1, _delay_1, _doubt_1, _time_1)
+        _doubt_1, _late_1 = tied(_arrives_1, _delay_1, _doubt_1, _late_1, _time_1, _when_1)
+        _when_1, _which_1 = sooner(_arrives_1, 1.0, _time_1, _when_1, _which_1)
+        _doubt_0 = _put(_doubt_0, _rows10, _doubt_1, shots)
+        _late_0 = _put(_late_0, _rows10, _late_1, shots)
+        _when_0 = _put(_when_0, _rows10, _when_1, shots)
+        _which_0 = _put(_which_0, _rows10, _which_1, shots)
+    _until_0, _pad_0 = horizon(_when_0, _speed_0, _p_gravity_0)
+    _clear_0, = bridge_clear(_until_0, _x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _room_0)
+    _open_0, = opens(_clear_0)
+    _rows19, _count20 = _rows(_open_0, shots)
+    if _count20:
+        _doubt_1 = _take(_doubt_0, _rows19)
+        _extent_1 = _take(_extent_0, _rows19)
+        _last_1 = _take(_last_0, _rows19)
+        _late_1 = _take(_late_0, _rows19)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows19)
+        _p_board_distance_1 = _take(_p_board_distance_0, _rows19)
+        _p_bridge_depth_1 = _take(_p_bridge_depth_0, _rows19)
+        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows19)
+        _p_gravity_1 = _take(_p_gravity_0, _rows19)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows19)
+        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows19)
+        _pad_1 = _take(_pad_0, _rows19)
+        _position_error_1 = _take(_position_error_0, _rows19)
+        _speed_1 = _take(_speed_0, _rows19)
+        _until_1 = _take(_until_0, _rows19)
+        _velocity_error_1 = _take(_velocity_error_0, _rows19)
+        _vx_1 = _take(_vx_0, _rows19)
+        _vy_1 = _take(_vy_0, _rows19)
+        _vz_1 = _take(_vz_0, _rows19)
+        _when_1 = _take(_when_0, _rows19)
+        _which_1 = _take(_which_0, _rows19)
+        _x_1 = _take(_x_0, _rows19)
+        _y_1 = _take(_y_0, _rows19)
+        _z_1 = _take(_z_0, _rows19)
+        _room_1 = room(_count20)
+        _low0_1, _high0_1, _low1_1, _high1_1, _ceiling_1, _latest_1, _lost_1 = bridge_prepare(_until_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
+        _share_1, _arrival_1, _certain_1 = beginning()
+        _position_level_1, _velocity_level_1, _excess_1 = allowance(_share_1, _latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_gravity_1, _room_1)
+        _flat_1, _tilt_1, _rate_slack_1 = bridge_margins(_latest_1, _extent_1, _speed_1, _position_level_1, _velocity_level_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
+        _doubt_1, = beyond(_doubt_1, _excess_1, _late_1, _lost_1, _pad_1)
+        _t_1, _end_1, _searching_1 = bridge_enter(0.0, 0.0, _high0_1, _high1_1, _low0_1, _low1_1, 0.0)
+        _rows21, _count22 = _rows(_searching_1, _count20)
+        if _count22:
+            _arrival_2 = _take(_arrival_1, _rows21)
+            _ceiling_2 = _take(_ceiling_1, _rows21)
+            _certain_2 = _take(_certain_1, _rows21)
+            _doubt_2 = _take(_doubt_1, _rows21)
+            _end_2 = _take(_end_1, _rows21)
+            _flat_2 = _take(_flat_1, _rows21)
+            _last_2 = _take(_last_1, _rows21)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows21)
+            _p_board_distance_2 = _take(_p_board_distance_1, _rows21)
+            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows21)
+            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows21)
+            _p_gravity_2 = _take(_p_gravity_1, _rows21)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows21)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows21)
+            _rate_slack_2 = _take(_rate_slack_1, _rows21)
+            _searching_2 = _take(_searching_1, _rows21)
+            _share_2 = _take(_share_1, _rows21)
+            _t_2 = _take(_t_1, _rows21)
+            _tilt_2 = _take(_tilt_1, _rows21)
+            _vx_2 = _take(_vx_1, _rows21)
+            _vy_2 = _take(_vy_1, _rows21)
+            _vz_2 = _take(_vz_1, _rows21)
+            _x_2 = _take(_x_1, _rows21)
+            _y_2 = _take(_y_1, _rows21)
+            _z_2 = _take(_z_1, _rows21)
+            _arrival_1 = _copy(_arrival_1, _count20)
+            _certain_1 = _copy(_certain_1, _count20)
+            _doubt_1 = _copy(_doubt_1, _count20)
+            _flat_1 = _copy(_flat_1, _count20)
+            _searching_1 = _copy(_searching_1, _count20)
+            _t_1 = _copy(_t_1, _count20)
+            _tilt_1 = _copy(_tilt_1, _count20)
+            for _ in range(201):
+                _room_2 = room(_count22)
+                _leaving_2, _margin_2 = nearby(_flat_2, 2.0, _last_2, _t_2, _tilt_2)
+                _gap_2, _rate_2, _bend_2, _step_2, _next_2, _root_2, _clearance_2 = bridge_advance(_t_2, _end_2, _leaving_2, _margin_2, _rate_slack_2, _ceiling_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _p_gravity_2, _room_2)
+                _hit_2, _sure_2, _vague_2 = struck(_bend_2, _clearance_2, _gap_2, _margin_2, _rate_2, _rate_slack_2, _share_2)
+                _rows23, _count24 = _rows(_vague_2, _count22)
+                if _count24:
+                    _far = _of(_rows21, _rows23)
+                    _doubt_3 = _take(_doubt_2, _rows23)
+                    _extent_3 = _take(_extent_1, _far)
+                    _latest_3 = _take(_latest_1, _far)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows23)
+                    _p_board_distance_3 = _take(_p_board_distance_2, _rows23)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows23)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows23)
+                    _p_gravity_3 = _take(_p_gravity_2, _rows23)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows23)
+                    _p_wire_radius_3 = _take(_p_wire_radius_2, _rows23)
+                    _position_error_3 = _take(_position_error_1, _far)
+                    _share_3 = _take(_share_2, _rows23)
+                    _speed_3 = _take(_speed_1, _far)
+                    _t_3 = _take(_t_2, _rows23)
+                    _velocity_error_3 = _take(_velocity_error_1, _far)
+                    _room_3 = room(_count24)
+                    _share_3, = finer(_share_3)
+                    _position_level_3, _velocity_level_3, _excess_3 = allowance(_share_3, _latest_3, _extent_3, _speed_3, _position_error_3, _velocity_error_3, _p_gravity_3, _room_3)
+                    _flat_3, _tilt_3, _rate_slack_3 = bridge_margins(_latest_3, _extent_3, _speed_3, _position_level_3, _velocity_level_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _p_gravity_3, _room_3)
+                    _doubt_3, = exceeded(_doubt_3, _excess_3, _t_3)
+                    _doubt_2 = _put(_doubt_2, _rows23, _doubt_3, _count22)
+                    _flat_2 = _put(_flat_2, _rows23, _flat_3, _count22)
+                    _rate_slack_2 = _put(_rate_slack_2, _rows23, _rate_slack_3, _count22)
+                    _share_2 = _put(_share_2, _rows23, _share_3, _count22)
+                    _tilt_2 = _put(_tilt_2, _rows23, _tilt_3, _count22)
+                _arrival_2, _certain_2, _exhausted_2, _searching_2, _t_2 = advanced(_arrival_2, _certain_2, _end_2, _hit_2, _next_2, _root_2, _step_2, _sure_2, _t_2, _vague_2)
+                _rows25, _count26 = _rows(_exhausted_2, _count22)
+                if _count26:
+                    _far = _of(_rows21, _rows25)
+                    _end_3 = _take(_end_2, _rows25)
+                    _high0_3 = _take(_high0_1, _far)
+                    _high1_3 = _take(_high1_1, _far)
+                    _low0_3 = _take(_low0_1, _far)
+                    _low1_3 = _take(_low1_1, _far)
+                    _t_3 = _take(_t_2, _rows25)
+                    _t_3, _end_3, _searching_3 = bridge_enter(_end_3, _end_3, _high0_3, _high1_3, _low0_3, _low1_3, _t_3)
+                    _end_2 = _put(_end_2, _rows25, _end_3, _count22)
+                    _searching_2 = _put(_searching_2, _rows25, _searching_3, _count22)
+                    _t_2 = _put(_t_2, _rows25, _t_3, _count22)
+                _going27 = _where_true(_searching_2)
+                if len(_going27) == _count22:
+                    continue
+                _done = _where_true(_logical_not(_searching_2))
+                _store(_arrival_1, _of(_rows21, _done), _arrival_2, _done)
+                _store(_certain_1, _of(_rows21, _done), _certain_2, _done)
+                _store(_doubt_1, _of(_rows21, _done), _doubt_2, _done)
+                _store(_flat_1, _of(_rows21, _done), _flat_2, _done)
+                _store(_searching_1, _of(_rows21, _done), _searching_2, _done)
+                _store(_t_1, _of(_rows21, _done), _t_2, _done)
+                _store(_tilt_1, _of(_rows21, _done), _tilt_2, _done)
+                _rows21, _count22 = _of(_rows21, _going27), len(_going27)
+                if not _count22:
+                    break
+                _arrival_2 = _take(_arrival_2, _going27)
+                _ceiling_2 = _take(_ceiling_2, _going27)
+                _certain_2 = _take(_certain_2, _going27)
+                _doubt_2 = _take(_doubt_2, _going27)
+                _end_2 = _take(_end_2, _going27)
+                _flat_2 = _take(_flat_2, _going27)
+                _last_2 = _take(_last_2, _going27)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going27)
+                _p_board_distance_2 = _take(_p_board_distance_2, _going27)
+                _p_bridge_depth_2 = _take(_p_bridge_depth_2, _going27)
+                _p_bridge_half_width_2 = _take(_p_bridge_half_width_2, _going27)
+                _p_gravity_2 = _take(_p_gravity_2, _going27)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going27)
+                _p_wire_radius_2 = _take(_p_wire_radius_2, _going27)
+                _rate_slack_2 = _take(_rate_slack_2, _going27)
+                _searching_2 = _take(_searching_2, _going27)
+                _share_2 = _take(_share_2, _going27)
+                _t_2 = _take(_t_2, _going27)
+                _tilt_2 = _take(_tilt_2, _going27)
+                _vx_2 = _take(_vx_2, _going27)
+                _vy_2 = _take(_vy_2, _going27)
+                _vz_2 = _take(_vz_2, _going27)
+                _x_2 = _take(_x_2, _going27)
+                _y_2 = _take(_y_2, _going27)
+                _z_2 = _take(_z_2, _going27)
+            else:
+                _store(_arrival_1, _rows21, _arrival_2, None)
+                _store(_certain_1, _rows21, _certain_2, None)
+                _store(_doubt_1, _rows21, _doubt_2, None)
+                _store(_flat_1, _rows21, _flat_2, None)
+                _store(_searching_1, _rows21, _searching_2, None)
+                _store(_t_1, _rows21, _t_2, None)
+                _store(_tilt_1, _rows21, _tilt_2, None)
+        _doubt_1, = questioned(_doubt_1, _t_1, _searching_1)
+        _arrives_1, = found(_arrival_1)
+        _leaving_1, *_ = nearby(_flat_1, 2.0, _last_1, _arrival_1, _tilt_1)
+        _refined_1, *_ = bridge_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
+        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
+        _refined_1, _rate_1 = bridge_refine(_arrival_1, _leaving_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
+        _arrival_1, = polished(_arrival_1, _certain_1, _refined_1)
+        _flat_1, _tilt_1, _rate_margin_1 = bridge_margins(_latest_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _p_gravity_1, _room_1)
+        _margin_1, = own_margin(_arrival_1, _flat_1, _leaving_1, _tilt_1)
+        _clearance_1, _delay_1 = crossing(_margin_1, _rate_margin_1, _rate_1, _ceiling_1, _room_1)
+        _time_1, = landed(_arrival_1)
+        _delay_1, _doubt_1 = landed_surely(_arrives_1, _certain_1, _clearance_1, _delay_1, _doubt_1, _time_1)
+        _doubt_1, _late_1 = tied(_arrives_1, _delay_1, _doubt_1, _late_1, _time_1, _when_1)
+        _when_1, _which_1 = sooner(_arrives_1, 2.0, _time_1, _when_1, _which_1)
+        _doubt_0 = _put(_doubt_0, _rows19, _doubt_1, shots)
+        _late_0 = _put(_late_0, _rows19, _late_1, shots)
+        _when_0 = _put(_when_0, _rows19, _when_1, shots)
+        _which_0 = _put(_which_0, _rows19, _which_1, shots)
+    _rows28, _count29 = _rows(_limited_0, shots)
+    if _count29:
+        _clock_1 = _take(_clock_0, _rows28)
+        _doubt_1 = _take(_doubt_0, _rows28)
+        _late_1 = _take(_late_0, _rows28)
+        _time_error_1 = _take(_time_error_0, _rows28)
+        _time_limit_1 = _take(_time_limit_0, _rows28)
+        _when_1 = _take(_when_0, _rows28)
+        _which_1 = _take(_which_0, _rows28)
+        _time_1, _delay_1, _arrives_1, _doubt_1 = expiry(_clock_1, _doubt_1, _late_1, _time_error_1, _time_limit_1, _when_1, _which_1)
+        _doubt_1, _late_1 = tied(_arrives_1, _delay_1, _doubt_1, _late_1, _time_1, _when_1)
+        _when_1, _which_1 = sooner(_arrives_1, 4.0, _time_1, _when_1, _which_1)
+        _doubt_0 = _put(_doubt_0, _rows28, _doubt_1, shots)
+        _late_0 = _put(_late_0, _rows28, _late_1, shots)
+        _when_0 = _put(_when_0, _rows28, _when_1, shots)
+        _which_0 = _put(_which_0, _rows28, _which_1, shots)
+    _rows30, _count31 = _rows(_kept_0, shots)
+    if _count31:
+        _clock_1 = _take(_clock_0, _rows30)
+        _clock_error_1 = _take(_clock_error_0, _rows30)
+        _dvx_1 = _take(_dvx_0, _rows30)
+        _dvy_1 = _take(_dvy_0, _rows30)
+        _dvz_1 = _take(_dvz_0, _rows30)
+        _dwx_1 = _take(_dwx_0, _rows30)
+        _dwy_1 = _take(_dwy_0, _rows30)
+        _dwz_1 = _take(_dwz_0, _rows30)
+        _dx_1 = _take(_dx_0, _rows30)
+        _dy_1 = _take(_dy_0, _rows30)
+        _dz_1 = _take(_dz_0, _rows30)
+        _held_1 = _take(_held_0, _rows30)
+        _mode_1 = _take(_mode_0, _rows30)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows30)
+        _p_board_bottom_1 = _take(_p_board_bottom_0, _rows30)
+        _p_board_distance_1 = _take(_p_board_distance_0, _rows30)
+        _p_board_half_width_1 = _take(_p_board_half_width_0, _rows30)
+        _p_board_thickness_1 = _take(_p_board_thickness_0, _rows30)
+        _p_board_top_1 = _take(_p_board_top_0, _rows30)
+        _p_bridge_depth_1 = _take(_p_bridge_depth_0, _rows30)
+        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows30)
+        _p_end_depth_1 = _take(_p_end_depth_0, _rows30)
+        _p_gravity_1 = _take(_p_gravity_0, _rows30)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows30)
+        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows30)
+        _position_error_1 = _take(_position_error_0, _rows30)
+        _rests_1 = _take(_rests_0, _rows30)
+        _through_1 = _take(_through_0, _rows30)
+        _time_limit_1 = _take(_time_limit_0, _rows30)
+        _velocity_error_1 = _take(_velocity_error_0, _rows30)
+        _vx_1 = _take(_vx_0, _rows30)
+        _vy_1 = _take(_vy_0, _rows30)
+        _vz_1 = _take(_vz_0, _rows30)
+        _when_1 = _take(_when_0, _rows30)
+        _wx_1 = _take(_wx_0, _rows30)
+        _wy_1 = _take(_wy_0, _rows30)
+        _wz_1 = _take(_wz_0, _rows30)
+        _x_1 = _take(_x_0, _rows30)
+        _y_1 = _take(_y_0, _rows30)
+        _z_1 = _take(_z_0, _rows30)
+        _which_1, _late_1, _doubt_1, _begins_1, _rolling_1, _leaves_1, _nx_1, _ny_1, _nz_1, _gap_1, _bent_x_1, _bent_y_1, _bent_z_1, _lift_1, _surge_1, _snap_1, _per_reach_1, _ring_1 = resumed(_mode_1, _position_error_1, _velocity_error_1)
+        _rows32, _count33 = _rows(_begins_1, _count31)
+        if _count33:
+            _dvx_2 = _take(_dvx_1, _rows32)
+            _dvy_2 = _take(_dvy_1, _rows32)
+            _dvz_2 = _take(_dvz_1, _rows32)
+            _dwx_2 = _take(_dwx_1, _rows32)
+            _dwy_2 = _take(_dwy_1, _rows32)
+            _dwz_2 = _take(_dwz_1, _rows32)
+            _dx_2 = _take(_dx_1, _rows32)
+            _dy_2 = _take(_dy_1, _rows32)
+            _dz_2 = _take(_dz_1, _rows32)
+            _gap_2 = _take(_gap_1, _rows32)
+            _held_2 = _take(_held_1, _rows32)
+            _nx_2 = _take(_nx_1, _rows32)
+            _ny_2 = _take(_ny_1, _rows32)
+            _nz_2 = _take(_nz_1, _rows32)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows32)
+            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows32)
+            _p_board_distance_2 = _take(_p_board_distance_1, _rows32)
+            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows32)
+            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows32)
+            _p_board_top_2 = _take(_p_board_top_1, _rows32)
+            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows32)
+            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows32)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows32)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows32)
+            _vx_2 = _take(_vx_1, _rows32)
+            _vy_2 = _take(_vy_1, _rows32)
+            _vz_2 = _take(_vz_1, _rows32)
+            _wx_2 = _take(_wx_1, _rows32)
+            _wy_2 = _take(_wy_1, _rows32)
+            _wz_2 = _take(_wz_1, _rows32)
+            _x_2 = _take(_x_1, _rows32)
+            _y_2 = _take(_y_1, _rows32)
+            _z_2 = _take(_z_1, _rows32)
+            _room_2 = room(_count33)
+            _here_2, = holding(_held_2, 0.0)
+            _nx_3, _ny_3, _nz_3 = ring_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _room_2)
+            _nx_2 = _choose(_here_2, _nx_3, _nx_2)
+            _ny_2 = _choose(_here_2, _ny_3, _ny_2)
+            _nz_2 = _choose(_here_2, _nz_3, _nz_2)
+            _here_2, = holding(_held_2, 1.0)
+            _nx_3, _ny_3, _nz_3 = backboard_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_board_distance_2, _p_board_half_width_2, _p_board_bottom_2, _p_board_top_2, _p_board_thickness_2, _room_2)
+            _nx_2 = _choose(_here_2, _nx_3, _nx_2)
+            _ny_2 = _choose(_here_2, _ny_3, _ny_2)
+            _nz_2 = _choose(_here_2, _nz_3, _nz_2)
+            _here_2, = holding(_held_2, 2.0)
+            _nx_3, _ny_3, _nz_3 = bridge_normal(_x_2, _y_2, _z_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _p_board_distance_2, _p_bridge_half_width_2, _p_bridge_depth_2, _room_2)
+            _nx_2 = _choose(_here_2, _nx_3, _nx_2)
+            _ny_2 = _choose(_here_2, _ny_3, _ny_2)
+            _nz_2 = _choose(_here_2, _nz_3, _nz_2)
+            _turn_rate_2, = roll_turn_rate(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _wx_2, _wy_2, _wz_2)
+            _rolled_x_2, _rolled_y_2, _rolled_z_2, *_ = gripped(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _room_2)
+            _here_2, = holding(_held_2, 0.0)
+            _gap_3, = ring_off(_p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _room_2)
+            _gap_2 = _choose(_here_2, _gap_3, _gap_2)
+            _here_2, = holding(_held_2, 1.0)
+            _gap_3, = backboard_off(_p_ball_radius_2, _p_board_bottom_2, _p_board_distance_2, _p_board_half_width_2, _p_board_thickness_2, _p_board_top_2, _x_2, _y_2, _z_2, _room_2)
+            _gap_2 = _choose(_here_2, _gap_3, _gap_2)
+            _here_2, = holding(_held_2, 2.0)
+            _gap_3, = bridge_off(_p_ball_radius_2, _p_board_distance_2, _p_bridge_depth_2, _p_bridge_half_width_2, _p_ring_radius_2, _p_wire_radius_2, _x_2, _y_2, _z_2, _room_2)
+            _gap_2 = _choose(_here_2, _gap_3, _gap_2)
+            _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _rolled_x_2, _rolled_y_2, _rolled_z_2, _x_2, _y_2, _z_2, _room_2)
+            _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = begun_errors(_p_ball_radius_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _vx_2, _vy_2, _vz_2, _room_2)
+            _which_2, = beginning_contact()
+            _dvx_1 = _put(_dvx_1, _rows32, _dvx_2, _count31)
+            _dvy_1 = _put(_dvy_1, _rows32, _dvy_2, _count31)
+            _dvz_1 = _put(_dvz_1, _rows32, _dvz_2, _count31)
+            _dwx_1 = _put(_dwx_1, _rows32, _dwx_2, _count31)
+            _dwy_1 = _put(_dwy_1, _rows32, _dwy_2, _count31)
+            _dwz_1 = _put(_dwz_1, _rows32, _dwz_2, _count31)
+            _dx_1 = _put(_dx_1, _rows32, _dx_2, _count31)
+            _dy_1 = _put(_dy_1, _rows32, _dy_2, _count31)
+            _dz_1 = _put(_dz_1, _rows32, _dz_2, _count31)
+            _nx_1 = _put(_nx_1, _rows32, _nx_2, _count31)
+            _ny_1 = _put(_ny_1, _rows32, _ny_2, _count31)
+            _nz_1 = _put(_nz_1, _rows32, _nz_2, _count31)
+            _vx_1 = _put(_vx_1, _rows32, _vx_2, _count31)
+            _vy_1 = _put(_vy_1, _rows32, _vy_2, _count31)
+            _vz_1 = _put(_vz_1, _rows32, _vz_2, _count31)
+            _which_1 = _put(_which_1, _rows32, _which_2, _count31)
+            _wx_1 = _put(_wx_1, _rows32, _wx_2, _count31)
+            _wy_1 = _put(_wy_1, _rows32, _wy_2, _count31)
+            _wz_1 = _put(_wz_1, _rows32, _wz_2, _count31)
+            _x_1 = _put(_x_1, _rows32, _x_2, _count31)
+            _y_1 = _put(_y_1, _rows32, _y_2, _count31)
+            _z_1 = _put(_z_1, _rows32, _z_2, _count31)
+        _rows34, _count35 = _rows(_rolling_1, _count31)
+        if _count35:
+            _bent_x_2 = _take(_bent_x_1, _rows34)
+            _bent_y_2 = _take(_bent_y_1, _rows34)
+            _bent_z_2 = _take(_bent_z_1, _rows34)
+            _clock_2 = _take(_clock_1, _rows34)
+            _clock_error_2 = _take(_clock_error_1, _rows34)
+            _doubt_2 = _take(_doubt_1, _rows34)
+            _dvx_2 = _take(_dvx_1, _rows34)
+            _dvy_2 = _take(_dvy_1, _rows34)
+            _dvz_2 = _take(_dvz_1, _rows34)
+            _dwx_2 = _take(_dwx_1, _rows34)
+            _dwy_2 = _take(_dwy_1, _rows34)
+            _dwz_2 = _take(_dwz_1, _rows34)
+            _dx_2 = _take(_dx_1, _rows34)
+            _dy_2 = _take(_dy_1, _rows34)
+            _dz_2 = _take(_dz_1, _rows34)
+            _held_2 = _take(_held_1, _rows34)
+            _late_2 = _take(_late_1, _rows34)
+            _nx_2 = _take(_nx_1, _rows34)
+            _ny_2 = _take(_ny_1, _rows34)
+            _nz_2 = _take(_nz_1, _rows34)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows34)
+            _p_end_depth_2 = _take(_p_end_depth_1, _rows34)
+            _p_gravity_2 = _take(_p_gravity_1, _rows34)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows34)
+            _per_reach_2 = _take(_per_reach_1, _rows34)
+            _ring_2 = _take(_ring_1, _rows34)
+            _rolling_2 = _take(_rolling_1, _rows34)
+            _through_2 = _take(_through_1, _rows34)
+            _time_limit_2 = _take(_time_limit_1, _rows34)
+            _vx_2 = _take(_vx_1, _rows34)
+            _vy_2 = _take(_vy_1, _rows34)
+            _vz_2 = _take(_vz_1, _rows34)
+            _which_2 = _take(_which_1, _rows34)
+            _wx_2 = _take(_wx_1, _rows34)
+            _wy_2 = _take(_wy_1, _rows34)
+            _wz_2 = _take(_wz_1, _rows34)
+            _x_2 = _take(_x_1, _rows34)
+            _y_2 = _take(_y_1, _rows34)
+            _z_2 = _take(_z_1, _rows34)
+            _clock_1 = _copy(_clock_1, _count31)
+            _doubt_1 = _copy(_doubt_1, _count31)
+            _dvx_1 = _copy(_dvx_1, _count31)
+            _dvy_1 = _copy(_dvy_1, _count31)
+            _dvz_1 = _copy(_dvz_1, _count31)
+            _dwx_1 = _copy(_dwx_1, _count31)
+            _dwy_1 = _copy(_dwy_1, _count31)
+            _dwz_1 = _copy(_dwz_1, _count31)
+            _dx_1 = _copy(_dx_1, _count31)
+            _dy_1 = _copy(_dy_1, _count31)
+            _dz_1 = _copy(_dz_1, _count31)
+            _late_1 = _copy(_late_1, _count31)
+            _per_reach_1 = _copy(_per_reach_1, _count31)
+            _position_error_1 = _copy(_position_error_1, _count31)
+            _rests_1 = _copy(_rests_1, _count31)
+            _through_1 = _copy(_through_1, _count31)
+            _velocity_error_1 = _copy(_velocity_error_1, _count31)
+            _vx_1 = _copy(_vx_1, _count31)
+            _vy_1 = _copy(_vy_1, _count31)
+            _vz_1 = _copy(_vz_1, _count31)
+            _which_1 = _copy(_which_1, _count31)
+            _wx_1 = _copy(_wx_1, _count31)
+            _wy_1 = _copy(_wy_1, _count31)
+            _wz_1 = _copy(_wz_1, _count31)
+            _x_1 = _copy(_x_1, _count31)
+            _y_1 = _copy(_y_1, _count31)
+            _z_1 = _copy(_z_1, _count31)
+            for _ in range(131072):
+                _room_2 = room(_count35)
+                _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
+                _here_2, = holding(_held_2, 0.0)
+                _rows36, _count37 = _rows(_here_2, _count35)
+                if _count37:
+                    _far = _of(_rows34, _rows36)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows36)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows36)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _x_3 = _take(_x_2, _rows36)
+                    _y_3 = _take(_y_2, _rows36)
+                    _z_3 = _take(_z_2, _rows36)
+                    _room_3 = room(_count37)
+                    _nx_3, _ny_3, _nz_3 = ring_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
+                    _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3, _ring_3 = ring_tube(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3)
+                    _bent_x_2 = _put(_bent_x_2, _rows36, _bent_x_3, _count35)
+                    _bent_y_2 = _put(_bent_y_2, _rows36, _bent_y_3, _count35)
+                    _bent_z_2 = _put(_bent_z_2, _rows36, _bent_z_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows36, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows36, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows36, _nz_3, _count35)
+                    _per_reach_2 = _put(_per_reach_2, _rows36, _per_reach_3, _count35)
+                    _ring_2 = _put(_ring_2, _rows36, _ring_3, _count35)
+                _here_2, = holding(_held_2, 1.0)
+                _rows38, _count39 = _rows(_here_2, _count35)
+                if _count39:
+                    _far = _of(_rows34, _rows38)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows38)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _vx_3 = _take(_vx_2, _rows38)
+                    _vy_3 = _take(_vy_2, _rows38)
+                    _vz_3 = _take(_vz_2, _rows38)
+                    _x_3 = _take(_x_2, _rows38)
+                    _y_3 = _take(_y_2, _rows38)
+                    _z_3 = _take(_z_2, _rows38)
+                    _room_3 = room(_count39)
+                    _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3, _ring_3 = backboard_tube(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                    _bent_x_2 = _put(_bent_x_2, _rows38, _bent_x_3, _count35)
+                    _bent_y_2 = _put(_bent_y_2, _rows38, _bent_y_3, _count35)
+                    _bent_z_2 = _put(_bent_z_2, _rows38, _bent_z_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows38, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows38, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows38, _nz_3, _count35)
+                    _per_reach_2 = _put(_per_reach_2, _rows38, _per_reach_3, _count35)
+                    _ring_2 = _put(_ring_2, _rows38, _ring_3, _count35)
+                _here_2, = holding(_held_2, 2.0)
+                _rows40, _count41 = _rows(_here_2, _count35)
+                if _count41:
+                    _far = _of(_rows34, _rows40)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows40)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows40)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _vx_3 = _take(_vx_2, _rows40)
+                    _vy_3 = _take(_vy_2, _rows40)
+                    _vz_3 = _take(_vz_2, _rows40)
+                    _x_3 = _take(_x_2, _rows40)
+                    _y_3 = _take(_y_2, _rows40)
+                    _z_3 = _take(_z_2, _rows40)
+                    _room_3 = room(_count41)
+                    _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _bent_x_3, _bent_y_3, _bent_z_3, _per_reach_3, _ring_3 = bridge_tube(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _bent_x_2 = _put(_bent_x_2, _rows40, _bent_x_3, _count35)
+                    _bent_y_2 = _put(_bent_y_2, _rows40, _bent_y_3, _count35)
+                    _bent_z_2 = _put(_bent_z_2, _rows40, _bent_z_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows40, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows40, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows40, _nz_3, _count35)
+                    _per_reach_2 = _put(_per_reach_2, _rows40, _per_reach_3, _count35)
+                    _ring_2 = _put(_ring_2, _rows40, _ring_3, _count35)
+                _vx_0_2, _vy_0_2, _vz_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _near_0_2 = roll_start(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _ring_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _room_2)
+                _across_0_2, _round_0_2, _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_1_2, _vy_1_2, _vz_1_2, _nx_1_2, _ny_1_2, _nz_1_2, _turn_rate_1_2, _cos_1_2, _sin_1_2, _widened_1_2, _near_1_2 = roll_0(_bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _p_gravity_2, _near_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _per_reach_2, _ring_2, _sin_0_2, _turn_rate_0_2, _vx_0_2, _vy_0_2, _vz_0_2, _room_2)
+                _across_1_2, _round_1_2, _lift_1_2, _tx_1_2, _ty_1_2, _tz_1_2, _vx_2_2, _vy_2_2, _vz_2_2, _nx_2_2, _ny_2_2, _nz_2_2, _turn_rate_2_2, _cos_2_2, _sin_2_2, _widened_2_2, _near_2_2 = roll_1(_across_0_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _p_gravity_2, _lift_0_2, _near_0_2, _near_1_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _per_reach_2, _ring_2, _round_0_2, _sin_0_2, _sin_1_2, _turn_rate_0_2, _turn_rate_1_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_0_2, _vx_1_2, _vy_0_2, _vy_1_2, _vz_0_2, _vz_1_2, _widened_1_2, _room_2)
+                _across_2_2, _round_2_2, _lift_2_2, _tx_2_2, _ty_2_2, _tz_2_2, _vx_3_2, _vy_3_2, _vz_3_2, _nx_3_2, _ny_3_2, _nz_3_2, _turn_rate_3_2, _cos_3_2, _sin_3_2, _widened_3_2, _near_3_2 = roll_2(_across_0_2, _across_1_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _p_gravity_2, _lift_0_2, _lift_1_2, _near_0_2, _near_1_2, _near_2_2, _nx_0_2, _nx_1_2, _nx_2_2, _ny_0_2, _ny_1_2, _ny_2_2, _nz_0_2, _nz_1_2, _nz_2_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _sin_0_2, _sin_1_2, _sin_2_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _tx_0_2, _tx_1_2, _ty_0_2, _ty_1_2, _tz_0_2, _tz_1_2, _vx_0_2, _vx_1_2, _vx_2_2, _vy_0_2, _vy_1_2, _vy_2_2, _vz_0_2, _vz_1_2, _vz_2_2, _widened_1_2, _widened_2_2, _room_2)
+                _across_3_2, _round_3_2, _lift_3_2, _tx_3_2, _ty_3_2, _tz_3_2, _vx_4_2, _vy_4_2, _vz_4_2, _nx_4_2, _ny_4_2, _nz_4_2, _turn_rate_4_2, _cos_4_2, _sin_4_2, _widened_4_2, _near_4_2 = roll_3(_across_0_2, _across_1_2, _across_2_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _tx_0_2, _tx_1_2, _tx_2_2, _ty_0_2, _ty_1_2, _ty_2_2, _tz_0_2, _tz_1_2, _tz_2_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _widened_1_2, _widened_2_2, _widened_3_2, _room_2)
+                _across_4_2, _round_4_2, _lift_4_2, _tx_4_2, _ty_4_2, _tz_4_2, _vx_5_2, _vy_5_2, _vz_5_2, _nx_5_2, _ny_5_2, _nz_5_2, _turn_rate_5_2, _cos_5_2, _sin_5_2, _widened_5_2, _near_5_2 = roll_4(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _room_2)
+                _across_5_2, _round_5_2, _lift_5_2, _tx_5_2, _ty_5_2, _tz_5_2, _vx_6_2, _vy_6_2, _vz_6_2, _nx_6_2, _ny_6_2, _nz_6_2, _turn_rate_6_2, _cos_6_2, _sin_6_2, _widened_6_2, _near_6_2 = roll_5(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _room_2)
+                _across_6_2, _round_6_2, _lift_6_2, _tx_6_2, _ty_6_2, _tz_6_2, _vx_7_2, _vy_7_2, _vz_7_2, _nx_7_2, _ny_7_2, _nz_7_2, _turn_rate_7_2, _cos_7_2, _sin_7_2, _widened_7_2, _near_7_2 = roll_6(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _room_2)
+                _, _, _lift_7_2, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _nx_8_2, _ny_8_2, _nz_8_2, _turn_rate_8_2, *_ = roll_7(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _across_6_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _round_6_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _widened_7_2, _room_2)
+                _stride_2, _strongest_2, _fastest_2, _force_2, _force_rate_2, _force_bend_2 = roll_pace(_p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _lift_7_2, _nx_8_2, _ny_8_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _nz_8_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _room_2)
+                _stride_2, _which_2, _rests_2, _doubt_2 = leaving_force(_doubt_2, _fastest_2, _force_2, _force_bend_2, _force_rate_2, _p_gravity_2, _per_reach_2, _position_error_2, _stride_2, _velocity_error_2, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _room_2)
+                _beside_2, = beside(_held_2, 0.0)
+                _rows42, _count43 = _rows(_beside_2, _count35)
+                if _count43:
+                    _far = _of(_rows34, _rows42)
+                    _doubt_3 = _take(_doubt_2, _rows42)
+                    _fastest_3 = _take(_fastest_2, _rows42)
+                    _late_3 = _take(_late_2, _rows42)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows42)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows42)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _position_error_3 = _take(_position_error_2, _rows42)
+                    _stride_3 = _take(_stride_2, _rows42)
+                    _strongest_3 = _take(_strongest_2, _rows42)
+                    _vx_3 = _take(_vx_2, _rows42)
+                    _vy_3 = _take(_vy_2, _rows42)
+                    _vz_3 = _take(_vz_2, _rows42)
+                    _which_3 = _take(_which_2, _rows42)
+                    _x_3 = _take(_x_2, _rows42)
+                    _y_3 = _take(_y_2, _rows42)
+                    _z_3 = _take(_z_2, _rows42)
+                    _room_3 = room(_count43)
+                    _gap_3, _nearing_3, _dent_3 = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_3, _which_3, _doubt_3, _late_3 = beside_body(_p_ball_radius_3, _dent_3, _doubt_3, _fastest_3, _gap_3, 0.0, _late_3, _nearing_3, _position_error_3, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
+                    _doubt_2 = _put(_doubt_2, _rows42, _doubt_3, _count35)
+                    _late_2 = _put(_late_2, _rows42, _late_3, _count35)
+                    _stride_2 = _put(_stride_2, _rows42, _stride_3, _count35)
+                    _which_2 = _put(_which_2, _rows42, _which_3, _count35)
+                _beside_2, = beside(_held_2, 1.0)
+                _rows44, _count45 = _rows(_beside_2, _count35)
+                if _count45:
+                    _far = _of(_rows34, _rows44)
+                    _doubt_3 = _take(_doubt_2, _rows44)
+                    _fastest_3 = _take(_fastest_2, _rows44)
+                    _late_3 = _take(_late_2, _rows44)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows44)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _position_error_3 = _take(_position_error_2, _rows44)
+                    _stride_3 = _take(_stride_2, _rows44)
+                    _strongest_3 = _take(_strongest_2, _rows44)
+                    _vx_3 = _take(_vx_2, _rows44)
+                    _vy_3 = _take(_vy_2, _rows44)
+                    _vz_3 = _take(_vz_2, _rows44)
+                    _which_3 = _take(_which_2, _rows44)
+                    _x_3 = _take(_x_2, _rows44)
+                    _y_3 = _take(_y_2, _rows44)
+                    _z_3 = _take(_z_2, _rows44)
+                    _room_3 = room(_count45)
+                    _gap_3, _nearing_3, _dent_3 = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_3, _which_3, _doubt_3, _late_3 = beside_body(_p_ball_radius_3, _dent_3, _doubt_3, _fastest_3, _gap_3, 1.0, _late_3, _nearing_3, _position_error_3, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
+                    _doubt_2 = _put(_doubt_2, _rows44, _doubt_3, _count35)
+                    _late_2 = _put(_late_2, _rows44, _late_3, _count35)
+                    _stride_2 = _put(_stride_2, _rows44, _stride_3, _count35)
+                    _which_2 = _put(_which_2, _rows44, _which_3, _count35)
+                _beside_2, = beside(_held_2, 2.0)
+                _rows46, _count47 = _rows(_beside_2, _count35)
+                if _count47:
+                    _far = _of(_rows34, _rows46)
+                    _doubt_3 = _take(_doubt_2, _rows46)
+                    _fastest_3 = _take(_fastest_2, _rows46)
+                    _late_3 = _take(_late_2, _rows46)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows46)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows46)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _position_error_3 = _take(_position_error_2, _rows46)
+                    _stride_3 = _take(_stride_2, _rows46)
+                    _strongest_3 = _take(_strongest_2, _rows46)
+                    _vx_3 = _take(_vx_2, _rows46)
+                    _vy_3 = _take(_vy_2, _rows46)
+                    _vz_3 = _take(_vz_2, _rows46)
+                    _which_3 = _take(_which_2, _rows46)
+                    _x_3 = _take(_x_2, _rows46)
+                    _y_3 = _take(_y_2, _rows46)
+                    _z_3 = _take(_z_2, _rows46)
+                    _room_3 = room(_count47)
+                    _gap_3, _nearing_3, _dent_3 = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _stride_3, _which_3, _doubt_3, _late_3 = beside_body(_p_ball_radius_3, _dent_3, _doubt_3, _fastest_3, _gap_3, 2.0, _late_3, _nearing_3, _position_error_3, _stride_3, _strongest_3, _which_3, _x_3, _y_3, _z_3, _room_3)
+                    _doubt_2 = _put(_doubt_2, _rows46, _doubt_3, _count35)
+                    _late_2 = _put(_late_2, _rows46, _late_3, _count35)
+                    _stride_2 = _put(_stride_2, _rows46, _stride_3, _count35)
+                    _which_2 = _put(_which_2, _rows46, _which_3, _count35)
+                _gap_2, _nearing_2, _dent_2 = end_beside(_p_end_depth_2, _vz_2, _z_2)
+                _stride_2, _which_2, _doubt_2, _late_2 = beside_gate(_p_ball_radius_2, _dent_2, _doubt_2, _fastest_2, _gap_2, 3.0, _late_2, _nearing_2, _position_error_2, _stride_2, _strongest_2, _which_2, _x_2, _y_2, _z_2, _room_2)
+                _here_2, = holding(_held_2, 1.0)
+                _rows48, _count49 = _rows(_here_2, _count35)
+                if _count49:
+                    _far = _of(_rows34, _rows48)
+                    _fastest_3 = _take(_fastest_2, _rows48)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows48)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _stride_3 = _take(_stride_2, _rows48)
+                    _strongest_3 = _take(_strongest_2, _rows48)
+                    _vx_3 = _take(_vx_2, _rows48)
+                    _vy_3 = _take(_vy_2, _rows48)
+                    _vz_3 = _take(_vz_2, _rows48)
+                    _x_3 = _take(_x_2, _rows48)
+                    _y_3 = _take(_y_2, _rows48)
+                    _z_3 = _take(_z_2, _rows48)
+                    _room_3 = room(_count49)
+                    _gap_3, _nearing_3, _near_3 = backboard_seam0(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _vx_3, _x_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = backboard_seam1(_p_ball_radius_3, _p_board_distance_3, _p_board_thickness_3, _vx_3, _x_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = backboard_seam2(_p_ball_radius_3, _p_board_half_width_3, _vy_3, _y_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = backboard_seam3(_p_ball_radius_3, _p_board_half_width_3, _vy_3, _y_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = backboard_seam4(_p_ball_radius_3, _p_board_bottom_3, _p_board_top_3, _vz_3, _z_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = backboard_seam5(_p_ball_radius_3, _p_board_bottom_3, _p_board_top_3, _vz_3, _z_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows48, _gap_3, _count35)
+                    _stride_2 = _put(_stride_2, _rows48, _stride_3, _count35)
+                _here_2, = holding(_held_2, 2.0)
+                _rows50, _count51 = _rows(_here_2, _count35)
+                if _count51:
+                    _far = _of(_rows34, _rows50)
+                    _fastest_3 = _take(_fastest_2, _rows50)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows50)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows50)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _stride_3 = _take(_stride_2, _rows50)
+                    _strongest_3 = _take(_strongest_2, _rows50)
+                    _vx_3 = _take(_vx_2, _rows50)
+                    _vy_3 = _take(_vy_2, _rows50)
+                    _vz_3 = _take(_vz_2, _rows50)
+                    _x_3 = _take(_x_2, _rows50)
+                    _y_3 = _take(_y_2, _rows50)
+                    _z_3 = _take(_z_2, _rows50)
+                    _room_3 = room(_count51)
+                    _gap_3, _nearing_3, _near_3 = bridge_seam0(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _vx_3, _x_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = bridge_seam1(_p_ball_radius_3, _p_board_distance_3, _p_ring_radius_3, _vx_3, _x_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = bridge_seam2(_p_ball_radius_3, _p_bridge_half_width_3, _vy_3, _y_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = bridge_seam3(_p_ball_radius_3, _p_bridge_half_width_3, _vy_3, _y_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = bridge_seam4(_p_ball_radius_3, _p_bridge_depth_3, _vz_3, _p_wire_radius_3, _z_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_3, _nearing_3, _near_3 = bridge_seam5(_p_ball_radius_3, _p_bridge_depth_3, _vz_3, _p_wire_radius_3, _z_3)
+                    _stride_3, = beside_seam(_fastest_3, _gap_3, _near_3, _nearing_3, _stride_3, _strongest_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows50, _gap_3, _count35)
+                    _stride_2 = _put(_stride_2, _rows50, _stride_3, _count35)
+                _stride_2, _which_2 = beside_time(_clock_2, _stride_2, _time_limit_2, _which_2)
+                _apart_2, = apart(_p_ball_radius_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _room_2)
+                _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = neighbour(_apart_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dx_2, _dy_2, _dz_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
+                _over_2, = passing_from(_z_2)
+                _x_2, _vx_2, _y_2, _vy_2, _z_2, _vz_2, _turn_rate_2 = roll_moved(_stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _x_2, _y_2, _z_2, _room_2)
+                _here_2, = holding(_held_2, 0.0)
+                _rows52, _count53 = _rows(_here_2, _count35)
+                if _count53:
+                    _far = _of(_rows34, _rows52)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows52)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows52)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _x_3 = _take(_x_2, _rows52)
+                    _y_3 = _take(_y_2, _rows52)
+                    _z_3 = _take(_z_2, _rows52)
+                    _room_3 = room(_count53)
+                    _nx_3, _ny_3, _nz_3 = ring_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
+                    _gap_3, = ring_off(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows52, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows52, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows52, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows52, _nz_3, _count35)
+                _here_2, = holding(_held_2, 1.0)
+                _rows54, _count55 = _rows(_here_2, _count35)
+                if _count55:
+                    _far = _of(_rows34, _rows54)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows54)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _x_3 = _take(_x_2, _rows54)
+                    _y_3 = _take(_y_2, _rows54)
+                    _z_3 = _take(_z_2, _rows54)
+                    _room_3 = room(_count55)
+                    _nx_3, _ny_3, _nz_3 = backboard_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _x_3, _y_3, _z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows54, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows54, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows54, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows54, _nz_3, _count35)
+                _here_2, = holding(_held_2, 2.0)
+                _rows56, _count57 = _rows(_here_2, _count35)
+                if _count57:
+                    _far = _of(_rows34, _rows56)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows56)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows56)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _x_3 = _take(_x_2, _rows56)
+                    _y_3 = _take(_y_2, _rows56)
+                    _z_3 = _take(_z_2, _rows56)
+                    _room_3 = room(_count57)
+                    _nx_3, _ny_3, _nz_3 = bridge_normal(_x_3, _y_3, _z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows56, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows56, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows56, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows56, _nz_3, _count35)
+                _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _vx_2, _vy_2, _vz_2, _x_2, _y_2, _z_2, _room_2)
+                _through_2, = passing_in_contact(_over_2, _p_ring_radius_2, _through_2, _x_2, _y_2, _z_2)
+                _here_2, = holding(_held_2, 0.0)
+                _rows58, _count59 = _rows(_here_2, _count35)
+                if _count59:
+                    _far = _of(_rows34, _rows58)
+                    _far_x_3 = _take(_far_x_2, _rows58)
+                    _far_y_3 = _take(_far_y_2, _rows58)
+                    _far_z_3 = _take(_far_z_2, _rows58)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows58)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows58)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _room_3 = room(_count59)
+                    _nx_3, _ny_3, _nz_3 = ring_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
+                    _nx_2 = _put(_nx_2, _rows58, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows58, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows58, _nz_3, _count35)
+                _here_2, = holding(_held_2, 1.0)
+                _rows60, _count61 = _rows(_here_2, _count35)
+                if _count61:
+                    _far = _of(_rows34, _rows60)
+                    _far_x_3 = _take(_far_x_2, _rows60)
+                    _far_y_3 = _take(_far_y_2, _rows60)
+                    _far_z_3 = _take(_far_z_2, _rows60)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows60)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _room_3 = room(_count61)
+                    _nx_3, _ny_3, _nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _nx_2 = _put(_nx_2, _rows60, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows60, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows60, _nz_3, _count35)
+                _here_2, = holding(_held_2, 2.0)
+                _rows62, _count63 = _rows(_here_2, _count35)
+                if _count63:
+                    _far = _of(_rows34, _rows62)
+                    _far_x_3 = _take(_far_x_2, _rows62)
+                    _far_y_3 = _take(_far_y_2, _rows62)
+                    _far_z_3 = _take(_far_z_2, _rows62)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows62)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows62)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _room_3 = room(_count63)
+                    _nx_3, _ny_3, _nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _nx_2 = _put(_nx_2, _rows62, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows62, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows62, _nz_3, _count35)
+                _turn_rate_2, = roll_turn_rate(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _far_wx_2, _far_wy_2, _far_wz_2)
+                _here_2, = holding(_held_2, 0.0)
+                _rows64, _count65 = _rows(_here_2, _count35)
+                if _count65:
+                    _far = _of(_rows34, _rows64)
+                    _far_x_3 = _take(_far_x_2, _rows64)
+                    _far_y_3 = _take(_far_y_2, _rows64)
+                    _far_z_3 = _take(_far_z_2, _rows64)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows64)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows64)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _room_3 = room(_count65)
+                    _nx_3, _ny_3, _nz_3 = ring_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
+                    _gap_3, = ring_off(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows64, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows64, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows64, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows64, _nz_3, _count35)
+                _here_2, = holding(_held_2, 1.0)
+                _rows66, _count67 = _rows(_here_2, _count35)
+                if _count67:
+                    _far = _of(_rows34, _rows66)
+                    _far_x_3 = _take(_far_x_2, _rows66)
+                    _far_y_3 = _take(_far_y_2, _rows66)
+                    _far_z_3 = _take(_far_z_2, _rows66)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows66)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _room_3 = room(_count67)
+                    _nx_3, _ny_3, _nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows66, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows66, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows66, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows66, _nz_3, _count35)
+                _here_2, = holding(_held_2, 2.0)
+                _rows68, _count69 = _rows(_here_2, _count35)
+                if _count69:
+                    _far = _of(_rows34, _rows68)
+                    _far_x_3 = _take(_far_x_2, _rows68)
+                    _far_y_3 = _take(_far_y_2, _rows68)
+                    _far_z_3 = _take(_far_z_2, _rows68)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows68)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows68)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _room_3 = room(_count69)
+                    _nx_3, _ny_3, _nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows68, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows68, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows68, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows68, _nz_3, _count35)
+                _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
+                _vx_0_2, _vy_0_2, _vz_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _turn_rate_0_2, _cos_0_2, _sin_0_2, _near_0_2 = roll_start(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _ring_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_x_2, _far_y_2, _room_2)
+                _across_0_2, _round_0_2, _lift_0_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_1_2, _vy_1_2, _vz_1_2, _nx_1_2, _ny_1_2, _nz_1_2, _turn_rate_1_2, _cos_1_2, _sin_1_2, _widened_1_2, _near_1_2 = roll_0(_bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _p_gravity_2, _near_0_2, _nx_0_2, _ny_0_2, _nz_0_2, _per_reach_2, _ring_2, _sin_0_2, _turn_rate_0_2, _vx_0_2, _vy_0_2, _vz_0_2, _room_2)
+                _across_1_2, _round_1_2, _lift_1_2, _tx_1_2, _ty_1_2, _tz_1_2, _vx_2_2, _vy_2_2, _vz_2_2, _nx_2_2, _ny_2_2, _nz_2_2, _turn_rate_2_2, _cos_2_2, _sin_2_2, _widened_2_2, _near_2_2 = roll_1(_across_0_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _p_gravity_2, _lift_0_2, _near_0_2, _near_1_2, _nx_0_2, _nx_1_2, _ny_0_2, _ny_1_2, _nz_0_2, _nz_1_2, _per_reach_2, _ring_2, _round_0_2, _sin_0_2, _sin_1_2, _turn_rate_0_2, _turn_rate_1_2, _tx_0_2, _ty_0_2, _tz_0_2, _vx_0_2, _vx_1_2, _vy_0_2, _vy_1_2, _vz_0_2, _vz_1_2, _widened_1_2, _room_2)
+                _across_2_2, _round_2_2, _lift_2_2, _tx_2_2, _ty_2_2, _tz_2_2, _vx_3_2, _vy_3_2, _vz_3_2, _nx_3_2, _ny_3_2, _nz_3_2, _turn_rate_3_2, _cos_3_2, _sin_3_2, _widened_3_2, _near_3_2 = roll_2(_across_0_2, _across_1_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _p_gravity_2, _lift_0_2, _lift_1_2, _near_0_2, _near_1_2, _near_2_2, _nx_0_2, _nx_1_2, _nx_2_2, _ny_0_2, _ny_1_2, _ny_2_2, _nz_0_2, _nz_1_2, _nz_2_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _sin_0_2, _sin_1_2, _sin_2_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _tx_0_2, _tx_1_2, _ty_0_2, _ty_1_2, _tz_0_2, _tz_1_2, _vx_0_2, _vx_1_2, _vx_2_2, _vy_0_2, _vy_1_2, _vy_2_2, _vz_0_2, _vz_1_2, _vz_2_2, _widened_1_2, _widened_2_2, _room_2)
+                _across_3_2, _round_3_2, _lift_3_2, _tx_3_2, _ty_3_2, _tz_3_2, _vx_4_2, _vy_4_2, _vz_4_2, _nx_4_2, _ny_4_2, _nz_4_2, _turn_rate_4_2, _cos_4_2, _sin_4_2, _widened_4_2, _near_4_2 = roll_3(_across_0_2, _across_1_2, _across_2_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _tx_0_2, _tx_1_2, _tx_2_2, _ty_0_2, _ty_1_2, _ty_2_2, _tz_0_2, _tz_1_2, _tz_2_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _widened_1_2, _widened_2_2, _widened_3_2, _room_2)
+                _across_4_2, _round_4_2, _lift_4_2, _tx_4_2, _ty_4_2, _tz_4_2, _vx_5_2, _vy_5_2, _vz_5_2, _nx_5_2, _ny_5_2, _nz_5_2, _turn_rate_5_2, _cos_5_2, _sin_5_2, _widened_5_2, _near_5_2 = roll_4(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _room_2)
+                _across_5_2, _round_5_2, _lift_5_2, _tx_5_2, _ty_5_2, _tz_5_2, _vx_6_2, _vy_6_2, _vz_6_2, _nx_6_2, _ny_6_2, _nz_6_2, _turn_rate_6_2, _cos_6_2, _sin_6_2, _widened_6_2, _near_6_2 = roll_5(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _room_2)
+                _across_6_2, _round_6_2, _lift_6_2, _tx_6_2, _ty_6_2, _tz_6_2, _vx_7_2, _vy_7_2, _vz_7_2, _nx_7_2, _ny_7_2, _nz_7_2, _turn_rate_7_2, _cos_7_2, _sin_7_2, _widened_7_2, _near_7_2 = roll_6(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _room_2)
+                _, _, _, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _, _, _, _turn_rate_8_2, *_ = roll_7(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _across_6_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _round_6_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _widened_7_2, _room_2)
+                _far_x_2, _far_vx_2, _far_y_2, _far_vy_2, _far_z_2, _far_vz_2, _turn_rate_2 = roll_moved(_stride_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
+                _here_2, = holding(_held_2, 0.0)
+                _rows70, _count71 = _rows(_here_2, _count35)
+                if _count71:
+                    _far = _of(_rows34, _rows70)
+                    _far_x_3 = _take(_far_x_2, _rows70)
+                    _far_y_3 = _take(_far_y_2, _rows70)
+                    _far_z_3 = _take(_far_z_2, _rows70)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows70)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows70)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _room_3 = room(_count71)
+                    _nx_3, _ny_3, _nz_3 = ring_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _room_3)
+                    _gap_3, = ring_off(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows70, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows70, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows70, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows70, _nz_3, _count35)
+                _here_2, = holding(_held_2, 1.0)
+                _rows72, _count73 = _rows(_here_2, _count35)
+                if _count73:
+                    _far = _of(_rows34, _rows72)
+                    _far_x_3 = _take(_far_x_2, _rows72)
+                    _far_y_3 = _take(_far_y_2, _rows72)
+                    _far_z_3 = _take(_far_z_2, _rows72)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows72)
+                    _p_board_bottom_3 = _take(_p_board_bottom_1, _far)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_board_half_width_3 = _take(_p_board_half_width_1, _far)
+                    _p_board_thickness_3 = _take(_p_board_thickness_1, _far)
+                    _p_board_top_3 = _take(_p_board_top_1, _far)
+                    _room_3 = room(_count73)
+                    _nx_3, _ny_3, _nz_3 = backboard_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_board_distance_3, _p_board_half_width_3, _p_board_bottom_3, _p_board_top_3, _p_board_thickness_3, _room_3)
+                    _gap_3, = backboard_off(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows72, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows72, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows72, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows72, _nz_3, _count35)
+                _here_2, = holding(_held_2, 2.0)
+                _rows74, _count75 = _rows(_here_2, _count35)
+                if _count75:
+                    _far = _of(_rows34, _rows74)
+                    _far_x_3 = _take(_far_x_2, _rows74)
+                    _far_y_3 = _take(_far_y_2, _rows74)
+                    _far_z_3 = _take(_far_z_2, _rows74)
+                    _p_ball_radius_3 = _take(_p_ball_radius_2, _rows74)
+                    _p_board_distance_3 = _take(_p_board_distance_1, _far)
+                    _p_bridge_depth_3 = _take(_p_bridge_depth_1, _far)
+                    _p_bridge_half_width_3 = _take(_p_bridge_half_width_1, _far)
+                    _p_ring_radius_3 = _take(_p_ring_radius_2, _rows74)
+                    _p_wire_radius_3 = _take(_p_wire_radius_1, _far)
+                    _room_3 = room(_count75)
+                    _nx_3, _ny_3, _nz_3 = bridge_normal(_far_x_3, _far_y_3, _far_z_3, _p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3, _p_board_distance_3, _p_bridge_half_width_3, _p_bridge_depth_3, _room_3)
+                    _gap_3, = bridge_off(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _p_wire_radius_3, _far_x_3, _far_y_3, _far_z_3, _room_3)
+                    _gap_2 = _put(_gap_2, _rows74, _gap_3, _count35)
+                    _nx_2 = _put(_nx_2, _rows74, _nx_3, _count35)
+                    _ny_2 = _put(_ny_2, _rows74, _ny_3, _count35)
+                    _nz_2 = _put(_nz_2, _rows74, _nz_3, _count35)
+                _far_x_2, _far_y_2, _far_z_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2 = roll_placed(_p_ball_radius_2, _gap_2, _nx_2, _ny_2, _nz_2, _turn_rate_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_x_2, _far_y_2, _far_z_2, _room_2)
+                _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = compared(_apart_2, _p_ball_radius_2, _far_vx_2, _far_vy_2, _far_vz_2, _far_wx_2, _far_wy_2, _far_wz_2, _far_x_2, _far_y_2, _far_z_2, _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _x_2, _y_2, _z_2, _room_2)
+                _clock_2, _rolling_2 = rolled_on(_clock_2, _rests_2, _stride_2, _which_2)
+                _going76 = _where_true(_rolling_2)
+                if len(_going76) == _count35:
+                    continue
+                _done = _where_true(_logical_not(_rolling_2))
+                _store(_clock_1, _of(_rows34, _done), _clock_2, _done)
+                _store(_doubt_1, _of(_rows34, _done), _doubt_2, _done)
+                _store(_dvx_1, _of(_rows34, _done), _dvx_2, _done)
+                _store(_dvy_1, _of(_rows34, _done), _dvy_2, _done)
+                _store(_dvz_1, _of(_rows34, _done), _dvz_2, _done)
+                _store(_dwx_1, _of(_rows34, _done), _dwx_2, _done)
+                _store(_dwy_1, _of(_rows34, _done), _dwy_2, _done)
+                _store(_dwz_1, _of(_rows34, _done), _dwz_2, _done)
+                _store(_dx_1, _of(_rows34, _done), _dx_2, _done)
+                _store(_dy_1, _of(_rows34, _done), _dy_2, _done)
+                _store(_dz_1, _of(_rows34, _done), _dz_2, _done)
+                _store(_late_1, _of(_rows34, _done), _late_2, _done)
+                _store(_per_reach_1, _of(_rows34, _done), _per_reach_2, _done)
+                _store(_position_error_1, _of(_rows34, _done), _position_error_2, _done)
+                _store(_rests_1, _of(_rows34, _done), _rests_2, _done)
+                _store(_through_1, _of(_rows34, _done), _through_2, _done)
+                _store(_velocity_error_1, _of(_rows34, _done), _velocity_error_2, _done)
+                _store(_vx_1, _of(_rows34, _done), _vx_2, _done)
+                _store(_vy_1, _of(_rows34, _done), _vy_2, _done)
+                _store(_vz_1, _of(_rows34, _done), _vz_2, _done)
+                _store(_which_1, _of(_rows34, _done), _which_2, _done)
+                _store(_wx_1, _of(_rows34, _done), _wx_2, _done)
+                _store(_wy_1, _of(_rows34, _done), _wy_2, _done)
+                _store(_wz_1, _of(_rows34, _done), _wz_2, _done)
+                _store(_x_1, _of(_rows34, _done), _x_2, _done)
+                _store(_y_1, _of(_rows34, _done), _y_2, _done)
+                _store(_z_1, _of(_rows34, _done), _z_2, _done)
+                _rows34, _count35 = _of(_rows34, _going76), len(_going76)
+                if not _count35:
+                    break
+                _bent_x_2 = _take(_bent_x_2, _going76)
+                _bent_y_2 = _take(_bent_y_2, _going76)
+                _bent_z_2 = _take(_bent_z_2, _going76)
+                _clock_2 = _take(_clock_2, _going76)
+                _clock_error_2 = _take(_clock_error_2, _going76)
+                _doubt_2 = _take(_doubt_2, _going76)
+                _dvx_2 = _take(_dvx_2, _going76)
+                _dvy_2 = _take(_dvy_2, _going76)
+                _dvz_2 = _take(_dvz_2, _going76)
+                _dwx_2 = _take(_dwx_2, _going76)
+                _dwy_2 = _take(_dwy_2, _going76)
+                _dwz_2 = _take(_dwz_2, _going76)
+                _dx_2 = _take(_dx_2, _going76)
+                _dy_2 = _take(_dy_2, _going76)
+                _dz_2 = _take(_dz_2, _going76)
+                _held_2 = _take(_held_2, _going76)
+                _late_2 = _take(_late_2, _going76)
+                _nx_2 = _take(_nx_2, _going76)
+                _ny_2 = _take(_ny_2, _going76)
+                _nz_2 = _take(_nz_2, _going76)
+                _p_ball_radius_2 = _take(_p_ball_radius_2, _going76)
+                _p_end_depth_2 = _take(_p_end_depth_2, _going76)
+                _p_gravity_2 = _take(_p_gravity_2, _going76)
+                _p_ring_radius_2 = _take(_p_ring_radius_2, _going76)
+                _per_reach_2 = _take(_per_reach_2, _going76)
+                _position_error_2 = _take(_position_error_2, _going76)
+                _rests_2 = _take(_rests_2, _going76)
+                _ring_2 = _take(_ring_2, _going76)
+                _rolling_2 = _take(_rolling_2, _going76)
+                _through_2 = _take(_through_2, _going76)
+                _time_limit_2 = _take(_time_limit_2, _going76)
+                _velocity_error_2 = _take(_velocity_error_2, _going76)
+                _vx_2 = _take(_vx_2, _going76)
+                _vy_2 = _take(_vy_2, _going76)
+                _vz_2 = _take(_vz_2, _going76)
+                _which_2 = _take(_which_2, _going76)
+                _wx_2 = _take(_wx_2, _going76)
+                _wy_2 = _take(_wy_2, _going76)
+                _wz_2 = _take(_wz_2, _going76)
+                _x_2 = _take(_x_2, _going76)
+                _y_2 = _take(_y_2, _going76)
+                _z_2 = _take(_z_2, _going76)
+            else:
+                _store(_clock_1, _rows34, _clock_2, None)
+                _store(_doubt_1, _rows34, _doubt_2, None)
+                _store(_dvx_1, _rows34, _dvx_2, None)
+                _store(_dvy_1, _rows34, _dvy_2, None)
+                _store(_dvz_1, _rows34, _dvz_2, None)
+                _store(_dwx_1, _rows34, _dwx_2, None)
+                _store(_dwy_1, _rows34, _dwy_2, None)
+                _store(_dwz_1, _rows34, _dwz_2, None)
+                _store(_dx_1, _rows34, _dx_2, None)
+                _store(_dy_1, _rows34, _dy_2, None)
+                _store(_dz_1, _rows34, _dz_2, None)
+                _store(_late_1, _rows34, _late_2, None)
+                _store(_per_reach_1, _rows34, _per_reach_2, None)
+                _store(_position_error_1, _rows34, _position_error_2, None)
+                _store(_rests_1, _rows34, _rests_2, None)
+                _store(_through_1, _rows34, _through_2, None)
+                _store(_velocity_error_1, _rows34, _velocity_error_2, None)
+                _store(_vx_1, _rows34, _vx_2, None)
+                _store(_vy_1, _rows34, _vy_2, None)
+                _store(_vz_1, _rows34, _vz_2, None)
+                _store(_which_1, _rows34, _which_2, None)
+                _store(_wx_1, _rows34, _wx_2, None)
+                _store(_wy_1, _rows34, _wy_2, None)
+                _store(_wz_1, _rows34, _wz_2, None)
+                _store(_x_1, _rows34, _x_2, None)
+                _store(_y_1, _rows34, _y_2, None)
+                _store(_z_1, _rows34, _z_2, None)
+        _rows77, _count78 = _rows(_leaves_1, _count31)
+        if _count78:
+            _clock_error_2 = _take(_clock_error_1, _rows77)
+            _doubt_2 = _take(_doubt_1, _rows77)
+            _dvx_2 = _take(_dvx_1, _rows77)
+            _dvy_2 = _take(_dvy_1, _rows77)
+            _dvz_2 = _take(_dvz_1, _rows77)
+            _dwx_2 = _take(_dwx_1, _rows77)
+            _dwy_2 = _take(_dwy_1, _rows77)
+            _dwz_2 = _take(_dwz_1, _rows77)
+            _dx_2 = _take(_dx_1, _rows77)
+            _dy_2 = _take(_dy_1, _rows77)
+            _dz_2 = _take(_dz_1, _rows77)
+            _held_2 = _take(_held_1, _rows77)
+            _lift_2 = _take(_lift_1, _rows77)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows77)
+            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows77)
+            _p_board_distance_2 = _take(_p_board_distance_1, _rows77)
+            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows77)
+            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows77)
+            _p_board_top_2 = _take(_p_board_top_1, _rows77)
+            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows77)
+            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows77)
+            _p_end_depth_2 = _take(_p_end_depth_1, _rows77)
+            _p_gravity_2 = _take(_p_gravity_1, _rows77)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows77)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows77)
+            _per_reach_2 = _take(_per_reach_1, _rows77)
+            _snap_2 = _take(_snap_1, _rows77)
+            _surge_2 = _take(_surge_1, _rows77)
+            _vx_2 = _take(_vx_1, _rows77)
+            _vy_2 = _take(_vy_1, _rows77)
+            _vz_2 = _take(_vz_1, _rows77)
+            _x_2 = _take(_x_1, _rows77)
+            _y_2 = _take(_y_1, _rows77)
+            _z_2 = _take(_z_1, _rows77)
+            _room_2 = room(_count78)
+            _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
+            _here_2, = holding(_held_2, 0.0)
+            _rows79, _count80 = _rows(_here_2, _count78)
+            if _count80:
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows79)
+                _p_gravity_3 = _take(_p_gravity_2, _rows79)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows79)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows79)
+                _vx_3 = _take(_vx_2, _rows79)
+                _vy_3 = _take(_vy_2, _rows79)
+                _vz_3 = _take(_vz_2, _rows79)
+                _x_3 = _take(_x_2, _rows79)
+                _y_3 = _take(_y_2, _rows79)
+                _z_3 = _take(_z_2, _rows79)
+                _room_3 = room(_count80)
+                _, _, _, _per_reach_3, *_ = ring_tube(_p_ball_radius_3, _p_ring_radius_3, _p_wire_radius_3)
+                _lift_3, _surge_3, _snap_3 = ring_parting(_p_gravity_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                _lift_2 = _put(_lift_2, _rows79, _lift_3, _count78)
+                _per_reach_2 = _put(_per_reach_2, _rows79, _per_reach_3, _count78)
+                _snap_2 = _put(_snap_2, _rows79, _snap_3, _count78)
+                _surge_2 = _put(_surge_2, _rows79, _surge_3, _count78)
+            _here_2, = holding(_held_2, 1.0)
+            _rows81, _count82 = _rows(_here_2, _count78)
+            if _count82:
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows81)
+                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows81)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows81)
+                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows81)
+                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows81)
+                _p_board_top_3 = _take(_p_board_top_2, _rows81)
+                _p_gravity_3 = _take(_p_gravity_2, _rows81)
+                _vx_3 = _take(_vx_2, _rows81)
+                _vy_3 = _take(_vy_2, _rows81)
+                _vz_3 = _take(_vz_2, _rows81)
+                _x_3 = _take(_x_2, _rows81)
+                _y_3 = _take(_y_2, _rows81)
+                _z_3 = _take(_z_2, _rows81)
+                _room_3 = room(_count82)
+                _, _, _, _per_reach_3, *_ = backboard_tube(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                _lift_3, _surge_3, _snap_3 = backboard_parting(_p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _p_gravity_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                _lift_2 = _put(_lift_2, _rows81, _lift_3, _count78)
+                _per_reach_2 = _put(_per_reach_2, _rows81, _per_reach_3, _count78)
+                _snap_2 = _put(_snap_2, _rows81, _snap_3, _count78)
+                _surge_2 = _put(_surge_2, _rows81, _surge_3, _count78)
+            _here_2, = holding(_held_2, 2.0)
+            _rows83, _count84 = _rows(_here_2, _count78)
+            if _count84:
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows83)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows83)
+                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows83)
+                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows83)
+                _p_gravity_3 = _take(_p_gravity_2, _rows83)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows83)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows83)
+                _vx_3 = _take(_vx_2, _rows83)
+                _vy_3 = _take(_vy_2, _rows83)
+                _vz_3 = _take(_vz_2, _rows83)
+                _x_3 = _take(_x_2, _rows83)
+                _y_3 = _take(_y_2, _rows83)
+                _z_3 = _take(_z_2, _rows83)
+                _room_3 = room(_count84)
+                _, _, _, _per_reach_3, *_ = bridge_tube(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                _lift_3, _surge_3, _snap_3 = bridge_parting(_p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_gravity_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                _lift_2 = _put(_lift_2, _rows83, _lift_3, _count78)
+                _per_reach_2 = _put(_per_reach_2, _rows83, _per_reach_3, _count78)
+                _snap_2 = _put(_snap_2, _rows83, _snap_3, _count78)
+                _surge_2 = _put(_surge_2, _rows83, _surge_3, _count78)
+            _nearest_2, = alone()
+            _beside_2, = beside(_held_2, 0.0)
+            _rows85, _count86 = _rows(_beside_2, _count78)
+            if _count86:
+                _nearest_3 = _take(_nearest_2, _rows85)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows85)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows85)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows85)
+                _vx_3 = _take(_vx_2, _rows85)
+                _vy_3 = _take(_vy_2, _rows85)
+                _vz_3 = _take(_vz_2, _rows85)
+                _x_3 = _take(_x_2, _rows85)
+                _y_3 = _take(_y_2, _rows85)
+                _z_3 = _take(_z_2, _rows85)
+                _room_3 = room(_count86)
+                _gap_3, *_ = ring_beside(_p_ball_radius_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                _nearest_3, = neared(_gap_3, _nearest_3)
+                _nearest_2 = _put(_nearest_2, _rows85, _nearest_3, _count78)
+            _beside_2, = beside(_held_2, 1.0)
+            _rows87, _count88 = _rows(_beside_2, _count78)
+            if _count88:
+                _nearest_3 = _take(_nearest_2, _rows87)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows87)
+                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows87)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows87)
+                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows87)
+                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows87)
+                _p_board_top_3 = _take(_p_board_top_2, _rows87)
+                _vx_3 = _take(_vx_2, _rows87)
+                _vy_3 = _take(_vy_2, _rows87)
+                _vz_3 = _take(_vz_2, _rows87)
+                _x_3 = _take(_x_2, _rows87)
+                _y_3 = _take(_y_2, _rows87)
+                _z_3 = _take(_z_2, _rows87)
+                _room_3 = room(_count88)
+                _gap_3, *_ = backboard_beside(_p_ball_radius_3, _p_board_bottom_3, _p_board_distance_3, _p_board_half_width_3, _p_board_thickness_3, _p_board_top_3, _vx_3, _vy_3, _vz_3, _x_3, _y_3, _z_3, _room_3)
+                _nearest_3, = neared(_gap_3, _nearest_3)
+                _nearest_2 = _put(_nearest_2, _rows87, _nearest_3, _count78)
+            _beside_2, = beside(_held_2, 2.0)
+            _rows89, _count90 = _rows(_beside_2, _count78)
+            if _count90:
+                _nearest_3 = _take(_nearest_2, _rows89)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows89)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows89)
+                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows89)
+                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows89)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows89)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows89)
+                _vx_3 = _take(_vx_2, _rows89)
+                _vy_3 = _take(_vy_2, _rows89)
+                _vz_3 = _take(_vz_2, _rows89)
+                _x_3 = _take(_x_2, _rows89)
+                _y_3 = _take(_y_2, _rows89)
+                _z_3 = _take(_z_2, _rows89)
+                _room_3 = room(_count90)
+                _gap_3, *_ = bridge_beside(_p_ball_radius_3, _p_board_distance_3, _p_bridge_depth_3, _p_bridge_half_width_3, _p_ring_radius_3, _vx_3, _vy_3, _vz_3, _p_wire_radius_3, _x_3, _y_3, _z_3, _room_3)
+                _nearest_3, = neared(_gap_3, _nearest_3)
+                _nearest_2 = _put(_nearest_2, _rows89, _nearest_3, _count78)
+            _beside_2, = beside(_held_2, 3.0)
+            _gap_3, *_ = end_beside(_p_end_depth_2, _vz_2, _z_2)
+            _nearest_3, = neared(_gap_3, _nearest_2)
+            _nearest_2 = _choose(_beside_2, _nearest_3, _nearest_2)
+            _when_2, _doubt_2 = parted(_doubt_2, _p_gravity_2, _lift_2, _nearest_2, _per_reach_2, _position_error_2, _snap_2, _surge_2, _velocity_error_2, _vx_2, _vy_2, _vz_2, _room_2)
+            _which_2, = hopping()
+            _doubt_1 = _put(_doubt_1, _rows77, _doubt_2, _count31)
+            _position_error_1 = _put(_position_error_1, _rows77, _position_error_2, _count31)
+            _velocity_error_1 = _put(_velocity_error_1, _rows77, _velocity_error_2, _count31)
+            _when_1 = _put(_when_1, _rows77, _when_2, _count31)
+            _which_1 = _put(_which_1, _rows77, _which_2, _count31)
+        _clock_0 = _put(_clock_0, _rows30, _clock_1, shots)
+        _doubt_0 = _put(_doubt_0, _rows30, _doubt_1, shots)
+        _dvx_0 = _put(_dvx_0, _rows30, _dvx_1, shots)
+        _dvy_0 = _put(_dvy_0, _rows30, _dvy_1, shots)
+        _dvz_0 = _put(_dvz_0, _rows30, _dvz_1, shots)
+        _dwx_0 = _put(_dwx_0, _rows30, _dwx_1, shots)
+        _dwy_0 = _put(_dwy_0, _rows30, _dwy_1, shots)
+        _dwz_0 = _put(_dwz_0, _rows30, _dwz_1, shots)
+        _dx_0 = _put(_dx_0, _rows30, _dx_1, shots)
+        _dy_0 = _put(_dy_0, _rows30, _dy_1, shots)
+        _dz_0 = _put(_dz_0, _rows30, _dz_1, shots)
+        _late_0 = _put(_late_0, _rows30, _late_1, shots)
+        _position_error_0 = _put(_position_error_0, _rows30, _position_error_1, shots)
+        _rests_0 = _put(_rests_0, _rows30, _rests_1, shots)
+        _through_0 = _put(_through_0, _rows30, _through_1, shots)
+        _velocity_error_0 = _put(_velocity_error_0, _rows30, _velocity_error_1, shots)
+        _vx_0 = _put(_vx_0, _rows30, _vx_1, shots)
+        _vy_0 = _put(_vy_0, _rows30, _vy_1, shots)
+        _vz_0 = _put(_vz_0, _rows30, _vz_1, shots)
+        _when_0 = _put(_when_0, _rows30, _when_1, shots)
+        _which_0 = _put(_which_0, _rows30, _which_1, shots)
+        _wx_0 = _put(_wx_0, _rows30, _wx_1, shots)
+        _wy_0 = _put(_wy_0, _rows30, _wy_1, shots)
+        _wz_0 = _put(_wz_0, _rows30, _wz_1, shots)
+        _x_0 = _put(_x_0, _rows30, _x_1, shots)
+        _y_0 = _put(_y_0, _rows30, _y_1, shots)
+        _z_0 = _put(_z_0, _rows30, _z_1, shots)
+    _, _moves_0, _ends_0, _touches_0, _reached_0, _edge_0 = departed(3.0, _which_0)
+    _body_0, = body_of(_which_0)
+    _rows91, _count92 = _rows(_moves_0, shots)
+    if _count92:
+        _clock_1 = _take(_clock_0, _rows91)
+        _extent_1 = _take(_extent_0, _rows91)
+        _p_gravity_1 = _take(_p_gravity_0, _rows91)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows91)
+        _position_error_1 = _take(_position_error_0, _rows91)
+        _speed_1 = _take(_speed_0, _rows91)
+        _through_1 = _take(_through_0, _rows91)
+        _uncertain_1 = _take(_uncertain_0, _rows91)
+        _velocity_error_1 = _take(_velocity_error_0, _rows91)
+        _vx_1 = _take(_vx_0, _rows91)
+        _vy_1 = _take(_vy_0, _rows91)
+        _vz_1 = _take(_vz_0, _rows91)
+        _when_1 = _take(_when_0, _rows91)
+        _x_1 = _take(_x_0, _rows91)
+        _y_1 = _take(_y_0, _rows91)
+        _z_1 = _take(_z_0, _rows91)
+        _room_1 = room(_count92)
+        _unsure_1, = passing_doubt(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _extent_1, _speed_1, _position_error_1, _velocity_error_1, _p_ring_radius_1, _p_gravity_1, _room_1)
+        _uncertain_1, = undecided(_uncertain_1, _unsure_1)
+        _through_1, = passing(_through_1, _when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_ring_radius_1, _p_gravity_1, _room_1)
+        _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1 = flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _p_gravity_1, _room_1)
+        _clock_1, = ticked(_clock_1, _when_1)
+        _clock_0 = _put(_clock_0, _rows91, _clock_1, shots)
+        _through_0 = _put(_through_0, _rows91, _through_1, shots)
+        _uncertain_0 = _put(_uncertain_0, _rows91, _uncertain_1, shots)
+        _vx_0 = _put(_vx_0, _rows91, _vx_1, shots)
+        _vy_0 = _put(_vy_0, _rows91, _vy_1, shots)
+        _vz_0 = _put(_vz_0, _rows91, _vz_1, shots)
+        _x_0 = _put(_x_0, _rows91, _x_1, shots)
+        _y_0 = _put(_y_0, _rows91, _y_1, shots)
+        _z_0 = _put(_z_0, _rows91, _z_1, shots)
+    _rows93, _count94 = _rows(_limited_0, shots)
+    if _count94:
+        _body_1 = _take(_body_0, _rows93)
+        _clock_1 = _take(_clock_0, _rows93)
+        _ends_1 = _take(_ends_0, _rows93)
+        _reached_1 = _take(_reached_0, _rows93)
+        _time_limit_1 = _take(_time_limit_0, _rows93)
+        _which_1 = _take(_which_0, _rows93)
+        _clock_1, _body_1, _reached_1, _ends_1 = expired(_body_1, _clock_1, _ends_1, 4.0, _reached_1, _time_limit_1, _which_1)
+        _body_0 = _put(_body_0, _rows93, _body_1, shots)
+        _clock_0 = _put(_clock_0, _rows93, _clock_1, shots)
+        _ends_0 = _put(_ends_0, _rows93, _ends_1, shots)
+        _reached_0 = _put(_reached_0, _rows93, _reached_1, shots)
+    _hopped_0, = unhopped()
+    _rows95, _count96 = _rows(_kept_0, shots)
+    if _count96:
+        _body_1 = _take(_body_0, _rows95)
+        _ends_1 = _take(_ends_0, _rows95)
+        _held_1 = _take(_held_0, _rows95)
+        _last_1 = _take(_last_0, _rows95)
+        _reached_1 = _take(_reached_0, _rows95)
+        _rests_1 = _take(_rests_0, _rows95)
+        _which_1 = _take(_which_0, _rows95)
+        _room_1 = room(_count96)
+        _body_1, _reached_1, _ends_1, _hopped_1, _last_1, _mode_1, _held_1 = kept_on(_body_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _which_1, _room_1)
+        _body_0 = _put(_body_0, _rows95, _body_1, shots)
+        _ends_0 = _put(_ends_0, _rows95, _ends_1, shots)
+        _held_0 = _put(_held_0, _rows95, _held_1, shots)
+        _hopped_0 = _put(_hopped_0, _rows95, _hopped_1, shots)
+        _last_0 = _put(_last_0, _rows95, _last_1, shots)
+        _mode_0 = _put(_mode_0, _rows95, _mode_1, shots)
+        _reached_0 = _put(_reached_0, _rows95, _reached_1, shots)
+    _slack_0, = displacement(_late_0, _when_0, _extent_0, _speed_0, _position_error_0, _velocity_error_0, _p_ball_radius_0, _p_ring_radius_0, _p_wire_radius_0, _p_board_distance_0, _p_board_half_width_0, _p_board_bottom_0, _p_board_top_0, _p_board_thickness_0, _p_bridge_half_width_0, _p_bridge_depth_0, _p_gravity_0, _p_end_depth_0, _room_0)
+    _here_0, = here(3.0, _which_0)
+    _g0_1, = end_bounds(_x_0, _y_0, _p_ring_radius_0)
+    _reached_1, = end_reached(_g0_1, _through_0)
+    _edge_1, = end_edge(_g0_1, _slack_0, _through_0)
+    _edge_0 = _choose(_here_0, _edge_1, _edge_0)
+    _reached_0 = _choose(_here_0, _reached_1, _reached_0)
+    _uncertain_0, = doubted_in_contact(_assured_0, _doubt_0, _edge_0, _last_0, _late_0, _uncertain_0, _when_0, _which_0)
+    _contacts_0, _outcome_0 = accounted(_contacts_0, _most_contacts_0, _reached_0, _touches_0)
+    columns["body"] = _body_0
+    columns["clock"] = _clock_0
+    columns["contacts"] = _contacts_0
+    columns["dvx"] = _dvx_0
+    columns["dvy"] = _dvy_0
+    columns["dvz"] = _dvz_0
+    columns["dwx"] = _dwx_0
+    columns["dwy"] = _dwy_0
+    columns["dwz"] = _dwz_0
+    columns["dx"] = _dx_0
+    columns["dy"] = _dy_0
+    columns["dz"] = _dz_0
+    columns["ends"] = _ends_0
+    columns["held"] = _held_0
+    columns["hopped"] = _hopped_0
+    columns["last"] = _last_0
+    columns["late"] = _late_0
+    columns["limited"] = _limited_0
+    columns["mode"] = _mode_0
+    columns["outcome"] = _outcome_0
+    columns["through"] = _through_0
+    columns["touches"] = _touches_0
+    columns["uncertain"] = _uncertain_0
+    columns["velocity_error"] = _velocity_error_0
+    columns["vx"] = _vx_0
+    columns["vy"] = _vy_0
+    columns["vz"] = _vz_0
+    columns["when"] = _when_0
+    columns["which"] = _which_0
+    columns["wx"] = _wx_0
+    columns["wy"] = _wy_0
+    columns["wz"] = _wz_0
+    columns["x"] = _x_0
+    columns["y"] = _y_0
+    columns["z"] = _z_0
+
+
+def meet_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
+    """Stage meet of the event loop, with bounds on errors."""
+    _assured_0 = columns["assured"]
+    _body_0 = columns["body"]
+    _claims_0 = columns["claims"]
+    _clock_0 = columns["clock"]
+    _clock_error_0 = columns["clock_error"]
+    _contacts_0 = columns["contacts"]
+    _count_0_0 = columns["count_0"]
+    _count_1_0 = columns["count_1"]
+    _count_2_0 = columns["count_2"]
+    _dvx_0 = columns["dvx"]
+    _dvy_0 = columns["dvy"]
+    _dvz_0 = columns["dvz"]
+    _dwx_0 = columns["dwx"]
+    _dwy_0 = columns["dwy"]
+    _dwz_0 = columns["dwz"]
+    _dx_0 = columns["dx"]
+    _dy_0 = columns["dy"]
+    _dz_0 = columns["dz"]
+    _ends_0 = columns["ends"]
+    _first_0 = columns["first"]
+    _held_0 = columns["held"]
+    _hopped_0 = columns["hopped"]
+    _last_0 = columns["last"]
+    _late_0 = columns["late"]
+    _limited_0 = columns["limited"]
+    _mode_0 = columns["mode"]
+    _outcome_0 = columns["outcome"]
+    _p_backboard_friction_0 = columns["p_backboard_friction"]
+    _p_backboard_restitution_0 = columns["p_backboard_restitution"]
+    _p_ball_radius_0 = columns["p_ball_radius"]
+    _p_board_bottom_0 = columns["p_board_bottom"]
+    _p_board_distance_0 = columns["p_board_distance"]
+    _p_board_half_width_0 = columns["p_board_half_width"]
+    _p_board_thickness_0 = columns["p_board_thickness"]
+    _p_board_top_0 = columns["p_board_top"]
+    _p_bridge_depth_0 = columns["p_bridge_depth"]
+    _p_bridge_friction_0 = columns["p_bridge_friction"]
+    _p_bridge_half_width_0 = columns["p_bridge_half_width"]
+    _p_bridge_restitution_0 = columns["p_bridge_restitution"]
+    _p_end_depth_0 = columns["p_end_depth"]
+    _p_gravity_0 = columns["p_gravity"]
+    _p_restitution_speed_0 = columns["p_restitution_speed"]
+    _p_ring_friction_0 = columns["p_ring_friction"]
+    _p_ring_radius_0 = columns["p_ring_radius"]
+    _p_ring_restitution_0 = columns["p_ring_restitution"]
+    _p_tangential_restitution_0 = columns["p_tangential_restitution"]
+    _p_wire_radius_0 = columns["p_wire_radius"]
+    _position_claim_0 = columns["position_claim"]
+    _spin_claim_0 = columns["spin_claim"]
+    _time_claim_0 = columns["time_claim"]
+    _touches_0 = columns["touches"]
+    _uncertain_0 = columns["uncertain"]
+    _velocity_claim_0 = columns["velocity_claim"]
+    _velocity_error_0 = columns["velocity_error"]
+    _vx_0 = columns["vx"]
+    _vy_0 = columns["vy"]
+    _vz_0 = columns["vz"]
+    _when_0 = columns["when"]
+    _which_0 = columns["which"]
+    _wx_0 = columns["wx"]
+    _wy_0 = columns["wy"]
+    _wz_0 = columns["wz"]
+    _x_0 = columns["x"]
+    _y_0 = columns["y"]
+    _z_0 = columns["z"]
+    _room_0 = room(shots)
+    _meeting_0, = meeting(_claims_0, _ends_0, _touches_0)
+    _rows1, _count2 = _rows(_meeting_0, shots)
+    if _count2:
+        _assured_1 = _take(_assured_0, _rows1)
+        _body_1 = _take(_body_0, _rows1)
+        _clock_1 = _take(_clock_0, _rows1)
+        _clock_error_1 = _take(_clock_error_0, _rows1)
+        _contacts_1 = _take(_contacts_0, _rows1)
+        _count_0_1 = _take(_count_0_0, _rows1)
+        _count_1_1 = _take(_count_1_0, _rows1)
+        _count_2_1 = _take(_count_2_0, _rows1)
+        _dvx_1 = _take(_dvx_0, _rows1)
+        _dvy_1 = _take(_dvy_0, _rows1)
+        _dvz_1 = _take(_dvz_0, _rows1)
+        _dwx_1 = _take(_dwx_0, _rows1)
+        _dwy_1 = _take(_dwy_0, _rows1)
+        _dwz_1 = _take(_dwz_0, _rows1)
+        _dx_1 = _take(_dx_0, _rows1)
+        _dy_1 = _take(_dy_0, _rows1)
+        _dz_1 = _take(_dz_0, _rows1)
+        _ends_1 = _take(_ends_0, _rows1)
+        _first_1 = _take(_first_0, _rows1)
+        _held_1 = _take(_held_0, _rows1)
+        _last_1 = _take(_last_0, _rows1)
+        _late_1 = _take(_late_0, _rows1)
+        _mode_1 = _take(_mode_0, _rows1)
+        _outcome_1 = _take(_outcome_0, _rows1)
+        _p_backboard_friction_1 = _take(_p_backboard_friction_0, _rows1)
+        _p_backboard_restitution_1 = _take(_p_backboard_restitution_0, _rows1)
+        _p_ball_radius_1 = _take(_p_ball_radius_0, _rows1)
+        _p_board_bottom_1 = _take(_p_board_bottom_0, _rows1)
+        _p_board_distance_1 = _take(_p_board_distance_0, _rows1)
+        _p_board_half_width_1 = _take(_p_board_half_width_0, _rows1)
+        _p_board_thickness_1 = _take(_p_board_thickness_0, _rows1)
+        _p_board_top_1 = _take(_p_board_top_0, _rows1)
+        _p_bridge_depth_1 = _take(_p_bridge_depth_0, _rows1)
+        _p_bridge_friction_1 = _take(_p_bridge_friction_0, _rows1)
+        _p_bridge_half_width_1 = _take(_p_bridge_half_width_0, _rows1)
+        _p_bridge_restitution_1 = _take(_p_bridge_restitution_0, _rows1)
+        _p_end_depth_1 = _take(_p_end_depth_0, _rows1)
+        _p_gravity_1 = _take(_p_gravity_0, _rows1)
+        _p_restitution_speed_1 = _take(_p_restitution_speed_0, _rows1)
+        _p_ring_friction_1 = _take(_p_ring_friction_0, _rows1)
+        _p_ring_radius_1 = _take(_p_ring_radius_0, _rows1)
+        _p_ring_restitution_1 = _take(_p_ring_restitution_0, _rows1)
+        _p_tangential_restitution_1 = _take(_p_tangential_restitution_0, _rows1)
+        _p_wire_radius_1 = _take(_p_wire_radius_0, _rows1)
+        _touches_1 = _take(_touches_0, _rows1)
+        _uncertain_1 = _take(_uncertain_0, _rows1)
+        _velocity_error_1 = _take(_velocity_error_0, _rows1)
+        _vx_1 = _take(_vx_0, _rows1)
+        _vy_1 = _take(_vy_0, _rows1)
+        _vz_1 = _take(_vz_0, _rows1)
+        _when_1 = _take(_when_0, _rows1)
+        _which_1 = _take(_which_0, _rows1)
+        _wx_1 = _take(_wx_0, _rows1)
+        _wy_1 = _take(_wy_0, _rows1)
+        _wz_1 = _take(_wz_0, _rows1)
+        _x_1 = _take(_x_0, _rows1)
+        _y_1 = _take(_y_0, _rows1)
+        _z_1 = _take(_z_0, _rows1)
+        _room_1 = room(_count2)
+        _nx_1, _ny_1, _nz_1 = end_normal()
+        _here_1, = here(0.0, _which_1)
+        _nx_2, _ny_2, _nz_2 = ring_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _room_1)
+        _count_0_2, = counted(_count_0_1)
+        _count_0_1 = _choose(_here_1, _count_0_2, _count_0_1)
+        _nx_1 = _choose(_here_1, _nx_2, _nx_1)
+        _ny_1 = _choose(_here_1, _ny_2, _ny_1)
+        _nz_1 = _choose(_here_1, _nz_2, _nz_1)
+        _here_1, = here(1.0, _which_1)
+        _nx_2, _ny_2, _nz_2 = backboard_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _room_1)
+        _count_1_2, = counted(_count_1_1)
+        _count_1_1 = _choose(_here_1, _count_1_2, _count_1_1)
+        _nx_1 = _choose(_here_1, _nx_2, _nx_1)
+        _ny_1 = _choose(_here_1, _ny_2, _ny_1)
+        _nz_1 = _choose(_here_1, _nz_2, _nz_1)
+        _here_1, = here(2.0, _which_1)
+        _nx_2, _ny_2, _nz_2 = bridge_normal(_x_1, _y_1, _z_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _room_1)
+        _count_2_2, = counted(_count_2_1)
+        _count_2_1 = _choose(_here_1, _count_2_2, _count_2_1)
+        _nx_1 = _choose(_here_1, _nx_2, _nx_1)
+        _ny_1 = _choose(_here_1, _ny_2, _ny_1)
+        _nz_1 = _choose(_here_1, _nz_2, _nz_1)
+        _curving_1, = elsewhere()
+        _again_1, = again(0.0, _last_1, _which_1)
+        _curving_2, = ring_curvature(_p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1)
+        _curving_1 = _choose(_again_1, _curving_2, _curving_1)
+        _again_1, = again(1.0, _last_1, _which_1)
+        _curving_2, = backboard_curvature(_p_ball_radius_1)
+        _curving_1 = _choose(_again_1, _curving_2, _curving_1)
+        _again_1, = again(2.0, _last_1, _which_1)
+        _curving_2, = bridge_curvature(_p_ball_radius_1)
+        _curving_1 = _choose(_again_1, _curving_2, _curving_1)
+        _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _delay_1, _shift_1 = carry_flight(_when_1, _x_1, _y_1, _z_1, _vx_1, _vy_1, _vz_1, _nx_1, _ny_1, _nz_1, _clock_1, _contacts_1, _late_1, _dx_1, _dy_1, _dz_1, _dvx_1, _dvy_1, _dvz_1, _curving_1, _p_gravity_1, _room_1)
+        _clock_error_1, = delayed(_clock_error_1, _delay_1)
+        _dx_2, _dy_2, _dz_2 = floored(_dx_1, _dy_1, _dz_1, _shift_1)
+        _dx_1 = _choose(_ends_1, _dx_2, _dx_1)
+        _dy_1 = _choose(_ends_1, _dy_2, _dy_1)
+        _dz_1 = _choose(_ends_1, _dz_2, _dz_1)
+        _dnx_1, _dny_1, _dnz_1, _turn_1 = unturned()
+        _here_1, = here(0.0, _which_1)
+        _rows3, _count4 = _rows(_here_1, _count2)
+        if _count4:
+            _dx_2 = _take(_dx_1, _rows3)
+            _dy_2 = _take(_dy_1, _rows3)
+            _dz_2 = _take(_dz_1, _rows3)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows3)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows3)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows3)
+            _shift_2 = _take(_shift_1, _rows3)
+            _x_2 = _take(_x_1, _rows3)
+            _y_2 = _take(_y_1, _rows3)
+            _room_2 = room(_count4)
+            _dnx_2, _dny_2, _dnz_2, _turn_2 = ring_carry_normal(_x_2, _y_2, _dx_2, _dy_2, _dz_2, _shift_2, _p_ball_radius_2, _p_ring_radius_2, _p_wire_radius_2, _room_2)
+            _dnx_1 = _put(_dnx_1, _rows3, _dnx_2, _count2)
+            _dny_1 = _put(_dny_1, _rows3, _dny_2, _count2)
+            _dnz_1 = _put(_dnz_1, _rows3, _dnz_2, _count2)
+            _turn_1 = _put(_turn_1, _rows3, _turn_2, _count2)
+        _here_1, = here(1.0, _which_1)
+        _dnx_2, _dny_2, _dnz_2, _turn_2 = backboard_carry_normal(_x_1, _y_1, _z_1, _dx_1, _dy_1, _dz_1, _shift_1, _p_ball_radius_1, _p_board_distance_1, _p_board_half_width_1, _p_board_bottom_1, _p_board_top_1, _p_board_thickness_1, _room_1)
+        _dnx_1 = _choose(_here_1, _dnx_2, _dnx_1)
+        _dny_1 = _choose(_here_1, _dny_2, _dny_1)
+        _dnz_1 = _choose(_here_1, _dnz_2, _dnz_1)
+        _turn_1 = _choose(_here_1, _turn_2, _turn_1)
+        _here_1, = here(2.0, _which_1)
+        _dnx_2, _dny_2, _dnz_2, _turn_2 = bridge_carry_normal(_x_1, _y_1, _z_1, _dx_1, _dy_1, _dz_1, _shift_1, _p_ball_radius_1, _p_ring_radius_1, _p_wire_radius_1, _p_board_distance_1, _p_bridge_half_width_1, _p_bridge_depth_1, _room_1)
+        _dnx_1 = _choose(_here_1, _dnx_2, _dnx_1)
+        _dny_1 = _choose(_here_1, _dny_2, _dny_1)
+        _dnz_1 = _choose(_here_1, _dnz_2, _dnz_1)
+        _turn_1 = _choose(_here_1, _turn_2, _turn_1)
+        _here_1, = here(0.0, _which_1)
+        _rows5, _count6 = _rows(_here_1, _count2)
+        if _count6:
+            _contacts_2 = _take(_contacts_1, _rows5)
+            _dnx_2 = _take(_dnx_1, _rows5)
+            _dny_2 = _take(_dny_1, _rows5)
+            _dnz_2 = _take(_dnz_1, _rows5)
+            _dvx_2 = _take(_dvx_1, _rows5)
+            _dvy_2 = _take(_dvy_1, _rows5)
+            _dvz_2 = _take(_dvz_1, _rows5)
+            _dwx_2 = _take(_dwx_1, _rows5)
+            _dwy_2 = _take(_dwy_1, _rows5)
+            _dwz_2 = _take(_dwz_1, _rows5)
+            _nx_2 = _take(_nx_1, _rows5)
+            _ny_2 = _take(_ny_1, _rows5)
+            _nz_2 = _take(_nz_1, _rows5)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows5)
+            _p_restitution_speed_2 = _take(_p_restitution_speed_1, _rows5)
+            _p_ring_friction_2 = _take(_p_ring_friction_1, _rows5)
+            _p_ring_restitution_2 = _take(_p_ring_restitution_1, _rows5)
+            _p_tangential_restitution_2 = _take(_p_tangential_restitution_1, _rows5)
+            _turn_2 = _take(_turn_1, _rows5)
+            _uncertain_2 = _take(_uncertain_1, _rows5)
+            _vx_2 = _take(_vx_1, _rows5)
+            _vy_2 = _take(_vy_1, _rows5)
+            _vz_2 = _take(_vz_1, _rows5)
+            _wx_2 = _take(_wx_1, _rows5)
+            _wy_2 = _take(_wy_1, _rows5)
+            _wz_2 = _take(_wz_1, _rows5)
+            _room_2 = room(_count6)
+            _unsure_2, = ring_impact_doubt(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _turn_2, _p_ball_radius_2, _p_ring_restitution_2, _p_ring_friction_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
+            _uncertain_2, = undecided(_uncertain_2, _unsure_2)
+            _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = carry_ring_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _contacts_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dnx_2, _dny_2, _dnz_2, _turn_2, _p_ball_radius_2, _p_ring_restitution_2, _p_ring_friction_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
+            _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = ring_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_ring_restitution_2, _p_ring_friction_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
+            _dvx_1 = _put(_dvx_1, _rows5, _dvx_2, _count2)
+            _dvy_1 = _put(_dvy_1, _rows5, _dvy_2, _count2)
+            _dvz_1 = _put(_dvz_1, _rows5, _dvz_2, _count2)
+            _dwx_1 = _put(_dwx_1, _rows5, _dwx_2, _count2)
+            _dwy_1 = _put(_dwy_1, _rows5, _dwy_2, _count2)
+            _dwz_1 = _put(_dwz_1, _rows5, _dwz_2, _count2)
+            _uncertain_1 = _put(_uncertain_1, _rows5, _uncertain_2, _count2)
+            _vx_1 = _put(_vx_1, _rows5, _vx_2, _count2)
+            _vy_1 = _put(_vy_1, _rows5, _vy_2, _count2)
+            _vz_1 = _put(_vz_1, _rows5, _vz_2, _count2)
+            _wx_1 = _put(_wx_1, _rows5, _wx_2, _count2)
+            _wy_1 = _put(_wy_1, _rows5, _wy_2, _count2)
+            _wz_1 = _put(_wz_1, _rows5, _wz_2, _count2)
+        _here_1, = here(1.0, _which_1)
+        _rows7, _count8 = _rows(_here_1, _count2)
+        if _count8:
+            _contacts_2 = _take(_contacts_1, _rows7)
+            _dnx_2 = _take(_dnx_1, _rows7)
+            _dny_2 = _take(_dny_1, _rows7)
+            _dnz_2 = _take(_dnz_1, _rows7)
+            _dvx_2 = _take(_dvx_1, _rows7)
+            _dvy_2 = _take(_dvy_1, _rows7)
+            _dvz_2 = _take(_dvz_1, _rows7)
+            _dwx_2 = _take(_dwx_1, _rows7)
+            _dwy_2 = _take(_dwy_1, _rows7)
+            _dwz_2 = _take(_dwz_1, _rows7)
+            _nx_2 = _take(_nx_1, _rows7)
+            _ny_2 = _take(_ny_1, _rows7)
+            _nz_2 = _take(_nz_1, _rows7)
+            _p_backboard_friction_2 = _take(_p_backboard_friction_1, _rows7)
+            _p_backboard_restitution_2 = _take(_p_backboard_restitution_1, _rows7)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows7)
+            _p_restitution_speed_2 = _take(_p_restitution_speed_1, _rows7)
+            _p_tangential_restitution_2 = _take(_p_tangential_restitution_1, _rows7)
+            _turn_2 = _take(_turn_1, _rows7)
+            _uncertain_2 = _take(_uncertain_1, _rows7)
+            _vx_2 = _take(_vx_1, _rows7)
+            _vy_2 = _take(_vy_1, _rows7)
+            _vz_2 = _take(_vz_1, _rows7)
+            _wx_2 = _take(_wx_1, _rows7)
+            _wy_2 = _take(_wy_1, _rows7)
+            _wz_2 = _take(_wz_1, _rows7)
+            _room_2 = room(_count8)
+            _unsure_2, = backboard_impact_doubt(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _turn_2, _p_ball_radius_2, _p_backboard_restitution_2, _p_backboard_friction_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
+            _uncertain_2, = undecided(_uncertain_2, _unsure_2)
+            _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = carry_backboard_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _contacts_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dnx_2, _dny_2, _dnz_2, _turn_2, _p_ball_radius_2, _p_backboard_restitution_2, _p_backboard_friction_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
+            _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = backboard_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_backboard_restitution_2, _p_backboard_friction_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
+            _dvx_1 = _put(_dvx_1, _rows7, _dvx_2, _count2)
+            _dvy_1 = _put(_dvy_1, _rows7, _dvy_2, _count2)
+            _dvz_1 = _put(_dvz_1, _rows7, _dvz_2, _count2)
+            _dwx_1 = _put(_dwx_1, _rows7, _dwx_2, _count2)
+            _dwy_1 = _put(_dwy_1, _rows7, _dwy_2, _count2)
+            _dwz_1 = _put(_dwz_1, _rows7, _dwz_2, _count2)
+            _uncertain_1 = _put(_uncertain_1, _rows7, _uncertain_2, _count2)
+            _vx_1 = _put(_vx_1, _rows7, _vx_2, _count2)
+            _vy_1 = _put(_vy_1, _rows7, _vy_2, _count2)
+            _vz_1 = _put(_vz_1, _rows7, _vz_2, _count2)
+            _wx_1 = _put(_wx_1, _rows7, _wx_2, _count2)
+            _wy_1 = _put(_wy_1, _rows7, _wy_2, _count2)
+            _wz_1 = _put(_wz_1, _rows7, _wz_2, _count2)
+        _here_1, = here(2.0, _which_1)
+        _rows9, _count10 = _rows(_here_1, _count2)
+        if _count10:
+            _contacts_2 = _take(_contacts_1, _rows9)
+            _dnx_2 = _take(_dnx_1, _rows9)
+            _dny_2 = _take(_dny_1, _rows9)
+            _dnz_2 = _take(_dnz_1, _rows9)
+            _dvx_2 = _take(_dvx_1, _rows9)
+            _dvy_2 = _take(_dvy_1, _rows9)
+            _dvz_2 = _take(_dvz_1, _rows9)
+            _dwx_2 = _take(_dwx_1, _rows9)
+            _dwy_2 = _take(_dwy_1, _rows9)
+            _dwz_2 = _take(_dwz_1, _rows9)
+            _nx_2 = _take(_nx_1, _rows9)
+            _ny_2 = _take(_ny_1, _rows9)
+            _nz_2 = _take(_nz_1, _rows9)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows9)
+            _p_bridge_friction_2 = _take(_p_bridge_friction_1, _rows9)
+            _p_bridge_restitution_2 = _take(_p_bridge_restitution_1, _rows9)
+            _p_restitution_speed_2 = _take(_p_restitution_speed_1, _rows9)
+            _p_tangential_restitution_2 = _take(_p_tangential_restitution_1, _rows9)
+            _turn_2 = _take(_turn_1, _rows9)
+            _uncertain_2 = _take(_uncertain_1, _rows9)
+            _vx_2 = _take(_vx_1, _rows9)
+            _vy_2 = _take(_vy_1, _rows9)
+            _vz_2 = _take(_vz_1, _rows9)
+            _wx_2 = _take(_wx_1, _rows9)
+            _wy_2 = _take(_wy_1, _rows9)
+            _wz_2 = _take(_wz_1, _rows9)
+            _room_2 = room(_count10)
+            _unsure_2, = bridge_impact_doubt(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _turn_2, _p_ball_radius_2, _p_bridge_restitution_2, _p_bridge_friction_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
+            _uncertain_2, = undecided(_uncertain_2, _unsure_2)
+            _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2 = carry_bridge_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _contacts_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _dnx_2, _dny_2, _dnz_2, _turn_2, _p_ball_radius_2, _p_bridge_restitution_2, _p_bridge_friction_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
+            _vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2 = bridge_impact(_vx_2, _vy_2, _vz_2, _wx_2, _wy_2, _wz_2, _nx_2, _ny_2, _nz_2, _p_ball_radius_2, _p_bridge_restitution_2, _p_bridge_friction_2, _p_tangential_restitution_2, _p_restitution_speed_2, _room_2)
+            _dvx_1 = _put(_dvx_1, _rows9, _dvx_2, _count2)
+            _dvy_1 = _put(_dvy_1, _rows9, _dvy_2, _count2)
+            _dvz_1 = _put(_dvz_1, _rows9, _dvz_2, _count2)
+            _dwx_1 = _put(_dwx_1, _rows9, _dwx_2, _count2)
+            _dwy_1 = _put(_dwy_1, _rows9, _dwy_2, _count2)
+            _dwz_1 = _put(_dwz_1, _rows9, _dwz_2, _count2)
+            _uncertain_1 = _put(_uncertain_1, _rows9, _uncertain_2, _count2)
+            _vx_1 = _put(_vx_1, _rows9, _vx_2, _count2)
+            _vy_1 = _put(_vy_1, _rows9, _vy_2, _count2)
+            _vz_1 = _put(_vz_1, _rows9, _vz_2, _count2)
+            _wx_1 = _put(_wx_1, _rows9, _wx_2, _count2)
+            _wy_1 = _put(_wy_1, _rows9, _wy_2, _count2)
+            _wz_1 = _put(_wz_1, _rows9, _wz_2, _count2)
+        _first_2, _last_2 = touched(_body_1, _first_1, _which_1)
+        _first_1 = _choose(_touches_1, _first_2, _first_1)
+        _last_1 = _choose(_touches_1, _last_2, _last_1)
+        _rows11, _count12 = _rows(_touches_1, _count2)
+        if _count12:
+            _held_2 = _take(_held_1, _rows11)
+            _mode_2 = _take(_mode_1, _rows11)
+            _nx_2 = _take(_nx_1, _rows11)
+            _ny_2 = _take(_ny_1, _rows11)
+            _nz_2 = _take(_nz_1, _rows11)
+            _outcome_2 = _take(_outcome_1, _rows11)
+            _p_backboard_friction_2 = _take(_p_backboard_friction_1, _rows11)
+            _p_backboard_restitution_2 = _take(_p_backboard_restitution_1, _rows11)
+            _p_ball_radius_2 = _take(_p_ball_radius_1, _rows11)
+            _p_board_bottom_2 = _take(_p_board_bottom_1, _rows11)
+            _p_board_distance_2 = _take(_p_board_distance_1, _rows11)
+            _p_board_half_width_2 = _take(_p_board_half_width_1, _rows11)
+            _p_board_thickness_2 = _take(_p_board_thickness_1, _rows11)
+            _p_board_top_2 = _take(_p_board_top_1, _rows11)
+            _p_bridge_depth_2 = _take(_p_bridge_depth_1, _rows11)
+            _p_bridge_friction_2 = _take(_p_bridge_friction_1, _rows11)
+            _p_bridge_half_width_2 = _take(_p_bridge_half_width_1, _rows11)
+            _p_bridge_restitution_2 = _take(_p_bridge_restitution_1, _rows11)
+            _p_end_depth_2 = _take(_p_end_depth_1, _rows11)
+            _p_gravity_2 = _take(_p_gravity_1, _rows11)
+            _p_ring_friction_2 = _take(_p_ring_friction_1, _rows11)
+            _p_ring_radius_2 = _take(_p_ring_radius_1, _rows11)
+            _p_ring_restitution_2 = _take(_p_ring_restitution_1, _rows11)
+            _p_wire_radius_2 = _take(_p_wire_radius_1, _rows11)
+            _uncertain_2 = _take(_uncertain_1, _rows11)
+            _velocity_error_2 = _take(_velocity_error_1, _rows11)
+            _vx_2 = _take(_vx_1, _rows11)
+            _vy_2 = _take(_vy_1, _rows11)
+            _vz_2 = _take(_vz_1, _rows11)
+            _which_2 = _take(_which_1, _rows11)
+            _wx_2 = _take(_wx_1, _rows11)
+            _wy_2 = _take(_wy_1, _rows11)
+            _wz_2 = _take(_wz_1, _rows11)
+            _x_2 = _take(_x_1, _rows11)
+            _y_2 = _take(_y_1, _rows11)
+            _z_2 = _take(_z_1, _rows11)
+            _room_2 = room(_count12)
+            _slow_2, _assured_2 = slowed(_p_ball_radius_2, _nx_2, _ny_2, _nz_2, _vx_2, _vy_2, _vz_2, _room_2)
+            _rows13, _count14 = _rows(_slow_2, _count12)
+            if _count14:
+                _assured_3 = _take(_assured_2, _rows13)
+                _held_3 = _take(_held_2, _rows13)
+                _mode_3 = _take(_mode_2, _rows13)
+                _nx_3 = _take(_nx_2, _rows13)
+                _ny_3 = _take(_ny_2, _rows13)
+                _nz_3 = _take(_nz_2, _rows13)
+                _outcome_3 = _take(_outcome_2, _rows13)
+                _p_backboard_friction_3 = _take(_p_backboard_friction_2, _rows13)
+                _p_backboard_restitution_3 = _take(_p_backboard_restitution_2, _rows13)
+                _p_ball_radius_3 = _take(_p_ball_radius_2, _rows13)
+                _p_board_bottom_3 = _take(_p_board_bottom_2, _rows13)
+                _p_board_distance_3 = _take(_p_board_distance_2, _rows13)
+                _p_board_half_width_3 = _take(_p_board_half_width_2, _rows13)
+                _p_board_thickness_3 = _take(_p_board_thickness_2, _rows13)
+                _p_board_top_3 = _take(_p_board_top_2, _rows13)
+                _p_bridge_depth_3 = _take(_p_bridge_depth_2, _rows13)
+                _p_bridge_friction_3 = _take(_p_bridge_friction_2, _rows13)
+                _p_bridge_half_width_3 = _take(_p_bridge_half_width_2, _rows13)
+                _p_bridge_restitution_3 = _take(_p_bridge_restitution_2, _rows13)
+                _p_end_depth_3 = _take(_p_end_depth_2, _rows13)
+                _p_gravity_3 = _take(_p_gravity_2, _rows13)
+                _p_ring_friction_3 = _take(_p_ring_friction_2, _rows13)
+                _p_ring_radius_3 = _take(_p_ring_radius_2, _rows13)
+                _p_ring_restitution_3 = _take(_p_ring_restitution_2, _rows13)
+                _p_wire_radius_3 = _take(_p_wire_radius_2, _rows13)
+                _uncertain_3 = _take(_uncertain_2, _rows13)
+                _velocity_error_3 = _take(_velocity_error_2, _rows13)
+                _vx_3 = _take(_vx_2, _rows13)
+                _vy_3 = _take(_vy_2, _rows13)
+                _vz_3 = _take(_vz_2, _rows13)
+                _which_3 = _take(_which_2, _rows13)
+                _wx_3 = _take(_wx_2, _rows13)
+                _wy_3 = _take(_wy_2, _rows13)
+                _wz_3 = _take(_wz_2, _rows13)
+                _x_3 = _take(_x_2, _rows13)
+                _y_3 = _take(_y_2, _rows13)
+                _z_3 = _take(_z_2, _rows13)
+                _room_3 = room(_count14)
+                _rolled_x_3, _rolled_y_3, _rolled_z_3, _slip_3, _bounce_3 = gripped(_p_ball_radius_3, _nx_3, _ny_3, _nz_3, _vx_3, _vy_3, _vz_3, _wx_3, _wy_3, _wz_3, _room_3)
+                _here_3, = here(0.0, _which_3)
+                _rows15, _count16 = _rows(_here_3, _count14)
+                if _count16:
+                    _bounce_4 = _take(_bounce_3, _rows15)
+                    _nx_4 = _take(_nx_3, _rows15)
+                    _ny_4 = _take(_ny_3, _rows15)
+                    _nz_4 = _take(_nz_3, _rows15)
+                    _outcome_4 = _take(_outcome_3, _rows15)
+                    _p_ball_radius_4 = _take(_p_ball_radius_3, _rows15)
+                    _p_board_bottom_4 = _take(_p_board_bottom_3, _rows15)
+                    _p_board_distance_4 = _take(_p_board_distance_3, _rows15)
+                    _p_board_half_width_4 = _take(_p_board_half_width_3, _rows15)
+                    _p_board_thickness_4 = _take(_p_board_thickness_3, _rows15)
+                    _p_board_top_4 = _take(_p_board_top_3, _rows15)
+                    _p_bridge_depth_4 = _take(_p_bridge_depth_3, _rows15)
+                    _p_bridge_half_width_4 = _take(_p_bridge_half_width_3, _rows15)
+                    _p_end_depth_4 = _take(_p_end_depth_3, _rows15)
+                    _p_gravity_4 = _take(_p_gravity_3, _rows15)
+                    _p_ring_friction_4 = _take(_p_ring_friction_3, _rows15)
+                    _p_ring_radius_4 = _take(_p_ring_radius_3, _rows15)
+                    _p_ring_restitution_4 = _take(_p_ring_restitution_3, _rows15)
+                    _p_wire_radius_4 = _take(_p_wire_radius_3, _rows15)
+                    _rolled_x_4 = _take(_rolled_x_3, _rows15)
+                    _rolled_y_4 = _take(_rolled_y_3, _rows15)
+                    _rolled_z_4 = _take(_rolled_z_3, _rows15)
+                    _slip_4 = _take(_slip_3, _rows15)
+                    _uncertain_4 = _take(_uncertain_3, _rows15)
+                    _velocity_error_4 = _take(_velocity_error_3, _rows15)
+                    _vx_4 = _take(_vx_3, _rows15)
+                    _vy_4 = _take(_vy_3, _rows15)
+                    _vz_4 = _take(_vz_3, _rows15)
+                    _wx_4 = _take(_wx_3, _rows15)
+                    _wy_4 = _take(_wy_3, _rows15)
+                    _wz_4 = _take(_wz_3, _rows15)
+                    _x_4 = _take(_x_3, _rows15)
+                    _y_4 = _take(_y_3, _rows15)
+                    _z_4 = _take(_z_3, _rows15)
+                    _room_4 = room(_count16)
+                    _turning_x_4, _turning_y_4, _turning_z_4 = ring_turning(_p_ball_radius_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _p_wire_radius_4, _x_4, _y_4, _room_4)
+                    _nearest_4, = alone()
+                    _gap_4, *_ = backboard_beside(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _gap_4, *_ = bridge_beside(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _gap_4, *_ = end_beside(_p_end_depth_4, _vz_4, _z_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _settles_4, _lodges_4, _assured_4, _unsure_4 = ring_impact_settling(_p_ball_radius_4, _bounce_4, _p_gravity_4, _nearest_4, _nx_4, _ny_4, _nz_4, _p_ring_friction_4, _p_ring_restitution_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, _velocity_error_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _mode_4, _held_4, _outcome_4, _uncertain_4 = settled(0.0, _lodges_4, _outcome_4, _settles_4, _uncertain_4, _unsure_4)
+                    _assured_3 = _put(_assured_3, _rows15, _assured_4, _count14)
+                    _held_3 = _put(_held_3, _rows15, _held_4, _count14)
+                    _mode_3 = _put(_mode_3, _rows15, _mode_4, _count14)
+                    _outcome_3 = _put(_outcome_3, _rows15, _outcome_4, _count14)
+                    _uncertain_3 = _put(_uncertain_3, _rows15, _uncertain_4, _count14)
+                _here_3, = here(1.0, _which_3)
+                _rows17, _count18 = _rows(_here_3, _count14)
+                if _count18:
+                    _bounce_4 = _take(_bounce_3, _rows17)
+                    _nx_4 = _take(_nx_3, _rows17)
+                    _ny_4 = _take(_ny_3, _rows17)
+                    _nz_4 = _take(_nz_3, _rows17)
+                    _outcome_4 = _take(_outcome_3, _rows17)
+                    _p_backboard_friction_4 = _take(_p_backboard_friction_3, _rows17)
+                    _p_backboard_restitution_4 = _take(_p_backboard_restitution_3, _rows17)
+                    _p_ball_radius_4 = _take(_p_ball_radius_3, _rows17)
+                    _p_board_bottom_4 = _take(_p_board_bottom_3, _rows17)
+                    _p_board_distance_4 = _take(_p_board_distance_3, _rows17)
+                    _p_board_half_width_4 = _take(_p_board_half_width_3, _rows17)
+                    _p_board_thickness_4 = _take(_p_board_thickness_3, _rows17)
+                    _p_board_top_4 = _take(_p_board_top_3, _rows17)
+                    _p_bridge_depth_4 = _take(_p_bridge_depth_3, _rows17)
+                    _p_bridge_half_width_4 = _take(_p_bridge_half_width_3, _rows17)
+                    _p_end_depth_4 = _take(_p_end_depth_3, _rows17)
+                    _p_gravity_4 = _take(_p_gravity_3, _rows17)
+                    _p_ring_radius_4 = _take(_p_ring_radius_3, _rows17)
+                    _p_wire_radius_4 = _take(_p_wire_radius_3, _rows17)
+                    _rolled_x_4 = _take(_rolled_x_3, _rows17)
+                    _rolled_y_4 = _take(_rolled_y_3, _rows17)
+                    _rolled_z_4 = _take(_rolled_z_3, _rows17)
+                    _slip_4 = _take(_slip_3, _rows17)
+                    _uncertain_4 = _take(_uncertain_3, _rows17)
+                    _velocity_error_4 = _take(_velocity_error_3, _rows17)
+                    _vx_4 = _take(_vx_3, _rows17)
+                    _vy_4 = _take(_vy_3, _rows17)
+                    _vz_4 = _take(_vz_3, _rows17)
+                    _wx_4 = _take(_wx_3, _rows17)
+                    _wy_4 = _take(_wy_3, _rows17)
+                    _wz_4 = _take(_wz_3, _rows17)
+                    _x_4 = _take(_x_3, _rows17)
+                    _y_4 = _take(_y_3, _rows17)
+                    _z_4 = _take(_z_3, _rows17)
+                    _room_4 = room(_count18)
+                    _turning_x_4, _turning_y_4, _turning_z_4 = backboard_turning(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, = alone()
+                    _gap_4, *_ = ring_beside(_p_ball_radius_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _gap_4, *_ = bridge_beside(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _gap_4, *_ = end_beside(_p_end_depth_4, _vz_4, _z_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _settles_4, _lodges_4, _assured_4, _unsure_4 = backboard_impact_settling(_p_backboard_friction_4, _p_backboard_restitution_4, _p_ball_radius_4, _bounce_4, _p_gravity_4, _nearest_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, _velocity_error_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _mode_4, _held_4, _outcome_4, _uncertain_4 = settled(1.0, _lodges_4, _outcome_4, _settles_4, _uncertain_4, _unsure_4)
+                    _assured_3 = _put(_assured_3, _rows17, _assured_4, _count14)
+                    _held_3 = _put(_held_3, _rows17, _held_4, _count14)
+                    _mode_3 = _put(_mode_3, _rows17, _mode_4, _count14)
+                    _outcome_3 = _put(_outcome_3, _rows17, _outcome_4, _count14)
+                    _uncertain_3 = _put(_uncertain_3, _rows17, _uncertain_4, _count14)
+                _here_3, = here(2.0, _which_3)
+                _rows19, _count20 = _rows(_here_3, _count14)
+                if _count20:
+                    _bounce_4 = _take(_bounce_3, _rows19)
+                    _nx_4 = _take(_nx_3, _rows19)
+                    _ny_4 = _take(_ny_3, _rows19)
+                    _nz_4 = _take(_nz_3, _rows19)
+                    _outcome_4 = _take(_outcome_3, _rows19)
+                    _p_ball_radius_4 = _take(_p_ball_radius_3, _rows19)
+                    _p_board_bottom_4 = _take(_p_board_bottom_3, _rows19)
+                    _p_board_distance_4 = _take(_p_board_distance_3, _rows19)
+                    _p_board_half_width_4 = _take(_p_board_half_width_3, _rows19)
+                    _p_board_thickness_4 = _take(_p_board_thickness_3, _rows19)
+                    _p_board_top_4 = _take(_p_board_top_3, _rows19)
+                    _p_bridge_depth_4 = _take(_p_bridge_depth_3, _rows19)
+                    _p_bridge_friction_4 = _take(_p_bridge_friction_3, _rows19)
+                    _p_bridge_half_width_4 = _take(_p_bridge_half_width_3, _rows19)
+                    _p_bridge_restitution_4 = _take(_p_bridge_restitution_3, _rows19)
+                    _p_end_depth_4 = _take(_p_end_depth_3, _rows19)
+                    _p_gravity_4 = _take(_p_gravity_3, _rows19)
+                    _p_ring_radius_4 = _take(_p_ring_radius_3, _rows19)
+                    _p_wire_radius_4 = _take(_p_wire_radius_3, _rows19)
+                    _rolled_x_4 = _take(_rolled_x_3, _rows19)
+                    _rolled_y_4 = _take(_rolled_y_3, _rows19)
+                    _rolled_z_4 = _take(_rolled_z_3, _rows19)
+                    _slip_4 = _take(_slip_3, _rows19)
+                    _uncertain_4 = _take(_uncertain_3, _rows19)
+                    _velocity_error_4 = _take(_velocity_error_3, _rows19)
+                    _vx_4 = _take(_vx_3, _rows19)
+                    _vy_4 = _take(_vy_3, _rows19)
+                    _vz_4 = _take(_vz_3, _rows19)
+                    _wx_4 = _take(_wx_3, _rows19)
+                    _wy_4 = _take(_wy_3, _rows19)
+                    _wz_4 = _take(_wz_3, _rows19)
+                    _x_4 = _take(_x_3, _rows19)
+                    _y_4 = _take(_y_3, _rows19)
+                    _z_4 = _take(_z_3, _rows19)
+                    _room_4 = room(_count20)
+                    _turning_x_4, _turning_y_4, _turning_z_4 = bridge_turning(_p_ball_radius_4, _p_board_distance_4, _p_bridge_depth_4, _p_bridge_half_width_4, _p_ring_radius_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, = alone()
+                    _gap_4, *_ = ring_beside(_p_ball_radius_4, _p_ring_radius_4, _vx_4, _vy_4, _vz_4, _p_wire_radius_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _gap_4, *_ = backboard_beside(_p_ball_radius_4, _p_board_bottom_4, _p_board_distance_4, _p_board_half_width_4, _p_board_thickness_4, _p_board_top_4, _vx_4, _vy_4, _vz_4, _x_4, _y_4, _z_4, _room_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _gap_4, *_ = end_beside(_p_end_depth_4, _vz_4, _z_4)
+                    _nearest_4, = neared(_gap_4, _nearest_4)
+                    _settles_4, _lodges_4, _assured_4, _unsure_4 = bridge_impact_settling(_p_ball_radius_4, _bounce_4, _p_bridge_friction_4, _p_bridge_restitution_4, _p_gravity_4, _nearest_4, _nx_4, _ny_4, _nz_4, _rolled_x_4, _rolled_y_4, _rolled_z_4, _slip_4, _turning_x_4, _turning_y_4, _turning_z_4, _velocity_error_4, _wx_4, _wy_4, _wz_4, _room_4)
+                    _mode_4, _held_4, _outcome_4, _uncertain_4 = settled(2.0, _lodges_4, _outcome_4, _settles_4, _uncertain_4, _unsure_4)
+                    _assured_3 = _put(_assured_3, _rows19, _assured_4, _count14)
+                    _held_3 = _put(_held_3, _rows19, _held_4, _count14)
+                    _mode_3 = _put(_mode_3, _rows19, _mode_4, _count14)
+                    _outcome_3 = _put(_outcome_3, _rows19, _outcome_4, _count14)
+                    _uncertain_3 = _put(_uncertain_3, _rows19, _uncertain_4, _count14)
+                _assured_2 = _put(_assured_2, _rows13, _assured_3, _count12)
+                _held_2 = _put(_held_2, _rows13, _held_3, _count12)
+                _mode_2 = _put(_mode_2, _rows13, _mode_3, _count12)
+                _outcome_2 = _put(_outcome_2, _rows13, _outcome_3, _count12)
+                _uncertain_2 = _put(_uncertain_2, _rows13, _uncertain_3, _count12)
+            _assured_1 = _put(_assured_1, _rows11, _assured_2, _count2)
+            _held_1 = _put(_held_1, _rows11, _held_2, _count2)
+            _mode_1 = _put(_mode_1, _rows11, _mode_2, _count2)
+            _outcome_1 = _put(_outcome_1, _rows11, _outcome_2, _count2)
+            _uncertain_1 = _put(_uncertain_1, _rows11, _uncertain_2, _count2)
+        _assured_0 = _put(_assured_0, _rows1, _assured_1, shots)
+        _clock_error_0 = _put(_clock_error_0, _rows1, _clock_error_1, shots)
+        _count_0_0 = _put(_count_0_0, _rows1, _count_0_1, shots)
+        _count_1_0 = _put(_count_1_0, _rows1, _count_1_1, shots)
+        _count_2_0 = _put(_count_2_0, _rows1, _count_2_1, shots)
+        _dvx_0 = _put(_dvx_0, _rows1, _dvx_1, shots)
+        _dvy_0 = _put(_dvy_0, _rows1, _dvy_1, shots)
+        _dvz_0 = _put(_dvz_0, _rows1, _dvz_1, shots)
+        _dwx_0 = _put(_dwx_0, _rows1, _dwx_1, shots)
+        _dwy_0 = _put(_dwy_0, _rows1, _dwy_1, shots)
+        _dwz_0 = _put(_dwz_0, _rows1, _dwz_1, shots)
+        _dx_0 = _put(_dx_0, _rows1, _dx_1, shots)
+        _dy_0 = _put(_dy_0, _rows1, _dy_1, shots)
+        _dz_0 = _put(_dz_0, _rows1, _dz_1, shots)
+        _first_0 = _put(_first_0, _rows1, _first_1, shots)
+        _held_0 = _put(_held_0, _rows1, _held_1, shots)
+        _last_0 = _put(_last_0, _rows1, _last_1, shots)
+        _mode_0 = _put(_mode_0, _rows1, _mode_1, shots)
+        _outcome_0 = _put(_outcome_0, _rows1, _outcome_1, shots)
+        _uncertain_0 = _put(_uncertain_0, _rows1, _uncertain_1, shots)
+        _vx_0 = _put(_vx_0, _rows1, _vx_1, shots)
+        _vy_0 = _put(_vy_0, _rows1, _vy_1, shots)
+        _vz_0 = _put(_vz_0, _rows1, _vz_1, shots)
+        _wx_0 = _put(_wx_0, _rows1, _wx_1, shots)
+        _wy_0 = _put(_wy_0, _rows1, _wy_1, shots)
+        _wz_0 = _put(_wz_0, _rows1, _wz_1, shots)
+    _rows21, _count22 = _rows(_limited_0, shots)
+    if _count22:
+        _claims_1 = _take(_claims_0, _rows21)
+        _clock_1 = _take(_clock_0, _rows21)
+        _clock_error_1 = _take(_clock_error_0, _rows21)
+        _dvx_1 = _take(_dvx_0, _rows21)
+        _dvy_1 = _take(_dvy_0, _rows21)
+        _dvz_1 = _take(_dvz_0, _rows21)
+        _dx_1 = _take(_dx_0, _rows21)
+        _dy_1 = _take(_dy_0, _rows21)
+        _dz_1 = _take(_dz_0, _rows21)
+        _p_gravity_1 = _take(_p_gravity_0, _rows21)
+        _vx_1 = _take(_vx_0, _rows21)
+        _vy_1 = _take(_vy_0, _rows21)
+        _vz_1 = _take(_vz_0, _rows21)
+        _when_1 = _take(_when_0, _rows21)
+        _which_1 = _take(_which_0, _rows21)
+        _x_1 = _take(_x_0, _rows21)
+        _y_1 = _take(_y_0, _rows21)
+        _z_1 = _take(_z_0, _rows21)
+        _timed_1, = timed(_claims_1, 4.0, _which_1)
+        _rows23, _count24 = _rows(_timed_1, _count22)
+        if _count24:
+            _clock_2 = _take(_clock_1, _rows23)
+            _clock_error_2 = _take(_clock_error_1, _rows23)
+            _dvx_2 = _take(_dvx_1, _rows23)
+            _dvy_2 = _take(_dvy_1, _rows23)
+            _dvz_2 = _take(_dvz_1, _rows23)
+            _dx_2 = _take(_dx_1, _rows23)
+            _dy_2 = _take(_dy_1, _rows23)
+            _dz_2 = _take(_dz_1, _rows23)
+            _p_gravity_2 = _take(_p_gravity_1, _rows23)
+            _vx_2 = _take(_vx_1, _rows23)
+            _vy_2 = _take(_vy_1, _rows23)
+            _vz_2 = _take(_vz_1, _rows23)
+            _when_2 = _take(_when_1, _rows23)
+            _x_2 = _take(_x_1, _rows23)
+            _y_2 = _take(_y_1, _rows23)
+            _z_2 = _take(_z_1, _rows23)
+            _room_2 = room(_count24)
+            _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _clock_error_2 = carry_time(_when_2, _x_2, _y_2, _z_2, _vx_2, _vy_2, _vz_2, _clock_2, _clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _p_gravity_2, _room_2)
+            _clock_error_1 = _put(_clock_error_1, _rows23, _clock_error_2, _count22)
+            _dvx_1 = _put(_dvx_1, _rows23, _dvx_2, _count22)
+            _dvy_1 = _put(_dvy_1, _rows23, _dvy_2, _count22)
+            _dvz_1 = _put(_dvz_1, _rows23, _dvz_2, _count22)
+            _dx_1 = _put(_dx_1, _rows23, _dx_2, _count22)
+            _dy_1 = _put(_dy_1, _rows23, _dy_2, _count22)
+            _dz_1 = _put(_dz_1, _rows23, _dz_2, _count22)
+        _clock_error_0 = _put(_clock_error_0, _rows21, _clock_error_1, shots)
+        _dvx_0 = _put(_dvx_0, _rows21, _dvx_1, shots)
+        _dvy_0 = _put(_dvy_0, _rows21, _dvy_1, shots)
+        _dvz_0 = _put(_dvz_0, _rows21, _dvz_1, shots)
+        _dx_0 = _put(_dx_0, _rows21, _dx_1, shots)
+        _dy_0 = _put(_dy_0, _rows21, _dy_1, shots)
+        _dz_0 = _put(_dz_0, _rows21, _dz_1, shots)
+    _rows25, _count26 = _rows(_hopped_0, shots)
+    if _count26:
+        _dvx_1 = _take(_dvx_0, _rows25)
+        _dvy_1 = _take(_dvy_0, _rows25)
+        _dvz_1 = _take(_dvz_0, _rows25)
+        _dx_1 = _take(_dx_0, _rows25)
+        _dy_1 = _take(_dy_0, _rows25)
+        _dz_1 = _take(_dz_0, _rows25)
+        _vx_1 = _take(_vx_0, _rows25)
+        _vy_1 = _take(_vy_0, _rows25)
+        _vz_1 = _take(_vz_0, _rows25)
+        _when_1 = _take(_when_0, _rows25)
+        _x_1 = _take(_x_0, _rows25)
+        _y_1 = _take(_y_0, _rows25)
+        _z_1 = _take(_z_0, _rows25)
+        _room_1 = room(_count26)
+        _dx_1, _dy_1, _dz_1 = carry_hop(_dvx_1, _dvy_1, _dvz_1, _dx_1, _dy_1, _dz_1, _vx_1, _vy_1, _vz_1, _when_1, _x_1, _y_1, _z_1, _room_1)
+        _dx_0 = _put(_dx_0, _rows25, _dx_1, shots)
+        _dy_0 = _put(_dy_0, _rows25, _dy_1, shots)
+        _dz_0 = _put(_dz_0, _rows25, _dz_1, shots)
+    _closed_0, = closing(_claims_0, _outcome_0)
+    _position_claim_1, _velocity_claim_1, _spin_claim_1, _time_claim_1 = claimed_errors(_clock_error_0, _dx_0, _dy_0, _dz_0, _dvx_0, _dvy_0, _dvz_0, _dwx_0, _dwy_0, _dwz_0, _room_0)
+    _position_claim_0 = _choose(_closed_0, _position_claim_1, _position_claim_0)
+    _spin_claim_0 = _choose(_closed_0, _spin_claim_1, _spin_claim_0)
+    _time_claim_0 = _choose(_closed_0, _time_claim_1, _time_claim_0)
+    _velocity_claim_0 = _choose(_closed_0, _velocity_claim_1, _velocity_claim_0)
+    columns["assured"] = _assured_0
+    columns["clock_error"] = _clock_error_0
+    columns["count_0"] = _count_0_0
+    columns["count_1"] = _count_1_0
+    columns["count_2"] = _count_2_0
+    columns["dvx"] = _dvx_0
+    columns["dvy"] = _dvy_0
+    columns["dvz"] = _dvz_0
+    columns["dwx"] = _dwx_0
+    columns["dwy"] = _dwy_0
+    columns["dwz"] = _dwz_0
+    columns["dx"] = _dx_0
+    columns["dy"] = _dy_0
+    columns["dz"] = _dz_0
+    columns["first"] = _first_0
+    columns["held"] = _held_0
+    columns["last"] = _last_0
+    columns["mode"] = _mode_0
+    columns["outcome"] = _outcome_0
+    columns["position_claim"] = _position_claim_0
+    columns["spin_claim"] = _spin_claim_0
+    columns["time_claim"] = _time_claim_0
+    columns["uncertain"] = _uncertain_0
+    columns["velocity_claim"] = _velocity_claim_0
+    columns["vx"] = _vx_0
+    columns["vy"] = _vy_0
+    columns["vz"] = _vz_0
+    columns["wx"] = _wx_0
+    columns["wy"] = _wy_0
+    columns["wz"] = _wz_0

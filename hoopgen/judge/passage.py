@@ -1,0 +1,87 @@
+"""Whether a ball has fallen through the ring, decided in balls (`derive/scenes/passage.py`)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from flint import arb
+
+from hoopgen.derive.scenes.passage import FALLEN, NEITHER, RISEN
+
+from .roots import sign
+
+Sizes = Sequence[arb]
+"""Radius and depth of the passage, and gravity."""
+
+Passing = tuple[bool | None, arb]
+"""Whether the plane is passed upwards, None if it may be passed either way; and when."""
+
+
+def at_start(sizes: Sizes, state: Sequence[arb], leaving: int) -> int | None:
+    """Return what a ball starts as, None if that is not certain; `leaving` as of `fly`."""
+    radius, depth, _ = sizes
+    height = state[2]
+    if leaving < 0 or height >= 0 or height < -depth:
+        return NEITHER
+    within = _within(state[0], state[1], radius)
+    if within is None:
+        return None
+    return FALLEN if within else NEITHER
+
+
+def after(
+    through: int, sizes: Sizes, start: Sequence[arb], end: Sequence[arb], time: arb
+) -> int | None:
+    """Return what a ball is after a flight from what it was before it, None if not certain.
+
+    Nothing is asked of a ball that surely is outside the disc where it may pass its plane.
+    """
+    radius, _, gravity = sizes
+    for place in (start, end):
+        if _above(place[2]) is None and _within(place[0], place[1], radius) is not False:
+            return None
+    for upwards, when in _passings(gravity, start, end, time):
+        within = _within(start[0] + start[3] * when, start[1] + start[4] * when, radius)
+        if within is False:
+            continue
+        if within is None or upwards is None:
+            return None
+        if upwards:
+            through = NEITHER if through == FALLEN else RISEN
+        elif through == NEITHER:
+            through = FALLEN
+    return through
+
+
+def _passings(gravity: arb, start: Sequence[arb], end: Sequence[arb], time: arb) -> list[Passing]:
+    """Return the passings of a flight, in order.
+
+    On the plane itself is above it. What may be on either side is taken to be: a passing there is
+    outside the disc.
+    """
+    before, behind = _above(start[2]) is not False, _above(end[2]) is not False
+    up = start[5]
+    squared = up * up + 2 * gravity * start[2]
+    if before and behind:
+        return []
+    if not before and not behind:
+        apex = up / gravity
+        if apex < 0 or apex > time or squared < 0:
+            return []
+        if not (apex > 0 and apex < time and squared > 0):
+            reach = (abs(squared).upper().sqrt() / gravity).upper()
+            return [(None, apex + arb(0, reach))]
+    root = squared.sqrt()
+    rising: Passing = (True, (up - root) / gravity)
+    falling: Passing = (False, (up + root) / gravity)
+    return [rising] * (not before) + [falling] * (not behind)
+
+
+def _above(height: arb) -> bool | None:
+    side = sign(height)
+    return None if side is None else side >= 0
+
+
+def _within(x: arb, y: arb, radius: arb) -> bool | None:
+    side = sign(radius * radius - x * x - y * y)
+    return None if side is None else side > 0
