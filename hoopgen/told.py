@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .parameters import NAMES, PRESETS, nearest_preset
-from .variables import VARIABLES
+from .hoop.presets import NAMES, PRESETS, nearest_preset
+from .hoop.variables import VARIABLES
 from .words import Quantity, quantity
 
 if TYPE_CHECKING:

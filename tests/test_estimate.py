@@ -19,14 +19,15 @@ from scipy.stats import binomtest
 import hoopgen
 from hoopgen import Outcome, Scatter, compare, estimate
 from hoopgen.cli import main
+from hoopgen.hoop.kinds import ENDED, Kind, kinds
+from hoopgen.hoop.variables import change_variables
 from hoopgen.study import throws
 from hoopgen.study.compare import Comparison
 from hoopgen.study.estimate import Estimate
 from hoopgen.study.intervals import newcombe, wilson
-from hoopgen.study.measures import ENDED, Kind, kinds
 from hoopgen.study.named import in_units
 from hoopgen.study.tallies import Tally
-from hoopgen.variables import Releases, change_variables
+from hoopgen.variables import Releases
 
 DEGREE = math.pi / 180
 MEAN = {"speed": 7.17, "elevation": 52 * DEGREE, "height": 2.1336, "distance": 4.191}

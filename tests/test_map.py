@@ -19,11 +19,11 @@ import hoopgen
 from hoopgen import Outcome, Scatter, estimate
 from hoopgen.cli import main
 from hoopgen.cli.types import AXIS
+from hoopgen.hoop.kinds import Kind, kinds
+from hoopgen.hoop.variables import VARIABLES, resolve_variables
 from hoopgen.study import maps as module
 from hoopgen.study.columns import columns_of
-from hoopgen.study.measures import Kind, kinds
 from hoopgen.study.named import named
-from hoopgen.variables import VARIABLES, resolve_variables
 
 DEGREE = math.pi / 180
 PLACE = {"height": 2.1336, "distance": 4.191}

@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 
 import hoopgen
 from hoopgen import Grid, Resample, Scatter
+from hoopgen.hoop.variables import VARIABLES, resolve_variables
 from hoopgen.study import draws
 from hoopgen.study.models import ReleaseModel
-from hoopgen.variables import STATE, VARIABLES, Releases, resolve_variables
+from hoopgen.variables import STATE, Releases
 
 EPS = float(np.finfo(np.float64).eps)
 DEGREE = math.pi / 180

@@ -17,11 +17,12 @@ from hoopgen.units import UNITS, column_name, parse_quantity
 pa = pytest.importorskip("pyarrow")
 pq = pytest.importorskip("pyarrow.parquet")
 
+from hoopgen.hoop.variables import VARIABLES  # noqa: E402
 from hoopgen.study import columns, tables  # noqa: E402
 from hoopgen.study.columns import NAMED, Column, columns_of, values  # noqa: E402
 from hoopgen.study.measures import MEASURES  # noqa: E402
 from hoopgen.study.tables import Source  # noqa: E402
-from hoopgen.variables import STATE, VARIABLES  # noqa: E402
+from hoopgen.variables import STATE  # noqa: E402
 
 FREE_THROW = ["speed", "elevation_deg", "height", "distance"]
 RELEASE = ["speed", "elevation", "height", "distance"]

@@ -159,8 +159,8 @@ def aim(
 
 def _one(shot: Mapping[str, float], wanted: Mapping[str, float], by: str) -> str:
     """Say one release and what it forgives."""
+    from hoopgen.hoop.variables import VARIABLES
     from hoopgen.study.aim_table import OFF
-    from hoopgen.variables import VARIABLES
     from hoopgen.words import say
 
     spins = [f"{name} {say(name, shot[name])}" for name in ("backspin", "sidespin") if shot[name]]
@@ -193,8 +193,8 @@ def _signed(name: str, value: float) -> str:
 
 def _many(columns: Columns) -> str:
     """Lay out a table of releases."""
+    from hoopgen.hoop.variables import VARIABLES
     from hoopgen.study.aim_table import OFF
-    from hoopgen.variables import VARIABLES
     from hoopgen.words import say
 
     def cell(name: str, value: float) -> str:

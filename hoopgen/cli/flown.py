@@ -9,7 +9,7 @@ from typing import Any
 import click
 from click.core import ParameterSource
 
-from hoopgen.parameters import NAMES, PAPER, PRESETS
+from hoopgen.hoop.presets import NAMES, PAPER, PRESETS
 from hoopgen.printable import printable
 
 __all__ = ["flown"]

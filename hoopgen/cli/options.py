@@ -23,8 +23,8 @@ from hoopgen.cli.types import (
     variable_type,
     whole,
 )
+from hoopgen.hoop.presets import PRESETS
 from hoopgen.inputs import MAX_CONTACTS
-from hoopgen.parameters import PRESETS
 from hoopgen.units import System, showing
 
 __all__ = [

@@ -66,10 +66,10 @@ class Releasing:
 
         Of some variables changed, the scene's parameters among them.
         """
-        from hoopgen.parameters import NAMES
+        from hoopgen.hoop.presets import NAMES
+        from hoopgen.hoop.variables import change_variables
         from hoopgen.study.resample import Resample
         from hoopgen.study.scatter import Scatter
-        from hoopgen.variables import change_variables
 
         values = change_variables({**self.measured, **self.values}, changes)
         scene = dict(self.parameters)

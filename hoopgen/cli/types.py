@@ -12,11 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
+from hoopgen.hoop.presets import PAPER
+from hoopgen.hoop.variables import VARIABLES
 from hoopgen.outputs import MAPS, PAGES, PICTURES, check_folder, check_output
-from hoopgen.parameters import PAPER
 from hoopgen.sizes import evenly
 from hoopgen.units import NO_BARE, UNITS, Kind, parse_quantity
-from hoopgen.variables import VARIABLES, Variable
+from hoopgen.variables import Variable
 
 __all__ = [
     "ASSIGNMENT",

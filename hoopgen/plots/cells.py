@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
-from hoopgen.parameters import NAMES
+from hoopgen.hoop.presets import NAMES
 from hoopgen.phrases import counted, interval, percent
 from hoopgen.plots.key import classify
 from hoopgen.told import told_by

@@ -12,12 +12,12 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.hoop.presets import NAMES, PAPER
+from hoopgen.hoop.variables import ARGUMENTS, VARIABLES, change_variables
 from hoopgen.inputs import check_count, doubles
 from hoopgen.installed import version
-from hoopgen.parameters import NAMES, PAPER
 from hoopgen.sizes import check_room
 from hoopgen.told import model_told, say_scene
-from hoopgen.variables import ARGUMENTS, VARIABLES, change_variables
 
 from .best import paired
 from .board import on_board

@@ -18,20 +18,23 @@ import pyarrow as pa
 from numpy.typing import NDArray
 
 from hoopgen.brief import listed
+from hoopgen.hoop.kinds import ENDED
+from hoopgen.hoop.presets import HOOP_TABLE
+from hoopgen.hoop.releases import from_zero
+from hoopgen.hoop.variables import VARIABLES, check_angles
 from hoopgen.inputs import check_count, doubles
 from hoopgen.outputs import check_output, followed
 from hoopgen.parameters import completed, resolve
-from hoopgen.releases import from_zero
 from hoopgen.results import Outcome
 from hoopgen.told import say_scene
-from hoopgen.variables import VARIABLES, check_angles, check_names
+from hoopgen.variables import check_names
 
 from .batched import Batch, in_memory
 from .chunks import check_workers, opened, run, written
 from .columns import Column, variable_of
 from .flights import Flights
 from .frames import sourced
-from .measures import ENDED, MEASURES
+from .measures import MEASURES
 from .named import named
 from .of_hoop import of_hoop
 from .origin import settle
@@ -89,7 +92,7 @@ def batch(
         of `source` as they are; of CSV those that are read as numbers, null where a cell is none,
         and others with the type that all of their cells have (`hoopgen.study.tables.Source.typed`);
         also text that a spreadsheet would take for a formula, such as ``=1+1``. After them outcome,
-        kind (see `hoopgen.study.measures.Kind`), contacts, contacts by surface, first surface
+        kind (see `hoopgen.hoop.kinds.Kind`), contacts, contacts by surface, first surface
         touched, time and state at the end plane (NaN for a shot that does not come to it),
         uncertain, and what is measured. Units are in the columns' names, ``end_time_s``, and in the
         fields' metadata; in the schema's, under "hoopgen", is what all shots share: scene, release,
@@ -99,7 +102,7 @@ def batch(
         Of the scene; one number each. By default those that `source` says, if it is such a file of
         results, else `PAPER`.
     release
-        Variables that all shots share, in place of columns; see `hoopgen.variables`.
+        Variables that all shots share, in place of columns; see `hoopgen.hoop.variables`.
     measures
         Names of `hoopgen.study.measures.MEASURES`, each a column.
     max_contacts
@@ -142,8 +145,8 @@ def batch(
     if out is not None and Path(out).suffix.lower() not in RESULTS:
         raise ValueError(f"out: expected a file {' or '.join(RESULTS)}, got {out}")
     if parameters is not None:
-        resolve(parameters, 1)  # none but them
-        parameters = _numbers("parameters", completed(parameters))
+        resolve(parameters, 1, HOOP_TABLE)  # none but them
+        parameters = _numbers("parameters", completed(parameters, HOOP_TABLE))
     check_names("release", release or {}, VARIABLES)
     release = _numbers("release", release or {})
     check_angles("release", release)

@@ -7,12 +7,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, fields
 from typing import TYPE_CHECKING, Any
 
+from hoopgen.hoop.variables import VARIABLES
 from hoopgen.layout import table
 from hoopgen.phrases import counted, interval, percent, points
 from hoopgen.simulation import simulate
 from hoopgen.told import footer, in_a_note, say_release, told_setting
 from hoopgen.units import INCH
-from hoopgen.variables import VARIABLES
 from hoopgen.words import between, for_json, say
 
 from .board import on_board

@@ -16,9 +16,10 @@ import pyarrow as pa
 from numpy.typing import NDArray
 
 from hoopgen.brief import cut, listed
-from hoopgen.parameters import NAMES
+from hoopgen.hoop.presets import NAMES
+from hoopgen.hoop.variables import VARIABLES, check_angles
 from hoopgen.units import NO_BARE, UNITS, Kind, column_name, unit_size
-from hoopgen.variables import STATE, VARIABLES, check_angles
+from hoopgen.variables import STATE
 
 from .delimited import parsed
 from .measures import MEASURES

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.hoop.presets import PAPER
 from hoopgen.inputs import MAX_CONTACTS, Backend, check_contacts
-from hoopgen.parameters import PAPER
 from hoopgen.phrases import decimals, percent, points
 from hoopgen.told import footer
 from hoopgen.words import for_json

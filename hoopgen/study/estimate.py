@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from hoopgen.hoop.kinds import ENDED, Kind
+from hoopgen.hoop.presets import PAPER
 from hoopgen.inputs import MAX_CONTACTS, Backend, check_contacts
-from hoopgen.parameters import PAPER
 from hoopgen.phrases import decimals, doubtful, interval, percent
 from hoopgen.results import Outcome
 from hoopgen.told import footer, told_setting
@@ -23,7 +24,6 @@ from hoopgen.words import for_json
 
 from .draws import check_seed
 from .intervals import wilson
-from .measures import ENDED, Kind
 from .models import ReleaseModel
 from .of_hoop import of_hoop
 from .said import Said

@@ -10,11 +10,12 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
+from hoopgen.hoop.kinds import Kind, kinds
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.simulation import simulate
 from hoopgen.variables import STATE, Releases
 
-from .measures import Kind, kinds, measure
+from .measures import measure
 from .models import from_columns
 from .named import UNIT_OF, named
 

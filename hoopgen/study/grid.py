@@ -11,12 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
+from hoopgen.hoop.presets import PAPER
+from hoopgen.hoop.variables import check_angles
 from hoopgen.inputs import doubles
-from hoopgen.parameters import PAPER
-from hoopgen.variables import (
-    Releases,
-    check_angles,
-)
+from hoopgen.variables import Releases
 
 from .models import check_drawn, from_columns
 

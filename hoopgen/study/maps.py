@@ -16,19 +16,20 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.brief import brief
+from hoopgen.hoop.kinds import Kind, kinds
+from hoopgen.hoop.presets import PAPER
+from hoopgen.hoop.variables import STANDS_FOR, VARIABLES, change_variables, check_angles
 from hoopgen.inputs import MAX_CONTACTS, Backend, check_contacts, check_count, doubles
 from hoopgen.installed import version
-from hoopgen.parameters import PAPER
 from hoopgen.phrases import percent
 from hoopgen.results import Outcome, Shots
 from hoopgen.sizes import check_room
 from hoopgen.told import model_told, say_scene
-from hoopgen.variables import STANDS_FOR, VARIABLES, change_variables, check_angles, check_names
+from hoopgen.variables import check_names
 
 from .chunks import run
 from .draws import check_seed
 from .intervals import wilson
-from .measures import Kind, kinds
 from .of_hoop import of_hoop
 from .resample import Resample
 from .scatter import Scatter

@@ -8,15 +8,11 @@ from typing import Any, Protocol, TypeAlias, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.hoop.presets import NAMES, PAPER
+from hoopgen.hoop.variables import resolve_variables
 from hoopgen.inputs import doubles
-from hoopgen.parameters import NAMES, PAPER
 from hoopgen.sizes import check_room
-from hoopgen.variables import (
-    STATE,
-    Releases,
-    check_names,
-    resolve_variables,
-)
+from hoopgen.variables import STATE, Releases, check_names
 
 __all__ = [
     "Floats",

@@ -6,9 +6,10 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any
 
-from hoopgen.parameters import NAMES
+from hoopgen.hoop.presets import NAMES
+from hoopgen.hoop.variables import VARIABLES
 from hoopgen.units import column_name
-from hoopgen.variables import STATE, STATE_UNITS, VARIABLES
+from hoopgen.variables import STATE, STATE_UNITS
 
 from .measures import MEASURES
 

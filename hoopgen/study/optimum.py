@@ -11,10 +11,11 @@ from dataclasses import replace
 from os import PathLike
 from typing import Any
 
+from hoopgen.hoop.presets import PAPER
+from hoopgen.hoop.variables import VARIABLES, change_variables, resolve_variables
 from hoopgen.inputs import check_count
-from hoopgen.parameters import PAPER
 from hoopgen.simulation import simulate
-from hoopgen.variables import VARIABLES, change_variables, check_names, resolve_variables
+from hoopgen.variables import check_names
 from hoopgen.words import between
 
 from .best import Optimum

@@ -11,11 +11,12 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import Any
 
+from hoopgen.hoop.presets import NAMES, PAPER, nearest_preset
+from hoopgen.hoop.variables import VARIABLES, change_variables
 from hoopgen.inputs import MAX_CONTACTS, check_contacts
 from hoopgen.installed import version
-from hoopgen.parameters import NAMES, PAPER, nearest_preset
 from hoopgen.told import say_scene
-from hoopgen.variables import VARIABLES, change_variables, check_names
+from hoopgen.variables import check_names
 
 from .columns import NAMED, variable_of
 from .tables import Source

@@ -13,11 +13,13 @@ import pyarrow as pa
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.brief import brief
+from hoopgen.hoop.presets import HOOP_TABLE, NAMES, PAPER
+from hoopgen.hoop.variables import ARGUMENTS, VARIABLES, check_angles, release_arguments
 from hoopgen.inputs import doubles
-from hoopgen.parameters import NAMES, PAPER, completed
+from hoopgen.parameters import completed
 from hoopgen.results import SURFACES, Outcome
 from hoopgen.simulation import simulate
-from hoopgen.variables import ARGUMENTS, VARIABLES, check_angles, check_names, release_arguments
+from hoopgen.variables import check_names
 
 from .crew import Crew, alone
 from .resample import Resample
@@ -99,7 +101,7 @@ class Player:
         if self.by not in BY:
             raise ValueError(f"by: expected {', '.join(BY)}, got {brief(self.by)}")
         check_scene(self.parameters)
-        object.__setattr__(self, "parameters", completed(self.parameters))
+        object.__setattr__(self, "parameters", completed(self.parameters, HOOP_TABLE))
 
     def at(self, values: Mapping[str, float]) -> Player:
         """Return the player in the scene whose parameters are among the values, or as they were."""

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from hoopgen.brief import brief, cut
 from hoopgen.generated.numpy import hoop
-from hoopgen.parameters import PAPER
+from hoopgen.hoop.presets import PAPER
 from hoopgen.results import SURFACES
 from hoopgen.variables import Releases
 

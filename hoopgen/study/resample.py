@@ -12,18 +12,17 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hoopgen.inputs import doubles
-from hoopgen.parameters import NAMES, PAPER
-from hoopgen.releases import released
-from hoopgen.variables import (
+from hoopgen.hoop.presets import NAMES, PAPER
+from hoopgen.hoop.releases import released
+from hoopgen.hoop.variables import (
     STANDS_FOR,
     VARIABLES,
-    Releases,
     change_variables,
     check_angles,
-    check_names,
     release_arguments,
 )
+from hoopgen.inputs import doubles
+from hoopgen.variables import Releases, check_names
 
 from .draws import ROW_OF_RELEASES, uniforms
 from .models import Floats, Given, Scene, check_drawn, from_columns, is_state, spread

@@ -10,18 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
-from hoopgen.inputs import doubles
-from hoopgen.parameters import NAMES, PAPER
-from hoopgen.releases import released
-from hoopgen.variables import (
+from hoopgen.hoop.presets import NAMES, PAPER
+from hoopgen.hoop.releases import released
+from hoopgen.hoop.variables import (
     ARGUMENTS,
     VARIABLES,
-    Releases,
     check_angles,
-    check_names,
     make_releases,
     release_arguments,
 )
+from hoopgen.inputs import doubles
+from hoopgen.variables import Releases, check_names
 
 from .draws import normals
 from .models import Floats, Given, Scene, check_drawn, spread

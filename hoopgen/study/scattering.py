@@ -6,10 +6,8 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from hoopgen.parameters import NAMES
-from hoopgen.variables import (
-    VARIABLES,
-)
+from hoopgen.hoop.presets import NAMES
+from hoopgen.hoop.variables import VARIABLES
 
 from .resample import Resample
 from .scatter import Scatter

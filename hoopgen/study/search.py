@@ -19,10 +19,11 @@ from scipy.stats import qmc
 
 from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
+from hoopgen.hoop.releases import RING_HEIGHT
+from hoopgen.hoop.variables import VARIABLES, check_angles
 from hoopgen.inputs import doubles
-from hoopgen.releases import RING_HEIGHT
 from hoopgen.units import DEGREE, TURN
-from hoopgen.variables import VARIABLES, check_angles, check_names
+from hoopgen.variables import check_names
 
 from .player import Bounds, By, Player
 

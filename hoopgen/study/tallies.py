@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
+from hoopgen.hoop.kinds import Kind, kinds
+from hoopgen.hoop.presets import HOOP_TABLE, NAMES
 from hoopgen.inputs import is_whole
-from hoopgen.parameters import NAMES, resolve
+from hoopgen.parameters import resolve
 from hoopgen.results import Outcome, Shots
-
-from .measures import Kind, kinds
 
 __all__ = [
     "BLOCK",
@@ -130,7 +130,7 @@ def check_scene(parameters: Mapping[str, Any]) -> dict[str, float]:
     TypeError, ValueError
         If a name is unknown or missing, a value is not one number, or no shot can be simulated.
     """
-    values = dict(zip(NAMES, resolve(parameters, 1), strict=True))
+    values = dict(zip(NAMES, resolve(parameters, 1, HOOP_TABLE), strict=True))
     wrong = [name for name, value in parameters.items() if np.ndim(value)]
     if wrong:
         raise ValueError(f"parameters: expected one number for {', '.join(wrong)}")

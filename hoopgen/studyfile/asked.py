@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from hoopgen import plots
-from hoopgen.parameters import NAMES
+from hoopgen.hoop.presets import NAMES
 from hoopgen.study.tables import Source
 from hoopgen.told import say_scene
 

@@ -8,9 +8,9 @@ from collections.abc import Container, Iterator
 
 from pydantic.fields import FieldInfo
 
-from hoopgen.parameters import NAMES, PRESETS
+from hoopgen.hoop.presets import NAMES, PRESETS
+from hoopgen.hoop.variables import ARGUMENTS, VARIABLES
 from hoopgen.units import UNITS
-from hoopgen.variables import ARGUMENTS, VARIABLES
 
 from .fields import Table
 from .schema import KINDS, Given, Question, Releases, Study

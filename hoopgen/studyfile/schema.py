@@ -9,7 +9,8 @@ from typing import Annotated, Any, TypeAlias
 from pydantic import AfterValidator, Field, GetCoreSchemaHandler, ValidationError, model_validator
 from pydantic_core import CoreSchema, core_schema
 
-from hoopgen.parameters import NAMES, PRESETS
+from hoopgen.hoop.presets import NAMES, PRESETS
+from hoopgen.hoop.variables import VARIABLES
 from hoopgen.study.aim import Arc
 from hoopgen.study.lock import LOCK
 from hoopgen.study.margins import MARGINS
@@ -17,7 +18,6 @@ from hoopgen.study.measures import MEASURES
 from hoopgen.study.player import BY, By
 from hoopgen.study.scatter import SCATTERED
 from hoopgen.study.tables import FORMATS
-from hoopgen.variables import VARIABLES
 
 from .fields import Ends, Listed, Named, OneOf, Table, Values
 from .single import Name, Quantity, Share, Text, Whole, Word, meant, show, wrong

@@ -11,13 +11,14 @@ from typing import Any
 
 import numpy as np
 
-from hoopgen.parameters import PAPER, PRESETS
+from hoopgen.hoop.presets import PAPER, PRESETS
+from hoopgen.hoop.variables import change_variables
 from hoopgen.study.columns import variable_of
 from hoopgen.study.origin import origin_of
 from hoopgen.study.resample import Resample
 from hoopgen.study.scatter import Scatter
 from hoopgen.study.tables import Source
-from hoopgen.variables import STATE, change_variables
+from hoopgen.variables import STATE
 
 from .schema import Given, Releases
 

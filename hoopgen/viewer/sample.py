@@ -11,11 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
+from hoopgen.hoop.variables import check_angles
 from hoopgen.study.draws import ROW_OF_SAMPLE, uniforms
 from hoopgen.study.models import from_columns
 from hoopgen.study.origin import settle
 from hoopgen.study.tables import Source
-from hoopgen.variables import Releases, check_angles
+from hoopgen.variables import Releases
 
 __all__ = ["Sample", "sample"]
 
