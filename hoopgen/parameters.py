@@ -23,6 +23,10 @@ class Written(Protocol):
     def defaults(self) -> Mapping[str, float]:
         """The parameters' usual values."""
 
+    @property
+    def key(self) -> str:
+        """All that decides what it does, as text, the same in any process."""
+
     def values(self, parameters: Mapping[str, Any] | None = None) -> Sequence[Any]:
         """Return what the kernels take, in order."""
 

@@ -15,7 +15,7 @@ from hoopgen.generated.numpy import hoop
 from .brief import listed
 from .units import UNITS, Kind
 
-__all__ = ["STATE", "STATE_UNITS", "Releases", "Variable", "check_names"]
+__all__ = ["STATE", "STATE_UNITS", "Releases", "Variable", "check_names", "is_state"]
 
 
 @dataclass(frozen=True)
@@ -49,6 +49,11 @@ STATE_UNITS: Mapping[str, str] = MappingProxyType(
     dict(zip(STATE, (unit for unit in ("m", "m/s", "rad/s") for _ in "xyz"), strict=True))
 )
 """By component."""
+
+
+def is_state(columns: Iterable[str]) -> bool:
+    """Return whether columns of these names are states: z or vx, vy, vz say so."""
+    return not set(STATE[2:]).isdisjoint(columns)
 
 
 @dataclass(frozen=True)

@@ -473,7 +473,7 @@ def test_a_tally_of_many_settings_is_that_of_each() -> None:
     shots = everything(600)
     whole = Tally.of(shots, 3)
     assert whole.shots.tolist() == [200, 200, 200]
-    again = Tally.read(whole.row())
+    again = Tally.read(whole.row(), whole.scene)
     assert np.array_equal(again.table, whole.table)
     assert np.array_equal(again.uncertain, whole.uncertain)
     one = Tally.of(shots, 1)

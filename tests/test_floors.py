@@ -26,6 +26,7 @@ FLOORS = (
     {"engines"},
     {"scene"},
     # In which words it is said.
+    {"scenes"},
     {"words"},
     {"told"},
     # What comes of it.

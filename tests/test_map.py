@@ -21,7 +21,7 @@ from hoopgen.cli import main
 from hoopgen.cli.types import AXIS
 from hoopgen.hoop.kinds import Kind, kinds
 from hoopgen.hoop.variables import VARIABLES, resolve_variables
-from hoopgen.study import maps as module
+from hoopgen.study import mapped as module
 from hoopgen.study.columns import columns_of
 from hoopgen.study.named import named
 

@@ -21,6 +21,7 @@ from .releases import RING_HEIGHT, released
 
 __all__ = [
     "ARGUMENTS",
+    "INSTEAD",
     "STANDS_FOR",
     "VARIABLES",
     "change_variables",
@@ -47,7 +48,7 @@ ARGUMENTS = _listed(
 )
 """The arguments of `hoopgen.release`."""
 
-_INSTEAD = _listed(
+INSTEAD = _listed(
     Variable("aim", "length", "aim past the ring's centre"),
     Variable("entry", "angle", "entry angle"),
     Variable("x", "length", "place on the floor, x"),
@@ -77,7 +78,7 @@ _PARAMETERS = _listed(
     )
 )
 
-VARIABLES: Mapping[str, Variable] = MappingProxyType({**ARGUMENTS, **_INSTEAD, **_PARAMETERS})
+VARIABLES: Mapping[str, Variable] = MappingProxyType({**ARGUMENTS, **INSTEAD, **_PARAMETERS})
 """Every variable: arguments of a release, what stands for them, and the scene's parameters."""
 
 
@@ -101,9 +102,9 @@ def resolve_variables(
     Parameters
     ----------
     values
-        Name to value, m, m/s, rad, rad/s; the names are those of `VARIABLES`. One number for all
-        shots or (n,). Needed are height, a place (distance and, if not 0, angle; or x and y), a
-        speed or `aim`, and an elevation or `entry`.
+        Name to value, m, m/s, rad, rad/s; the names are those of a release and of `parameters`. One
+        number for all shots or (n,). Needed are height, a place (distance and, if not 0, angle; or
+        x and y), a speed or `aim`, and an elevation or `entry`.
     parameters
         Of the scene, for those that are not among the values.
 
@@ -120,14 +121,15 @@ def resolve_variables(
     ValueError
         If a name is unknown, one is missing, two stand for the same, or shapes disagree.
     """
-    check_names("variables", values, VARIABLES)
+    names = tuple(parameters) or NAMES
+    check_names("variables", values, (*ARGUMENTS, *INSTEAD, *names))
     arrays = {name: doubles(name, value) for name, value in values.items()}
     lengths = {name: array.shape for name, array in arrays.items() if array.ndim}
     if any(len(shape) != 1 for shape in lengths.values()) or len(set(lengths.values())) > 1:
         shapes = ", ".join(f"{name} {shape}" for name, shape in lengths.items())
         raise ValueError(f"variables: expected one number or one a shot each, got shapes {shapes}")
     scene = dict(parameters)
-    scene |= {name: _plain(arrays.pop(name)) for name in NAMES if name in arrays}
+    scene |= {name: _plain(arrays.pop(name)) for name in names if name in arrays}
     shots = max((shape[0] for shape in lengths.values()), default=1)
     # Without a gravity `simulate` says what is missing.
     arguments = release_arguments(arrays, scene.get("gravity", np.nan))

@@ -187,7 +187,7 @@ def _dataset(spots: Floats, columns: Mapping[str, Floats], question: _Question) 
     coordinates = {"way": list(WAYS)} | {
         name: ("place", spots[:, k], _attributes(*named[name])) for k, name in enumerate("xy")
     }
-    same, by_row = alike(question.model), scene_by_row(question.model)
+    same, by_row = alike(question.model), scene_by_row(question.model, NAMES)
     parameters = question.players[0].at(same).parameters
     scene = {n: v for n, v in parameters.items() if n not in (*question.over, *by_row)}
     told = {

@@ -21,11 +21,11 @@ from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.inputs import check_states
 from hoopgen.parameters import Value, resolve
 from hoopgen.results import SURFACES, Outcome, Shots
+from hoopgen.scenes import check_hoop
 from hoopgen.simulation import simulate
 from hoopgen.variables import check_names
 
 from .nearest import nearest, rows_of
-from .of_hoop import check_hoop
 
 __all__ = ["MEASURES", "Measure", "measure"]
 
