@@ -20,7 +20,7 @@ from .estimate import NAMES, Estimate, estimated, told
 from .intervals import newcombe
 from .said import Said
 from .shares import Shares
-from .tallies import check_share, columns_of, contacts_of
+from .tallies import check_share, contacts_of, width_of
 from .throws import Progress, Setting, Until, Work, most_shots, outcome_by, setting_of
 
 __all__ = ["Comparison", "compare"]
@@ -165,7 +165,7 @@ def compare(
 
 def _comparison(work: Work, total: NDArray[np.int64], level: float) -> Comparison:
     """Return what the numbers say of two settings."""
-    both, only_first, only_second, neither = total[2 * columns_of(work.scene) :].tolist()
+    both, only_first, only_second, neither = total[2 * width_of(work.scene) :].tolist()
     pairs = both + only_first + only_second + neither
     low, high = newcombe(both, only_second, only_first, neither, level)
     return Comparison(

@@ -29,7 +29,7 @@ from .mapped import dataset
 from .resample import Resample
 from .scatter import Scatter
 from .scattering import check_thrown
-from .tallies import BLOCK, Tally, check_scene, check_share, columns_of, contacts_of
+from .tallies import BLOCK, Tally, check_scene, check_share, contacts_of, width_of
 from .throws import check_states, flown, scene_identity
 
 __all__ = ["check_cells", "map"]
@@ -124,7 +124,7 @@ def map(
     check_cells(work.axes, scatters=scatters)
     work.simulate(0, 1, 1, model.noise(0, 1, seed))  # what is wrong shows before a folder is made
     tables = run(work, folder, scheduler=scheduler, threads=threads, progress=progress)
-    columns = columns_of(engine) if scatters else SINGLE
+    columns = width_of(engine) if scatters else SINGLE
     return dataset(work, _gathered(work, tables, columns), level)
 
 

@@ -25,7 +25,7 @@ __all__ = [
     "blocks",
     "check_scene",
     "check_share",
-    "columns_of",
+    "width_of",
     "contacts_of",
 ]
 
@@ -44,7 +44,7 @@ def _shape(scene: Engine) -> tuple[int, int]:
     return len(Kind) if scene.has_hoop else 1, len(scene.outcomes)
 
 
-def columns_of(scene: Engine) -> int:
+def width_of(scene: Engine) -> int:
     """Return how many columns a row of numbers of a `Tally` has."""
     return prod(_shape(scene)) + _SHARED
 
@@ -79,7 +79,7 @@ class Tally:
     @classmethod
     def none(cls, *settings: int, scene: Engine = HOOP) -> Tally:
         """Return a tally of no shots, of settings in the given shape."""
-        return cls.read(np.zeros((*settings, columns_of(scene)), np.int64), scene)
+        return cls.read(np.zeros((*settings, width_of(scene)), np.int64), scene)
 
     @classmethod
     def of(cls, shots: Shots, settings: int) -> Tally:

@@ -28,7 +28,7 @@ from .intervals import least_shots
 from .models import ReleaseModel
 from .resample import Resample
 from .scatter import Scatter
-from .tallies import FIELDS, Tally, blocks, check_scene, check_share, columns_of
+from .tallies import FIELDS, Tally, blocks, check_scene, check_share, width_of
 
 __all__ = [
     "CHUNK",
@@ -205,7 +205,7 @@ class Until:
 
 def tally_of(total: NDArray[np.int64], which: int, scene: Engine) -> Tally:
     """Return the tally of one setting."""
-    columns = columns_of(scene)
+    columns = width_of(scene)
     return Tally.read(total[which * columns : (which + 1) * columns], scene)
 
 
