@@ -11,15 +11,15 @@ import click
 
 from hoopgen.cli.examples import examples
 from hoopgen.cli.flown import flown
-from hoopgen.cli.own import Setting
+from hoopgen.cli.own import engine_of, parameters_of, scene_option
 from hoopgen.cli.types import (
     ASSIGNMENT,
     COUNT,
     FILE,
     FOLDER,
     PICTURE,
+    SETTING,
     once,
-    setting,
     variable_type,
     whole,
 )
@@ -43,7 +43,6 @@ __all__ = [
     "override_option",
     "picture_option",
     "preset_options",
-    "scene",
     "scene_options",
     "scheduler_option",
     "seed_option",
@@ -131,7 +130,7 @@ preset_options = together(
     click.option(
         "--set",
         "settings",
-        type=Setting(setting, "NAME=VALUE"),
+        type=SETTING,
         multiple=True,
         callback=once,
         help="Change one parameter of the preset; may be repeated.",
@@ -140,17 +139,12 @@ preset_options = together(
 """``--preset`` and ``--set``."""
 
 
-def scene(preset: str, settings: Mapping[str, float]) -> Mapping[str, float]:
-    """Merge a preset with what is set."""
-    return PRESETS[preset] | dict(settings)
-
-
 def scene_options(command: Callable[..., Any]) -> Callable[..., Any]:
     """Add ``--preset`` and ``--set``; give `parameters`, the two merged, to the command."""
 
     @functools.wraps(command)
     def collected(*arguments: Any, **options: Any) -> Any:
-        parameters = scene(options.pop("preset"), options.pop("settings"))
+        parameters = parameters_of(engine_of(), options.pop("preset"), options.pop("settings"))
         return command(*arguments, parameters=parameters, **options)
 
     decorated: Callable[..., Any] = preset_options(collected)
@@ -224,6 +218,7 @@ override_option = click.option(
 
 _TABLE = together(
     click.argument("file", type=FILE),
+    scene_option,
     click.option(
         "--release",
         type=ASSIGNMENT,
@@ -251,16 +246,18 @@ _TABLE = together(
 def table_options(command: Callable[..., Any]) -> Callable[..., Any]:
     """Add FILE, a table of releases, and what goes with it.
 
-    The command is given `parameters` and `max_contacts`, None for what FILE says.
+    The command is given the `scene`, and `parameters` and `max_contacts`, None for what FILE says.
     """
 
     @functools.wraps(command)
     def collected(*arguments: Any, preset: str, settings: Any, **options: Any) -> Any:
+        engine = engine_of()
         asked, assumed = flown(
+            engine,
             *(options["file"], options["format"] or "", options["own"]),
             options.get("delimiter") or "",
         )
-        result = command(*arguments, **(options | asked))
+        result = command(*arguments, scene=engine, **(options | asked))
         if assumed:
             click.echo(assumed, err=True)
         return result
