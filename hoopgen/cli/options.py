@@ -18,6 +18,7 @@ from hoopgen.cli.types import (
     FILE,
     FOLDER,
     PICTURE,
+    SCENE,
     SETTING,
     once,
     variable_type,
@@ -200,12 +201,22 @@ confidence_option = click.option(
 WAYS = ("any", "direct", "bank")
 """In which a shot may go in."""
 
+
+class _By(click.Choice[str]):
+    """A way in; with ``--scene`` an end of that scene, which is known when it is compiled."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return the way or the end."""
+        own = ctx is not None and ctx.meta.get(SCENE) is not None
+        return value if own else super().convert(value, param, ctx)
+
+
 by_option = click.option(
     "--by",
-    type=click.Choice(WAYS),
+    type=_By(WAYS),
     default="any",
     show_default=True,
-    help="What counts: any made shot, not off the board, or off the board.",
+    help="What counts: any made shot, not off the board, or off the board; with --scene an end.",
 )
 
 # -------------------------------------------------------------------------------------- in and out

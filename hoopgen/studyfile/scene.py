@@ -18,10 +18,13 @@ from hoopgen.units import Kind
 from hoopgen.variables import STATE
 
 from .fields import Named
+from .single import Word
 
 __all__ = [
     "FILE",
     "InScene",
+    "Varying",
+    "Way",
     "kind_of",
     "named_by",
     "releasing",
@@ -80,6 +83,25 @@ def scene_keys() -> tuple[str, ...]:
 def kind_of(name: str) -> Kind:
     """Return what a variable measures."""
     return variables_of(_SCENE.get())[name].kind
+
+
+@dataclass(frozen=True)
+class Varying(Word):
+    """The name of a variable of the scene."""
+
+    def read(self, given: Any) -> str:
+        """Return it."""
+        return Word(varying()).read(given)
+
+
+@dataclass(frozen=True)
+class Way(Word):
+    """What counts: a way in or, where there is no hoop, an end; "any" is the first."""
+
+    def read(self, given: Any) -> str:
+        """Return it."""
+        scene = _SCENE.get()
+        return Word(self.allowed if scene.has_hoop else ("any", *scene.kernels.ENDS)).read(given)
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from hoopgen.study.player import BY, By
 from hoopgen.study.tables import FORMATS
 
 from .fields import Ends, Listed, Named, OneOf, Table, Values
-from .scene import FILE, InScene, kind_of, releasing, scattering, scene_keys, varying
+from .scene import FILE, InScene, Varying, Way, kind_of, releasing, scattering, scene_keys, varying
 from .single import Name, Quantity, Share, Text, Whole, Word, meant, show, wrong
 
 __all__ = [
@@ -82,7 +82,7 @@ _TAKEN: Mapping[str, str] = MappingProxyType(
 """What no question's folder can be called, and why; other names of ours have a dot in them."""
 
 _SEARCH = Named(varying, _ends, least=1)
-_SEARCHED = OneOf(Listed(Word(tuple(VARIABLES)), 1), _SEARCH)
+_SEARCHED = OneOf(Listed(Varying(tuple(VARIABLES)), 1), _SEARCH)
 
 
 def _search(given: Any) -> Any:
@@ -94,7 +94,7 @@ Count: TypeAlias = Annotated[int, Whole()]
 Contacts: TypeAlias = Annotated[int | None, Whole()]
 Over: TypeAlias = Annotated[dict[str, list[float]], Named(varying, _values, least=1)]
 Search: TypeAlias = Annotated[dict[str, list[float] | None], _SEARCHED, AfterValidator(_search)]
-Way: TypeAlias = Annotated[By, Word(tuple(BY))]
+ByWay: TypeAlias = Annotated[str, Way(tuple(BY))]
 Names: TypeAlias = Annotated[list[str], Listed(Text(said="a column's name"))]
 Format: TypeAlias = Annotated[str | None, Word(tuple(FORMATS))]
 File: TypeAlias = Annotated[str, Text(said="the name of a file")]
@@ -230,7 +230,11 @@ class Optimum(Question):
         description='Variables to search over: `["elevation", "aim"]` within the usual ends, or '
         '`over.elevation = ["45 deg", "60 deg"]`.'
     )
-    by: Way = Field("any", description="What counts: any made shot, not off the board, or off it.")
+    by: ByWay = Field(
+        "any",
+        description="What counts: any made shot, not off the board, or off it. In a scene of one's "
+        "own an end, by default the first.",
+    )
     shots: Count = Field(
         100_000, description="Of the last step of the search, and of the fresh estimate."
     )
@@ -283,7 +287,7 @@ class Aim(Question):
     depth: Annotated[float, Quantity("length")] = Field(
         0.0, description="How far past the ring's centre is aimed."
     )
-    by: Way = Field("any", description="What counts, as of an optimum.")
+    by: Annotated[By, Word(tuple(BY))] = Field("any", description="What counts, as of an optimum.")
 
 
 class Batch(Question):

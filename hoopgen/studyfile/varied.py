@@ -125,10 +125,11 @@ def _best_cell(dataset: xr.Dataset, cells: str) -> Answer:
 
 def check_optimum(asked: Asked, question: Optimum) -> None:
     """Look for what is wrong with a search for the best release."""
-    check_hoop("optimum", asked.engine)
+    if "margins" in question.model_fields_set:
+        check_hoop("margins", asked.engine)
     check_two_seeds(asked.study.seed)
     setting, model = asked.setting, asked.setting.model(question.over)
-    player = scattering(model, question.over, setting.parameters, question.by)
+    player = scattering(model, question.over, setting.parameters, question.by, asked.engine)
     ends = bounds_of(_ends(question.over), model.centre, player)
     _try(asked, model, {name: low for name, (low, _) in ends.items()})
 
@@ -145,19 +146,21 @@ def answer_optimum(asked: Asked, question: Optimum, work: Work) -> Answer:
         asked.setting.model(question.over),
         _ends(question.over),
         asked.setting.parameters,
+        scene=asked.engine,
         by=question.by,
         shots=question.shots,
         seed=asked.study.seed,
         confidence=asked.study.confidence,
         tolerance=question.tolerance,
-        margins=question.margins,
+        margins=question.margins if asked.engine.has_hoop else None,
         **work.options,
     )
     given = best.arguments
-    line = (
-        f"{percent(best.probability)} ({interval(best.low, best.high)}) from "
-        f"{say('speed', given['speed'])} at {say('elevation', given['elevation'])}"
-    )
+    if asked.engine.has_hoop:
+        there = f"{say('speed', given['speed'])} at {say('elevation', given['elevation'])}"
+    else:
+        there = ", ".join(f"{name} {best.release[name]:g}" for name in best.bounds)
+    line = f"{percent(best.probability)} ({interval(best.low, best.high)}) from {there}"
     return Answer(line, fenced(best), in_units(best.as_dict()))
 
 
