@@ -196,6 +196,8 @@ def _check(
     found: Mapping[str, Column], given: Sequence[str], names: Sequence[str], scene: Engine
 ) -> None:
     """Refuse columns that do not say how a shot is released."""
+    if not (found or scene.has_hoop):
+        raise _no_states(names, scene)
     if not found:
         raise ValueError(f"no column says how a shot is released: {listed(names) or 'none'}")
     said = {name: column.name for name, column in found.items()} | {name: name for name in given}
@@ -207,14 +209,18 @@ def _check(
             "that they are releases; list in own those that are not to be read"
         )
     if not (states or scene.has_hoop):
-        raise ValueError(
-            f"no column says how a shot is released: in the scene {scene.name} rows are states, "
-            f"{' '.join(STATE)}. The columns are {listed(names)}"
-        )
+        raise _no_states(names, scene)
     try:
         from_columns({name: np.empty(0) for name in said}, scene.parameters)
     except ValueError as error:
         raise ValueError(f"{error}. The columns are {listed(names)}") from None
+
+
+def _no_states(names: Sequence[str], scene: Engine) -> ValueError:
+    return ValueError(
+        f"no column says how a shot is released: in the scene {scene.name} rows are states, "
+        f"{' '.join(STATE)}. The columns are {listed(names)}"
+    )
 
 
 def values(

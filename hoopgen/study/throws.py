@@ -108,6 +108,8 @@ class Work:
     def identity(self) -> dict[str, Any]:
         """Return what the chunks depend on."""
         return {
+            # First, so that what differs names it.
+            **scene_identity(self.scene),
             "settings": [setting.identity() for setting in self.settings],
             "shots": self.shots,
             "seed": self.seed,
