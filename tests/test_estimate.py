@@ -628,6 +628,9 @@ def test_what_is_wrong_on_the_command_line_is_said(arguments: list[str], message
     assert said.count("\n") == 1
 
 
+GOLF = Path(__file__).resolve().parents[1] / "examples" / "scenes" / "golf.toml"
+
+
 def test_the_examples_of_the_help_are_commands() -> None:
     for name in ("estimate", "map"):
         command = main.commands[name]
@@ -636,7 +639,8 @@ def test_the_examples_of_the_help_are_commands() -> None:
         assert len(examples) > 1
         for program, same, *arguments in examples:
             assert (program, same) == ("hoopgen", name)
-            options = ["/dev/null" if one == "releases.csv" else one for one in arguments]
+            there = {"releases.csv": "/dev/null", "golf.toml": str(GOLF)}
+            options = [there.get(one, one) for one in arguments]
             command.make_context(name, options)
 
 

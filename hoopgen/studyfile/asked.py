@@ -120,6 +120,8 @@ class Asked:
             **{name: getattr(self.study, name) for name in ("seed", "confidence", "formats")},
             **{name: value for name, value in question if name not in apart},
         }
+        if identity.get("max_contacts", 0) is None:
+            identity["max_contacts"] = self.engine.max_contacts
         if isinstance(question, Batch):
             source = Source(self.folder / question.file, question.format or "")
             scene = self.setting.parameters_of(source)
