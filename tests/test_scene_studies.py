@@ -368,6 +368,8 @@ def test_the_command_line_runs_studies_of_a_scene(file: Path, tmp_path: Path) ->
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
+        (("aim", "--scene", "FILE"), "hoopgen aim: its question is a hoop's; leave --scene out"),
+        (("paper", "--scene", "FILE"), "hoopgen paper: its question is a hoop's"),
         (("estimate", *RELEASED), "--position is of a shot in a --scene"),
         (("estimate", "--scene", "x.txt"), "expected hoop, or a scene file, .toml"),
         (("estimate", "--scene", "none.toml"), "does not exist"),

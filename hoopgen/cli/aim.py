@@ -21,6 +21,7 @@ from hoopgen.cli.options import (
     units_option,
     variable_option,
 )
+from hoopgen.cli.own import no_scene_option
 from hoopgen.cli.types import OUT, Parsed, quantity
 from hoopgen.layout import table
 from hoopgen.told import say_scene
@@ -113,6 +114,7 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
 @variable_option("backspin", default=0.0)
 @variable_option("sidespin", default=0.0)
 @by_option
+@no_scene_option
 @scene_options
 @threads_option
 @folder_option

@@ -19,6 +19,7 @@ __all__ = [
     "engine_of",
     "given",
     "max_contacts_of",
+    "no_scene_option",
     "own_options",
     "parameters_of",
     "released",
@@ -68,6 +69,20 @@ scene_option = click.option(
     callback=_read,
     help="A scene by name, or one of one's own, .toml; --set then changes its parameters.",
 )
+
+
+def _refuse(ctx: click.Context, _: click.Parameter, text: str | None) -> None:
+    if text not in (None, "hoop"):
+        raise click.UsageError(
+            f"hoopgen {ctx.info_name}: its question is a hoop's; leave --scene out, or ask "
+            "estimate, map, optimum, batch, view, shot or certify, which take any scene"
+        )
+
+
+no_scene_option = click.option(
+    "--scene", metavar="hoop", is_eager=True, expose_value=False, hidden=True, callback=_refuse
+)
+"""``--scene`` of a command whose question is a hoop's: it says so."""
 
 
 def _vector(kind: Kind, unit: str) -> Parsed[tuple[float, float, float]]:
