@@ -38,8 +38,9 @@ attack: $(VENV)/with-dev ## what should not be able to break it, tried; ARGS="--
 bench: $(VENV)/with-bench ## speed, beside the other methods or, ARGS="--base REF", a commit
 	$(BIN)/python -m benchmarks $(ARGS)
 
-exactness: $(VENV)/with-certify ## results against ball arithmetic
+exactness: $(VENV)/with-certify $(VENV)/with-generate ## results against ball arithmetic
 	$(BIN)/python -m benchmarks.exactness $(ARGS)
+	$(BIN)/python -m benchmarks.own_scenes
 
 pictures: $(VENV)/with-study $(VENV)/with-generate ## docs' pictures
 	$(BIN)/python -m benchmarks.pictures $(ARGS)

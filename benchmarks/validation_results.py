@@ -12,7 +12,8 @@ from scipy.optimize import minimize_scalar
 
 import hoopgen
 from hoopgen import FIBA, NBA, PAPER, Outcome, Scatter
-from hoopgen.releases import RING_HEIGHT
+from hoopgen.hoop.releases import RING_HEIGHT
+from hoopgen.hoop.variables import ARGUMENTS, resolve_variables
 from hoopgen.study.bank import Crossing, bank_or_direct, crossing
 from hoopgen.study.best import Optimum, paired
 from hoopgen.study.estimate import Estimate
@@ -20,7 +21,6 @@ from hoopgen.study.intervals import wilson
 from hoopgen.study.optimum import optimum
 from hoopgen.study.player import By, Player
 from hoopgen.units import FOOT
-from hoopgen.variables import ARGUMENTS, resolve_variables
 
 Floats = NDArray[np.float64]
 Parameters = Mapping[str, Any]

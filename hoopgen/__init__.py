@@ -18,8 +18,8 @@ if find_spec(f"{__name__}.generated") is None:
 
 if TYPE_CHECKING:
     from .engines import HOOP
-    from .parameters import FIBA, NBA, PAPER
-    from .releases import release
+    from .hoop.presets import FIBA, NBA, PAPER
+    from .hoop.releases import release
     from .results import SURFACES, Outcome, Shots, Trajectory
     from .simulation import simulate
 
@@ -45,10 +45,10 @@ _LATER = {
     "Scene": "scene",
     "load_scene": "scene",
     "HOOP": "engines",
-    "release": "releases",
-    "PAPER": "parameters",
-    "NBA": "parameters",
-    "FIBA": "parameters",
+    "release": "hoop.releases",
+    "PAPER": "hoop.presets",
+    "NBA": "hoop.presets",
+    "FIBA": "hoop.presets",
     "Outcome": "results",
     "SURFACES": "results",
     "Shots": "results",
