@@ -39,8 +39,6 @@ class Engine:
         With which a shot ends as capped, where nothing else is asked for.
     time_limit
         At which it ends, likewise, s.
-    found
-        Its compiled C, or why there is none.
     """
 
     def __init__(

@@ -1,0 +1,95 @@
+"""The site: `make docs`. How its pages are run is said in pages.py."""
+
+import logging
+import os
+import shutil
+import sys
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+EXAMPLES = HERE.parent / "examples"
+sys.path.insert(0, str(HERE))
+# For the commands on the pages; the kernels inherit it.
+os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+
+# Kernels without a reader's own start-up files, which warn of nothing that is no page's.
+profile = HERE / "_build" / "ipython" / "profile_default"
+profile.mkdir(parents=True, exist_ok=True)
+(profile / "ipython_kernel_config.py").write_text("c.IPKernelApp.log_level = 40\n")
+os.environ["IPYTHONDIR"] = str(profile.parent)
+logging.getLogger("traitlets").setLevel(logging.WARNING)
+
+import pages  # noqa: E402
+
+import hoopgen  # noqa: E402
+
+project = "hoopgen"
+author = copyright = "hoopgen contributors"
+version = release = hoopgen.__version__
+
+extensions = [
+    "myst_nb",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.autosummary",
+    "sphinx.ext.napoleon",
+    "sphinx.ext.viewcode",
+    "sphinx_gallery.gen_gallery",
+]
+exclude_patterns = ["_build", "gallery/*.ipynb", "gallery/*.py"]
+
+# Notebooks stand in examples/, where readers open them, and are pages too.
+shutil.rmtree(HERE / "notebooks", ignore_errors=True)
+shutil.copytree(
+    EXAMPLES,
+    HERE / "notebooks",
+    ignore=lambda at, names: [name for name in names if not name.endswith(".ipynb")],
+)
+
+# ------------------------------------------------------------------------------------ what is run
+
+nb_custom_formats = {".md": ["pages.read", {}, False]}
+nb_execution_mode = "force"
+nb_execution_in_temp = True
+nb_execution_timeout = 120
+nb_execution_show_tb = True
+nb_execution_excludepatterns = [  # no kernel is started where there is nothing to run
+    str(page) for page in HERE.rglob("*.md") if not pages.runs(page.read_text("utf-8"))
+]
+nb_output_stderr = "remove-warn"
+nb_merge_streams = True
+
+sphinx_gallery_conf = {
+    "examples_dirs": str(EXAMPLES / "gallery"),
+    "gallery_dirs": "gallery",
+    "filename_pattern": r"\.py$",  # all are run
+    "within_subsection_order": "FileNameSortKey",
+    "image_scrapers": ("pictures.scrape",),
+    "capture_repr": ("_repr_html_", "__str__"),
+    "ignore_repr_types": r"Picture",
+    "reset_modules": (),
+    "show_memory": False,
+    "show_signature": False,
+    "write_computation_times": False,
+    "min_reported_time": 1e9,
+    "thumbnail_size": (400, 280),
+}
+
+# ----------------------------------------------------------------------------------- what is said
+
+myst_enable_extensions = ["attrs_inline", "dollarmath"]
+myst_heading_anchors = 3
+default_role = "py:obj"
+autodoc_member_order = "bysource"
+autodoc_typehints = "description"
+autodoc_typehints_description_target = "documented"
+autodoc_typehints_format = "short"
+autodoc_preserve_defaults = True
+autosummary_generate = False
+napoleon_google_docstring = False
+napoleon_use_rtype = False
+viewcode_line_numbers = True
+
+html_theme = "furo"
+html_title = "hoopgen"
+html_copy_source = False
+html_show_sourcelink = False
