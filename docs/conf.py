@@ -91,5 +91,7 @@ viewcode_line_numbers = True
 
 html_theme = "furo"
 html_title = "hoopgen"
+html_static_path = ["_static"]
+html_css_files = ["site.css"]
 html_copy_source = False
 html_show_sourcelink = False

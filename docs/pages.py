@@ -24,9 +24,16 @@ _BLOCK = re.compile(
 )
 
 _START = f"""
-from os import symlink
+import os, subprocess, sys
+
 for name in ("examples", "generated"):
-    symlink({str(ROOT)!r} + "/" + name, name)
+    os.symlink({str(ROOT)!r} + "/" + name, name)
+
+def run_commands(text):
+    told = subprocess.run(["bash", "-e", "-c", text], capture_output=True, encoding="utf-8")
+    print(told.stdout, end="")
+    sys.stderr.write(told.stderr)
+    told.check_returncode()
 """
 
 
@@ -68,9 +75,7 @@ def _cell(block: re.Match[str]) -> NotebookNode:
     if block["kind"] == "python":
         return _code(block["text"].rstrip())
     if block["kind"] == "sh":
-        return _code(
-            f"get_ipython().run_cell_magic('bash', '-e', {block['text']!r})", "remove-input"
-        )
+        return _code(f"run_commands({block['text']!r})", "remove-input")
     written = f"open({block['file']!r}, 'w', encoding='utf-8').write({block['text']!r})"
     return _code(written, "remove-cell")
 
