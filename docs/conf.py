@@ -85,7 +85,9 @@ autodoc_typehints_description_target = "documented"
 autodoc_typehints_format = "short"
 autodoc_preserve_defaults = True
 autosummary_generate = False
+autodoc_type_aliases = {name: name for name in ("ArrayLike", "Backend", "Bounds", "By", "Value")}
 napoleon_google_docstring = False
+napoleon_attr_annotations = False  # docstrings say types and shapes where they matter
 napoleon_use_rtype = False
 viewcode_line_numbers = True
 
