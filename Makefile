@@ -32,7 +32,7 @@ lint: $(VENV)/with-dev $(VENV)/typing ## format, lint and types
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 
-docs: $(VENV)/with-docs ## the site, into docs/_build/html; every example of it is run
+docs: $(VENV)/with-docs $(if $(shell command -v cc),,$(VENV)/with-compile) ## the site, into docs/_build/html; every example of it is run
 	$(BIN)/sphinx-build -W --keep-going -q -b html -d docs/_build/doctrees docs docs/_build/html $(ARGS)
 	@echo docs/_build/html/index.html
 

@@ -9,8 +9,14 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 EXAMPLES = HERE.parent / "examples"
 sys.path.insert(0, str(HERE))
-# For the commands on the pages; the kernels inherit it.
+# For the commands on the pages; the kernels inherit it. Without a compiler `make docs` brings one.
 os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+if shutil.which("cc") is None:
+    compiler = HERE / "_build" / "bin" / "cc"
+    compiler.parent.mkdir(parents=True, exist_ok=True)
+    compiler.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m ziglang cc -mcpu=baseline "$@"\n')
+    compiler.chmod(0o755)
+    os.environ["PATH"] += os.pathsep + str(compiler.parent)
 
 # Kernels without a reader's own start-up files, which warn of nothing that is no page's.
 profile = HERE / "_build" / "ipython" / "profile_default"
