@@ -56,7 +56,7 @@ shutil.copytree(
 nb_custom_formats = {".md": ["pages.read", {}, False]}
 nb_execution_mode = "force"
 nb_execution_in_temp = True
-nb_execution_timeout = 120
+nb_execution_timeout = 600
 nb_execution_show_tb = True
 nb_execution_excludepatterns = [  # no kernel is started where there is nothing to run
     str(page) for page in HERE.rglob("*.md") if not pages.runs(page.read_text("utf-8"))
