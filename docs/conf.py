@@ -2,6 +2,7 @@
 
 import logging
 import os
+import re
 import shutil
 import sys
 from pathlib import Path
@@ -26,6 +27,7 @@ os.environ["IPYTHONDIR"] = str(profile.parent)
 logging.getLogger("traitlets").setLevel(logging.WARNING)
 
 import pages  # noqa: E402
+from docutils import nodes  # noqa: E402
 
 import hoopgen  # noqa: E402
 
@@ -94,7 +96,6 @@ autosummary_generate = False
 autodoc_type_aliases = {name: name for name in ("ArrayLike", "Backend", "Bounds", "By", "Value")}
 napoleon_google_docstring = False
 napoleon_attr_annotations = False  # docstrings say types and shapes where they matter
-napoleon_use_rtype = False
 viewcode_line_numbers = True
 
 html_theme = "furo"
@@ -103,3 +104,15 @@ html_static_path = ["_static"]
 html_css_files = ["site.css"]
 html_copy_source = False
 html_show_sourcelink = False
+
+
+def name_types(app, domain, kind, content):
+    """Say a type's name where Sphinx says how it stands for one: TypeAliasForwardRef('By')."""
+    for text in [each for each in content.findall(nodes.Text) if "AliasForwardRef" in each]:
+        said = re.sub(r"TypeAliasForwardRef\('(\w+)'\)", r"\1", text)
+        text.parent.replace(text, nodes.Text(said))
+
+
+def setup(app):
+    """Join what is said here to Sphinx."""
+    app.connect("object-description-transform", name_types, priority=900)
