@@ -69,7 +69,8 @@ nb_merge_streams = True
 sphinx_gallery_conf = {
     "examples_dirs": str(EXAMPLES / "gallery"),
     "gallery_dirs": "gallery",
-    "filename_pattern": r"\.py$",  # all are run
+    "filename_pattern": r"\.py$",  # all are run, also where they have not changed: hoopgen may have
+    "run_stale_examples": True,
     "within_subsection_order": "FileNameSortKey",
     "image_scrapers": ("pictures.scrape",),
     "capture_repr": ("_repr_html_", "__str__"),

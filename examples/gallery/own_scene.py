@@ -10,9 +10,7 @@ from pathlib import Path
 
 import hoopgen
 
-scenes = Path("../../examples/scenes")
-if not scenes.is_dir():
-    scenes = Path("../scenes")
+scenes = Path("../scenes")  # from the folder of this script
 
 netball = hoopgen.load_scene(scenes / "netball.toml")
 state = [1.6, 0.258, -0.35, -2.317, -0.301, 4.649, 0, -12, 0]
