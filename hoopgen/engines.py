@@ -86,7 +86,7 @@ class Engine:
 
     @property
     def backend(self) -> str:
-        """What simulates where nothing else is asked for: "c", or "numpy"."""
+        """What simulates where nothing else is asked for, "c" or "numpy"."""
         return "numpy" if self.library is None else "c"
 
     @property

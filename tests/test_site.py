@@ -89,7 +89,7 @@ def test_a_page_s_lines_keep_their_numbers(page: Path) -> None:
 
 
 def test_the_reference_has_all_that_is_public() -> None:
-    said = set(re.findall(r"^\.\. auto\w+:: (?:[\w.]+\.)?(\w+)$", REFERENCE, re.M))
+    said = set(re.findall(r"^\.\. (?:auto\w+|py:data):: (?:[\w.]+\.)?(\w+)$", REFERENCE, re.M))
     rooms = {"plots", "scene", "__version__"}
     public = {name for name in dir(hoopgen) if not name.startswith("_")} - rooms
     public |= {*hoopgen.plots.__all__, *hoopgen.scene.__all__}
