@@ -43,8 +43,6 @@ class Engine:
     has_hoop
         Whether shots are thrown at a hoop in it, with the hoop's bodies and outcomes: then they are
         released, counted and measured as those at the article's.
-    found
-        Its compiled C, or why there is none.
     """
 
     def __init__(
@@ -101,7 +99,7 @@ class Engine:
 
     @property
     def backend(self) -> str:
-        """What simulates where nothing else is asked for: "c", or "numpy"."""
+        """What simulates where nothing else is asked for, "c" or "numpy"."""
         return "numpy" if self.library is None else "c"
 
     @property

@@ -100,7 +100,7 @@ class Optimum(Said):
 
     @property
     def at_bounds(self) -> tuple[str, ...]:
-        """Variables whose flat range reaches a bound: the best may lie beyond it."""
+        """Variables whose flat range reaches a bound, beyond which the best may lie."""
         return tuple(
             name
             for name, (low, high) in self.flat.items()
@@ -154,7 +154,7 @@ class Optimum(Said):
 
     @property
     def point(self) -> dict[str, float]:
-        """What its shots are thrown about: the release, but for what measured releases say."""
+        """The release about which its shots are thrown, but for what measured releases say."""
         fixed, _ = self.model.apart()
         return fixed | {name: self.release[name] for name in self.bounds}
 

@@ -101,9 +101,5 @@ def _valid(
     given = dict(zip(kernels.VARIABLES.values(), inputs, strict=True))
     given |= {"last": np.float64(last), **dict(zip("xyz", state[:3], strict=True))}
     with np.errstate(all="ignore"):
-<<<<<<< HEAD
-        return kernel(**{name: values[name] for name in hoop.ARGUMENTS[kernel.__name__]})
-=======
-        found = kernels.valid(*(given[name] for name in signature(kernels.valid).parameters))
+        found = kernels.valid(*(given[name] for name in kernels.ARGUMENTS["valid"]))
     return bool(found[0] > 0.0)
->>>>>>> studies

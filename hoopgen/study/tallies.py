@@ -158,7 +158,8 @@ def allowed(scene: Engine, parameters: Mapping[str, Any]) -> bool:
     given = dict(zip(scene.kernels.VARIABLES.values(), scene.table.inputs(parameters), strict=True))
     kernel = scene.kernels.allowed
     with np.errstate(all="ignore"):
-        return bool(kernel(*(np.float64(given[name]) for name in scene.kernels.ARGUMENTS["allowed"]))[0])
+        asked = (np.float64(given[name]) for name in scene.kernels.ARGUMENTS["allowed"])
+        return bool(kernel(*asked)[0])
 
 
 def contacts_of(max_contacts: int | None, scene: Engine) -> int:
