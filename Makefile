@@ -10,7 +10,7 @@ PIP := $(BIN)/python -m pip --disable-pip-version-check --quiet
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: help paper test generate check lint attack bench exactness pictures validate clean
+.PHONY: help paper test generate check lint docs attack bench exactness pictures validate clean
 
 help:
 	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 12
@@ -32,14 +32,19 @@ lint: $(VENV)/with-dev $(VENV)/typing ## format, lint and types
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 
+docs: $(VENV)/with-docs $(if $(shell command -v cc),,$(VENV)/with-compile) ## the site, into docs/_build/html; every example of it is run
+	$(BIN)/sphinx-build -E -W --keep-going -q -b html -d docs/_build/doctrees docs docs/_build/html $(ARGS)
+	@echo docs/_build/html/index.html
+
 attack: $(VENV)/with-dev ## what should not be able to break it, tried; ARGS="--minutes 5 --seed 1"
 	$(BIN)/python -m benchmarks.attack $(ARGS)
 
 bench: $(VENV)/with-bench ## speed, beside the other methods or, ARGS="--base REF", a commit
 	$(BIN)/python -m benchmarks $(ARGS)
 
-exactness: $(VENV)/with-certify ## results against ball arithmetic
+exactness: $(VENV)/with-certify $(VENV)/with-generate ## results against ball arithmetic
 	$(BIN)/python -m benchmarks.exactness $(ARGS)
+	$(BIN)/python -m benchmarks.own_scenes
 
 pictures: $(VENV)/with-study $(VENV)/with-generate ## docs' pictures
 	$(BIN)/python -m benchmarks.pictures $(ARGS)
@@ -49,6 +54,7 @@ validate: $(VENV)/with-study ## results beside those of the literature
 
 clean: ## remove all that these targets made, .venv too
 	rm -rf $(VENV) build dist hoopgen.egg-info paper-figures attack-findings
+	rm -rf docs/_build docs/gallery docs/notebooks
 	rm -rf .bench .hypothesis .mypy_cache .pytest_cache .ruff_cache
 	rm -f hoopgen/engine/_*.so hoopgen/engine/_*.pyd
 	find benchmarks derive generated hoopgen templates tests -name __pycache__ -prune -exec rm -rf {} +

@@ -13,7 +13,8 @@ from scipy.optimize import minimize_scalar
 import hoopgen
 from benchmarks.validation_court import section
 from hoopgen import FIBA, NBA, PAPER, Outcome, Scatter
-from hoopgen.releases import RING_HEIGHT
+from hoopgen.hoop.releases import RING_HEIGHT
+from hoopgen.hoop.variables import ARGUMENTS, resolve_variables
 from hoopgen.study.bank import Crossing, bank_or_direct, crossing
 from hoopgen.study.best import Optimum, paired
 from hoopgen.study.estimate import Estimate
@@ -21,7 +22,6 @@ from hoopgen.study.intervals import wilson
 from hoopgen.study.optimum import optimum
 from hoopgen.study.player import By, Player
 from hoopgen.units import FOOT
-from hoopgen.variables import ARGUMENTS, resolve_variables
 
 Floats = NDArray[np.float64]
 Parameters = Mapping[str, Any]

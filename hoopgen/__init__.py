@@ -19,8 +19,8 @@ if find_spec(f"{__name__}.generated") is None:
 if TYPE_CHECKING:
     from .court import COURT, FIBA_COURT, NBA_COURT, PAPER_COURT
     from .engines import HOOP
-    from .parameters import FIBA, NBA, PAPER
-    from .releases import release
+    from .hoop.presets import FIBA, NBA, PAPER
+    from .hoop.releases import release
     from .results import SURFACES, Outcome, Shots, Trajectory
     from .simulation import simulate
 
@@ -54,10 +54,10 @@ _LATER = {
     "PAPER_COURT": "court",
     "NBA_COURT": "court",
     "FIBA_COURT": "court",
-    "release": "releases",
-    "PAPER": "parameters",
-    "NBA": "parameters",
-    "FIBA": "parameters",
+    "release": "hoop.releases",
+    "PAPER": "hoop.presets",
+    "NBA": "hoop.presets",
+    "FIBA": "hoop.presets",
     "Outcome": "results",
     "SURFACES": "results",
     "Shots": "results",

@@ -17,7 +17,8 @@ from hoopgen.generated.numpy import court
 
 from .engine import trust
 from .engines import EACH, Engine, hoop_releases, installed_library, printed
-from .parameters import FIBA, NBA, Parameters
+from .hoop.presets import FIBA, NBA
+from .parameters import Parameters
 
 if TYPE_CHECKING:
     from .derive.scenes.scene import Scene
@@ -67,6 +68,7 @@ COURT = Engine(
     sources=lambda: printed(court),
     scene=_scene,
     again=(_again, ()),
+    has_hoop=True,
 )
 """The hoop as it stands in a gym: ring, backboard and bridge from all sides, each with its own
 restitution and friction. A ball that has come up through the ring is not MADE, whatever it does

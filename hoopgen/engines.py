@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import importlib.machinery
 import math
 from collections.abc import Callable, Mapping
@@ -39,8 +40,9 @@ class Engine:
         With which a shot ends as capped, where nothing else is asked for.
     time_limit
         At which it ends, likewise, s.
-    found
-        Its compiled C, or why there is none.
+    has_hoop
+        Whether shots are thrown at a hoop in it, with the hoop's bodies and outcomes: then they are
+        released, counted and measured as those at the article's.
     """
 
     def __init__(
@@ -54,10 +56,12 @@ class Engine:
         time_limit: float = 60.0,
         again: tuple[Callable[..., Engine], tuple[Any, ...]] | None = None,
         written: Written | None = None,
+        has_hoop: bool = False,
     ) -> None:
         self.kernels = kernels
         self.layout = Layout(kernels)
         self.max_contacts, self.time_limit = max_contacts, time_limit
+        self.has_hoop = has_hoop
         self.table = Table.of(kernels, written)
         self._find, self._sources, self._scene, self._again = find, sources, scene, again
 
@@ -81,6 +85,13 @@ class Engine:
         """Whether it is the article's scene, of which some things are known that no other has."""
         return self.kernels is hoop
 
+    @cached_property
+    def identity(self) -> dict[str, str]:
+        """What tells it from other scenes, whatever they are called; the same in any process."""
+        written = self.table.written
+        said = "".join(self.source("numpy").values()) if written is None else written.key
+        return {"name": self.name, "sha256": hashlib.sha256(said.encode()).hexdigest()}
+
     @property
     def library(self) -> native.Library | None:
         """Its compiled C, None where there is none that can be trusted."""
@@ -88,7 +99,7 @@ class Engine:
 
     @property
     def backend(self) -> str:
-        """What simulates where nothing else is asked for: "c", or "numpy"."""
+        """What simulates where nothing else is asked for, "c" or "numpy"."""
         return "numpy" if self.library is None else "c"
 
     @property
@@ -254,5 +265,6 @@ HOOP = Engine(
     max_contacts=40,
     time_limit=math.inf,
     again=(_hoop, ()),
+    has_hoop=True,
 )
 """The article's scene."""

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from hoopgen.units import FOOT
 
+from .hoop.presets import PAPER
 from .inputs import MAX_CONTACTS, Backend
-from .parameters import PAPER
 from .results import SURFACES, Outcome, Shots, Trajectory
 from .simulation import simulate
 

@@ -1,22 +1,17 @@
-"""Parameters of the hoop: named numbers, and the presets of the article and the rule books."""
+"""Parameters of a scene: named numbers, their usual values, and what callers give in place."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from types import MappingProxyType, ModuleType
+from types import ModuleType
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.generated.numpy import hoop
-
 from .brief import brief, listed
 from .inputs import doubles
-
-NAMES = tuple(hoop.PARAMETERS)
-
 
 Value = float | NDArray[np.float64]
 
@@ -27,6 +22,10 @@ class Written(Protocol):
     @property
     def defaults(self) -> Mapping[str, float]:
         """The parameters' usual values."""
+
+    @property
+    def key(self) -> str:
+        """All that decides what it does, as text, the same in any process."""
 
     def values(self, parameters: Mapping[str, Any] | None = None) -> Sequence[Any]:
         """Return what the kernels take, in order."""
@@ -77,9 +76,6 @@ class Table:
         return [np.ascontiguousarray(v, np.float64) if np.ndim(v) else float(v) for v in values]
 
 
-HOOP_TABLE = Table.of(hoop)
-
-
 class Parameters(Mapping[str, Any]):
     """A read-only mapping from parameter names to values that merges with ``|``.
 
@@ -112,80 +108,7 @@ class Parameters(Mapping[str, Any]):
         return f"Parameters({self._values!r})"
 
 
-def _preset(
-    ball_radius: float,
-    ring_radius: float,
-    wire_radius: float,
-    board_distance: float,
-    board: tuple[float, float],
-) -> Parameters:
-    """Return a preset; the board's lower edge is 0.15 m below the ring's top edge."""
-    width, height = board
-    bottom = wire_radius - 0.15
-    return PAPER | {
-        "ball_radius": ball_radius,
-        "ring_radius": ring_radius,
-        "wire_radius": wire_radius,
-        "board_distance": board_distance,
-        "board_half_width": width / 2,
-        "board_bottom": bottom,
-        "board_top": bottom + height,
-        "end_depth": 0.2 * ball_radius,
-    }
-
-
-PAPER = Parameters(HOOP_TABLE.defaults)
-"""Inside the rule books' tolerances, and every sequence of the article's Table 3 comes out."""
-
-NBA = _preset(
-    0.1213,  # 30 in round
-    0.2286 + 0.0079375,  # 18 in across inside, 5/8 in wire
-    0.0079375,
-    0.2286 + 0.1524,  # 9 in + 6 in
-    (1.8288, 1.0668),
-)
-"""NBA rule book."""
-
-FIBA = _preset(
-    0.1213,
-    0.2270 + 0.0090,  # 450-459 mm across inside, 16-20 mm wire
-    0.0090,
-    0.2270 + 0.151,
-    (1.80, 1.05),
-)
-"""FIBA equipment rules, middle of the tolerances."""
-
-PRESETS: Mapping[str, Parameters] = MappingProxyType({"paper": PAPER, "nba": NBA, "fiba": FIBA})
-"""By the names that they have on the command line and in files."""
-
-
-def nearest_preset(parameters: Mapping[str, Any]) -> tuple[str, dict[str, Any]]:
-    """Return the preset that differs in the fewest parameters, and those that differ from it.
-
-    Parameters
-    ----------
-    parameters
-        Of the scene, one number each or (n,). Names that are not there do not count.
-
-    Returns
-    -------
-    tuple
-        A key of `PRESETS`, of several the first; and names and values.
-    """
-
-    def apart(preset: Mapping[str, Any]) -> dict[str, Any]:
-        return {
-            name: value
-            for name, value in parameters.items()
-            if name in preset and not np.all(np.asarray(value) == preset[name])
-        }
-
-    differences = {name: apart(preset) for name, preset in PRESETS.items()}
-    nearest = min(differences, key=lambda name: len(differences[name]))
-    return nearest, differences[nearest]
-
-
-def completed(parameters: Mapping[str, Any] | None, table: Table = HOOP_TABLE) -> Mapping[str, Any]:
+def completed(parameters: Mapping[str, Any] | None, table: Table) -> Mapping[str, Any]:
     """Return all parameters of a scene in calling order: usual values for those left out.
 
     Raises
@@ -209,9 +132,7 @@ def completed(parameters: Mapping[str, Any] | None, table: Table = HOOP_TABLE) -
     return {name: parameters.get(name, usual) for name, usual in table.defaults.items()}
 
 
-def resolve(
-    parameters: Mapping[str, Any] | None, shots: int, table: Table = HOOP_TABLE
-) -> list[Value]:
+def resolve(parameters: Mapping[str, Any] | None, shots: int, table: Table) -> list[Value]:
     """Return the parameters in calling order, each a number or of shape (shots,).
 
     Parameters

@@ -79,7 +79,7 @@ class Trajectory:
         Returns
         -------
         ndarray
-            Shape (*t.shape, 9).
+            Shape ``(*t.shape, 9)``.
 
         Raises
         ------

@@ -20,6 +20,7 @@ from .engines import HOOP, Engine
 from .inputs import check_contacts, check_leaving, check_states, check_threads, check_time_limit
 from .parameters import Value, resolve
 from .results import Shots
+from .scenes import engine_of
 from .sizes import check_room
 
 CHUNK = 1 << 17
@@ -182,7 +183,7 @@ def simulate(
     """
     releases = check_states(states)
     shots = len(releases)
-    engine = _engine(scene)
+    engine = engine_of(scene)
     values = resolve(parameters, shots, engine.table)
     named = dict(zip(engine.table.defaults, values, strict=True))
     most = engine.max_contacts if max_contacts is None else check_contacts(max_contacts)
@@ -289,14 +290,6 @@ def _fields(fields: str | Iterable[str], scene: Engine) -> tuple[str, ...]:
         names = ", ".join(scene.layout.fields + scene.layout.bounds)
         raise ValueError(f"fields: unknown {listed(unknown)}. 'all', or some of {names}")
     return wanted
-
-
-def _engine(scene: Any) -> Engine:
-    if scene is None or isinstance(scene, Engine):
-        return scene or HOOP
-    from .scene.compile import compile  # runs compilers, which HOOP never needs
-
-    return compile(scene)
 
 
 def _library(backend: str, scene: Engine) -> native.Library | None:

@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .parameters import NAMES, PRESETS, nearest_preset
-from .variables import VARIABLES
+from .engines import HOOP, Engine
+from .hoop.presets import NAMES, PRESETS, nearest_preset
+from .scenes import variables_of
+from .variables import STATE, STATE_UNITS, is_state
 from .words import Quantity, quantity
 
 if TYPE_CHECKING:
     import xarray as xr
-
-    from .engines import Engine
 
 __all__ = [
     "footer",
@@ -58,7 +58,7 @@ def say_scene(parameters: Mapping[str, Any], by_row: Iterable[str] = ()) -> str:
     return ", ".join([preset, *changed, *(f"{quantity(n).name} by row" for n in apart)])
 
 
-def say_of(scene: Engine, parameters: Mapping[str, Any]) -> str:
+def say_of(scene: Engine, parameters: Mapping[str, Any], by_row: Iterable[str] = ()) -> str:
     """Say any scene: the hoop as `say_scene` does, another by its name and what differs.
 
     Parameters
@@ -67,13 +67,17 @@ def say_of(scene: Engine, parameters: Mapping[str, Any]) -> str:
         Whose.
     parameters
         Of it, one number each or (n,), of which the ends are said.
+    by_row
+        Those that are each row's own, in columns of a table.
     """
     if scene.is_hoop:
-        return say_scene(parameters)
-    said = [scene.name]
+        return say_scene(parameters, by_row)
+    said, apart = [scene.name], set(by_row)
     for name, usual in scene.parameters.items():
         value = np.asarray(parameters[name])
-        if not np.all(value == usual):
+        if name in apart:
+            said.append(f"{name} by row")
+        elif not np.all(value == usual):
             low, high = (f"{end(value):.{_DIGITS}g}" for end in (np.min, np.max))
             said.append(f"{name} {low if low == high else f'{low} to {high}'}")
     return ", ".join(said)
@@ -93,21 +97,39 @@ def _apart(name: str, value: Any, usual: float) -> str:
     return f"{shown.name} {said}"
 
 
-def say_release(values: Mapping[str, float]) -> str:
+def _quantities(names: Iterable[str], scene: Engine) -> dict[str, Quantity]:
+    """Return how variables are shown, by name, in the order of those of their scene.
+
+    What has no hoop, and states, are shown in SI.
+    """
+    given = set(names)
+    if scene.has_hoop and not is_state(given):
+        known = variables_of(scene)
+        return {name: quantity(name) for name in known if name in given}
+    plain = {
+        **STATE_UNITS,
+        **{n: one.unit for n, one in variables_of(scene).items() if n not in STATE},
+    }
+    return {name: Quantity(name, unit) for name, unit in plain.items() if name in given}
+
+
+def say_release(values: Mapping[str, float], scene: Engine = HOOP) -> str:
     """Say variables of a release, without parameters of the scene."""
     return ", ".join(
-        f"{name} {_value(quantity(name), values[name])}"
-        for name in VARIABLES
-        if name in values and name not in NAMES
+        f"{name} {_value(shown, values[name])}"
+        for name, shown in _quantities(values, scene).items()
+        if name not in scene.table.defaults
     )
 
 
 def say_scatter(
-    sd: Mapping[str, float], correlation: Iterable[tuple[tuple[str, str], float]] = ()
+    sd: Mapping[str, float],
+    correlation: Iterable[tuple[tuple[str, str], float]] = (),
+    scene: Engine = HOOP,
 ) -> str:
     """Say standard deviations and correlations; what does not scatter is left out."""
-    names = [name for name in VARIABLES if sd.get(name)]
-    spread = ", ".join(f"{name} {_value(quantity(name), sd[name])}" for name in names)
+    shown = _quantities((name for name, value in sd.items() if value), scene)
+    spread = ", ".join(f"{name} {_value(one, sd[name])}" for name, one in shown.items())
     pairs = [
         f"correlation of {one} and {other} {_value(Quantity('', ''), value)}"
         for (one, other), value in correlation
@@ -120,22 +142,25 @@ def _value(shown: Quantity, value: float) -> str:
     return shown.say(float(shown.shown(value)), _DIGITS)
 
 
-def told_setting(setting: Mapping[str, Any]) -> dict[str, str]:
+def told_setting(setting: Mapping[str, Any], scene: Engine = HOOP) -> dict[str, str]:
     """Return what is said of a release model and its scene, by what it is.
 
     Parameters
     ----------
     setting
         The identity of the model, and the ``parameters`` of the scene.
+    scene
+        The scene itself.
     """
     model = setting.get("model")
     mean = setting["release"] if model == "scatter" else {}
-    own = {name: value for name, value in mean.items() if name in NAMES}
+    own = {name: value for name, value in mean.items() if name in scene.table.defaults}
     by_row = setting["columns"] if model == "resample" else ()
-    told = {"scene": say_scene({**setting["parameters"], **own}, by_row)}
+    told = {"scene": say_of(scene, {**setting["parameters"], **own}, by_row)}
     if model == "scatter":
         pairs = [((one, other), value) for one, other, value in setting["correlation"]]
-        return told | {"release": say_release(mean), "scatter": say_scatter(setting["sd"], pairs)}
+        scatter = say_scatter(setting["sd"], pairs, scene)
+        return told | {"release": say_release(mean, scene), "scatter": scatter}
     if model == "resample":
         return told | {"release": _measured(setting["columns"], setting["sha256"])}
     return told | {"release": f"of the model {model}" if model else "of a model of one's own"}
@@ -172,8 +197,10 @@ def told_of(
 def told_by(dataset: xr.Dataset) -> dict[str, str]:
     """Return what is said of a dataset of `hoopgen.map` or `bank_or_direct`, by its attributes."""
     attributes = dataset.attrs
-    told = {}
+    told: dict[str, str] = {}
     columns = json.loads(attributes.get("columns", "[]"))
+    if "scene_sha256" in attributes:  # of one's own: what is said of it stands there
+        return told | _told_own(attributes)
     if "parameters" in attributes:
         parameters = {n: float(v) for n, v in json.loads(attributes["parameters"]).items()}
         by_row = [name for name in columns if name not in (*parameters, *dataset.coords)]
@@ -194,6 +221,15 @@ def told_by(dataset: xr.Dataset) -> dict[str, str]:
     if "seed" in attributes:
         told["seed"] = str(attributes["seed"])
     return told
+
+
+def _told_own(attributes: Mapping[str, Any]) -> dict[str, str]:
+    """Return what is said of a dataset of a scene of one's own, which says it itself."""
+    return {
+        name: str(attributes[key])
+        for name, key in (("scene", "scene"), ("release", "said_release"), ("scatter", "said_sd"))
+        if attributes.get(key)
+    } | ({"seed": str(attributes["seed"])} if "seed" in attributes else {})
 
 
 def in_a_note(told: Mapping[str, str], *, scene: bool = False) -> str:

@@ -8,32 +8,14 @@ from types import MappingProxyType
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from hoopgen.generated.numpy import hoop
 
 from .brief import listed
-from .inputs import check_angles as check_radians
-from .inputs import doubles
-from .parameters import NAMES, PAPER
-from .releases import RING_HEIGHT, released
 from .units import UNITS, Kind
 
-__all__ = [
-    "ARGUMENTS",
-    "STANDS_FOR",
-    "STATE",
-    "STATE_UNITS",
-    "VARIABLES",
-    "Releases",
-    "Variable",
-    "check_angles",
-    "change_variables",
-    "check_names",
-    "make_releases",
-    "release_arguments",
-    "resolve_variables",
-]
+__all__ = ["STATE", "STATE_UNITS", "Releases", "Variable", "check_names", "is_state"]
 
 
 @dataclass(frozen=True)
@@ -60,55 +42,6 @@ class Variable:
         return next(iter(UNITS[self.kind]))
 
 
-def _listed(*variables: Variable) -> Mapping[str, Variable]:
-    return MappingProxyType({variable.name: variable for variable in variables})
-
-
-ARGUMENTS = _listed(
-    Variable("speed", "speed", "release speed"),
-    Variable("elevation", "angle", "release angle"),
-    Variable("azimuth", "angle", "direction, positive to the left"),
-    Variable("backspin", "spin", "backspin"),
-    Variable("sidespin", "spin", "sidespin"),
-    Variable("height", "length", "release height"),
-    Variable("distance", "length", "distance from the ring's centre"),
-    Variable("angle", "angle", "place around the ring"),
-)
-"""The arguments of `hoopgen.release`."""
-
-_INSTEAD = _listed(
-    Variable("aim", "length", "aim past the ring's centre"),
-    Variable("entry", "angle", "entry angle"),
-    Variable("x", "length", "place on the floor, x"),
-    Variable("y", "length", "place on the floor, y"),
-)
-"""Those that stand for arguments: `aim` for speed, `entry` for elevation, `x` and `y` for distance
-and angle."""
-
-STANDS_FOR: Mapping[str, tuple[str, ...]] = MappingProxyType(
-    {
-        "aim": ("speed",),
-        "entry": ("speed", "elevation"),
-        "x": ("distance", "angle"),
-        "y": ("distance", "angle"),
-    }
-)
-"""What they take the place of."""
-
-_KINDS: Mapping[str, Kind] = MappingProxyType(
-    {"m": "length", "m/s²": "acceleration", "1": "number"}
-)
-
-_PARAMETERS = _listed(
-    *(
-        Variable(name, _KINDS[unit], name.replace("_", " "))
-        for name, (_, unit, _) in hoop.PARAMETERS.items()
-    )
-)
-
-VARIABLES: Mapping[str, Variable] = MappingProxyType({**ARGUMENTS, **_INSTEAD, **_PARAMETERS})
-"""Every variable: arguments of a release, what stands for them, and the scene's parameters."""
-
 STATE = hoop.STATE
 """Components of a state, in order."""
 
@@ -116,6 +49,11 @@ STATE_UNITS: Mapping[str, str] = MappingProxyType(
     dict(zip(STATE, (unit for unit in ("m", "m/s", "rad/s") for _ in "xyz"), strict=True))
 )
 """By component."""
+
+
+def is_state(columns: Iterable[str]) -> bool:
+    """Return whether columns of these names are states: z or vx, vy, vz say so."""
+    return not set(STATE[2:]).isdisjoint(columns)
 
 
 @dataclass(frozen=True)
@@ -153,135 +91,3 @@ def check_names(name: str, given: Iterable[str], allowed: Iterable[str]) -> tupl
     if unknown:
         raise ValueError(f"{name}: unknown {listed(unknown)}. One of {', '.join(known)}")
     return names
-
-
-def check_angles(name: str, values: Mapping[str, ArrayLike]) -> None:
-    """Refuse those of some variables that are angles in degrees; see `hoopgen.inputs`.
-
-    Raises
-    ------
-    ValueError
-        The message begins with `name`.
-    """
-    angles = (one for one in values if one in VARIABLES and VARIABLES[one].kind == "angle")
-    check_radians(name, {one: values[one] for one in angles})
-
-
-def resolve_variables(
-    values: Mapping[str, ArrayLike], parameters: Mapping[str, Any] = PAPER
-) -> Releases:
-    """Return the shots that the variables describe.
-
-    Parameters
-    ----------
-    values
-        Name to value, m, m/s, rad, rad/s; the names are those of `VARIABLES`. One number for all
-        shots or (n,). Needed are height, a place (distance and, if not 0, angle; or x and y), a
-        speed or `aim`, and an elevation or `entry`.
-    parameters
-        Of the scene, for those that are not among the values.
-
-    Returns
-    -------
-    Releases
-        Of 1 shot where every value is one number. Where no speed brings the ball down through the
-        point aimed at, the speed is NaN, and the shot INVALID.
-
-    Raises
-    ------
-    TypeError
-        If a value is not numbers.
-    ValueError
-        If a name is unknown, one is missing, two stand for the same, or shapes disagree.
-    """
-    check_names("variables", values, VARIABLES)
-    arrays = {name: doubles(name, value) for name, value in values.items()}
-    lengths = {name: array.shape for name, array in arrays.items() if array.ndim}
-    if any(len(shape) != 1 for shape in lengths.values()) or len(set(lengths.values())) > 1:
-        shapes = ", ".join(f"{name} {shape}" for name, shape in lengths.items())
-        raise ValueError(f"variables: expected one number or one a shot each, got shapes {shapes}")
-    scene = dict(parameters)
-    scene |= {name: _plain(arrays.pop(name)) for name in NAMES if name in arrays}
-    shots = max((shape[0] for shape in lengths.values()), default=1)
-    # Without a gravity `simulate` says what is missing.
-    arguments = release_arguments(arrays, scene.get("gravity", np.nan))
-    return make_releases(arguments, scene, shots)
-
-
-def make_releases(
-    arguments: Mapping[str, NDArray[np.float64]], parameters: Mapping[str, Any], shots: int
-) -> Releases:
-    """Return so many shots of all arguments of `hoopgen.release`, each one number or (shots,)."""
-    return Releases(
-        np.broadcast_to(released(arguments), (shots, len(STATE))),
-        parameters,
-        {name: np.broadcast_to(array, (shots,)) for name, array in arguments.items()},
-    )
-
-
-def release_arguments(
-    values: Mapping[str, NDArray[np.float64]], gravity: ArrayLike
-) -> dict[str, NDArray[np.float64]]:
-    """Return all arguments of `hoopgen.release` that the variables stand for.
-
-    Speed through the point aimed at, and the slope that comes down at an angle, are closed forms
-    of a flight without contacts. Values broadcast; what is one number remains one.
-
-    Raises
-    ------
-    ValueError
-        If one is missing, or two stand for the same.
-    """
-    for name, others in STANDS_FOR.items():
-        both = [other for other in others if name in values and other in values]
-        if both:
-            raise ValueError(f"variables: {name} takes the place of {' and '.join(both)}; got both")
-    given = dict(values)
-    if "x" in given or "y" in given:
-        if "x" not in given or "y" not in given:
-            raise ValueError("variables: x and y are given together")
-        x, y = given.pop("x"), given.pop("y")
-        given |= {"distance": np.hypot(x, y), "angle": np.arctan2(y, x)}
-    missing = [name for name in ("height", "distance") if name not in given]
-    if missing:
-        raise ValueError(f"variables: missing {', '.join(missing)}")
-    aimed = "aim" in given or "entry" in given
-    reach, rise = given["distance"] + given.pop("aim", 0.0), RING_HEIGHT - given["height"]
-    if "entry" in given:
-        (slope,) = hoop.slope_of_entry(np.tan(given.pop("entry")), reach, rise)
-        given["elevation"] = np.arctan(slope)
-    if "elevation" not in given or (not aimed and "speed" not in given):
-        raise ValueError(
-            "variables: expected speed and elevation, or aim in place of speed, "
-            f"or entry in place of both; got {listed(values)}"
-        )
-    if aimed:
-        given["speed"] = _aimed_speed(given["elevation"], reach, rise, gravity)
-    return {name: np.asarray(given.get(name, 0.0), dtype=np.float64) for name in ARGUMENTS}
-
-
-def change_variables(values: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the variables with some changed: one that stands for another takes its place.
-
-    A `speed` drops `aim` and `entry`, an `entry` drops `speed` and `elevation`, and so on.
-    """
-    release = ("aim", "entry")
-    dropped = {other for name in release if name in changes for other in STANDS_FOR[name]}
-    dropped |= {name for name in release for other in STANDS_FOR[name] if other in changes}
-    return {name: value for name, value in values.items() if name not in dropped} | dict(changes)
-
-
-def _aimed_speed(
-    elevation: ArrayLike, reach: ArrayLike, rise: ArrayLike, gravity: ArrayLike
-) -> NDArray[np.float64]:
-    """Return the speed that comes down through a point ahead, or NaN where none does."""
-    with np.errstate(all="ignore"):
-        slope = np.tan(elevation)
-        (speed,) = hoop.aimed_speed(slope, reach, rise, gravity)
-        (entry,) = hoop.entry_slope(slope, reach, rise)
-        there = (np.cos(elevation) > 0.0) & (np.asarray(reach) > 0.0) & (entry > 0.0)
-        return np.where(there & np.isfinite(speed), speed, np.nan)
-
-
-def _plain(array: NDArray[np.float64]) -> float | NDArray[np.float64]:
-    return array if array.ndim else float(array)

@@ -14,10 +14,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .parameters import NAMES
+from .hoop.presets import NAMES
+from .hoop.variables import VARIABLES
 from .printable import printable
 from .units import Shown, shown, shown_system
-from .variables import VARIABLES
 
 __all__ = [
     "MINUS",
@@ -102,7 +102,7 @@ def quantity(name: str, attributes: Mapping[str, object] | None = None) -> Quant
     Parameters
     ----------
     name
-        One of `hoopgen.variables.VARIABLES`, in SI units; or any other.
+        One of `hoopgen.hoop.variables.VARIABLES`, in SI units; or any other.
     attributes
         Of another one: ``long_name`` and ``units``, as xarray has them.
     """

@@ -179,13 +179,17 @@ def _look(path: Path, shots: int) -> Verdict:
     from benchmarks.families import FAMILIES
     from hoopgen.engine import native, trust
     from hoopgen.engines import hoop_library
+    from hoopgen.hoop.presets import HOOP_TABLE
     from hoopgen.parameters import resolve
 
     library = hoop_library(path)
     if isinstance(library, native.Refused):
         return Verdict("found", library.reason)
     made = (family.make(shots) for family in FAMILIES if shots)
-    batches = ((states, resolve(parameters, shots), None, math.inf) for states, parameters in made)
+    batches = (
+        (states, resolve(parameters, shots, HOOP_TABLE), None, math.inf)
+        for states, parameters in made
+    )
     differences = trust.differences(library, hoop, batches)
     return Verdict("silent" if differences else "same", differences)
 

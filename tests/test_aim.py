@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 import hoopgen
 from hoopgen.cli import main
-from hoopgen.releases import RING_HEIGHT
+from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.study.aim import Aim, aim
 from hoopgen.study.aim_table import TABLE, aim_table, write_csv
 from hoopgen.study.measures import measure

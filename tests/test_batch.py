@@ -23,10 +23,11 @@ from hoopgen.cli.progress import shown
 pa = pytest.importorskip("pyarrow")
 pq = pytest.importorskip("pyarrow.parquet")
 
+from hoopgen.hoop.kinds import ENDED, Kind, kinds  # noqa: E402
 from hoopgen.study import batch as study_batch  # noqa: E402
 from hoopgen.study import chunks  # noqa: E402
 from hoopgen.study.columns import NAMED  # noqa: E402
-from hoopgen.study.measures import ENDED, MEASURES, Kind, kinds, measure  # noqa: E402
+from hoopgen.study.measures import MEASURES, measure  # noqa: E402
 from hoopgen.study.named import named  # noqa: E402
 from hoopgen.study.tables import Source  # noqa: E402
 from hoopgen.units import FOOT  # noqa: E402

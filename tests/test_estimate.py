@@ -19,14 +19,15 @@ from scipy.stats import binomtest
 import hoopgen
 from hoopgen import Outcome, Scatter, compare, estimate
 from hoopgen.cli import main
+from hoopgen.hoop.kinds import ENDED, Kind, kinds
+from hoopgen.hoop.variables import change_variables
 from hoopgen.study import throws
 from hoopgen.study.compare import Comparison
 from hoopgen.study.estimate import Estimate
 from hoopgen.study.intervals import newcombe, wilson
-from hoopgen.study.measures import ENDED, Kind, kinds
 from hoopgen.study.named import in_units
 from hoopgen.study.tallies import Tally
-from hoopgen.variables import Releases, change_variables
+from hoopgen.variables import Releases
 
 DEGREE = math.pi / 180
 MEAN = {"speed": 7.17, "elevation": 52 * DEGREE, "height": 2.1336, "distance": 4.191}
@@ -472,7 +473,7 @@ def test_a_tally_of_many_settings_is_that_of_each() -> None:
     shots = everything(600)
     whole = Tally.of(shots, 3)
     assert whole.shots.tolist() == [200, 200, 200]
-    again = Tally.read(whole.row())
+    again = Tally.read(whole.row(), whole.scene)
     assert np.array_equal(again.table, whole.table)
     assert np.array_equal(again.uncertain, whole.uncertain)
     one = Tally.of(shots, 1)
@@ -627,6 +628,9 @@ def test_what_is_wrong_on_the_command_line_is_said(arguments: list[str], message
     assert said.count("\n") == 1
 
 
+GOLF = Path(__file__).resolve().parents[1] / "examples" / "scenes" / "golf.toml"
+
+
 def test_the_examples_of_the_help_are_commands() -> None:
     for name in ("estimate", "map"):
         command = main.commands[name]
@@ -635,7 +639,8 @@ def test_the_examples_of_the_help_are_commands() -> None:
         assert len(examples) > 1
         for program, same, *arguments in examples:
             assert (program, same) == ("hoopgen", name)
-            options = ["/dev/null" if one == "releases.csv" else one for one in arguments]
+            there = {"releases.csv": "/dev/null", "golf.toml": str(GOLF)}
+            options = [there.get(one, one) for one in arguments]
             command.make_context(name, options)
 
 

@@ -20,13 +20,14 @@ FLOORS = (
     {"outputs", "sizes", "units"},
     {"codegen", "engine", "inputs"},
     # What is given.
-    {"parameters", "releases"},
+    {"parameters", "variables"},
+    {"hoop"},
     # What simulates a scene, and how one becomes that.
     {"engines"},
     {"court"},
     {"scene"},
     # In which words it is said.
-    {"variables"},
+    {"scenes"},
     {"words"},
     {"told"},
     # What comes of it.

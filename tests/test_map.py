@@ -19,11 +19,12 @@ import hoopgen
 from hoopgen import Outcome, Scatter, estimate
 from hoopgen.cli import main
 from hoopgen.cli.types import AXIS
+from hoopgen.hoop.kinds import Kind, kinds
+from hoopgen.hoop.variables import VARIABLES, resolve_variables
+from hoopgen.study import mapped
 from hoopgen.study import maps as module
 from hoopgen.study.columns import columns_of
-from hoopgen.study.measures import Kind, kinds
 from hoopgen.study.named import named
-from hoopgen.variables import VARIABLES, resolve_variables
 
 DEGREE = math.pi / 180
 PLACE = {"height": 2.1336, "distance": 4.191}
@@ -73,7 +74,7 @@ def test_a_cell_is_the_estimate_of_its_release(over: Any, release: Any, sd: Any)
     assert dataset["probability"].dims == tuple(over)
     for at, cell in cells(dataset, over):
         alone = estimate(Scatter(release | at, sd, CORRELATION), scene, shots=300, seed=5)
-        for name in ("probability", "low", "high", *module._LABELS):
+        for name in ("probability", "low", "high", *mapped._LABELS):
             assert cell[name].item() == getattr(alone, name), name
         shares = dict(zip(cell["kind"].values.tolist(), cell["share"].values.tolist(), strict=True))
         assert shares == alone.shares

@@ -20,9 +20,10 @@ from mpmath import mp, mpf
 from numpy.typing import NDArray
 
 import hoopgen
-from hoopgen.releases import RING_HEIGHT
+from hoopgen.hoop.kinds import Kind, kinds
+from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.study import measures
-from hoopgen.study.measures import MEASURES, Kind, kinds, measure
+from hoopgen.study.measures import MEASURES, measure
 from hoopgen.study.nearest import nearest
 
 Floats = NDArray[np.float64]

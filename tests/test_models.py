@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 
 import hoopgen
 from hoopgen import Grid, Resample, Scatter
+from hoopgen.hoop.variables import VARIABLES, resolve_variables
 from hoopgen.study import draws
 from hoopgen.study.models import ReleaseModel
-from hoopgen.variables import STATE, VARIABLES, Releases, resolve_variables
+from hoopgen.variables import STATE, Releases
 
 EPS = float(np.finfo(np.float64).eps)
 DEGREE = math.pi / 180
@@ -518,12 +519,21 @@ def test_later_changes_of_the_caller_s_columns_change_no_shot() -> None:
         ({"speed": [1, 2], "height": [1, 2, 3]}, r"got shapes speed \(2,\), height \(3,\)"),
         ({"velocity": [1, 2]}, "columns: unknown velocity"),
         ({"vx": [1, 2], "x": 3}, "columns: a state needs y, z, vy, vz too"),
-        ({"vx": [1, 2], "speed": 3}, "columns: unknown speed. One of x, y, z"),
     ],
 )
 def test_what_is_wrong_with_columns_is_said(columns: Any, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         Resample(columns)
+
+
+def test_of_states_the_scene_says_which_parameters_there_are() -> None:
+    state = {name: [1.0, 2.0] for name in STATE}
+    with pytest.raises(ValueError, match=r"columns: unknown speed\. One of x, y, z"):
+        Resample({**state, "speed": 3}).draw(0, 1)
+    with pytest.raises(ValueError, match=r"release: unknown speed\. One of x, y, z"):
+        Scatter({**dict.fromkeys(STATE, 1.0), "speed": 3}, {"vx": 0.1}).draw(0, 1)
+    drawn = Resample({**state, "lively": [0.5, 0.6]}).draw(0, 9, parameters={"lively": 0.9})
+    assert set(drawn.parameters["lively"]) == {0.5, 0.6}
 
 
 # Grid

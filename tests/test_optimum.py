@@ -18,6 +18,7 @@ pytest.importorskip("pyarrow")
 
 import hoopgen
 from hoopgen.cli import main
+from hoopgen.hoop.variables import ARGUMENTS
 from hoopgen.study.bank import bank_or_direct, crossing
 from hoopgen.study.best import Optimum
 from hoopgen.study.board import on_board
@@ -29,7 +30,6 @@ from hoopgen.study.optimum import optimum
 from hoopgen.study.player import Player
 from hoopgen.study.scatter import Scatter
 from hoopgen.study.search import bounds_of
-from hoopgen.variables import ARGUMENTS
 
 DEGREE = np.pi / 180
 SD = {"speed": 0.07, "elevation": 1.3 * DEGREE, "azimuth": 1.0 * DEGREE}

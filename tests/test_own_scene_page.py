@@ -16,7 +16,7 @@ PAGE = (ROOT / "docs" / "your-own-scene.md").read_text(encoding="utf-8")
 
 
 def blocks(language: str) -> list[str]:
-    return re.findall(rf"^```{language}\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
+    return re.findall(rf"^```{language}(?: \S+)?\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
 
 
 @pytest.fixture
@@ -33,13 +33,15 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 @pytest.mark.filterwarnings("ignore:hoopgen")
 def test_the_page_s_code_runs_from_the_first_line_to_the_proof(folder: Path) -> None:
     found: dict[str, object] = {}
-    first, second = blocks("python")
+    first, second, study = blocks("python")
     exec(first, found)
     holed = found["holed"]
     assert 0 < holed.sum() < holed.size  # type: ignore[attr-defined]
     assert str(found["page"]).startswith("# The derivation of hole")
     exec(second, found)
     assert found["scene"].key == load_scene("hole.toml").key  # type: ignore[attr-defined]
+    exec(study, found)
+    assert 0 < found["found"].shares["holed"] < 1  # type: ignore[attr-defined]
 
 
 @pytest.mark.parametrize(

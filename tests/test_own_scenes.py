@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import runpy
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -28,44 +28,15 @@ from hoopgen.scene import (
     Sphere,
     Surface,
     Torus,
-    load_scene,
 )
+
+sys.path.append(str(ROOT))  # benchmarks/ is not installed
+from benchmarks.own_scenes import FILES, scene_of, states
 
 EXAMPLES = ROOT / "examples" / "scenes"
 LIMIT = 20.0
 
 pytestmark = pytest.mark.xdist_group("own_scenes")
-
-
-def states(
-    count: int, seed: int, low: tuple[float, ...], high: tuple[float, ...], speed: float
-) -> NDArray[np.float64]:
-    """Return balls within a box, with velocities of that size and spins."""
-    rng = np.random.default_rng(seed)
-    place = rng.uniform(low, high, (count, 3))
-    return np.hstack([place, rng.normal(0, speed, (count, 3)), rng.normal(0, 10, (count, 3))])
-
-
-def thrown(count: int, seed: int) -> NDArray[np.float64]:
-    """Return netballs from a few metres away, at the ring, its rim and its post."""
-    rng = np.random.default_rng(seed)
-    made = np.zeros((count, 9))
-    made[:, :3] = rng.uniform([1.5, -2, -1.5], [4, 2, -0.5], (count, 3))
-    goal = rng.normal([-0.1, 0, 0], [0.25, 0.15, 0.1], (count, 3))
-    low = rng.random(count) < 0.3
-    goal[low] = rng.normal([-0.39, 0, -0.3], [0.03, 0.1, 0.2], (count, 3))[low]
-    time = rng.uniform(0.9, 1.3, (count, 1)) - 0.5 * low[:, None]
-    made[:, 3:6] = (goal - made[:, :3]) / time
-    made[:, 5] += 9.81 / 2 * time[:, 0]
-    made[:, 6:] = rng.normal(0, 10, (count, 3))
-    return made
-
-
-def putted(count: int, seed: int) -> NDArray[np.float64]:
-    """Return golf balls that come down near the hole."""
-    made = states(count, seed, (-0.08, -0.08, 0.03), (0.06, 0.08, 0.4), 0.1)
-    made[:, 3] += np.random.default_rng(seed).uniform(0, 0.8, count)
-    return made
 
 
 ZOO = Scene(
@@ -143,22 +114,14 @@ class Example:
     def scene(self) -> Scene:
         if isinstance(self.given, Scene):
             return self.given
-        path = EXAMPLES / self.given
-        if path.suffix == ".toml":
-            return load_scene(path)
-        made: Scene = runpy.run_path(str(path))["SCENE"]
-        return made
+        return scene_of(self.given)
 
 
 EXAMPLE = {
-    "netball": Example("netball.toml", thrown),
-    "bowl": Example(
-        "bowl.toml", lambda n, seed: states(n, seed, (-0.5, -0.5, -0.5), (0.5, 0.5, 0.5), 1.5)
-    ),
-    "golf": Example("golf.toml", putted, 6),
-    "bumpers": Example(
-        "bumpers.py", lambda n, seed: states(n, seed, (-0.3, -0.3, 0.8), (0.3, 0.3, 1.2), 0.7), 10
-    ),
+    "netball": Example("netball.toml", FILES["netball.toml"]),
+    "bowl": Example("bowl.toml", FILES["bowl.toml"]),
+    "golf": Example("golf.toml", FILES["golf.toml"], 6),
+    "bumpers": Example("bumpers.py", FILES["bumpers.py"], 10),
     "zoo": Example(ZOO, lambda n, seed: states(n, seed, (-0.7, -0.7, 0), (0.7, 0.7, 1), 2.5), 8),
     "sideways": Example(
         SIDEWAYS, lambda n, seed: states(n, seed, (-0.5, -1, -0.5), (0.5, -0.3, 0.5), 0.7), 8

@@ -19,7 +19,7 @@ pa = pytest.importorskip("pyarrow")
 pq = pytest.importorskip("pyarrow.parquet")
 pytest.importorskip("xarray")
 
-from hoopgen.parameters import NAMES, PRESETS  # noqa: E402
+from hoopgen.hoop.presets import NAMES, PRESETS  # noqa: E402
 from hoopgen.study.named import parameters_named  # noqa: E402
 from hoopgen.told import say_scatter, say_scene, told_by  # noqa: E402
 from hoopgen.viewer.sample import sample  # noqa: E402

@@ -36,6 +36,7 @@ from matplotlib.figure import Figure  # noqa: E402
 from matplotlib.patches import Circle, Rectangle  # noqa: E402
 from matplotlib.text import Text  # noqa: E402
 
+from hoopgen.hoop.kinds import Kind, kinds  # noqa: E402
 from hoopgen.plots import (  # noqa: E402
     COLUMN,
     PAGE,
@@ -48,7 +49,6 @@ from hoopgen.plots import (  # noqa: E402
 from hoopgen.plots.court import COURTS  # noqa: E402
 from hoopgen.plots.key import CLASSES, classify  # noqa: E402
 from hoopgen.plots.style import MADE, MISSED, MISSED_LINES, NEITHER  # noqa: E402
-from hoopgen.study.measures import Kind, kinds  # noqa: E402
 
 FREE_THROW = {"height": 2.1336, "distance": 4.191, "backspin": 6.0 * np.pi}
 SCENE = hoopgen.NBA

@@ -17,11 +17,13 @@ from hoopgen.units import UNITS, column_name, parse_quantity
 pa = pytest.importorskip("pyarrow")
 pq = pytest.importorskip("pyarrow.parquet")
 
+from hoopgen.engines import HOOP  # noqa: E402
+from hoopgen.hoop.variables import VARIABLES  # noqa: E402
 from hoopgen.study import columns, tables  # noqa: E402
 from hoopgen.study.columns import NAMED, Column, columns_of, values  # noqa: E402
 from hoopgen.study.measures import MEASURES  # noqa: E402
 from hoopgen.study.tables import Source  # noqa: E402
-from hoopgen.variables import STATE, VARIABLES  # noqa: E402
+from hoopgen.variables import STATE  # noqa: E402
 
 FREE_THROW = ["speed", "elevation_deg", "height", "distance"]
 RELEASE = ["speed", "elevation", "height", "distance"]
@@ -79,7 +81,7 @@ def test_the_unit_is_in_the_name(name: str, variable: str, text: str) -> None:
 
 @pytest.mark.parametrize("name", [*VARIABLES, *STATE])
 def test_a_column_named_with_any_unit_is_read_in_that_unit(name: str) -> None:
-    kind = columns._KINDS[name]
+    kind = columns._kinds(HOOP)[name]
     for unit, size in UNITS[kind].items():
         assert columns.variable_of(column_name(name, unit)) == (name, size)
 

@@ -24,13 +24,14 @@ import pyarrow.parquet as pq  # noqa: E402
 import hoopgen  # noqa: E402
 from hoopgen import plots  # noqa: E402
 from hoopgen.cli import main  # noqa: E402
+from hoopgen.hoop.variables import VARIABLES  # noqa: E402
 from hoopgen.study.bank import bank_or_direct  # noqa: E402
 from hoopgen.study.columns import NAMED, columns_of, variable_of  # noqa: E402
 from hoopgen.study.named import in_units, named, parameters_named  # noqa: E402
 from hoopgen.studyfile import check_study  # noqa: E402
 from hoopgen.studyfile.reading import StudyError  # noqa: E402
 from hoopgen.units import FOOT, showing  # noqa: E402
-from hoopgen.variables import STATE, VARIABLES  # noqa: E402
+from hoopgen.variables import STATE  # noqa: E402
 from hoopgen.words import quantity, say  # noqa: E402
 
 README = Path(__file__).parents[1] / "README.md"

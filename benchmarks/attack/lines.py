@@ -10,8 +10,8 @@ import numpy as np
 import pyarrow.csv
 
 from hoopgen.cli import main
-from hoopgen.parameters import PAPER
-from hoopgen.variables import VARIABLES
+from hoopgen.hoop.presets import PAPER
+from hoopgen.hoop.variables import VARIABLES
 
 from .cases import Attack, Attempt, Result
 from .files import STUDY, table

@@ -21,6 +21,7 @@ from hoopgen.cli.options import (
     units_option,
     variable_option,
 )
+from hoopgen.cli.own import no_scene_option
 from hoopgen.cli.types import OUT, Parsed, quantity
 from hoopgen.layout import table
 from hoopgen.told import say_scene
@@ -113,6 +114,7 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
 @variable_option("backspin", default=0.0)
 @variable_option("sidespin", default=0.0)
 @by_option
+@no_scene_option
 @scene_options
 @threads_option
 @folder_option
@@ -159,8 +161,8 @@ def aim(
 
 def _one(shot: Mapping[str, float], wanted: Mapping[str, float], by: str) -> str:
     """Say one release and what it forgives."""
+    from hoopgen.hoop.variables import VARIABLES
     from hoopgen.study.aim_table import OFF
-    from hoopgen.variables import VARIABLES
     from hoopgen.words import say
 
     spins = [f"{name} {say(name, shot[name])}" for name in ("backspin", "sidespin") if shot[name]]
@@ -193,8 +195,8 @@ def _signed(name: str, value: float) -> str:
 
 def _many(columns: Columns) -> str:
     """Lay out a table of releases."""
+    from hoopgen.hoop.variables import VARIABLES
     from hoopgen.study.aim_table import OFF
-    from hoopgen.variables import VARIABLES
     from hoopgen.words import say
 
     def cell(name: str, value: float) -> str:

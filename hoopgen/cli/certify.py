@@ -17,9 +17,8 @@ from hoopgen.cli.options import (
     json_option,
     max_contacts_option,
     preset_options,
-    scene,
 )
-from hoopgen.cli.own import engine_of, max_contacts_of, own_options, released
+from hoopgen.cli.own import engine_of, max_contacts_of, own_options, parameters_of, released
 from hoopgen.cli.types import FILE, whole
 from hoopgen.layout import table
 
@@ -61,7 +60,6 @@ def certify(
     max_contacts: int,
     max_bits: int,
     as_json: bool,
-    scene_file: Path | None,
     position: Sequence[float] | None,
     velocity: Sequence[float] | None,
     spin: Sequence[float] | None,
@@ -73,25 +71,24 @@ def certify(
     flown in ball arithmetic with more and more bits, until every decision is proved. Exit status 1
     if one cannot be: two contacts at once, an exact touch, an exact edge.
     """
-    from hoopgen.engines import HOOP
     from hoopgen.judge import certify as prove
     from hoopgen.study.named import in_units
     from hoopgen.told import say_of
 
-    own = engine_of()
-    engine = HOOP if own is None else own
+    engine = engine_of()
     if file is not None:
-        state, written = _read(file)
+        state, written = _read(file, engine)
         parameters: Mapping[str, float] = {**written, **settings}
-    elif own is None:
-        state, parameters = _released(release), scene(preset, settings)
+    elif engine.has_hoop:
+        state, parameters = _released(release), parameters_of(engine, preset, settings)
     else:
         there = {"position": position, "velocity": velocity, "spin": spin}
-        state, parameters = released(tuple(release), there), own.parameters | settings
+        state = released(tuple(release), there)
+        parameters = parameters_of(engine, preset, settings)
     most = max_contacts_of(max_contacts)
-    proof = prove(state, parameters, scene=own, max_contacts=most, max_bits=max_bits, record=True)[
-        0
-    ]
+    proof = prove(
+        state, parameters, scene=engine, max_contacts=most, max_bits=max_bits, record=True
+    )[0]
     scene_told = say_of(engine, parameters)
     if as_json:
         click.echo(json.dumps({**in_units(_record(proof, engine)), "scene": scene_told}, indent=2))
@@ -112,12 +109,12 @@ def _released(release: Mapping[str, float | None]) -> list[float]:
     return state
 
 
-def _read(file: Path) -> tuple[list[float], dict[str, float]]:
+def _read(file: Path, scene: Engine) -> tuple[list[float], dict[str, float]]:
     from hoopgen.study.named import parameters_named
 
     try:
         record = json.loads(file.read_text(encoding="utf-8"))
-        return list(record["release"]), parameters_named(dict(record["parameters"]))
+        return list(record["release"]), parameters_named(dict(record["parameters"]), scene)
     except (ValueError, KeyError, TypeError):
         raise click.ClickException(
             f"{file}: expected what `hoopgen shot --json` writes, with release and parameters"

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from hoopgen.cli.options import UNITS_IN_WORDS, examples, json_option, units_option
 from hoopgen.cli.releasing import Releasing, from_option, release_options, work_options
 from hoopgen.cli.types import ASSIGNMENT, COUNT, once
+
+if TYPE_CHECKING:
+    from hoopgen.engines import Engine
 
 __all__ = ["estimate"]
 
@@ -25,6 +28,8 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1de
         "hoopgen estimate --aim 5cm --elevation 52deg --backspin 3Hz --height 7ft \\",
         f"    --distance 13.75ft {_PLAYER} \\",
         "    --preset nba --precision 0.001 --versus backspin=0",
+        "hoopgen estimate --scene golf.toml --position=-30cm,0,3cm --velocity 1.2,0,0 \\",
+        "    --scatter vx=0.1 --scatter vy=0.05",
         "hoopgen estimate --from releases.csv --height 7ft --distance 13.75ft --json",
     )
 )
@@ -36,6 +41,9 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1de
     multiple=True,
     callback=once,
     help="Compare with this variable changed, over the same random numbers; may be repeated.",
+)
+@click.option(
+    "--by", metavar="END", help="With --scene and --versus: the end that counts; else the first."
 )
 @click.option(
     "--shots", type=COUNT, help="100,000 by default; with --precision the most, 1e9 by default."
@@ -51,6 +59,7 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1de
 def estimate(
     releasing: Releasing,
     versus: Mapping[str, float],
+    by: str | None,
     precision: float | None,
     as_json: bool,
     **work: Any,
@@ -58,28 +67,35 @@ def estimate(
     """Estimate how probably a shot is made.
 
     Shots scatter about a release, or are drawn from measured ones. Said are the probability with
-    its interval, and the shares of swishes, shots off the rim, bank shots and so on.
+    its interval, and the shares of swishes, shots off the rim, bank shots and so on. With --scene
+    shots scatter about a position and a velocity, and said is the share of each end.
     """
     import hoopgen
     from hoopgen.cli.progress import shown
     from hoopgen.study.named import in_units
-    from hoopgen.words import say
 
-    setting = releasing.model()
+    setting, scene = releasing.model(), releasing.engine
     with shown() as progress:
         options = {"precision": precision, "progress": progress, **work}
         if versus:
             changed = releasing.model(versus)
-            result: Any = hoopgen.compare(setting, changed, **options)
+            result: Any = hoopgen.compare(setting, changed, scene=scene, by=by, **options)
         else:
-            result = hoopgen.estimate(*setting, **options)
+            result = hoopgen.estimate(*setting, scene=scene, **options)
     if as_json:
         click.echo(json.dumps(in_units(result.as_dict()), indent=2, allow_nan=False))
     else:
         if versus:
             click.echo(
-                f"versus      {', '.join(f'{name} {say(name, to)}' for name, to in versus.items())}"
+                f"versus      {', '.join(_said(scene, name, to) for name, to in versus.items())}"
             )
         click.echo(result)
     if precision is not None and result.half_width > precision:
         click.echo("hoopgen: the precision was not reached; more --shots", err=True)
+
+
+def _said(scene: Engine, name: str, value: float) -> str:
+    """Say a variable and its value."""
+    from hoopgen.words import say
+
+    return f"{name} {say(name, value) if scene.has_hoop else f'{value:g}'}"

@@ -7,16 +7,16 @@ from pathlib import Path
 from typing import Any
 
 import click
-from click.core import ParameterSource
 
-from hoopgen.parameters import NAMES, PAPER, PRESETS
+from hoopgen.cli.own import given, parameters_of
+from hoopgen.engines import Engine
 from hoopgen.printable import printable
 
 __all__ = ["flown"]
 
 
 def flown(
-    file: Path, format: str = "", own: Sequence[str] = (), delimiter: str = ""
+    engine: Engine, file: Path, format: str = "", own: Sequence[str] = (), delimiter: str = ""
 ) -> tuple[dict[str, Any], str]:
     """Return `parameters` and `max_contacts` as the options of this command ask; None: the file's.
 
@@ -30,43 +30,47 @@ def flown(
     ValueError, OSError
         If the file cannot be read.
     """
-    from hoopgen.study.origin import names_scene, origin_of
+    from hoopgen.study.origin import OtherScene, names_scene, origin_of
     from hoopgen.study.tables import Source
-    from hoopgen.told import say_scene
+    from hoopgen.told import say_of
 
     context = click.get_current_context()
     settings = dict(context.params["settings"])
-    preset = context.params["preset"] if _given("preset") else None
+    preset = context.params["preset"] if given("preset") else None
+    base = parameters_of(engine, preset, {}) if preset else None
     source = Source(file, format, delimiter)
-    _refuse_columns(source, own, preset, settings)
-    said = origin_of(source)
-    usual = said.parameters if said else PAPER
-    base = PRESETS[preset] if preset else usual
+    _refuse_columns(engine, source, own, preset, settings)
+    try:
+        said = origin_of(source, engine)
+    except OtherScene:
+        if not context.params["override"]:
+            raise
+        said = None
+    if base is None:
+        base = said.parameters if said else engine.parameters
     parameters = {**base, **settings} if preset or settings else None
     assumed = ""
-    if not preset and not names_scene(source, own):
-        scene = say_scene(parameters or PAPER)
+    if engine.is_hoop and not preset and not (said or names_scene(source, own)):
+        scene = say_of(engine, parameters or engine.parameters)
         said_of = f"{file.name} names no scene: {scene} is assumed; --preset names another"
         assumed = f"hoopgen: {printable(said_of)}"
     has_contacts = "max_contacts" in context.params
-    contacts = context.params["max_contacts"] if has_contacts and _given("max_contacts") else None
+    contacts = context.params["max_contacts"] if has_contacts and given("max_contacts") else None
     return {"parameters": parameters, "max_contacts": contacts}, assumed
 
 
-def _given(option: str) -> bool:
-    source = click.get_current_context().get_parameter_source(option)
-    return source not in (ParameterSource.DEFAULT, ParameterSource.DEFAULT_MAP)
-
-
 def _refuse_columns(
-    source: Any, own: Sequence[str], preset: str | None, settings: dict[str, float]
+    engine: Engine, source: Any, own: Sequence[str], preset: str | None, settings: dict[str, float]
 ) -> None:
     """Refuse what columns of the table say in its place."""
     from hoopgen.study.columns import variable_of
 
+    names = engine.table.defaults
     columns = [name for name in source.schema().names if name not in own]
-    said = {variable: name for name in columns if (variable := variable_of(name)[0]) in NAMES}
-    if preset and len(said) == len(NAMES):
+    said = {
+        variable: name for name in columns if (variable := variable_of(name, engine)[0]) in names
+    }
+    if preset and len(said) == len(names):
         raise click.UsageError(
             f"--preset {preset}: columns of {source.path} say all of the scene; leave it out, or "
             "list the columns with --own"

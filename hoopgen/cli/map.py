@@ -65,15 +65,18 @@ def map_(
     """Map a shot over any of its variables.
 
     Each cell is one shot; with --scatter or --from, the probability that it is made. The variables
-    that are not mapped over are given as for `hoopgen shot`.
+    that are not mapped over are given as for `hoopgen shot`; with --scene, a component of
+    --position or --velocity that is mapped over takes the place of the one given.
     """
     import hoopgen
     from hoopgen.cli.progress import shown
     from hoopgen.told import footer, told_by
 
-    model, scene = releasing.model()
+    model, parameters = releasing.model(over=over)
     with shown() as progress:
-        dataset = hoopgen.map(model, over, scene, progress=progress, **work)
+        dataset = hoopgen.map(
+            model, over, parameters, scene=releasing.engine, progress=progress, **work
+        )
     if out is not None:
         _write(dataset, out)
     if picture is not None:
@@ -102,9 +105,12 @@ def _columns(dataset: xr.Dataset) -> Iterator[tuple[str, NDArray[Any]]]:
 
     The names of the variables are those that `hoopgen batch` reads, with their units.
     """
-    from hoopgen.study.named import named
+    from hoopgen.units import column_name
 
-    axes = [str(name) for name in dataset.dims if name != "kind"]
+    def named(name: str) -> str:
+        return column_name(name, dataset[name].attrs.get("units", ""))
+
+    axes = _axes(dataset)
     shape = tuple(dataset.sizes[name] for name in axes)
     for name, values in zip(
         axes, np.meshgrid(*(dataset[n] for n in axes), indexing="ij"), strict=True
@@ -117,13 +123,19 @@ def _columns(dataset: xr.Dataset) -> Iterator[tuple[str, NDArray[Any]]]:
         yield name, np.broadcast_to(value, shape)
     for label, variable in dataset.items():
         name = str(label)
-        if "kind" in variable.dims:
-            for kind in dataset["kind"].values:
-                yield f"{name}_{kind}", variable.sel(kind=kind).values
+        further = [dim for dim in variable.dims if dim not in axes]
+        if further:
+            for each in dataset[further[0]].values:
+                yield f"{name}_{each}", variable.sel({further[0]: each}).values
         elif "flag_meanings" in variable.attrs:
             yield name, np.array(variable.attrs["flag_meanings"].split())[variable.values]
         else:
             yield name, variable.values
+
+
+def _axes(dataset: xr.Dataset) -> list[str]:
+    """Return what was mapped over: dimensions of numbers, not of kinds or endings."""
+    return [str(name) for name in dataset.dims if np.issubdtype(dataset[name].dtype, np.number)]
 
 
 def _shared(dataset: xr.Dataset) -> dict[str, Any]:
@@ -145,7 +157,7 @@ def _summary(dataset: xr.Dataset) -> str:
     from hoopgen.phrases import counted, interval, percent
     from hoopgen.words import say
 
-    axes = [str(name) for name in dataset.dims if name != "kind"]
+    axes = _axes(dataset)
     cells = " × ".join(f"{dataset.sizes[name]} {name}" for name in axes)
     if "outcome" in dataset:
         names = dataset["outcome"].attrs["flag_meanings"].split()
@@ -155,6 +167,15 @@ def _summary(dataset: xr.Dataset) -> str:
         ]
         return f"map    {cells}, one shot each\nshots  {', '.join(said)}"
     shots = f"map    {cells}, {counted(dataset['shots'].values.max(), 'shot')} each"
+    if "count" in dataset:
+        counts = dataset["count"].sum(axes)
+        valid = counts.sum() - counts.sel(ending="invalid")
+        said = [
+            f"{percent(float(count / valid))} {name}"
+            for name, count in zip(dataset["ending"].values, counts, strict=True)
+            if count and name != "invalid"
+        ]
+        return f"{shots}\nends   {', '.join(said) or 'none: no cell can be simulated'}"
     probability = dataset["probability"]
     if probability.isnull().all():
         return f"{shots}\nbest   none: no cell can be simulated"

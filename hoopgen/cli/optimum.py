@@ -92,21 +92,24 @@ def optimum(
     the release forgives comes with it: how far off each variable alone may be.
     """
     from hoopgen.cli.progress import shown
+    from hoopgen.scenes import check_hoop
     from hoopgen.study.best import advice
-    from hoopgen.study.margins import MARGINS
     from hoopgen.study.optimum import optimum as best_release
 
-    model, scene = releasing.model()
+    model, parameters = releasing.model(over=over)
+    scene = releasing.engine
+    if versus is not None:
+        check_hoop("--versus", scene)
     with shown() as progress:
         options = {"progress": progress, **work}
-        best = best_release(model, over, scene, by=by, margins=MARGINS, folder=folder, **options)
+        best = best_release(model, over, parameters, scene=scene, by=by, folder=folder, **options)
         rival = None
         if versus is not None:
             # Another way in is aimed elsewhere.
             usual = {n: None if n in _AIMING else ends for n, ends in over.items()}
             beside = folder and folder / "versus"
             rival = best_release(
-                model, usual, scene, by=versus, margins=(), folder=beside, **options
+                model, usual, parameters, by=versus, margins=(), folder=beside, **options
             )
     if as_json:
         click.echo(json.dumps(_record(best, rival), indent=2, allow_nan=False))

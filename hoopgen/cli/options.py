@@ -11,20 +11,21 @@ import click
 
 from hoopgen.cli.examples import examples
 from hoopgen.cli.flown import flown
-from hoopgen.cli.own import Setting
+from hoopgen.cli.own import engine_of, parameters_of, scene_option
 from hoopgen.cli.types import (
     ASSIGNMENT,
     COUNT,
     FILE,
     FOLDER,
     PICTURE,
+    SCENE,
+    SETTING,
     once,
-    setting,
     variable_type,
     whole,
 )
+from hoopgen.hoop.presets import PRESETS
 from hoopgen.inputs import MAX_CONTACTS
-from hoopgen.parameters import PRESETS
 from hoopgen.units import System, showing
 
 __all__ = [
@@ -43,7 +44,6 @@ __all__ = [
     "override_option",
     "picture_option",
     "preset_options",
-    "scene",
     "scene_options",
     "scheduler_option",
     "seed_option",
@@ -131,7 +131,7 @@ preset_options = together(
     click.option(
         "--set",
         "settings",
-        type=Setting(setting, "NAME=VALUE"),
+        type=SETTING,
         multiple=True,
         callback=once,
         help="Change one parameter of the preset; may be repeated.",
@@ -140,17 +140,12 @@ preset_options = together(
 """``--preset`` and ``--set``."""
 
 
-def scene(preset: str, settings: Mapping[str, float]) -> Mapping[str, float]:
-    """Merge a preset with what is set."""
-    return PRESETS[preset] | dict(settings)
-
-
 def scene_options(command: Callable[..., Any]) -> Callable[..., Any]:
     """Add ``--preset`` and ``--set``; give `parameters`, the two merged, to the command."""
 
     @functools.wraps(command)
     def collected(*arguments: Any, **options: Any) -> Any:
-        parameters = scene(options.pop("preset"), options.pop("settings"))
+        parameters = parameters_of(engine_of(), options.pop("preset"), options.pop("settings"))
         return command(*arguments, parameters=parameters, **options)
 
     decorated: Callable[..., Any] = preset_options(collected)
@@ -206,12 +201,22 @@ confidence_option = click.option(
 WAYS = ("any", "direct", "bank")
 """In which a shot may go in."""
 
+
+class _By(click.Choice[str]):
+    """A way in; with ``--scene`` an end of that scene, which is known when it is compiled."""
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
+        """Return the way or the end."""
+        own = ctx is not None and ctx.meta.get(SCENE) is not None
+        return value if own else super().convert(value, param, ctx)
+
+
 by_option = click.option(
     "--by",
-    type=click.Choice(WAYS),
+    type=_By(WAYS),
     default="any",
     show_default=True,
-    help="What counts: any made shot, not off the board, or off the board.",
+    help="What counts: any made shot, not off the board, or off the board; with --scene an end.",
 )
 
 # -------------------------------------------------------------------------------------- in and out
@@ -224,6 +229,7 @@ override_option = click.option(
 
 _TABLE = together(
     click.argument("file", type=FILE),
+    scene_option,
     click.option(
         "--release",
         type=ASSIGNMENT,
@@ -251,16 +257,18 @@ _TABLE = together(
 def table_options(command: Callable[..., Any]) -> Callable[..., Any]:
     """Add FILE, a table of releases, and what goes with it.
 
-    The command is given `parameters` and `max_contacts`, None for what FILE says.
+    The command is given the `scene`, and `parameters` and `max_contacts`, None for what FILE says.
     """
 
     @functools.wraps(command)
     def collected(*arguments: Any, preset: str, settings: Any, **options: Any) -> Any:
+        engine = engine_of()
         asked, assumed = flown(
+            engine,
             *(options["file"], options["format"] or "", options["own"]),
             options.get("delimiter") or "",
         )
-        result = command(*arguments, **(options | asked))
+        result = command(*arguments, scene=engine, **(options | asked))
         if assumed:
             click.echo(assumed, err=True)
         return result

@@ -10,6 +10,7 @@ import click
 
 from hoopgen.brief import brief
 from hoopgen.cli.options import backend_option, examples
+from hoopgen.cli.own import no_scene_option
 from hoopgen.cli.types import FOLDER
 from hoopgen.inputs import Backend
 from hoopgen.layout import NO_BREAK, table
@@ -38,6 +39,7 @@ __all__ = ["paper"]
 )
 @click.option("--events", is_flag=True, help="List every event of every shot.")
 @backend_option
+@no_scene_option
 @click.pass_context
 def paper(
     ctx: click.Context,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import MappingProxyType
@@ -26,9 +26,11 @@ from hoopgen.cli.options import (
     together,
     variable_option,
 )
+from hoopgen.cli.own import engine_of, max_contacts_of, own_options, state_given
 from hoopgen.cli.types import ASSIGNMENT, CORRELATION, FILE, once
 
 if TYPE_CHECKING:
+    from hoopgen.engines import Engine
     from hoopgen.study.resample import Resample
     from hoopgen.study.scatter import Scatter
 
@@ -49,6 +51,8 @@ class Releasing:
         Of pairs of those.
     parameters
         Of the scene.
+    engine
+        The scene itself.
     measured
         Columns of measured releases, ``--from``; empty without.
     """
@@ -57,23 +61,29 @@ class Releasing:
     sd: Mapping[str, float]
     correlation: Mapping[tuple[str, str], float]
     parameters: Mapping[str, float]
+    engine: Engine
     measured: Mapping[str, Any] = field(default_factory=dict)
 
     def model(
-        self, changes: Mapping[str, float] = MappingProxyType({})
+        self, changes: Mapping[str, float] = MappingProxyType({}), over: Iterable[str] = ()
     ) -> tuple[Scatter | Resample, Mapping[str, float]]:
         """Return the release model, of measured releases where there are some, and the scene.
 
-        Of some variables changed, the scene's parameters among them.
+        Of some variables changed, the scene's parameters among them. Of a state, what is varied
+        `over` some of its components is left out: they are given together.
         """
-        from hoopgen.parameters import NAMES
+        from hoopgen.hoop.variables import change_variables
         from hoopgen.study.resample import Resample
         from hoopgen.study.scatter import Scatter
-        from hoopgen.variables import change_variables
 
-        values = change_variables({**self.measured, **self.values}, changes)
+        values = {**self.measured, **self.values}
+        if self.engine.has_hoop:
+            values = change_variables(values, changes)
+        else:
+            varied = set() if self.measured else set(over)
+            values = {n: v for n, v in (values | dict(changes)).items() if n not in varied}
         scene = dict(self.parameters)
-        scene |= {name: values.pop(name) for name in NAMES if name in changes}
+        scene |= {name: values.pop(name) for name in scene if name in changes}
         if self.measured:
             return Resample(values), scene
         return Scatter(values, self.sd, self.correlation), scene
@@ -88,8 +98,8 @@ class Releasing:
                 "--scatter is about a release, and --from has many; leave one out"
             )
         source = Source(file)
-        origin = settle(source, release=self.values, **asked, override=override)
-        columns = source.columns(origin.own, origin.release)
+        origin = settle(source, release=self.values, **asked, override=override, scene=self.engine)
+        columns = source.columns(origin.own, origin.release, self.engine)
         measured = source.values(source.whole(), columns)
         scene, values = origin.parameters, origin.release
         found = replace(self, values=values, parameters=scene, measured=measured)
@@ -122,7 +132,7 @@ def from_option(command: Callable[..., Any]) -> Callable[..., Any]:
             if override:
                 raise click.UsageError("--override: there is no file of results; leave it out")
             return command(*arguments, releasing=releasing, **options)
-        asked, assumed = flown(file)
+        asked, assumed = flown(releasing.engine, file)
         releasing, contacts = releasing.read(file, asked, override)
         if "max_contacts" in options:
             options["max_contacts"] = contacts
@@ -140,16 +150,25 @@ def release_options(command: Callable[..., Any]) -> Callable[..., Any]:
 
     @functools.wraps(command)
     def collected(*arguments: Any, parameters: Mapping[str, float], **options: Any) -> Any:
+        engine = engine_of()
         given = {name: options.pop(name) for name in VARIABLE_HELP}
+        state = {name: options.pop(name) for name in ("position", "velocity", "spin")}
+        if engine.has_hoop:
+            values = {name: value for name, value in given.items() if value is not None}
+        else:
+            values = state_given(tuple(given), state)
+        if "max_contacts" in options and not engine.is_hoop:
+            options["max_contacts"] = max_contacts_of(options["max_contacts"])
         releasing = Releasing(
-            values={name: value for name, value in given.items() if value is not None},
+            values=values,
             sd=options.pop("scatter"),
             correlation=options.pop("correlation"),
             parameters=parameters,
+            engine=engine,
         )
         return command(*arguments, releasing=releasing, **options)
 
-    options = (*map(variable_option, VARIABLE_HELP), *_SCATTER, scene_options)
+    options = (*map(variable_option, VARIABLE_HELP), own_options, *_SCATTER, scene_options)
     decorated: Callable[..., Any] = together(*options)(collected)
     return decorated
 

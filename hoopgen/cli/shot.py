@@ -20,10 +20,16 @@ from hoopgen.cli.options import (
     max_contacts_option,
     picture_option,
     preset_options,
-    scene,
     units_option,
 )
-from hoopgen.cli.own import engine_of, max_contacts_of, own_options, released, state_of
+from hoopgen.cli.own import (
+    engine_of,
+    max_contacts_of,
+    own_options,
+    parameters_of,
+    released,
+    state_of,
+)
 from hoopgen.cli.types import PAGE
 from hoopgen.inputs import Backend
 from hoopgen.phrases import counted
@@ -70,7 +76,6 @@ def shot(
     picture: Path | None,
     page: Path | None,
     as_json: bool,
-    scene_file: Path | None,
     position: Sequence[float] | None,
     velocity: Sequence[float] | None,
     spin: Sequence[float] | None,
@@ -87,11 +92,10 @@ def shot(
     import hoopgen
 
     engine = engine_of()
-    if engine is None:
-        parameters = scene(preset, settings)
+    parameters = parameters_of(engine, preset, settings)
+    if engine.has_hoop:
         state = np.array(state_of(release, NEEDED))
     else:
-        parameters = engine.parameters | settings
         own = {"position": position, "velocity": velocity, "spin": spin}
         state = np.array(released(tuple(release), own))
     shots = hoopgen.simulate(
@@ -106,7 +110,7 @@ def shot(
         hoop = ", is too big for the ring, or a size or gravity is not above zero"
         raise click.ClickException(
             "this shot is invalid: the ball starts inside a surface"
-            f"{hoop if engine is None else ', or a parameter is not allowed'}"
+            f"{hoop if engine.has_hoop else ', or a parameter is not allowed'}"
         )
     if picture is not None:
         _draw(shots, picture)
@@ -144,7 +148,7 @@ def _outcome_text(shots: hoopgen.Shots) -> str:
 
     outcome = shots.scene.outcomes(int(shots.outcome[0]))
     said = outcome.name.lower()
-    if not shots.scene.is_hoop:
+    if not shots.scene.has_hoop:
         return f"{said}, after {shots.time[0]:.3f} s"
     if outcome == hoopgen.Outcome.CAPPED:
         return f"{said}: {counted(shots.contacts[0], 'contact')}, and not yet at the end plane"

@@ -12,11 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
+from hoopgen.hoop.variables import ARGUMENTS, INSTEAD, VARIABLES
 from hoopgen.outputs import MAPS, PAGES, PICTURES, check_folder, check_output
-from hoopgen.parameters import PAPER
+from hoopgen.scenes import variables_of
 from hoopgen.sizes import evenly
 from hoopgen.units import NO_BARE, UNITS, Kind, parse_quantity
-from hoopgen.variables import VARIABLES, Variable
+from hoopgen.variables import STATE, Variable
 
 __all__ = [
     "ASSIGNMENT",
@@ -30,11 +31,12 @@ __all__ = [
     "OUT",
     "PAGE",
     "PICTURE",
+    "SCENE",
+    "SETTING",
     "Checked",
     "Parsed",
     "quantity",
     "once",
-    "setting",
     "variable_type",
     "whole",
 ]
@@ -130,6 +132,32 @@ def variable_type(name: str) -> Parsed[float]:
     return quantity(VARIABLES[name].kind)
 
 
+SCENE = "hoopgen.scene"
+"""In the context's ``meta``: the scene that ``--scene`` names."""
+
+Variables = Mapping[str, Variable]
+
+
+class OfScene(Parsed[Value]):
+    """What a function reads in text, given the variables of the command's scene."""
+
+    def __init__(self, read: Callable[[str, Variables], Value], metavar: str) -> None:
+        super().__init__(lambda text: read(text, VARIABLES), metavar)
+        self.among = read
+
+    def convert(
+        self, value: str | Value, param: click.Parameter | None, ctx: click.Context | None
+    ) -> Value:
+        """Read the text."""
+        scene = None if ctx is None else ctx.meta.get(SCENE)
+        if scene is None or not isinstance(value, str):
+            return super().convert(value, param, ctx)
+        try:
+            return self.among(value, variables_of(scene))
+        except ValueError as error:
+            self.fail(str(error), param, ctx)
+
+
 def _read(text: str, variable: Variable) -> float:
     try:
         return parse_quantity(text, variable.kind)
@@ -137,26 +165,26 @@ def _read(text: str, variable: Variable) -> float:
         raise ValueError(f"{variable.name}: {error}") from None
 
 
-def _known(name: str, allowed: Mapping[str, Any]) -> Variable:
+def _known(name: str, allowed: Variables) -> Variable:
     if name not in allowed:
         raise ValueError(f"{brief(name)} is none of {', '.join(allowed)}")
-    return VARIABLES[name]
+    return allowed[name]
 
 
-def _split(text: str, allowed: Mapping[str, Any] = VARIABLES) -> tuple[Variable, str]:
+def _split(text: str, allowed: Variables) -> tuple[Variable, str]:
     name, separator, value = (part.strip() for part in text.partition("="))
     if not separator:
         raise ValueError(f"{brief(text)} is not name=value")
     return _known(name, allowed), value
 
 
-def _assignment(text: str, allowed: Mapping[str, Any] = VARIABLES) -> tuple[str, float]:
+def _assignment(text: str, allowed: Variables) -> tuple[str, float]:
     variable, value = _split(text, allowed)
     return variable.name, _read(value, variable)
 
 
-def _axis(text: str) -> tuple[str, NDArray[np.float64]]:
-    variable, values = _split(text)
+def _axis(text: str, among: Variables) -> tuple[str, NDArray[np.float64]]:
+    variable, values = _split(text, among)
     parts = values.split(":")
     if len(parts) == 1:
         return variable.name, np.array([_read(part, variable) for part in values.split(",")])
@@ -169,10 +197,10 @@ def _axis(text: str) -> tuple[str, NDArray[np.float64]]:
     return variable.name, evenly(variable.name, first, last, int(parts[2]))
 
 
-def _bounds(text: str) -> tuple[str, tuple[float, float] | None]:
+def _bounds(text: str, among: Variables) -> tuple[str, tuple[float, float] | None]:
     if "=" not in text:
-        return _known(text.strip(), VARIABLES).name, None
-    variable, values = _split(text)
+        return _known(text.strip(), among).name, None
+    variable, values = _split(text, among)
     ends = values.split(":")
     if len(ends) != 2:
         raise ValueError(f"{variable.name}: {brief(values)} is not low:high")
@@ -218,19 +246,27 @@ def once(ctx: click.Context, option: click.Parameter, given: Iterable[tuple[Any,
     return said
 
 
-ASSIGNMENT = Parsed(_assignment, "NAME=VALUE")
+ASSIGNMENT = OfScene(_assignment, "NAME=VALUE")
 """A variable and its value, ``elevation=52deg``."""
 
 
-def setting(text: str) -> tuple[str, float]:
-    """Read a parameter of the hoop and its value, ``restitution=0.75``."""
-    return _assignment(text, PAPER)
+def _setting(text: str, among: Variables) -> tuple[str, float]:
+    names = {name: one for name, one in among.items() if name not in NOT_OF_SCENE}
+    if not names:
+        raise ValueError("the scene has no parameters")
+    return _assignment(text, names)
 
 
-AXIS = Parsed(_axis, "NAME=FROM:TO:COUNT")
+NOT_OF_SCENE = frozenset((*ARGUMENTS, *INSTEAD, *STATE))
+
+SETTING = OfScene(_setting, "NAME=VALUE")
+"""A parameter of the scene and its value, ``restitution=0.75``."""
+
+
+AXIS = OfScene(_axis, "NAME=FROM:TO:COUNT")
 """A variable and its values, ``elevation=45deg:60deg:61`` or ``restitution=0.6,0.7,0.8``."""
 
-BOUNDS = Parsed(_bounds, "NAME=LOW:HIGH")
+BOUNDS = OfScene(_bounds, "NAME=LOW:HIGH")
 """A variable and where to search, ``elevation=45deg:60deg``; or its name alone."""
 
 CORRELATION = Parsed(_correlation, "NAME,NAME=VALUE")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
 import click
 
@@ -12,9 +12,6 @@ from hoopgen.cli.options import backend_option, examples, seed_option, table_opt
 from hoopgen.cli.types import PAGE, whole
 from hoopgen.inputs import Backend
 from hoopgen.printable import printable
-
-if TYPE_CHECKING:
-    pass
 
 __all__ = ["view"]
 
@@ -54,6 +51,7 @@ def view(
     format: str | None,
     own: tuple[str, ...],
     backend: Backend,
+    scene: Any,
 ) -> None:
     """Show a sample of a table of releases in space, in motion.
 
@@ -76,5 +74,6 @@ def view(
         format=format,
         own=own,
         backend=backend,
+        scene=scene,
     )
     click.echo(printable(f"{out}: {page.about}"))

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
-from hoopgen.parameters import NAMES
+from hoopgen.hoop.presets import NAMES
 from hoopgen.phrases import counted, interval, percent
 from hoopgen.plots.key import classify
 from hoopgen.told import told_by
@@ -29,6 +29,9 @@ _NEEDED: Mapping[str, tuple[str, ...]] = {
     "kind": ("kind", "outcome"),
 }
 """What a map may show, and the variables of the dataset that it needs."""
+
+_ENDING = "ending"
+"""The dimension of outcomes, in maps of a scene of one's own."""
 
 _FACETS = 12
 """Panels on a page, at most."""
@@ -78,6 +81,8 @@ class Cells:
         What is the same in all cells.
     scene
         The scene alone, a sentence; empty if the dataset does not say it.
+    label
+        Of probabilities.
     """
 
     of: str
@@ -87,6 +92,7 @@ class Cells:
     confidence: float | None
     note: str
     scene: str
+    label: str = "shots made (%)"
 
     def panels(self) -> list[Cells]:
         """Return the map for each value of the third variable, if there is one."""
@@ -128,6 +134,10 @@ class Cells:
 
 def read_cells(dataset: xr.Dataset, of: str | None = None) -> Cells:
     """Return what of a map is drawn; arguments and errors as of `plot_map`."""
+    label = Cells.label
+    if _ENDING in dataset.dims:
+        dataset, end = _of_an_end(dataset, of)
+        label, of = f"shots {end} (%)", None
     chosen = _choose(dataset, of)
     dims = dataset[chosen].dims
     if not 1 <= len(dims) <= 3 or (len(dims) == 3 and dataset.sizes[dims[2]] > _FACETS):
@@ -154,11 +164,26 @@ def read_cells(dataset: xr.Dataset, of: str | None = None) -> Cells:
         confidence=None if confidence is None else float(confidence),
         note=_note(dataset),
         scene=_scene(dataset),
+        label=label,
     )
+
+
+def _of_an_end(dataset: xr.Dataset, of: str | None) -> tuple[xr.Dataset, str]:
+    """Return a map of a scene of one's own as that of one of its ends, by default the first."""
+    ends = [str(name) for name in dataset[_ENDING].values]
+    if of is not None and of not in ends:
+        raise ValueError(f"of: expected {' or '.join(ends)} for this dataset, got {brief(of)}")
+    end = of or ends[0]
+    return dataset.sel({_ENDING: end}).rename(share="probability"), end
 
 
 def _choose(dataset: xr.Dataset, of: str | None) -> str:
     possible = [name for name, needs in _NEEDED.items() if all(one in dataset for one in needs)]
+    if not possible and "outcome" in dataset:
+        raise ValueError(
+            "dataset: single shots of a scene of one's own have no kinds to draw; map with a "
+            "scatter, or draw dataset['outcome']"
+        )
     if not possible:
         raise ValueError(
             "dataset: expected the variable probability, or kind and outcome, as hoopgen.map gives "

@@ -16,6 +16,7 @@ from matplotlib.path import Path
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
+from hoopgen.hoop.kinds import kinds
 from hoopgen.phrases import counted, percent
 from hoopgen.plots.key import CLASSES, Class, classify, draw_key, key_height
 from hoopgen.plots.page import add_view, new_page
@@ -26,7 +27,6 @@ from hoopgen.plots.scene import draw_hoop, scene_corners
 from hoopgen.plots.style import EDGES, GRID, MISSED_LINES, NARROW, PAGE, style
 from hoopgen.plots.views import Limits, View
 from hoopgen.results import Outcome, Shots, Trajectory
-from hoopgen.study.measures import kinds
 from hoopgen.told import say_scene
 
 __all__ = ["Fan", "draw_fan", "gather_fan", "plot_fan"]

@@ -11,11 +11,11 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.hoop.kinds import Kind
 from hoopgen.phrases import percent
 from hoopgen.plots.page import add_axes
 from hoopgen.plots.style import EDGES, INK, MADE, MISSED, NEITHER
 from hoopgen.results import Outcome
-from hoopgen.study.measures import Kind
 
 __all__ = ["CLASSES", "Class", "classify", "draw_key", "key_height"]
 

@@ -29,8 +29,6 @@ if TYPE_CHECKING:
 
 __all__ = ["draw_kinds", "plot_map"]
 
-_MADE = "shots made (%)"
-
 _BAND = "#A6CEE3"
 _LIGHT = COLOURS["paper"]
 
@@ -86,7 +84,8 @@ def plot_map(
         As `hoopgen.map` gives it, its coordinates in SI units and in order; the first dimension is
         drawn across, the second up.
     of
-        ``"probability"`` or ``"kind"``; by default the one that there is.
+        ``"probability"`` or ``"kind"``; by default the one that there is. Of a scene of one's own
+        one of its ends; by default the first.
     title
         Above the picture.
     note
@@ -173,7 +172,7 @@ def _draw_line(axes: Axes, shown: Cells) -> None:
         _mark(axes, shown.at(best)[0], float(shown.values[best]))
         axes.set_title(f"{_BEST} {shown.say(best)}", loc="left", fontsize=SMALL)
     axes.set_xlabel(axis.quantity.label, parse_math=False)
-    axes.set_ylabel(_MADE)
+    axes.set_ylabel(shown.label, parse_math=False)
     axes.yaxis.set_major_formatter(FuncFormatter(_in_percent))
     axes.set_ylim(0.0, 1.08 * float(np.nanmax(top, initial=0.01)))
     axes.margins(x=0.0)
@@ -252,7 +251,7 @@ def _draw_probabilities(
             if len(panels) > 1:
                 said = f"{panel.note}\n{_BEST} {percent(float(panel.values[best]))}"
             axes.set_title(said, loc="left", fontsize=SMALL)
-    bar = figure.colorbar(mesh, ax=list(places), label=_MADE, ticks=levels, pad=0.02)
+    bar = figure.colorbar(mesh, ax=list(places), label=panels[0].label, ticks=levels, pad=0.02)
     bar.ax.yaxis.set_major_formatter(FuncFormatter(_in_percent))
     assert bar.solids is not None
     bar.solids.set_rasterized(True)

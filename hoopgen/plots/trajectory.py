@@ -16,6 +16,7 @@ from matplotlib.lines import Line2D
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.engines import Engine
+from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.plots.marks import KEY_ROW, Mark, collect_marks, draw_key, key_rows
 from hoopgen.plots.panels import Drawing, Panel, Room, draw_panel, draw_view, some
 from hoopgen.plots.picture import Picture, add_key, add_title, check_axes, fit_view
@@ -23,7 +24,6 @@ from hoopgen.plots.scenery import Scenery, scenery_of
 from hoopgen.plots.style import COLOURS, INK, PAGE, SMALL, letter, style
 from hoopgen.plots.views import SIDE, TOP, Limits, Points, View, oblique
 from hoopgen.printable import printable
-from hoopgen.releases import RING_HEIGHT
 from hoopgen.told import say_of
 from hoopgen.units import shown, shown_system
 

@@ -99,7 +99,7 @@ class Scene:
 
     @property
     def inputs(self) -> tuple[Input, ...]:
-        """What kernels get for each shot: the parameters, then the sizes computed from them."""
+        """The parameters, then the sizes computed from them, as kernels get them for each shot."""
         return self.read.inputs
 
     @property

@@ -14,11 +14,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
+from hoopgen.hoop.presets import HOOP_TABLE, PAPER
+from hoopgen.hoop.releases import RING_HEIGHT, from_zero
 from hoopgen.inputs import check_angles, doubles
 from hoopgen.installed import need
 from hoopgen.notebook import ROWS, some_rows, table
-from hoopgen.parameters import PAPER, completed
-from hoopgen.releases import RING_HEIGHT, from_zero
+from hoopgen.parameters import completed
 
 from .named import UNIT_OF, named
 from .of_hoop import of_hoop
@@ -140,7 +141,7 @@ def aim(
     """
     if arc not in ("high", "low"):
         raise ValueError(f"arc: expected 'high' or 'low', got {brief(arc)}")
-    parameters = completed(parameters)
+    parameters = completed(parameters, HOOP_TABLE)
     wanted = {"entry": entry, "elevation": elevation, "speed": speed}
     chosen = [name for name, value in wanted.items() if value is not None]
     if len(chosen) > 1:

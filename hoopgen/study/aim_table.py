@@ -14,9 +14,9 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.hoop.presets import PAPER
 from hoopgen.inputs import doubles
 from hoopgen.outputs import written_text
-from hoopgen.parameters import PAPER
 from hoopgen.units import DEGREE, TURN, column_name
 
 from .aim import Arc, aim

@@ -12,12 +12,12 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.hoop.presets import NAMES, PAPER
+from hoopgen.hoop.variables import ARGUMENTS, VARIABLES, change_variables
 from hoopgen.inputs import check_count, doubles
 from hoopgen.installed import version
-from hoopgen.parameters import NAMES, PAPER
 from hoopgen.sizes import check_room
 from hoopgen.told import model_told, say_scene
-from hoopgen.variables import ARGUMENTS, VARIABLES, change_variables
 
 from .best import paired
 from .board import on_board
@@ -187,7 +187,7 @@ def _dataset(spots: Floats, columns: Mapping[str, Floats], question: _Question) 
     coordinates = {"way": list(WAYS)} | {
         name: ("place", spots[:, k], _attributes(*named[name])) for k, name in enumerate("xy")
     }
-    same, by_row = alike(question.model), scene_by_row(question.model)
+    same, by_row = alike(question.model), scene_by_row(question.model, NAMES)
     parameters = question.players[0].at(same).parameters
     scene = {n: v for n, v in parameters.items() if n not in (*question.over, *by_row)}
     told = {

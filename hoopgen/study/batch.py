@@ -6,7 +6,7 @@ import os
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from functools import partial
 from math import ceil
 from pathlib import Path
@@ -18,22 +18,24 @@ import pyarrow as pa
 from numpy.typing import NDArray
 
 from hoopgen.brief import listed
+from hoopgen.engines import Engine
+from hoopgen.hoop.kinds import ENDED
+from hoopgen.hoop.releases import from_zero
 from hoopgen.inputs import check_count, doubles
 from hoopgen.outputs import check_output, followed
 from hoopgen.parameters import completed, resolve
-from hoopgen.releases import from_zero
-from hoopgen.results import Outcome
-from hoopgen.told import say_scene
-from hoopgen.variables import VARIABLES, check_angles, check_names
+from hoopgen.scenes import check_hoop, engine_of, outcomes_of, variables_of
+from hoopgen.told import say_of
+from hoopgen.variables import check_names
 
 from .batched import Batch, in_memory
 from .chunks import check_workers, opened, run, written
 from .columns import Column, variable_of
 from .flights import Flights
 from .frames import sourced
-from .measures import ENDED, MEASURES
+from .measures import MEASURES
+from .models import check_turns
 from .named import named
-from .of_hoop import of_hoop
 from .origin import settle
 from .reasons import reasons
 from .sinks import RESULTS, check_sink, sink
@@ -49,12 +51,12 @@ ROWS = 1 << 16
 """Rows in a chunk: a small part of a second, and few megabytes."""
 
 
-@of_hoop
 def batch(
     source: Any,
     out: str | os.PathLike[str] | None = None,
     *,
     parameters: Mapping[str, Any] | None = None,
+    scene: Any = None,
     release: Mapping[str, float] | None = None,
     measures: Sequence[str] = (),
     max_contacts: int | None = None,
@@ -89,7 +91,7 @@ def batch(
         of `source` as they are; of CSV those that are read as numbers, null where a cell is none,
         and others with the type that all of their cells have (`hoopgen.study.tables.Source.typed`);
         also text that a spreadsheet would take for a formula, such as ``=1+1``. After them outcome,
-        kind (see `hoopgen.study.measures.Kind`), contacts, contacts by surface, first surface
+        kind (see `hoopgen.hoop.kinds.Kind`), contacts, contacts by surface, first surface
         touched, time and state at the end plane (NaN for a shot that does not come to it),
         uncertain, and what is measured. Units are in the columns' names, ``end_time_s``, and in the
         fields' metadata; in the schema's, under "hoopgen", is what all shots share: scene, release,
@@ -97,13 +99,17 @@ def batch(
         others, so that it can be read again, and a number that is none is empty.
     parameters
         Of the scene; one number each. By default those that `source` says, if it is such a file of
-        results, else `PAPER`.
+        results, else the scene's usual ones.
+    scene
+        As for `hoopgen.simulate`. Where there is no hoop the rows are states, and no kind is
+        written. It has to be the scene of `source`, if that is such a file of results.
     release
-        Variables that all shots share, in place of columns; see `hoopgen.variables`.
+        Variables that all shots share, in place of columns; see `hoopgen.hoop.variables`.
     measures
         Names of `hoopgen.study.measures.MEASURES`, each a column.
     max_contacts
-        A shot with so many contacts ends as capped; by default as many as `source` says, else 40.
+        A shot with so many contacts ends as capped; by default as many as `source` says, else as
+        is usual in the scene.
     override
         Whether parameters, release and max_contacts may contradict what `source` says.
     format
@@ -141,26 +147,35 @@ def batch(
     """
     if out is not None and Path(out).suffix.lower() not in RESULTS:
         raise ValueError(f"out: expected a file {' or '.join(RESULTS)}, got {out}")
+    engine = engine_of(scene)
     if parameters is not None:
-        resolve(parameters, 1)  # none but them
-        parameters = _numbers("parameters", completed(parameters))
-    check_names("release", release or {}, VARIABLES)
+        resolve(parameters, 1, engine.table)  # none but them
+        parameters = _numbers("parameters", completed(parameters, engine.table))
+    check_names("release", release or {}, variables_of(engine))
     release = _numbers("release", release or {})
-    check_angles("release", release)
+    check_turns("release", release, release)
+    if measures:
+        check_hoop("measures", engine)
     check_workers(scheduler, threads)
     rows = check_count("rows", rows)
     computed = partial(run, scheduler=scheduler, threads=threads, progress=progress, report=report)
     with sourced(source, format or "", delimiter or "") as table, _target(out, table) as target:
-        origin = settle(table, parameters, release, max_contacts, own, override=override)
+        origin = settle(
+            table, parameters, release, max_contacts, own, override=override, scene=engine
+        )
         shots = Flights(
-            dict(origin.parameters), dict(origin.release), tuple(measures), origin.max_contacts
+            dict(origin.parameters),
+            dict(origin.release),
+            tuple(measures),
+            origin.max_contacts,
+            engine,
         )
         check_names("measures", shots.measures, MEASURES)
         stamp = table.stamp()
-        columns = table.columns(origin.own, shots.release)
-        scene = say_scene(origin.parameters, columns)
+        columns = table.columns(origin.own, shots.release, engine)
+        said = say_of(engine, origin.parameters, columns)
         results = _Results(table, columns, table.typed(columns), shots, prefix, reason)
-        schema = results.schema(origin.metadata(scene))
+        schema = results.schema(origin.metadata(said))
         format = target.suffix.lower()
         check_sink(format, schema, table)
         shared = results.shared() if format == ".csv" else {}
@@ -177,12 +192,14 @@ def batch(
                     write(results.table(work.read.popleft(), chunk, schema))
                 table.check_unchanged(stamp)  # its own columns were read until now
             folder.remove()
-        counts = {o.name.lower(): int(results.outcomes[o]) for o in ENDED}
+        # No shot at the hoop comes to rest, and none has a time limit.
+        ended = [o.name.lower() for o in ENDED] if engine.is_hoop else outcomes_of(engine)
+        counts = dict(zip(ended, results.outcomes.tolist(), strict=False))
         told = ", ".join(f"{column.name} as {name}" for name, column in columns.items())
         return Batch(
             counts,
             None if out is None else target,
-            scene,
+            said,
             read=told + (", with decimal commas" if table.comma else ""),
             invalid=tuple(results.invalid),
             table=in_memory(target) if out is None else None,
@@ -229,10 +246,13 @@ class _Results:
     shots: Flights
     prefix: str
     reason: bool
-    outcomes: NDArray[np.int64] = field(default_factory=lambda: np.zeros(len(Outcome), np.int64))
+    outcomes: NDArray[np.int64] = field(init=False)
     """Counts of the rows that were written."""
     invalid: list[tuple[int, str]] = field(default_factory=list)
     """Rows, from 1, and reasons; the first ones."""
+
+    def __post_init__(self) -> None:
+        self.outcomes = np.zeros(len(self.shots.scene.outcomes), np.int64)
 
     def schema(self, about: Mapping[bytes, bytes]) -> pa.Schema:
         """Return that of the results; arguments that shots cannot have are refused here."""
@@ -262,24 +282,24 @@ class _Results:
         variables = {**self.shots.release, **scene}
         contacts = f"{self.prefix}max_contacts"
         for name in self.types.names:
-            if name == contacts or _variable(name) in variables:
+            if name == contacts or _variable(name, self.shots.scene) in variables:
                 raise ValueError(
                     f"out: CSV has what all rows share in columns, and {self.source} has "
                     f"{name} already; write .parquet, or rename it"
                 )
-        shared = {named(name): value for name, value in variables.items()}
+        shared = {named(name, self.shots.scene): value for name, value in variables.items()}
         return {**shared, contacts: self.shots.max_contacts}
 
     def table(self, read: pa.Table, results: pa.Table, schema: pa.Schema) -> pa.Table:
         """Return the next rows, with their results, and count them."""
         outcomes = _codes(results["outcome"])
-        rows = np.flatnonzero(outcomes == Outcome.INVALID)
+        rows = np.flatnonzero(outcomes == self.shots.scene.outcomes["INVALID"])
         wanted = rows if self.reason else rows[: max(0, SHOWN - len(self.invalid))]
         why = self._reasons(read, wanted)
         before = int(self.outcomes.sum())
         first = zip(wanted[: SHOWN - len(self.invalid)], why, strict=False)
         self.invalid += [(before + int(row) + 1, said) for row, said in first]
-        self.outcomes += np.bincount(outcomes, minlength=len(Outcome))
+        self.outcomes += np.bincount(outcomes, minlength=len(self.outcomes))
         cells = [*self.source.cast(read, self.types).columns, *results.columns]
         if self.reason:
             told: NDArray[np.object_] = np.full(read.num_rows, None)
@@ -292,13 +312,14 @@ class _Results:
             return []
         taken = read.take(rows)
         given = self.source.values(taken, self.columns)
-        return reasons(taken, self.columns, given, self.shots.releases(given))
+        found = self.shots.releases(given)
+        return reasons(taken, self.columns, given, found, self.shots.scene)
 
 
-def _variable(column: str) -> str:
+def _variable(column: str, scene: Engine) -> str:
     """Return the variable that a column would be read as, or nothing."""
     try:
-        return variable_of(column)[0]
+        return variable_of(column, scene)[0]
     except ValueError:  # of a column that is not read
         return ""
 
@@ -335,7 +356,7 @@ class _Rows:
             "source": {"digest": self.digest, "format": self.table.format, **between},
             "columns": {name: column.name for name, column in self.columns.items()},
             "rows": self.rows,
-            **asdict(self.shots),
+            **self.shots.identity(),
         }
 
     def tasks(self) -> Iterator[Callable[[], pa.Table]]:

@@ -4,21 +4,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, field, fields
 from typing import TYPE_CHECKING, Any
 
+from hoopgen.engines import HOOP, Engine
+from hoopgen.hoop.variables import VARIABLES
 from hoopgen.layout import table
 from hoopgen.phrases import counted, interval, percent, points
 from hoopgen.simulation import simulate
 from hoopgen.told import footer, in_a_note, say_release, told_setting
 from hoopgen.units import INCH
-from hoopgen.variables import VARIABLES
 from hoopgen.words import between, for_json, say
 
 from .board import on_board
 from .intervals import newcombe
 from .margins import Margin
-from .player import Bounds, By, Player, Thrown
+from .player import Bounds, Player, Thrown
 from .resample import Resample
 from .said import Said
 from .scatter import Scatter
@@ -71,13 +72,16 @@ class Optimum(Said):
         The player: where the shots about it come from.
     parameters
         Of the scene, those in `release` among them.
+    scene
+        The scene itself. Where there is no hoop there are no arguments, and NaN for what is
+        measured at the ring.
     """
 
     release: Mapping[str, float]
     arguments: Mapping[str, float]
     entry_angle: float
     depth: float
-    by: By
+    by: str
     probability: float
     low: float
     high: float
@@ -92,10 +96,11 @@ class Optimum(Said):
     margins: Mapping[str, Margin]
     model: Scatter | Resample
     parameters: Mapping[str, float]
+    scene: Engine = field(default=HOOP, compare=False)
 
     @property
     def at_bounds(self) -> tuple[str, ...]:
-        """Variables whose flat range reaches a bound: the best may lie beyond it."""
+        """Variables whose flat range reaches a bound, beyond which the best may lie."""
         return tuple(
             name
             for name, (low, high) in self.flat.items()
@@ -129,31 +134,32 @@ class Optimum(Said):
         noise = player.model.noise(0, few, self.seed + 1)
         shots = player.model.around(self.point, noise, self.parameters, few)
         options = {"note": in_a_note(self._drawn())} | options
-        return simulate(shots.states, shots.parameters, record=True).plot(**options)
+        flown = simulate(shots.states, shots.parameters, scene=self.scene, record=True)
+        return flown.plot(**options)
 
     def told(self) -> dict[str, str]:
         """Return what it rests on, in words, by what it is: scene, release, scatter, seed."""
         setting = {**self.model.identity(), "parameters": self.parameters}
-        return {**told_setting(setting), "seed": str(self.seed)}
+        return {**told_setting(setting, self.scene), "seed": str(self.seed)}
 
     def _drawn(self) -> dict[str, str]:
         """Return what its fresh shots rest on."""
         told = self.told()
         if isinstance(self.model, Scatter):
-            release = say_release(self.release)
+            release = say_release(self.release, self.scene)
         else:
-            moved = say_release({name: self.release[name] for name in self.bounds})
+            moved = say_release({name: self.release[name] for name in self.bounds}, self.scene)
             release = f"{told['release']}, their means at {moved}"
         return told | {"release": release, "seed": str(self.seed + 1)}
 
     @property
     def point(self) -> dict[str, float]:
-        """What its shots are thrown about: the release, but for what measured releases say."""
+        """The release about which its shots are thrown, but for what measured releases say."""
         fixed, _ = self.model.apart()
         return fixed | {name: self.release[name] for name in self.bounds}
 
     def _player(self) -> Player:
-        return Player(self.model.apart()[1], self.parameters, self.by)
+        return Player(self.model.apart()[1], self.parameters, self.by, scene=self.scene)
 
     def as_dict(self) -> dict[str, Any]:
         """Return everything in types that JSON knows; SI. What is not a number is None."""
@@ -209,6 +215,8 @@ def advice(best: Optimum, rival: Optimum | None = None) -> str:
 
 def _shot(best: Optimum) -> list[str]:
     """Say the release, where the ball goes, and how often it goes in."""
+    if not best.scene.has_hoop:
+        return _of_a_state(best)
     given = best.arguments
     spins = [f"{name} {say(name, given[name])}" for name in ("backspin", "sidespin") if given[name]]
     shot = f"{say('speed', given['speed'])} at {say('elevation', given['elevation'])}"
@@ -225,6 +233,26 @@ def _shot(best: Optimum) -> list[str]:
     for name in best.at_bounds:
         said = f"{VARIABLES[name].label} may lie beyond {between(name, *best.bounds[name])}"
         lines.append(f"caution  the best {said}")
+    return lines
+
+
+def _of_a_state(best: Optimum) -> list[str]:
+    """Say the release, and how often it succeeds, where there is no hoop."""
+    varied = {name: best.release[name] for name in best.bounds}
+    parameters = [f"{name} {value:g}" for name, value in varied.items() if name in best.parameters]
+    state = say_release(best.release, best.scene)
+    lines = [
+        f"release  {', '.join([*filter(None, [state]), *parameters])}",
+        f"success  {percent(best.probability)} {best.by} ({interval(best.low, best.high)} "
+        f"with {percent(best.confidence, None)} confidence; {counted(best.shots, 'fresh shot')}"
+        f"{f', {best.invalid:,} of them invalid' * bool(best.invalid)}, seed {best.seed})",
+    ]
+    for name, (low, high) in best.flat.items():
+        within = counted(100 * best.tolerance, "point")
+        lines.append(f"as good  {name} {low:.6g} to {high:.6g}, within {within}")
+    for name in best.at_bounds:
+        low, high = best.bounds[name]
+        lines.append(f"caution  the best {name} may lie beyond {low:g} to {high:g}")
     return lines
 
 

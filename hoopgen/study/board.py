@@ -5,10 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from hoopgen.releases import release
+from hoopgen.hoop.releases import release
+from hoopgen.hoop.variables import ARGUMENTS
 from hoopgen.results import SURFACES
 from hoopgen.simulation import simulate
-from hoopgen.variables import ARGUMENTS
 
 __all__ = ["on_board"]
 

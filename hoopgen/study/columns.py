@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cache
 from shlex import quote
 
 import numpy as np
@@ -16,16 +17,17 @@ import pyarrow as pa
 from numpy.typing import NDArray
 
 from hoopgen.brief import cut, listed
-from hoopgen.parameters import NAMES
+from hoopgen.engines import HOOP, Engine
+from hoopgen.scenes import STATES, variables_of
 from hoopgen.units import NO_BARE, UNITS, Kind, column_name, unit_size
-from hoopgen.variables import STATE, VARIABLES, check_angles
+from hoopgen.variables import STATE
 
 from .delimited import parsed
 from .measures import MEASURES
-from .models import from_columns
+from .models import check_turns, from_columns
 from .near import near_variable
 
-__all__ = ["NAMED", "Column", "columns_of", "values", "variable_of"]
+__all__ = ["CONTACTS", "NAMED", "Column", "columns_of", "values", "variable_of"]
 
 
 @dataclass(frozen=True)
@@ -44,13 +46,14 @@ class Column:
     unit: float
 
 
-def _kinds() -> dict[str, Kind]:
-    moving: dict[str, Kind] = {"v": "speed", "w": "spin"}
-    state = {name: moving.get(name[0], "length") for name in STATE}
-    return state | {name: variable.kind for name, variable in VARIABLES.items()}
+@cache
+def _kinds(scene: Engine) -> dict[str, Kind]:
+    """Return what the variables and components of states that columns may say measure."""
+    return {name: one.kind for name, one in {**STATES, **variables_of(scene)}.items()}
 
 
-_KINDS = _kinds()
+CONTACTS = "_contacts"
+"""After the name of a body, in results."""
 
 NAMED = "units in names"
 """Of what "hoopgen" says in a file's metadata: that its columns keep to this. Files of older
@@ -58,7 +61,10 @@ versions do not say it, and their bare angles and spins are SI, as they were the
 
 
 def columns_of(
-    table: pa.Schema | Iterable[str], own: Iterable[str] = (), given: Iterable[str] = ()
+    table: pa.Schema | Iterable[str],
+    own: Iterable[str] = (),
+    given: Iterable[str] = (),
+    scene: Engine = HOOP,
 ) -> dict[str, Column]:
     """Return where a table has the variables of its shots, or their states.
 
@@ -75,6 +81,8 @@ def columns_of(
         Columns that are not to be read, though they are named like variables.
     given
         Variables that are known from elsewhere; columns of them are not read.
+    scene
+        In which the shots are flown; where it has no hoop, rows are states.
 
     Returns
     -------
@@ -96,7 +104,7 @@ def columns_of(
     if absent:
         raise ValueError(f"own: no column {listed(absent)}; there are {listed(names)}")
     for column in names:
-        variable, unit = ("", None) if column in own else variable_of(column)
+        variable, unit = ("", None) if column in own else variable_of(column, scene)
         if variable in found:
             raise ValueError(
                 f"columns {cut(found[variable].name)} and {cut(column)} both say {variable}; "
@@ -104,32 +112,39 @@ def columns_of(
             )
         if variable and variable not in given:
             if unit is None and not old:
-                raise ValueError(_no_unit(column, variable))
+                raise ValueError(_no_unit(column, variable, scene))
             found[variable] = Column(column, 1.0 if unit is None else unit)
-    _ask(names, {*own, *(column.name for column in found.values())}, {*found, *given})
-    _check(found, given, names)
+    _ask(
+        names, {*own, *(column.name for column in found.values())}, {*found, *given}, _kinds(scene)
+    )
+    _check(found, given, names, scene)
     return found
 
 
-def variable_of(column: str) -> tuple[str, float | None]:
+def variable_of(column: str, scene: Engine = HOOP) -> tuple[str, float | None]:
     """Return the variable that a column's name says, or none, and the size of its unit in SI.
 
     There is no size where there is no variable, or the unit is needed and not there.
     """
-    plain = column.strip().lower()
-    if plain in _KINDS:
-        return plain, None if _KINDS[plain] in NO_BARE else 1.0
+    kinds = _kinds(scene)
+    plain = column.strip()
+    if plain not in kinds:  # a parameter of a scene of one's own may have capital letters
+        plain = plain.lower()
+    if plain in kinds:
+        return plain, None if kinds[plain] in NO_BARE else 1.0
+    if plain.removesuffix(CONTACTS) in scene.surfaces and plain.endswith(CONTACTS):
+        return "", None  # a result; a parameter may be called like a body
     longer = {
-        name: plain.removeprefix(f"{name}_") for name in _KINDS if plain.startswith(f"{name}_")
+        name: plain.removeprefix(f"{name}_") for name in kinds if plain.startswith(f"{name}_")
     }
     for name, unit in longer.items():
-        size = unit_size(unit.replace("_per_", "/").replace("_", "/"), _KINDS[name])
+        size = unit_size(unit.replace("_per_", "/").replace("_", "/"), kinds[name])
         if size is not None:
             return name, size
     if any(f"{plain}_".startswith(f"{measure}_") for measure in MEASURES):
         return "", None  # a result: entry_angle is no entry in angles
     for name, unit in longer.items():
-        kind = _KINDS[name]
+        kind = kinds[name]
         bare = [] if kind in NO_BARE else [name]
         allowed = dict.fromkeys([*bare, *(column_name(name, one) for one in UNITS[kind])])
         raise ValueError(
@@ -140,20 +155,26 @@ def variable_of(column: str) -> tuple[str, float | None]:
     return "", None
 
 
-def _no_unit(column: str, variable: str) -> str:
-    *others, last = (column_name(variable, unit) for unit in NO_BARE[_KINDS[variable]])
+def _no_unit(column: str, variable: str, scene: Engine) -> str:
+    kind = _kinds(scene)[variable]
+    *others, last = (column_name(variable, unit) for unit in NO_BARE[kind])
     return (
         f"column {cut(column)} has no unit: name it {', '.join(others)} or {last}. "
         "If it is a column of your own, list it in own"
     )
 
 
-def _ask(names: Sequence[str], clear: Container[str], said: Container[str]) -> None:
+def _ask(
+    names: Sequence[str],
+    clear: Container[str],
+    said: Container[str],
+    kinds: Mapping[str, Kind],
+) -> None:
     """Refuse a column that is likely meant for a variable which nothing else says."""
     for column in names:
-        variable = "" if column in clear else near_variable(column, _KINDS)
+        variable = "" if column in clear else near_variable(column, kinds)
         if variable and variable not in said:
-            kind = _KINDS[variable]
+            kind = kinds[variable]
             spelled = column_name(variable, next(iter(NO_BARE.get(kind, UNITS[kind]))))
             raise ValueError(
                 f"column {cut(column)} nearly names {variable}: is it meant? Name it with its "
@@ -171,22 +192,35 @@ def _is_old(schema: pa.Schema) -> bool:
         return False
 
 
-def _check(found: Mapping[str, Column], given: Sequence[str], names: Sequence[str]) -> None:
+def _check(
+    found: Mapping[str, Column], given: Sequence[str], names: Sequence[str], scene: Engine
+) -> None:
     """Refuse columns that do not say how a shot is released."""
+    if not (found or scene.has_hoop):
+        raise _no_states(names, scene)
     if not found:
         raise ValueError(f"no column says how a shot is released: {listed(names) or 'none'}")
     said = {name: column.name for name, column in found.items()} | {name: name for name in given}
     states = [said[name] for name in STATE[2:] if name in said]
-    others = [said[name] for name in said if name not in (*STATE, *NAMES)]
+    others = [said[name] for name in said if name not in (*STATE, *scene.table.defaults)]
     if states and others:
         raise ValueError(
             f"{', '.join(states)} say that the rows are states, and {', '.join(others)} "
             "that they are releases; list in own those that are not to be read"
         )
+    if not (states or scene.has_hoop):
+        raise _no_states(names, scene)
     try:
-        from_columns({name: np.empty(0) for name in said})
+        from_columns({name: np.empty(0) for name in said}, scene.parameters)
     except ValueError as error:
         raise ValueError(f"{error}. The columns are {listed(names)}") from None
+
+
+def _no_states(names: Sequence[str], scene: Engine) -> ValueError:
+    return ValueError(
+        f"no column says how a shot is released: in the scene {scene.name} rows are states, "
+        f"{' '.join(STATE)}. The columns are {listed(names)}"
+    )
 
 
 def values(
@@ -205,7 +239,7 @@ def values(
         If a column can hold no numbers, or angles in radians are degrees.
     """
     numbers = {name: _numbers(table, column, comma) for name, column in columns.items()}
-    check_angles("columns", numbers)
+    check_turns("columns", numbers, numbers)
     return numbers
 
 

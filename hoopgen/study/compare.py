@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass, fields
 from math import inf, nan
 from os import PathLike
 from typing import Any
@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.inputs import MAX_CONTACTS, Backend, check_contacts
-from hoopgen.parameters import PAPER
+from hoopgen.inputs import Backend
 from hoopgen.phrases import decimals, percent, points
 from hoopgen.told import footer
 from hoopgen.words import for_json
@@ -19,10 +18,10 @@ from hoopgen.words import for_json
 from .draws import check_seed
 from .estimate import NAMES, Estimate, estimated, told
 from .intervals import newcombe
-from .of_hoop import of_hoop
 from .said import Said
-from .tallies import COLUMNS, check_share
-from .throws import Progress, Setting, Until, Work, most_shots, setting_of
+from .shares import Shares
+from .tallies import check_share, contacts_of, width_of
+from .throws import Progress, Setting, Until, Work, most_shots, outcome_by, setting_of
 
 __all__ = ["Comparison", "compare"]
 
@@ -40,9 +39,11 @@ class Comparison(Said):
     confidence
         Of the interval.
     both, only_first, only_second, neither
-        Pairs by what was made.
+        Pairs by what counts.
     first, second
         Each setting by itself.
+    by
+        What counts: in a scene of one's own, one of its ends.
     """
 
     difference: float
@@ -53,8 +54,9 @@ class Comparison(Said):
     only_first: int
     only_second: int
     neither: int
-    first: Estimate
-    second: Estimate
+    first: Estimate | Shares
+    second: Estimate | Shares
+    by: str = "made"
 
     @property
     def pairs(self) -> int:
@@ -81,20 +83,21 @@ class Comparison(Said):
     def as_dict(self) -> dict[str, Any]:
         """Return everything, in types that JSON knows; None for what is not a number."""
         settings = {"first": self.first.as_dict(), "second": self.second.as_dict()}
+        plain = {one.name: getattr(self, one.name) for one in fields(self)}
         more = {"pairs": self.pairs, "gain": self.gain, **settings}
-        return {name: for_json(value) for name, value in (asdict(self) | more).items()}
+        return {name: for_json(value) for name, value in (plain | more).items()}
 
     def __str__(self) -> str:
         digits = decimals(self.half_width)
-        made = [percent(one.probability, digits) for one in (self.first, self.second)]
+        made = [percent(one.share_of(self.by), digits) for one in (self.first, self.second)]
         ends = f"{points(self.low, digits)} to {points(self.high, digits)}"
         return "\n".join(
             [
-                f"first       {made[0]} made",
-                f"second      {made[1]} made",
+                f"first       {made[0]} {self.by}",
+                f"second      {made[1]} {self.by}",
                 f"difference  {points(self.difference, digits)} points, {ends} "
                 f"(Newcombe's paired {percent(self.confidence, None)} interval)",
-                f"pairs       {self.pairs:,}: {self.both:,} both made, "
+                f"pairs       {self.pairs:,}: {self.both:,} both {self.by}, "
                 f"{self.only_first:,} the first only, {self.only_second:,} the second only, "
                 f"{self.neither:,} neither",
                 f"gain        worth {self.gain:.3g} times the shots without common random numbers",
@@ -104,16 +107,17 @@ class Comparison(Said):
         )
 
 
-@of_hoop
 def compare(
     first: Setting,
     second: Setting,
     *,
+    scene: Any = None,
+    by: str | None = None,
     shots: int | None = None,
     precision: float | None = None,
     confidence: float = 0.95,
     seed: int = 0,
-    max_contacts: int = MAX_CONTACTS,
+    max_contacts: int | None = None,
     backend: Backend = "auto",
     threads: int | None = None,
     folder: str | PathLike[str] | None = None,
@@ -126,6 +130,10 @@ def compare(
     ----------
     first, second
         A release model, or a pair of it and the parameters of its scene.
+    scene
+        As for `hoopgen.simulate`.
+    by
+        What counts, an end of the scene: by default the first, and of the hoop made shots.
     precision
         Stop as soon as half the interval of the difference is no wider.
     shots, confidence, seed, max_contacts, backend, threads, folder, scheduler, progress
@@ -142,13 +150,14 @@ def compare(
         If an argument is not as described.
     """
     settings = tuple(
-        setting_of(*one) if isinstance(one, tuple) else setting_of(one, PAPER)
+        setting_of(*one, scene) if isinstance(one, tuple) else setting_of(one, None, scene)
         for one in (first, second)
     )
     level = check_share("confidence", confidence)
-    contacts = check_contacts(max_contacts)
+    engine = settings[0].scene
+    contacts = contacts_of(max_contacts, engine)
     most = most_shots(shots, precision, level, paired=True)
-    work = Work(settings, most, check_seed(seed), contacts, backend)
+    work = Work(settings, most, check_seed(seed), contacts, backend, outcome_by(engine, by))
     until = Until(precision, lambda total: _comparison(work, total, level).half_width, progress)
     total = until.total(work, folder, scheduler, threads)
     return _comparison(work, total, level)
@@ -156,7 +165,7 @@ def compare(
 
 def _comparison(work: Work, total: NDArray[np.int64], level: float) -> Comparison:
     """Return what the numbers say of two settings."""
-    both, only_first, only_second, neither = total[2 * COLUMNS :].tolist()
+    both, only_first, only_second, neither = total[2 * width_of(work.scene) :].tolist()
     pairs = both + only_first + only_second + neither
     low, high = newcombe(both, only_second, only_first, neither, level)
     return Comparison(
@@ -170,4 +179,5 @@ def _comparison(work: Work, total: NDArray[np.int64], level: float) -> Compariso
         neither=neither,
         first=estimated(work, total, 0, level),
         second=estimated(work, total, 1, level),
+        by=work.scene.kernels.ENDS[work.by],
     )

@@ -6,16 +6,17 @@ Every share is of shots that were drawn by index, so that a result can be had ag
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass, field, fields
 from math import nan
 from os import PathLike
-from typing import Any
+from typing import Any, TypedDict, Unpack, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.inputs import MAX_CONTACTS, Backend, check_contacts
-from hoopgen.parameters import PAPER
+from hoopgen.engines import HOOP, Engine
+from hoopgen.hoop.kinds import ENDED, Kind
+from hoopgen.inputs import Backend
 from hoopgen.phrases import decimals, doubtful, interval, percent
 from hoopgen.results import Outcome
 from hoopgen.told import footer, told_setting
@@ -23,11 +24,10 @@ from hoopgen.words import for_json
 
 from .draws import check_seed
 from .intervals import wilson
-from .measures import ENDED, Kind
 from .models import ReleaseModel
-from .of_hoop import of_hoop
 from .said import Said
-from .tallies import check_share
+from .shares import Shares, shares_of
+from .tallies import Tally, check_share, contacts_of
 from .throws import Progress, Until, Work, most_shots, setting_of, tally_of
 
 __all__ = ["NAMES", "Estimate", "estimate", "estimated", "told"]
@@ -65,6 +65,8 @@ class Estimate(Said):
         Of the random numbers.
     setting
         Release model and parameters.
+    scene
+        In which the shots were thrown.
     """
 
     probability: float
@@ -83,11 +85,17 @@ class Estimate(Said):
     kinds_made: Mapping[str, int]
     seed: int
     setting: Mapping[str, Any]
+    scene: Engine = field(default=HOOP, compare=False)
 
     @property
     def shares(self) -> dict[str, float]:
         """Shares of the kinds among all shots."""
         return {name: count / self.shots for name, count in self.kinds.items()}
+
+    def share_of(self, by: str) -> float:
+        """Return the share of the shots that end so: of those made, the probability."""
+        valid = self.shots - self.invalid
+        return int(getattr(self, by)) / valid if valid else nan
 
     @property
     def with_capped(self) -> float:
@@ -103,8 +111,9 @@ class Estimate(Said):
     def as_dict(self) -> dict[str, Any]:
         """Return everything, in types that JSON knows; None for what is not a number."""
         more: dict[str, Any] = {"with_capped": self.with_capped, "shares": self.shares}
-        more["scene"] = told_setting(self.setting)["scene"]
-        return {name: for_json(value) for name, value in (asdict(self) | more).items()}
+        plain = {one.name: getattr(self, one.name) for one in fields(self)}
+        more["scene"] = told_setting(self.setting, self.scene)["scene"]
+        return {name: for_json(value) for name, value in (plain | more).items()}
 
     def __str__(self) -> str:
         digits = decimals(self.half_width)
@@ -129,34 +138,71 @@ class Estimate(Said):
         return "\n".join([*lines, "", footer(NAMES, told(self))])
 
 
-@of_hoop
+class _Options(TypedDict, total=False):
+    shots: int | None
+    precision: float | None
+    confidence: float
+    seed: int
+    max_contacts: int | None
+    backend: Backend
+    threads: int | None
+    folder: str | PathLike[str] | None
+    scheduler: str | None
+    progress: Progress | None
+
+
+@overload
 def estimate(
     model: ReleaseModel,
-    parameters: Mapping[str, Any] = PAPER,
+    parameters: Mapping[str, Any] | None = None,
     *,
+    scene: None = None,
+    **options: Unpack[_Options],
+) -> Estimate: ...
+
+
+@overload
+def estimate(
+    model: ReleaseModel,
+    parameters: Mapping[str, Any] | None = None,
+    *,
+    scene: Any,
+    **options: Unpack[_Options],
+) -> Estimate | Shares: ...
+
+
+def estimate(
+    model: ReleaseModel,
+    parameters: Mapping[str, Any] | None = None,
+    *,
+    scene: Any = None,
     shots: int | None = None,
     precision: float | None = None,
     confidence: float = 0.95,
     seed: int = 0,
-    max_contacts: int = MAX_CONTACTS,
+    max_contacts: int | None = None,
     backend: Backend = "auto",
     threads: int | None = None,
     folder: str | PathLike[str] | None = None,
     scheduler: str | None = None,
     progress: Progress | None = None,
-) -> Estimate:
-    """Estimate how probably a shot is made.
+) -> Estimate | Shares:
+    """Estimate how probably a shot is made; in a scene of one's own, how it ends.
 
     Parameters
     ----------
     model
-        Where the shots come from: `Scatter`, `Resample`, or one of your own.
+        Where the shots come from: `Scatter`, `Resample`, or one of your own. Where there is no
+        hoop, of states.
     parameters
-        Of the scene, one number each.
+        Of the scene, one number each; those left out have its usual values.
+    scene
+        As for `hoopgen.simulate`.
     shots
         How many; with a precision, at most. By default 100,000; with a precision 10^9.
     precision
-        Stop as soon as half the interval is no wider; looked at after every `CHUNK` shots.
+        Stop as soon as half the interval, the widest of several, is no wider; looked at after
+        every `CHUNK` shots.
     confidence
         Of the interval, within 0 and 1.
     seed
@@ -170,27 +216,34 @@ def estimate(
 
     Returns
     -------
-    Estimate
-        Probability, interval, and shots by outcome and kind.
+    Estimate or Shares
+        Where there is a hoop, the probability of a made shot with its interval, and shots by
+        outcome and kind; else the share of each outcome with its interval.
 
     Raises
     ------
     TypeError, ValueError
         If an argument is not as described.
     """
-    settings = (setting_of(model, parameters),)
+    setting = setting_of(model, parameters, scene)
     level = check_share("confidence", confidence)
-    contacts = check_contacts(max_contacts)
+    contacts = contacts_of(max_contacts, setting.scene)
     most = most_shots(shots, precision, level)
-    work = Work(settings, most, check_seed(seed), contacts, backend)
+    work = Work((setting,), most, check_seed(seed), contacts, backend)
     until = Until(precision, lambda total: estimated(work, total, 0, level).half_width, progress)
     total = until.total(work, folder, scheduler, threads)
     return estimated(work, total, 0, level)
 
 
-def estimated(work: Work, total: NDArray[np.int64], which: int, level: float) -> Estimate:
+def estimated(work: Work, total: NDArray[np.int64], which: int, level: float) -> Estimate | Shares:
     """Return what the numbers say of one setting."""
-    tally = tally_of(total, which)
+    tally = tally_of(total, which, work.scene)
+    if not work.scene.has_hoop:
+        return shares_of(tally, work.settings[which], level, work.seed)
+    return _estimated(work, tally, which, level)
+
+
+def _estimated(work: Work, tally: Tally, which: int, level: float) -> Estimate:
     ended = {outcome.name.lower(): int(tally.ended(outcome)) for outcome in ENDED}
     valid = int(tally.valid)
     low, high = wilson(ended["made"], valid, level)
@@ -208,9 +261,10 @@ def estimated(work: Work, total: NDArray[np.int64], which: int, level: float) ->
         kinds_made=dict(zip(names, tally.table[:, Outcome.MADE].tolist(), strict=True)),
         seed=work.seed,
         setting=work.settings[which].identity(),
+        scene=work.scene,
     )
 
 
-def told(found: Estimate) -> dict[str, str]:
+def told(found: Estimate | Shares) -> dict[str, str]:
     """Say what an estimate rests on."""
-    return told_setting(found.setting) | {"seed": str(found.seed)}
+    return told_setting(found.setting, found.scene) | {"seed": str(found.seed)}

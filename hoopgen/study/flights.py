@@ -10,13 +10,18 @@ import numpy as np
 import pyarrow as pa
 from numpy.typing import NDArray
 
-from hoopgen.results import SURFACES, Outcome, Shots
+from hoopgen.engines import Engine
+from hoopgen.hoop.kinds import Kind, kinds
+from hoopgen.results import Shots
+from hoopgen.scenes import outcomes_of
 from hoopgen.simulation import simulate
 from hoopgen.variables import STATE, Releases
 
-from .measures import Kind, kinds, measure
+from .columns import CONTACTS
+from .measures import measure
 from .models import from_columns
 from .named import UNIT_OF, named
+from .throws import scene_identity
 
 __all__ = ["Flights"]
 
@@ -35,12 +40,25 @@ class Flights:
         Names of `hoopgen.study.measures.MEASURES`.
     max_contacts
         With which a shot ends as capped.
+    scene
+        In which they are.
     """
 
     parameters: dict[str, float]
     release: dict[str, float]
     measures: tuple[str, ...]
     max_contacts: int
+    scene: Engine
+
+    def identity(self) -> dict[str, Any]:
+        """Return what the results depend on, in types that JSON knows."""
+        return {
+            "parameters": self.parameters,
+            "release": self.release,
+            "measures": self.measures,
+            "max_contacts": self.max_contacts,
+            **scene_identity(self.scene),
+        }
 
     def releases(self, given: Mapping[str, NDArray[np.float64]]) -> Releases:
         """Return the shots of columns, and of what they share."""
@@ -52,10 +70,12 @@ class Flights:
         """Return the results of releases or states, a column each, with their units."""
         releases = self.releases(given)
         states, scene = releases.states, releases.parameters
-        shots = simulate(states, scene, max_contacts=self.max_contacts, threads=1)
+        most = self.max_contacts
+        shots = simulate(states, scene, scene=self.scene, max_contacts=most, threads=1)
         columns = _ends(shots)
         more = [name for name in self.measures if name not in columns]
-        columns |= measure(states, shots, scene, more)
+        if more:
+            columns |= measure(states, shots, scene, more)
         cells = {name: pa.array(column) for name, column in columns.items()}
         schema = [
             pa.field(
@@ -70,17 +90,22 @@ class Flights:
 
 def _ends(shots: Shots) -> dict[str, Any]:
     """Return the columns that every table of results has."""
-    ended = (shots.outcome == Outcome.MADE) | (shots.outcome == Outcome.MISSED)
+    scene = shots.scene
+    ended = shots.outcome < len(scene.kernels.ENDS)
+    kind: dict[str, Any] = {}
+    if scene.has_hoop:
+        found = kinds(shots.outcome, shots.counts, shots.first)
+        kind["kind"] = _words(found, [kind.name for kind in Kind])
     end = zip(("time", *STATE), (shots.time, *shots.state.T), strict=True)
     return {
-        "outcome": _words(shots.outcome, [outcome.name for outcome in Outcome]),
-        "kind": _words(kinds(shots.outcome, shots.counts, shots.first), [k.name for k in Kind]),
+        "outcome": _words(shots.outcome, outcomes_of(scene)),
+        **kind,
         "contacts": shots.contacts,
         **{
-            f"{name}_contacts": column
-            for name, column in zip(SURFACES, shots.counts.T, strict=True)
+            f"{name}{CONTACTS}": column
+            for name, column in zip(scene.surfaces, shots.counts.T, strict=True)
         },
-        "first": _words(shots.first, SURFACES),
+        "first": _words(shots.first, scene.surfaces),
         **{f"end_{name}": np.where(ended, column, np.nan) for name, column in end},
         "uncertain": shots.uncertain,
     }

@@ -11,14 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
+from hoopgen.hoop.presets import PAPER
 from hoopgen.inputs import doubles
-from hoopgen.parameters import PAPER
-from hoopgen.variables import (
-    Releases,
-    check_angles,
-)
+from hoopgen.variables import Releases, is_state
 
-from .models import check_drawn, from_columns
+from .models import as_states, check_drawn, check_turns, from_columns
 
 __all__ = ["Grid"]
 
@@ -30,7 +27,8 @@ class Grid:
     Attributes
     ----------
     axes
-        Variables, or components of a state, and the values they take, in order.
+        Variables, or components of a state and parameters of its scene, and the values they take,
+        in order.
     fixed
         The others, one number each.
 
@@ -51,9 +49,14 @@ class Grid:
         for name, values in self.axes.items():
             if doubles(f"axes[{name!r}]", values).ndim != 1 or not np.size(values):
                 raise ValueError(f"axes[{name!r}]: expected a list of numbers, got {brief(values)}")
-        check_angles("axes", self.axes)
-        check_angles("fixed", self.fixed)
-        self.draw(0, 1)
+        names = (*self.axes, *self.fixed)
+        check_turns("axes", self.axes, names)
+        check_turns("fixed", self.fixed, names)
+        columns = self._columns(0, 1)
+        if is_state(names):
+            as_states(columns)
+        else:
+            self.draw(0, 1)
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -78,6 +81,9 @@ class Grid:
         if not 0 <= start <= stop <= self.shots:
             raise IndexError(f"grid: shots {start} to {stop} of {self.shots}")
         check_drawn(start, stop)
+        return from_columns(self._columns(start, stop), parameters)
+
+    def _columns(self, start: int, stop: int) -> dict[str, NDArray[np.float64]]:
         places = np.unravel_index(np.arange(start, stop), self.shape) if self.axes else ()
         columns = {
             name: doubles(name, values)[place]
@@ -85,7 +91,7 @@ class Grid:
         }
         # One axis at the least is a column; without any, the single shot has none.
         fixed = {name: doubles(name, value) for name, value in self.fixed.items()}
-        return from_columns({**columns, **fixed}, parameters)
+        return {**columns, **fixed}
 
     def identity(self) -> dict[str, Any]:
         """Return what tells this model from others, in types that JSON knows."""

@@ -11,12 +11,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.hoop.presets import PAPER
+from hoopgen.hoop.variables import VARIABLES
 from hoopgen.inputs import check_count
-from hoopgen.parameters import PAPER
 from hoopgen.phrases import counted
 from hoopgen.told import say_scene
 from hoopgen.units import DEGREE, TURN
-from hoopgen.variables import VARIABLES, check_names
+from hoopgen.variables import check_names
 from hoopgen.words import between, for_json, say
 
 from .crew import crew

@@ -1,4 +1,4 @@
-"""What is measured of a shot beside its outcome.
+"""What is measured of a shot at a hoop beside its outcome.
 
 The flight that brings the ball to the ring is the one from the release or, where the backboard is
 touched first, the one after that contact, continued as if nothing else were in its way.
@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from enum import IntEnum
 from functools import cached_property, partial
 from types import MappingProxyType
 from typing import Any
@@ -17,17 +16,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.generated.numpy import hoop
+from hoopgen.hoop.presets import HOOP_TABLE, NAMES, PAPER
+from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.inputs import check_states
-from hoopgen.parameters import NAMES, PAPER, Value, resolve
-from hoopgen.releases import RING_HEIGHT
+from hoopgen.parameters import Value, resolve
 from hoopgen.results import SURFACES, Outcome, Shots
+from hoopgen.scenes import check_hoop
 from hoopgen.simulation import simulate
 from hoopgen.variables import check_names
 
 from .nearest import nearest, rows_of
-from .of_hoop import check_hoop
 
-__all__ = ["MEASURES", "Kind", "Measure", "kinds", "measure"]
+__all__ = ["MEASURES", "Measure", "measure"]
 
 Floats = NDArray[np.float64]
 
@@ -35,68 +35,6 @@ _RING, _BOARD, _BRIDGE = (SURFACES.index(name) for name in ("ring", "backboard",
 
 _BLOCK = 1 << 14
 """Shots measured at a time; their columns fit a processor's cache."""
-
-
-# ------------------------------------------------------------------------------------------- kinds
-
-
-class Kind(IntEnum):
-    """What a shot touched on its way."""
-
-    SWISH = 0
-    """Made, and touched nothing."""
-    RIM = 1
-    """Touched the ring or the bridge, never the board."""
-    BANK = 2
-    """Touched the board, never the ring or the bridge."""
-    BANK_RIM = 3
-    """Touched the board first, then the ring or the bridge too."""
-    RIM_BOARD = 4
-    """Touched the ring or the bridge first, then the board too."""
-    AIRBALL = 5
-    """Missed, and touched nothing."""
-    NONE = 6
-    """Touched nothing, and was neither made nor missed: short or invalid."""
-
-
-def kinds(
-    outcome: NDArray[np.uint8], counts: NDArray[np.int32], first: NDArray[np.int8]
-) -> NDArray[np.uint8]:
-    """Return the kind of each shot.
-
-    Parameters
-    ----------
-    outcome, counts, first
-        As in `Shots`: (n,), (n, k) and (n,).
-
-    Returns
-    -------
-    ndarray
-        uint8 (n,), a `Kind`.
-    """
-    board = counts[:, _BOARD] > 0
-    frame = (counts[:, _RING] > 0) | (counts[:, _BRIDGE] > 0)
-    return np.asarray(_KIND_OF[board * 1 + frame * 2 + (first == _BOARD) * 4, outcome])
-
-
-ENDED = tuple(one for one in Outcome if one <= Outcome.INVALID)
-"""How the shots of a study end: none has a time limit, and on the hoop none comes to rest."""
-
-
-def _kind_of() -> NDArray[np.uint8]:
-    """Return kinds by outcome and by what was touched: 1 board, 2 ring or bridge, 4 board first."""
-    table = np.full((8, len(Outcome)), Kind.NONE, dtype=np.uint8)
-    table[0, Outcome.MADE], table[0, Outcome.MISSED] = Kind.SWISH, Kind.AIRBALL
-    touched = {1: Kind.BANK, 2: Kind.RIM, 3: Kind.RIM_BOARD, 5: Kind.BANK, 7: Kind.BANK_RIM}
-    for bits, kind in touched.items():
-        table[bits] = kind
-    return table
-
-
-_KIND_OF = _kind_of()
-
-
-# ---------------------------------------------------------------------------------------- measures
 
 
 def measure(
@@ -137,7 +75,7 @@ def measure(
         raise ValueError(
             f"states: expected the {len(shots)} releases of shots, got {len(releases)}"
         )
-    values = resolve(parameters, len(shots))
+    values = resolve(parameters, len(shots), HOOP_TABLE)
     columns = {name: np.full(len(shots), np.nan) for name in wanted}
     needed = {"outcome", *(name for measured in wanted for name in MEASURES[measured].fields)}
     results = {name: getattr(shots, name) for name in sorted(needed)}

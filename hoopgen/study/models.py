@@ -8,15 +8,12 @@ from typing import Any, Protocol, TypeAlias, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.hoop.presets import NAMES, PAPER
+from hoopgen.hoop.variables import ARGUMENTS, INSTEAD, check_angles, resolve_variables
 from hoopgen.inputs import doubles
-from hoopgen.parameters import NAMES, PAPER
+from hoopgen.scenes import HOOPED
 from hoopgen.sizes import check_room
-from hoopgen.variables import (
-    STATE,
-    Releases,
-    check_names,
-    resolve_variables,
-)
+from hoopgen.variables import STATE, Releases, check_names, is_state
 
 __all__ = [
     "Floats",
@@ -24,8 +21,10 @@ __all__ = [
     "ReleaseModel",
     "Scene",
     "check_drawn",
+    "as_states",
+    "check_known",
+    "check_turns",
     "from_columns",
-    "is_state",
     "spread",
 ]
 
@@ -57,9 +56,59 @@ def check_drawn(start: int, stop: int) -> None:
     check_room("stop", stop - start, "shots drawn at once", _SHOT)
 
 
-def is_state(columns: Iterable[str]) -> bool:
-    """Return whether columns of these names are states: z or vx, vy, vz say so."""
-    return not set(STATE[2:]).isdisjoint(columns)
+def check_known(
+    argument: str, names: Iterable[str], among: Iterable[str], scene: Iterable[str] = ()
+) -> None:
+    """Refuse what is no variable of a release at a hoop or, of states, of the scene.
+
+    Which parameters go with states is only known with the scene, when shots are drawn.
+
+    Parameters
+    ----------
+    argument
+        That has the names.
+    names
+        To be looked at.
+    among
+        All names of the shots, which tell whether they are states.
+    scene
+        Its parameters; none before shots are drawn.
+
+    Raises
+    ------
+    ValueError
+        If one is; the message begins with `argument` and lists what is allowed.
+    """
+    own = tuple(scene)
+    if is_state(among):
+        if own:
+            check_names(argument, names, (*STATE, *own))
+    else:
+        check_names(argument, names, (*ARGUMENTS, *INSTEAD, *own) if own else HOOPED)
+
+
+def check_turns(argument: str, values: Mapping[str, ArrayLike], among: Iterable[str]) -> None:
+    """Refuse degrees among the angles of releases; states have none."""
+    if not is_state(among):
+        check_angles(argument, values)
+
+
+def as_states(columns: Mapping[str, ArrayLike]) -> Floats:
+    """Return columns that broadcast as states, (..., 9); a spin that is not there is none.
+
+    Raises
+    ------
+    ValueError
+        If position or velocity is missing.
+    """
+    missing = [name for name in STATE[:6] if name not in columns]
+    if missing:
+        raise ValueError(f"columns: a state needs {', '.join(missing)} too")
+    components = [doubles(name, columns.get(name, 0.0)) for name in STATE]
+    states = np.empty((*np.broadcast_shapes(*(one.shape for one in components)), len(STATE)))
+    for index, component in enumerate(components):
+        states[..., index] = component
+    return states
 
 
 def spread(states: Floats, scene: Mapping[str, Any], shots: int) -> Releases:
@@ -95,15 +144,8 @@ def from_columns(
     """
     if not is_state(columns):
         return resolve_variables(columns, parameters)
-    check_names("columns", columns, (*STATE, *NAMES))
-    missing = [name for name in STATE[:6] if name not in columns]
-    if missing:
-        raise ValueError(f"columns: a state needs {', '.join(missing)} too")
-    # A spin that was not measured is none.
-    components = [doubles(name, columns.get(name, 0.0)) for name in STATE]
-    scene = {name: columns[name] for name in NAMES if name in columns}
+    check_known("columns", columns, columns, parameters or NAMES)
+    scene = {name: columns[name] for name in columns if name not in STATE}
     shots = np.broadcast_shapes((1,), *(np.shape(column) for column in columns.values()))
-    states = np.empty((*shots, len(STATE)))
-    for index, component in enumerate(components):
-        states[:, index] = component
+    states = np.broadcast_to(as_states(columns), (*shots, len(STATE)))
     return Releases(states, dict(parameters) | scene, {})

@@ -6,13 +6,15 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any
 
-from hoopgen.parameters import NAMES
+from hoopgen.engines import HOOP, Engine
+from hoopgen.hoop.variables import VARIABLES
+from hoopgen.scenes import variables_of
 from hoopgen.units import column_name
-from hoopgen.variables import STATE, STATE_UNITS, VARIABLES
+from hoopgen.variables import STATE, STATE_UNITS
 
 from .measures import MEASURES
 
-__all__ = ["COMPONENTS", "UNIT_OF", "in_units", "named", "parameters_named"]
+__all__ = ["COMPONENTS", "UNIT_OF", "in_units", "named", "unit_in", "parameters_named"]
 
 _VARIABLE_UNITS = {name: variable.unit for name, variable in VARIABLES.items()}
 
@@ -34,9 +36,16 @@ UNIT_OF: Mapping[str, str] = MappingProxyType(
 """By name: SI unit of what results hold."""
 
 
-def named(name: str) -> str:
+def unit_in(name: str, scene: Engine) -> str:
+    """Return the SI unit of a result, or of a variable of a scene; empty where there is none."""
+    if not scene.is_hoop and name in (own := variables_of(scene)):
+        return own[name].unit
+    return UNIT_OF.get(name, "")
+
+
+def named(name: str, scene: Engine = HOOP) -> str:
     """Return the name of a column with its unit, ``time_s``; other names are as they are."""
-    return column_name(name, UNIT_OF.get(name, ""))
+    return column_name(name, unit_in(name, scene))
 
 
 COMPONENTS = tuple(map(named, STATE))
@@ -61,7 +70,7 @@ def in_units(record: Any) -> Any:
     return told
 
 
-def parameters_named(record: Mapping[str, Any]) -> dict[str, Any]:
+def parameters_named(record: Mapping[str, Any], scene: Engine = HOOP) -> dict[str, Any]:
     """Return parameters of the scene by name, of a record in which names may have units."""
-    plain = {named(name): name for name in NAMES}
+    plain = {named(name, scene): name for name in scene.table.defaults}
     return {plain.get(name, name): value for name, value in record.items()}

@@ -8,13 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from math import nan
 from os import PathLike
 from typing import Any
 
+from hoopgen.hoop.variables import VARIABLES, change_variables, resolve_variables
 from hoopgen.inputs import check_count
-from hoopgen.parameters import PAPER
+from hoopgen.scenes import check_hoop, engine_of
 from hoopgen.simulation import simulate
-from hoopgen.variables import VARIABLES, change_variables, check_names, resolve_variables
+from hoopgen.variables import check_names
 from hoopgen.words import between
 
 from .best import Optimum
@@ -23,29 +25,29 @@ from .draws import check_two_seeds
 from .intervals import wilson
 from .margins import MARGINS, margins_about
 from .measures import measure
-from .of_hoop import of_hoop
-from .player import Bounds, By, Player, arguments_of
+from .player import Bounds, Player, arguments_of
 from .resample import Resample
 from .scatter import Scatter
 from .scattering import check_thrown
 from .search import bounds_of, flat_about, search
 from .tallies import check_scene, check_share
+from .throws import check_states, outcome_by, scene_identity
 
 __all__ = ["optimum", "scattering"]
 
 
-@of_hoop
 def optimum(
     model: Scatter | Resample,
     over: Mapping[str, Bounds | None] | Sequence[str],
-    parameters: Mapping[str, Any] = PAPER,
+    parameters: Mapping[str, Any] | None = None,
     *,
-    by: By = "any",
+    scene: Any = None,
+    by: str = "any",
     shots: int = 100_000,
     seed: int = 0,
     confidence: float = 0.95,
     tolerance: float = 0.01,
-    margins: Sequence[str] = MARGINS,
+    margins: Sequence[str] | None = None,
     threads: int | None = None,
     folder: str | PathLike[str] | None = None,
     scheduler: str | None = None,
@@ -64,8 +66,12 @@ def optimum(
         `aim` is searched more easily than `speed`, since it does not hang on the elevation.
     parameters
         Of the scene, one number each.
+    scene
+        As for `hoopgen.simulate`. Where there is no hoop the release is a state, and there are no
+        usual bounds.
     by
         What counts: "any" shot made, "direct" if the board is not touched first, "bank" if it is.
+        Where there is no hoop an end of the scene; "any" is the first.
     shots
         Of the last step of the search, and of the fresh estimate.
     seed
@@ -75,7 +81,7 @@ def optimum(
     tolerance
         The fall in probability that is still called flat.
     margins
-        Variables whose margins are wanted.
+        Variables whose margins are wanted: by default `MARGINS`, and none where there is no hoop.
     threads, folder, scheduler, progress
         As for `hoopgen.estimate`. How many chunks there will be is not known.
 
@@ -90,19 +96,25 @@ def optimum(
         If an argument is not as described, or no release within the bounds succeeds.
     """
     over = over if isinstance(over, Mapping) else (over,) if isinstance(over, str) else tuple(over)
-    player = scattering(model, over, parameters, by)
+    player = scattering(model, over, parameters, by, scene)
+    engine = player.scene
+    hoop = engine.has_hoop
     fixed, centre = model.apart()[0], model.centre
     bounds = bounds_of(over, centre, player)
     check_count("shots", shots)
     check_share("confidence", confidence)
     check_share("tolerance", tolerance)
     check_two_seeds(seed)
-    margins = check_names("names", margins, VARIABLES)
+    if margins:
+        check_hoop("margins", engine)
+    wanted = (MARGINS if hoop else ()) if margins is None else margins
+    margins = check_names("names", wanted, VARIABLES)
     lowest = {name: low for name, (low, _) in bounds.items()}
     player.thrown(fixed | lowest, 1, seed)  # what is wrong shows before a folder is made
     identity = {
         "optimum": {"model": model.identity(), "over": bounds, "parameters": player.parameters},
-        "by": by,
+        **scene_identity(engine),
+        "by": player.by,
         "shots": shots,
         "seed": seed,
         "tolerance": tolerance,
@@ -114,9 +126,10 @@ def optimum(
         player = replace(player, crew=together)
         point = search(player, bounds, fixed, shots, seed)
         if point is None:
-            where = "; ".join(f"{name} {between(name, *ends)}" for name, ends in bounds.items())
+            said = between if hoop else lambda _, low, high: f"{low:g} to {high:g}"
+            where = "; ".join(f"{name} {said(name, *ends)}" for name, ends in bounds.items())
             raise ValueError(f"over: no release tried succeeds within {where}")
-        best = change_variables(centre, point)
+        best = change_variables(centre, point) if hoop else {**centre, **point}
         player = player.at(best)
         thrown = player.thrown(fixed | point, shots, seed + 1)
         few = min(shots, max(10_000, shots // 10))
@@ -124,13 +137,13 @@ def optimum(
         forgiven = margins_about(best, margins, player, few, seed, tolerance)
     made, valid = int(thrown.made[0]), int(thrown.valid[0])
     low, high = map(float, wilson(made, valid, confidence))
-    entry_angle, depth = _coming_down(best, player)
+    entry_angle, depth = _coming_down(best, player) if hoop else (nan, nan)
     return Optimum(
         release=best,
-        arguments=arguments_of(best, player.parameters),
+        arguments=arguments_of(best, player.parameters) if hoop else {},
         entry_angle=entry_angle,
         depth=depth,
-        by=by,
+        by=player.by,
         probability=float(thrown.share[0]),
         low=low,
         high=high,
@@ -145,11 +158,16 @@ def optimum(
         margins=forgiven,
         model=model,
         parameters=player.parameters,
+        scene=engine,
     )
 
 
 def scattering(
-    model: Scatter | Resample, over: Iterable[str], parameters: Mapping[str, Any], by: By
+    model: Scatter | Resample,
+    over: Iterable[str],
+    parameters: Mapping[str, Any] | None,
+    by: str,
+    scene: Any = None,
 ) -> Player:
     """Return a player who scatters.
 
@@ -159,7 +177,11 @@ def scattering(
         If an argument is not as described for `optimum`.
     """
     names = (over,) if isinstance(over, str) else over
-    player = Player(check_thrown(model, names).apart()[1], check_scene(parameters), by)
+    engine = engine_of(scene)
+    check_states(check_thrown(model, names), engine, names)
+    if by == "any" and not engine.has_hoop:
+        by = engine.kernels.ENDS[outcome_by(engine, None)]
+    player = Player(model.apart()[1], check_scene(parameters, engine), by, scene=engine)
     if model.still:
         raise ValueError("sd: expected a deviation above 0; without scatter a shot succeeds or not")
     return player

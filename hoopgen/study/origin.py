@@ -8,22 +8,28 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
-from hoopgen.inputs import MAX_CONTACTS, check_contacts
+from hoopgen.engines import HOOP, Engine
+from hoopgen.hoop.presets import nearest_preset
+from hoopgen.hoop.variables import change_variables
+from hoopgen.inputs import check_contacts
 from hoopgen.installed import version
-from hoopgen.parameters import NAMES, PAPER, nearest_preset
-from hoopgen.told import say_scene
-from hoopgen.variables import VARIABLES, change_variables, check_names
+from hoopgen.scenes import variables_of
+from hoopgen.told import say_of
+from hoopgen.variables import check_names
 
 from .columns import NAMED, variable_of
 from .tables import Source
-from .tallies import check_scene
+from .tallies import check_scene, contacts_of
 
 __all__ = ["Origin", "names_scene", "origin_of", "settle"]
 
 _KEY = b"hoopgen"
+
+_MADE_IN = "made_in"
+"""What tells a scene of one's own from others."""
 
 
 @dataclass(frozen=True)
@@ -40,30 +46,47 @@ class Origin:
         Contacts after which a shot ends as capped.
     own
         Columns that are not read, though they are named like variables.
+    engine
+        The scene itself, which is nowhere in the file: it says what tells it from others.
     """
 
     parameters: Mapping[str, float]
     release: Mapping[str, float]
     max_contacts: int
     own: tuple[str, ...] = ()
+    engine: Engine = HOOP
 
     @property
     def scene(self) -> str:
-        """In words: the preset, and what differs from it."""
-        return say_scene(self.parameters)
+        """In words: the preset or the scene's name, and what differs from it."""
+        return say_of(self.engine, self.parameters)
 
     def metadata(self, scene: str) -> dict[bytes, bytes]:
         """Return what a schema says of it, with the scene in words."""
-        preset, _ = nearest_preset(self.parameters)
-        said = {"version": version(), "preset": preset, "scene": scene, NAMED: True}
-        return {_KEY: json.dumps({**said, **asdict(self)}).encode()}
+        made: dict[str, Any] = {_MADE_IN: self.engine.identity}
+        if self.engine.is_hoop:
+            made = {"preset": nearest_preset(self.parameters)[0]}
+        said = {"version": version(), **made, "scene": scene, NAMED: True}
+        shared = {one.name: getattr(self, one.name) for one in fields(self) if one.name != "engine"}
+        return {_KEY: json.dumps({**said, **shared}).encode()}
 
 
-def origin_of(table: Source) -> Origin | None:
+class OtherScene(ValueError):
+    """A file of results says that its shots were flown in another scene."""
+
+
+def origin_of(table: Source, scene: Engine = HOOP) -> Origin | None:
     """Return what a file of results says of its shots; None if it says nothing.
+
+    Parameters
+    ----------
+    scene
+        In which they are to be flown.
 
     Raises
     ------
+    OtherScene
+        If it says another.
     ValueError
         If it cannot be understood, or the file is not of its format.
     OSError
@@ -75,14 +98,18 @@ def origin_of(table: Source) -> Origin | None:
         return None
     try:
         said = json.loads(text)
+        _check_made_in(table, said, scene)
         release = {name: float(value) for name, value in said["release"].items()}
-        check_names("release", release, VARIABLES)
+        check_names("release", release, variables_of(scene))
         return Origin(
-            check_scene(said["parameters"]),
+            check_scene(said["parameters"], scene),
             release,
             check_contacts(said["max_contacts"]),
             tuple(name for name in said.get("own", ()) if name in schema.names),
+            scene,
         )
+    except OtherScene:
+        raise
     except (AttributeError, KeyError, TypeError, ValueError) as error:
         raise ValueError(
             f"{table}: its metadata hoopgen, which says the scene of the shots, cannot be "
@@ -90,11 +117,23 @@ def origin_of(table: Source) -> Origin | None:
         ) from None
 
 
-def names_scene(table: Source, own: Iterable[str] = ()) -> bool:
+def _check_made_in(table: Source, said: Mapping[str, Any], scene: Engine) -> None:
+    made = said.get(_MADE_IN)
+    if (made is None and scene is HOOP) or made == scene.identity:
+        return
+    there = "hoop" if made is None else str(made["name"])
+    differs = ", which differs from the one given" if there == scene.name else ""
+    raise OtherScene(
+        f"{table}: its shots were flown in the scene {there}{differs}, not in {scene.name}: give "
+        "that scene (scene=, --scene), or override what the file says (override=True, --override)"
+    )
+
+
+def names_scene(table: Source, own: Iterable[str] = (), scene: Engine = HOOP) -> bool:
     """Return whether a file says its scene: all of it in columns, or in its metadata."""
     left = set(own)
-    said = {variable_of(name)[0] for name in table.schema().names if name not in left}
-    return said.issuperset(NAMES) or origin_of(table) is not None
+    said = {variable_of(name, scene)[0] for name in table.schema().names if name not in left}
+    return said.issuperset(scene.table.defaults) or origin_of(table, scene) is not None
 
 
 def settle(
@@ -105,17 +144,21 @@ def settle(
     own: Iterable[str] = (),
     *,
     override: bool = False,
+    scene: Engine = HOOP,
 ) -> Origin:
     """Return how the shots of a table are flown: as it says, and where it says nothing as asked.
 
     Parameters
     ----------
     parameters, max_contacts
-        Asked for; None for what the file says, and `PAPER` and 40 where it says nothing.
+        Asked for; None for what the file says, and what is usual in the scene where it says
+        nothing.
     release, own
         Asked for besides what the file says.
     override
         Whether what is asked for may contradict the file.
+    scene
+        In which they are flown.
 
     Raises
     ------
@@ -123,16 +166,21 @@ def settle(
         If it does, and may not; or what the file says cannot be understood.
     """
     asked, own = dict(release or {}), tuple(own)
-    said = origin_of(table)
+    try:
+        said = origin_of(table, scene)
+    except OtherScene:
+        if not override:
+            raise
+        said = None
     if said is None:
-        scene = dict(PAPER if parameters is None else parameters)
-        contacts = MAX_CONTACTS if max_contacts is None else max_contacts
-        return Origin(scene, asked, check_contacts(contacts), own)
+        values = dict(scene.parameters if parameters is None else parameters)
+        return Origin(values, asked, contacts_of(max_contacts, scene), own, scene)
     wanted = Origin(
         said.parameters if parameters is None else dict(parameters),
-        change_variables(said.release, asked),
+        change_variables(said.release, asked) if scene.has_hoop else {**said.release, **asked},
         said.max_contacts if max_contacts is None else check_contacts(max_contacts),
         (*said.own, *(name for name in own if name not in said.own)),
+        scene,
     )
     if not override and replace(wanted, own=said.own) != said:
         raise ValueError(

@@ -13,16 +13,20 @@ import pyarrow as pa
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.brief import brief
+from hoopgen.engines import HOOP, Engine
+from hoopgen.hoop.presets import NAMES, PAPER
+from hoopgen.hoop.variables import ARGUMENTS, VARIABLES, check_angles, release_arguments
 from hoopgen.inputs import doubles
-from hoopgen.parameters import NAMES, PAPER, completed
+from hoopgen.parameters import completed
 from hoopgen.results import SURFACES, Outcome
 from hoopgen.simulation import simulate
-from hoopgen.variables import ARGUMENTS, VARIABLES, check_angles, check_names, release_arguments
+from hoopgen.variables import check_names
 
 from .crew import Crew, alone
 from .resample import Resample
 from .scatter import Scatter
 from .tallies import check_scene
+from .throws import outcome_by
 
 __all__ = ["BY", "Bounds", "By", "Player", "Thrown", "arguments_of", "one_each"]
 
@@ -80,9 +84,11 @@ class Player:
     parameters
         Of the scene, one number each.
     by
-        One of `BY`.
+        One of `BY`; where there is no hoop, an end of the scene.
     crew
         Who throws.
+    scene
+        The scene itself.
 
     Raises
     ------
@@ -92,18 +98,21 @@ class Player:
 
     model: Scatter | Resample = field(default_factory=lambda: Scatter({}))
     parameters: Mapping[str, Any] = field(default_factory=lambda: PAPER)
-    by: By = "any"
+    by: str = "any"
     crew: Crew = field(default=alone, compare=False)
+    scene: Engine = HOOP
 
     def __post_init__(self) -> None:
-        if self.by not in BY:
+        if not self.scene.has_hoop:
+            outcome_by(self.scene, self.by)
+        elif self.by not in BY:
             raise ValueError(f"by: expected {', '.join(BY)}, got {brief(self.by)}")
-        check_scene(self.parameters)
-        object.__setattr__(self, "parameters", completed(self.parameters))
+        check_scene(self.parameters, self.scene)
+        object.__setattr__(self, "parameters", completed(self.parameters, self.scene.table))
 
     def at(self, values: Mapping[str, float]) -> Player:
         """Return the player in the scene whose parameters are among the values, or as they were."""
-        scene = {name: value for name, value in values.items() if name in NAMES}
+        scene = {name: value for name, value in values.items() if name in self.parameters}
         return replace(self, parameters={**self.parameters, **scene})
 
     def thrown(self, values: Mapping[str, ArrayLike], shots: int, seed: int = 0) -> Thrown:
@@ -167,12 +176,20 @@ class Player:
             stop - start,
         )
         shots = simulate(
-            releases.states, releases.parameters, threads=1, fields=("outcome", "first")
+            releases.states,
+            releases.parameters,
+            scene=self.scene,
+            threads=1,
+            fields=("outcome", "first"),
         )
-        made = shots.outcome == Outcome.MADE
-        if self.by != "any":
-            made &= (shots.first == _BACKBOARD) == (self.by == "bank")
-        return np.stack([made, shots.outcome != Outcome.INVALID]).reshape(2, -1, stop - start)
+        if self.scene.has_hoop:
+            made = shots.outcome == Outcome.MADE
+            if self.by != "any":
+                made &= (shots.first == _BACKBOARD) == (self.by == "bank")
+        else:
+            made = shots.outcome == outcome_by(self.scene, self.by)
+        valid = shots.outcome != self.scene.outcomes["INVALID"]
+        return np.stack([made, valid]).reshape(2, -1, stop - start)
 
 
 def one_each(argument: str, values: Mapping[str, Any]) -> dict[str, float]:

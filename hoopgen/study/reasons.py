@@ -11,12 +11,11 @@ import pyarrow as pa
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief, cut
-from hoopgen.generated.numpy import hoop
-from hoopgen.parameters import PAPER
-from hoopgen.results import SURFACES
+from hoopgen.engines import Engine
 from hoopgen.variables import Releases
 
 from .columns import Column
+from .tallies import allowed
 
 __all__ = ["reasons"]
 
@@ -26,6 +25,7 @@ def reasons(
     columns: Mapping[str, Column],
     given: Mapping[str, NDArray[np.float64]],
     releases: Releases,
+    scene: Engine,
 ) -> list[str]:
     """Return why each row cannot be simulated.
 
@@ -39,6 +39,8 @@ def reasons(
         The numbers that were read, (n,) each, NaN where a cell has none.
     releases
         What was made of them.
+    scene
+        In which they could not be flown.
     """
     cells = [
         [_cell(column.name, table[column.name][int(row)].as_py()) for row in np.flatnonzero(wrong)]
@@ -48,7 +50,7 @@ def reasons(
     for name, texts in zip(columns, cells, strict=True):
         for row, text in zip(np.flatnonzero(np.isnan(given[name])), texts, strict=True):
             said[row].append(text)
-    return ["; ".join(texts) or _shot(releases, row) for row, texts in enumerate(said)]
+    return ["; ".join(texts) or _shot(releases, row, scene) for row, texts in enumerate(said)]
 
 
 def _cell(name: str, cell: Any) -> str:
@@ -63,20 +65,20 @@ def _cell(name: str, cell: Any) -> str:
     return f"no value in {column}" if isnan(number) else f"not finite: {column}"
 
 
-def _shot(releases: Releases, row: int) -> str:
+def _shot(releases: Releases, row: int, scene: Engine) -> str:
     """Say what is wrong with a shot all of whose cells are numbers, as the loop begins it."""
     state = releases.states[row]
-    scene = {
+    own = {
         name: np.float64(np.broadcast_to(value, len(releases))[row])
         for name, value in releases.parameters.items()
     }
-    finite = np.array([np.isfinite(value) for value in scene.values()])
-    if not finite.all():
-        wrong = [name for name, fine in zip(scene, finite, strict=True) if not fine]
+    usual = scene.table.defaults
+    wrong = [n for n, value in own.items() if not np.isfinite(value) and np.isfinite(usual[n])]
+    if wrong:
         return f"not finite: {', '.join(wrong)}"
-    if not _allowed(scene):
-        alone = [name for name in scene if _allowed(scene | {name: np.float64(PAPER[name])})]
-        named = [f"{name} {scene[name]:g}" for name in alone]
+    if not allowed(scene, own):
+        alone = [name for name in own if allowed(scene, own | {name: np.float64(usual[name])})]
+        named = [f"{name} {own[name]:g}" for name in alone]
         return f"parameter not allowed: {', '.join(named) or 'several'}"
     speed = releases.columns.get("speed")
     if speed is not None and np.isnan(speed[row]):
@@ -85,23 +87,19 @@ def _shot(releases: Releases, row: int) -> str:
         return "not finite: the release"
     outside = [
         surface
-        for index, surface in enumerate(SURFACES)
-        if _valid(float(index), state, scene)  # as if it left that one
+        for index, surface in enumerate(scene.surfaces)
+        if _valid(float(index), state, own, scene)  # as if it left that one
     ]
     return f"inside the {outside[0]}" if len(outside) == 1 else "inside several surfaces"
 
 
-def _allowed(scene: Mapping[str, Any]) -> bool:
-    return bool(_called(hoop.allowed, scene)[0] > 0.0)
-
-
-def _valid(last: float, state: NDArray[np.float64], scene: Mapping[str, Any]) -> bool:
-    place = dict(zip("xyz", state[:3], strict=True))
-    return bool(_called(hoop.valid, scene, last=np.float64(last), **place)[0] > 0.0)
-
-
-def _called(kernel: Any, scene: Mapping[str, Any], **more: Any) -> Any:
-    """Call a kernel with those parameters of the scene that it takes."""
-    values = {**{f"p_{name}": value for name, value in scene.items()}, **more}
+def _valid(
+    last: float, state: NDArray[np.float64], parameters: Mapping[str, Any], scene: Engine
+) -> bool:
+    kernels = scene.kernels
+    inputs = map(np.float64, scene.table.inputs(parameters))
+    given = dict(zip(kernels.VARIABLES.values(), inputs, strict=True))
+    given |= {"last": np.float64(last), **dict(zip("xyz", state[:3], strict=True))}
     with np.errstate(all="ignore"):
-        return kernel(**{name: values[name] for name in hoop.ARGUMENTS[kernel.__name__]})
+        found = kernels.valid(*(given[name] for name in kernels.ARGUMENTS["valid"]))
+    return bool(found[0] > 0.0)

@@ -12,21 +12,24 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.hoop.presets import PAPER
+from hoopgen.hoop.releases import released
+from hoopgen.hoop.variables import STANDS_FOR, change_variables, release_arguments
 from hoopgen.inputs import doubles
-from hoopgen.parameters import NAMES, PAPER
-from hoopgen.releases import released
-from hoopgen.variables import (
-    STANDS_FOR,
-    VARIABLES,
-    Releases,
-    change_variables,
-    check_angles,
-    check_names,
-    release_arguments,
-)
+from hoopgen.variables import STATE, Releases, is_state
 
 from .draws import ROW_OF_RELEASES, uniforms
-from .models import Floats, Given, Scene, check_drawn, from_columns, is_state, spread
+from .models import (
+    Floats,
+    Given,
+    Scene,
+    as_states,
+    check_drawn,
+    check_known,
+    check_turns,
+    from_columns,
+    spread,
+)
 
 __all__ = ["Resample"]
 
@@ -39,7 +42,7 @@ class Resample:
     ----------
     columns
         By name, (m,) each or one number for all: variables, or the nine components of a state
-        (x y z vx vy vz wx wy wz) and parameters of the scene.
+        (x y z vx vy vz wx wy wz) and parameters of the scene, whichever it is.
 
     Raises
     ------
@@ -58,12 +61,16 @@ class Resample:
                 "columns: expected columns of one length and at least one row, got shapes "
                 + ", ".join(f"{name} {column.shape}" for name, column in given.items())
             )
-        check_angles("columns", given)
+        check_turns("columns", given, given)
         object.__setattr__(self, "columns", given)
-        if is_state(given):
-            from_columns(self._at(np.zeros(1, np.intp)))
-        else:
-            check_names("columns", given, VARIABLES)
+        if self.is_state:
+            as_states(self._at(np.zeros(1, np.intp)))
+        check_known("columns", given, given)
+
+    @property
+    def is_state(self) -> bool:
+        """Whether the releases are states, and no speeds and angles at a hoop."""
+        return is_state(self.columns)
 
     @property
     def rows(self) -> int:
@@ -105,23 +112,25 @@ class Resample:
         `entry`, `x` and `y` stand for: how far the rows are from their mean stays as it was. A
         variable that is no column has the value itself. The other columns are as they are.
         """
-        if is_state(self.columns):
-            wrong = [name for name in values if name not in NAMES]
+        columns = {**noise, **self._moved(values, noise)}
+        if self.is_state:
+            wrong = [name for name in values if name not in (*STATE, *parameters)]
             if wrong:
                 raise ValueError(
                     f"columns: these are states, of which {', '.join(wrong)} cannot be varied; "
                     "give speed, elevation, height and distance"
                 )
-            drawn = from_columns(noise, parameters)
-            scene = {**drawn.parameters, **self._moved(values, noise)}
-            return spread(drawn.states, scene, shots)
-        columns = {**noise, **self._moved(values, noise)}
+            check_known("columns", noise, noise, parameters)
+            own = {name: column for name, column in columns.items() if name not in STATE}
+            return spread(as_states(columns), {**parameters, **own}, shots)
         columns |= self._replaced(values, noise, parameters)
         for name in values:
             if name in STANDS_FOR and name not in self.columns:
                 del columns[name]
-        scene = dict(parameters) | {name: columns.pop(name) for name in NAMES if name in columns}
-        arguments = release_arguments(columns, scene["gravity"])
+        scene = dict(parameters) | {
+            name: columns.pop(name) for name in parameters if name in columns
+        }
+        arguments = release_arguments(columns, scene.get("gravity", nan))
         return spread(released(arguments), scene, shots)
 
     def _moved(self, values: Given, noise: Given) -> dict[str, Any]:
@@ -140,8 +149,8 @@ class Resample:
         means = change_variables(self.centre, values)
         gone = {other for name in standing for other in STANDS_FOR[name]}
         means = {name: doubles(name, v) for name, v in means.items() if name not in gone}
-        gravity = means["gravity"] if "gravity" in means else parameters["gravity"]
-        plain = {name: value for name, value in means.items() if name not in NAMES}
+        gravity = means["gravity"] if "gravity" in means else parameters.get("gravity", nan)
+        plain = {name: value for name, value in means.items() if name not in parameters}
         found = release_arguments(plain, gravity)
         return {name: found[name] + self._off(name, noise) for name in gone}
 

@@ -4,32 +4,48 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from hashlib import sha256
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
+from hoopgen.hoop.presets import NAMES, PAPER
+from hoopgen.hoop.releases import released
+from hoopgen.hoop.variables import ARGUMENTS, INSTEAD, make_releases, release_arguments
 from hoopgen.inputs import doubles
-from hoopgen.parameters import NAMES, PAPER
-from hoopgen.releases import released
-from hoopgen.variables import (
-    ARGUMENTS,
-    VARIABLES,
-    Releases,
-    check_angles,
-    check_names,
-    make_releases,
-    release_arguments,
-)
+from hoopgen.scenes import HOOPED
+from hoopgen.variables import STATE, Releases, check_names, is_state
 
 from .draws import normals
-from .models import Floats, Given, Scene, check_drawn, spread
+from .models import (
+    Floats,
+    Given,
+    Scene,
+    as_states,
+    check_drawn,
+    check_known,
+    check_turns,
+    spread,
+)
 
 __all__ = ["SCATTERED", "Scatter"]
 
 SCATTERED = (*ARGUMENTS, *NAMES)
-"""What may scatter; its index is the stream of its random numbers."""
+"""What may scatter about a release at a hoop; its index is the stream of its random numbers."""
+
+_STATES = 1 << 8
+"""Streams of the components of a state begin here; a parameter of another scene has one by its
+name, so that it draws the same whatever else a scene has."""
+
+
+def _stream(name: str) -> int:
+    if name in SCATTERED:
+        return SCATTERED.index(name)
+    if name in STATE:
+        return _STATES + STATE.index(name)
+    return 1 << 63 | int.from_bytes(sha256(name.encode()).digest()[:7])
 
 
 @dataclass(frozen=True)
@@ -40,9 +56,12 @@ class Scatter:
     ----------
     release
         Variables of the release aimed at, one number each; m, m/s, rad, rad/s. See `VARIABLES`.
+        Or, in any scene, components of a state, x y z vx vy vz and spins, which are 0 where they
+        are not given; and parameters of the scene.
     sd
-        Standard deviations of arguments of `hoopgen.release`, or of parameters of the scene. The
-        noise is added to that release, where `aim` and `entry` have become speed and elevation.
+        Standard deviations of arguments of `hoopgen.release`, or of components of a state, and of
+        parameters of the scene. The noise is added to that release, where `aim` and `entry` have
+        become speed and elevation.
     correlation
         Of pairs of names in `sd`; 0 where none is given.
 
@@ -58,24 +77,27 @@ class Scatter:
     correlation: Mapping[tuple[str, str], float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        check_names("release", self.release, VARIABLES)
-        check_names("sd", self.sd, SCATTERED)
+        check_known("release", self.release, self._names)
+        # Of a scatter alone it is not known what it is about: perhaps a state.
+        hooped = self.release or any(name in HOOPED and name not in STATE for name in self.sd)
+        if hooped and not self.is_state:
+            check_names("sd", self.sd, [name for name in HOOPED if name not in INSTEAD])
         for name, value in self.release.items():
             if doubles(f"release[{name!r}]", value).ndim:
                 raise ValueError(f"release[{name!r}]: expected one number, got {brief(value)}")
-        check_angles("release", self.release)
+        check_turns("release", self.release, self._names)
         for name, value in self.sd.items():
             deviation = doubles(f"sd[{name!r}]", value)
             if deviation.ndim or not 0.0 <= deviation < np.inf:
                 raise ValueError(f"sd[{name!r}]: expected a number from 0, got {brief(value)}")
-        check_angles("sd", self.sd)
+        check_turns("sd", self.sd, self._names)
         self._mix()
 
     def noise(self, start: int, stop: int, seed: int = 0) -> dict[str, NDArray[np.float64]]:
         """Return what is added in shots `start` to `stop` - 1, by name, (n,) each."""
         check_drawn(start, stop)
         names = self._scattered()
-        draws = [normals(seed, SCATTERED.index(name), start, stop) for name in names]
+        draws = [normals(seed, _stream(name), start, stop) for name in names]
         mixed = {}
         for name, row in zip(names, self._mix(), strict=True):
             # A sum in a fixed order: a matrix product's could depend on the number of shots.
@@ -98,8 +120,20 @@ class Scatter:
         parameters
             Of the scene, for those that neither `release` nor `sd` names.
         """
-        values, scene = self._about(self.release, self.noise(start, stop, seed), parameters)
-        return make_releases(values, scene, stop - start)
+        columns, scene = self._about(self.release, self.noise(start, stop, seed), parameters)
+        if is_state(columns):
+            states = np.broadcast_to(as_states(columns), (stop - start, len(STATE)))
+            return Releases(states, scene, {})
+        return make_releases(columns, scene, stop - start)
+
+    @property
+    def _names(self) -> tuple[str, ...]:
+        return (*self.release, *self.sd)
+
+    @property
+    def is_state(self) -> bool:
+        """Whether the release is a state, and no speed and angles at a hoop."""
+        return is_state(self._names)
 
     @property
     def scatters(self) -> bool:
@@ -135,15 +169,24 @@ class Scatter:
             Of each of the m releases; one comes after the other.
         """
         columns, scene = self._about({**self.release, **values}, noise, parameters)
-        return spread(released(columns), scene, shots)
+        states = as_states(columns) if is_state(columns) else released(columns)
+        return spread(states, scene, shots)
 
     def _about(
         self, values: Given, noise: Given, parameters: Scene
     ) -> tuple[dict[str, Floats], dict[str, Any]]:
-        """Return arguments of `hoopgen.release` and the scene, the noise added."""
-        scene = dict(parameters) | {name: v for name, v in values.items() if name in NAMES}
-        means = {name: doubles(name, v) for name, v in values.items() if name not in NAMES}
-        added: dict[str, Any] = {**scene, **release_arguments(means, scene["gravity"])}
+        """Return arguments of `hoopgen.release`, or a state, and the scene; the noise added."""
+        names = (*values, *noise)
+        check_known("release", values, names, parameters)
+        check_known("sd", noise, names, parameters)
+        scene = dict(parameters) | {name: v for name, v in values.items() if name in parameters}
+        means = {name: doubles(name, v) for name, v in values.items() if name not in scene}
+        if is_state(names):
+            spins = dict.fromkeys(STATE[6:], np.zeros(()))
+            added: dict[str, Any] = {**scene, **spins, **means}
+            as_states({name: added[name] for name in STATE if name in added})  # all are there
+        else:
+            added = {**scene, **release_arguments(means, scene.get("gravity", np.nan))}
         for name, one in noise.items():
             added[name] = added[name] + one
         scene = {name: added.pop(name) for name in scene}
@@ -159,7 +202,9 @@ class Scatter:
         }
 
     def _scattered(self) -> list[str]:
-        return [name for name in SCATTERED if self.sd.get(name)]
+        known = [*SCATTERED, *STATE]
+        others = sorted(name for name in self.sd if name not in known)
+        return [name for name in (*known, *others) if self.sd.get(name)]
 
     def _mix(self) -> list[NDArray[np.float64]]:
         """Return the rows of the lower triangular factor of the correlation matrix."""

@@ -6,10 +6,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from hoopgen.parameters import NAMES
-from hoopgen.variables import (
-    VARIABLES,
-)
+from hoopgen.scenes import HOOPED
 
 from .resample import Resample
 from .scatter import Scatter
@@ -40,10 +37,10 @@ def alike(model: Scatter | Resample) -> dict[str, float]:
     if isinstance(model, Scatter):
         return model.centre
     same = (name for name, column in model.columns.items() if not np.ndim(column))
-    return {name: model.centre[name] for name in same if name in VARIABLES}
+    return {name: model.centre[name] for name in same if model.is_state or name in HOOPED}
 
 
-def scene_by_row(model: Scatter | Resample) -> list[str]:
+def scene_by_row(model: Scatter | Resample, parameters: Iterable[str]) -> list[str]:
     """Return the parameters of the scene that were measured with each release."""
     columns = {} if isinstance(model, Scatter) else model.columns
-    return [name for name in NAMES if np.ndim(columns.get(name, 0.0))]
+    return [name for name in parameters if np.ndim(columns.get(name, 0.0))]

@@ -19,12 +19,14 @@ from scipy.stats import qmc
 
 from hoopgen.brief import brief
 from hoopgen.generated.numpy import hoop
+from hoopgen.hoop.releases import RING_HEIGHT
+from hoopgen.hoop.variables import check_angles
 from hoopgen.inputs import doubles
-from hoopgen.releases import RING_HEIGHT
+from hoopgen.scenes import variables_of
 from hoopgen.units import DEGREE, TURN
-from hoopgen.variables import VARIABLES, check_angles, check_names
+from hoopgen.variables import check_names
 
-from .player import Bounds, By, Player
+from .player import Bounds, Player
 
 __all__ = ["bounds_of", "flat_about", "search"]
 
@@ -42,7 +44,9 @@ def bounds_of(
     TypeError, ValueError
         If they are not as described for `optimum`.
     """
-    names = check_names("over", (over,) if isinstance(over, str) else over, VARIABLES)
+    names = check_names(
+        "over", (over,) if isinstance(over, str) else over, variables_of(player.scene)
+    )
     wanted = dict(over) if isinstance(over, Mapping) else dict.fromkeys(names)
     if not wanted:
         raise ValueError("over: expected at least one variable")
@@ -54,12 +58,15 @@ def bounds_of(
                 f"over[{name!r}]: expected (low, high), low below high, got {brief(ends)}"
             )
         bounds[name] = (float(given[0]), float(given[1]))
-    check_angles("over", bounds)
+    if player.scene.has_hoop:
+        check_angles("over", bounds)
     return bounds
 
 
 def _usual(name: str, fixed: Mapping[str, float], player: Player) -> Bounds:
     """Return the bounds of a variable for which none were given."""
+    if not player.scene.has_hoop:
+        raise ValueError(f"over[{name!r}]: expected (low, high); there are no usual bounds")
     direct = player.by == "direct"
     away = fixed["distance"] if "distance" in fixed else math.hypot(*map(fixed.get, "xy", (0, 0)))
     if name in ("elevation", "speed") and away and "height" in fixed:
@@ -89,7 +96,7 @@ def search(
     """Return the best values within the bounds; None if no release tried succeeds."""
     surface = _Surface(player, bounds, fixed, seed)
     # Shots go in directly or off the board: two hills, too alike for few shots to choose between.
-    ways: Sequence[By] = ("direct", "bank") if player.by == "any" else (player.by,)
+    ways: Sequence[str] = ("direct", "bank") if player.by == "any" else (player.by,)
     hills = [replace(surface, player=replace(player, by=way)).hill(shots) for way in ways]
     tops = [surface.top(hill, _some(shots, 8), 0.03) for hill in hills if hill is not None]
     if not tops:

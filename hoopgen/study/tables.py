@@ -24,6 +24,7 @@ import pyarrow.parquet as pq
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief, cut, listed
+from hoopgen.engines import HOOP, Engine
 
 from .columns import Column, columns_of, values
 from .delimited import check_delimiter, delimiter_of, parsed, read, survey
@@ -120,11 +121,13 @@ class Source:
         with self._opened() as (schema, _):
             return schema
 
-    def columns(self, own: Iterable[str] = (), given: Iterable[str] = ()) -> dict[str, Column]:
+    def columns(
+        self, own: Iterable[str] = (), given: Iterable[str] = (), scene: Engine = HOOP
+    ) -> dict[str, Column]:
         """Return where the table has the variables of its shots; as `columns_of`."""
         schema = self.schema()
         with self._naming():
-            return columns_of(schema, own, given)
+            return columns_of(schema, own, given, scene)
 
     def values(
         self, table: pa.Table, columns: Mapping[str, Column]

@@ -4,27 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from math import prod
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
-from hoopgen.generated.numpy import hoop
-from hoopgen.inputs import is_whole
-from hoopgen.parameters import NAMES, resolve
-from hoopgen.results import Outcome, Shots
-
-from .measures import Kind, kinds
+from hoopgen.engines import HOOP, Engine
+from hoopgen.hoop.kinds import Kind, kinds
+from hoopgen.inputs import check_contacts, is_whole
+from hoopgen.parameters import resolve
+from hoopgen.results import Shots
 
 __all__ = [
     "BLOCK",
-    "COLUMNS",
     "FIELDS",
     "Tally",
     "blocks",
     "check_scene",
     "check_share",
+    "width_of",
+    "contacts_of",
 ]
 
 FIELDS = ("outcome", "counts", "first", "uncertain")
@@ -33,11 +34,18 @@ FIELDS = ("outcome", "counts", "first", "uncertain")
 BLOCK = 1 << 14
 """Shots drawn and simulated at a time; their states fit a processor's cache."""
 
-_SHAPE = (len(Kind), len(Outcome))
-_CELLS = _SHAPE[0] * _SHAPE[1]
+_SHARED = 2
+"""Numbers of a tally beside its table."""
 
-COLUMNS = _CELLS + 2
-"""Of a row of numbers of a `Tally`."""
+
+def _shape(scene: Engine) -> tuple[int, int]:
+    """Return how many kinds there are, one where there is no hoop, and how many outcomes."""
+    return len(Kind) if scene.has_hoop else 1, len(scene.outcomes)
+
+
+def width_of(scene: Engine) -> int:
+    """Return how many columns a row of numbers of a `Tally` has."""
+    return prod(_shape(scene)) + _SHARED
 
 
 def blocks(start: int, stop: int) -> Iterator[tuple[int, int]]:
@@ -58,46 +66,54 @@ class Tally:
         int64 (...), shots with a decision within its rounding-error bound.
     uncertain_capped
         int64 (...), those of them that are capped.
+    scene
+        Whose kinds and outcomes they are; without a hoop there is one kind.
     """
 
     table: NDArray[np.int64]
     uncertain: NDArray[np.int64]
     uncertain_capped: NDArray[np.int64]
+    scene: Engine
 
     @classmethod
-    def none(cls, *settings: int) -> Tally:
+    def none(cls, *settings: int, scene: Engine = HOOP) -> Tally:
         """Return a tally of no shots, of settings in the given shape."""
-        return cls.read(np.zeros((*settings, COLUMNS), np.int64))
+        return cls.read(np.zeros((*settings, width_of(scene)), np.int64), scene)
 
     @classmethod
     def of(cls, shots: Shots, settings: int) -> Tally:
         """Count shots of so many settings, as many of each, one setting after the other."""
-        kind = kinds(shots.outcome, shots.counts, shots.first).astype(np.intp)
-        cell = kind * len(Outcome) + shots.outcome
-        cell.reshape(settings, -1)[:] += np.arange(0, settings * _CELLS, _CELLS)[:, None]
-        counted = np.bincount(cell, minlength=settings * _CELLS)
+        scene = shots.scene
+        shape = _shape(scene)
+        cell = shots.outcome.astype(np.intp)
+        if scene.has_hoop:
+            cell += kinds(shots.outcome, shots.counts, shots.first).astype(np.intp) * shape[1]
+        cells = prod(shape)
+        cell.reshape(settings, -1)[:] += np.arange(0, settings * cells, cells)[:, None]
+        counted = np.bincount(cell, minlength=settings * cells)
         doubt = shots.uncertain.reshape(settings, -1)
-        capped = (shots.outcome == Outcome.CAPPED).reshape(settings, -1)
+        capped = (shots.outcome == scene.outcomes["CAPPED"]).reshape(settings, -1)
         return cls(
-            counted.reshape(settings, *_SHAPE),
+            counted.reshape(settings, *shape),
             np.count_nonzero(doubt, axis=1),
             np.count_nonzero(doubt & capped, axis=1),
+            scene,
         )
 
     @classmethod
-    def read(cls, row: NDArray[np.int64]) -> Tally:
+    def read(cls, row: NDArray[np.int64], scene: Engine) -> Tally:
         """Return what `row` gave, (..., columns)."""
-        table = row[..., :_CELLS].reshape(*row.shape[:-1], *_SHAPE)
-        return cls(table, row[..., _CELLS], row[..., _CELLS + 1])
+        table = row[..., :-_SHARED].reshape(*row.shape[:-1], *_shape(scene))
+        return cls(table, row[..., -2], row[..., -1], scene)
 
     def row(self) -> NDArray[np.int64]:
         """Return all numbers side by side, (..., columns)."""
-        flat = self.table.reshape(*self.uncertain.shape, _CELLS)
+        flat = self.table.reshape(*self.uncertain.shape, prod(_shape(self.scene)))
         doubt = np.stack([self.uncertain, self.uncertain_capped], axis=-1)
         return np.concatenate([flat, doubt], axis=-1)
 
     def __add__(self, other: Tally) -> Tally:
-        return Tally.read(self.row() + other.row())
+        return Tally.read(self.row() + other.row(), self.scene)
 
     @property
     def shots(self) -> NDArray[np.int64]:
@@ -107,9 +123,9 @@ class Tally:
     @property
     def valid(self) -> NDArray[np.int64]:
         """Those that could be simulated."""
-        return self.shots - self.ended(Outcome.INVALID)
+        return self.shots - self.ended(self.scene.outcomes["INVALID"])
 
-    def ended(self, outcome: Outcome) -> NDArray[np.int64]:
+    def ended(self, outcome: int) -> NDArray[np.int64]:
         """Those with an outcome."""
         return np.asarray(self.table[..., outcome].sum(axis=-1))
 
@@ -118,28 +134,43 @@ class Tally:
         return np.asarray(self.table.sum(axis=-1))
 
 
-_ALLOWED = hoop.ARGUMENTS["allowed"]
-
-
-def check_scene(parameters: Mapping[str, Any]) -> dict[str, float]:
-    """Return the parameters of the scene, each one number.
+def check_scene(parameters: Mapping[str, Any] | None, scene: Engine = HOOP) -> dict[str, float]:
+    """Return all parameters of a scene, each one number: usual values for those left out.
 
     Raises
     ------
     TypeError, ValueError
-        If a name is unknown or missing, a value is not one number, or no shot can be simulated.
+        If a name is unknown, a value is not one number, or no shot can be simulated.
     """
-    values = dict(zip(NAMES, resolve(parameters, 1), strict=True))
-    wrong = [name for name, value in parameters.items() if np.ndim(value)]
+    values = dict(zip(scene.table.defaults, resolve(parameters, 1, scene.table), strict=True))
+    wrong = [name for name, value in (parameters or {}).items() if np.ndim(value)]
     if wrong:
         raise ValueError(f"parameters: expected one number for {', '.join(wrong)}")
-    given = {hoop.VARIABLES[name]: value for name, value in values.items()}
-    if not hoop.allowed(*(given[name] for name in _ALLOWED))[0] > 0.0:
-        raise ValueError(
-            "parameters: no shot can be simulated with these: a size or gravity is not above zero, "
-            "or the ball is too big for the ring"
-        )
+    if not allowed(scene, values):
+        fit = ", or the ball is too big for the ring" if scene.has_hoop else ""
+        size = "a size or gravity is not above zero" if scene.has_hoop else "one is not allowed"
+        raise ValueError(f"parameters: no shot can be simulated with these: {size}{fit}")
     return {name: float(value) for name, value in values.items()}
+
+
+def allowed(scene: Engine, parameters: Mapping[str, Any]) -> bool:
+    """Return whether a scene allows all of its parameters, in their order, one number each."""
+    given = dict(zip(scene.kernels.VARIABLES.values(), scene.table.inputs(parameters), strict=True))
+    kernel = scene.kernels.allowed
+    with np.errstate(all="ignore"):
+        asked = (np.float64(given[name]) for name in scene.kernels.ARGUMENTS["allowed"])
+        return bool(kernel(*asked)[0])
+
+
+def contacts_of(max_contacts: int | None, scene: Engine) -> int:
+    """Return the contacts with which a shot ends as capped; of None, as many as is usual there.
+
+    Raises
+    ------
+    ValueError
+        If it is no whole number from 1, or more than the engines count.
+    """
+    return scene.max_contacts if max_contacts is None else check_contacts(max_contacts)
 
 
 def check_share(name: str, value: Any) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import closing
 from dataclasses import dataclass
 from math import ceil, sqrt
@@ -14,17 +14,21 @@ import pyarrow as pa
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
+from hoopgen.engines import HOOP, Engine
 from hoopgen.inputs import Backend, check_count
 from hoopgen.results import Outcome, Shots
+from hoopgen.scenes import engine_of, variables_of
 from hoopgen.simulation import simulate
 from hoopgen.sizes import in_short
-from hoopgen.variables import Releases
+from hoopgen.variables import STATE, Releases, is_state
 
 from .chunks import run
 from .grid import Grid
 from .intervals import least_shots
 from .models import ReleaseModel
-from .tallies import COLUMNS, FIELDS, Tally, blocks, check_scene, check_share
+from .resample import Resample
+from .scatter import Scatter
+from .tallies import FIELDS, Tally, blocks, check_scene, check_share, width_of
 
 __all__ = [
     "CHUNK",
@@ -32,8 +36,11 @@ __all__ = [
     "Setting",
     "Until",
     "Work",
+    "check_states",
     "flown",
     "most_shots",
+    "outcome_by",
+    "scene_identity",
     "setting_of",
     "tally_of",
 ]
@@ -55,24 +62,43 @@ Progress = Callable[[int, int | None], None]
 
 @dataclass(frozen=True)
 class _Set:
-    """A release model and the parameters of its scene."""
+    """A release model, and its scene with the parameters."""
 
     model: ReleaseModel
     parameters: Mapping[str, float]
+    scene: Engine
 
     def identity(self) -> dict[str, Any]:
-        return {**self.model.identity(), "parameters": dict(self.parameters)}
+        parameters = dict(self.parameters)
+        return {**self.model.identity(), "parameters": parameters, **scene_identity(self.scene)}
+
+
+def scene_identity(scene: Engine) -> dict[str, Any]:
+    """Return what an identity has of a scene: nothing of the article's, which has always been."""
+    return {} if scene is HOOP else {"scene": scene.identity}
 
 
 @dataclass(frozen=True)
 class Work:
-    """A job of `chunks.run`: the tallies of one or two settings, and how their shots pair."""
+    """A job of `chunks.run`: the tallies of one or two settings, and how their shots pair.
+
+    Attributes
+    ----------
+    by
+        The outcome by which they pair.
+    """
 
     settings: tuple[_Set, ...]
     shots: int
     seed: int
     max_contacts: int
     backend: Backend
+    by: int = Outcome.MADE
+
+    @property
+    def scene(self) -> Engine:
+        """In which the settings are thrown."""
+        return self.settings[0].scene
 
     @property
     def chunks(self) -> int:
@@ -82,10 +108,13 @@ class Work:
     def identity(self) -> dict[str, Any]:
         """Return what the chunks depend on."""
         return {
+            # First, so that what differs names it.
+            **scene_identity(self.scene),
             "settings": [setting.identity() for setting in self.settings],
             "shots": self.shots,
             "seed": self.seed,
             "max_contacts": self.max_contacts,
+            **({} if self.by == Outcome.MADE else {"by": int(self.by)}),
         }
 
     def compute(self, chunk: int) -> pa.Table:
@@ -99,30 +128,31 @@ class Work:
         """Return the tally of each setting, and of two the pairs, of some shots."""
         results = [self._simulate(setting, start, stop) for setting in self.settings]
         rows = [Tally.of(shots, 1).row()[0] for shots in results]
-        return np.concatenate([*rows, *([_pairs(*results)] if len(results) == 2 else [])])
+        return np.concatenate([*rows, *([self._pairs(*results)] if len(results) == 2 else [])])
 
     def _simulate(self, setting: _Set, start: int, stop: int) -> Shots:
         releases = setting.model.draw(start, stop, self.seed, setting.parameters)
-        return flown(releases, self.max_contacts, self.backend)
+        return flown(releases, self.max_contacts, self.backend, setting.scene)
+
+    def _pairs(self, first: Shots, second: Shots) -> NDArray[np.int64]:
+        """Return how many pairs end so both, the first only, the second only, neither."""
+        outcomes = np.stack([first.outcome, second.outcome])
+        invalid = self.scene.outcomes["INVALID"]
+        others = (outcomes != self.by)[:, (outcomes != invalid).all(axis=0)]
+        return np.bincount(2 * others[0] + others[1], minlength=4)
 
 
-def flown(releases: Releases, max_contacts: int, backend: Backend) -> Shots:
+def flown(releases: Releases, max_contacts: int, backend: Backend, scene: Engine) -> Shots:
     """Simulate releases, as far as a tally needs it; the chunks have the threads."""
     return simulate(
         releases.states,
         releases.parameters,
+        scene=scene,
         max_contacts=max_contacts,
         backend=backend,
         threads=1,
         fields=FIELDS,
     )
-
-
-def _pairs(first: Shots, second: Shots) -> NDArray[np.int64]:
-    """Return how many pairs are both made, the first only, the second only, neither."""
-    outcomes = np.stack([first.outcome, second.outcome])
-    missed = (outcomes != Outcome.MADE)[:, (outcomes != Outcome.INVALID).all(axis=0)]
-    return np.bincount(2 * missed[0] + missed[1], minlength=4)
 
 
 @dataclass(frozen=True)
@@ -148,17 +178,19 @@ class Until:
         with closing(tables):
             for done, table in enumerate(tables, 1):
                 total += table["numbers"][0].values.to_numpy()
-                needed = self._needed(done, total, work.chunks, len(work.settings))
+                needed = self._needed(done, total, work)
                 note(done, needed)
                 if done == needed:
                     break
         return total
 
-    def _needed(self, done: int, total: NDArray[np.int64], most: int, settings: int) -> int:
+    def _needed(self, done: int, total: NDArray[np.int64], work: Work) -> int:
         """Return how many chunks it will take, as far as can be told."""
+        most = work.chunks
         if self.precision is None:
             return most
-        if done == 1 and not all(tally_of(total, which).valid for which in range(settings)):
+        tallies = (tally_of(total, which, work.scene) for which in range(len(work.settings)))
+        if done == 1 and not all(tally.valid for tally in tallies):
             raise ValueError(
                 f"model: none of the first {CHUNK:,} shots is valid, so no precision is reached: "
                 "they are not finite, start inside a surface, or have parameters out of range"
@@ -173,19 +205,65 @@ class Until:
         return min(most, max(done + 1, ceil(done * (half_width / self.precision) ** 2)))
 
 
-def tally_of(total: NDArray[np.int64], which: int) -> Tally:
+def tally_of(total: NDArray[np.int64], which: int, scene: Engine) -> Tally:
     """Return the tally of one setting."""
-    return Tally.read(total[which * COLUMNS : (which + 1) * COLUMNS])
+    columns = width_of(scene)
+    return Tally.read(total[which * columns : (which + 1) * columns], scene)
 
 
-def setting_of(model: ReleaseModel, parameters: Mapping[str, Any]) -> _Set:
-    """Return a setting; refuse a model that does not draw at random."""
+def setting_of(
+    model: ReleaseModel, parameters: Mapping[str, Any] | None, scene: Any = None
+) -> _Set:
+    """Return a setting; refuse a model that does not draw at random, or not in this scene."""
     if isinstance(model, Grid) or not isinstance(model, ReleaseModel):
         raise TypeError(
             "model: expected a Scatter, a Resample, or what else draws at random (it has draw and "
             f"identity; a grid is for hoopgen.map), got {brief(model)}"
         )
-    return _Set(model, check_scene(parameters))
+    engine = engine_of(scene)
+    check_states(model, engine)
+    return _Set(model, check_scene(parameters, engine), engine)
+
+
+def check_states(model: Any, scene: Engine, over: Iterable[str] = ()) -> None:
+    """Refuse releases at a hoop in a scene that has none.
+
+    Parameters
+    ----------
+    over
+        Variables that are given apart from the model.
+
+    Raises
+    ------
+    ValueError
+        If they are; or a parameter of the scene has a name that a study cannot use.
+    """
+    variables_of(scene)
+    if scene.has_hoop or not isinstance(model, Scatter | Resample):
+        return
+    if not (model.is_state or is_state(over)):
+        raise ValueError(
+            f"model: the scene {scene.name} has no hoop at which shots are released; give states, "
+            f"{' '.join(STATE)}, and what scatters of them"
+        )
+
+
+def outcome_by(scene: Engine, by: str | None) -> int:
+    """Return the outcome that counts: made, or in a scene of one's own an end, the first one.
+
+    Raises
+    ------
+    ValueError
+        If the scene has no such end.
+    """
+    ends: tuple[str, ...] = scene.kernels.ENDS
+    if not ends:
+        raise ValueError(f"by: the scene {scene.name} has no ends, so none can count")
+    if by is None:
+        return 0
+    if by not in ends:
+        raise ValueError(f"by: expected {' or '.join(ends)}, got {brief(by)}")
+    return ends.index(by)
 
 
 def most_shots(

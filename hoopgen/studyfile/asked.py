@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from hoopgen import plots
-from hoopgen.parameters import NAMES
+from hoopgen.engines import Engine
 from hoopgen.study.tables import Source
-from hoopgen.told import say_scene
+from hoopgen.study.throws import scene_identity
+from hoopgen.told import say_of
 
 from .schema import Batch, Compare, Given, Question, Study
 from .settings import Setting
@@ -82,17 +83,20 @@ class Asked:
         The question itself.
     folder
         Of the study file.
+    engine
+        The scene that it is about.
     """
 
     study: Study
     given: Given
     question: Question
     folder: Path
+    engine: Engine
 
     @cached_property
     def setting(self) -> Setting:
         """Where its shots come from."""
-        return Setting.of((self.given, self.question), self.folder)
+        return Setting.of((self.given, self.question), self.folder, self.engine)
 
     @property
     def scene(self) -> str:
@@ -100,22 +104,24 @@ class Asked:
         table = self.question if isinstance(self.question, Batch) else None
         if table is not None:
             source = Source(self.folder / table.file, table.format or "")
-            return say_scene(self.setting.parameters_of(source))
-        own = {n: v for n, v in self.setting.release.items() if n in NAMES}
-        return say_scene(self.setting.parameters | own)
+            return say_of(self.engine, self.setting.parameters_of(source))
+        return say_of(self.engine, self.setting.parameters)
 
     def changed(self, versus: Given) -> Setting:
         """Return the setting with changes."""
-        return Setting.of((self.given, self.question, versus), self.folder)
+        return Setting.of((self.given, self.question, versus), self.folder, self.engine)
 
     def identity(self) -> dict[str, Any]:
         """Return all that the answer depends on, in types that JSON knows."""
         question = self.question
         apart = {*Given.model_fields, "versus"}
         identity: dict[str, Any] = {
+            **scene_identity(self.engine),
             **{name: getattr(self.study, name) for name in ("seed", "confidence", "formats")},
             **{name: value for name, value in question if name not in apart},
         }
+        if identity.get("max_contacts", 0) is None:
+            identity["max_contacts"] = self.engine.max_contacts
         if isinstance(question, Batch):
             source = Source(self.folder / question.file, question.format or "")
             scene = self.setting.parameters_of(source)

@@ -14,6 +14,7 @@ from pydantic import (
     ConfigDict,
     Field,
     GetCoreSchemaHandler,
+    TypeAdapter,
     ValidationError,
     create_model,
     model_validator,
@@ -185,7 +186,7 @@ class Named:
     Attributes
     ----------
     names
-        What the keys may be.
+        What the keys may be; or what says so when a file is read, as it hangs on the scene.
     value
         What each may be given.
     none
@@ -194,7 +195,7 @@ class Named:
         Keys that there must be.
     """
 
-    names: tuple[str, ...]
+    names: tuple[str, ...] | Callable[[], tuple[str, ...]]
     value: Callable[[str], Any]
     none: bool = False
     least: int = 0
@@ -205,16 +206,25 @@ class Named:
         return 'a table, or "none"' if self.none else "a table"
 
     def __get_pydantic_core_schema__(self, _: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
-        fields: dict[str, Any] = {
-            name: (Annotated[Any, self.value(name)], None) for name in self.names
-        }
-        table = handler.generate_schema(create_model("Named", __base__=Table, **fields))
-        return core_schema.no_info_wrap_validator_function(self._read, table)
+        if not callable(self.names):
+            table = handler.generate_schema(self._table(self.names))
+            return core_schema.no_info_wrap_validator_function(self._read, table)
+        return core_schema.no_info_plain_validator_function(self._read_now)
+
+    def _table(self, names: tuple[str, ...]) -> type[Table]:
+        fields: dict[str, Any] = {name: (Annotated[Any, self.value(name)], None) for name in names}
+        made: type[Table] = create_model("Named", __base__=Table, **fields)
+        return made
+
+    def _read_now(self, given: Any) -> dict[str, Any] | None:
+        assert callable(self.names)
+        return self._read(given, TypeAdapter(self._table(self.names())).validate_python)
 
     def _read(self, given: Any, handler: Callable[[Any], Any]) -> dict[str, Any] | None:
         if self.none and given == "none":
             return None
         table = handler(given)
         if len(given) < self.least:
-            raise ValueError(f"expected {self.least} or more of {', '.join(self.names)}")
+            names = self.names() if callable(self.names) else self.names
+            raise ValueError(f"expected {self.least} or more of {', '.join(names)}")
         return {name: getattr(table, name) for name in given}

@@ -10,9 +10,12 @@ from typing import Any
 
 from pydantic import ValidationError
 
+from hoopgen.engines import HOOP, Engine
 from hoopgen.printable import printable
+from hoopgen.scenes import engine_of, is_built_in, scene_from, variables_of
 
 from . import lines
+from .scene import named_by, within
 from .schema import StudyFile
 from .single import show
 
@@ -33,7 +36,7 @@ class StudyError(ValueError):
         super().__init__("\n".join(self.complaints))
 
 
-def parse(content: bytes, file: Path) -> tuple[StudyFile, dict[str, Any], str]:
+def parse(content: bytes, file: Path) -> tuple[StudyFile, dict[str, Any], str, Engine]:
     """Read a study file. Nothing in it is evaluated.
 
     Parameters
@@ -45,8 +48,8 @@ def parse(content: bytes, file: Path) -> tuple[StudyFile, dict[str, Any], str]:
 
     Returns
     -------
-    StudyFile, dict, str
-        What it says, in SI; the same as it is written; and its text.
+    StudyFile, dict, str, Engine
+        What it says, in SI; the same as it is written; its text; and its scene, compiled.
 
     Raises
     ------
@@ -66,11 +69,28 @@ def parse(content: bytes, file: Path) -> tuple[StudyFile, dict[str, Any], str]:
         raise StudyError([_syntax(str(error), text, file)]) from None
     except RecursionError:
         raise StudyError([f"{file}: arrays or tables are nested too deep"]) from None
+    scene = _scene(document, text, file)
     try:
-        return StudyFile.model_validate(document), document, text
+        with within(scene):
+            return StudyFile.model_validate(document), document, text, scene
     except ValidationError as error:
         found = [(_path(one["loc"]), _said(one)) for one in error.errors()]
         raise complain(file, text, found) from None
+
+
+def _scene(document: Mapping[str, Any], text: str, file: Path) -> Engine:
+    """Return the scene of a study: nothing in its file is evaluated either."""
+    given = named_by(document)
+    if not isinstance(given, str):  # none; or wrong, which is said with all else
+        return HOOP
+    try:
+        if not is_built_in(given) and not (file.parent / given).is_file():
+            raise ValueError(f"there is no file {file.parent / given}")
+        engine = engine_of(scene_from(given, file.parent))
+        variables_of(engine)
+        return engine
+    except (ImportError, OSError, ValueError) as error:
+        raise complain(file, text, [(("scene",), str(error))]) from None
 
 
 def complain(file: Path, text: str, found: Iterable[tuple[lines.Path, str]]) -> StudyError:

@@ -8,9 +8,9 @@ from collections.abc import Container, Iterator
 
 from pydantic.fields import FieldInfo
 
-from hoopgen.parameters import NAMES, PRESETS
+from hoopgen.hoop.presets import NAMES, PRESETS
+from hoopgen.hoop.variables import ARGUMENTS, VARIABLES
 from hoopgen.units import UNITS
-from hoopgen.variables import ARGUMENTS, VARIABLES
 
 from .fields import Table
 from .schema import KINDS, Given, Question, Releases, Study
@@ -84,6 +84,15 @@ they change for this question alone what they name.
 |---|---|
 """
 
+_SCENES = """
+`scene = "netball.toml"` makes the study one of a scene of one's own: a scene file, relative to the
+study file, or the name of one that comes with hoopgen, `"hoop"`. As a table, `[scene]` has
+`file = "netball.toml"` and parameters of the scene. Nothing in that file is evaluated either. Then
+`release` is a state, `x y z vx vy vz` and, if it spins, `wx wy wz`; these and the scene's
+parameters are what scatters and what is mapped and searched over. Questions are estimate, compare,
+map, optimum and batch; the others are a hoop's. If the scene file changes, the folder is refused.
+"""
+
 _QUANTITIES = """
 A quantity is text with its unit, or a bare number in SI. An angle or a spin needs its unit, but for
 0: the rule of the command line and of columns' names. Units may be spelled in full, `feet`,
@@ -101,7 +110,8 @@ _VARIABLES = """
 
 _TABLES = {
     "scene": "Ball and hoop: `preset`, one of {presets} (by default the scene that a file of "
-    'results says, else "paper"), and parameters.',
+    'results says, else "paper"), and parameters. Or another scene, above the questions: see '
+    "below.",
     "release": "The release aimed at: height, a place, an elevation or `entry`, a speed or `aim`.",
     "scatter": 'Standard deviations about it; `scatter = "none"` for none.',
     "correlation": "Of pairs that scatter: `speed.elevation = -0.3`.",
@@ -121,6 +131,7 @@ def reference() -> str:
                 _row(f"`{name}`", variable.label, variable.kind, _where(name))
                 for name, variable in VARIABLES.items()
             ),
+            _SCENES,
             _QUANTITIES,
             *(
                 _row(kind, " ".join(f"`{unit}`" for unit in units if unit) or "none")

@@ -29,6 +29,7 @@ from .answers import answer, check
 from .asked import Answer, Asked, Work
 from .reading import complain, parse
 from .report import report
+from .scene import FILE
 from .schema import Batch, Compare, StudyFile
 
 __all__ = ["check_study", "run_study"]
@@ -156,15 +157,22 @@ def run_study(
 def _read(file: Path) -> tuple[bytes, list[Asked], Mapping[str, Any]]:
     """Return the content of the file, its questions, checked, and all of it as it is written."""
     content = file.read_bytes()
-    study, document, text = parse(content, file)
+    study, document, text, scene = parse(content, file)
     found = [
         (path, f"there is no file {file.parent / name}")
         for path, name in _files(study)
         if not (file.parent / name).is_file()
     ]
+    found += [
+        (path, "a scene is named above the questions, and is that of all")
+        for path, given in _scenes(study)
+        if FILE in given
+    ]
     if found:
         raise complain(file, text, found)
-    questions = [Asked(study.study, study, question, file.parent) for question in study.question]
+    questions = [
+        Asked(study.study, study, question, file.parent, scene) for question in study.question
+    ]
     for place, asked in enumerate(questions):
         try:
             check(asked)
@@ -173,6 +181,14 @@ def _read(file: Path) -> tuple[bytes, list[Asked], Mapping[str, Any]]:
     if found:
         raise complain(file, text, found)
     return content, questions, document
+
+
+def _scenes(study: StudyFile) -> Iterator[tuple[lines.Path, Mapping[str, Any]]]:
+    """Yield what questions say of the scene, and where."""
+    for place, question in enumerate(study.question):
+        yield ("question", place, "scene"), question.scene
+        if isinstance(question, Compare):
+            yield ("question", place, "versus", "scene"), question.versus.scene
 
 
 def _files(study: StudyFile) -> Iterator[tuple[lines.Path, str]]:

@@ -9,17 +9,17 @@ from typing import Annotated, Any, TypeAlias
 from pydantic import AfterValidator, Field, GetCoreSchemaHandler, ValidationError, model_validator
 from pydantic_core import CoreSchema, core_schema
 
-from hoopgen.parameters import NAMES, PRESETS
+from hoopgen.hoop.presets import PRESETS
+from hoopgen.hoop.variables import VARIABLES
 from hoopgen.study.aim import Arc
 from hoopgen.study.lock import LOCK
 from hoopgen.study.margins import MARGINS
 from hoopgen.study.measures import MEASURES
 from hoopgen.study.player import BY, By
-from hoopgen.study.scatter import SCATTERED
 from hoopgen.study.tables import FORMATS
-from hoopgen.variables import VARIABLES
 
 from .fields import Ends, Listed, Named, OneOf, Table, Values
+from .scene import FILE, InScene, Varying, Way, kind_of, releasing, scattering, scene_keys, varying
 from .single import Name, Quantity, Share, Text, Whole, Word, meant, show, wrong
 
 __all__ = [
@@ -38,17 +38,15 @@ __all__ = [
     "StudyFile",
 ]
 
-_RELEASE = tuple(name for name in VARIABLES if name not in NAMES)
-
 
 def _quantity(name: str) -> Quantity:
     if name == "restitution":
         return Quantity("number", 0.0, 1.0)
-    return Quantity(VARIABLES[name].kind)
+    return Quantity(kind_of(name))
 
 
 def _deviation(name: str) -> Quantity:
-    return Quantity(VARIABLES[name].kind, 0.0)
+    return Quantity(kind_of(name), 0.0)
 
 
 def _correlation(_: str) -> Quantity:
@@ -56,18 +54,20 @@ def _correlation(_: str) -> Quantity:
 
 
 def _correlations(_: str) -> Named:
-    return Named(SCATTERED, _correlation)
+    return Named(scattering, _correlation)
 
 
 def _values(name: str) -> Values:
-    return Values(VARIABLES[name].kind)
+    return Values(kind_of(name))
 
 
 def _ends(name: str) -> Ends:
-    return Ends(VARIABLES[name].kind)
+    return Ends(kind_of(name))
 
 
 def _scene(name: str) -> Any:
+    if name == FILE:
+        return Text(said="a scene's name, or that of a scene file")
     return Word(tuple(PRESETS)) if name == "preset" else _quantity(name)
 
 
@@ -81,8 +81,8 @@ _TAKEN: Mapping[str, str] = MappingProxyType(
 )
 """What no question's folder can be called, and why; other names of ours have a dot in them."""
 
-_SEARCH = Named(tuple(VARIABLES), _ends, least=1)
-_SEARCHED = OneOf(Listed(Word(tuple(VARIABLES)), 1), _SEARCH)
+_SEARCH = Named(varying, _ends, least=1)
+_SEARCHED = OneOf(Listed(Varying(tuple(VARIABLES)), 1), _SEARCH)
 
 
 def _search(given: Any) -> Any:
@@ -91,12 +91,16 @@ def _search(given: Any) -> Any:
 
 
 Count: TypeAlias = Annotated[int, Whole()]
-Over: TypeAlias = Annotated[dict[str, list[float]], Named(tuple(VARIABLES), _values, least=1)]
+Contacts: TypeAlias = Annotated[int | None, Whole()]
+Over: TypeAlias = Annotated[dict[str, list[float]], Named(varying, _values, least=1)]
 Search: TypeAlias = Annotated[dict[str, list[float] | None], _SEARCHED, AfterValidator(_search)]
-Way: TypeAlias = Annotated[By, Word(tuple(BY))]
+ByWay: TypeAlias = Annotated[str, Way(tuple(BY))]
 Names: TypeAlias = Annotated[list[str], Listed(Text(said="a column's name"))]
 Format: TypeAlias = Annotated[str | None, Word(tuple(FORMATS))]
 File: TypeAlias = Annotated[str, Text(said="the name of a file")]
+
+
+_CAPPED = "A shot with so many is given up as capped; by default 40 at the hoop, elsewhere 1000."
 
 
 class Study(Table):
@@ -137,16 +141,16 @@ class Releases(Table):
 class Given(Table):
     """Where shots come from."""
 
-    scene: Annotated[dict[str, Any], Named(("preset", *NAMES), _scene)] = Field(
-        {}, description="The hoop and the ball."
+    scene: Annotated[dict[str, Any], InScene(Named(scene_keys, _scene))] = Field(
+        {}, description="The hoop and the ball; or, above the questions, another scene."
     )
-    release: Annotated[dict[str, float], Named(_RELEASE, _quantity)] = Field(
+    release: Annotated[dict[str, float], Named(releasing, _quantity)] = Field(
         {}, description="The release aimed at."
     )
-    scatter: Annotated[dict[str, float] | None, Named(SCATTERED, _deviation, none=True)] = Field(
+    scatter: Annotated[dict[str, float] | None, Named(scattering, _deviation, none=True)] = Field(
         {}, description="Standard deviations about it."
     )
-    correlation: Annotated[dict[str, dict[str, float]], Named(SCATTERED, _correlations)] = Field(
+    correlation: Annotated[dict[str, dict[str, float]], Named(scattering, _correlations)] = Field(
         {}, description="Of pairs that scatter."
     )
     releases: Releases | None = Field(None, description="Measured releases instead of scatter.")
@@ -174,7 +178,7 @@ class Question(Given):
 
 
 class Estimate(Question):
-    """How probably a shot is made."""
+    """How probably a shot is made; in a scene of one's own, how it ends."""
 
     shots: Annotated[int | None, Whole()] = Field(
         None, description="By default 100,000; with a precision the most, by default 1e9."
@@ -182,7 +186,7 @@ class Estimate(Question):
     precision: Annotated[float | None, Share()] = Field(
         None, description="Stop when half the interval is no wider: 0.001 is a tenth of a point."
     )
-    max_contacts: Count = Field(40, description="A shot with so many is given up as capped.")
+    max_contacts: Contacts = Field(None, description=_CAPPED)
     figures: Annotated[list[str], Listed(Word(("fan", "landings")))] = Field(
         [], description="Paths of the first shots; where misses reach the floor."
     )
@@ -199,7 +203,10 @@ class Compare(Question):
     precision: Annotated[float | None, Share()] = Field(
         None, description="As of an estimate, for the difference."
     )
-    max_contacts: Count = Field(40, description="A shot with so many is given up as capped.")
+    by: Annotated[str | None, Text(said="the name of an end")] = Field(
+        None, description="In a scene of one's own the end that counts; by default the first."
+    )
+    max_contacts: Contacts = Field(None, description=_CAPPED)
 
 
 class Map(Question):
@@ -212,7 +219,7 @@ class Map(Question):
     shots: Annotated[int | None, Whole()] = Field(
         None, description="Of each cell, with scatter; by default 10,000."
     )
-    max_contacts: Count = Field(40, description="A shot with so many is given up as capped.")
+    max_contacts: Contacts = Field(None, description=_CAPPED)
     figures: Annotated[list[str], Listed(Word(("map",)))] = Field([], description="The map.")
 
 
@@ -223,7 +230,11 @@ class Optimum(Question):
         description='Variables to search over: `["elevation", "aim"]` within the usual ends, or '
         '`over.elevation = ["45 deg", "60 deg"]`.'
     )
-    by: Way = Field("any", description="What counts: any made shot, not off the board, or off it.")
+    by: ByWay = Field(
+        "any",
+        description="What counts: any made shot, not off the board, or off it. In a scene of one's "
+        "own an end, by default the first.",
+    )
     shots: Count = Field(
         100_000, description="Of the last step of the search, and of the fresh estimate."
     )
@@ -276,7 +287,7 @@ class Aim(Question):
     depth: Annotated[float, Quantity("length")] = Field(
         0.0, description="How far past the ring's centre is aimed."
     )
-    by: Way = Field("any", description="What counts, as of an optimum.")
+    by: Annotated[By, Word(tuple(BY))] = Field("any", description="What counts, as of an optimum.")
 
 
 class Batch(Question):
@@ -297,7 +308,7 @@ class Batch(Question):
     prefix: Annotated[str, Text(r".*", "text")] = Field(
         "", description="Of the names of the results' columns."
     )
-    max_contacts: Count = Field(40, description="A shot with so many is given up as capped.")
+    max_contacts: Contacts = Field(None, description=_CAPPED)
 
 
 KINDS: Mapping[str, type[Question]] = MappingProxyType(

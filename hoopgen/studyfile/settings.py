@@ -11,14 +11,17 @@ from typing import Any
 
 import numpy as np
 
-from hoopgen.parameters import PAPER, PRESETS
+from hoopgen.engines import Engine
+from hoopgen.hoop.variables import change_variables
+from hoopgen.scenes import presets_of
 from hoopgen.study.columns import variable_of
 from hoopgen.study.origin import origin_of
 from hoopgen.study.resample import Resample
 from hoopgen.study.scatter import Scatter
 from hoopgen.study.tables import Source
-from hoopgen.variables import STATE, change_variables
+from hoopgen.variables import is_state
 
+from .scene import FILE
 from .schema import Given, Releases
 
 __all__ = ["Setting", "given_without"]
@@ -44,6 +47,8 @@ class Setting:
         Measured releases; None without.
     folder
         That their file is relative to.
+    engine
+        The scene itself.
     """
 
     scene: Mapping[str, Any]
@@ -53,11 +58,12 @@ class Setting:
     correlation: Mapping[tuple[str, str], float]
     releases: Releases | None
     folder: Path
+    engine: Engine
 
     @classmethod
-    def of(cls, given: Iterable[Given], folder: Path) -> Setting:
+    def of(cls, given: Iterable[Given], folder: Path, engine: Engine) -> Setting:
         """Return what tables say, each key by key in place of those before."""
-        return reduce(Setting._changed, given, cls({}, {}, {}, {}, {}, None, folder))
+        return reduce(Setting._changed, given, cls({}, {}, {}, {}, {}, None, folder, engine))
 
     def _changed(self, given: Given) -> Setting:
         correlation = {
@@ -81,6 +87,7 @@ class Setting:
             {**kept, **correlation},
             given.releases or self.releases,
             self.folder,
+            self.engine,
         )
 
     @property
@@ -95,11 +102,13 @@ class Setting:
 
     def parameters_of(self, source: Source | None) -> dict[str, float]:
         """Return those of the scene of a table; what the study says comes before the table."""
-        changed = {name: value for name, value in self.scene.items() if name != "preset"}
+        changed = {
+            name: value for name, value in self.scene.items() if name not in ("preset", FILE)
+        }
         if "preset" in self.scene:
-            return {**PRESETS[self.scene["preset"]], **changed}
-        origin = None if source is None else origin_of(source)
-        return {**(PAPER if origin is None else origin.parameters), **changed}
+            return {**presets_of(self.engine)[self.scene["preset"]], **changed}
+        origin = None if source is None else origin_of(source, self.engine)
+        return {**(self.engine.parameters if origin is None else origin.parameters), **changed}
 
     @property
     def scatters(self) -> bool:
@@ -134,21 +143,21 @@ class Setting:
     def _measured(self, releases: Releases) -> dict[str, Any]:
         """Return the columns of measured releases, and what is the same for all."""
         source = self._source(releases)
-        origin = origin_of(source)
+        origin = origin_of(source, self.engine)
         shared = {} if origin is None else origin.release
         names = source.schema().names
         own = {*releases.own, *(() if origin is None else origin.own)}
-        said = {name: variable_of(name)[0] for name in names if name not in own}
+        said = {name: variable_of(name, self.engine)[0] for name in names if name not in own}
         said = {name: variable for name, variable in said.items() if variable}
         kept = _change(dict.fromkeys(said.values(), math.nan) | dict(shared), self.own)
         passed = [name for name, one in said.items() if one in self.own or one not in kept]
-        is_state = not set(STATE[2:]).isdisjoint(said.values())
+        state = is_state(said.values())
         given = {
-            **({} if is_state else given_without(self.above, kept)),
+            **({} if state else given_without(self.above, kept)),
             **{name: value for name, value in shared.items() if name in kept},
             **self.own,
         }
-        columns = source.columns(sorted({*own, *passed}), given)
+        columns = source.columns(sorted({*own, *passed}), given, self.engine)
         return {**source.values(source.whole(), columns), **given}
 
     def _source(self, releases: Releases) -> Source:
@@ -162,6 +171,8 @@ class Setting:
 def _change(release: Mapping[str, float], changes: Mapping[str, Any]) -> dict[str, Any]:
     """Return variables with some changed; what says the same in another way is dropped."""
     gone = {name for way in _PLACES if not way.isdisjoint(changes) for name in _other(way)}
+    if is_state({*release, *changes}):
+        return {**release, **changes}
     return change_variables({n: v for n, v in release.items() if n not in gone}, changes)
 
 

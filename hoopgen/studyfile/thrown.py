@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from hoopgen import plots
-from hoopgen.inputs import check_contacts
 from hoopgen.phrases import counted, decimals, interval, percent, points
 from hoopgen.results import Outcome, Shots
+from hoopgen.scenes import check_hoop
 from hoopgen.simulation import check_log, simulate
 from hoopgen.study.batch import batch
 from hoopgen.study.best import PLOTTED
@@ -17,8 +17,10 @@ from hoopgen.study.estimate import estimate
 from hoopgen.study.measures import measure
 from hoopgen.study.named import in_units
 from hoopgen.study.origin import settle
+from hoopgen.study.shares import Shares
 from hoopgen.study.tables import Source
-from hoopgen.study.throws import most_shots
+from hoopgen.study.tallies import contacts_of
+from hoopgen.study.throws import check_states, most_shots, outcome_by
 from hoopgen.told import in_a_note, told_setting
 from hoopgen.variables import Releases
 
@@ -37,10 +39,16 @@ def check_throws(asked: Asked, question: Estimate | Compare) -> None:
     settings = [asked.setting]
     settings += [asked.changed(question.versus)] if isinstance(question, Compare) else []
     for setting in settings:
-        setting.model().draw(0, 1, 0, setting.parameters)
+        model = setting.model()
+        check_states(model, asked.engine)
+        model.draw(0, 1, 0, setting.parameters)
     paired = isinstance(question, Compare)
     most = most_shots(question.shots, question.precision, asked.study.confidence, paired=paired)
-    contacts = check_contacts(question.max_contacts)
+    if isinstance(question, Compare):
+        outcome_by(asked.engine, question.by)
+    elif "landings" in question.figures:
+        check_hoop("landings", asked.engine)
+    contacts = contacts_of(question.max_contacts, asked.engine)
     if isinstance(question, Estimate) and "fan" in question.figures:
         check_log(min(PLOTTED, most), contacts)
 
@@ -52,6 +60,7 @@ def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
     found = estimate(
         model,
         setting.parameters,
+        scene=asked.engine,
         shots=question.shots,
         precision=question.precision,
         confidence=asked.study.confidence,
@@ -63,8 +72,16 @@ def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
     for name in question.figures:
         asked.draw(work, name, shooting.fan() if name == "fan" else shooting.landings())
     digits = decimals(found.half_width)
-    ends = interval(found.low, found.high, digits)
-    line = f"{percent(found.probability, digits)} made ({ends})"
+    if isinstance(found, Shares):
+        ends = asked.engine.kernels.ENDS or tuple(n for n, share in found.shares.items() if share)
+        line = ", ".join(
+            f"{percent(found.shares[name], digits)} {name} "
+            f"({interval(found.low[name], found.high[name], digits)})"
+            for name in ends
+        )
+    else:
+        ends = interval(found.low, found.high, digits)
+        line = f"{percent(found.probability, digits)} made ({ends})"
     return Answer(
         line + _short_of(question, found.half_width), fenced(found), in_units(found.as_dict())
     )
@@ -104,14 +121,20 @@ class _Shooting:
 
     @property
     def _told(self) -> dict[str, str]:
-        return told_setting(self.asked.setting.identity()) | {"seed": str(self.asked.study.seed)}
+        return told_setting(self.asked.setting.identity(), self.asked.engine) | {
+            "seed": str(self.asked.study.seed)
+        }
 
     def _simulated(self, most: int, *, record: bool = False) -> tuple[Releases, Shots]:
         setting, seed = self.asked.setting, self.asked.study.seed
         released = setting.model().draw(0, min(most, self.shots), seed, setting.parameters)
         most_contacts = self.question.max_contacts
         return released, simulate(
-            released.states, released.parameters, max_contacts=most_contacts, record=record
+            released.states,
+            released.parameters,
+            scene=self.asked.engine,
+            max_contacts=most_contacts,
+            record=record,
         )
 
 
@@ -121,6 +144,8 @@ def answer_compare(asked: Asked, question: Compare, work: Work) -> Answer:
     found = compare(
         (first.model(), first.parameters),
         (second.model(), second.parameters),
+        scene=asked.engine,
+        by=question.by,
         shots=question.shots,
         precision=question.precision,
         confidence=asked.study.confidence,
@@ -141,9 +166,13 @@ def answer_compare(asked: Asked, question: Compare, work: Work) -> Answer:
 def check_batch(asked: Asked, question: Batch) -> None:
     """Look for what is wrong with a batch."""
     source = Source(asked.folder / question.file, question.format or "")
-    origin = settle(source, None, question.release, None, question.own, override=True)
-    source.columns(origin.own, origin.release)
-    check_contacts(question.max_contacts)
+    origin = settle(
+        source, None, question.release, None, question.own, override=True, scene=asked.engine
+    )
+    source.columns(origin.own, origin.release, asked.engine)
+    contacts_of(question.max_contacts, asked.engine)
+    if question.measures:
+        check_hoop("measures", asked.engine)
 
 
 def _most_contacts(question: Batch) -> int | None:
@@ -158,6 +187,7 @@ def answer_batch(asked: Asked, question: Batch, work: Work) -> Answer:
         source.path,
         work.folder / "results.parquet",
         parameters=asked.setting.parameters_of(source),
+        scene=asked.engine,
         release=question.release,
         measures=question.measures,
         max_contacts=_most_contacts(question),

@@ -15,9 +15,9 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from hoopgen import plots
-from hoopgen.inputs import check_contacts
 from hoopgen.outputs import write
 from hoopgen.phrases import counted, interval, percent, points
+from hoopgen.scenes import check_hoop
 from hoopgen.sizes import check_room
 from hoopgen.study.aim import aim
 from hoopgen.study.aim_table import OFF, aim_table, write_csv
@@ -31,6 +31,8 @@ from hoopgen.study.optimum import optimum, scattering
 from hoopgen.study.resample import Resample
 from hoopgen.study.scatter import Scatter
 from hoopgen.study.search import bounds_of
+from hoopgen.study.tallies import contacts_of
+from hoopgen.study.throws import check_states
 from hoopgen.words import between, say
 
 from .asked import Answer, Asked, Work, fenced
@@ -57,9 +59,10 @@ def _try(asked: Asked, model: Scatter | Resample, values: Mapping[str, float]) -
 def check_map(asked: Asked, question: Map) -> None:
     """Look for what is wrong with a map."""
     model = asked.setting.model(question.over)
+    check_states(model, asked.engine, question.over)
     _try(asked, model, {name: axis[0] for name, axis in question.over.items()})
     check_cells(question.over, scatters=model.scatters)
-    check_contacts(question.max_contacts)
+    contacts_of(question.max_contacts, asked.engine)
     if question.shots is not None and not model.scatters:
         raise ValueError("shots: without scatter a cell is one shot; leave out")
 
@@ -70,6 +73,7 @@ def answer_map(asked: Asked, question: Map, work: Work) -> Answer:
         asked.setting.model(question.over),
         question.over,
         asked.setting.parameters,
+        scene=asked.engine,
         shots=question.shots,
         confidence=asked.study.confidence,
         seed=asked.study.seed,
@@ -84,7 +88,19 @@ def answer_map(asked: Asked, question: Map, work: Work) -> Answer:
         shares = _outcomes(dataset)
         said = [f"{percent(share)} {name}" for name, share in shares.items() if share]
         return Answer(f"{cells}: {', '.join(said)}", "", {"shares": shares})
+    if "count" in dataset:
+        return _endings(dataset, cells)
     return _best_cell(dataset, f"{cells}, {counted(dataset['shots'].values.max(), 'shot')} each")
+
+
+def _endings(dataset: xr.Dataset, cells: str) -> Answer:
+    """Return the shares of all cells together, of a scene of one's own."""
+    counts = dataset["count"].sum([name for name in dataset["count"].dims if name != "ending"])
+    ended = dict(zip(dataset["ending"].values.tolist(), counts.values.tolist(), strict=True))
+    valid = sum(count for name, count in ended.items() if name != "invalid")
+    shares = {name: n / valid for name, n in ended.items() if valid and name != "invalid"}
+    said = [f"{percent(share)} {name}" for name, share in shares.items() if share]
+    return Answer(f"{cells}: {', '.join(said) or 'none valid'}", "", {"shares": shares})
 
 
 def _outcomes(dataset: xr.Dataset) -> dict[str, float]:
@@ -109,9 +125,11 @@ def _best_cell(dataset: xr.Dataset, cells: str) -> Answer:
 
 def check_optimum(asked: Asked, question: Optimum) -> None:
     """Look for what is wrong with a search for the best release."""
+    if "margins" in question.model_fields_set:
+        check_hoop("margins", asked.engine)
     check_two_seeds(asked.study.seed)
     setting, model = asked.setting, asked.setting.model(question.over)
-    player = scattering(model, question.over, setting.parameters, question.by)
+    player = scattering(model, question.over, setting.parameters, question.by, asked.engine)
     ends = bounds_of(_ends(question.over), model.centre, player)
     _try(asked, model, {name: low for name, (low, _) in ends.items()})
 
@@ -128,19 +146,21 @@ def answer_optimum(asked: Asked, question: Optimum, work: Work) -> Answer:
         asked.setting.model(question.over),
         _ends(question.over),
         asked.setting.parameters,
+        scene=asked.engine,
         by=question.by,
         shots=question.shots,
         seed=asked.study.seed,
         confidence=asked.study.confidence,
         tolerance=question.tolerance,
-        margins=question.margins,
+        margins=question.margins if asked.engine.has_hoop else None,
         **work.options,
     )
     given = best.arguments
-    line = (
-        f"{percent(best.probability)} ({interval(best.low, best.high)}) from "
-        f"{say('speed', given['speed'])} at {say('elevation', given['elevation'])}"
-    )
+    if asked.engine.has_hoop:
+        there = f"{say('speed', given['speed'])} at {say('elevation', given['elevation'])}"
+    else:
+        there = ", ".join(f"{name} {best.release[name]:g}" for name in best.bounds)
+    line = f"{percent(best.probability)} ({interval(best.low, best.high)}) from {there}"
     return Answer(line, fenced(best), in_units(best.as_dict()))
 
 
@@ -168,6 +188,7 @@ def _bank_model(asked: Asked, question: Bank) -> Scatter | Resample:
 
 def check_bank(asked: Asked, question: Bank) -> None:
     """Look for what is wrong with a comparison of bank and direct shots."""
+    check_hoop("bank", asked.engine)
     check_two_seeds(asked.study.seed)
     model, parameters = _bank_model(asked, question), asked.setting.parameters
     check_kept(question.shots)
@@ -277,6 +298,7 @@ def _wanted(asked: Asked, question: Aim) -> dict[str, Any]:
 
 def check_aim(asked: Asked, question: Aim) -> None:
     """Look for what is wrong with a table of aim."""
+    check_hoop("aim", asked.engine)
     aim(
         **_wanted(asked, question),
         distance=np.array(question.distance),

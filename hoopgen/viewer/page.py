@@ -18,14 +18,14 @@ from numpy.typing import NDArray
 
 from hoopgen.brief import brief
 from hoopgen.colours import COLOURS
+from hoopgen.hoop.kinds import Kind, kinds
+from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.installed import version
 from hoopgen.outputs import write
 from hoopgen.parameters import Value, resolve
 from hoopgen.phrases import counted
 from hoopgen.printable import printable
-from hoopgen.releases import RING_HEIGHT
 from hoopgen.results import Shots
-from hoopgen.study.measures import Kind, kinds
 from hoopgen.told import say_of
 
 from .scenery import ball_radius, scenery, shown_parameters, turned

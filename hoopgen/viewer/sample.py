@@ -11,11 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
+from hoopgen.engines import HOOP, Engine
 from hoopgen.study.draws import ROW_OF_SAMPLE, uniforms
-from hoopgen.study.models import from_columns
+from hoopgen.study.models import check_turns, from_columns
 from hoopgen.study.origin import settle
 from hoopgen.study.tables import Source
-from hoopgen.variables import Releases, check_angles
+from hoopgen.variables import Releases
 
 __all__ = ["Sample", "sample"]
 
@@ -56,6 +57,7 @@ def sample(
     override: bool = False,
     format: str | None = None,
     own: Sequence[str] = (),
+    scene: Engine = HOOP,
 ) -> Sample:
     """Choose rows of a table of releases; each is as likely as any other.
 
@@ -71,17 +73,19 @@ def sample(
         From 0 to 2^64 - 1.
     parameters
         Of the scene, where no column says otherwise; by default those that a file of results says,
-        else `PAPER`.
+        else the scene's usual ones.
     release
         Variables that all shots share, in place of columns.
     max_contacts
-        By default as many as a file of results says, else 40.
+        By default as many as a file of results says, else as is usual in the scene.
     override
         Whether those three may contradict what the file says.
     format
         "csv", "parquet" or "arrow"; by default as the suffix says.
     own
         Columns that are not to be read, though they are named like variables.
+    scene
+        In which the shots are flown.
 
     Raises
     ------
@@ -94,10 +98,10 @@ def sample(
     if count < 1:
         raise ValueError(f"count: expected a whole number from 1, got {brief(count)}")
     table = Source(Path(source), format or "")
-    check_angles("release", release or {})
-    origin = settle(table, parameters, release, max_contacts, own, override=override)
+    check_turns("release", release or {}, release or {})
+    origin = settle(table, parameters, release, max_contacts, own, override=override, scene=scene)
     shared = origin.release
-    columns = table.columns(origin.own, shared)
+    columns = table.columns(origin.own, shared, scene)
     # Every row draws a number, and the lowest win: that does not hang on how the rows are read.
     kept = {"draw": np.empty(0), "row": np.empty(0), **{name: np.empty(0) for name in columns}}
     total = 0

@@ -12,7 +12,7 @@ import numpy as np
 from hoopgen.inputs import Backend
 from hoopgen.outputs import PAGES, check_output
 from hoopgen.phrases import counted
-from hoopgen.results import Outcome
+from hoopgen.scenes import engine_of
 from hoopgen.simulation import simulate
 
 from .page import written
@@ -39,6 +39,7 @@ def view_table(
     format: str | None = None,
     own: Sequence[str] = (),
     backend: Backend = "auto",
+    scene: Any = None,
 ) -> Page:
     """Write a page on which a sample of a table is seen in motion; in a notebook, show it.
 
@@ -48,7 +49,7 @@ def view_table(
         As for `hoopgen.viewer.sample.sample`.
     path, title
         As for `hoopgen.view`.
-    backend
+    backend, scene
         As for `hoopgen.simulate`.
 
     Raises
@@ -57,7 +58,7 @@ def view_table(
         As of those.
     """
     target = None if path is None else check_output(path, PAGES)
-    file = Path(source)
+    file, engine = Path(source), engine_of(scene)
     chosen = sample(
         file,
         count,
@@ -68,13 +69,17 @@ def view_table(
         override=override,
         format=format,
         own=own,
+        scene=engine,
     )
-    states, scene = chosen.releases.states, chosen.releases.parameters
-    shots = simulate(states, scene, max_contacts=chosen.max_contacts, backend=backend, record=True)
-    invalid = int(np.count_nonzero(shots.outcome == Outcome.INVALID))
+    states, parameters = chosen.releases.states, chosen.releases.parameters
+    most = chosen.max_contacts
+    shots = simulate(
+        states, parameters, scene=engine, max_contacts=most, backend=backend, record=True
+    )
+    invalid = int(np.count_nonzero(shots.outcome == engine.outcomes["INVALID"]))
     labels = [f"Row {row + 1}" for row in chosen.rows]
     about = _about(file, chosen, seed, invalid)
-    return written(shots, scene, target, title=title, about=about, labels=labels)
+    return written(shots, parameters, target, title=title, about=about, labels=labels)
 
 
 def _about(file: Path, chosen: Sample, seed: int, invalid: int) -> str:

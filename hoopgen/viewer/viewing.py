@@ -8,6 +8,7 @@ from typing import Any
 
 from hoopgen.outputs import PAGES, check_output
 from hoopgen.results import Shots
+from hoopgen.scenes import engine_of
 
 from .page import written
 from .shown import Page
@@ -23,6 +24,7 @@ def view(
     title: str = "",
     about: str = "",
     labels: Sequence[str] | None = None,
+    scene: Any = None,
 ) -> Page:
     """Write a page on which shots are seen in motion; in a notebook, show it.
 
@@ -37,7 +39,7 @@ def view(
         of releases or the results of `hoopgen.batch`: 50 of its rows are flown, in their own scene.
     parameters
         Of the scene, one number each or (n,); by default those they were simulated with,
-        or that a file of results says, else `PAPER`.
+        or that a file of results says, else the scene's usual ones.
     path
         Where to; ends in .html. Without, no file is written.
     title
@@ -46,6 +48,9 @@ def view(
         A line below it, after which the scene is said.
     labels
         What each shot is called, n words or lines; by default "Shot 1", "Shot 2", ...
+
+    scene
+        Of a file, as for `hoopgen.simulate`; shots have theirs.
 
     Returns
     -------
@@ -70,6 +75,8 @@ def view(
 
         if about or labels is not None:
             raise ValueError("about, labels: of a file they are its rows; leave out")
-        return view_table(shots, target, title=title, parameters=parameters)
-    scene = shots.parameters if parameters is None else parameters
-    return written(shots, scene, target, title=title, about=about, labels=labels)
+        return view_table(shots, target, title=title, parameters=parameters, scene=scene)
+    if scene is not None and engine_of(scene) is not shots.scene:
+        raise ValueError("scene: shots were flown in their own; leave out")
+    given = shots.parameters if parameters is None else parameters
+    return written(shots, given, target, title=title, about=about, labels=labels)

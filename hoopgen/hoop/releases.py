@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .inputs import check_angles, doubles
+from hoopgen.inputs import check_angles, doubles
 
 RING_HEIGHT = 3.048
 """m, of the ring above the floor: 10 ft."""

@@ -1,0 +1,19 @@
+"""
+What becomes of every free throw
+================================
+
+Without scatter a cell of a map is one shot: its colour says what the ball touched, and whether it
+went in.
+"""
+
+import numpy as np
+
+import hoopgen
+from hoopgen.plots import plot_map
+
+player = hoopgen.Scatter({"height": 2.1336, "distance": 4.191, "backspin": 6 * np.pi})
+over = {
+    "speed": np.linspace(6.6, 9.2, 401),
+    "elevation": np.radians(np.linspace(38, 75, 301)),
+}
+plot_map(hoopgen.map(player, over, hoopgen.NBA | {"restitution": 0.75}))

@@ -1,0 +1,70 @@
+"""Kinds of shots at a hoop: what each touched on its way."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hoopgen.generated.numpy.hoop import BODIES, Outcome
+
+__all__ = ["ENDED", "Kind", "kinds"]
+
+_RING, _BOARD, _BRIDGE = (BODIES.index(name) for name in ("ring", "backboard", "bridge"))
+
+
+class Kind(IntEnum):
+    """What a shot touched on its way."""
+
+    SWISH = 0
+    """Made, and touched nothing."""
+    RIM = 1
+    """Touched the ring or the bridge, never the board."""
+    BANK = 2
+    """Touched the board, never the ring or the bridge."""
+    BANK_RIM = 3
+    """Touched the board first, then the ring or the bridge too."""
+    RIM_BOARD = 4
+    """Touched the ring or the bridge first, then the board too."""
+    AIRBALL = 5
+    """Missed, and touched nothing."""
+    NONE = 6
+    """Touched nothing, and was neither made nor missed: short or invalid."""
+
+
+def kinds(
+    outcome: NDArray[np.uint8], counts: NDArray[np.int32], first: NDArray[np.int8]
+) -> NDArray[np.uint8]:
+    """Return the kind of each shot.
+
+    Parameters
+    ----------
+    outcome, counts, first
+        As in `Shots`: (n,), (n, k) and (n,).
+
+    Returns
+    -------
+    ndarray
+        uint8 (n,), a `Kind`.
+    """
+    board = counts[:, _BOARD] > 0
+    frame = (counts[:, _RING] > 0) | (counts[:, _BRIDGE] > 0)
+    return np.asarray(_KIND_OF[board * 1 + frame * 2 + (first == _BOARD) * 4, outcome])
+
+
+ENDED = tuple(one for one in Outcome if one <= Outcome.INVALID)
+"""How the shots of a study end: none has a time limit, and on the hoop none comes to rest."""
+
+
+def _kind_of() -> NDArray[np.uint8]:
+    """Return kinds by outcome and by what was touched: 1 board, 2 ring or bridge, 4 board first."""
+    table = np.full((8, len(Outcome)), Kind.NONE, dtype=np.uint8)
+    table[0, Outcome.MADE], table[0, Outcome.MISSED] = Kind.SWISH, Kind.AIRBALL
+    touched = {1: Kind.BANK, 2: Kind.RIM, 3: Kind.RIM_BOARD, 5: Kind.BANK, 7: Kind.BANK_RIM}
+    for bits, kind in touched.items():
+        table[bits] = kind
+    return table
+
+
+_KIND_OF = _kind_of()

@@ -1,0 +1,90 @@
+"""Presets of the hoop: those of the article and of the rule books."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+
+from hoopgen.generated.numpy import hoop
+from hoopgen.parameters import Parameters, Table
+
+NAMES = tuple(hoop.PARAMETERS)
+"""Of its parameters."""
+
+HOOP_TABLE = Table.of(hoop)
+
+
+def _preset(
+    ball_radius: float,
+    ring_radius: float,
+    wire_radius: float,
+    board_distance: float,
+    board: tuple[float, float],
+) -> Parameters:
+    """Return a preset; the board's lower edge is 0.15 m below the ring's top edge."""
+    width, height = board
+    bottom = wire_radius - 0.15
+    return PAPER | {
+        "ball_radius": ball_radius,
+        "ring_radius": ring_radius,
+        "wire_radius": wire_radius,
+        "board_distance": board_distance,
+        "board_half_width": width / 2,
+        "board_bottom": bottom,
+        "board_top": bottom + height,
+        "end_depth": 0.2 * ball_radius,
+    }
+
+
+PAPER = Parameters(HOOP_TABLE.defaults)
+"""Inside the rule books' tolerances, and every sequence of the article's Table 3 comes out."""
+
+NBA = _preset(
+    0.1213,  # 30 in round
+    0.2286 + 0.0079375,  # 18 in across inside, 5/8 in wire
+    0.0079375,
+    0.2286 + 0.1524,  # 9 in + 6 in
+    (1.8288, 1.0668),
+)
+"""NBA rule book."""
+
+FIBA = _preset(
+    0.1213,
+    0.2270 + 0.0090,  # 450-459 mm across inside, 16-20 mm wire
+    0.0090,
+    0.2270 + 0.151,
+    (1.80, 1.05),
+)
+"""FIBA equipment rules, middle of the tolerances."""
+
+PRESETS: Mapping[str, Parameters] = MappingProxyType({"paper": PAPER, "nba": NBA, "fiba": FIBA})
+"""By the names that they have on the command line and in files."""
+
+
+def nearest_preset(parameters: Mapping[str, Any]) -> tuple[str, dict[str, Any]]:
+    """Return the preset that differs in the fewest parameters, and those that differ from it.
+
+    Parameters
+    ----------
+    parameters
+        Of the scene, one number each or (n,). Names that are not there do not count.
+
+    Returns
+    -------
+    tuple
+        A key of `PRESETS`, of several the first; and names and values.
+    """
+
+    def apart(preset: Mapping[str, Any]) -> dict[str, Any]:
+        return {
+            name: value
+            for name, value in parameters.items()
+            if name in preset and not np.all(np.asarray(value) == preset[name])
+        }
+
+    differences = {name: apart(preset) for name, preset in PRESETS.items()}
+    nearest = min(differences, key=lambda name: len(differences[name]))
+    return nearest, differences[nearest]

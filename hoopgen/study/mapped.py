@@ -1,0 +1,259 @@
+"""The dataset of a map: shares of shots over the cells, or what becomes of one in each."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from enum import IntEnum
+from typing import Any, Protocol, TypeAlias
+
+import numpy as np
+import xarray as xr
+from numpy.typing import ArrayLike, NDArray
+
+from hoopgen.engines import Engine
+from hoopgen.hoop.kinds import Kind
+from hoopgen.hoop.variables import STANDS_FOR, change_variables
+from hoopgen.installed import version
+from hoopgen.phrases import percent
+from hoopgen.results import Outcome
+from hoopgen.scenes import STATES, outcomes_of, variables_of
+from hoopgen.told import model_told, say_of, say_scene, told_setting
+from hoopgen.variables import Variable
+
+from .intervals import wilson
+from .resample import Resample
+from .scatter import Scatter
+from .scattering import alike, scene_by_row
+from .shares import INVALID
+from .tallies import Tally
+
+__all__ = ["ENDING", "Work", "dataset"]
+
+ENDING = "ending"
+"""The dimension of outcomes, in a scene of one's own."""
+
+_ENDING = {"long_name": "how a shot ends"}
+
+Floats: TypeAlias = NDArray[np.float64]
+Counts: TypeAlias = NDArray[np.int64]
+
+
+class Work(Protocol):
+    """What a map is made of."""
+
+    @property
+    def axes(self) -> Mapping[str, Floats]:
+        """Variables and their values."""
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """How many values there are of each."""
+
+    @property
+    def model(self) -> Scatter | Resample:
+        """The player."""
+
+    @property
+    def parameters(self) -> Mapping[str, float]:
+        """Of the scene."""
+
+    @property
+    def scene(self) -> Engine:
+        """In which shots are thrown."""
+
+    @property
+    def seed(self) -> int:
+        """Of the random numbers."""
+
+    @property
+    def max_contacts(self) -> int:
+        """With which a shot ends as capped."""
+
+
+def dataset(work: Work, numbers: Counts, level: float) -> xr.Dataset:
+    """Return the dataset of a map.
+
+    Parameters
+    ----------
+    work
+        The map.
+    numbers
+        Of its cells, (cells, columns): rows of a `Tally` or, without scatter, outcome, kind and
+        doubt.
+    level
+        Confidence of the intervals.
+    """
+    numbers = numbers.reshape(*work.shape, -1)
+    if not work.model.scatters:
+        data = _outcomes(work, numbers)
+    elif work.scene.has_hoop:
+        data = _probabilities(work, numbers, level)
+    else:
+        data = _shares(work, numbers, level)
+    return xr.Dataset(data, _coordinates(work), _attributes(work, level))
+
+
+def _shares(work: Work, numbers: Counts, level: float) -> dict[str, xr.Variable]:
+    """Return the variables of a map with scatter, of a scene of one's own."""
+    tally = Tally.read(numbers, work.scene)
+    count, dims = tally.table[..., 0, :], (*work.axes, ENDING)
+    valid = tally.valid[..., None]
+    # An invalid shot is no trial.
+    trial = np.array(outcomes_of(work.scene)) != INVALID
+    with np.errstate(invalid="ignore", divide="ignore"):
+        share = np.where(trial, count / valid, np.nan)
+    low, high = (
+        np.where(trial, end, np.nan) for end in wilson(np.where(trial, count, 0), valid, level)
+    )
+    said = f"of its {percent(level, None)} interval (Wilson)"
+    shared = {
+        "shots": tally.shots,
+        "uncertain": tally.uncertain,
+        "uncertain_capped": tally.uncertain_capped,
+    }
+    return {
+        "share": _variable(dims, share, "share of the shots that end so"),
+        "low": _variable(dims, low, f"lower end {said}"),
+        "high": _variable(dims, high, f"upper end {said}"),
+        "count": _variable(dims, count, "shots that end so"),
+        **{name: _variable(dims[:-1], n, _LABELS[name]) for name, n in shared.items()},
+    }
+
+
+def _probabilities(work: Work, numbers: Counts, level: float) -> dict[str, xr.Variable]:
+    """Return the variables of a map with scatter, where there is a hoop."""
+    tally = Tally.read(numbers, work.scene)
+    made, valid = tally.ended(Outcome.MADE), tally.valid
+    low, high = wilson(made, valid, level)
+    with np.errstate(invalid="ignore"):
+        probability = made / valid
+        share = tally.of_kind() / tally.shots[..., None]
+    dims = tuple(work.axes)
+    counts = {
+        "shots": tally.shots,
+        **{one: tally.ended(Outcome[one.upper()]) for one in _COUNTED},
+        "uncertain": tally.uncertain,
+        "uncertain_capped": tally.uncertain_capped,
+    }
+    return {
+        "probability": _variable(dims, probability, "probability of a made shot"),
+        "low": _variable(dims, low, f"lower end of its {percent(level, None)} interval (Wilson)"),
+        "high": _variable(dims, high, f"upper end of its {percent(level, None)} interval (Wilson)"),
+        "share": _variable((*dims, "kind"), share, "share of the shots that are of a kind"),
+        **{name: _variable(dims, n, _LABELS[name]) for name, n in counts.items()},
+    }
+
+
+_COUNTED = ("made", "capped", "short", "invalid")
+
+_LABELS = {
+    "shots": "shots",
+    "made": "shots made",
+    "capped": "shots given up after so many contacts",
+    "short": "shots that never come down through the end plane",
+    "invalid": "shots that cannot be simulated, and are no trials",
+    "uncertain": "shots with a decision within its rounding-error bound",
+    "uncertain_capped": "those of them that were given up",
+}
+
+
+def _outcomes(work: Work, numbers: Counts) -> dict[str, xr.Variable]:
+    """Return the variables of a map of single shots."""
+    outcome, kind, uncertain = np.moveaxis(numbers.astype(np.uint8), -1, 0)
+    dims = tuple(work.axes)
+    kinds = {"kind": _flags(dims, kind, "kind of shot", Kind)} if work.scene.has_hoop else {}
+    return {
+        "outcome": _flags(dims, outcome, "outcome", work.scene.outcomes),
+        **kinds,
+        "uncertain": xr.Variable(
+            dims,
+            uncertain.astype(np.bool_),
+            {"long_name": "some decision is within its rounding-error bound"},
+        ),
+    }
+
+
+def _variable(dims: tuple[str, ...], values: ArrayLike, label: str) -> xr.Variable:
+    return xr.Variable(dims, values, {"units": "1", "long_name": label})
+
+
+def _flags(
+    dims: tuple[str, ...], values: NDArray[np.uint8], label: str, of: type[IntEnum]
+) -> xr.Variable:
+    """Return codes with their names, by the CF conventions."""
+    attributes = {
+        "long_name": label,
+        "flag_values": np.array([one.value for one in of], np.uint8),
+        "flag_meanings": " ".join(one.name.lower() for one in of),
+    }
+    return xr.Variable(dims, values, attributes)
+
+
+def _coordinates(work: Work) -> dict[str, xr.Variable]:
+    """Return the axes, and what is the same in all cells."""
+    known = variables_of(work.scene)
+    if work.model.is_state:
+        known = {**known, **STATES}
+    coordinates = {
+        name: xr.Variable((name,), values, _units(known[name]))
+        for name, values in work.axes.items()
+    }
+    for name, value in _same(work).items():
+        coordinates[name] = xr.Variable((), value, _units(known[name]))
+    if work.model.scatters and not work.scene.has_hoop:
+        coordinates[ENDING] = xr.Variable(ENDING, list(outcomes_of(work.scene)), _ENDING)
+    elif work.model.scatters:
+        names = [kind.name.lower() for kind in Kind]
+        coordinates["kind"] = xr.Variable("kind", names, {"long_name": "kind of shot"})
+    return coordinates
+
+
+def _same(work: Work) -> dict[str, float]:
+    """Return the variables that are the same in all cells."""
+    if work.model.is_state:
+        return {n: v for n, v in alike(work.model).items() if n not in work.axes}
+    gone = {*work.axes, *(other for name in work.axes for other in STANDS_FOR.get(name, ()))}
+    same = change_variables(alike(work.model), dict.fromkeys(work.axes))
+    return {name: value for name, value in same.items() if name not in gone}
+
+
+def _units(variable: Variable) -> dict[str, str]:
+    return {"units": variable.unit or "1", "long_name": variable.label}
+
+
+def _attributes(work: Work, level: float) -> dict[str, Any]:
+    """Return what the map was made with; the mappings as JSON, which every file format takes."""
+    by_row = [name for name in scene_by_row(work.model, work.parameters) if name not in work.axes]
+    others = {n: v for n, v in work.parameters.items() if n not in (*work.axes, *by_row)}
+    scene = others | {n: v for n, v in alike(work.model).items() if n in others}
+    return {
+        "Conventions": "CF-1.11",
+        "source": f"hoopgen {version()}",
+        **_said(work, scene, by_row),
+        "parameters": json.dumps(scene),
+        "max_contacts": work.max_contacts,
+        **(
+            {}
+            if not work.model.scatters
+            else {
+                **model_told(work.model.identity()),
+                "seed": str(work.seed),
+                "confidence": level,
+            }
+        ),
+    }
+
+
+def _said(work: Work, scene: Mapping[str, float], by_row: Sequence[str]) -> dict[str, str]:
+    """Return what is said of the scene; of one's own that too which no reader could say of it."""
+    if work.scene.is_hoop:
+        return {"scene": say_scene(scene, by_row)}
+    told = told_setting({**work.model.identity(), "parameters": work.parameters}, work.scene)
+    usual = work.scene.parameters
+    return {
+        # What is mapped over is in the coordinates.
+        "scene": say_of(work.scene, {**usual, **scene}, by_row),
+        "scene_sha256": work.scene.identity["sha256"],
+        **{f"said_{name}": told[name] for name in ("release", "scatter") if told.get(name)},
+    }
