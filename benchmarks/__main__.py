@@ -1,6 +1,7 @@
 """`python -m benchmarks`: everything side by side; a table, the numbers and a picture.
 
-With `--only grazes` what everybody makes of shots that graze, and no speed. With `--base REF`
+With `--only grazes` what everybody makes of shots that graze, and no speed; with `--only bodies`
+what many bodies cost. With `--base REF`
 instead the working tree beside another commit: the same results, and how fast.
 """
 
@@ -9,7 +10,7 @@ import signal
 import sys
 from pathlib import Path
 
-from benchmarks import grazes, grazes_page
+from benchmarks import bodies, grazes, grazes_page
 from benchmarks.against import Wanted, against
 from benchmarks.base import CannotBuild
 from benchmarks.families import FAMILIES
@@ -20,6 +21,7 @@ from hoopgen.outputs import write
 from hoopgen.plots.style import save
 
 GRAZES = "grazes"
+BODIES = "bodies"
 PARTS = ("equality", "speed")
 
 
@@ -33,24 +35,31 @@ def main() -> None:
     parser.add_argument("--out", type=Path, default=Path("docs"), help="folder, default docs")
     parser.add_argument(
         "--only",
-        choices=(GRAZES, *PARTS),
+        choices=(GRAZES, BODIES, *PARTS),
         help=f"default all; {' and '.join(PARTS)} are those of --base",
     )
     _add_base(parser)
     arguments = parser.parse_args()
     if arguments.only in PARTS and not arguments.base:
         parser.error(f"--only {arguments.only} is a part of the comparison that --base REF makes")
-    if arguments.only == GRAZES and arguments.base:
-        parser.error(f"--base compares {' and '.join(PARTS)}, got --only {GRAZES}")
+    if arguments.only in (GRAZES, BODIES) and arguments.base:
+        parser.error(f"--base compares {' and '.join(PARTS)}, got --only {arguments.only}")
     if arguments.base:
         sys.exit(_beside(arguments))
     arguments.out.mkdir(parents=True, exist_ok=True)
-    if arguments.only != GRAZES:
+    if arguments.only is None:
         results = run(QUICK if arguments.quick else Settings())
         write(arguments.out / "benchmarks.json", as_json(results))
         write(arguments.out / "benchmarks.md", as_markdown(results))
         save(draw(results), arguments.out / "benchmarks.svg")
         print(as_markdown(results))
+    if arguments.only != GRAZES:
+        found = bodies.costs(*((10_000, 3) if arguments.quick else (100_000, 9)))
+        write(arguments.out / "bodies.json", bodies.as_json(found))
+        write(arguments.out / "bodies.md", bodies.as_markdown(found))
+        print(bodies.as_markdown(found))
+    if arguments.only == BODIES:
+        return
     tallies = grazes.tallies(100 if arguments.quick else 1000)
     write(arguments.out / "grazes.json", grazes_page.as_json(tallies))
     write(arguments.out / "grazes.md", grazes_page.as_markdown(tallies))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import sympy as sp
 
@@ -11,12 +11,14 @@ from .contact.law import Law
 from .contact.rolling import impact_through_frame
 from .errors import tangent
 from .follow import decisions
+from .follow import kinds as of_kinds
 from .follow.fields import Result, fields, results
 from .follow import settling
-from .follow.contact import Contact
+from .follow.kinds import Contact
 from .follow.loop import Loop, event_loop
 from .ground.choice import largest
 from .ground.kernel import Kernel, kernel
+from .ground.kinds import Symbols, kinds
 from .ground.rounding import extent, position_error, speed, velocity_error
 from .ground.symbols import (
     NORMAL,
@@ -35,7 +37,8 @@ from .scenes.check import check
 from .scenes.names import check_kernels
 from .scenes.passage import passage_kernels
 from .scenes.scene import Scene
-from .search import events, search
+from .search import events, far, search
+from .search.decisions import pad
 from .search.search import Formula, Search
 from .studies import ARGUMENTS, study_kernels
 from .surfaces import Surface
@@ -54,11 +57,19 @@ RESTITUTION = sp.Symbol("restitution", nonnegative=True)
 
 @dataclass(frozen=True)
 class SurfaceKernels:
-    """A surface, how it is searched, and its kernels by their part."""
+    """A surface, how it is searched, and its kernels by their part.
+
+    Attributes
+    ----------
+    sizes
+        Of a surface that shares search and kernels with the first of its kind: its own symbol for
+        each of that one's, where they differ.
+    """
 
     surface: Surface
     search: Search
     kernels: dict[str, Kernel]
+    sizes: Symbols = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -79,17 +90,28 @@ class Model:
         """Every kernel, in order."""
         of_laws = (k for kernels in self.laws.values() for k in kernels.values())
         of_surfaces = (k for s in (*self.surfaces, *self.gates) for k in s.kernels.values())
-        return (*self.common.values(), *of_laws, *of_surfaces, *self.study)
+        of_kinds = {id(k): k for k in (*of_laws, *of_surfaces)}
+        return (*self.common.values(), *of_kinds.values(), *self.study)
+
+    @property
+    def kinds(self) -> tuple[tuple[Surface, ...], ...]:
+        """The surfaces by kind: those that share their kernels, which are named after the first."""
+        found: dict[int, list[Surface]] = {}
+        for made in self.surfaces:
+            found.setdefault(id(made.search), []).append(made.surface)
+        return tuple(tuple(alike) for alike in found.values())
 
 
 def _order(scene: Scene) -> tuple[sp.Symbol, ...]:
     searching = (t, events.end, events.leaving, events.margin, events.rate_margin)
     crossing = (events.rate, events.ceiling, events.delay, events.share, events.horizon)
     sizes = (extent, speed, position_error, velocity_error)
+    boxes = (pad, *far.MIDDLES, *far.REACHES)
     own = (s for surface in scene.surfaces for s in search(surface, scene.flight).constants)
     return (
         *(*searching, *crossing, *STATE, *NORMAL, *FRAME, *sizes),
         *tangent.ARGUMENTS,
+        *boxes,
         *dict.fromkeys(own),
         *ARGUMENTS,
         *scene.symbols,
@@ -239,6 +261,8 @@ def _law_kernels(law: Law, scene: Scene, order: tuple[sp.Symbol, ...]) -> dict[s
             "Where a decision within a contact lies within its error.",
             "the law's own slack",
         )
+    if scene.rolls:
+        kernels["settling"] = settling.settling(law, scene.flight.acceleration, ball_radius)
     return kernels | {
         "impact": kernel(
             law.name,
@@ -258,7 +282,10 @@ def _law_kernels(law: Law, scene: Scene, order: tuple[sp.Symbol, ...]) -> dict[s
 
 
 def _surface_kernels(
-    surface: Surface, scene: Scene, order: tuple[sp.Symbol, ...]
+    surface: Surface,
+    scene: Scene,
+    order: tuple[sp.Symbol, ...],
+    differing: set[sp.Symbol] | None = None,
 ) -> SurfaceKernels:
     found = search(surface, scene.flight)
     formulas: dict[str, Formula] = {}
@@ -294,6 +321,12 @@ def _surface_kernels(
             "Eq. 2, Table 2",
         )
     formulas |= found.formulas
+    if differing is not None:
+        sizes = [symbol for symbol in scene.symbols if symbol in differing]
+        formulas["taken"] = (of_kinds.taken(sizes), "The sizes of one surface of a kind.", "data")
+        if not found.closed and (near := far.near(surface)):
+            said = "Where a flight may reach the box of a surface at all."
+            formulas["near"] = (near, said, "boxes that do not meet")
     kernels = {
         part: kernel(f"{surface.name}_{part}", outputs, order, summary, equation)
         for part, (outputs, summary, equation) in formulas.items()
@@ -309,6 +342,32 @@ def _in_contact(scene: Scene) -> dict[str, Kernel]:
     return settling.kernels(scene.flight, scene.ball_radius, scene.faces, codes, lodged)
 
 
+def _shared(scene: Scene) -> set[sp.Symbol]:
+    """Return what kernels of surfaces and laws have from elsewhere, too."""
+    return {scene.gravity, scene.ball_radius}
+
+
+def _variables(symbols: Symbols) -> dict[str, str]:
+    return {variable(one): variable(other) for one, other in symbols.items()}
+
+
+def _of_kinds(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[SurfaceKernels, ...]:
+    """Return the surfaces; those that differ by their sizes alone share what is derived."""
+    made: list[SurfaceKernels] = []
+    likes = kinds(scene.surfaces, _shared(scene))
+    differing: dict[int, set[sp.Symbol]] = {}
+    for index, like in enumerate(likes):
+        if like.first < index:
+            differing.setdefault(like.first, set()).update(like.symbols)
+    for index, (surface, like) in enumerate(zip(scene.surfaces, likes, strict=True)):
+        if like.first < index:
+            first = made[like.first]
+            made.append(SurfaceKernels(surface, first.search, first.kernels, like.symbols))
+        else:
+            made.append(_surface_kernels(surface, scene, order, differing.get(index)))
+    return tuple(made)
+
+
 def build(scene: Scene) -> Model:
     """Return all kernels of a scene, and its event loop.
 
@@ -322,16 +381,37 @@ def build(scene: Scene) -> Model:
     common = {k.name: k for k in _common(scene, order)}
     if scene.passage is not None:
         common |= passage_kernels(scene.passage, scene.flight, order)
-    choices = decisions.kernels(scene.faces, scene.outcomes, len(scene.gates))
-    laws = {law: _law_kernels(law, scene, order) for law in scene.laws}
+    swept = kernel(
+        "swept",
+        far.swept(scene.flight),
+        order,
+        "A box that the ball is within until the horizon: its middle, and its half sizes.",
+        "Eq. 3, its ends and its apex",
+    )
+    choices = (
+        {"swept": swept}
+        | of_kinds.KERNELS
+        | decisions.kernels(scene.faces, scene.outcomes, len(scene.gates))
+    )
+    laws: dict[Law, dict[str, Kernel]] = {}
+    of_laws = kinds(scene.laws, _shared(scene))
+    for law, like in zip(scene.laws, of_laws, strict=True):
+        first = scene.laws[like.first]
+        laws[law] = laws[first] if first in laws else _law_kernels(law, scene, order)
     if scene.rolls:
         choices |= _in_contact(scene)
-        for law, own in laws.items():
-            own["settling"] = settling.settling(law, scene.flight.acceleration, scene.ball_radius)
-    surfaces = tuple(_surface_kernels(surface, scene, order) for surface in scene.surfaces)
+    surfaces = _of_kinds(scene, order)
     gates = tuple(_surface_kernels(gate, scene, order) for gate in scene.gates)
     contacts = [
-        Contact(index, body, made.kernels, made.search, laws[scene.bodies[body].law])
+        Contact(
+            index,
+            body,
+            made.kernels,
+            made.search,
+            laws[scene.bodies[body].law],
+            _variables(made.sizes),
+            _variables(of_laws[scene.laws.index(scene.bodies[body].law)].symbols),
+        )
         for index, (body, made) in enumerate(zip(scene.faces, surfaces, strict=True))
     ]
     ends = [

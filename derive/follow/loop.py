@@ -11,11 +11,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from ..ground.tree import Do, Guard, Node, check, live_before, needed, walk, without
+from ..ground.tree import Do, Guard, Node, Value, check, live_before, needed, walk, without
 from ..search.search import Parts, proposed
 from . import staying
-from .contact import Contact
 from .fields import CLAIMS, Field
+from .kinds import Contact, each, of_laws, of_one_kind, on
 
 TEMPORARY_BOUNDS = {"late": 0.0, "delay": 0.0, "doubt": float("inf")}
 """What bounds errors within a stage, as it stands where no bounds are wanted."""
@@ -110,8 +110,11 @@ def _reach(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact])
     if not gates:
         yield expiry
     # End planes first: what certainly comes after them needs no further look.
-    for surface in sorted((*gates, *contacts), key=lambda s: not s.search.closed):
-        yield from surface.search.nodes(common, surface.parts, surface.index)
+    for kind in of_one_kind(sorted((*gates, *contacts), key=lambda s: not s.search.closed)):
+        if "near" in kind.first.parts:
+            yield Do(common["horizon"], {"t": "when"}, {"horizon": "until"})
+            yield Do(common["swept"], {"horizon": "until"})
+        yield from each(kind.contacts, lambda s, index: _arriving(common, s, index))
     if gates:
         yield expiry
     if "kept" in common:
@@ -127,7 +130,7 @@ def _reach(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact])
     yield Do(common["displacement"], {"horizon": "when", "delay": "late"}, {"margin": "slack"})
     for gate in gates:
         kernels = (gate.parts.get(part) for part in ("bounds", "reached", "edge"))
-        yield from _on(common, gate, *(Do(kernel) for kernel in kernels if kernel is not None))
+        yield from on(common, gate.index, *(Do(kernel) for kernel in kernels if kernel is not None))
     yield Do(common["doubted_in_contact" if "kept" in common else "doubted"])
     yield Do(common["accounted"])
 
@@ -138,6 +141,16 @@ def _passing(common: Parts) -> Iterator[Node]:
         yield Do(common["passing_doubt"], {"t": "when"})
         yield Do(common["undecided"])
         yield Do(common["passing"], {"t": "when"})
+
+
+def _arriving(common: Parts, surface: Contact, index: Value) -> Iterator[Node]:
+    """Propose the first arrival on a surface, if the flight comes near it."""
+    nodes = surface.search.nodes(common, surface.parts, index)
+    if "near" not in surface.parts:
+        yield from nodes
+        return
+    yield Do(surface.parts["near"])
+    yield Guard("near", tuple(nodes))
 
 
 def _meet(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]) -> Iterator[Node]:
@@ -159,51 +172,49 @@ def _contact(
     common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]
 ) -> Iterator[Node]:
     first, *others = (*gates, *contacts)
+    kinds = of_one_kind(contacts)
     yield Do(first.parts["normal"])
     for gate in others[: max(0, len(gates) - 1)]:
-        yield from _on(common, gate, Do(gate.parts["normal"]))
-    for surface in contacts:
-        count = {"count": f"count_{surface.body}"}
-        counted = Do(common["counted"], count, count)
-        yield from _on(common, surface, Do(surface.parts["normal"]), counted)
+        yield from on(common, gate.index, Do(gate.parts["normal"]))
+    for kind in kinds:
+        yield from kind.taken(common)
+        if kind.several:
+            yield from kind.on(common, "normal")
+            for surface in kind.contacts:
+                yield from on(common, surface.index, _counted(common, surface))
+        else:
+            yield from kind.on(common, "normal", _counted(common, kind.first))
     yield Do(common["elsewhere"])
-    for surface in contacts:
-        yield Do(common["again"], {"index": surface.index})
-        yield Guard("again", (Do(surface.parts["curvature"], {}, {"curvature": "curving"}),))
+    for kind in kinds:
+        yield from kind.bent(common)
     yield Do(common["carry_flight"], {"t": "when"})
     yield Do(common["delayed"])
     if gates:
         yield Guard("ends", (Do(common["floored"]),))
     yield Do(common["unturned"])
-    for surface in contacts:
-        if "carry_normal" in surface.parts:
-            yield from _on(common, surface, Do(surface.parts["carry_normal"]))
+    for kind in kinds:
+        yield from kind.on(common, "carry_normal")
     yield from _laws(common, contacts)
-    for surface in contacts:
-        if "place" in surface.parts:
-            yield from _on(common, surface, Do(surface.parts["place"]))
+    for kind in kinds:
+        yield from kind.on(common, "place")
     yield Guard("touches", (Do(common["touched"]),))
     if "kept" in common:
         yield Guard("touches", tuple(staying.settled(common, contacts, gates)))
 
 
-def _on(common: Parts, surface: Contact, *body: Node) -> Iterator[Node]:
-    """Do something where the event is on a surface."""
-    yield Do(common["here"], {"index": surface.index})
-    yield Guard("here", body)
+def _counted(common: Parts, surface: Contact) -> Do:
+    count = {"count": f"count_{surface.body}"}
+    return Do(common["counted"], count, count)
 
 
 def _laws(common: Parts, contacts: Sequence[Contact]) -> Iterator[Node]:
     """Give ball and errors their motion after the contact, by the law of the body."""
-    by_law: dict[str, list[Contact]] = {}
-    for surface in contacts:
-        by_law.setdefault(surface.law["impact"].name, []).append(surface)
-    if len(by_law) == 1:
+    by_law = of_laws(contacts)
+    if len(by_law) == 1 and not any(surface.law_sizes for surface in contacts):
         yield Guard("touches", tuple(_law(common, contacts[0])))
         return
-    for surfaces in by_law.values():
-        for surface in surfaces:
-            yield from _on(common, surface, *_law(common, surface))
+    for surfaces in by_law:
+        yield from each(surfaces, lambda s, index: on(common, index, *_law(common, s)))
 
 
 def _law(common: Parts, surface: Contact) -> Iterator[Node]:

@@ -7,13 +7,14 @@ flies for a moment in which it certainly meets nothing, and is in flight like an
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from types import MappingProxyType
 
 from ..flight import rolling
 from ..ground.symbols import STATE
-from ..ground.tree import Do, Guard, Node, Repeat
+from ..ground.tree import Do, Guard, Node, Repeat, given_as
 from ..search.search import Parts
-from .contact import Contact
+from .kinds import Contact
 
 LIMIT = 1 << 17
 """Steps after which a ball in contact is given up; a minute of a fast swirl takes a fifth."""
@@ -55,7 +56,7 @@ def _each(common: Parts, surfaces: Sequence[Contact], *parts: str) -> Iterator[N
     """Evaluate kernels of the surface that the ball stays on."""
     for surface in surfaces:
         yield Do(common["holding"], {"index": surface.index})
-        yield Guard("here", tuple(Do(surface.parts[part]) for part in parts))
+        yield Guard("here", tuple(_part(surface, part) for part in parts))
 
 
 def _neighbours(
@@ -65,7 +66,7 @@ def _neighbours(
     yield Do(common["alone"])
     for surface in (*contacts, *gates):
         yield Do(common["beside"], {"index": surface.index})
-        near = (Do(surface.parts["beside"], wanted=frozenset({"gap"})), Do(common["neared"]))
+        near = (_gap(surface), Do(common["neared"]))
         yield Guard("beside", near)
 
 
@@ -83,15 +84,15 @@ def _step(
     yield Do(common["leaving_force"])
     for surface in contacts:
         yield Do(common["beside"], {"index": surface.index})
-        met = (Do(surface.parts["beside"]), Do(common["beside_body"], {"index": surface.index}))
+        met = (_part(surface, "beside"), Do(common["beside_body"], {"index": surface.index}))
         yield Guard("beside", met)
     for gate in gates:
-        yield Do(gate.parts["beside"])
+        yield _part(gate, "beside")
         yield Do(common["beside_gate"], {"index": gate.index})
     for surface in holders:
         seams = [part for part in surface.parts if part.startswith("seam")]
         if seams:
-            each = (n for s in seams for n in (Do(surface.parts[s]), Do(common["beside_seam"])))
+            each = (n for s in seams for n in (_part(surface, s), Do(common["beside_seam"])))
             yield Do(common["holding"], {"index": surface.index})
             yield Guard("here", tuple(each))
     yield Do(common["beside_time"])
@@ -112,7 +113,7 @@ def _series(common: Parts) -> Iterator[Node]:
         yield Do(common[f"roll_{k}"])
 
 
-def _moved(common: Parts, holders: Sequence[Contact], names: dict[str, str]) -> Iterator[Node]:
+def _moved(common: Parts, holders: Sequence[Contact], names: Mapping[str, str]) -> Iterator[Node]:
     """Take a ball along its series, and put it back onto the surface."""
     yield _on(Do(common["roll_moved"], {"t": "stride"}), names)
     yield from _put(common, holders, names)
@@ -122,7 +123,7 @@ def _moved_beside(common: Parts, holders: Sequence[Contact]) -> Iterator[Node]:
     """Do the same with the neighbouring motion, which begins on the surface, too."""
     for surface in holders:
         yield Do(common["holding"], {"index": surface.index})
-        yield Guard("here", (_on(Do(surface.parts["normal"]), _FAR),))
+        yield Guard("here", (_part(surface, "normal", _FAR),))
     yield _on(Do(common["roll_turn_rate"]), _FAR)
     yield from _put(common, holders, _FAR)
     yield _on(Do(common["roll_start"]), _FAR)
@@ -130,15 +131,24 @@ def _moved_beside(common: Parts, holders: Sequence[Contact]) -> Iterator[Node]:
     yield from _moved(common, holders, _FAR)
 
 
-def _put(common: Parts, holders: Sequence[Contact], names: dict[str, str]) -> Iterator[Node]:
+def _put(common: Parts, holders: Sequence[Contact], names: Mapping[str, str]) -> Iterator[Node]:
     for surface in holders:
         yield Do(common["holding"], {"index": surface.index})
-        parts = (_on(Do(surface.parts[part]), names) for part in ("normal", "off"))
+        parts = (_part(surface, part, names) for part in ("normal", "off"))
         yield Guard("here", tuple(parts))
     yield _on(Do(common["roll_placed"]), names)
 
 
-def _on(node: Do, names: dict[str, str]) -> Do:
+def _part(surface: Contact, part: str, names: Mapping[str, str] = MappingProxyType({})) -> Node:
+    """Return the evaluation of a kernel of a surface, for a motion whose state has such names."""
+    return given_as(_on(Do(surface.parts[part]), names), surface.sizes)
+
+
+def _gap(surface: Contact) -> Node:
+    return given_as(Do(surface.parts["beside"], wanted=frozenset({"gap"})), surface.sizes)
+
+
+def _on(node: Do, names: Mapping[str, str]) -> Do:
     """Return the evaluation for a motion whose state has other names."""
     arguments = {str(symbol) for symbol in node.kernel.arguments}
     inputs = {name: own for name, own in names.items() if name in arguments}
@@ -156,9 +166,9 @@ def settled(
         if "tube" not in surface.parts:
             continue
         own = (
-            Do(surface.parts["turning"]),
+            _part(surface, "turning"),
             *_apart(common, contacts, gates, surface.index),
-            Do(surface.law["settling"]),
+            given_as(Do(surface.law["settling"]), surface.law_sizes),
             Do(common["settled"], {"index": surface.index}),
         )
         looked += [Do(common["here"], {"index": surface.index}), Guard("here", own)]
@@ -171,5 +181,5 @@ def _apart(
     yield Do(common["alone"])
     for surface in (*contacts, *gates):
         if surface.index != index:
-            yield Do(surface.parts["beside"], wanted=frozenset({"gap"}))
+            yield _gap(surface)
             yield Do(common["neared"])

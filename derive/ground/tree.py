@@ -1,9 +1,9 @@
-"""The event loop as a tree of three kinds of node, which every target prints in its own way.
+"""The event loop as a tree of four kinds of node, which every target prints in its own way.
 
 A tree says what happens to *one* shot. A `Do` evaluates a kernel and assigns its outputs to
-variables; a `Guard` does its body where a truth holds; a `Repeat` does it as long as one holds. A
-target that works on many shots at once leaves the others as they are: by selecting, by taking the
-rows, or by a branch.
+variables; a `Guard` does its body where a truth holds; a `Repeat` does it as long as one holds; an
+`Each` does it for every row of a table. A target that works on many shots at once leaves the others
+as they are: by selecting, by taking the rows, or by a branch.
 """
 
 from __future__ import annotations
@@ -85,7 +85,39 @@ class Repeat:
     body: tuple[Node, ...]
 
 
-Node = Do | Guard | Repeat
+@dataclass(frozen=True)
+class Each:
+    """A body that is done for every row of a table, in order: for bodies of one kind.
+
+    Attributes
+    ----------
+    names
+        What the values of a row are called in the body; nothing else has these names.
+    rows
+        The table's rows. Under one name all values are variables, or all are numbers.
+    """
+
+    names: tuple[str, ...]
+    rows: tuple[tuple[Value, ...], ...]
+    body: tuple[Node, ...]
+
+    def __post_init__(self) -> None:
+        for name, column in zip(self.names, self.columns, strict=True):
+            if len({isinstance(value, str) for value in column}) > 1:
+                raise ValueError(f"{name} is both a variable and a number")
+
+    @property
+    def columns(self) -> tuple[tuple[Value, ...], ...]:
+        """The values of each name."""
+        return tuple(tuple(row[k] for row in self.rows) for k in range(len(self.names)))
+
+    @property
+    def given(self) -> set[str]:
+        """The variables in its table."""
+        return {value for row in self.rows for value in row if isinstance(value, str)}
+
+
+Node = Do | Guard | Repeat | Each
 
 
 def walk(nodes: Iterable[Node]) -> Iterator[Node]:
@@ -99,11 +131,13 @@ def walk(nodes: Iterable[Node]) -> Iterator[Node]:
 def reads(nodes: Iterable[Node]) -> set[str]:
     """Return the variables that the nodes read."""
     found: set[str] = set()
-    for node in walk(nodes):
+    for node in nodes:
         if isinstance(node, Do):
             found |= {value for value in node.arguments if isinstance(value, str)}
+        elif isinstance(node, Each):
+            found |= reads(node.body) - set(node.names) | node.given
         else:
-            found.add(node.truth)
+            found |= reads(node.body) | {node.truth}
     return found
 
 
@@ -128,19 +162,24 @@ def live_before(nodes: Sequence[Node], after: Iterable[str]) -> set[str]:
             live -= set(node.assigned.values())
             live |= reads([node])
         else:
-            live |= live_in_body(node, live) | {node.truth}
+            live |= live_in_body(node, live) | _asked(node)
     return live
 
 
-def live_in_body(node: Guard | Repeat, after: Iterable[str]) -> set[str]:
-    """Return the variables whose values are needed where a guarded body begins."""
+def live_in_body(node: Guard | Repeat | Each, after: Iterable[str]) -> set[str]:
+    """Return the variables whose values are needed where a guarded body begins, but its own."""
     live = live_before(node.body, after)
-    while isinstance(node, Repeat):
-        more = live_before(node.body, live | set(after) | {node.truth})
+    while isinstance(node, Repeat | Each):
+        more = live_before(node.body, live | set(after) | _asked(node))
         if more <= live:
             break
         live |= more
-    return live
+    return live - set(node.names) if isinstance(node, Each) else live
+
+
+def _asked(node: Guard | Repeat | Each) -> set[str]:
+    """Return the variables that a node reads itself."""
+    return node.given if isinstance(node, Each) else {node.truth}
 
 
 def check(nodes: Iterable[Node], known: Iterable[str]) -> set[str]:
@@ -158,11 +197,21 @@ def check(nodes: Iterable[Node], known: Iterable[str]) -> set[str]:
             missing = {v for v in node.arguments if isinstance(v, str)} - known
             known |= set(node.assigned.values())
         else:
-            missing = {node.truth} - known
-            check(node.body, known)
+            missing = _asked(node) - known
+            check(node.body, known | set(node.names if isinstance(node, Each) else ()))
         if missing:
             raise ValueError(f"unknown: {', '.join(sorted(missing))}, in {node}")
     return known
+
+
+def given_as(node: Do, values: Mapping[str, Value]) -> Do:
+    """Return the evaluation of the same kernel, some variables read as others or as numbers."""
+    names = map(variable, node.kernel.arguments)
+    inputs = {
+        name: values.get(value, value) if isinstance(value, str) else value
+        for name, value in zip(names, node.arguments, strict=True)
+    }
+    return replace(node, inputs=inputs)
 
 
 def without(nodes: Iterable[Node], fixed: Mapping[str, float]) -> tuple[Node, ...]:
@@ -170,13 +219,8 @@ def without(nodes: Iterable[Node], fixed: Mapping[str, float]) -> tuple[Node, ..
     changed: list[Node] = []
     for node in nodes:
         if isinstance(node, Do):
-            names = map(variable, node.kernel.arguments)
-            inputs = {
-                name: fixed[value] if isinstance(value, str) and value in fixed else value
-                for name, value in zip(names, node.arguments, strict=True)
-            }
             kept = {o for o, variable in node.assigned.items() if variable not in fixed}
-            changed.append(replace(node, inputs=inputs, wanted=frozenset(kept)))
+            changed.append(replace(given_as(node, fixed), wanted=frozenset(kept)))
         else:
             changed.append(replace(node, body=without(node.body, fixed)))
     return tuple(changed)
@@ -200,12 +244,24 @@ def _needed(nodes: tuple[Node, ...], live: set[str]) -> tuple[tuple[Node, ...], 
                 live |= {value for value in node.arguments if isinstance(value, str)}
             continue
         body, before = _needed(node.body, live)
-        while isinstance(node, Repeat):
-            again, more = _needed(node.body, live | before | {node.truth})
+        while isinstance(node, Repeat | Each):
+            again, more = _needed(node.body, live | before | _asked(node))
             if more <= before and again == body:
                 break
             body, before = again, before | more
-        if body:
+        if body and isinstance(node, Each):
+            node = read_of(replace(node, body=body))
+            kept.append(node)
+            live |= before - set(node.names) | node.given
+        elif body:
             kept.append(replace(node, body=body))
-            live |= before | {node.truth}
+            live |= before | _asked(node)
     return tuple(reversed(kept)), live
+
+
+def read_of(node: Each) -> Each:
+    """Return the node with those columns of its table that its body reads."""
+    read = reads(node.body)
+    places = [k for k, name in enumerate(node.names) if name in read]
+    rows = tuple(tuple(row[k] for k in places) for row in node.rows)
+    return replace(node, names=tuple(node.names[k] for k in places), rows=rows)

@@ -10,7 +10,7 @@ import sympy as sp
 from ..errors.tangent import carried_normal
 from ..ground.choice import AtMost, Choose, Either, Less, Nowhere, every
 from ..ground.kernel import Kernel, decision
-from ..ground.tree import Do, Guard, Node, Repeat
+from ..ground.tree import Do, Guard, Node, Repeat, Value
 from .approach import Approach
 from .decisions import KERNELS, end, side, t
 from .search import Formula, Parts, Search, bounded, edges, given, proposed
@@ -93,7 +93,7 @@ class CurvedSearch(Search):
             )
         }
 
-    def nodes(self, common: Parts, own: Parts, index: int) -> Iterator[Node]:
+    def nodes(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
         """Search the first arrival; what certainly misses the surface sits out."""
         yield Do(common["horizon"], {"t": "when"}, {"horizon": "until"})
         yield given(own["clear"], horizon="until")
@@ -127,7 +127,7 @@ def _allowing(common: Parts, own: Parts) -> Iterator[Node]:
     yield Do(margins.kernel, margins.inputs, renamed)
 
 
-def _step(common: Parts, own: Parts, index: int) -> Iterator[Node]:
+def _step(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     """Step as far as there can be no root, or take the one that is there."""
     yield Do(KERNELS["nearby"], {"index": index})
     yield given(own["advance"], rate_margin="rate_slack")
@@ -139,7 +139,7 @@ def _step(common: Parts, own: Parts, index: int) -> Iterator[Node]:
     yield Guard("exhausted", (Do(own["enter"], {"after": "end"}),))
 
 
-def _bounded_step(common: Parts, own: Parts, index: int) -> Iterator[Node]:
+def _bounded_step(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     """Step as `_step` does; a root out of bounds is passed, and so is the way out behind it."""
     yield Do(KERNELS["nearby"], {"index": index})
     yield given(own["advance"], rate_margin="rate_slack")
@@ -157,7 +157,7 @@ def _bounded_step(common: Parts, own: Parts, index: int) -> Iterator[Node]:
     yield Guard("exhausted", (Do(own["enter"], {"after": "end"}),))
 
 
-def _landing(common: Parts, own: Parts, index: int) -> Iterator[Node]:
+def _landing(common: Parts, own: Parts, index: Value) -> Iterator[Node]:
     """Refine what was found, with the shot's own errors."""
     yield Do(KERNELS["found"])
     yield Do(KERNELS["nearby"], {"index": index, "t": "arrival"})

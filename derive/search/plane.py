@@ -12,7 +12,7 @@ from ..ground.choice import IfAtMost, IfLess, hold, size
 from ..ground.kernel import Kernel
 from ..ground.rounding import SAFETY, rounding
 from ..ground.symbols import POSITION, position
-from ..ground.tree import Do, Guard, Node
+from ..ground.tree import Do, Guard, Node, Value
 from ..surfaces import Plane
 from .decisions import KERNELS
 from .events import event_coefficients, horizon, leaving
@@ -97,7 +97,7 @@ class PlaneSearch(Search):
         """Whether a contact lies within the bounds, and whether that is in doubt."""
         return edges(self.surface)
 
-    def nodes(self, common: Parts, own: Parts, index: int) -> Iterator[Node]:
+    def nodes(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
         """Propose the only arrival, if it is one and within the bounds."""
         yield Do(KERNELS["left"], {"index": index})
         yield Do(own["arrival"])

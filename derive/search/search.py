@@ -12,7 +12,7 @@ from ..flight.flight import Flight
 from ..ground.choice import AtMost, Less, Not, every, some
 from ..ground.kernel import Kernel, decision
 from ..ground.symbols import variable
-from ..ground.tree import Do, Node
+from ..ground.tree import Do, Node, Value
 from ..surfaces import Surface
 from .decisions import KERNELS, clearance
 
@@ -53,11 +53,11 @@ class Search(ABC):
         return False
 
     @abstractmethod
-    def nodes(self, common: Parts, own: Parts, index: int) -> Iterator[Node]:
+    def nodes(self, common: Parts, own: Parts, index: Value) -> Iterator[Node]:
         """Propose the first arrival on the surface of that index."""
 
 
-def proposed(index: int) -> Iterator[Node]:
+def proposed(index: Value) -> Iterator[Node]:
     """Take an arrival that is earlier than those found so far."""
     yield Do(KERNELS["tied"])
     yield Do(KERNELS["sooner"], {"index": index})

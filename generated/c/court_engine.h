@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation ae8c52d58998d1c6,
+   Generated from templates/c/engine.h.j2, scene court, derivation 4ed2d8dfbf2a0d34,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -3185,194 +3185,183 @@ static void LANES(court_plain)(const court_job *job)
                         LANES(court_counted)(count_2);
                     count_2 = lanes_select(_m307, _o309.count, count_2);
                 }
-                const LANES(court_here_out) _o310 =
-                    LANES(court_here)(K(0.0), which);
-                here = _o310.here;
-                const M _m311 = lanes_both(_m296, here);
-                if (lanes_any(_m311)) {
-                    const LANES(court_ring_impact_out) _o312 =
-                        LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_ring_restitution, p_ring_friction, p_tangential_restitution, p_restitution_speed);
-                    vx = lanes_select(_m311, _o312.vx, vx);
-                    vy = lanes_select(_m311, _o312.vy, vy);
-                    vz = lanes_select(_m311, _o312.vz, vz);
-                    wx = lanes_select(_m311, _o312.wx, wx);
-                    wy = lanes_select(_m311, _o312.wy, wy);
-                    wz = lanes_select(_m311, _o312.wz, wz);
-                }
-                const LANES(court_here_out) _o313 =
-                    LANES(court_here)(K(1.0), which);
-                here = _o313.here;
-                const M _m314 = lanes_both(_m296, here);
-                if (lanes_any(_m314)) {
-                    const LANES(court_backboard_impact_out) _o315 =
-                        LANES(court_backboard_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_backboard_restitution, p_backboard_friction, p_tangential_restitution, p_restitution_speed);
-                    vx = lanes_select(_m314, _o315.vx, vx);
-                    vy = lanes_select(_m314, _o315.vy, vy);
-                    vz = lanes_select(_m314, _o315.vz, vz);
-                    wx = lanes_select(_m314, _o315.wx, wx);
-                    wy = lanes_select(_m314, _o315.wy, wy);
-                    wz = lanes_select(_m314, _o315.wz, wz);
-                }
-                const LANES(court_here_out) _o316 =
-                    LANES(court_here)(K(2.0), which);
-                here = _o316.here;
-                const M _m317 = lanes_both(_m296, here);
-                if (lanes_any(_m317)) {
-                    const LANES(court_bridge_impact_out) _o318 =
-                        LANES(court_bridge_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_bridge_restitution, p_bridge_friction, p_tangential_restitution, p_restitution_speed);
-                    vx = lanes_select(_m317, _o318.vx, vx);
-                    vy = lanes_select(_m317, _o318.vy, vy);
-                    vz = lanes_select(_m317, _o318.vz, vz);
-                    wx = lanes_select(_m317, _o318.wx, wx);
-                    wy = lanes_select(_m317, _o318.wy, wy);
-                    wz = lanes_select(_m317, _o318.wz, wz);
-                }
-                const M _m319 = lanes_both(_m296, touches);
                 {
-                    const LANES(court_touched_out) _o320 =
-                        LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m319, _o320.first, first);
-                    last = lanes_select(_m319, _o320.last, last);
+                    const double *const _t311[][2] = {
+                        {lists->p_ring_friction, lists->p_ring_restitution},
+                        {lists->p_backboard_friction, lists->p_backboard_restitution},
+                        {lists->p_bridge_friction, lists->p_bridge_restitution},
+                    };
+                    static const double _t312[][1] = {
+                        {0.0},
+                        {1.0},
+                        {2.0},
+                    };
+                    for (size_t _k310 = 0; _k310 < 3; _k310++) {
+                        const V own_1 = lanes_load(_t311[_k310][0] + (i & varying));
+                        const V own_2 = lanes_load(_t311[_k310][1] + (i & varying));
+                        const V own_index = K(_t312[_k310][0]);
+                        const LANES(court_here_out) _o313 =
+                            LANES(court_here)(own_index, which);
+                        M here = _o313.here;
+                        const M _m314 = lanes_both(_m296, here);
+                        if (lanes_any(_m314)) {
+                            const LANES(court_ring_impact_out) _o315 =
+                                LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
+                            vx = lanes_select(_m314, _o315.vx, vx);
+                            vy = lanes_select(_m314, _o315.vy, vy);
+                            vz = lanes_select(_m314, _o315.vz, vz);
+                            wx = lanes_select(_m314, _o315.wx, wx);
+                            wy = lanes_select(_m314, _o315.wy, wy);
+                            wz = lanes_select(_m314, _o315.wz, wz);
+                        }
+                    }
                 }
-                const M _m321 = lanes_both(_m296, touches);
-                if (lanes_any(_m321)) {
-                    const LANES(court_slowed_out) _o322 =
+                const M _m316 = lanes_both(_m296, touches);
+                {
+                    const LANES(court_touched_out) _o317 =
+                        LANES(court_touched)(body, first, which);
+                    first = lanes_select(_m316, _o317.first, first);
+                    last = lanes_select(_m316, _o317.last, last);
+                }
+                const M _m318 = lanes_both(_m296, touches);
+                if (lanes_any(_m318)) {
+                    const LANES(court_slowed_out) _o319 =
                         LANES(court_slowed)(p_ball_radius, nx, ny, nz, vx, vy, vz);
-                    M slow = _o322.slow;
-                    const M _m323 = lanes_both(_m321, slow);
-                    if (lanes_any(_m323)) {
-                        const LANES(court_gripped_out) _o324 =
+                    M slow = _o319.slow;
+                    const M _m320 = lanes_both(_m318, slow);
+                    if (lanes_any(_m320)) {
+                        const LANES(court_gripped_out) _o321 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o324.rolled_x;
-                        V rolled_y = _o324.rolled_y;
-                        V rolled_z = _o324.rolled_z;
-                        V slip = _o324.slip;
-                        V bounce = _o324.bounce;
-                        const LANES(court_here_out) _o325 =
+                        V rolled_x = _o321.rolled_x;
+                        V rolled_y = _o321.rolled_y;
+                        V rolled_z = _o321.rolled_z;
+                        V slip = _o321.slip;
+                        V bounce = _o321.bounce;
+                        const LANES(court_here_out) _o322 =
                             LANES(court_here)(K(0.0), which);
-                        M here = _o325.here;
-                        const M _m326 = lanes_both(_m323, here);
-                        if (lanes_any(_m326)) {
-                            const LANES(court_ring_turning_out) _o327 =
+                        M here = _o322.here;
+                        const M _m323 = lanes_both(_m320, here);
+                        if (lanes_any(_m323)) {
+                            const LANES(court_ring_turning_out) _o324 =
                                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o327.turning_x;
-                            V turning_y = _o327.turning_y;
-                            V turning_z = _o327.turning_z;
-                            const LANES(court_alone_out) _o328 =
+                            V turning_x = _o324.turning_x;
+                            V turning_y = _o324.turning_y;
+                            V turning_z = _o324.turning_z;
+                            const LANES(court_alone_out) _o325 =
                                 LANES(court_alone)();
-                            V nearest = _o328.nearest;
-                            const LANES(court_backboard_beside_out) _o329 =
+                            V nearest = _o325.nearest;
+                            const LANES(court_backboard_beside_out) _o326 =
                                 LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                            V gap = _o329.gap;
-                            const LANES(court_neared_out) _o330 =
+                            V gap = _o326.gap;
+                            const LANES(court_neared_out) _o327 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o330.nearest;
-                            const LANES(court_bridge_beside_out) _o331 =
+                            nearest = _o327.nearest;
+                            const LANES(court_bridge_beside_out) _o328 =
                                 LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            gap = _o331.gap;
-                            const LANES(court_neared_out) _o332 =
+                            gap = _o328.gap;
+                            const LANES(court_neared_out) _o329 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o332.nearest;
-                            const LANES(court_end_beside_out) _o333 =
+                            nearest = _o329.nearest;
+                            const LANES(court_end_beside_out) _o330 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o333.gap;
-                            const LANES(court_neared_out) _o334 =
+                            gap = _o330.gap;
+                            const LANES(court_neared_out) _o331 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o334.nearest;
-                            const LANES(court_ring_impact_settling_out) _o335 =
+                            nearest = _o331.nearest;
+                            const LANES(court_ring_impact_settling_out) _o332 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, p_gravity, nearest, nx, ny, nz, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wx, wy, wz);
-                            M settles = _o335.settles;
-                            M lodges = _o335.lodges;
-                            M unsure = _o335.unsure;
-                            const LANES(court_settled_out) _o336 =
+                            M settles = _o332.settles;
+                            M lodges = _o332.lodges;
+                            M unsure = _o332.unsure;
+                            const LANES(court_settled_out) _o333 =
                                 LANES(court_settled)(K(0.0), lodges, outcome, settles, K(0.0), unsure);
-                            mode = lanes_select(_m326, _o336.mode, mode);
-                            held = lanes_select(_m326, _o336.held, held);
-                            outcome = lanes_select(_m326, _o336.outcome, outcome);
+                            mode = lanes_select(_m323, _o333.mode, mode);
+                            held = lanes_select(_m323, _o333.held, held);
+                            outcome = lanes_select(_m323, _o333.outcome, outcome);
                         }
-                        const LANES(court_here_out) _o337 =
+                        const LANES(court_here_out) _o334 =
                             LANES(court_here)(K(1.0), which);
-                        here = _o337.here;
-                        const M _m338 = lanes_both(_m323, here);
-                        if (lanes_any(_m338)) {
-                            const LANES(court_backboard_turning_out) _o339 =
+                        here = _o334.here;
+                        const M _m335 = lanes_both(_m320, here);
+                        if (lanes_any(_m335)) {
+                            const LANES(court_backboard_turning_out) _o336 =
                                 LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o339.turning_x;
-                            V turning_y = _o339.turning_y;
-                            V turning_z = _o339.turning_z;
-                            const LANES(court_alone_out) _o340 =
+                            V turning_x = _o336.turning_x;
+                            V turning_y = _o336.turning_y;
+                            V turning_z = _o336.turning_z;
+                            const LANES(court_alone_out) _o337 =
                                 LANES(court_alone)();
-                            V nearest = _o340.nearest;
-                            const LANES(court_ring_beside_out) _o341 =
+                            V nearest = _o337.nearest;
+                            const LANES(court_ring_beside_out) _o338 =
                                 LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V gap = _o341.gap;
-                            const LANES(court_neared_out) _o342 =
+                            V gap = _o338.gap;
+                            const LANES(court_neared_out) _o339 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o342.nearest;
-                            const LANES(court_bridge_beside_out) _o343 =
+                            nearest = _o339.nearest;
+                            const LANES(court_bridge_beside_out) _o340 =
                                 LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            gap = _o343.gap;
-                            const LANES(court_neared_out) _o344 =
+                            gap = _o340.gap;
+                            const LANES(court_neared_out) _o341 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o344.nearest;
-                            const LANES(court_end_beside_out) _o345 =
+                            nearest = _o341.nearest;
+                            const LANES(court_end_beside_out) _o342 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o345.gap;
-                            const LANES(court_neared_out) _o346 =
+                            gap = _o342.gap;
+                            const LANES(court_neared_out) _o343 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o346.nearest;
-                            const LANES(court_backboard_impact_settling_out) _o347 =
-                                LANES(court_backboard_impact_settling)(p_backboard_friction, p_backboard_restitution, p_ball_radius, bounce, p_gravity, nearest, nx, ny, nz, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wx, wy, wz);
-                            M settles = _o347.settles;
-                            M lodges = _o347.lodges;
-                            M unsure = _o347.unsure;
-                            const LANES(court_settled_out) _o348 =
+                            nearest = _o343.nearest;
+                            const LANES(court_ring_impact_settling_out) _o344 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, p_gravity, nearest, nx, ny, nz, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wx, wy, wz);
+                            M settles = _o344.settles;
+                            M lodges = _o344.lodges;
+                            M unsure = _o344.unsure;
+                            const LANES(court_settled_out) _o345 =
                                 LANES(court_settled)(K(1.0), lodges, outcome, settles, K(0.0), unsure);
-                            mode = lanes_select(_m338, _o348.mode, mode);
-                            held = lanes_select(_m338, _o348.held, held);
-                            outcome = lanes_select(_m338, _o348.outcome, outcome);
+                            mode = lanes_select(_m335, _o345.mode, mode);
+                            held = lanes_select(_m335, _o345.held, held);
+                            outcome = lanes_select(_m335, _o345.outcome, outcome);
                         }
-                        const LANES(court_here_out) _o349 =
+                        const LANES(court_here_out) _o346 =
                             LANES(court_here)(K(2.0), which);
-                        here = _o349.here;
-                        const M _m350 = lanes_both(_m323, here);
-                        if (lanes_any(_m350)) {
-                            const LANES(court_bridge_turning_out) _o351 =
+                        here = _o346.here;
+                        const M _m347 = lanes_both(_m320, here);
+                        if (lanes_any(_m347)) {
+                            const LANES(court_bridge_turning_out) _o348 =
                                 LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o351.turning_x;
-                            V turning_y = _o351.turning_y;
-                            V turning_z = _o351.turning_z;
-                            const LANES(court_alone_out) _o352 =
+                            V turning_x = _o348.turning_x;
+                            V turning_y = _o348.turning_y;
+                            V turning_z = _o348.turning_z;
+                            const LANES(court_alone_out) _o349 =
                                 LANES(court_alone)();
-                            V nearest = _o352.nearest;
-                            const LANES(court_ring_beside_out) _o353 =
+                            V nearest = _o349.nearest;
+                            const LANES(court_ring_beside_out) _o350 =
                                 LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V gap = _o353.gap;
-                            const LANES(court_neared_out) _o354 =
+                            V gap = _o350.gap;
+                            const LANES(court_neared_out) _o351 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o354.nearest;
-                            const LANES(court_backboard_beside_out) _o355 =
+                            nearest = _o351.nearest;
+                            const LANES(court_backboard_beside_out) _o352 =
                                 LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                            gap = _o355.gap;
-                            const LANES(court_neared_out) _o356 =
+                            gap = _o352.gap;
+                            const LANES(court_neared_out) _o353 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o356.nearest;
-                            const LANES(court_end_beside_out) _o357 =
+                            nearest = _o353.nearest;
+                            const LANES(court_end_beside_out) _o354 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o357.gap;
-                            const LANES(court_neared_out) _o358 =
+                            gap = _o354.gap;
+                            const LANES(court_neared_out) _o355 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o358.nearest;
-                            const LANES(court_bridge_impact_settling_out) _o359 =
-                                LANES(court_bridge_impact_settling)(p_ball_radius, bounce, p_bridge_friction, p_bridge_restitution, p_gravity, nearest, nx, ny, nz, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wx, wy, wz);
-                            M settles = _o359.settles;
-                            M lodges = _o359.lodges;
-                            M unsure = _o359.unsure;
-                            const LANES(court_settled_out) _o360 =
+                            nearest = _o355.nearest;
+                            const LANES(court_ring_impact_settling_out) _o356 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, p_gravity, nearest, nx, ny, nz, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, K(0.0), wx, wy, wz);
+                            M settles = _o356.settles;
+                            M lodges = _o356.lodges;
+                            M unsure = _o356.unsure;
+                            const LANES(court_settled_out) _o357 =
                                 LANES(court_settled)(K(2.0), lodges, outcome, settles, K(0.0), unsure);
-                            mode = lanes_select(_m350, _o360.mode, mode);
-                            held = lanes_select(_m350, _o360.held, held);
-                            outcome = lanes_select(_m350, _o360.outcome, outcome);
+                            mode = lanes_select(_m347, _o357.mode, mode);
+                            held = lanes_select(_m347, _o357.held, held);
+                            outcome = lanes_select(_m347, _o357.outcome, outcome);
                         }
                     }
                 }
@@ -7364,284 +7353,245 @@ static void LANES(court_bounded)(const court_job *job)
                     dnz = lanes_select(_m377, _o378.dnz, dnz);
                     turn = lanes_select(_m377, _o378.turn, turn);
                 }
-                const LANES(court_here_out) _o379 =
-                    LANES(court_here)(K(0.0), which);
-                here = _o379.here;
-                const M _m380 = lanes_both(_m341, here);
-                if (lanes_any(_m380)) {
-                    const LANES(court_ring_impact_doubt_out) _o381 =
-                        LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, p_ring_restitution, p_ring_friction, p_tangential_restitution, p_restitution_speed);
-                    M unsure = _o381.unsure;
-                    const LANES(court_undecided_out) _o382 =
-                        LANES(court_undecided)(uncertain, unsure);
-                    uncertain = lanes_select(_m380, _o382.uncertain, uncertain);
-                    const LANES(court_carry_ring_impact_out) _o383 =
-                        LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_ring_restitution, p_ring_friction, p_tangential_restitution, p_restitution_speed);
-                    dvx = lanes_select(_m380, _o383.dvx, dvx);
-                    dvy = lanes_select(_m380, _o383.dvy, dvy);
-                    dvz = lanes_select(_m380, _o383.dvz, dvz);
-                    dwx = lanes_select(_m380, _o383.dwx, dwx);
-                    dwy = lanes_select(_m380, _o383.dwy, dwy);
-                    dwz = lanes_select(_m380, _o383.dwz, dwz);
-                    const LANES(court_ring_impact_out) _o384 =
-                        LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_ring_restitution, p_ring_friction, p_tangential_restitution, p_restitution_speed);
-                    vx = lanes_select(_m380, _o384.vx, vx);
-                    vy = lanes_select(_m380, _o384.vy, vy);
-                    vz = lanes_select(_m380, _o384.vz, vz);
-                    wx = lanes_select(_m380, _o384.wx, wx);
-                    wy = lanes_select(_m380, _o384.wy, wy);
-                    wz = lanes_select(_m380, _o384.wz, wz);
-                }
-                const LANES(court_here_out) _o385 =
-                    LANES(court_here)(K(1.0), which);
-                here = _o385.here;
-                const M _m386 = lanes_both(_m341, here);
-                if (lanes_any(_m386)) {
-                    const LANES(court_backboard_impact_doubt_out) _o387 =
-                        LANES(court_backboard_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, p_backboard_restitution, p_backboard_friction, p_tangential_restitution, p_restitution_speed);
-                    M unsure = _o387.unsure;
-                    const LANES(court_undecided_out) _o388 =
-                        LANES(court_undecided)(uncertain, unsure);
-                    uncertain = lanes_select(_m386, _o388.uncertain, uncertain);
-                    const LANES(court_carry_backboard_impact_out) _o389 =
-                        LANES(court_carry_backboard_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_backboard_restitution, p_backboard_friction, p_tangential_restitution, p_restitution_speed);
-                    dvx = lanes_select(_m386, _o389.dvx, dvx);
-                    dvy = lanes_select(_m386, _o389.dvy, dvy);
-                    dvz = lanes_select(_m386, _o389.dvz, dvz);
-                    dwx = lanes_select(_m386, _o389.dwx, dwx);
-                    dwy = lanes_select(_m386, _o389.dwy, dwy);
-                    dwz = lanes_select(_m386, _o389.dwz, dwz);
-                    const LANES(court_backboard_impact_out) _o390 =
-                        LANES(court_backboard_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_backboard_restitution, p_backboard_friction, p_tangential_restitution, p_restitution_speed);
-                    vx = lanes_select(_m386, _o390.vx, vx);
-                    vy = lanes_select(_m386, _o390.vy, vy);
-                    vz = lanes_select(_m386, _o390.vz, vz);
-                    wx = lanes_select(_m386, _o390.wx, wx);
-                    wy = lanes_select(_m386, _o390.wy, wy);
-                    wz = lanes_select(_m386, _o390.wz, wz);
-                }
-                const LANES(court_here_out) _o391 =
-                    LANES(court_here)(K(2.0), which);
-                here = _o391.here;
-                const M _m392 = lanes_both(_m341, here);
-                if (lanes_any(_m392)) {
-                    const LANES(court_bridge_impact_doubt_out) _o393 =
-                        LANES(court_bridge_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, p_bridge_restitution, p_bridge_friction, p_tangential_restitution, p_restitution_speed);
-                    M unsure = _o393.unsure;
-                    const LANES(court_undecided_out) _o394 =
-                        LANES(court_undecided)(uncertain, unsure);
-                    uncertain = lanes_select(_m392, _o394.uncertain, uncertain);
-                    const LANES(court_carry_bridge_impact_out) _o395 =
-                        LANES(court_carry_bridge_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, p_bridge_restitution, p_bridge_friction, p_tangential_restitution, p_restitution_speed);
-                    dvx = lanes_select(_m392, _o395.dvx, dvx);
-                    dvy = lanes_select(_m392, _o395.dvy, dvy);
-                    dvz = lanes_select(_m392, _o395.dvz, dvz);
-                    dwx = lanes_select(_m392, _o395.dwx, dwx);
-                    dwy = lanes_select(_m392, _o395.dwy, dwy);
-                    dwz = lanes_select(_m392, _o395.dwz, dwz);
-                    const LANES(court_bridge_impact_out) _o396 =
-                        LANES(court_bridge_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, p_bridge_restitution, p_bridge_friction, p_tangential_restitution, p_restitution_speed);
-                    vx = lanes_select(_m392, _o396.vx, vx);
-                    vy = lanes_select(_m392, _o396.vy, vy);
-                    vz = lanes_select(_m392, _o396.vz, vz);
-                    wx = lanes_select(_m392, _o396.wx, wx);
-                    wy = lanes_select(_m392, _o396.wy, wy);
-                    wz = lanes_select(_m392, _o396.wz, wz);
-                }
-                const M _m397 = lanes_both(_m341, touches);
                 {
-                    const LANES(court_touched_out) _o398 =
-                        LANES(court_touched)(body, first, which);
-                    first = lanes_select(_m397, _o398.first, first);
-                    last = lanes_select(_m397, _o398.last, last);
+                    const double *const _t380[][2] = {
+                        {lists->p_ring_friction, lists->p_ring_restitution},
+                        {lists->p_backboard_friction, lists->p_backboard_restitution},
+                        {lists->p_bridge_friction, lists->p_bridge_restitution},
+                    };
+                    static const double _t381[][1] = {
+                        {0.0},
+                        {1.0},
+                        {2.0},
+                    };
+                    for (size_t _k379 = 0; _k379 < 3; _k379++) {
+                        const V own_1 = lanes_load(_t380[_k379][0] + (i & varying));
+                        const V own_2 = lanes_load(_t380[_k379][1] + (i & varying));
+                        const V own_index = K(_t381[_k379][0]);
+                        const LANES(court_here_out) _o382 =
+                            LANES(court_here)(own_index, which);
+                        M here = _o382.here;
+                        const M _m383 = lanes_both(_m341, here);
+                        if (lanes_any(_m383)) {
+                            const LANES(court_ring_impact_doubt_out) _o384 =
+                                LANES(court_ring_impact_doubt)(vx, vy, vz, wx, wy, wz, nx, ny, nz, dvx, dvy, dvz, dwx, dwy, dwz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
+                            M unsure = _o384.unsure;
+                            const LANES(court_undecided_out) _o385 =
+                                LANES(court_undecided)(uncertain, unsure);
+                            uncertain = lanes_select(_m383, _o385.uncertain, uncertain);
+                            const LANES(court_carry_ring_impact_out) _o386 =
+                                LANES(court_carry_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, contacts, dvx, dvy, dvz, dwx, dwy, dwz, dnx, dny, dnz, turn, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
+                            dvx = lanes_select(_m383, _o386.dvx, dvx);
+                            dvy = lanes_select(_m383, _o386.dvy, dvy);
+                            dvz = lanes_select(_m383, _o386.dvz, dvz);
+                            dwx = lanes_select(_m383, _o386.dwx, dwx);
+                            dwy = lanes_select(_m383, _o386.dwy, dwy);
+                            dwz = lanes_select(_m383, _o386.dwz, dwz);
+                            const LANES(court_ring_impact_out) _o387 =
+                                LANES(court_ring_impact)(vx, vy, vz, wx, wy, wz, nx, ny, nz, p_ball_radius, own_2, own_1, p_tangential_restitution, p_restitution_speed);
+                            vx = lanes_select(_m383, _o387.vx, vx);
+                            vy = lanes_select(_m383, _o387.vy, vy);
+                            vz = lanes_select(_m383, _o387.vz, vz);
+                            wx = lanes_select(_m383, _o387.wx, wx);
+                            wy = lanes_select(_m383, _o387.wy, wy);
+                            wz = lanes_select(_m383, _o387.wz, wz);
+                        }
+                    }
                 }
-                const M _m399 = lanes_both(_m341, touches);
-                if (lanes_any(_m399)) {
-                    const LANES(court_slowed_out) _o400 =
+                const M _m388 = lanes_both(_m341, touches);
+                {
+                    const LANES(court_touched_out) _o389 =
+                        LANES(court_touched)(body, first, which);
+                    first = lanes_select(_m388, _o389.first, first);
+                    last = lanes_select(_m388, _o389.last, last);
+                }
+                const M _m390 = lanes_both(_m341, touches);
+                if (lanes_any(_m390)) {
+                    const LANES(court_slowed_out) _o391 =
                         LANES(court_slowed)(p_ball_radius, nx, ny, nz, vx, vy, vz);
-                    M slow = _o400.slow;
-                    assured = lanes_select(_m399, _o400.assured, assured);
-                    const M _m401 = lanes_both(_m399, slow);
-                    if (lanes_any(_m401)) {
-                        const LANES(court_gripped_out) _o402 =
+                    M slow = _o391.slow;
+                    assured = lanes_select(_m390, _o391.assured, assured);
+                    const M _m392 = lanes_both(_m390, slow);
+                    if (lanes_any(_m392)) {
+                        const LANES(court_gripped_out) _o393 =
                             LANES(court_gripped)(p_ball_radius, nx, ny, nz, vx, vy, vz, wx, wy, wz);
-                        V rolled_x = _o402.rolled_x;
-                        V rolled_y = _o402.rolled_y;
-                        V rolled_z = _o402.rolled_z;
-                        V slip = _o402.slip;
-                        V bounce = _o402.bounce;
-                        const LANES(court_here_out) _o403 =
+                        V rolled_x = _o393.rolled_x;
+                        V rolled_y = _o393.rolled_y;
+                        V rolled_z = _o393.rolled_z;
+                        V slip = _o393.slip;
+                        V bounce = _o393.bounce;
+                        const LANES(court_here_out) _o394 =
                             LANES(court_here)(K(0.0), which);
-                        M here = _o403.here;
-                        const M _m404 = lanes_both(_m401, here);
-                        if (lanes_any(_m404)) {
-                            const LANES(court_ring_turning_out) _o405 =
+                        M here = _o394.here;
+                        const M _m395 = lanes_both(_m392, here);
+                        if (lanes_any(_m395)) {
+                            const LANES(court_ring_turning_out) _o396 =
                                 LANES(court_ring_turning)(p_ball_radius, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y);
-                            V turning_x = _o405.turning_x;
-                            V turning_y = _o405.turning_y;
-                            V turning_z = _o405.turning_z;
-                            const LANES(court_alone_out) _o406 =
+                            V turning_x = _o396.turning_x;
+                            V turning_y = _o396.turning_y;
+                            V turning_z = _o396.turning_z;
+                            const LANES(court_alone_out) _o397 =
                                 LANES(court_alone)();
-                            V nearest = _o406.nearest;
-                            const LANES(court_backboard_beside_out) _o407 =
+                            V nearest = _o397.nearest;
+                            const LANES(court_backboard_beside_out) _o398 =
                                 LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                            V gap = _o407.gap;
-                            const LANES(court_neared_out) _o408 =
+                            V gap = _o398.gap;
+                            const LANES(court_neared_out) _o399 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o408.nearest;
-                            const LANES(court_bridge_beside_out) _o409 =
+                            nearest = _o399.nearest;
+                            const LANES(court_bridge_beside_out) _o400 =
                                 LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            gap = _o409.gap;
-                            const LANES(court_neared_out) _o410 =
+                            gap = _o400.gap;
+                            const LANES(court_neared_out) _o401 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o410.nearest;
-                            const LANES(court_end_beside_out) _o411 =
+                            nearest = _o401.nearest;
+                            const LANES(court_end_beside_out) _o402 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o411.gap;
-                            const LANES(court_neared_out) _o412 =
+                            gap = _o402.gap;
+                            const LANES(court_neared_out) _o403 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o412.nearest;
-                            const LANES(court_ring_impact_settling_out) _o413 =
+                            nearest = _o403.nearest;
+                            const LANES(court_ring_impact_settling_out) _o404 =
                                 LANES(court_ring_impact_settling)(p_ball_radius, bounce, p_gravity, nearest, nx, ny, nz, p_ring_friction, p_ring_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wx, wy, wz);
-                            M settles = _o413.settles;
-                            M lodges = _o413.lodges;
-                            assured = lanes_select(_m404, _o413.assured, assured);
-                            M unsure = _o413.unsure;
-                            const LANES(court_settled_out) _o414 =
+                            M settles = _o404.settles;
+                            M lodges = _o404.lodges;
+                            assured = lanes_select(_m395, _o404.assured, assured);
+                            M unsure = _o404.unsure;
+                            const LANES(court_settled_out) _o405 =
                                 LANES(court_settled)(K(0.0), lodges, outcome, settles, uncertain, unsure);
-                            mode = lanes_select(_m404, _o414.mode, mode);
-                            held = lanes_select(_m404, _o414.held, held);
-                            outcome = lanes_select(_m404, _o414.outcome, outcome);
-                            uncertain = lanes_select(_m404, _o414.uncertain, uncertain);
+                            mode = lanes_select(_m395, _o405.mode, mode);
+                            held = lanes_select(_m395, _o405.held, held);
+                            outcome = lanes_select(_m395, _o405.outcome, outcome);
+                            uncertain = lanes_select(_m395, _o405.uncertain, uncertain);
                         }
-                        const LANES(court_here_out) _o415 =
+                        const LANES(court_here_out) _o406 =
                             LANES(court_here)(K(1.0), which);
-                        here = _o415.here;
-                        const M _m416 = lanes_both(_m401, here);
-                        if (lanes_any(_m416)) {
-                            const LANES(court_backboard_turning_out) _o417 =
+                        here = _o406.here;
+                        const M _m407 = lanes_both(_m392, here);
+                        if (lanes_any(_m407)) {
+                            const LANES(court_backboard_turning_out) _o408 =
                                 LANES(court_backboard_turning)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, rolled_x, rolled_y, rolled_z, x, y, z);
-                            V turning_x = _o417.turning_x;
-                            V turning_y = _o417.turning_y;
-                            V turning_z = _o417.turning_z;
-                            const LANES(court_alone_out) _o418 =
+                            V turning_x = _o408.turning_x;
+                            V turning_y = _o408.turning_y;
+                            V turning_z = _o408.turning_z;
+                            const LANES(court_alone_out) _o409 =
                                 LANES(court_alone)();
-                            V nearest = _o418.nearest;
-                            const LANES(court_ring_beside_out) _o419 =
+                            V nearest = _o409.nearest;
+                            const LANES(court_ring_beside_out) _o410 =
                                 LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V gap = _o419.gap;
-                            const LANES(court_neared_out) _o420 =
+                            V gap = _o410.gap;
+                            const LANES(court_neared_out) _o411 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o420.nearest;
-                            const LANES(court_bridge_beside_out) _o421 =
+                            nearest = _o411.nearest;
+                            const LANES(court_bridge_beside_out) _o412 =
                                 LANES(court_bridge_beside)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            gap = _o421.gap;
-                            const LANES(court_neared_out) _o422 =
+                            gap = _o412.gap;
+                            const LANES(court_neared_out) _o413 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o422.nearest;
-                            const LANES(court_end_beside_out) _o423 =
+                            nearest = _o413.nearest;
+                            const LANES(court_end_beside_out) _o414 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o423.gap;
-                            const LANES(court_neared_out) _o424 =
+                            gap = _o414.gap;
+                            const LANES(court_neared_out) _o415 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o424.nearest;
-                            const LANES(court_backboard_impact_settling_out) _o425 =
-                                LANES(court_backboard_impact_settling)(p_backboard_friction, p_backboard_restitution, p_ball_radius, bounce, p_gravity, nearest, nx, ny, nz, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wx, wy, wz);
-                            M settles = _o425.settles;
-                            M lodges = _o425.lodges;
-                            assured = lanes_select(_m416, _o425.assured, assured);
-                            M unsure = _o425.unsure;
-                            const LANES(court_settled_out) _o426 =
+                            nearest = _o415.nearest;
+                            const LANES(court_ring_impact_settling_out) _o416 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, p_gravity, nearest, nx, ny, nz, p_backboard_friction, p_backboard_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wx, wy, wz);
+                            M settles = _o416.settles;
+                            M lodges = _o416.lodges;
+                            assured = lanes_select(_m407, _o416.assured, assured);
+                            M unsure = _o416.unsure;
+                            const LANES(court_settled_out) _o417 =
                                 LANES(court_settled)(K(1.0), lodges, outcome, settles, uncertain, unsure);
-                            mode = lanes_select(_m416, _o426.mode, mode);
-                            held = lanes_select(_m416, _o426.held, held);
-                            outcome = lanes_select(_m416, _o426.outcome, outcome);
-                            uncertain = lanes_select(_m416, _o426.uncertain, uncertain);
+                            mode = lanes_select(_m407, _o417.mode, mode);
+                            held = lanes_select(_m407, _o417.held, held);
+                            outcome = lanes_select(_m407, _o417.outcome, outcome);
+                            uncertain = lanes_select(_m407, _o417.uncertain, uncertain);
                         }
-                        const LANES(court_here_out) _o427 =
+                        const LANES(court_here_out) _o418 =
                             LANES(court_here)(K(2.0), which);
-                        here = _o427.here;
-                        const M _m428 = lanes_both(_m401, here);
-                        if (lanes_any(_m428)) {
-                            const LANES(court_bridge_turning_out) _o429 =
+                        here = _o418.here;
+                        const M _m419 = lanes_both(_m392, here);
+                        if (lanes_any(_m419)) {
+                            const LANES(court_bridge_turning_out) _o420 =
                                 LANES(court_bridge_turning)(p_ball_radius, p_board_distance, p_bridge_depth, p_bridge_half_width, p_ring_radius, rolled_x, rolled_y, rolled_z, p_wire_radius, x, y, z);
-                            V turning_x = _o429.turning_x;
-                            V turning_y = _o429.turning_y;
-                            V turning_z = _o429.turning_z;
-                            const LANES(court_alone_out) _o430 =
+                            V turning_x = _o420.turning_x;
+                            V turning_y = _o420.turning_y;
+                            V turning_z = _o420.turning_z;
+                            const LANES(court_alone_out) _o421 =
                                 LANES(court_alone)();
-                            V nearest = _o430.nearest;
-                            const LANES(court_ring_beside_out) _o431 =
+                            V nearest = _o421.nearest;
+                            const LANES(court_ring_beside_out) _o422 =
                                 LANES(court_ring_beside)(p_ball_radius, p_ring_radius, vx, vy, vz, p_wire_radius, x, y, z);
-                            V gap = _o431.gap;
-                            const LANES(court_neared_out) _o432 =
+                            V gap = _o422.gap;
+                            const LANES(court_neared_out) _o423 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o432.nearest;
-                            const LANES(court_backboard_beside_out) _o433 =
+                            nearest = _o423.nearest;
+                            const LANES(court_backboard_beside_out) _o424 =
                                 LANES(court_backboard_beside)(p_ball_radius, p_board_bottom, p_board_distance, p_board_half_width, p_board_thickness, p_board_top, vx, vy, vz, x, y, z);
-                            gap = _o433.gap;
-                            const LANES(court_neared_out) _o434 =
+                            gap = _o424.gap;
+                            const LANES(court_neared_out) _o425 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o434.nearest;
-                            const LANES(court_end_beside_out) _o435 =
+                            nearest = _o425.nearest;
+                            const LANES(court_end_beside_out) _o426 =
                                 LANES(court_end_beside)(p_end_depth, vz, z);
-                            gap = _o435.gap;
-                            const LANES(court_neared_out) _o436 =
+                            gap = _o426.gap;
+                            const LANES(court_neared_out) _o427 =
                                 LANES(court_neared)(gap, nearest);
-                            nearest = _o436.nearest;
-                            const LANES(court_bridge_impact_settling_out) _o437 =
-                                LANES(court_bridge_impact_settling)(p_ball_radius, bounce, p_bridge_friction, p_bridge_restitution, p_gravity, nearest, nx, ny, nz, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wx, wy, wz);
-                            M settles = _o437.settles;
-                            M lodges = _o437.lodges;
-                            assured = lanes_select(_m428, _o437.assured, assured);
-                            M unsure = _o437.unsure;
-                            const LANES(court_settled_out) _o438 =
+                            nearest = _o427.nearest;
+                            const LANES(court_ring_impact_settling_out) _o428 =
+                                LANES(court_ring_impact_settling)(p_ball_radius, bounce, p_gravity, nearest, nx, ny, nz, p_bridge_friction, p_bridge_restitution, rolled_x, rolled_y, rolled_z, slip, turning_x, turning_y, turning_z, velocity_error, wx, wy, wz);
+                            M settles = _o428.settles;
+                            M lodges = _o428.lodges;
+                            assured = lanes_select(_m419, _o428.assured, assured);
+                            M unsure = _o428.unsure;
+                            const LANES(court_settled_out) _o429 =
                                 LANES(court_settled)(K(2.0), lodges, outcome, settles, uncertain, unsure);
-                            mode = lanes_select(_m428, _o438.mode, mode);
-                            held = lanes_select(_m428, _o438.held, held);
-                            outcome = lanes_select(_m428, _o438.outcome, outcome);
-                            uncertain = lanes_select(_m428, _o438.uncertain, uncertain);
+                            mode = lanes_select(_m419, _o429.mode, mode);
+                            held = lanes_select(_m419, _o429.held, held);
+                            outcome = lanes_select(_m419, _o429.outcome, outcome);
+                            uncertain = lanes_select(_m419, _o429.uncertain, uncertain);
                         }
                     }
                 }
             }
-            const M _m439 = lanes_both(rows, limited);
-            if (lanes_any(_m439)) {
-                const LANES(court_timed_out) _o440 =
+            const M _m430 = lanes_both(rows, limited);
+            if (lanes_any(_m430)) {
+                const LANES(court_timed_out) _o431 =
                     LANES(court_timed)(claims, K(4.0), which);
-                M timed = _o440.timed;
-                const M _m441 = lanes_both(_m439, timed);
-                if (lanes_any(_m441)) {
-                    const LANES(court_carry_time_out) _o442 =
+                M timed = _o431.timed;
+                const M _m432 = lanes_both(_m430, timed);
+                if (lanes_any(_m432)) {
+                    const LANES(court_carry_time_out) _o433 =
                         LANES(court_carry_time)(when, x, y, z, vx, vy, vz, clock, clock_error, dx, dy, dz, dvx, dvy, dvz, p_gravity);
-                    dx = lanes_select(_m441, _o442.dx, dx);
-                    dy = lanes_select(_m441, _o442.dy, dy);
-                    dz = lanes_select(_m441, _o442.dz, dz);
-                    dvx = lanes_select(_m441, _o442.dvx, dvx);
-                    dvy = lanes_select(_m441, _o442.dvy, dvy);
-                    dvz = lanes_select(_m441, _o442.dvz, dvz);
-                    clock_error = lanes_select(_m441, _o442.clock_error, clock_error);
+                    dx = lanes_select(_m432, _o433.dx, dx);
+                    dy = lanes_select(_m432, _o433.dy, dy);
+                    dz = lanes_select(_m432, _o433.dz, dz);
+                    dvx = lanes_select(_m432, _o433.dvx, dvx);
+                    dvy = lanes_select(_m432, _o433.dvy, dvy);
+                    dvz = lanes_select(_m432, _o433.dvz, dvz);
+                    clock_error = lanes_select(_m432, _o433.clock_error, clock_error);
                 }
             }
-            const M _m443 = lanes_both(rows, hopped);
-            if (lanes_any(_m443)) {
-                const LANES(court_carry_hop_out) _o444 =
+            const M _m434 = lanes_both(rows, hopped);
+            if (lanes_any(_m434)) {
+                const LANES(court_carry_hop_out) _o435 =
                     LANES(court_carry_hop)(dvx, dvy, dvz, dx, dy, dz, vx, vy, vz, when, x, y, z);
-                dx = lanes_select(_m443, _o444.dx, dx);
-                dy = lanes_select(_m443, _o444.dy, dy);
-                dz = lanes_select(_m443, _o444.dz, dz);
+                dx = lanes_select(_m434, _o435.dx, dx);
+                dy = lanes_select(_m434, _o435.dy, dy);
+                dz = lanes_select(_m434, _o435.dz, dz);
             }
-            const LANES(court_closing_out) _o445 =
+            const LANES(court_closing_out) _o436 =
                 LANES(court_closing)(claims, outcome);
-            M closed = _o445.closed;
-            const M _m446 = lanes_both(rows, closed);
+            M closed = _o436.closed;
+            const M _m437 = lanes_both(rows, closed);
             {
-                const LANES(court_claimed_errors_out) _o447 =
+                const LANES(court_claimed_errors_out) _o438 =
                     LANES(court_claimed_errors)(clock_error, dx, dy, dz, dvx, dvy, dvz, dwx, dwy, dwz);
-                position_claim = lanes_select(_m446, _o447.position_error, position_claim);
-                velocity_claim = lanes_select(_m446, _o447.velocity_error, velocity_claim);
-                spin_claim = lanes_select(_m446, _o447.spin_error, spin_claim);
-                time_claim = lanes_select(_m446, _o447.time_error, time_claim);
+                position_claim = lanes_select(_m437, _o438.position_error, position_claim);
+                velocity_claim = lanes_select(_m437, _o438.velocity_error, velocity_claim);
+                spin_claim = lanes_select(_m437, _o438.spin_error, spin_claim);
+                time_claim = lanes_select(_m437, _o438.time_error, time_claim);
             }
             lanes_store(lists->assured + i, assured);
             lanes_store(lists->clock + i, clock);

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation ae8c52d58998d1c6,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 4ed2d8dfbf2a0d34,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -2225,6 +2225,44 @@ LANES(court_ring_impact_doubt)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V
     return (LANES(court_ring_impact_doubt_out)){ _s18 };
 }
 
+/* Where a ball stays on a surface: its bounces end before anything else can happen, and from when on that is certain.
+   a geometric series of bounces. 131 operations: 24 additions, 6 subtractions, 61 multiplications, 4 divisions, 1 square root, 2 negations, 12 absolute values, 10 comparisons, 9 conjunctions, 1 disjunction, 1 selection. */
+typedef struct {
+    M settles;
+    M lodges;
+    V assured;
+    M unsure;
+} LANES(court_ring_impact_settling_out);
+
+LANES_INLINE LANES(court_ring_impact_settling_out)
+LANES(court_ring_impact_settling)(V p_ball_radius, V bounce, V p_gravity, V nearest, V nx, V ny, V nz, V p_ring_friction, V p_ring_restitution, V rolled_x, V rolled_y, V rolled_z, V slip, V turning_x, V turning_y, V turning_z, V velocity_error, V wx, V wy, V wz)
+{
+    const V _s0 = lanes_neg(lanes_mul(p_gravity, nz));
+    const V _s1 = lanes_sub(lanes_neg(_s0), lanes_add(lanes_add(lanes_mul(rolled_x, turning_x), lanes_mul(rolled_y, turning_y)), lanes_mul(rolled_z, turning_z)));
+    const M _s2 = lanes_less(K(0.0), _s1);
+    const V _s3 = lanes_sub(K(1.0), p_ring_restitution);
+    const V _s4 = lanes_div(bounce, _s1);
+    const V _s5 = lanes_add(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_abs(turning_x), lanes_abs(turning_y)), lanes_abs(turning_z)));
+    const V _s6 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(rolled_x)), lanes_abs(rolled_y));
+    const V _s7 = lanes_add(_s6, lanes_abs(rolled_z));
+    const M _s8 = lanes_less(lanes_mul(lanes_mul(K(3.0), _s4), lanes_mul(lanes_mul(K(8.0), lanes_add(lanes_mul(_s5, _s7), lanes_abs(_s0))), _s5)), lanes_mul(lanes_mul(_s3, _s3), _s1));
+    const V _s9 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
+    const V _s10 = lanes_mul(K(0.4), p_ball_radius);
+    const V _s11 = lanes_add(lanes_mul(lanes_mul(K(0.4), ny), _s0), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(nz, turning_x), lanes_mul(nx, turning_z))), _s9));
+    const V _s12 = lanes_add(lanes_mul(lanes_mul(K(0.4), nx), _s0), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(ny, turning_z), lanes_mul(nz, turning_y))), _s9));
+    const V _s13 = lanes_add(lanes_add(lanes_mul(K(0.4), p_gravity), lanes_mul(lanes_mul(K(0.4), nz), _s0)), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(nx, turning_y), lanes_mul(ny, turning_x))), _s9));
+    const V _s14 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s11, _s11), lanes_mul(_s12, _s12)), lanes_mul(_s13, _s13)));
+    const V _s15 = lanes_add(K(1.0), p_ring_restitution);
+    const M _s16 = lanes_both(lanes_both(lanes_both(lanes_both(_s2, lanes_less(K(0.0), _s3)), _s8), lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), _s4), _s14), lanes_mul(K(1.4210854715202004e-14), _s7)))), lanes_at_most(lanes_mul(K(2.0), _s14), lanes_mul(lanes_mul(p_ring_friction, _s15), _s1)));
+    const V _s17 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(0.5), bounce), _s4), lanes_div(lanes_mul(lanes_mul(K(1.6), slip), _s4), _s3)), lanes_div(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s4, _s4)), _s14), lanes_mul(_s15, _s3)));
+    const V _s18 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
+    const M _s19 = lanes_both(_s16, lanes_at_most(_s17, _s18));
+    const V _s20 = lanes_mul(K(1024.0), _s18);
+    const M _s21 = lanes_less(lanes_add(lanes_div(lanes_mul(lanes_mul(K(16.0), _s4), _s7), _s3), _s20), nearest);
+    const M _s22 = lanes_either(lanes_at_most(lanes_abs(_s1), lanes_mul(lanes_mul(K(4.0), velocity_error), _s5)), lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s17, _s18))), lanes_mul(lanes_mul(K(2.0), velocity_error), _s18)), _s2));
+    return (LANES(court_ring_impact_settling_out)){ lanes_both(_s19, _s21), lanes_both(_s19, lanes_at_most(nearest, _s20)), lanes_select(lanes_both(_s16, _s21), K(1.0), K(0.0)), _s22 };
+}
+
 /* Velocity and spin after a contact, frame-free.
    momentum, angular momentum and Coulomb's law of friction. 83 operations: 9 additions, 19 subtractions, 43 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections. */
 typedef struct {
@@ -2330,396 +2368,6 @@ LANES(court_carry_ring_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V
     const V _s58 = lanes_add(lanes_add(dwz, lanes_mul(_s48, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s5), lanes_mul(nx, _s17)), lanes_mul(dny, _s3)), lanes_mul(ny, _s18))));
     const V _s59 = lanes_add(_s58, lanes_select(lanes_less(_s58, K(0.0)), _s52, _s51));
     return (LANES(court_carry_ring_impact_out)){ lanes_select(lanes_less(lanes_abs(_s31), _s42), lanes_select(lanes_less(_s31, K(0.0)), _s43, _s42), _s31), lanes_select(lanes_less(lanes_abs(_s45), _s42), lanes_select(lanes_less(_s45, K(0.0)), _s43, _s42), _s45), lanes_select(lanes_less(lanes_abs(_s47), _s42), lanes_select(lanes_less(_s47, K(0.0)), _s43, _s42), _s47), lanes_select(lanes_less(lanes_abs(_s53), _s54), lanes_select(lanes_less(_s53, K(0.0)), _s55, _s54), _s53), lanes_select(lanes_less(lanes_abs(_s57), _s54), lanes_select(lanes_less(_s57, K(0.0)), _s55, _s54), _s57), lanes_select(lanes_less(lanes_abs(_s59), _s54), lanes_select(lanes_less(_s59, K(0.0)), _s55, _s54), _s59) };
-}
-
-/* Where a ball stays on a surface: its bounces end before anything else can happen, and from when on that is certain.
-   a geometric series of bounces. 131 operations: 24 additions, 6 subtractions, 61 multiplications, 4 divisions, 1 square root, 2 negations, 12 absolute values, 10 comparisons, 9 conjunctions, 1 disjunction, 1 selection. */
-typedef struct {
-    M settles;
-    M lodges;
-    V assured;
-    M unsure;
-} LANES(court_ring_impact_settling_out);
-
-LANES_INLINE LANES(court_ring_impact_settling_out)
-LANES(court_ring_impact_settling)(V p_ball_radius, V bounce, V p_gravity, V nearest, V nx, V ny, V nz, V p_ring_friction, V p_ring_restitution, V rolled_x, V rolled_y, V rolled_z, V slip, V turning_x, V turning_y, V turning_z, V velocity_error, V wx, V wy, V wz)
-{
-    const V _s0 = lanes_neg(lanes_mul(p_gravity, nz));
-    const V _s1 = lanes_sub(lanes_neg(_s0), lanes_add(lanes_add(lanes_mul(rolled_x, turning_x), lanes_mul(rolled_y, turning_y)), lanes_mul(rolled_z, turning_z)));
-    const M _s2 = lanes_less(K(0.0), _s1);
-    const V _s3 = lanes_sub(K(1.0), p_ring_restitution);
-    const V _s4 = lanes_div(bounce, _s1);
-    const V _s5 = lanes_add(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_abs(turning_x), lanes_abs(turning_y)), lanes_abs(turning_z)));
-    const V _s6 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(rolled_x)), lanes_abs(rolled_y));
-    const V _s7 = lanes_add(_s6, lanes_abs(rolled_z));
-    const M _s8 = lanes_less(lanes_mul(lanes_mul(K(3.0), _s4), lanes_mul(lanes_mul(K(8.0), lanes_add(lanes_mul(_s5, _s7), lanes_abs(_s0))), _s5)), lanes_mul(lanes_mul(_s3, _s3), _s1));
-    const V _s9 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
-    const V _s10 = lanes_mul(K(0.4), p_ball_radius);
-    const V _s11 = lanes_add(lanes_mul(lanes_mul(K(0.4), ny), _s0), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(nz, turning_x), lanes_mul(nx, turning_z))), _s9));
-    const V _s12 = lanes_add(lanes_mul(lanes_mul(K(0.4), nx), _s0), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(ny, turning_z), lanes_mul(nz, turning_y))), _s9));
-    const V _s13 = lanes_add(lanes_add(lanes_mul(K(0.4), p_gravity), lanes_mul(lanes_mul(K(0.4), nz), _s0)), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(nx, turning_y), lanes_mul(ny, turning_x))), _s9));
-    const V _s14 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s11, _s11), lanes_mul(_s12, _s12)), lanes_mul(_s13, _s13)));
-    const V _s15 = lanes_add(K(1.0), p_ring_restitution);
-    const M _s16 = lanes_both(lanes_both(lanes_both(lanes_both(_s2, lanes_less(K(0.0), _s3)), _s8), lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), _s4), _s14), lanes_mul(K(1.4210854715202004e-14), _s7)))), lanes_at_most(lanes_mul(K(2.0), _s14), lanes_mul(lanes_mul(p_ring_friction, _s15), _s1)));
-    const V _s17 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(0.5), bounce), _s4), lanes_div(lanes_mul(lanes_mul(K(1.6), slip), _s4), _s3)), lanes_div(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s4, _s4)), _s14), lanes_mul(_s15, _s3)));
-    const V _s18 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
-    const M _s19 = lanes_both(_s16, lanes_at_most(_s17, _s18));
-    const V _s20 = lanes_mul(K(1024.0), _s18);
-    const M _s21 = lanes_less(lanes_add(lanes_div(lanes_mul(lanes_mul(K(16.0), _s4), _s7), _s3), _s20), nearest);
-    const M _s22 = lanes_either(lanes_at_most(lanes_abs(_s1), lanes_mul(lanes_mul(K(4.0), velocity_error), _s5)), lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s17, _s18))), lanes_mul(lanes_mul(K(2.0), velocity_error), _s18)), _s2));
-    return (LANES(court_ring_impact_settling_out)){ lanes_both(_s19, _s21), lanes_both(_s19, lanes_at_most(nearest, _s20)), lanes_select(lanes_both(_s16, _s21), K(1.0), K(0.0)), _s22 };
-}
-
-/* Where a decision within a contact lies within its error.
-   the law's own slack. 86 operations: 15 additions, 11 subtractions, 29 multiplications, 2 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
-typedef struct {
-    M unsure;
-} LANES(court_backboard_impact_doubt_out);
-
-LANES_INLINE LANES(court_backboard_impact_doubt_out)
-LANES(court_backboard_impact_doubt)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V turn, V p_ball_radius, V p_backboard_restitution, V p_backboard_friction, V p_tangential_restitution, V p_restitution_speed)
-{
-    const V _s0 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
-    const V _s1 = lanes_abs(dwx);
-    const V _s2 = lanes_abs(dwy);
-    const V _s3 = lanes_max(_s1, _s2);
-    const V _s4 = lanes_abs(dwz);
-    const V _s5 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
-    const V _s6 = lanes_add(_s5, lanes_abs(vz));
-    const V _s7 = lanes_abs(dvx);
-    const V _s8 = lanes_abs(dvy);
-    const V _s9 = lanes_max(_s7, _s8);
-    const V _s10 = lanes_abs(dvz);
-    const V _s11 = lanes_mul(K(64.0), lanes_add(lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s3, _s4)), lanes_mul(turn, _s6)), lanes_max(_s9, _s10)), lanes_mul(K(4.440892098500626e-16), _s6)));
-    const V _s12 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s13 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
-    const V _s14 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
-    const V _s15 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
-    const V _s16 = lanes_mul(p_backboard_friction, lanes_mul(lanes_add(K(1.0), lanes_div(p_backboard_restitution, lanes_sub(K(1.0), lanes_div(_s12, p_restitution_speed)))), _s12));
-    const V _s17 = lanes_sub(lanes_mul(_s0, lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s13, _s13), lanes_mul(_s14, _s14)), lanes_mul(_s15, _s15)))), lanes_neg(_s16));
-    const M _s18 = lanes_both(lanes_both(lanes_less(K(0.0), p_backboard_friction), lanes_less(p_backboard_friction, K(INFINITY))), lanes_not(lanes_less(lanes_mul(lanes_add(lanes_mul(K(2.0), p_backboard_friction), _s0), _s11), lanes_abs(_s17))));
-    return (LANES(court_backboard_impact_doubt_out)){ _s18 };
-}
-
-/* Velocity and spin after a contact, frame-free.
-   momentum, angular momentum and Coulomb's law of friction. 83 operations: 9 additions, 19 subtractions, 43 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections. */
-typedef struct {
-    V vx;
-    V vy;
-    V vz;
-    V wx;
-    V wy;
-    V wz;
-} LANES(court_backboard_impact_out);
-
-LANES_INLINE LANES(court_backboard_impact_out)
-LANES(court_backboard_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ball_radius, V p_backboard_restitution, V p_backboard_friction, V p_tangential_restitution, V p_restitution_speed)
-{
-    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s1 = lanes_sub(vx, lanes_mul(nx, _s0));
-    const V _s2 = lanes_sub(_s1, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
-    const V _s3 = lanes_sub(vz, lanes_mul(nz, _s0));
-    const V _s4 = lanes_sub(_s3, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
-    const V _s5 = lanes_sub(vy, lanes_mul(ny, _s0));
-    const V _s6 = lanes_sub(_s5, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
-    const V _s7 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s6, _s6)), lanes_mul(_s2, _s2));
-    const V _s8 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
-    const V _s9 = lanes_div(p_backboard_restitution, lanes_sub(K(1.0), lanes_div(_s0, p_restitution_speed)));
-    const V _s10 = lanes_neg(lanes_mul(p_backboard_friction, lanes_mul(lanes_add(K(1.0), _s9), _s0)));
-    const V _s11 = lanes_select(lanes_less(K(0.0), p_backboard_friction), lanes_select(lanes_less(p_backboard_friction, K(INFINITY)), lanes_select(lanes_at_most(lanes_mul(_s7, lanes_mul(_s8, _s8)), lanes_mul(_s10, _s10)), _s8, lanes_div(_s10, lanes_sqrt(_s7))), _s8), K(0.0));
-    const V _s12 = lanes_div(lanes_mul(K(1.5), _s11), p_ball_radius);
-    return (LANES(court_backboard_impact_out)){ lanes_sub(lanes_sub(_s1, lanes_mul(_s2, _s11)), lanes_mul(lanes_mul(nx, _s9), _s0)), lanes_sub(lanes_sub(_s5, lanes_mul(_s6, _s11)), lanes_mul(lanes_mul(ny, _s9), _s0)), lanes_sub(lanes_sub(_s3, lanes_mul(_s4, _s11)), lanes_mul(lanes_mul(nz, _s9), _s0)), lanes_add(wx, lanes_mul(_s12, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s6)))), lanes_add(wy, lanes_mul(_s12, lanes_sub(lanes_mul(nz, _s2), lanes_mul(nx, _s4)))), lanes_add(wz, lanes_mul(_s12, lanes_sub(lanes_mul(nx, _s6), lanes_mul(ny, _s2)))) };
-}
-
-/* Errors of velocity and spin after a contact, from those before it.
-   derivative of the contact with friction, with roundings. 303 operations: 40 additions, 50 subtractions, 121 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections. */
-typedef struct {
-    V dvx;
-    V dvy;
-    V dvz;
-    V dwx;
-    V dwy;
-    V dwz;
-} LANES(court_carry_backboard_impact_out);
-
-LANES_INLINE LANES(court_carry_backboard_impact_out)
-LANES(court_carry_backboard_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V p_ball_radius, V p_backboard_restitution, V p_backboard_friction, V p_tangential_restitution, V p_restitution_speed)
-{
-    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
-    const V _s2 = lanes_sub(lanes_sub(dvx, lanes_mul(dnx, _s0)), lanes_mul(nx, _s1));
-    const V _s3 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
-    const V _s4 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
-    const V _s5 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
-    const V _s6 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s5, _s5)), lanes_mul(_s3, _s3));
-    const V _s7 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
-    const V _s8 = lanes_sub(K(1.0), lanes_div(_s0, p_restitution_speed));
-    const V _s9 = lanes_div(p_backboard_restitution, _s8);
-    const V _s10 = lanes_add(K(1.0), _s9);
-    const V _s11 = lanes_neg(lanes_mul(p_backboard_friction, lanes_mul(_s10, _s0)));
-    const V _s12 = lanes_neg(lanes_div(lanes_mul(p_backboard_restitution, lanes_neg(lanes_div(_s1, p_restitution_speed))), lanes_mul(_s8, _s8)));
-    const V _s13 = lanes_sqrt(_s6);
-    const V _s14 = lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s0)), lanes_mul(nz, _s1));
-    const V _s15 = lanes_sub(_s14, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))));
-    const V _s16 = lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s0)), lanes_mul(ny, _s1));
-    const V _s17 = lanes_sub(_s16, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))));
-    const V _s18 = lanes_sub(_s2, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))));
-    const V _s19 = lanes_div(lanes_mul(lanes_mul(K(0.5), _s11), lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s15), lanes_mul(lanes_mul(K(2.0), _s5), _s17)), lanes_mul(lanes_mul(K(2.0), _s3), _s18))), lanes_mul(_s13, _s6));
-    const V _s20 = lanes_sub(lanes_div(lanes_neg(lanes_mul(p_backboard_friction, lanes_add(lanes_mul(_s10, _s1), lanes_mul(_s12, _s0)))), _s13), _s19);
-    const M _s21 = lanes_at_most(lanes_mul(_s6, lanes_mul(_s7, _s7)), lanes_mul(_s11, _s11));
-    const M _s22 = lanes_less(p_backboard_friction, K(INFINITY));
-    const M _s23 = lanes_less(K(0.0), p_backboard_friction);
-    const V _s24 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, K(0.0), _s20), K(0.0)), K(0.0));
-    const V _s25 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, _s7, lanes_div(_s11, _s13)), _s7), K(0.0));
-    const V _s26 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s2, lanes_mul(_s3, _s24)), lanes_mul(_s18, _s25)), lanes_mul(lanes_mul(dnx, _s9), _s0)), lanes_mul(lanes_mul(nx, _s9), _s1)), lanes_mul(lanes_mul(nx, _s12), _s0));
-    const V _s27 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
-    const V _s28 = lanes_add(_s27, lanes_abs(vz));
-    const V _s29 = lanes_mul(K(2.220446049250313e-16), _s28);
-    const V _s30 = lanes_neg(_s29);
-    const V _s31 = lanes_add(_s26, lanes_select(lanes_less(_s26, K(0.0)), _s30, _s29));
-    const V _s32 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
-    const V _s33 = lanes_abs(dwx);
-    const V _s34 = lanes_abs(dwy);
-    const V _s35 = lanes_max(_s33, _s34);
-    const V _s36 = lanes_abs(dwz);
-    const V _s37 = lanes_abs(dvx);
-    const V _s38 = lanes_abs(dvy);
-    const V _s39 = lanes_max(_s37, _s38);
-    const V _s40 = lanes_abs(dvz);
-    const V _s41 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s35, _s36)), lanes_mul(turn, _s28)), lanes_max(_s39, _s40));
-    const V _s42 = lanes_div(_s41, _s32);
-    const V _s43 = lanes_neg(_s42);
-    const V _s44 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s16, lanes_mul(_s5, _s24)), lanes_mul(_s17, _s25)), lanes_mul(lanes_mul(dny, _s9), _s0)), lanes_mul(lanes_mul(ny, _s9), _s1)), lanes_mul(lanes_mul(ny, _s12), _s0));
-    const V _s45 = lanes_add(_s44, lanes_select(lanes_less(_s44, K(0.0)), _s30, _s29));
-    const V _s46 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s14, lanes_mul(_s4, _s24)), lanes_mul(_s15, _s25)), lanes_mul(lanes_mul(dnz, _s9), _s0)), lanes_mul(lanes_mul(nz, _s9), _s1)), lanes_mul(lanes_mul(nz, _s12), _s0));
-    const V _s47 = lanes_add(_s46, lanes_select(lanes_less(_s46, K(0.0)), _s30, _s29));
-    const V _s48 = lanes_div(lanes_mul(K(1.5), _s24), p_ball_radius);
-    const V _s49 = lanes_div(lanes_mul(K(1.5), _s25), p_ball_radius);
-    const V _s50 = lanes_add(lanes_add(dwx, lanes_mul(_s48, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s5)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s4), lanes_mul(ny, _s15)), lanes_mul(dnz, _s5)), lanes_mul(nz, _s17))));
-    const V _s51 = lanes_div(_s29, p_ball_radius);
-    const V _s52 = lanes_neg(_s51);
-    const V _s53 = lanes_add(_s50, lanes_select(lanes_less(_s50, K(0.0)), _s52, _s51));
-    const V _s54 = lanes_div(_s41, lanes_mul(p_ball_radius, _s32));
-    const V _s55 = lanes_neg(_s54);
-    const V _s56 = lanes_add(lanes_add(dwy, lanes_mul(_s48, lanes_sub(lanes_mul(nz, _s3), lanes_mul(nx, _s4)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s3), lanes_mul(nz, _s18)), lanes_mul(dnx, _s4)), lanes_mul(nx, _s15))));
-    const V _s57 = lanes_add(_s56, lanes_select(lanes_less(_s56, K(0.0)), _s52, _s51));
-    const V _s58 = lanes_add(lanes_add(dwz, lanes_mul(_s48, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s5), lanes_mul(nx, _s17)), lanes_mul(dny, _s3)), lanes_mul(ny, _s18))));
-    const V _s59 = lanes_add(_s58, lanes_select(lanes_less(_s58, K(0.0)), _s52, _s51));
-    return (LANES(court_carry_backboard_impact_out)){ lanes_select(lanes_less(lanes_abs(_s31), _s42), lanes_select(lanes_less(_s31, K(0.0)), _s43, _s42), _s31), lanes_select(lanes_less(lanes_abs(_s45), _s42), lanes_select(lanes_less(_s45, K(0.0)), _s43, _s42), _s45), lanes_select(lanes_less(lanes_abs(_s47), _s42), lanes_select(lanes_less(_s47, K(0.0)), _s43, _s42), _s47), lanes_select(lanes_less(lanes_abs(_s53), _s54), lanes_select(lanes_less(_s53, K(0.0)), _s55, _s54), _s53), lanes_select(lanes_less(lanes_abs(_s57), _s54), lanes_select(lanes_less(_s57, K(0.0)), _s55, _s54), _s57), lanes_select(lanes_less(lanes_abs(_s59), _s54), lanes_select(lanes_less(_s59, K(0.0)), _s55, _s54), _s59) };
-}
-
-/* Where a ball stays on a surface: its bounces end before anything else can happen, and from when on that is certain.
-   a geometric series of bounces. 131 operations: 24 additions, 6 subtractions, 61 multiplications, 4 divisions, 1 square root, 2 negations, 12 absolute values, 10 comparisons, 9 conjunctions, 1 disjunction, 1 selection. */
-typedef struct {
-    M settles;
-    M lodges;
-    V assured;
-    M unsure;
-} LANES(court_backboard_impact_settling_out);
-
-LANES_INLINE LANES(court_backboard_impact_settling_out)
-LANES(court_backboard_impact_settling)(V p_backboard_friction, V p_backboard_restitution, V p_ball_radius, V bounce, V p_gravity, V nearest, V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z, V slip, V turning_x, V turning_y, V turning_z, V velocity_error, V wx, V wy, V wz)
-{
-    const V _s0 = lanes_neg(lanes_mul(p_gravity, nz));
-    const V _s1 = lanes_sub(lanes_neg(_s0), lanes_add(lanes_add(lanes_mul(rolled_x, turning_x), lanes_mul(rolled_y, turning_y)), lanes_mul(rolled_z, turning_z)));
-    const M _s2 = lanes_less(K(0.0), _s1);
-    const V _s3 = lanes_sub(K(1.0), p_backboard_restitution);
-    const V _s4 = lanes_div(bounce, _s1);
-    const V _s5 = lanes_add(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_abs(turning_x), lanes_abs(turning_y)), lanes_abs(turning_z)));
-    const V _s6 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(rolled_x)), lanes_abs(rolled_y));
-    const V _s7 = lanes_add(_s6, lanes_abs(rolled_z));
-    const M _s8 = lanes_less(lanes_mul(lanes_mul(K(3.0), _s4), lanes_mul(lanes_mul(K(8.0), lanes_add(lanes_mul(_s5, _s7), lanes_abs(_s0))), _s5)), lanes_mul(lanes_mul(_s3, _s3), _s1));
-    const V _s9 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
-    const V _s10 = lanes_mul(K(0.4), p_ball_radius);
-    const V _s11 = lanes_add(lanes_mul(lanes_mul(K(0.4), ny), _s0), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(nz, turning_x), lanes_mul(nx, turning_z))), _s9));
-    const V _s12 = lanes_add(lanes_mul(lanes_mul(K(0.4), nx), _s0), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(ny, turning_z), lanes_mul(nz, turning_y))), _s9));
-    const V _s13 = lanes_add(lanes_add(lanes_mul(K(0.4), p_gravity), lanes_mul(lanes_mul(K(0.4), nz), _s0)), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(nx, turning_y), lanes_mul(ny, turning_x))), _s9));
-    const V _s14 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s11, _s11), lanes_mul(_s12, _s12)), lanes_mul(_s13, _s13)));
-    const V _s15 = lanes_add(K(1.0), p_backboard_restitution);
-    const M _s16 = lanes_both(lanes_both(lanes_both(lanes_both(_s2, lanes_less(K(0.0), _s3)), _s8), lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), _s4), _s14), lanes_mul(K(1.4210854715202004e-14), _s7)))), lanes_at_most(lanes_mul(K(2.0), _s14), lanes_mul(lanes_mul(p_backboard_friction, _s15), _s1)));
-    const V _s17 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(0.5), bounce), _s4), lanes_div(lanes_mul(lanes_mul(K(1.6), slip), _s4), _s3)), lanes_div(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s4, _s4)), _s14), lanes_mul(_s15, _s3)));
-    const V _s18 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
-    const M _s19 = lanes_both(_s16, lanes_at_most(_s17, _s18));
-    const V _s20 = lanes_mul(K(1024.0), _s18);
-    const M _s21 = lanes_less(lanes_add(lanes_div(lanes_mul(lanes_mul(K(16.0), _s4), _s7), _s3), _s20), nearest);
-    const M _s22 = lanes_either(lanes_at_most(lanes_abs(_s1), lanes_mul(lanes_mul(K(4.0), velocity_error), _s5)), lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s17, _s18))), lanes_mul(lanes_mul(K(2.0), velocity_error), _s18)), _s2));
-    return (LANES(court_backboard_impact_settling_out)){ lanes_both(_s19, _s21), lanes_both(_s19, lanes_at_most(nearest, _s20)), lanes_select(lanes_both(_s16, _s21), K(1.0), K(0.0)), _s22 };
-}
-
-/* Where a decision within a contact lies within its error.
-   the law's own slack. 86 operations: 15 additions, 11 subtractions, 29 multiplications, 2 divisions, 1 square root, 1 negation, 13 absolute values, 7 comparisons, 2 conjunctions, 1 complement, 4 selections. */
-typedef struct {
-    M unsure;
-} LANES(court_bridge_impact_doubt_out);
-
-LANES_INLINE LANES(court_bridge_impact_doubt_out)
-LANES(court_bridge_impact_doubt)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V turn, V p_ball_radius, V p_bridge_restitution, V p_bridge_friction, V p_tangential_restitution, V p_restitution_speed)
-{
-    const V _s0 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
-    const V _s1 = lanes_abs(dwx);
-    const V _s2 = lanes_abs(dwy);
-    const V _s3 = lanes_max(_s1, _s2);
-    const V _s4 = lanes_abs(dwz);
-    const V _s5 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
-    const V _s6 = lanes_add(_s5, lanes_abs(vz));
-    const V _s7 = lanes_abs(dvx);
-    const V _s8 = lanes_abs(dvy);
-    const V _s9 = lanes_max(_s7, _s8);
-    const V _s10 = lanes_abs(dvz);
-    const V _s11 = lanes_mul(K(64.0), lanes_add(lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s3, _s4)), lanes_mul(turn, _s6)), lanes_max(_s9, _s10)), lanes_mul(K(4.440892098500626e-16), _s6)));
-    const V _s12 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s13 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
-    const V _s14 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
-    const V _s15 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s12)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
-    const V _s16 = lanes_mul(p_bridge_friction, lanes_mul(lanes_add(K(1.0), lanes_div(p_bridge_restitution, lanes_sub(K(1.0), lanes_div(_s12, p_restitution_speed)))), _s12));
-    const V _s17 = lanes_sub(lanes_mul(_s0, lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s13, _s13), lanes_mul(_s14, _s14)), lanes_mul(_s15, _s15)))), lanes_neg(_s16));
-    const M _s18 = lanes_both(lanes_both(lanes_less(K(0.0), p_bridge_friction), lanes_less(p_bridge_friction, K(INFINITY))), lanes_not(lanes_less(lanes_mul(lanes_add(lanes_mul(K(2.0), p_bridge_friction), _s0), _s11), lanes_abs(_s17))));
-    return (LANES(court_bridge_impact_doubt_out)){ _s18 };
-}
-
-/* Velocity and spin after a contact, frame-free.
-   momentum, angular momentum and Coulomb's law of friction. 83 operations: 9 additions, 19 subtractions, 43 multiplications, 4 divisions, 1 square root, 1 negation, 3 comparisons, 3 selections. */
-typedef struct {
-    V vx;
-    V vy;
-    V vz;
-    V wx;
-    V wy;
-    V wz;
-} LANES(court_bridge_impact_out);
-
-LANES_INLINE LANES(court_bridge_impact_out)
-LANES(court_bridge_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V p_ball_radius, V p_bridge_restitution, V p_bridge_friction, V p_tangential_restitution, V p_restitution_speed)
-{
-    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s1 = lanes_sub(vx, lanes_mul(nx, _s0));
-    const V _s2 = lanes_sub(_s1, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
-    const V _s3 = lanes_sub(vz, lanes_mul(nz, _s0));
-    const V _s4 = lanes_sub(_s3, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
-    const V _s5 = lanes_sub(vy, lanes_mul(ny, _s0));
-    const V _s6 = lanes_sub(_s5, lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
-    const V _s7 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s6, _s6)), lanes_mul(_s2, _s2));
-    const V _s8 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
-    const V _s9 = lanes_div(p_bridge_restitution, lanes_sub(K(1.0), lanes_div(_s0, p_restitution_speed)));
-    const V _s10 = lanes_neg(lanes_mul(p_bridge_friction, lanes_mul(lanes_add(K(1.0), _s9), _s0)));
-    const V _s11 = lanes_select(lanes_less(K(0.0), p_bridge_friction), lanes_select(lanes_less(p_bridge_friction, K(INFINITY)), lanes_select(lanes_at_most(lanes_mul(_s7, lanes_mul(_s8, _s8)), lanes_mul(_s10, _s10)), _s8, lanes_div(_s10, lanes_sqrt(_s7))), _s8), K(0.0));
-    const V _s12 = lanes_div(lanes_mul(K(1.5), _s11), p_ball_radius);
-    return (LANES(court_bridge_impact_out)){ lanes_sub(lanes_sub(_s1, lanes_mul(_s2, _s11)), lanes_mul(lanes_mul(nx, _s9), _s0)), lanes_sub(lanes_sub(_s5, lanes_mul(_s6, _s11)), lanes_mul(lanes_mul(ny, _s9), _s0)), lanes_sub(lanes_sub(_s3, lanes_mul(_s4, _s11)), lanes_mul(lanes_mul(nz, _s9), _s0)), lanes_add(wx, lanes_mul(_s12, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s6)))), lanes_add(wy, lanes_mul(_s12, lanes_sub(lanes_mul(nz, _s2), lanes_mul(nx, _s4)))), lanes_add(wz, lanes_mul(_s12, lanes_sub(lanes_mul(nx, _s6), lanes_mul(ny, _s2)))) };
-}
-
-/* Errors of velocity and spin after a contact, from those before it.
-   derivative of the contact with friction, with roundings. 303 operations: 40 additions, 50 subtractions, 121 multiplications, 12 divisions, 1 square root, 8 negations, 18 absolute values, 25 comparisons, 28 selections. */
-typedef struct {
-    V dvx;
-    V dvy;
-    V dvz;
-    V dwx;
-    V dwy;
-    V dwz;
-} LANES(court_carry_bridge_impact_out);
-
-LANES_INLINE LANES(court_carry_bridge_impact_out)
-LANES(court_carry_bridge_impact)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V nz, V contacts, V dvx, V dvy, V dvz, V dwx, V dwy, V dwz, V dnx, V dny, V dnz, V turn, V p_ball_radius, V p_bridge_restitution, V p_bridge_friction, V p_tangential_restitution, V p_restitution_speed)
-{
-    const V _s0 = lanes_add(lanes_add(lanes_mul(nx, vx), lanes_mul(ny, vy)), lanes_mul(nz, vz));
-    const V _s1 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_mul(dnx, vx), lanes_mul(dny, vy)), lanes_mul(dnz, vz)), lanes_mul(dvx, nx)), lanes_mul(dvy, ny)), lanes_mul(dvz, nz));
-    const V _s2 = lanes_sub(lanes_sub(dvx, lanes_mul(dnx, _s0)), lanes_mul(nx, _s1));
-    const V _s3 = lanes_sub(lanes_sub(vx, lanes_mul(nx, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nz, wy), lanes_mul(ny, wz))));
-    const V _s4 = lanes_sub(lanes_sub(vz, lanes_mul(nz, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(ny, wx), lanes_mul(nx, wy))));
-    const V _s5 = lanes_sub(lanes_sub(vy, lanes_mul(ny, _s0)), lanes_mul(p_ball_radius, lanes_sub(lanes_mul(nx, wz), lanes_mul(nz, wx))));
-    const V _s6 = lanes_add(lanes_add(lanes_mul(_s4, _s4), lanes_mul(_s5, _s5)), lanes_mul(_s3, _s3));
-    const V _s7 = lanes_add(K(0.4), lanes_mul(K(0.4), p_tangential_restitution));
-    const V _s8 = lanes_sub(K(1.0), lanes_div(_s0, p_restitution_speed));
-    const V _s9 = lanes_div(p_bridge_restitution, _s8);
-    const V _s10 = lanes_add(K(1.0), _s9);
-    const V _s11 = lanes_neg(lanes_mul(p_bridge_friction, lanes_mul(_s10, _s0)));
-    const V _s12 = lanes_neg(lanes_div(lanes_mul(p_bridge_restitution, lanes_neg(lanes_div(_s1, p_restitution_speed))), lanes_mul(_s8, _s8)));
-    const V _s13 = lanes_sqrt(_s6);
-    const V _s14 = lanes_sub(lanes_sub(dvz, lanes_mul(dnz, _s0)), lanes_mul(nz, _s1));
-    const V _s15 = lanes_sub(_s14, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, wx), lanes_mul(dwx, ny)), lanes_mul(dnx, wy)), lanes_mul(dwy, nx))));
-    const V _s16 = lanes_sub(lanes_sub(dvy, lanes_mul(dny, _s0)), lanes_mul(ny, _s1));
-    const V _s17 = lanes_sub(_s16, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, wz), lanes_mul(dwz, nx)), lanes_mul(dnz, wx)), lanes_mul(dwx, nz))));
-    const V _s18 = lanes_sub(_s2, lanes_mul(p_ball_radius, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, wy), lanes_mul(dwy, nz)), lanes_mul(dny, wz)), lanes_mul(dwz, ny))));
-    const V _s19 = lanes_div(lanes_mul(lanes_mul(K(0.5), _s11), lanes_add(lanes_add(lanes_mul(lanes_mul(K(2.0), _s4), _s15), lanes_mul(lanes_mul(K(2.0), _s5), _s17)), lanes_mul(lanes_mul(K(2.0), _s3), _s18))), lanes_mul(_s13, _s6));
-    const V _s20 = lanes_sub(lanes_div(lanes_neg(lanes_mul(p_bridge_friction, lanes_add(lanes_mul(_s10, _s1), lanes_mul(_s12, _s0)))), _s13), _s19);
-    const M _s21 = lanes_at_most(lanes_mul(_s6, lanes_mul(_s7, _s7)), lanes_mul(_s11, _s11));
-    const M _s22 = lanes_less(p_bridge_friction, K(INFINITY));
-    const M _s23 = lanes_less(K(0.0), p_bridge_friction);
-    const V _s24 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, K(0.0), _s20), K(0.0)), K(0.0));
-    const V _s25 = lanes_select(_s23, lanes_select(_s22, lanes_select(_s21, _s7, lanes_div(_s11, _s13)), _s7), K(0.0));
-    const V _s26 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s2, lanes_mul(_s3, _s24)), lanes_mul(_s18, _s25)), lanes_mul(lanes_mul(dnx, _s9), _s0)), lanes_mul(lanes_mul(nx, _s9), _s1)), lanes_mul(lanes_mul(nx, _s12), _s0));
-    const V _s27 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(vx)), lanes_abs(vy));
-    const V _s28 = lanes_add(_s27, lanes_abs(vz));
-    const V _s29 = lanes_mul(K(2.220446049250313e-16), _s28);
-    const V _s30 = lanes_neg(_s29);
-    const V _s31 = lanes_add(_s26, lanes_select(lanes_less(_s26, K(0.0)), _s30, _s29));
-    const V _s32 = lanes_add(K(8.0), lanes_mul(K(8.0), contacts));
-    const V _s33 = lanes_abs(dwx);
-    const V _s34 = lanes_abs(dwy);
-    const V _s35 = lanes_max(_s33, _s34);
-    const V _s36 = lanes_abs(dwz);
-    const V _s37 = lanes_abs(dvx);
-    const V _s38 = lanes_abs(dvy);
-    const V _s39 = lanes_max(_s37, _s38);
-    const V _s40 = lanes_abs(dvz);
-    const V _s41 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_max(_s35, _s36)), lanes_mul(turn, _s28)), lanes_max(_s39, _s40));
-    const V _s42 = lanes_div(_s41, _s32);
-    const V _s43 = lanes_neg(_s42);
-    const V _s44 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s16, lanes_mul(_s5, _s24)), lanes_mul(_s17, _s25)), lanes_mul(lanes_mul(dny, _s9), _s0)), lanes_mul(lanes_mul(ny, _s9), _s1)), lanes_mul(lanes_mul(ny, _s12), _s0));
-    const V _s45 = lanes_add(_s44, lanes_select(lanes_less(_s44, K(0.0)), _s30, _s29));
-    const V _s46 = lanes_sub(lanes_sub(lanes_sub(lanes_sub(lanes_sub(_s14, lanes_mul(_s4, _s24)), lanes_mul(_s15, _s25)), lanes_mul(lanes_mul(dnz, _s9), _s0)), lanes_mul(lanes_mul(nz, _s9), _s1)), lanes_mul(lanes_mul(nz, _s12), _s0));
-    const V _s47 = lanes_add(_s46, lanes_select(lanes_less(_s46, K(0.0)), _s30, _s29));
-    const V _s48 = lanes_div(lanes_mul(K(1.5), _s24), p_ball_radius);
-    const V _s49 = lanes_div(lanes_mul(K(1.5), _s25), p_ball_radius);
-    const V _s50 = lanes_add(lanes_add(dwx, lanes_mul(_s48, lanes_sub(lanes_mul(ny, _s4), lanes_mul(nz, _s5)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dny, _s4), lanes_mul(ny, _s15)), lanes_mul(dnz, _s5)), lanes_mul(nz, _s17))));
-    const V _s51 = lanes_div(_s29, p_ball_radius);
-    const V _s52 = lanes_neg(_s51);
-    const V _s53 = lanes_add(_s50, lanes_select(lanes_less(_s50, K(0.0)), _s52, _s51));
-    const V _s54 = lanes_div(_s41, lanes_mul(p_ball_radius, _s32));
-    const V _s55 = lanes_neg(_s54);
-    const V _s56 = lanes_add(lanes_add(dwy, lanes_mul(_s48, lanes_sub(lanes_mul(nz, _s3), lanes_mul(nx, _s4)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnz, _s3), lanes_mul(nz, _s18)), lanes_mul(dnx, _s4)), lanes_mul(nx, _s15))));
-    const V _s57 = lanes_add(_s56, lanes_select(lanes_less(_s56, K(0.0)), _s52, _s51));
-    const V _s58 = lanes_add(lanes_add(dwz, lanes_mul(_s48, lanes_sub(lanes_mul(nx, _s5), lanes_mul(ny, _s3)))), lanes_mul(_s49, lanes_sub(lanes_sub(lanes_add(lanes_mul(dnx, _s5), lanes_mul(nx, _s17)), lanes_mul(dny, _s3)), lanes_mul(ny, _s18))));
-    const V _s59 = lanes_add(_s58, lanes_select(lanes_less(_s58, K(0.0)), _s52, _s51));
-    return (LANES(court_carry_bridge_impact_out)){ lanes_select(lanes_less(lanes_abs(_s31), _s42), lanes_select(lanes_less(_s31, K(0.0)), _s43, _s42), _s31), lanes_select(lanes_less(lanes_abs(_s45), _s42), lanes_select(lanes_less(_s45, K(0.0)), _s43, _s42), _s45), lanes_select(lanes_less(lanes_abs(_s47), _s42), lanes_select(lanes_less(_s47, K(0.0)), _s43, _s42), _s47), lanes_select(lanes_less(lanes_abs(_s53), _s54), lanes_select(lanes_less(_s53, K(0.0)), _s55, _s54), _s53), lanes_select(lanes_less(lanes_abs(_s57), _s54), lanes_select(lanes_less(_s57, K(0.0)), _s55, _s54), _s57), lanes_select(lanes_less(lanes_abs(_s59), _s54), lanes_select(lanes_less(_s59, K(0.0)), _s55, _s54), _s59) };
-}
-
-/* Where a ball stays on a surface: its bounces end before anything else can happen, and from when on that is certain.
-   a geometric series of bounces. 131 operations: 24 additions, 6 subtractions, 61 multiplications, 4 divisions, 1 square root, 2 negations, 12 absolute values, 10 comparisons, 9 conjunctions, 1 disjunction, 1 selection. */
-typedef struct {
-    M settles;
-    M lodges;
-    V assured;
-    M unsure;
-} LANES(court_bridge_impact_settling_out);
-
-LANES_INLINE LANES(court_bridge_impact_settling_out)
-LANES(court_bridge_impact_settling)(V p_ball_radius, V bounce, V p_bridge_friction, V p_bridge_restitution, V p_gravity, V nearest, V nx, V ny, V nz, V rolled_x, V rolled_y, V rolled_z, V slip, V turning_x, V turning_y, V turning_z, V velocity_error, V wx, V wy, V wz)
-{
-    const V _s0 = lanes_neg(lanes_mul(p_gravity, nz));
-    const V _s1 = lanes_sub(lanes_neg(_s0), lanes_add(lanes_add(lanes_mul(rolled_x, turning_x), lanes_mul(rolled_y, turning_y)), lanes_mul(rolled_z, turning_z)));
-    const M _s2 = lanes_less(K(0.0), _s1);
-    const V _s3 = lanes_sub(K(1.0), p_bridge_restitution);
-    const V _s4 = lanes_div(bounce, _s1);
-    const V _s5 = lanes_add(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_abs(turning_x), lanes_abs(turning_y)), lanes_abs(turning_z)));
-    const V _s6 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(rolled_x)), lanes_abs(rolled_y));
-    const V _s7 = lanes_add(_s6, lanes_abs(rolled_z));
-    const M _s8 = lanes_less(lanes_mul(lanes_mul(K(3.0), _s4), lanes_mul(lanes_mul(K(8.0), lanes_add(lanes_mul(_s5, _s7), lanes_abs(_s0))), _s5)), lanes_mul(lanes_mul(_s3, _s3), _s1));
-    const V _s9 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
-    const V _s10 = lanes_mul(K(0.4), p_ball_radius);
-    const V _s11 = lanes_add(lanes_mul(lanes_mul(K(0.4), ny), _s0), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(nz, turning_x), lanes_mul(nx, turning_z))), _s9));
-    const V _s12 = lanes_add(lanes_mul(lanes_mul(K(0.4), nx), _s0), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(ny, turning_z), lanes_mul(nz, turning_y))), _s9));
-    const V _s13 = lanes_add(lanes_add(lanes_mul(K(0.4), p_gravity), lanes_mul(lanes_mul(K(0.4), nz), _s0)), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(nx, turning_y), lanes_mul(ny, turning_x))), _s9));
-    const V _s14 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s11, _s11), lanes_mul(_s12, _s12)), lanes_mul(_s13, _s13)));
-    const V _s15 = lanes_add(K(1.0), p_bridge_restitution);
-    const M _s16 = lanes_both(lanes_both(lanes_both(lanes_both(_s2, lanes_less(K(0.0), _s3)), _s8), lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), _s4), _s14), lanes_mul(K(1.4210854715202004e-14), _s7)))), lanes_at_most(lanes_mul(K(2.0), _s14), lanes_mul(lanes_mul(p_bridge_friction, _s15), _s1)));
-    const V _s17 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(0.5), bounce), _s4), lanes_div(lanes_mul(lanes_mul(K(1.6), slip), _s4), _s3)), lanes_div(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s4, _s4)), _s14), lanes_mul(_s15, _s3)));
-    const V _s18 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
-    const M _s19 = lanes_both(_s16, lanes_at_most(_s17, _s18));
-    const V _s20 = lanes_mul(K(1024.0), _s18);
-    const M _s21 = lanes_less(lanes_add(lanes_div(lanes_mul(lanes_mul(K(16.0), _s4), _s7), _s3), _s20), nearest);
-    const M _s22 = lanes_either(lanes_at_most(lanes_abs(_s1), lanes_mul(lanes_mul(K(4.0), velocity_error), _s5)), lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s17, _s18))), lanes_mul(lanes_mul(K(2.0), velocity_error), _s18)), _s2));
-    return (LANES(court_bridge_impact_settling_out)){ lanes_both(_s19, _s21), lanes_both(_s19, lanes_at_most(nearest, _s20)), lanes_select(lanes_both(_s16, _s21), K(1.0), K(0.0)), _s22 };
 }
 
 /* Outward unit normal n3 at a contact.

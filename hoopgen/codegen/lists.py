@@ -11,9 +11,9 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
-from hoopgen.derive.ground.tree import Do, Guard, Node, Repeat, live_before, walk, writes
+from hoopgen.derive.ground.tree import Do, Each, Guard, Node, Repeat, live_before, walk, writes
 
-from .loop import CLoop, scope
+from .loop import CLoop, carried, scope
 
 _ROWS = re.compile(r"\brows\b")
 """Where the mask of a pass is used."""
@@ -61,12 +61,18 @@ class CLists(CLoop):
         By array, in order, whether it holds truths: what the struct of the lists has room for.
     beside
         A line for the first pass to come: what is done beside it.
+    frame
+        The list that the pass at hand goes over.
+    bases
+        By what is of the row at hand of a table, the array that has its values, as if a parameter.
     """
 
     parameters: Sequence[str] = ()
     job: Sequence[str] = ()
     columns: dict[str, bool] = field(default_factory=dict)
     beside: str = ""
+    frame: Frame = field(default_factory=lambda: Frame("", {}))
+    bases: dict[str, str] = field(default_factory=dict)
 
     def passes(self, nodes: Sequence[Node], frame: Frame, after: Iterable[str], note: Note) -> None:
         """Print nodes for all shots of a list, given what is needed after them."""
@@ -86,6 +92,15 @@ class CLists(CLoop):
             later = live_before(nodes[index + 1 :], after)
             # Lists of one name follow one another, and share their columns.
             self.lines.append("{")
+            if isinstance(node, Each):
+                before = _within(note, start, index)
+                if start < index or before:
+                    needed = live_before(nodes[index:], after)
+                    self._pass(nodes[start:index], frame, needed, None, before)
+                self._table_rows(node, frame, later)
+                self.lines.append("}")
+                start = index + 1
+                continue
             own = self._pass(nodes[start:index], frame, later, node, _within(note, start, index))
             if isinstance(node, Guard):
                 self._rows(node.body, own, set(scope(node, later).gives))
@@ -98,7 +113,58 @@ class CLists(CLoop):
             last = _within(note, start, len(nodes))
             self._pass(nodes[start:], frame, after, None, last)
 
-    def _listed(self, node: Guard | Repeat) -> bool:
+    def _table_rows(self, node: Each, frame: Frame, later: set[str]) -> None:
+        """Print passes for each row of a table."""
+        outer = self.parameters, self.job, self.bases
+        self.frame = frame
+        bases, numbers = self.table(node, "")
+        self.lines += [f"const V {name} = {value};" for name, value in numbers.items()]
+        self.parameters = (*self.parameters, *bases)
+        self.job = (*self.job, *numbers)
+        self.bases = self.bases | bases
+        self._rows(node.body, frame, carried(node, later))
+        self.parameters, self.job, self.bases = outer
+        self.lines.append("}")
+
+    def table(self, node: Each, indent: str) -> tuple[dict[str, str], dict[str, str]]:
+        """Print a table, and where the loop over its rows begins.
+
+        Returns
+        -------
+        tuple
+            Of the row at hand: by name, the arrays of its variables, and its numbers.
+        """
+        columns = dict(zip(node.names, node.columns, strict=True))
+        row = self.fresh("k")
+        found: list[dict[str, str]] = []
+        for kind, wanted in (("const double *const", str), ("static const double", float)):
+            own = {name: c for name, c in columns.items() if isinstance(c[0], wanted)}
+            table = self.fresh("t")
+            found.append({name: f"{table}[{row}][{k}]" for k, name in enumerate(own)})
+            if own:
+                self.lines.append(f"{indent}{kind} {table}[][{len(own)}] = {{")
+                for values in zip(*own.values(), strict=True):
+                    given = (self._source(v) if isinstance(v, str) else repr(v) for v in values)
+                    self.lines.append(f"{indent}    {{{', '.join(given)}}},")
+                self.lines.append(f"{indent}}};")
+        line = f"for (size_t {row} = 0; {row} < {len(node.rows)}; {row}++) {{"
+        self.lines.append(f"{indent}{line}")
+        bases, numbers = found
+        return bases, {name: f"K({value})" for name, value in numbers.items()}
+
+    def row(self, node: Each, indent: str) -> dict[str, str]:
+        """Print the same; return the values of the row at hand, for the rows of the pass."""
+        bases, numbers = self.table(node, indent)
+        return {k: f"lanes_load({base} + (i & varying))" for k, base in bases.items()} | numbers
+
+    def _source(self, name: str) -> str:
+        """Return the array of a parameter in the list that is gone over."""
+        shared = self.bases.get(name, f"lists->{name}")
+        if not self.frame.prefix:
+            return shared
+        return f"varying ? {self.frame.column(name)} : {shared}"
+
+    def _listed(self, node: Guard | Repeat | Each) -> bool:
         """Whether a body has a list of its own: for one without turns the packing costs more."""
         return any(isinstance(n, Repeat) for n in walk([node]))
 
@@ -116,8 +182,9 @@ class CLists(CLoop):
         takes = scope(cut, later).takes if cut else ()
         wanted = set(stored) | set(takes) | ({cut.truth} if cut else set())
         wanted |= note.reads - set(written) if note else set()
-        need = live_before(nodes, wanted)
+        need = live_before(_bare(nodes), wanted)
         own = Frame(f"{frame.prefix}{cut.truth}_" if cut else "", {})
+        self.frame = frame
         line = self.lines.append
         if cut:
             line(f"size_t {own.count} = 0;")
@@ -168,9 +235,10 @@ class CLists(CLoop):
 
     def _parameter(self, frame: Frame, name: str, row: str = "i") -> str:
         """A parameter's values for the rows from i on; one that all share has one row of lanes."""
+        shared = self.bases.get(name, f"lists->{name}")
         if not frame.prefix:
-            return f"lanes_load(lists->{name} + ({row} & varying))"
-        return f"lanes_load(varying ? {frame.column(name)} + {row} : lists->{name})"
+            return f"lanes_load({shared} + ({row} & varying))"
+        return f"lanes_load(varying ? {frame.column(name)} + {row} : {shared})"
 
     def _pack(
         self, cut: Guard | Repeat, own: Frame, takes: Iterable[str], known: dict[str, bool]
@@ -219,7 +287,7 @@ class CLists(CLoop):
         line("    M active = lanes_nowhere();")
         line("    V row = K(0.0), turns = K(0.0);")
         for name in parameters:
-            line(f"    V {name} = lanes_load(lists->{name});")
+            line(f"    V {name} = lanes_load({self.bases.get(name, f'lists->{name}')});")
         for name, truth in own.known.items():
             line(
                 f"    {'M' if truth else 'V'} {name} = {'lanes_nowhere()' if truth else 'K(0.0)'};"
@@ -293,3 +361,13 @@ def _within(note: Note | None, start: int, end: int) -> Note | None:
     if note is None or not start <= note.index <= end:
         return None
     return replace(note, index=note.index - start)
+
+
+def _bare(nodes: Sequence[Node]) -> tuple[Node, ...]:
+    """Return the tree with no rows in its tables, whose variables are loaded row by row."""
+    made: list[Node] = []
+    for node in nodes:
+        if not isinstance(node, Do):
+            node = replace(node, body=_bare(node.body))
+        made.append(replace(node, rows=()) if isinstance(node, Each) else node)
+    return tuple(made)

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 
 from hoopgen.derive.ground.tree import (
     Do,
+    Each,
     Guard,
     Node,
     Repeat,
@@ -49,6 +50,14 @@ class Scope:
     takes: tuple[str, ...]
     gives: tuple[str, ...]
     keeps: tuple[str, ...]
+
+
+def carried(node: Each, after: Iterable[str]) -> set[str]:
+    """Return what is needed where a body ends that is done for each row: after it, or by the next.
+
+    What it assigns of that is the same variable from row to row.
+    """
+    return set(after) | live_in_body(node, after)
 
 
 def scope(node: Guard | Repeat, after: Iterable[str]) -> Scope:
@@ -119,6 +128,9 @@ class CLoop(_Printer):
             if isinstance(node, Do):
                 self._do(node, known, outer, mask, indent)
                 continue
+            if isinstance(node, Each):
+                self._each(node, known, outer, mask, indent, later)
+                continue
             own = scope(node, later)
             truth = self.fresh("m")
             inner = indent + "    "
@@ -142,6 +154,31 @@ class CLoop(_Printer):
             self.lines.append(f"{indent}{skip}{{")
             self._body(node.body, inside, shared, truth, inner, later)
             self.lines.append(f"{indent}}}")
+
+    def _each(
+        self,
+        node: Each,
+        known: dict[str, bool],
+        outer: set[str],
+        mask: str,
+        indent: str,
+        later: set[str],
+    ) -> None:
+        after = carried(node, later)
+        inside = dict(known)
+        for name in set(writes(node.body)) - after:
+            inside.pop(name, None)
+        self.lines.append(f"{indent}{{")
+        for name, value in self.row(node, indent + "    ").items():
+            self.lines.append(f"{indent}        const V {name} = {value};")
+            inside[name] = False
+        self._body(node.body, inside, outer, mask, indent + "        ", after)
+        self.lines.append(f"{indent}    }}")
+        self.lines.append(f"{indent}}}")
+
+    def row(self, node: Each, indent: str) -> dict[str, str]:
+        """Print a table, and where the loop over its rows begins; return the values of a row."""
+        raise NotImplementedError
 
     def _do(
         self, node: Do, known: dict[str, bool], outer: set[str], mask: str, indent: str
@@ -213,6 +250,8 @@ class NumPyLoop(_Printer):
             later = live_before(nodes[index + 1 :], after)
             if isinstance(node, Do):
                 self._do(node, names, indent, depth, depth)
+            elif isinstance(node, Each):
+                self._each(node, names, count, indent, later, depth)
             elif isinstance(node, Guard) and self._for_all(node):
                 self._chosen(node, names, indent, later, depth)
             else:
@@ -267,6 +306,31 @@ class NumPyLoop(_Printer):
         self.lines.append(
             f"{indent}{', '.join(targets)}{',' * (len(targets) == 1)} = {node.kernel.name}({given})"
         )
+
+    def _each(
+        self,
+        node: Each,
+        names: dict[str, str],
+        count: str,
+        indent: str,
+        later: set[str],
+        depth: int,
+    ) -> None:
+        """Print a loop over the rows of a table; what goes from row to row keeps its name."""
+        after = carried(node, later)
+        kept = {v: local(v, depth) for v in sorted(set(writes(node.body)) & after)}
+        for name, own in kept.items():
+            if names[name] != own:
+                self.lines.append(f"{indent}{own} = {names[name]}")
+        inside = names | kept | {name: local(name, depth) for name in node.names}
+        self.lines.append(f"{indent}for {', '.join(inside[name] for name in node.names)}, in (")
+        for row in node.rows:
+            given = (names[v] if isinstance(v, str) else constant(float(v), NUMPY) for v in row)
+            self.lines.append(f"{indent}    ({', '.join(given)},),")
+        self.lines.append(f"{indent}):")
+        self._body(node.body, inside, count, indent + "    ", after, depth)
+        assert all(inside[name] == own for name, own in kept.items()), "a name changed"
+        names |= kept
 
     def _chosen(
         self, node: Guard, names: dict[str, str], indent: str, later: set[str], depth: int

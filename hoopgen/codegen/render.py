@@ -82,6 +82,33 @@ class KernelView:
     c_outputs: list[tuple[str, str]]
 
 
+@dataclass(frozen=True)
+class NormalView:
+    """What a template sees of the normal of a surface that shares its kernels with another."""
+
+    name: str
+    kernel: str
+    given: list[str]
+    summary: str
+
+    @property
+    def arguments(self) -> list[str]:
+        """What is given, each once."""
+        return list(dict.fromkeys(self.given))
+
+
+def _normals(model: Model) -> list[NormalView]:
+    """Return the normals of such surfaces: who draws a contact asks each by its name."""
+    views = []
+    for made in model.surfaces:
+        kernel = made.kernels["normal"]
+        name = f"{made.surface.name}_normal"
+        if name != kernel.name:
+            given = [identifier(made.sizes.get(symbol, symbol)) for symbol in kernel.arguments]
+            views.append(NormalView(name, kernel.name, given, kernel.summary))
+    return views
+
+
 C_TYPES = {"uint8": "uint8_t", "int8": "int8_t", "int32": "int32_t", "bool": "uint8_t"}
 
 
@@ -201,6 +228,7 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
         "scene": scene,
         "parameters": [identifier(symbol) for symbol in scene.symbols],
         "kernels": list(views.values()),
+        "normals": _normals(model),
         "state": tuple(symbol.name for symbol in STATE),
         "loops": loops,
         "rows": max(rows.values(), default=1),

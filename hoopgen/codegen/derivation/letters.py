@@ -59,6 +59,16 @@ FLIGHTS = {
     ),
     "pad": Letter("T_+", "how long the horizon is after the earliest arrival"),
     "lost": Letter(r"\lambda", "positive where the search's bounds do not hold"),
+    **{
+        f"middle_{axis}": Letter(
+            rf"\mu_{axis}", f"middle of the box that a flight is in, along {axis}"
+        )
+        for axis in AXES
+    },
+    **{
+        f"reach_{axis}": Letter(rf"\varrho_{axis}", f"half the size of that box along {axis}")
+        for axis in AXES
+    },
 }
 """Of one surface along one flight."""
 
@@ -117,6 +127,7 @@ LOOP = {
     "ends": Letter(r"\text{ends}", "the event is on a plane that ends a shot"),
     "edge": Letter(r"\text{edge}", "which end is reached lies within its error"),
     "touches": Letter(r"\text{touches}", "the event is a contact"),
+    "mine": Letter(r"\text{mine}", "the event is on a surface of the kind that is looked at"),
 }
 """Of the event loop; the last are truths."""
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from hoopgen.derive.follow.loop import Loop
 from hoopgen.derive.ground.symbols import variable
-from hoopgen.derive.ground.tree import Do, Guard, Node
+from hoopgen.derive.ground.tree import Do, Each, Guard, Node
 
 STAGES = {
     "permit": "once for the parameters",
@@ -40,6 +40,12 @@ def _nodes(nodes: Sequence[Node], shown: Callable[[str], str], indent: str) -> I
             continue
         if isinstance(node, Guard):
             yield f"{indent}- where `{node.truth}`"
+        elif isinstance(node, Each):
+            names = ", ".join(f"`{name}`" for name in node.names)
+            yield f"{indent}- for {names} of each row:"
+            for row in node.rows:
+                yield f"{indent}  - {', '.join(map(_value, row))}"
+            yield f"{indent}- the following"
         else:
             yield f"{indent}- as long as `{node.truth}`, at most {node.limit} times"
         yield from _nodes(node.body, shown, f"{indent}  ")

@@ -250,7 +250,9 @@ def derivation_context(model: Model) -> Derivation:
         impact=_impact(scene, letters),
         crossing=explain({latex_name(n): e for n, e in events.crossing().items()}),
         searches=tuple(
-            search_text(s, flight, letters) for s in scene.surfaces if not isinstance(s, Plane)
+            search_text(alike, flight, letters)
+            for alike in model.kinds
+            if not isinstance(alike[0], Plane)
         ),
         flight_rounding=explain(
             {

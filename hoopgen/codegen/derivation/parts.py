@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
@@ -49,6 +50,7 @@ class SearchText:
     """The search of a curved surface."""
 
     name: str
+    others: str
     is_ring: bool
     radius: str
     named: Formulas
@@ -167,8 +169,9 @@ def known(search: Approach) -> dict[sp.Basic, str]:
     return names
 
 
-def search_text(surface: Surface, flight: Parabola, letters: Letters) -> SearchText:
-    """Return what the page says of the search of a curved surface."""
+def search_text(alike: Sequence[Surface], flight: Parabola, letters: Letters) -> SearchText:
+    """Return what the page says of the search of a curved surface, and of others of its kind."""
+    surface, *others = alike
     search: Approach = approach(surface, flight)
     names = known(search)
     slopes = {"F": search.gap, "F'": search.rate, "F''": search.bend, r"F_\ell": search.leaving_gap}
@@ -185,6 +188,7 @@ def search_text(surface: Surface, flight: Parabola, letters: Letters) -> SearchT
     steps = {latex_name(name): advance[name] for name in ("step", "clearance")}
     return SearchText(
         surface.name,
+        ", ".join(other.name for other in others),
         isinstance(search, RingApproach),
         show(search.ring.ring_radius, None, letters) if isinstance(search, RingApproach) else "",
         explain(search.named, names, letters),

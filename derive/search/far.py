@@ -1,0 +1,66 @@
+"""Which of many bodies a flight can reach at all: boxes that do not meet.
+
+Until its horizon the true ball is within a box, found once: as the path is, with all that is not
+exact added. What of a surface can be touched is in another, of half sizes h about c. The two are
+apart where along some axis, with a middle m and a half size r of the flight's,
+
+    |c - m| > (1 + W) (h + r).
+
+The roundings of c, of h, of the difference and of the sum are a few u of |c - m|, of h, of r and of
+|m|, and W is far above that: m is no larger than the flight, of which r has a share W already.
+"""
+
+from __future__ import annotations
+
+import sympy as sp
+
+from ..errors.tangent import late
+from ..flight.parabola import Parabola
+from ..ground.choice import IfLess, Less, Not, hold, largest, size, smallest, some
+from ..ground.rounding import position_error, velocity_error
+from ..ground.symbols import POSITION, VELOCITY
+from ..surfaces import Surface
+from .decisions import pad
+from .events import horizon
+
+SHARE = sp.Rational(1, 2**30)
+"""W."""
+
+MIDDLES = sp.symbols("middle_x middle_y middle_z", real=True)
+REACHES = sp.symbols("reach_x reach_y reach_z", real=True)
+"""The middle and the half sizes of a flight's box; these times 1 + W."""
+
+
+def swept(flight: Parabola) -> dict[str, sp.Expr]:
+    """Return a box that the ball is within until the horizon.
+
+    Against free fall it is never higher than v²/2g above its start, and lowest at an end. Where
+    the earliest arrival may be later than the horizon, the box has no end.
+    """
+    furthest, _ = flight.size(horizon)
+    shift = hold(position_error + velocity_error * horizon + SHARE * furthest)
+    spare = hold(IfLess(pad, late, sp.oo, shift))
+    middles, reaches = {}, {}
+    for k, (place, v, a) in enumerate(zip(POSITION, VELOCITY, flight.acceleration, strict=True)):
+        there = hold(place + hold(v + a * horizon / 2) * horizon)
+        low, high = hold(smallest(place, there)), hold(largest(place, there))
+        if a != 0:
+            apex = hold(place - v**2 / (2 * a))
+            against = (0, v) if a.is_negative else (v, 0)
+            turned = hold(IfLess(*against, apex, place))
+            low, high = hold(smallest(low, turned)), hold(largest(high, turned))
+        middles[MIDDLES[k].name] = hold(low + high) / 2
+        reaches[REACHES[k].name] = (1 + SHARE) * hold(hold(high - low) / 2 + spare)
+    return middles | reaches
+
+
+def near(surface: Surface) -> dict[str, sp.Basic]:
+    """Return where a flight may reach a surface; nothing where the surface has no box."""
+    apart = [
+        Less(hold((1 + SHARE) * half) + reach, size(centre - middle))
+        for centre, half, middle, reach in zip(
+            surface.about, surface.halves, MIDDLES, REACHES, strict=True
+        )
+        if half is not None
+    ]
+    return {"near": Not(some(*apart))} if apart else {}
