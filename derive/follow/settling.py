@@ -69,8 +69,8 @@ turning = sp.Matrix(sp.symbols("turning_x turning_y turning_z", real=True))
 rolled = sp.Matrix(sp.symbols("rolled_x rolled_y rolled_z", real=True))
 """The velocity that a contact which grips would leave."""
 slip, bounce = sp.symbols("slip bounce", real=True)
-settles, lodges, unsure, ends, rests, edge = map(
-    Truth, ("settles", "lodges", "unsure", "ends", "rests", "edge")
+settles, lodges, unsure, ends, rests, edge, goes_on = map(
+    Truth, ("settles", "lodges", "unsure", "ends", "rests", "edge", "rolling")
 )
 body, reached, outcome, uncertain, assured, time_limit = sp.symbols(
     "body reached outcome uncertain assured time_limit", real=True
@@ -436,8 +436,8 @@ def _events(faces: Sequence[int], codes: Codes, lodged: int) -> tuple[Kernel, ..
     )
     beyond = Less(codes.time, which)
     bounded = every(Less(position_error, sp.oo), Less(velocity_error, sp.oo))
-    following = Choose(begins, ROLLS, Choose(leaves, LEAVES, 0))
-    stays = some(begins, leaves)
+    following = Choose(Either(begins, goes_on), ROLLS, Choose(leaves, LEAVES, 0))
+    stays = some(begins, leaves, goes_on)
     return (
         made(
             "kept",
@@ -445,6 +445,7 @@ def _events(faces: Sequence[int], codes: Codes, lodged: int) -> tuple[Kernel, ..
                 "kept": Less(0, mode),
                 "when": Choose(Less(0, mode), 0, when),
                 "rests": Nowhere(),
+                "rolling": Nowhere(),
             },
             "Where a ball is in contact: no flight to search.",
             "Table 1",
@@ -490,7 +491,9 @@ def _events(faces: Sequence[int], codes: Codes, lodged: int) -> tuple[Kernel, ..
                 "body": Choose(
                     begins, codes.row(own, False), Choose(leaves, codes.row(own, True), Choose(hops, NONE, body))
                 ),
-                "reached": Choose(rests, lodged, Choose(beyond, IN_FLIGHT, reached)),
+                "reached": Choose(
+                    rests, lodged, Choose(Either(beyond, goes_on), IN_FLIGHT, reached)
+                ),
                 "ends": every(ends, Not(beyond)),
                 "hopped": hops,
                 "last": Choose(hops, NONE, last),

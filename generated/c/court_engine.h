@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 4ed2d8dfbf2a0d34,
+   Generated from templates/c/engine.h.j2, scene court, derivation 4fa13356f08d520e,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -61,12 +61,37 @@ typedef struct {
     LANES(court_column) through; /* 1: it has fallen through the ring, -1: it came up through it */
     LANES(court_column) outcome; /* how it ended, -1: in flight */
     LANES(court_column) p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth, p_ring_restitution, p_backboard_restitution, p_bridge_restitution, p_ring_friction, p_backboard_friction, p_bridge_friction, p_tangential_restitution, p_restitution_speed;
+    /* Shots whose balls stay in contact: they wait for one another. */
+    size_t waiting;
+    size_t waiting_shot[LANES_SHOTS];
+    LANES(court_column) waiting_x;
+    LANES(court_column) waiting_y;
+    LANES(court_column) waiting_z;
+    LANES(court_column) waiting_vx;
+    LANES(court_column) waiting_vy;
+    LANES(court_column) waiting_vz;
+    LANES(court_column) waiting_wx;
+    LANES(court_column) waiting_wy;
+    LANES(court_column) waiting_wz;
+    LANES(court_column) waiting_clock;
+    LANES(court_column) waiting_last;
+    LANES(court_column) waiting_first;
+    LANES(court_column) waiting_contacts;
+    LANES(court_column) waiting_count_0;
+    LANES(court_column) waiting_count_1;
+    LANES(court_column) waiting_count_2;
+    LANES(court_column) waiting_held;
+    LANES(court_column) waiting_mode;
+    LANES(court_column) waiting_through;
+    LANES(court_column) waiting_outcome;
+    LANES(court_column) waiting_p_ball_radius, waiting_p_ring_radius, waiting_p_wire_radius, waiting_p_board_distance, waiting_p_board_half_width, waiting_p_board_bottom, waiting_p_board_top, waiting_p_board_thickness, waiting_p_bridge_half_width, waiting_p_bridge_depth, waiting_p_gravity, waiting_p_end_depth, waiting_p_ring_restitution, waiting_p_backboard_restitution, waiting_p_bridge_restitution, waiting_p_ring_friction, waiting_p_backboard_friction, waiting_p_bridge_friction, waiting_p_tangential_restitution, waiting_p_restitution_speed;
     LANES(court_column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
     LANES(court_column) body;
     LANES(court_column) extent;
     LANES(court_column) kept;
     LANES(court_column) limited;
     LANES(court_column) rests;
+    LANES(court_column) rolling;
     LANES(court_column) speed;
     LANES(court_column) time_error;
     LANES(court_column) when;
@@ -172,6 +197,7 @@ typedef struct {
     LANES(court_column) kept_leaves;
     LANES(court_column) kept_lift;
     LANES(court_column) kept_per_reach;
+    LANES(court_column) kept_rolling;
     LANES(court_column) kept_snap;
     LANES(court_column) kept_surge;
     LANES(court_column) kept_which;
@@ -362,15 +388,123 @@ LANES_INLINE void LANES(court_plain_finish)(const LANES(court_plain_lists) *list
     }
 }
 
+/* Have the shots of some lanes wait: their rows are free. */
+LANES_INLINE void LANES(court_plain_wait)(LANES(court_plain_lists) *lists, size_t row, M who, const court_job *job)
+{
+    size_t to = lists->waiting;
+    for (unsigned bits = lanes_bits(who); bits; bits &= bits - 1)
+        lists->waiting_shot[to++] = lists->shot[row + (size_t)LANES_LOWEST(bits)];
+    lanes_pack(lists->waiting_x + lists->waiting, who, lanes_load(lists->x + row));
+    lanes_pack(lists->waiting_y + lists->waiting, who, lanes_load(lists->y + row));
+    lanes_pack(lists->waiting_z + lists->waiting, who, lanes_load(lists->z + row));
+    lanes_pack(lists->waiting_vx + lists->waiting, who, lanes_load(lists->vx + row));
+    lanes_pack(lists->waiting_vy + lists->waiting, who, lanes_load(lists->vy + row));
+    lanes_pack(lists->waiting_vz + lists->waiting, who, lanes_load(lists->vz + row));
+    lanes_pack(lists->waiting_wx + lists->waiting, who, lanes_load(lists->wx + row));
+    lanes_pack(lists->waiting_wy + lists->waiting, who, lanes_load(lists->wy + row));
+    lanes_pack(lists->waiting_wz + lists->waiting, who, lanes_load(lists->wz + row));
+    lanes_pack(lists->waiting_clock + lists->waiting, who, lanes_load(lists->clock + row));
+    lanes_pack(lists->waiting_last + lists->waiting, who, lanes_load(lists->last + row));
+    lanes_pack(lists->waiting_first + lists->waiting, who, lanes_load(lists->first + row));
+    lanes_pack(lists->waiting_contacts + lists->waiting, who, lanes_load(lists->contacts + row));
+    lanes_pack(lists->waiting_count_0 + lists->waiting, who, lanes_load(lists->count_0 + row));
+    lanes_pack(lists->waiting_count_1 + lists->waiting, who, lanes_load(lists->count_1 + row));
+    lanes_pack(lists->waiting_count_2 + lists->waiting, who, lanes_load(lists->count_2 + row));
+    lanes_pack(lists->waiting_held + lists->waiting, who, lanes_load(lists->held + row));
+    lanes_pack(lists->waiting_mode + lists->waiting, who, lanes_load(lists->mode + row));
+    lanes_pack(lists->waiting_through + lists->waiting, who, lanes_load(lists->through + row));
+    lanes_pack(lists->waiting_outcome + lists->waiting, who, lanes_load(lists->outcome + row));
+    if (job->varying) {
+        lanes_pack(lists->waiting_p_ball_radius + lists->waiting, who, lanes_load(lists->p_ball_radius + row));
+        lanes_pack(lists->waiting_p_ring_radius + lists->waiting, who, lanes_load(lists->p_ring_radius + row));
+        lanes_pack(lists->waiting_p_wire_radius + lists->waiting, who, lanes_load(lists->p_wire_radius + row));
+        lanes_pack(lists->waiting_p_board_distance + lists->waiting, who, lanes_load(lists->p_board_distance + row));
+        lanes_pack(lists->waiting_p_board_half_width + lists->waiting, who, lanes_load(lists->p_board_half_width + row));
+        lanes_pack(lists->waiting_p_board_bottom + lists->waiting, who, lanes_load(lists->p_board_bottom + row));
+        lanes_pack(lists->waiting_p_board_top + lists->waiting, who, lanes_load(lists->p_board_top + row));
+        lanes_pack(lists->waiting_p_board_thickness + lists->waiting, who, lanes_load(lists->p_board_thickness + row));
+        lanes_pack(lists->waiting_p_bridge_half_width + lists->waiting, who, lanes_load(lists->p_bridge_half_width + row));
+        lanes_pack(lists->waiting_p_bridge_depth + lists->waiting, who, lanes_load(lists->p_bridge_depth + row));
+        lanes_pack(lists->waiting_p_gravity + lists->waiting, who, lanes_load(lists->p_gravity + row));
+        lanes_pack(lists->waiting_p_end_depth + lists->waiting, who, lanes_load(lists->p_end_depth + row));
+        lanes_pack(lists->waiting_p_ring_restitution + lists->waiting, who, lanes_load(lists->p_ring_restitution + row));
+        lanes_pack(lists->waiting_p_backboard_restitution + lists->waiting, who, lanes_load(lists->p_backboard_restitution + row));
+        lanes_pack(lists->waiting_p_bridge_restitution + lists->waiting, who, lanes_load(lists->p_bridge_restitution + row));
+        lanes_pack(lists->waiting_p_ring_friction + lists->waiting, who, lanes_load(lists->p_ring_friction + row));
+        lanes_pack(lists->waiting_p_backboard_friction + lists->waiting, who, lanes_load(lists->p_backboard_friction + row));
+        lanes_pack(lists->waiting_p_bridge_friction + lists->waiting, who, lanes_load(lists->p_bridge_friction + row));
+        lanes_pack(lists->waiting_p_tangential_restitution + lists->waiting, who, lanes_load(lists->p_tangential_restitution + row));
+        lanes_pack(lists->waiting_p_restitution_speed + lists->waiting, who, lanes_load(lists->p_restitution_speed + row));
+    }
+    lists->waiting = to;
+}
+
+/* Put shots that have waited into rows from one on; return how many. */
+LANES_INLINE size_t LANES(court_plain_resume)(LANES(court_plain_lists) *lists, size_t row, const court_job *job)
+{
+    const size_t room = LANES_SHOTS - row, shots = lists->waiting < room ? lists->waiting : room;
+    const size_t from = lists->waiting - shots;
+    memcpy(lists->shot + row, lists->waiting_shot + from, shots * sizeof *lists->shot);
+    memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof(double));
+    memcpy(lists->y + row, lists->waiting_y + from, shots * sizeof(double));
+    memcpy(lists->z + row, lists->waiting_z + from, shots * sizeof(double));
+    memcpy(lists->vx + row, lists->waiting_vx + from, shots * sizeof(double));
+    memcpy(lists->vy + row, lists->waiting_vy + from, shots * sizeof(double));
+    memcpy(lists->vz + row, lists->waiting_vz + from, shots * sizeof(double));
+    memcpy(lists->wx + row, lists->waiting_wx + from, shots * sizeof(double));
+    memcpy(lists->wy + row, lists->waiting_wy + from, shots * sizeof(double));
+    memcpy(lists->wz + row, lists->waiting_wz + from, shots * sizeof(double));
+    memcpy(lists->clock + row, lists->waiting_clock + from, shots * sizeof(double));
+    memcpy(lists->last + row, lists->waiting_last + from, shots * sizeof(double));
+    memcpy(lists->first + row, lists->waiting_first + from, shots * sizeof(double));
+    memcpy(lists->contacts + row, lists->waiting_contacts + from, shots * sizeof(double));
+    memcpy(lists->count_0 + row, lists->waiting_count_0 + from, shots * sizeof(double));
+    memcpy(lists->count_1 + row, lists->waiting_count_1 + from, shots * sizeof(double));
+    memcpy(lists->count_2 + row, lists->waiting_count_2 + from, shots * sizeof(double));
+    memcpy(lists->held + row, lists->waiting_held + from, shots * sizeof(double));
+    memcpy(lists->mode + row, lists->waiting_mode + from, shots * sizeof(double));
+    memcpy(lists->through + row, lists->waiting_through + from, shots * sizeof(double));
+    memcpy(lists->outcome + row, lists->waiting_outcome + from, shots * sizeof(double));
+    if (job->varying) {
+        memcpy(lists->p_ball_radius + row, lists->waiting_p_ball_radius + from, shots * sizeof(double));
+        memcpy(lists->p_ring_radius + row, lists->waiting_p_ring_radius + from, shots * sizeof(double));
+        memcpy(lists->p_wire_radius + row, lists->waiting_p_wire_radius + from, shots * sizeof(double));
+        memcpy(lists->p_board_distance + row, lists->waiting_p_board_distance + from, shots * sizeof(double));
+        memcpy(lists->p_board_half_width + row, lists->waiting_p_board_half_width + from, shots * sizeof(double));
+        memcpy(lists->p_board_bottom + row, lists->waiting_p_board_bottom + from, shots * sizeof(double));
+        memcpy(lists->p_board_top + row, lists->waiting_p_board_top + from, shots * sizeof(double));
+        memcpy(lists->p_board_thickness + row, lists->waiting_p_board_thickness + from, shots * sizeof(double));
+        memcpy(lists->p_bridge_half_width + row, lists->waiting_p_bridge_half_width + from, shots * sizeof(double));
+        memcpy(lists->p_bridge_depth + row, lists->waiting_p_bridge_depth + from, shots * sizeof(double));
+        memcpy(lists->p_gravity + row, lists->waiting_p_gravity + from, shots * sizeof(double));
+        memcpy(lists->p_end_depth + row, lists->waiting_p_end_depth + from, shots * sizeof(double));
+        memcpy(lists->p_ring_restitution + row, lists->waiting_p_ring_restitution + from, shots * sizeof(double));
+        memcpy(lists->p_backboard_restitution + row, lists->waiting_p_backboard_restitution + from, shots * sizeof(double));
+        memcpy(lists->p_bridge_restitution + row, lists->waiting_p_bridge_restitution + from, shots * sizeof(double));
+        memcpy(lists->p_ring_friction + row, lists->waiting_p_ring_friction + from, shots * sizeof(double));
+        memcpy(lists->p_backboard_friction + row, lists->waiting_p_backboard_friction + from, shots * sizeof(double));
+        memcpy(lists->p_bridge_friction + row, lists->waiting_p_bridge_friction + from, shots * sizeof(double));
+        memcpy(lists->p_tangential_restitution + row, lists->waiting_p_tangential_restitution + from, shots * sizeof(double));
+        memcpy(lists->p_restitution_speed + row, lists->waiting_p_restitution_speed + from, shots * sizeof(double));
+    }
+    lists->waiting = from;
+    return shots;
+}
+
 /* Write the results of the shots that have ended, from a row on; the others close up. */
 LANES_INLINE size_t LANES(court_plain_leave)(LANES(court_plain_lists) *lists, size_t start, size_t shots, const court_job *job)
 {
     size_t kept = start;
     for (size_t i = start; i < shots; i += LANES_WIDTH) {
         const M rows = lanes_first(shots - i);
-        const M going = lanes_both(rows, lanes_less(lanes_load(lists->outcome + i), K(0.0)));
+        M going = lanes_both(rows, lanes_less(lanes_load(lists->outcome + i), K(0.0)));
         for (unsigned bits = lanes_bits(rows) & ~lanes_bits(going); bits; bits &= bits - 1)
             LANES(court_plain_finish)(lists, i + (size_t)LANES_LOWEST(bits), job);
+        const M staying = lanes_both(going, lanes_less(K(0.0), lanes_load(lists->mode + i)));
+        if (lanes_any(staying) && lists->waiting + LANES_WIDTH <= LANES_SHOTS) {
+            LANES(court_plain_wait)(lists, i, staying, job);
+            going = lanes_both(going, lanes_not(staying));
+        }
         if (kept < i || lanes_bits(going) != lanes_bits(rows)) {
             size_t to = kept;
             for (unsigned bits = lanes_bits(going); bits; bits &= bits - 1)
@@ -434,6 +568,7 @@ static void LANES(court_plain)(const court_job *job)
     const int recording = job->results->events != NULL;
     size_t begun = 0, shots = 0;
 
+    lists->waiting = 0;
     if (job->shots == 0)
         return;
     if (recording)
@@ -463,6 +598,10 @@ static void LANES(court_plain)(const court_job *job)
         if (job->stop && *job->stop)
             return;
         int following = shots == 0;
+        if (lists->waiting >= LANES_SHOTS / 2 || (shots == 0 && begun == job->shots)) {
+            shots += LANES(court_plain_resume)(lists, shots, job);
+            following = 0;
+        }
         const size_t fresh = shots;
         if (begun < job->shots) {
             const size_t room = LANES_SHOTS - shots, left = job->shots - begun;
@@ -571,6 +710,7 @@ static void LANES(court_plain)(const court_job *job)
             M kept = _o9.kept;
             when = _o9.when;
             M rests = _o9.rests;
+            M rolling = _o9.rolling;
             const LANES(court_left_out) _o10 =
                 LANES(court_left)(K(3.0), last);
             V leaving = _o10.leaving;
@@ -605,6 +745,7 @@ static void LANES(court_plain)(const court_job *job)
             lanes_store(lists->kept + i, lanes_select(kept, K(1.0), K(0.0)));
             lanes_store(lists->limited + i, lanes_select(limited, K(1.0), K(0.0)));
             lanes_store(lists->rests + i, lanes_select(rests, K(1.0), K(0.0)));
+            lanes_store(lists->rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
             lanes_store(lists->speed + i, speed);
             lanes_store(lists->time_error + i, time_error);
             lanes_store(lists->when + i, when);
@@ -1905,6 +2046,7 @@ static void LANES(court_plain)(const court_job *job)
             lanes_store(lists->kept_leaves + i, lanes_select(leaves, K(1.0), K(0.0)));
             lanes_store(lists->kept_lift + i, lift);
             lanes_store(lists->kept_per_reach + i, per_reach);
+            lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
             lanes_store(lists->kept_snap + i, snap);
             lanes_store(lists->kept_surge + i, surge);
             lanes_store(lists->kept_vx + i, vx);
@@ -2806,7 +2948,7 @@ static void LANES(court_plain)(const court_job *job)
                 clock = _o247.clock;
                 rolling = _o247.rolling;
                 turns = lanes_add(turns, K(1.0));
-                const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(131072.0)))));
+                const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(2048.0)))));
                 if (lanes_any(ended)) {
                     double ended_row[LANES_WIDTH];
                     lanes_store(ended_row, row);
@@ -2816,6 +2958,8 @@ static void LANES(court_plain)(const court_job *job)
                     lanes_store(ended_per_reach, per_reach);
                     double ended_rests[LANES_WIDTH];
                     lanes_store(ended_rests, lanes_select(rests, K(1.0), K(0.0)));
+                    double ended_rolling[LANES_WIDTH];
+                    lanes_store(ended_rolling, lanes_select(rolling, K(1.0), K(0.0)));
                     double ended_through[LANES_WIDTH];
                     lanes_store(ended_through, through);
                     double ended_vx[LANES_WIDTH];
@@ -2844,6 +2988,7 @@ static void LANES(court_plain)(const court_job *job)
                         lists->kept_clock[k] = ended_clock[lane];
                         lists->kept_per_reach[k] = ended_per_reach[lane];
                         lists->kept_rests[k] = ended_rests[lane];
+                        lists->kept_rolling[k] = ended_rolling[lane];
                         lists->kept_through[k] = ended_through[lane];
                         lists->kept_vx[k] = ended_vx[lane];
                         lists->kept_vy[k] = ended_vy[lane];
@@ -2999,6 +3144,7 @@ static void LANES(court_plain)(const court_job *job)
             const size_t row = (size_t)lists->kept_row[k];
             lists->clock[row] = lists->kept_clock[k];
             lists->rests[row] = lists->kept_rests[k];
+            lists->rolling[row] = lists->kept_rolling[k];
             lists->through[row] = lists->kept_through[k];
             lists->vx[row] = lists->kept_vx[k];
             lists->vy[row] = lists->kept_vy[k];
@@ -3047,6 +3193,7 @@ static void LANES(court_plain)(const court_job *job)
             const V p_tangential_restitution = lanes_load(lists->p_tangential_restitution + (i & varying));
             const V p_wire_radius = lanes_load(lists->p_wire_radius + (i & varying));
             M rests = lanes_less(K(0.0), lanes_load(lists->rests + i));
+            M rolling = lanes_less(K(0.0), lanes_load(lists->rolling + i));
             V through = lanes_load(lists->through + i);
             V vx = lanes_load(lists->vx + i);
             V vy = lanes_load(lists->vy + i);
@@ -3097,7 +3244,7 @@ static void LANES(court_plain)(const court_job *job)
             const M _m288 = lanes_both(rows, kept);
             if (lanes_any(_m288)) {
                 const LANES(court_kept_on_out) _o289 =
-                    LANES(court_kept_on)(body, ends, held, last, reached, rests, which);
+                    LANES(court_kept_on)(body, ends, held, last, reached, rests, rolling, which);
                 body = lanes_select(_m288, _o289.body, body);
                 reached = lanes_select(_m288, _o289.reached, reached);
                 ends = lanes_choose(_m288, _o289.ends, ends);
@@ -3471,6 +3618,46 @@ typedef struct {
     LANES(court_column) time_claim; /* bound on the error at the end */
     LANES(court_column) outcome; /* how it ended, -1: in flight */
     LANES(court_column) p_ball_radius, p_ring_radius, p_wire_radius, p_board_distance, p_board_half_width, p_board_bottom, p_board_top, p_board_thickness, p_bridge_half_width, p_bridge_depth, p_gravity, p_end_depth, p_ring_restitution, p_backboard_restitution, p_bridge_restitution, p_ring_friction, p_backboard_friction, p_bridge_friction, p_tangential_restitution, p_restitution_speed;
+    /* Shots whose balls stay in contact: they wait for one another. */
+    size_t waiting;
+    size_t waiting_shot[LANES_SHOTS];
+    LANES(court_column) waiting_x;
+    LANES(court_column) waiting_y;
+    LANES(court_column) waiting_z;
+    LANES(court_column) waiting_vx;
+    LANES(court_column) waiting_vy;
+    LANES(court_column) waiting_vz;
+    LANES(court_column) waiting_wx;
+    LANES(court_column) waiting_wy;
+    LANES(court_column) waiting_wz;
+    LANES(court_column) waiting_dx;
+    LANES(court_column) waiting_dy;
+    LANES(court_column) waiting_dz;
+    LANES(court_column) waiting_dvx;
+    LANES(court_column) waiting_dvy;
+    LANES(court_column) waiting_dvz;
+    LANES(court_column) waiting_dwx;
+    LANES(court_column) waiting_dwy;
+    LANES(court_column) waiting_dwz;
+    LANES(court_column) waiting_clock;
+    LANES(court_column) waiting_clock_error;
+    LANES(court_column) waiting_last;
+    LANES(court_column) waiting_first;
+    LANES(court_column) waiting_contacts;
+    LANES(court_column) waiting_count_0;
+    LANES(court_column) waiting_count_1;
+    LANES(court_column) waiting_count_2;
+    LANES(court_column) waiting_held;
+    LANES(court_column) waiting_mode;
+    LANES(court_column) waiting_assured;
+    LANES(court_column) waiting_through;
+    LANES(court_column) waiting_uncertain;
+    LANES(court_column) waiting_position_claim;
+    LANES(court_column) waiting_velocity_claim;
+    LANES(court_column) waiting_spin_claim;
+    LANES(court_column) waiting_time_claim;
+    LANES(court_column) waiting_outcome;
+    LANES(court_column) waiting_p_ball_radius, waiting_p_ring_radius, waiting_p_wire_radius, waiting_p_board_distance, waiting_p_board_half_width, waiting_p_board_bottom, waiting_p_board_top, waiting_p_board_thickness, waiting_p_bridge_half_width, waiting_p_bridge_depth, waiting_p_gravity, waiting_p_end_depth, waiting_p_ring_restitution, waiting_p_backboard_restitution, waiting_p_bridge_restitution, waiting_p_ring_friction, waiting_p_backboard_friction, waiting_p_bridge_friction, waiting_p_tangential_restitution, waiting_p_restitution_speed;
     LANES(court_column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
     LANES(court_column) body;
     LANES(court_column) doubt;
@@ -3480,6 +3667,7 @@ typedef struct {
     LANES(court_column) limited;
     LANES(court_column) position_error;
     LANES(court_column) rests;
+    LANES(court_column) rolling;
     LANES(court_column) speed;
     LANES(court_column) time_error;
     LANES(court_column) velocity_error;
@@ -3612,6 +3800,7 @@ typedef struct {
     LANES(court_column) kept_leaves;
     LANES(court_column) kept_lift;
     LANES(court_column) kept_per_reach;
+    LANES(court_column) kept_rolling;
     LANES(court_column) kept_snap;
     LANES(court_column) kept_surge;
     LANES(court_column) kept_which;
@@ -3855,15 +4044,155 @@ LANES_INLINE void LANES(court_bounded_finish)(const LANES(court_bounded_lists) *
     }
 }
 
+/* Have the shots of some lanes wait: their rows are free. */
+LANES_INLINE void LANES(court_bounded_wait)(LANES(court_bounded_lists) *lists, size_t row, M who, const court_job *job)
+{
+    size_t to = lists->waiting;
+    for (unsigned bits = lanes_bits(who); bits; bits &= bits - 1)
+        lists->waiting_shot[to++] = lists->shot[row + (size_t)LANES_LOWEST(bits)];
+    lanes_pack(lists->waiting_x + lists->waiting, who, lanes_load(lists->x + row));
+    lanes_pack(lists->waiting_y + lists->waiting, who, lanes_load(lists->y + row));
+    lanes_pack(lists->waiting_z + lists->waiting, who, lanes_load(lists->z + row));
+    lanes_pack(lists->waiting_vx + lists->waiting, who, lanes_load(lists->vx + row));
+    lanes_pack(lists->waiting_vy + lists->waiting, who, lanes_load(lists->vy + row));
+    lanes_pack(lists->waiting_vz + lists->waiting, who, lanes_load(lists->vz + row));
+    lanes_pack(lists->waiting_wx + lists->waiting, who, lanes_load(lists->wx + row));
+    lanes_pack(lists->waiting_wy + lists->waiting, who, lanes_load(lists->wy + row));
+    lanes_pack(lists->waiting_wz + lists->waiting, who, lanes_load(lists->wz + row));
+    lanes_pack(lists->waiting_dx + lists->waiting, who, lanes_load(lists->dx + row));
+    lanes_pack(lists->waiting_dy + lists->waiting, who, lanes_load(lists->dy + row));
+    lanes_pack(lists->waiting_dz + lists->waiting, who, lanes_load(lists->dz + row));
+    lanes_pack(lists->waiting_dvx + lists->waiting, who, lanes_load(lists->dvx + row));
+    lanes_pack(lists->waiting_dvy + lists->waiting, who, lanes_load(lists->dvy + row));
+    lanes_pack(lists->waiting_dvz + lists->waiting, who, lanes_load(lists->dvz + row));
+    lanes_pack(lists->waiting_dwx + lists->waiting, who, lanes_load(lists->dwx + row));
+    lanes_pack(lists->waiting_dwy + lists->waiting, who, lanes_load(lists->dwy + row));
+    lanes_pack(lists->waiting_dwz + lists->waiting, who, lanes_load(lists->dwz + row));
+    lanes_pack(lists->waiting_clock + lists->waiting, who, lanes_load(lists->clock + row));
+    lanes_pack(lists->waiting_clock_error + lists->waiting, who, lanes_load(lists->clock_error + row));
+    lanes_pack(lists->waiting_last + lists->waiting, who, lanes_load(lists->last + row));
+    lanes_pack(lists->waiting_first + lists->waiting, who, lanes_load(lists->first + row));
+    lanes_pack(lists->waiting_contacts + lists->waiting, who, lanes_load(lists->contacts + row));
+    lanes_pack(lists->waiting_count_0 + lists->waiting, who, lanes_load(lists->count_0 + row));
+    lanes_pack(lists->waiting_count_1 + lists->waiting, who, lanes_load(lists->count_1 + row));
+    lanes_pack(lists->waiting_count_2 + lists->waiting, who, lanes_load(lists->count_2 + row));
+    lanes_pack(lists->waiting_held + lists->waiting, who, lanes_load(lists->held + row));
+    lanes_pack(lists->waiting_mode + lists->waiting, who, lanes_load(lists->mode + row));
+    lanes_pack(lists->waiting_assured + lists->waiting, who, lanes_load(lists->assured + row));
+    lanes_pack(lists->waiting_through + lists->waiting, who, lanes_load(lists->through + row));
+    lanes_pack(lists->waiting_uncertain + lists->waiting, who, lanes_load(lists->uncertain + row));
+    lanes_pack(lists->waiting_position_claim + lists->waiting, who, lanes_load(lists->position_claim + row));
+    lanes_pack(lists->waiting_velocity_claim + lists->waiting, who, lanes_load(lists->velocity_claim + row));
+    lanes_pack(lists->waiting_spin_claim + lists->waiting, who, lanes_load(lists->spin_claim + row));
+    lanes_pack(lists->waiting_time_claim + lists->waiting, who, lanes_load(lists->time_claim + row));
+    lanes_pack(lists->waiting_outcome + lists->waiting, who, lanes_load(lists->outcome + row));
+    if (job->varying) {
+        lanes_pack(lists->waiting_p_ball_radius + lists->waiting, who, lanes_load(lists->p_ball_radius + row));
+        lanes_pack(lists->waiting_p_ring_radius + lists->waiting, who, lanes_load(lists->p_ring_radius + row));
+        lanes_pack(lists->waiting_p_wire_radius + lists->waiting, who, lanes_load(lists->p_wire_radius + row));
+        lanes_pack(lists->waiting_p_board_distance + lists->waiting, who, lanes_load(lists->p_board_distance + row));
+        lanes_pack(lists->waiting_p_board_half_width + lists->waiting, who, lanes_load(lists->p_board_half_width + row));
+        lanes_pack(lists->waiting_p_board_bottom + lists->waiting, who, lanes_load(lists->p_board_bottom + row));
+        lanes_pack(lists->waiting_p_board_top + lists->waiting, who, lanes_load(lists->p_board_top + row));
+        lanes_pack(lists->waiting_p_board_thickness + lists->waiting, who, lanes_load(lists->p_board_thickness + row));
+        lanes_pack(lists->waiting_p_bridge_half_width + lists->waiting, who, lanes_load(lists->p_bridge_half_width + row));
+        lanes_pack(lists->waiting_p_bridge_depth + lists->waiting, who, lanes_load(lists->p_bridge_depth + row));
+        lanes_pack(lists->waiting_p_gravity + lists->waiting, who, lanes_load(lists->p_gravity + row));
+        lanes_pack(lists->waiting_p_end_depth + lists->waiting, who, lanes_load(lists->p_end_depth + row));
+        lanes_pack(lists->waiting_p_ring_restitution + lists->waiting, who, lanes_load(lists->p_ring_restitution + row));
+        lanes_pack(lists->waiting_p_backboard_restitution + lists->waiting, who, lanes_load(lists->p_backboard_restitution + row));
+        lanes_pack(lists->waiting_p_bridge_restitution + lists->waiting, who, lanes_load(lists->p_bridge_restitution + row));
+        lanes_pack(lists->waiting_p_ring_friction + lists->waiting, who, lanes_load(lists->p_ring_friction + row));
+        lanes_pack(lists->waiting_p_backboard_friction + lists->waiting, who, lanes_load(lists->p_backboard_friction + row));
+        lanes_pack(lists->waiting_p_bridge_friction + lists->waiting, who, lanes_load(lists->p_bridge_friction + row));
+        lanes_pack(lists->waiting_p_tangential_restitution + lists->waiting, who, lanes_load(lists->p_tangential_restitution + row));
+        lanes_pack(lists->waiting_p_restitution_speed + lists->waiting, who, lanes_load(lists->p_restitution_speed + row));
+    }
+    lists->waiting = to;
+}
+
+/* Put shots that have waited into rows from one on; return how many. */
+LANES_INLINE size_t LANES(court_bounded_resume)(LANES(court_bounded_lists) *lists, size_t row, const court_job *job)
+{
+    const size_t room = LANES_SHOTS - row, shots = lists->waiting < room ? lists->waiting : room;
+    const size_t from = lists->waiting - shots;
+    memcpy(lists->shot + row, lists->waiting_shot + from, shots * sizeof *lists->shot);
+    memcpy(lists->x + row, lists->waiting_x + from, shots * sizeof(double));
+    memcpy(lists->y + row, lists->waiting_y + from, shots * sizeof(double));
+    memcpy(lists->z + row, lists->waiting_z + from, shots * sizeof(double));
+    memcpy(lists->vx + row, lists->waiting_vx + from, shots * sizeof(double));
+    memcpy(lists->vy + row, lists->waiting_vy + from, shots * sizeof(double));
+    memcpy(lists->vz + row, lists->waiting_vz + from, shots * sizeof(double));
+    memcpy(lists->wx + row, lists->waiting_wx + from, shots * sizeof(double));
+    memcpy(lists->wy + row, lists->waiting_wy + from, shots * sizeof(double));
+    memcpy(lists->wz + row, lists->waiting_wz + from, shots * sizeof(double));
+    memcpy(lists->dx + row, lists->waiting_dx + from, shots * sizeof(double));
+    memcpy(lists->dy + row, lists->waiting_dy + from, shots * sizeof(double));
+    memcpy(lists->dz + row, lists->waiting_dz + from, shots * sizeof(double));
+    memcpy(lists->dvx + row, lists->waiting_dvx + from, shots * sizeof(double));
+    memcpy(lists->dvy + row, lists->waiting_dvy + from, shots * sizeof(double));
+    memcpy(lists->dvz + row, lists->waiting_dvz + from, shots * sizeof(double));
+    memcpy(lists->dwx + row, lists->waiting_dwx + from, shots * sizeof(double));
+    memcpy(lists->dwy + row, lists->waiting_dwy + from, shots * sizeof(double));
+    memcpy(lists->dwz + row, lists->waiting_dwz + from, shots * sizeof(double));
+    memcpy(lists->clock + row, lists->waiting_clock + from, shots * sizeof(double));
+    memcpy(lists->clock_error + row, lists->waiting_clock_error + from, shots * sizeof(double));
+    memcpy(lists->last + row, lists->waiting_last + from, shots * sizeof(double));
+    memcpy(lists->first + row, lists->waiting_first + from, shots * sizeof(double));
+    memcpy(lists->contacts + row, lists->waiting_contacts + from, shots * sizeof(double));
+    memcpy(lists->count_0 + row, lists->waiting_count_0 + from, shots * sizeof(double));
+    memcpy(lists->count_1 + row, lists->waiting_count_1 + from, shots * sizeof(double));
+    memcpy(lists->count_2 + row, lists->waiting_count_2 + from, shots * sizeof(double));
+    memcpy(lists->held + row, lists->waiting_held + from, shots * sizeof(double));
+    memcpy(lists->mode + row, lists->waiting_mode + from, shots * sizeof(double));
+    memcpy(lists->assured + row, lists->waiting_assured + from, shots * sizeof(double));
+    memcpy(lists->through + row, lists->waiting_through + from, shots * sizeof(double));
+    memcpy(lists->uncertain + row, lists->waiting_uncertain + from, shots * sizeof(double));
+    memcpy(lists->position_claim + row, lists->waiting_position_claim + from, shots * sizeof(double));
+    memcpy(lists->velocity_claim + row, lists->waiting_velocity_claim + from, shots * sizeof(double));
+    memcpy(lists->spin_claim + row, lists->waiting_spin_claim + from, shots * sizeof(double));
+    memcpy(lists->time_claim + row, lists->waiting_time_claim + from, shots * sizeof(double));
+    memcpy(lists->outcome + row, lists->waiting_outcome + from, shots * sizeof(double));
+    if (job->varying) {
+        memcpy(lists->p_ball_radius + row, lists->waiting_p_ball_radius + from, shots * sizeof(double));
+        memcpy(lists->p_ring_radius + row, lists->waiting_p_ring_radius + from, shots * sizeof(double));
+        memcpy(lists->p_wire_radius + row, lists->waiting_p_wire_radius + from, shots * sizeof(double));
+        memcpy(lists->p_board_distance + row, lists->waiting_p_board_distance + from, shots * sizeof(double));
+        memcpy(lists->p_board_half_width + row, lists->waiting_p_board_half_width + from, shots * sizeof(double));
+        memcpy(lists->p_board_bottom + row, lists->waiting_p_board_bottom + from, shots * sizeof(double));
+        memcpy(lists->p_board_top + row, lists->waiting_p_board_top + from, shots * sizeof(double));
+        memcpy(lists->p_board_thickness + row, lists->waiting_p_board_thickness + from, shots * sizeof(double));
+        memcpy(lists->p_bridge_half_width + row, lists->waiting_p_bridge_half_width + from, shots * sizeof(double));
+        memcpy(lists->p_bridge_depth + row, lists->waiting_p_bridge_depth + from, shots * sizeof(double));
+        memcpy(lists->p_gravity + row, lists->waiting_p_gravity + from, shots * sizeof(double));
+        memcpy(lists->p_end_depth + row, lists->waiting_p_end_depth + from, shots * sizeof(double));
+        memcpy(lists->p_ring_restitution + row, lists->waiting_p_ring_restitution + from, shots * sizeof(double));
+        memcpy(lists->p_backboard_restitution + row, lists->waiting_p_backboard_restitution + from, shots * sizeof(double));
+        memcpy(lists->p_bridge_restitution + row, lists->waiting_p_bridge_restitution + from, shots * sizeof(double));
+        memcpy(lists->p_ring_friction + row, lists->waiting_p_ring_friction + from, shots * sizeof(double));
+        memcpy(lists->p_backboard_friction + row, lists->waiting_p_backboard_friction + from, shots * sizeof(double));
+        memcpy(lists->p_bridge_friction + row, lists->waiting_p_bridge_friction + from, shots * sizeof(double));
+        memcpy(lists->p_tangential_restitution + row, lists->waiting_p_tangential_restitution + from, shots * sizeof(double));
+        memcpy(lists->p_restitution_speed + row, lists->waiting_p_restitution_speed + from, shots * sizeof(double));
+    }
+    lists->waiting = from;
+    return shots;
+}
+
 /* Write the results of the shots that have ended, from a row on; the others close up. */
 LANES_INLINE size_t LANES(court_bounded_leave)(LANES(court_bounded_lists) *lists, size_t start, size_t shots, const court_job *job)
 {
     size_t kept = start;
     for (size_t i = start; i < shots; i += LANES_WIDTH) {
         const M rows = lanes_first(shots - i);
-        const M going = lanes_both(rows, lanes_less(lanes_load(lists->outcome + i), K(0.0)));
+        M going = lanes_both(rows, lanes_less(lanes_load(lists->outcome + i), K(0.0)));
         for (unsigned bits = lanes_bits(rows) & ~lanes_bits(going); bits; bits &= bits - 1)
             LANES(court_bounded_finish)(lists, i + (size_t)LANES_LOWEST(bits), job);
+        const M staying = lanes_both(going, lanes_less(K(0.0), lanes_load(lists->mode + i)));
+        if (lanes_any(staying) && lists->waiting + LANES_WIDTH <= LANES_SHOTS) {
+            LANES(court_bounded_wait)(lists, i, staying, job);
+            going = lanes_both(going, lanes_not(staying));
+        }
         if (kept < i || lanes_bits(going) != lanes_bits(rows)) {
             size_t to = kept;
             for (unsigned bits = lanes_bits(going); bits; bits &= bits - 1)
@@ -3944,6 +4273,7 @@ static void LANES(court_bounded)(const court_job *job)
     const int recording = job->results->events != NULL;
     size_t begun = 0, shots = 0;
 
+    lists->waiting = 0;
     if (job->shots == 0)
         return;
     if (recording)
@@ -3973,6 +4303,10 @@ static void LANES(court_bounded)(const court_job *job)
         if (job->stop && *job->stop)
             return;
         int following = shots == 0;
+        if (lists->waiting >= LANES_SHOTS / 2 || (shots == 0 && begun == job->shots)) {
+            shots += LANES(court_bounded_resume)(lists, shots, job);
+            following = 0;
+        }
         const size_t fresh = shots;
         if (begun < job->shots) {
             const size_t room = LANES_SHOTS - shots, left = job->shots - begun;
@@ -4099,6 +4433,7 @@ static void LANES(court_bounded)(const court_job *job)
             M kept = _o9.kept;
             when = _o9.when;
             M rests = _o9.rests;
+            M rolling = _o9.rolling;
             const LANES(court_left_out) _o10 =
                 LANES(court_left)(K(3.0), last);
             V leaving = _o10.leaving;
@@ -4160,6 +4495,7 @@ static void LANES(court_bounded)(const court_job *job)
             lanes_store(lists->limited + i, lanes_select(limited, K(1.0), K(0.0)));
             lanes_store(lists->position_error + i, position_error);
             lanes_store(lists->rests + i, lanes_select(rests, K(1.0), K(0.0)));
+            lanes_store(lists->rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
             lanes_store(lists->speed + i, speed);
             lanes_store(lists->time_error + i, time_error);
             lanes_store(lists->velocity_error + i, velocity_error);
@@ -5781,6 +6117,7 @@ static void LANES(court_bounded)(const court_job *job)
             lanes_store(lists->kept_leaves + i, lanes_select(leaves, K(1.0), K(0.0)));
             lanes_store(lists->kept_lift + i, lift);
             lanes_store(lists->kept_per_reach + i, per_reach);
+            lanes_store(lists->kept_rolling + i, lanes_select(rolling, K(1.0), K(0.0)));
             lanes_store(lists->kept_snap + i, snap);
             lanes_store(lists->kept_surge + i, surge);
             lanes_store(lists->kept_vx + i, vx);
@@ -6766,7 +7103,7 @@ static void LANES(court_bounded)(const court_job *job)
                 clock = _o285.clock;
                 rolling = _o285.rolling;
                 turns = lanes_add(turns, K(1.0));
-                const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(131072.0)))));
+                const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(2048.0)))));
                 if (lanes_any(ended)) {
                     double ended_row[LANES_WIDTH];
                     lanes_store(ended_row, row);
@@ -6800,6 +7137,8 @@ static void LANES(court_bounded)(const court_job *job)
                     lanes_store(ended_position_error, position_error);
                     double ended_rests[LANES_WIDTH];
                     lanes_store(ended_rests, lanes_select(rests, K(1.0), K(0.0)));
+                    double ended_rolling[LANES_WIDTH];
+                    lanes_store(ended_rolling, lanes_select(rolling, K(1.0), K(0.0)));
                     double ended_through[LANES_WIDTH];
                     lanes_store(ended_through, through);
                     double ended_velocity_error[LANES_WIDTH];
@@ -6842,6 +7181,7 @@ static void LANES(court_bounded)(const court_job *job)
                         lists->kept_per_reach[k] = ended_per_reach[lane];
                         lists->kept_position_error[k] = ended_position_error[lane];
                         lists->kept_rests[k] = ended_rests[lane];
+                        lists->kept_rolling[k] = ended_rolling[lane];
                         lists->kept_through[k] = ended_through[lane];
                         lists->kept_velocity_error[k] = ended_velocity_error[lane];
                         lists->kept_vx[k] = ended_vx[lane];
@@ -7031,6 +7371,7 @@ static void LANES(court_bounded)(const court_job *job)
             lists->late[row] = lists->kept_late[k];
             lists->position_error[row] = lists->kept_position_error[k];
             lists->rests[row] = lists->kept_rests[k];
+            lists->rolling[row] = lists->kept_rolling[k];
             lists->through[row] = lists->kept_through[k];
             lists->velocity_error[row] = lists->kept_velocity_error[k];
             lists->vx[row] = lists->kept_vx[k];
@@ -7096,6 +7437,7 @@ static void LANES(court_bounded)(const court_job *job)
             V position_claim = lanes_load(lists->position_claim + i);
             V position_error = lanes_load(lists->position_error + i);
             M rests = lanes_less(K(0.0), lanes_load(lists->rests + i));
+            M rolling = lanes_less(K(0.0), lanes_load(lists->rolling + i));
             V speed = lanes_load(lists->speed + i);
             V spin_claim = lanes_load(lists->spin_claim + i);
             V through = lanes_load(lists->through + i);
@@ -7162,7 +7504,7 @@ static void LANES(court_bounded)(const court_job *job)
             const M _m330 = lanes_both(rows, kept);
             if (lanes_any(_m330)) {
                 const LANES(court_kept_on_out) _o331 =
-                    LANES(court_kept_on)(body, ends, held, last, reached, rests, which);
+                    LANES(court_kept_on)(body, ends, held, last, reached, rests, rolling, which);
                 body = lanes_select(_m330, _o331.body, body);
                 reached = lanes_select(_m330, _o331.reached, reached);
                 ends = lanes_choose(_m330, _o331.ends, ends);

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 4ed2d8dfbf2a0d34,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 4fa13356f08d520e,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -2045,13 +2045,14 @@ typedef struct {
     M kept;
     V when;
     M rests;
+    M rolling;
 } LANES(court_kept_out);
 
 LANES_INLINE LANES(court_kept_out)
 LANES(court_kept)(V mode, V when)
 {
     const M _s0 = lanes_less(K(0.0), mode);
-    return (LANES(court_kept_out)){ _s0, lanes_select(_s0, K(0.0), when), lanes_nowhere() };
+    return (LANES(court_kept_out)){ _s0, lanes_select(_s0, K(0.0), when), lanes_nowhere(), lanes_nowhere() };
 }
 
 /* No event yet, of a ball in contact.
@@ -2157,7 +2158,7 @@ LANES(court_hopping)(void)
 }
 
 /* What comes of a ball in contact.
-   Table 1. 25 operations: 2 additions, 1 multiplication, 7 comparisons, 1 conjunction, 1 disjunction, 1 complement, 12 selections. */
+   Table 1. 28 operations: 2 additions, 1 multiplication, 7 comparisons, 1 conjunction, 4 disjunctions, 1 complement, 12 selections. */
 typedef struct {
     V body;
     V reached;
@@ -2169,14 +2170,14 @@ typedef struct {
 } LANES(court_kept_on_out);
 
 LANES_INLINE LANES(court_kept_on_out)
-LANES(court_kept_on)(V body, M ends, V held, V last, V reached, M rests, V which)
+LANES(court_kept_on)(V body, M ends, V held, V last, V reached, M rests, M rolling, V which)
 {
     const M _s0 = lanes_equal(which, K(5.0));
     const V _s1 = lanes_mul(K(2.0), lanes_select(lanes_equal(held, K(2.0)), K(2.0), lanes_select(lanes_equal(held, K(1.0)), K(1.0), lanes_select(lanes_equal(held, K(0.0)), K(0.0), K(-1.0)))));
     const M _s2 = lanes_equal(which, K(6.0));
     const M _s3 = lanes_equal(which, K(7.0));
     const M _s4 = lanes_less(K(4.0), which);
-    return (LANES(court_kept_on_out)){ lanes_select(_s0, lanes_add(K(4.0), _s1), lanes_select(_s2, lanes_add(K(5.0), _s1), lanes_select(_s3, K(-1.0), body))), lanes_select(rests, K(5.0), lanes_select(_s4, K(-1.0), reached)), lanes_both(ends, lanes_not(_s4)), _s3, lanes_select(_s3, K(-1.0), last), lanes_select(_s0, K(2.0), lanes_select(_s2, K(3.0), K(0.0))), lanes_select(lanes_either(_s0, _s2), held, K(-1.0)) };
+    return (LANES(court_kept_on_out)){ lanes_select(_s0, lanes_add(K(4.0), _s1), lanes_select(_s2, lanes_add(K(5.0), _s1), lanes_select(_s3, K(-1.0), body))), lanes_select(rests, K(5.0), lanes_select(lanes_either(_s4, rolling), K(-1.0), reached)), lanes_both(ends, lanes_not(_s4)), _s3, lanes_select(_s3, K(-1.0), last), lanes_select(lanes_either(_s0, rolling), K(2.0), lanes_select(_s2, K(3.0), K(0.0))), lanes_select(lanes_either(lanes_either(_s0, _s2), rolling), held, K(-1.0)) };
 }
 
 /* Whether the ball stays on a surface, or is wedged between two.

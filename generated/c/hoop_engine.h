@@ -266,7 +266,7 @@ LANES_INLINE size_t LANES(hoop_plain_leave)(LANES(hoop_plain_lists) *lists, size
     size_t kept = start;
     for (size_t i = start; i < shots; i += LANES_WIDTH) {
         const M rows = lanes_first(shots - i);
-        const M going = lanes_both(rows, lanes_less(lanes_load(lists->outcome + i), K(0.0)));
+        M going = lanes_both(rows, lanes_less(lanes_load(lists->outcome + i), K(0.0)));
         for (unsigned bits = lanes_bits(rows) & ~lanes_bits(going); bits; bits &= bits - 1)
             LANES(hoop_plain_finish)(lists, i + (size_t)LANES_LOWEST(bits), job);
         if (kept < i || lanes_bits(going) != lanes_bits(rows)) {
@@ -1427,7 +1427,7 @@ LANES_INLINE size_t LANES(hoop_bounded_leave)(LANES(hoop_bounded_lists) *lists, 
     size_t kept = start;
     for (size_t i = start; i < shots; i += LANES_WIDTH) {
         const M rows = lanes_first(shots - i);
-        const M going = lanes_both(rows, lanes_less(lanes_load(lists->outcome + i), K(0.0)));
+        M going = lanes_both(rows, lanes_less(lanes_load(lists->outcome + i), K(0.0)));
         for (unsigned bits = lanes_bits(rows) & ~lanes_bits(going); bits; bits &= bits - 1)
             LANES(hoop_bounded_finish)(lists, i + (size_t)LANES_LOWEST(bits), job);
         if (kept < i || lanes_bits(going) != lanes_bits(rows)) {

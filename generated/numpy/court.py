@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 4ed2d8dfbf2a0d34,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 4fa13356f08d520e,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -319,7 +319,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "unhopped": (),
     "beginning_contact": (),
     "hopping": (),
-    "kept_on": ("body", "ends", "held", "last", "reached", "rests", "which",),
+    "kept_on": ("body", "ends", "held", "last", "reached", "rests", "rolling", "which",),
     "settled": ("index", "lodges", "outcome", "settles", "uncertain", "unsure",),
     "ring_impact_doubt": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "turn", "p_ball_radius", "p_ring_restitution", "p_ring_friction", "p_tangential_restitution", "p_restitution_speed",),
     "ring_impact_settling": ("p_ball_radius", "bounce", "p_gravity", "nearest", "nx", "ny", "nz", "p_ring_friction", "p_ring_restitution", "rolled_x", "rolled_y", "rolled_z", "slip", "turning_x", "turning_y", "turning_z", "velocity_error", "wx", "wy", "wz",),
@@ -502,7 +502,7 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "neighbour": ("far_x", "far_y", "far_z", "far_vx", "far_vy", "far_vz", "far_wx", "far_wy", "far_wz",),
     "compared": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
     "carry_hop": ("dx", "dy", "dz",),
-    "kept": ("kept", "when", "rests",),
+    "kept": ("kept", "when", "rests", "rolling",),
     "resumed": ("which", "late", "doubt", "begins", "rolling", "leaves", "nx", "ny", "nz", "gap", "bent_x", "bent_y", "bent_z", "lift", "surge", "snap", "per_reach", "ring",),
     "doubted_in_contact": ("uncertain",),
     "holding": ("here",),
@@ -2230,10 +2230,10 @@ def kept(mode: Any, when: Any) -> tuple[Any, ...]:
     """Where a ball is in contact: no flight to search.
 
     Table 1. 2 operations: 1 comparison, 1 selection.
-    Returns kept, when, rests.
+    Returns kept, when, rests, rolling.
     """
     _s0 = 0.0 < mode
-    return _s0, _where(_s0, 0.0, when), False
+    return _s0, _where(_s0, 0.0, when), False, False
 
 
 def resumed(mode: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
@@ -2300,10 +2300,10 @@ def hopping() -> tuple[Any, ...]:
     return 7.0,
 
 
-def kept_on(body: Any, ends: Any, held: Any, last: Any, reached: Any, rests: Any, which: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def kept_on(body: Any, ends: Any, held: Any, last: Any, reached: Any, rests: Any, rolling: Any, which: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """What comes of a ball in contact.
 
-    Table 1. 25 operations: 2 additions, 1 multiplication, 7 comparisons, 1 conjunction, 1 disjunction, 1 complement, 12 selections.
+    Table 1. 28 operations: 2 additions, 1 multiplication, 7 comparisons, 1 conjunction, 4 disjunctions, 1 complement, 12 selections.
     Returns body, reached, ends, hopped, last, mode, held.
     """
     _r0, _r1, _r2, _r3, *_ = _room
@@ -2312,7 +2312,7 @@ def kept_on(body: Any, ends: Any, held: Any, last: Any, reached: Any, rests: Any
     _s2 = which == 6.0
     _s3 = which == 7.0
     _s4 = 4.0 < which
-    return _result(_s0, _add(4.0, _s1, _r1), _select(_s2, _add(5.0, _s1, _r2), _select(_s3, -1.0, body, _r0), _r3), _r0), _result(rests, 5.0, _select(_s4, -1.0, reached, _r3), _r0), _logical_and(ends, _logical_not(_s4)), _s3, _result(_s3, -1.0, last, _r0), _result(_s0, 2.0, _select(_s2, 3.0, 0.0, _r3), _r0), _result(_logical_or(_s0, _s2), held, -1.0, _r0)
+    return _result(_s0, _add(4.0, _s1, _r1), _select(_s2, _add(5.0, _s1, _r2), _select(_s3, -1.0, body, _r0), _r3), _r0), _result(rests, 5.0, _select(_logical_or(_s4, rolling), -1.0, reached, _r3), _r0), _logical_and(ends, _logical_not(_s4)), _s3, _result(_s3, -1.0, last, _r0), _result(_logical_or(_s0, rolling), 2.0, _select(_s2, 3.0, 0.0, _r3), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, -1.0, _r0)
 
 
 def settled(index: Any, lodges: Any, outcome: Any, settles: Any, uncertain: Any, unsure: Any) -> tuple[Any, ...]:
@@ -4283,7 +4283,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
     _when_0, _which_0, *_ = opening(_excess_0, 0.0, 0.0)
     _limited_0, = limited(_time_limit_0)
-    _kept_0, _when_0, _rests_0 = kept(_mode_0, _when_0)
+    _kept_0, _when_0, _rests_0, _rolling_0 = kept(_mode_0, _when_0)
     _leaving_0, = left(3.0, _last_0)
     _time_0, _rate_0, _bend_0, *_ = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _arrives_0, *_ = meeting_plane(_bend_0, _rate_0, _time_0)
@@ -4882,6 +4882,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _clock_1 = _copy(_clock_1, _count31)
             _per_reach_1 = _copy(_per_reach_1, _count31)
             _rests_1 = _copy(_rests_1, _count31)
+            _rolling_1 = _copy(_rolling_1, _count31)
             _through_1 = _copy(_through_1, _count31)
             _vx_1 = _copy(_vx_1, _count31)
             _vy_1 = _copy(_vy_1, _count31)
@@ -4893,7 +4894,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _x_1 = _copy(_x_1, _count31)
             _y_1 = _copy(_y_1, _count31)
             _z_1 = _copy(_z_1, _count31)
-            for _ in range(131072):
+            for _ in range(2048):
                 _room_2 = room(_count35)
                 _here_2, = holding(_held_2, 0.0)
                 _rows36, _count37 = _rows(_here_2, _count35)
@@ -5366,6 +5367,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _store(_clock_1, _of(_rows34, _done), _clock_2, _done)
                 _store(_per_reach_1, _of(_rows34, _done), _per_reach_2, _done)
                 _store(_rests_1, _of(_rows34, _done), _rests_2, _done)
+                _store(_rolling_1, _of(_rows34, _done), _rolling_2, _done)
                 _store(_through_1, _of(_rows34, _done), _through_2, _done)
                 _store(_vx_1, _of(_rows34, _done), _vx_2, _done)
                 _store(_vy_1, _of(_rows34, _done), _vy_2, _done)
@@ -5412,6 +5414,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _store(_clock_1, _rows34, _clock_2, None)
                 _store(_per_reach_1, _rows34, _per_reach_2, None)
                 _store(_rests_1, _rows34, _rests_2, None)
+                _store(_rolling_1, _rows34, _rolling_2, None)
                 _store(_through_1, _rows34, _through_2, None)
                 _store(_vx_1, _rows34, _vx_2, None)
                 _store(_vy_1, _rows34, _vy_2, None)
@@ -5583,6 +5586,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _which_1 = _put(_which_1, _rows77, _which_2, _count31)
         _clock_0 = _put(_clock_0, _rows30, _clock_1, shots)
         _rests_0 = _put(_rests_0, _rows30, _rests_1, shots)
+        _rolling_0 = _put(_rolling_0, _rows30, _rolling_1, shots)
         _through_0 = _put(_through_0, _rows30, _through_1, shots)
         _vx_0 = _put(_vx_0, _rows30, _vx_1, shots)
         _vy_0 = _put(_vy_0, _rows30, _vy_1, shots)
@@ -5643,9 +5647,10 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _last_1 = _take(_last_0, _rows95)
         _reached_1 = _take(_reached_0, _rows95)
         _rests_1 = _take(_rests_0, _rows95)
+        _rolling_1 = _take(_rolling_0, _rows95)
         _which_1 = _take(_which_0, _rows95)
         _room_1 = room(_count96)
-        _body_1, _reached_1, _ends_1, _, _last_1, _mode_1, _held_1 = kept_on(_body_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _which_1, _room_1)
+        _body_1, _reached_1, _ends_1, _, _last_1, _mode_1, _held_1 = kept_on(_body_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _which_1, _room_1)
         _body_0 = _put(_body_0, _rows95, _body_1, shots)
         _ends_0 = _put(_ends_0, _rows95, _ends_1, shots)
         _held_0 = _put(_held_0, _rows95, _held_1, shots)
@@ -6189,7 +6194,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
     _when_0, _which_0, _late_0, _doubt_0 = opening(_excess_0, _position_error_0, _velocity_error_0)
     _limited_0, = limited(_time_limit_0)
-    _kept_0, _when_0, _rests_0 = kept(_mode_0, _when_0)
+    _kept_0, _when_0, _rests_0, _rolling_0 = kept(_mode_0, _when_0)
     _leaving_0, = left(3.0, _last_0)
     _time_0, _rate_0, _bend_0, _apex_0, _height_0 = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _arrives_0, _ceiling_0 = meeting_plane(_bend_0, _rate_0, _time_0)
@@ -6949,6 +6954,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _per_reach_1 = _copy(_per_reach_1, _count31)
             _position_error_1 = _copy(_position_error_1, _count31)
             _rests_1 = _copy(_rests_1, _count31)
+            _rolling_1 = _copy(_rolling_1, _count31)
             _through_1 = _copy(_through_1, _count31)
             _velocity_error_1 = _copy(_velocity_error_1, _count31)
             _vx_1 = _copy(_vx_1, _count31)
@@ -6961,7 +6967,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _x_1 = _copy(_x_1, _count31)
             _y_1 = _copy(_y_1, _count31)
             _z_1 = _copy(_z_1, _count31)
-            for _ in range(131072):
+            for _ in range(2048):
                 _room_2 = room(_count35)
                 _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
                 _here_2, = holding(_held_2, 0.0)
@@ -7470,6 +7476,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _store(_per_reach_1, _of(_rows34, _done), _per_reach_2, _done)
                 _store(_position_error_1, _of(_rows34, _done), _position_error_2, _done)
                 _store(_rests_1, _of(_rows34, _done), _rests_2, _done)
+                _store(_rolling_1, _of(_rows34, _done), _rolling_2, _done)
                 _store(_through_1, _of(_rows34, _done), _through_2, _done)
                 _store(_velocity_error_1, _of(_rows34, _done), _velocity_error_2, _done)
                 _store(_vx_1, _of(_rows34, _done), _vx_2, _done)
@@ -7543,6 +7550,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _store(_per_reach_1, _rows34, _per_reach_2, None)
                 _store(_position_error_1, _rows34, _position_error_2, None)
                 _store(_rests_1, _rows34, _rests_2, None)
+                _store(_rolling_1, _rows34, _rolling_2, None)
                 _store(_through_1, _rows34, _through_2, None)
                 _store(_velocity_error_1, _rows34, _velocity_error_2, None)
                 _store(_vx_1, _rows34, _vx_2, None)
@@ -7742,6 +7750,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _late_0 = _put(_late_0, _rows30, _late_1, shots)
         _position_error_0 = _put(_position_error_0, _rows30, _position_error_1, shots)
         _rests_0 = _put(_rests_0, _rows30, _rests_1, shots)
+        _rolling_0 = _put(_rolling_0, _rows30, _rolling_1, shots)
         _through_0 = _put(_through_0, _rows30, _through_1, shots)
         _velocity_error_0 = _put(_velocity_error_0, _rows30, _velocity_error_1, shots)
         _vx_0 = _put(_vx_0, _rows30, _vx_1, shots)
@@ -7812,9 +7821,10 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _last_1 = _take(_last_0, _rows95)
         _reached_1 = _take(_reached_0, _rows95)
         _rests_1 = _take(_rests_0, _rows95)
+        _rolling_1 = _take(_rolling_0, _rows95)
         _which_1 = _take(_which_0, _rows95)
         _room_1 = room(_count96)
-        _body_1, _reached_1, _ends_1, _hopped_1, _last_1, _mode_1, _held_1 = kept_on(_body_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _which_1, _room_1)
+        _body_1, _reached_1, _ends_1, _hopped_1, _last_1, _mode_1, _held_1 = kept_on(_body_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _which_1, _room_1)
         _body_0 = _put(_body_0, _rows95, _body_1, shots)
         _ends_0 = _put(_ends_0, _rows95, _ends_1, shots)
         _held_0 = _put(_held_0, _rows95, _held_1, shots)

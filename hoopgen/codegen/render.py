@@ -180,6 +180,7 @@ def _environment() -> jinja2.Environment:
     environment.filters["rows"] = lambda many: ", ".join([*(f"_r{k}" for k in range(many)), "*_"])
     environment.filters["annotated"] = lambda name: f"{name}: Any"
     environment.filters["before"] = lambda name: f"{name}_before"
+    environment.filters["waiting"] = lambda name: f"waiting_{name}"
     environment.filters["c_argument"] = lambda name: f"V {name}"
     return environment
 

@@ -165,6 +165,7 @@ IN_CONTACT = {
     "apart": Letter(r"\lambda", "how many times its errors a neighbouring motion is away"),
     "settles": Letter(r"\text{settles}", "the ball stays on the surface"),
     "lodges": Letter(r"\text{lodges}", "it would, but for another surface next to it"),
+    "rolling": Letter(r"\text{rolling}", "the ball goes on in contact"),
     "over": Letter(r"\text{over}", "the ball is not below the ring's disc"),
     "rests": Letter(r"\text{rests}", "nothing moves"),
 }
