@@ -338,8 +338,8 @@ def _surface_kernels(
 
 def _in_contact(scene: Scene) -> dict[str, Kernel]:
     codes = settling.Codes(len(scene.surfaces) + len(scene.gates), len(scene.bodies))
-    lodged = scene.outcomes["lodged"]
-    return settling.kernels(scene.flight, scene.ball_radius, scene.faces, codes, lodged)
+    lodged, capped = (scene.outcomes[name] for name in ("lodged", "capped"))
+    return settling.kernels(scene.flight, scene.ball_radius, scene.faces, codes, lodged, capped)
 
 
 def _shared(scene: Scene) -> set[sp.Symbol]:

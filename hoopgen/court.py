@@ -43,13 +43,16 @@ _KINDS = (
 def court_shots() -> list[trust.Batch]:
     """Return the shots with which its C is compared: the hoop's kinds, and those of its own.
 
-    With the article's law, and with one that slips.
+    With the article's law, with one that slips, and with one after which balls soon roll.
     """
     apart = trust.spread(EACH, len(court.STATE))
     own = [np.asarray(centre) + np.asarray(width) * apart for centre, width in _KINDS]
     batches = trust.batches(court, np.concatenate([hoop_releases(), *own]))
     slipping = [float(NBA_COURT[name]) for name in court.PARAMETERS]
-    return [*batches, (batches[0][0], slipping, None, math.inf)]
+    soft = PAPER_COURT | {f"{name}_restitution": 0.2 for name in court.BODIES}
+    rolling = [float(soft[name]) for name in court.PARAMETERS]
+    states, _, _, longest = batches[0]
+    return [*batches, (states, slipping, None, longest), (states, rolling, None, longest)]
 
 
 def _scene() -> Scene:

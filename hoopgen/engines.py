@@ -93,6 +93,11 @@ class Engine:
         return {"name": self.name, "sha256": hashlib.sha256(said.encode()).hexdigest()}
 
     @property
+    def rolls(self) -> bool:
+        """Whether a ball whose bounces accumulate rolls on; it may do so for ever."""
+        return self.layout.rows > 1
+
+    @property
     def library(self) -> native.Library | None:
         """Its compiled C, None where there is none that can be trusted."""
         return None if isinstance(self.found, native.Refused) else self.found

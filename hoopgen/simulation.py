@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sys
 import threading
 from collections.abc import Iterable, Mapping
@@ -197,7 +198,7 @@ def simulate(
         engine.table.inputs(named),
         check_leaving(leaving, shots, len(engine.surfaces)),
         most,
-        engine.time_limit if time_limit is None else check_time_limit(time_limit),
+        _limit(time_limit, engine),
         _library(backend, engine),
         np.zeros(1, np.int32),
     )
@@ -215,6 +216,16 @@ def simulate(
         decide(results, releases, named, most, scene=engine, leaving=left, time_limit=limit)
     kept = {name: array for name, array in results.items() if name in (*wanted, "events")}
     return Shots(kept, releases, named, engine)
+
+
+def _limit(time_limit: float | None, engine: Engine) -> float:
+    limit = engine.time_limit if time_limit is None else check_time_limit(time_limit)
+    if engine.rolls and not math.isfinite(limit):
+        raise ValueError(
+            f"time_limit: expected a finite time in the scene {engine.name}, where a ball may roll "
+            f"for ever; got {brief(time_limit)}"
+        )
+    return limit
 
 
 def check_log(shots: int, max_contacts: int, threads: int | None = None) -> None:

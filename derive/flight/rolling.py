@@ -186,9 +186,7 @@ def pace(acceleration: Sequence[sp.Expr], strength: sp.Expr) -> dict[str, sp.Exp
     powers = [step**k for k in range(ORDER)]
     strongest = hold(sum((k + 1) * sizes[k + 1] * powers[k] for k in range(ORDER)))
     forces = force(acceleration)
-    bend = hold(
-        sum(k * (k - 1) * size(forces[k]) * powers[k - 2] for k in range(2, ORDER))
-    )
+    bend = hold(sum(k * (k - 1) * size(forces[k]) * powers[k - 2] for k in range(2, ORDER)))
     return {
         "stride": step,
         "strongest": strongest,

@@ -61,9 +61,7 @@ BEGINS, ROLLS, LEAVES = 1, 2, 3
 
 stride, strongest, fastest = sp.symbols("stride strongest fastest", nonnegative=True)
 force, force_rate, force_bend = sp.symbols("force force_rate force_bend", real=True)
-gap, nearing, dent, lift, surge, snap = sp.symbols(
-    "gap nearing dent lift surge snap", real=True
-)
+gap, nearing, dent, lift, surge, snap = sp.symbols("gap nearing dent lift surge snap", real=True)
 turning = sp.Matrix(sp.symbols("turning_x turning_y turning_z", real=True))
 """The rate at which the normal turns, n'."""
 rolled = sp.Matrix(sp.symbols("rolled_x rolled_y rolled_z", real=True))
@@ -72,8 +70,8 @@ slip, bounce = sp.symbols("slip bounce", real=True)
 settles, lodges, unsure, ends, rests, edge, goes_on = map(
     Truth, ("settles", "lodges", "unsure", "ends", "rests", "edge", "rolling")
 )
-body, reached, outcome, uncertain, assured, time_limit = sp.symbols(
-    "body reached outcome uncertain assured time_limit", real=True
+body, reached, outcome, uncertain, assured, time_limit, began = sp.symbols(
+    "body reached outcome uncertain assured time_limit began", real=True
 )
 
 FAR = sp.Rational(1, 2**22)
@@ -109,17 +107,15 @@ def settling(law: Law, acceleration: Sequence[sp.Expr], ball_radius: sp.Expr) ->
     n = hold(hold(-pressing) - hold(rolled.dot(turning)))
     along = down - pressing * normal
     twisted = normal.cross(turning)
-    friction = [hold(rolling.SHARE * (turn_rate * m - a)) for a, m in zip(along, twisted, strict=True)]
+    friction = [
+        hold(rolling.SHARE * (turn_rate * m - a)) for a, m in zip(along, twisted, strict=True)
+    ]
     f = hold(sp.sqrt(hold(sum(c**2 for c in friction))))
     left = hold(1 - e)
     loss = hold(left * (1 + e))
     speed = hold(sum(map(size, rolled)) + ball_radius * hold(sum(map(size, spin))))
     hop = hold(bounce / n)
-    astray = hold(
-        4 * f * hop**2 / loss
-        + hop * bounce / 2
-        + 4 * rolling.SHARE * hop * slip / left
-    )
+    astray = hold(4 * f * hop**2 / loss + hop * bounce / 2 + 4 * rolling.SHARE * hop * slip / left)
     allowed = hold(tolerance(ball_radius))
     turns = hold(hold(sp.Add(*map(size, turning))) + 4 * UNIT_ROUNDOFF)
     swing = hold(8 * hold(size(pressing) + speed * turns) * turns)
@@ -155,7 +151,12 @@ def tolerance(ball_radius: sp.Expr) -> sp.Expr:
 
 
 def kernels(
-    flight: Parabola, ball_radius: sp.Expr, faces: Sequence[int], codes: Codes, lodged: int
+    flight: Parabola,
+    ball_radius: sp.Expr,
+    faces: Sequence[int],
+    codes: Codes,
+    lodged: int,
+    capped: int,
 ) -> dict[str, Kernel]:
     """Return what all surfaces share."""
     strength = hold(flight.strength)
@@ -189,7 +190,7 @@ def kernels(
         *_stepping(strength, ball_radius, codes),
         *_parting(strength),
         *_neighbour(ball_radius),
-        *_events(faces, codes, lodged),
+        *_events(faces, codes, lodged, capped),
     )
     return {kernel.name: kernel for kernel in (*series, *others)}
 
@@ -211,7 +212,11 @@ def _starting(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
     grown = tolerance(ball_radius)
     rate = hold(sum(map(size, velocity)) / ball_radius)
     errors: dict[str, sp.Expr] = {}
-    for names, unit in ((dx, grown), (dv, hold(grown * 4 * (1 + rate))), (dw, hold(grown * 4 * (1 + rate)) / ball_radius)):
+    for names, unit in (
+        (dx, grown),
+        (dv, hold(grown * 4 * (1 + rate))),
+        (dw, hold(grown * 4 * (1 + rate)) / ball_radius),
+    ):
         errors |= {str(d): d + IfLess(d, 0, -unit, unit) for d in names}
     return (
         made(
@@ -247,18 +252,23 @@ def _stepping(strength: sp.Expr, ball_radius: sp.Expr, codes: Codes) -> tuple[Ke
     per = rolling.per_reach
     pull = hold(strength + fastest**2 * size(per))
     small = hold(sp.Rational(1, 2**44) * pull)
-    off = hold(
-        small + 8 * size(per) * hold(pull * position_error + fastest * velocity_error)
-    )
+    off = hold(small + 8 * size(per) * hold(pull * position_error + fastest * velocity_error))
     bends = hold(force_bend + sp.Rational(1, 2**40) * pull)
     leaves = some(Less(force, -small), every(AtMost(force, small), Less(force_rate, 0)))
-    stopped = AtMost(hold(sum(map(size, velocity)) + sum(size(rolling.term(v, 1)) for v in rolling.SERIES[:3])), 0)
-    room = hold(2 * position_error + sp.Rational(1, 2**47) * hold(sum(map(size, position)) + ball_radius))
+    stopped = AtMost(
+        hold(sum(map(size, velocity)) + sum(size(rolling.term(v, 1)) for v in rolling.SERIES[:3])),
+        0,
+    )
+    room = hold(
+        2 * position_error + sp.Rational(1, 2**47) * hold(sum(map(size, position)) + ball_radius)
+    )
     landing = hold(sp.Rational(1, 2**47) * hold(sum(map(size, position)) + ball_radius))
     reach = hold(strongest + dent * fastest**2)
     meets = every(AtMost(gap, landing), Less(nearing, 0))
     crosses = every(meets, AtMost(-landing, gap))
-    at = every(AtMost(gap, room), AtMost(-room, gap), Not(Less(hold(8 * reach * room), hold(nearing**2))))
+    at = every(
+        AtMost(gap, room), AtMost(-room, gap), Not(Less(hold(8 * reach * room), hold(nearing**2)))
+    )
     first = Equal(which, NONE)
 
     def found(condition: sp.Basic, where: sp.Expr) -> sp.Expr:
@@ -280,7 +290,9 @@ def _stepping(strength: sp.Expr, ball_radius: sp.Expr, codes: Codes) -> tuple[Ke
                 "which": found(leaves, sp.Integer(codes.leaves)),
                 "rests": every(stopped, Not(leaves)),
                 "doubt": Choose(
-                    every(AtMost(size(force), off), Not(Less(hold(8 * bends * off), force_rate**2))),
+                    every(
+                        AtMost(size(force), off), Not(Less(hold(8 * bends * off), force_rate**2))
+                    ),
                     0,
                     doubt,
                 ),
@@ -316,15 +328,14 @@ def _stepping(strength: sp.Expr, ball_radius: sp.Expr, codes: Codes) -> tuple[Ke
                 "stride": smallest(
                     stride,
                     first_root(
-                        hold(largest(0, hold(size(gap) - near))),
+                        Choose(AtMost(size(gap), near), 0, size(gap)),
                         Choose(
                             AtMost(size(gap), near),
                             size(nearing) + sp.Rational(1, 2**20) * fastest,
                             Choose(Less(0, gap), nearing, -nearing),
                         ),
                         hold(strongest),
-                    )
-                    + 0,
+                    ),
                 )
             },
             "How long a rolling ball certainly stays on a part of its surface.",
@@ -334,7 +345,7 @@ def _stepping(strength: sp.Expr, ball_radius: sp.Expr, codes: Codes) -> tuple[Ke
             "beside_time",
             {
                 "stride": largest(0, smallest(stride, hold(time_limit - clock))),
-                "which": found(AtMost(time_limit, clock), sp.Integer(codes.time)),
+                "which": found(Not(Less(clock, time_limit)), sp.Integer(codes.time)),
             },
             "The time limit.",
             "Table 1",
@@ -407,7 +418,11 @@ def _neighbour(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
     errors = (*dx, *dv, *dw)
     far = {f"far_{s}": s + apart * d for s, d in zip(states, errors, strict=True)}
     place = hold(4 * UNIT_ROUNDOFF * hold(sum(map(size, position)) + ball_radius))
-    pace = hold(4 * UNIT_ROUNDOFF * hold(sum(map(size, velocity)) + ball_radius * hold(sum(map(size, spin)))))
+    pace = hold(
+        4
+        * UNIT_ROUNDOFF
+        * hold(sum(map(size, velocity)) + ball_radius * hold(sum(map(size, spin))))
+    )
     compared = {}
     rounds = (place,) * 3 + (pace,) * 3 + (pace / ball_radius,) * 3
     for s, d, unit in zip(states, errors, rounds, strict=True):
@@ -427,15 +442,14 @@ def _neighbour(ball_radius: sp.Expr) -> tuple[Kernel, ...]:
     )
 
 
-def _events(faces: Sequence[int], codes: Codes, lodged: int) -> tuple[Kernel, ...]:
+def _events(faces: Sequence[int], codes: Codes, lodged: int, capped: int) -> tuple[Kernel, ...]:
     own: sp.Expr = sp.Integer(NONE)
     for face, of in enumerate(faces):
         own = Choose(Equal(held, face), of, own)
-    begins, leaves, hops = (
-        Equal(which, code) for code in (codes.begins, codes.leaves, codes.hops)
-    )
+    begins, leaves, hops = (Equal(which, code) for code in (codes.begins, codes.leaves, codes.hops))
     beyond = Less(codes.time, which)
     bounded = every(Less(position_error, sp.oo), Less(velocity_error, sp.oo))
+    stuck = every(goes_on, AtMost(clock - began, sp.Rational(1, 2**24)))
     following = Choose(Either(begins, goes_on), ROLLS, Choose(leaves, LEAVES, 0))
     stays = some(begins, leaves, goes_on)
     return (
@@ -446,6 +460,7 @@ def _events(faces: Sequence[int], codes: Codes, lodged: int) -> tuple[Kernel, ..
                 "when": Choose(Less(0, mode), 0, when),
                 "rests": Nowhere(),
                 "rolling": Nowhere(),
+                "began": 0,
             },
             "Where a ball is in contact: no flight to search.",
             "Table 1",
@@ -455,6 +470,7 @@ def _events(faces: Sequence[int], codes: Codes, lodged: int) -> tuple[Kernel, ..
             {
                 "which": NONE,
                 "late": 0,
+                "began": clock,
                 "doubt": Choose(bounded, sp.oo, 0),
                 "begins": Equal(mode, BEGINS),
                 "rolling": Equal(mode, ROLLS),
@@ -489,11 +505,16 @@ def _events(faces: Sequence[int], codes: Codes, lodged: int) -> tuple[Kernel, ..
             "kept_on",
             {
                 "body": Choose(
-                    begins, codes.row(own, False), Choose(leaves, codes.row(own, True), Choose(hops, NONE, body))
+                    begins,
+                    codes.row(own, False),
+                    Choose(leaves, codes.row(own, True), Choose(hops, NONE, body)),
                 ),
                 "reached": Choose(
-                    rests, lodged, Choose(Either(beyond, goes_on), IN_FLIGHT, reached)
+                    stuck,
+                    capped,
+                    Choose(rests, lodged, Choose(Either(beyond, goes_on), IN_FLIGHT, reached)),
                 ),
+                "doubt": Choose(stuck, 0, doubt),
                 "ends": every(ends, Not(beyond)),
                 "hopped": hops,
                 "last": Choose(hops, NONE, last),
@@ -574,7 +595,6 @@ def of_surface(surface: Surface, flight: Parabola) -> dict[str, Kernel]:
         for k, (place, value, width) in enumerate(tube.seams)
     }
     return found | seams
-
 
 
 def _held(expression: sp.Expr) -> sp.Expr:

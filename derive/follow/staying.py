@@ -157,9 +157,7 @@ def _on(node: Do, names: Mapping[str, str]) -> Do:
     return Do(node.kernel, {**inputs, **node.inputs}, outputs)
 
 
-def settled(
-    common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]
-) -> Iterator[Node]:
+def settled(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]) -> Iterator[Node]:
     """Look whether a ball that has bounced stays on the surface."""
     yield Do(common["slowed"])
     looked = []

@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 4fa13356f08d520e,
+   Generated from templates/c/engine.h.j2, scene court, derivation 9ad18f7f95c999b6,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -87,6 +87,7 @@ typedef struct {
     LANES(court_column) waiting_p_ball_radius, waiting_p_ring_radius, waiting_p_wire_radius, waiting_p_board_distance, waiting_p_board_half_width, waiting_p_board_bottom, waiting_p_board_top, waiting_p_board_thickness, waiting_p_bridge_half_width, waiting_p_bridge_depth, waiting_p_gravity, waiting_p_end_depth, waiting_p_ring_restitution, waiting_p_backboard_restitution, waiting_p_bridge_restitution, waiting_p_ring_friction, waiting_p_backboard_friction, waiting_p_bridge_friction, waiting_p_tangential_restitution, waiting_p_restitution_speed;
     LANES(court_column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
     LANES(court_column) body;
+    LANES(court_column) began;
     LANES(court_column) extent;
     LANES(court_column) kept;
     LANES(court_column) limited;
@@ -194,6 +195,7 @@ typedef struct {
     LANES(court_column) kept_x;
     LANES(court_column) kept_y;
     LANES(court_column) kept_z;
+    LANES(court_column) kept_began;
     LANES(court_column) kept_leaves;
     LANES(court_column) kept_lift;
     LANES(court_column) kept_per_reach;
@@ -711,6 +713,7 @@ static void LANES(court_plain)(const court_job *job)
             when = _o9.when;
             M rests = _o9.rests;
             M rolling = _o9.rolling;
+            V began = _o9.began;
             const LANES(court_left_out) _o10 =
                 LANES(court_left)(K(3.0), last);
             V leaving = _o10.leaving;
@@ -741,6 +744,7 @@ static void LANES(court_plain)(const court_job *job)
             const LANES(court_opens_out) _o18 =
                 LANES(court_opens)(clear);
             M open = _o18.open;
+            lanes_store(lists->began + i, began);
             lanes_store(lists->extent + i, extent);
             lanes_store(lists->kept + i, lanes_select(kept, K(1.0), K(0.0)));
             lanes_store(lists->limited + i, lanes_select(limited, K(1.0), K(0.0)));
@@ -1941,8 +1945,9 @@ static void LANES(court_plain)(const court_job *job)
             V y = lanes_load(lists->kept_y + i);
             V z = lanes_load(lists->kept_z + i);
             const LANES(court_resumed_out) _o97 =
-                LANES(court_resumed)(mode, K(0.0), K(0.0));
+                LANES(court_resumed)(clock, mode, K(0.0), K(0.0));
             V which = _o97.which;
+            V began = _o97.began;
             M begins = _o97.begins;
             M rolling = _o97.rolling;
             M leaves = _o97.leaves;
@@ -2043,6 +2048,7 @@ static void LANES(court_plain)(const court_job *job)
                     LANES(court_beginning_contact)();
                 which = lanes_select(_m98, _o120.which, which);
             }
+            lanes_store(lists->kept_began + i, began);
             lanes_store(lists->kept_leaves + i, lanes_select(leaves, K(1.0), K(0.0)));
             lanes_store(lists->kept_lift + i, lift);
             lanes_store(lists->kept_per_reach + i, per_reach);
@@ -3142,6 +3148,7 @@ static void LANES(court_plain)(const court_job *job)
         }
         for (size_t k = 0; k < kept_shots; k++) {
             const size_t row = (size_t)lists->kept_row[k];
+            lists->began[row] = lists->kept_began[k];
             lists->clock[row] = lists->kept_clock[k];
             lists->rests[row] = lists->kept_rests[k];
             lists->rolling[row] = lists->kept_rolling[k];
@@ -3161,6 +3168,7 @@ static void LANES(court_plain)(const court_job *job)
         }
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
+            V began = lanes_load(lists->began + i);
             V clock = lanes_load(lists->clock + i);
             V contacts = lanes_load(lists->contacts + i);
             V count_0 = lanes_load(lists->count_0 + i);
@@ -3244,7 +3252,7 @@ static void LANES(court_plain)(const court_job *job)
             const M _m288 = lanes_both(rows, kept);
             if (lanes_any(_m288)) {
                 const LANES(court_kept_on_out) _o289 =
-                    LANES(court_kept_on)(body, ends, held, last, reached, rests, rolling, which);
+                    LANES(court_kept_on)(began, body, clock, K(INFINITY), ends, held, last, reached, rests, rolling, which);
                 body = lanes_select(_m288, _o289.body, body);
                 reached = lanes_select(_m288, _o289.reached, reached);
                 ends = lanes_choose(_m288, _o289.ends, ends);
@@ -3660,6 +3668,7 @@ typedef struct {
     LANES(court_column) waiting_p_ball_radius, waiting_p_ring_radius, waiting_p_wire_radius, waiting_p_board_distance, waiting_p_board_half_width, waiting_p_board_bottom, waiting_p_board_top, waiting_p_board_thickness, waiting_p_bridge_half_width, waiting_p_bridge_depth, waiting_p_gravity, waiting_p_end_depth, waiting_p_ring_restitution, waiting_p_backboard_restitution, waiting_p_bridge_restitution, waiting_p_ring_friction, waiting_p_backboard_friction, waiting_p_bridge_friction, waiting_p_tangential_restitution, waiting_p_restitution_speed;
     LANES(court_column) x_before, y_before, z_before, vx_before, vy_before, vz_before, wx_before, wy_before, wz_before;
     LANES(court_column) body;
+    LANES(court_column) began;
     LANES(court_column) doubt;
     LANES(court_column) extent;
     LANES(court_column) kept;
@@ -3795,6 +3804,7 @@ typedef struct {
     LANES(court_column) kept_x;
     LANES(court_column) kept_y;
     LANES(court_column) kept_z;
+    LANES(court_column) kept_began;
     LANES(court_column) kept_doubt;
     LANES(court_column) kept_late;
     LANES(court_column) kept_leaves;
@@ -4434,6 +4444,7 @@ static void LANES(court_bounded)(const court_job *job)
             when = _o9.when;
             M rests = _o9.rests;
             M rolling = _o9.rolling;
+            V began = _o9.began;
             const LANES(court_left_out) _o10 =
                 LANES(court_left)(K(3.0), last);
             V leaving = _o10.leaving;
@@ -4488,6 +4499,7 @@ static void LANES(court_bounded)(const court_job *job)
             const LANES(court_opens_out) _o24 =
                 LANES(court_opens)(clear);
             M open = _o24.open;
+            lanes_store(lists->began + i, began);
             lanes_store(lists->doubt + i, doubt);
             lanes_store(lists->extent + i, extent);
             lanes_store(lists->kept + i, lanes_select(kept, K(1.0), K(0.0)));
@@ -5988,9 +6000,10 @@ static void LANES(court_bounded)(const court_job *job)
             V y = lanes_load(lists->kept_y + i);
             V z = lanes_load(lists->kept_z + i);
             const LANES(court_resumed_out) _o128 =
-                LANES(court_resumed)(mode, position_error, velocity_error);
+                LANES(court_resumed)(clock, mode, position_error, velocity_error);
             V which = _o128.which;
             V late = _o128.late;
+            V began = _o128.began;
             V doubt = _o128.doubt;
             M begins = _o128.begins;
             M rolling = _o128.rolling;
@@ -6103,6 +6116,7 @@ static void LANES(court_bounded)(const court_job *job)
                     LANES(court_beginning_contact)();
                 which = lanes_select(_m129, _o152.which, which);
             }
+            lanes_store(lists->kept_began + i, began);
             lanes_store(lists->kept_doubt + i, doubt);
             lanes_store(lists->kept_dvx + i, dvx);
             lanes_store(lists->kept_dvy + i, dvy);
@@ -7357,6 +7371,7 @@ static void LANES(court_bounded)(const court_job *job)
         }
         for (size_t k = 0; k < kept_shots; k++) {
             const size_t row = (size_t)lists->kept_row[k];
+            lists->began[row] = lists->kept_began[k];
             lists->clock[row] = lists->kept_clock[k];
             lists->doubt[row] = lists->kept_doubt[k];
             lists->dvx[row] = lists->kept_dvx[k];
@@ -7390,6 +7405,7 @@ static void LANES(court_bounded)(const court_job *job)
         for (size_t i = 0; i < shots; i += LANES_WIDTH) {
             const M rows = lanes_first(shots - i);
             V assured = lanes_load(lists->assured + i);
+            V began = lanes_load(lists->began + i);
             V clock = lanes_load(lists->clock + i);
             V clock_error = lanes_load(lists->clock_error + i);
             V contacts = lanes_load(lists->contacts + i);
@@ -7504,9 +7520,10 @@ static void LANES(court_bounded)(const court_job *job)
             const M _m330 = lanes_both(rows, kept);
             if (lanes_any(_m330)) {
                 const LANES(court_kept_on_out) _o331 =
-                    LANES(court_kept_on)(body, ends, held, last, reached, rests, rolling, which);
+                    LANES(court_kept_on)(began, body, clock, doubt, ends, held, last, reached, rests, rolling, which);
                 body = lanes_select(_m330, _o331.body, body);
                 reached = lanes_select(_m330, _o331.reached, reached);
+                doubt = lanes_select(_m330, _o331.doubt, doubt);
                 ends = lanes_choose(_m330, _o331.ends, ends);
                 hopped = lanes_choose(_m330, _o331.hopped, hopped);
                 last = lanes_select(_m330, _o331.last, last);

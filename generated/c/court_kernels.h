@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 4fa13356f08d520e,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 9ad18f7f95c999b6,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -1857,7 +1857,7 @@ LANES(court_beside_gate)(V p_ball_radius, V dent, V doubt, V fastest, V gap, V i
 }
 
 /* How long a rolling ball certainly stays on a part of its surface.
-   a parabola below the distance. 30 operations: 3 additions, 2 subtractions, 5 multiplications, 1 division, 1 square root, 1 negation, 2 absolute values, 7 comparisons, 8 selections. */
+   a parabola below the distance. 28 operations: 3 additions, 1 subtraction, 5 multiplications, 1 division, 1 square root, 1 negation, 2 absolute values, 6 comparisons, 8 selections. */
 typedef struct {
     V stride;
 } LANES(court_beside_seam_out);
@@ -1866,9 +1866,9 @@ LANES_INLINE LANES(court_beside_seam_out)
 LANES(court_beside_seam)(V fastest, V gap, V near, V nearing, V stride, V strongest)
 {
     const V _s0 = lanes_abs(gap);
-    const V _s1 = lanes_sub(_s0, near);
-    const V _s2 = lanes_max(K(0.0), _s1);
-    const V _s3 = lanes_select(lanes_at_most(_s0, near), lanes_add(lanes_mul(K(9.5367431640625e-07), fastest), lanes_abs(nearing)), lanes_select(lanes_less(K(0.0), gap), nearing, lanes_neg(nearing)));
+    const M _s1 = lanes_at_most(_s0, near);
+    const V _s2 = lanes_select(_s1, K(0.0), _s0);
+    const V _s3 = lanes_select(_s1, lanes_add(lanes_mul(K(9.5367431640625e-07), fastest), lanes_abs(nearing)), lanes_select(lanes_less(K(0.0), gap), nearing, lanes_neg(nearing)));
     const V _s4 = lanes_add(lanes_mul(lanes_mul(K(2.0), strongest), _s2), lanes_mul(_s3, _s3));
     const V _s5 = lanes_sqrt(_s4);
     const M _s6 = lanes_less(_s3, K(0.0));
@@ -1877,7 +1877,7 @@ LANES(court_beside_seam)(V fastest, V gap, V near, V nearing, V stride, V strong
 }
 
 /* The time limit.
-   Table 1. 9 operations: 1 subtraction, 4 comparisons, 1 conjunction, 3 selections. */
+   Table 1. 10 operations: 1 subtraction, 4 comparisons, 1 conjunction, 1 complement, 3 selections. */
 typedef struct {
     V stride;
     V which;
@@ -1888,7 +1888,7 @@ LANES(court_beside_time)(V clock, V stride, V time_limit, V which)
 {
     const V _s0 = lanes_sub(time_limit, clock);
     const V _s1 = lanes_min(_s0, stride);
-    return (LANES(court_beside_time_out)){ lanes_max(K(0.0), _s1), lanes_select(lanes_both(lanes_at_most(time_limit, clock), lanes_equal(which, K(-1.0))), K(4.0), which) };
+    return (LANES(court_beside_time_out)){ lanes_max(K(0.0), _s1), lanes_select(lanes_both(lanes_not(lanes_less(clock, time_limit)), lanes_equal(which, K(-1.0))), K(4.0), which) };
 }
 
 /* The time after a step, and whether there is a next one.
@@ -2046,13 +2046,14 @@ typedef struct {
     V when;
     M rests;
     M rolling;
+    V began;
 } LANES(court_kept_out);
 
 LANES_INLINE LANES(court_kept_out)
 LANES(court_kept)(V mode, V when)
 {
     const M _s0 = lanes_less(K(0.0), mode);
-    return (LANES(court_kept_out)){ _s0, lanes_select(_s0, K(0.0), when), lanes_nowhere(), lanes_nowhere() };
+    return (LANES(court_kept_out)){ _s0, lanes_select(_s0, K(0.0), when), lanes_nowhere(), lanes_nowhere(), K(0.0) };
 }
 
 /* No event yet, of a ball in contact.
@@ -2060,6 +2061,7 @@ LANES(court_kept)(V mode, V when)
 typedef struct {
     V which;
     V late;
+    V began;
     V doubt;
     M begins;
     M rolling;
@@ -2079,9 +2081,9 @@ typedef struct {
 } LANES(court_resumed_out);
 
 LANES_INLINE LANES(court_resumed_out)
-LANES(court_resumed)(V mode, V position_error, V velocity_error)
+LANES(court_resumed)(V clock, V mode, V position_error, V velocity_error)
 {
-    return (LANES(court_resumed_out)){ K(-1.0), K(0.0), lanes_select(lanes_both(lanes_less(position_error, K(INFINITY)), lanes_less(velocity_error, K(INFINITY))), K(INFINITY), K(0.0)), lanes_equal(mode, K(1.0)), lanes_equal(mode, K(2.0)), lanes_equal(mode, K(3.0)), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0) };
+    return (LANES(court_resumed_out)){ K(-1.0), K(0.0), clock, lanes_select(lanes_both(lanes_less(position_error, K(INFINITY)), lanes_less(velocity_error, K(INFINITY))), K(INFINITY), K(0.0)), lanes_equal(mode, K(1.0)), lanes_equal(mode, K(2.0)), lanes_equal(mode, K(3.0)), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0), K(0.0) };
 }
 
 /* 1 where a decision lies within its error; that a ball bounces on is none.
@@ -2158,10 +2160,11 @@ LANES(court_hopping)(void)
 }
 
 /* What comes of a ball in contact.
-   Table 1. 28 operations: 2 additions, 1 multiplication, 7 comparisons, 1 conjunction, 4 disjunctions, 1 complement, 12 selections. */
+   Table 1. 33 operations: 2 additions, 1 subtraction, 1 multiplication, 8 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 14 selections. */
 typedef struct {
     V body;
     V reached;
+    V doubt;
     M ends;
     M hopped;
     V last;
@@ -2170,14 +2173,15 @@ typedef struct {
 } LANES(court_kept_on_out);
 
 LANES_INLINE LANES(court_kept_on_out)
-LANES(court_kept_on)(V body, M ends, V held, V last, V reached, M rests, M rolling, V which)
+LANES(court_kept_on)(V began, V body, V clock, V doubt, M ends, V held, V last, V reached, M rests, M rolling, V which)
 {
     const M _s0 = lanes_equal(which, K(5.0));
     const V _s1 = lanes_mul(K(2.0), lanes_select(lanes_equal(held, K(2.0)), K(2.0), lanes_select(lanes_equal(held, K(1.0)), K(1.0), lanes_select(lanes_equal(held, K(0.0)), K(0.0), K(-1.0)))));
     const M _s2 = lanes_equal(which, K(6.0));
     const M _s3 = lanes_equal(which, K(7.0));
-    const M _s4 = lanes_less(K(4.0), which);
-    return (LANES(court_kept_on_out)){ lanes_select(_s0, lanes_add(K(4.0), _s1), lanes_select(_s2, lanes_add(K(5.0), _s1), lanes_select(_s3, K(-1.0), body))), lanes_select(rests, K(5.0), lanes_select(lanes_either(_s4, rolling), K(-1.0), reached)), lanes_both(ends, lanes_not(_s4)), _s3, lanes_select(_s3, K(-1.0), last), lanes_select(lanes_either(_s0, rolling), K(2.0), lanes_select(_s2, K(3.0), K(0.0))), lanes_select(lanes_either(lanes_either(_s0, _s2), rolling), held, K(-1.0)) };
+    const M _s4 = lanes_both(rolling, lanes_at_most(lanes_sub(clock, began), K(5.960464477539063e-08)));
+    const M _s5 = lanes_less(K(4.0), which);
+    return (LANES(court_kept_on_out)){ lanes_select(_s0, lanes_add(K(4.0), _s1), lanes_select(_s2, lanes_add(K(5.0), _s1), lanes_select(_s3, K(-1.0), body))), lanes_select(_s4, K(2.0), lanes_select(rests, K(5.0), lanes_select(lanes_either(_s5, rolling), K(-1.0), reached))), lanes_select(_s4, K(0.0), doubt), lanes_both(ends, lanes_not(_s5)), _s3, lanes_select(_s3, K(-1.0), last), lanes_select(lanes_either(_s0, rolling), K(2.0), lanes_select(_s2, K(3.0), K(0.0))), lanes_select(lanes_either(lanes_either(_s0, _s2), rolling), held, K(-1.0)) };
 }
 
 /* Whether the ball stays on a surface, or is wedged between two.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 4fa13356f08d520e,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 9ad18f7f95c999b6,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -312,14 +312,14 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "compared": ("apart", "p_ball_radius", "far_vx", "far_vy", "far_vz", "far_wx", "far_wy", "far_wz", "far_x", "far_y", "far_z", "vx", "vy", "vz", "wx", "wy", "wz", "x", "y", "z",),
     "carry_hop": ("dvx", "dvy", "dvz", "dx", "dy", "dz", "vx", "vy", "vz", "when", "x", "y", "z",),
     "kept": ("mode", "when",),
-    "resumed": ("mode", "position_error", "velocity_error",),
+    "resumed": ("clock", "mode", "position_error", "velocity_error",),
     "doubted_in_contact": ("assured", "doubt", "edge", "last", "late", "uncertain", "when", "which",),
     "holding": ("held", "index",),
     "beside": ("held", "index",),
     "unhopped": (),
     "beginning_contact": (),
     "hopping": (),
-    "kept_on": ("body", "ends", "held", "last", "reached", "rests", "rolling", "which",),
+    "kept_on": ("began", "body", "clock", "doubt", "ends", "held", "last", "reached", "rests", "rolling", "which",),
     "settled": ("index", "lodges", "outcome", "settles", "uncertain", "unsure",),
     "ring_impact_doubt": ("vx", "vy", "vz", "wx", "wy", "wz", "nx", "ny", "nz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "turn", "p_ball_radius", "p_ring_restitution", "p_ring_friction", "p_tangential_restitution", "p_restitution_speed",),
     "ring_impact_settling": ("p_ball_radius", "bounce", "p_gravity", "nearest", "nx", "ny", "nz", "p_ring_friction", "p_ring_restitution", "rolled_x", "rolled_y", "rolled_z", "slip", "turning_x", "turning_y", "turning_z", "velocity_error", "wx", "wy", "wz",),
@@ -502,15 +502,15 @@ OUTPUTS: dict[str, tuple[str, ...]] = {
     "neighbour": ("far_x", "far_y", "far_z", "far_vx", "far_vy", "far_vz", "far_wx", "far_wy", "far_wz",),
     "compared": ("dx", "dy", "dz", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz",),
     "carry_hop": ("dx", "dy", "dz",),
-    "kept": ("kept", "when", "rests", "rolling",),
-    "resumed": ("which", "late", "doubt", "begins", "rolling", "leaves", "nx", "ny", "nz", "gap", "bent_x", "bent_y", "bent_z", "lift", "surge", "snap", "per_reach", "ring",),
+    "kept": ("kept", "when", "rests", "rolling", "began",),
+    "resumed": ("which", "late", "began", "doubt", "begins", "rolling", "leaves", "nx", "ny", "nz", "gap", "bent_x", "bent_y", "bent_z", "lift", "surge", "snap", "per_reach", "ring",),
     "doubted_in_contact": ("uncertain",),
     "holding": ("here",),
     "beside": ("beside",),
     "unhopped": ("hopped",),
     "beginning_contact": ("which",),
     "hopping": ("which",),
-    "kept_on": ("body", "reached", "ends", "hopped", "last", "mode", "held",),
+    "kept_on": ("body", "reached", "doubt", "ends", "hopped", "last", "mode", "held",),
     "settled": ("mode", "held", "outcome", "uncertain",),
     "ring_impact_doubt": ("unsure",),
     "ring_impact_settling": ("settles", "lodges", "assured", "unsure",),
@@ -2085,30 +2085,30 @@ def beside_gate(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: An
 def beside_seam(fastest: Any, gap: Any, near: Any, nearing: Any, stride: Any, strongest: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """How long a rolling ball certainly stays on a part of its surface.
 
-    a parabola below the distance. 30 operations: 3 additions, 2 subtractions, 5 multiplications, 1 division, 1 square root, 1 negation, 2 absolute values, 7 comparisons, 8 selections.
+    a parabola below the distance. 28 operations: 3 additions, 1 subtraction, 5 multiplications, 1 division, 1 square root, 1 negation, 2 absolute values, 6 comparisons, 8 selections.
     Returns stride.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, *_ = _room
     _s0 = _absolute(gap, _r0)
-    _s1 = _subtract(_s0, near, _r1)
-    _s2 = _select(0.0 < _s1, _s1, 0.0, _r2)
-    _s3 = _select(_s0 <= near, _add(_multiply(9.5367431640625e-07, fastest, _r0), _absolute(nearing, _r3), _r3), _select(0.0 < gap, nearing, _negative(nearing, _r0), _r4), _r5)
+    _s1 = _s0 <= near
+    _s2 = _select(_s1, 0.0, _s0, _r1)
+    _s3 = _select(_s1, _add(_multiply(9.5367431640625e-07, fastest, _r2), _absolute(nearing, _r3), _r3), _select(0.0 < gap, nearing, _negative(nearing, _r2), _r4), _r5)
     _s4 = _add(_multiply(_multiply(2.0, strongest, _r6), _s2, _r6), _multiply(_s3, _s3, _r7), _r7)
     _s5 = _sqrt(_s4, _r6)
     _s6 = _s3 < 0.0
-    _s7 = _select(0.0 <= _s4, _divide(_select(_s6, _multiply(2.0, _s2, _r2), _add(_s3, _s5, _r1), _r7), _select(_s6, _subtract(_s5, _s3, _r6), _select(0.0 < strongest, strongest, 0.0, _r5), _r4), _r7), _inf, _r1)
+    _s7 = _select(0.0 <= _s4, _divide(_select(_s6, _multiply(2.0, _s2, _r1), _add(_s3, _s5, _r0), _r7), _select(_s6, _subtract(_s5, _s3, _r6), _select(0.0 < strongest, strongest, 0.0, _r5), _r4), _r7), _inf, _r0)
     return _result(_s7 < stride, _s7, stride, _r0),
 
 
 def beside_time(clock: Any, stride: Any, time_limit: Any, which: Any) -> tuple[Any, ...]:
     """The time limit.
 
-    Table 1. 9 operations: 1 subtraction, 4 comparisons, 1 conjunction, 3 selections.
+    Table 1. 10 operations: 1 subtraction, 4 comparisons, 1 conjunction, 1 complement, 3 selections.
     Returns stride, which.
     """
     _s0 = time_limit - clock
     _s1 = _where(_s0 < stride, _s0, stride)
-    return _where(0.0 < _s1, _s1, 0.0), _where(_logical_and((time_limit <= clock), (which == -1.0)), 4.0, which)
+    return _where(0.0 < _s1, _s1, 0.0), _where(_logical_and(_logical_not((clock < time_limit)), (which == -1.0)), 4.0, which)
 
 
 def rolled_on(clock: Any, rests: Any, stride: Any, which: Any) -> tuple[Any, ...]:
@@ -2230,19 +2230,19 @@ def kept(mode: Any, when: Any) -> tuple[Any, ...]:
     """Where a ball is in contact: no flight to search.
 
     Table 1. 2 operations: 1 comparison, 1 selection.
-    Returns kept, when, rests, rolling.
+    Returns kept, when, rests, rolling, began.
     """
     _s0 = 0.0 < mode
-    return _s0, _where(_s0, 0.0, when), False, False
+    return _s0, _where(_s0, 0.0, when), False, False, 0.0
 
 
-def resumed(mode: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
+def resumed(clock: Any, mode: Any, position_error: Any, velocity_error: Any) -> tuple[Any, ...]:
     """No event yet, of a ball in contact.
 
     Table 1. 7 operations: 5 comparisons, 1 conjunction, 1 selection.
-    Returns which, late, doubt, begins, rolling, leaves, nx, ny, nz, gap, bent_x, bent_y, bent_z, lift, surge, snap, per_reach, ring.
+    Returns which, late, began, doubt, begins, rolling, leaves, nx, ny, nz, gap, bent_x, bent_y, bent_z, lift, surge, snap, per_reach, ring.
     """
-    return -1.0, 0.0, _where(_logical_and((position_error < _inf), (velocity_error < _inf)), _inf, 0.0), mode == 1.0, mode == 2.0, mode == 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    return -1.0, 0.0, clock, _where(_logical_and((position_error < _inf), (velocity_error < _inf)), _inf, 0.0), mode == 1.0, mode == 2.0, mode == 3.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
 
 
 def doubted_in_contact(assured: Any, doubt: Any, edge: Any, last: Any, late: Any, uncertain: Any, when: Any, which: Any) -> tuple[Any, ...]:
@@ -2300,19 +2300,20 @@ def hopping() -> tuple[Any, ...]:
     return 7.0,
 
 
-def kept_on(body: Any, ends: Any, held: Any, last: Any, reached: Any, rests: Any, rolling: Any, which: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def kept_on(began: Any, body: Any, clock: Any, doubt: Any, ends: Any, held: Any, last: Any, reached: Any, rests: Any, rolling: Any, which: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """What comes of a ball in contact.
 
-    Table 1. 28 operations: 2 additions, 1 multiplication, 7 comparisons, 1 conjunction, 4 disjunctions, 1 complement, 12 selections.
-    Returns body, reached, ends, hopped, last, mode, held.
+    Table 1. 33 operations: 2 additions, 1 subtraction, 1 multiplication, 8 comparisons, 2 conjunctions, 4 disjunctions, 1 complement, 14 selections.
+    Returns body, reached, doubt, ends, hopped, last, mode, held.
     """
     _r0, _r1, _r2, _r3, *_ = _room
     _s0 = which == 5.0
     _s1 = _multiply(2.0, _select(held == 2.0, 2.0, _select(held == 1.0, 1.0, _select(held == 0.0, 0.0, -1.0, _r0), _r1), _r2), _r2)
     _s2 = which == 6.0
     _s3 = which == 7.0
-    _s4 = 4.0 < which
-    return _result(_s0, _add(4.0, _s1, _r1), _select(_s2, _add(5.0, _s1, _r2), _select(_s3, -1.0, body, _r0), _r3), _r0), _result(rests, 5.0, _select(_logical_or(_s4, rolling), -1.0, reached, _r3), _r0), _logical_and(ends, _logical_not(_s4)), _s3, _result(_s3, -1.0, last, _r0), _result(_logical_or(_s0, rolling), 2.0, _select(_s2, 3.0, 0.0, _r3), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, -1.0, _r0)
+    _s4 = _logical_and(rolling, (_subtract(clock, began, _r1) <= 5.960464477539063e-08))
+    _s5 = 4.0 < which
+    return _result(_s0, _add(4.0, _s1, _r1), _select(_s2, _add(5.0, _s1, _r2), _select(_s3, -1.0, body, _r0), _r3), _r0), _result(_s4, 2.0, _select(rests, 5.0, _select(_logical_or(_s5, rolling), -1.0, reached, _r3), _r0), _r0), _result(_s4, 0.0, doubt, _r0), _logical_and(ends, _logical_not(_s5)), _s3, _result(_s3, -1.0, last, _r0), _result(_logical_or(_s0, rolling), 2.0, _select(_s2, 3.0, 0.0, _r0), _r0), _result(_logical_or(_logical_or(_s0, _s2), rolling), held, -1.0, _r0)
 
 
 def settled(index: Any, lodges: Any, outcome: Any, settles: Any, uncertain: Any, unsure: Any) -> tuple[Any, ...]:
@@ -4283,7 +4284,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
     _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
     _when_0, _which_0, *_ = opening(_excess_0, 0.0, 0.0)
     _limited_0, = limited(_time_limit_0)
-    _kept_0, _when_0, _rests_0, _rolling_0 = kept(_mode_0, _when_0)
+    _kept_0, _when_0, _rests_0, _rolling_0, _began_0 = kept(_mode_0, _when_0)
     _leaving_0, = left(3.0, _last_0)
     _time_0, _rate_0, _bend_0, *_ = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _arrives_0, *_ = meeting_plane(_bend_0, _rate_0, _time_0)
@@ -4781,7 +4782,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _x_1 = _take(_x_0, _rows30)
         _y_1 = _take(_y_0, _rows30)
         _z_1 = _take(_z_0, _rows30)
-        _which_1, _, _, _begins_1, _rolling_1, _leaves_1, _nx_1, _ny_1, _nz_1, _gap_1, _bent_x_1, _bent_y_1, _bent_z_1, _lift_1, _surge_1, _snap_1, _per_reach_1, _ring_1 = resumed(_mode_1, 0.0, 0.0)
+        _which_1, _, _began_1, _, _begins_1, _rolling_1, _leaves_1, _nx_1, _ny_1, _nz_1, _gap_1, _bent_x_1, _bent_y_1, _bent_z_1, _lift_1, _surge_1, _snap_1, _per_reach_1, _ring_1 = resumed(_clock_1, _mode_1, 0.0, 0.0)
         _rows32, _count33 = _rows(_begins_1, _count31)
         if _count33:
             _gap_2 = _take(_gap_1, _rows32)
@@ -5584,6 +5585,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _which_2, = hopping()
             _when_1 = _put(_when_1, _rows77, _when_2, _count31)
             _which_1 = _put(_which_1, _rows77, _which_2, _count31)
+        _began_0 = _put(_began_0, _rows30, _began_1, shots)
         _clock_0 = _put(_clock_0, _rows30, _clock_1, shots)
         _rests_0 = _put(_rests_0, _rows30, _rests_1, shots)
         _rolling_0 = _put(_rolling_0, _rows30, _rolling_1, shots)
@@ -5641,7 +5643,9 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _reached_0 = _put(_reached_0, _rows93, _reached_1, shots)
     _rows95, _count96 = _rows(_kept_0, shots)
     if _count96:
+        _began_1 = _take(_began_0, _rows95)
         _body_1 = _take(_body_0, _rows95)
+        _clock_1 = _take(_clock_0, _rows95)
         _ends_1 = _take(_ends_0, _rows95)
         _held_1 = _take(_held_0, _rows95)
         _last_1 = _take(_last_0, _rows95)
@@ -5650,7 +5654,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
         _rolling_1 = _take(_rolling_0, _rows95)
         _which_1 = _take(_which_0, _rows95)
         _room_1 = room(_count96)
-        _body_1, _reached_1, _ends_1, _, _last_1, _mode_1, _held_1 = kept_on(_body_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _which_1, _room_1)
+        _body_1, _reached_1, _, _ends_1, _, _last_1, _mode_1, _held_1 = kept_on(_began_1, _body_1, _clock_1, _inf, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _which_1, _room_1)
         _body_0 = _put(_body_0, _rows95, _body_1, shots)
         _ends_0 = _put(_ends_0, _rows95, _ends_1, shots)
         _held_0 = _put(_held_0, _rows95, _held_1, shots)
@@ -6194,7 +6198,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _extent_0, _speed_0, _excess_0 = scale(_x_0, _y_0, _z_0, _vx_0, _vy_0, _vz_0, _p_gravity_0, _room_0)
     _when_0, _which_0, _late_0, _doubt_0 = opening(_excess_0, _position_error_0, _velocity_error_0)
     _limited_0, = limited(_time_limit_0)
-    _kept_0, _when_0, _rests_0, _rolling_0 = kept(_mode_0, _when_0)
+    _kept_0, _when_0, _rests_0, _rolling_0, _began_0 = kept(_mode_0, _when_0)
     _leaving_0, = left(3.0, _last_0)
     _time_0, _rate_0, _bend_0, _apex_0, _height_0 = end_arrival(_leaving_0, _z_0, _vz_0, _p_gravity_0, _p_end_depth_0, _room_0)
     _arrives_0, _ceiling_0 = meeting_plane(_bend_0, _rate_0, _time_0)
@@ -6810,7 +6814,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _x_1 = _take(_x_0, _rows30)
         _y_1 = _take(_y_0, _rows30)
         _z_1 = _take(_z_0, _rows30)
-        _which_1, _late_1, _doubt_1, _begins_1, _rolling_1, _leaves_1, _nx_1, _ny_1, _nz_1, _gap_1, _bent_x_1, _bent_y_1, _bent_z_1, _lift_1, _surge_1, _snap_1, _per_reach_1, _ring_1 = resumed(_mode_1, _position_error_1, _velocity_error_1)
+        _which_1, _late_1, _began_1, _doubt_1, _begins_1, _rolling_1, _leaves_1, _nx_1, _ny_1, _nz_1, _gap_1, _bent_x_1, _bent_y_1, _bent_z_1, _lift_1, _surge_1, _snap_1, _per_reach_1, _ring_1 = resumed(_clock_1, _mode_1, _position_error_1, _velocity_error_1)
         _rows32, _count33 = _rows(_begins_1, _count31)
         if _count33:
             _dvx_2 = _take(_dvx_1, _rows32)
@@ -7736,6 +7740,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _velocity_error_1 = _put(_velocity_error_1, _rows77, _velocity_error_2, _count31)
             _when_1 = _put(_when_1, _rows77, _when_2, _count31)
             _which_1 = _put(_which_1, _rows77, _which_2, _count31)
+        _began_0 = _put(_began_0, _rows30, _began_1, shots)
         _clock_0 = _put(_clock_0, _rows30, _clock_1, shots)
         _doubt_0 = _put(_doubt_0, _rows30, _doubt_1, shots)
         _dvx_0 = _put(_dvx_0, _rows30, _dvx_1, shots)
@@ -7815,7 +7820,10 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
     _hopped_0, = unhopped()
     _rows95, _count96 = _rows(_kept_0, shots)
     if _count96:
+        _began_1 = _take(_began_0, _rows95)
         _body_1 = _take(_body_0, _rows95)
+        _clock_1 = _take(_clock_0, _rows95)
+        _doubt_1 = _take(_doubt_0, _rows95)
         _ends_1 = _take(_ends_0, _rows95)
         _held_1 = _take(_held_0, _rows95)
         _last_1 = _take(_last_0, _rows95)
@@ -7824,8 +7832,9 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
         _rolling_1 = _take(_rolling_0, _rows95)
         _which_1 = _take(_which_0, _rows95)
         _room_1 = room(_count96)
-        _body_1, _reached_1, _ends_1, _hopped_1, _last_1, _mode_1, _held_1 = kept_on(_body_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _which_1, _room_1)
+        _body_1, _reached_1, _doubt_1, _ends_1, _hopped_1, _last_1, _mode_1, _held_1 = kept_on(_began_1, _body_1, _clock_1, _doubt_1, _ends_1, _held_1, _last_1, _reached_1, _rests_1, _rolling_1, _which_1, _room_1)
         _body_0 = _put(_body_0, _rows95, _body_1, shots)
+        _doubt_0 = _put(_doubt_0, _rows95, _doubt_1, shots)
         _ends_0 = _put(_ends_0, _rows95, _ends_1, shots)
         _held_0 = _put(_held_0, _rows95, _held_1, shots)
         _hopped_0 = _put(_hopped_0, _rows95, _hopped_1, shots)
