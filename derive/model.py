@@ -10,10 +10,9 @@ from .contact.frame import contact_frame
 from .contact.law import Law
 from .contact.rolling import impact_through_frame
 from .errors import tangent
-from .follow import decisions
+from .follow import decisions, settling
 from .follow import kinds as of_kinds
 from .follow.fields import Result, fields, results
-from .follow import settling
 from .follow.kinds import Contact
 from .follow.loop import Loop, event_loop
 from .ground.choice import largest

@@ -39,7 +39,7 @@ SHARE = INERTIA_FACTOR / (1 + INERTIA_FACTOR)
 bent = sp.symbols("bent_x bent_y bent_z", real=True)
 """1 along the axes across which the surface is curved, else 0."""
 per_reach, ring = sp.symbols("per_reach ring", real=True)
-"""1/R of the tube, negative on its inside, 0 of a plane; and R_H of its circle, 0 if there is none."""
+"""1/R of the tube, negative on its inside, 0 of a plane; R_H of its circle, 0 if there is none."""
 gap = sp.Symbol("gap", real=True)
 """How far the ball is off the surface."""
 
@@ -93,7 +93,10 @@ def following(order: int, acceleration: Sequence[sp.Expr]) -> dict[str, sp.Expr]
         hold((b * own[order] - ring * e) * per_reach)
         for b, own, e in zip(bent, v, lateral, strict=True)
     ]
-    turning = [[k * n_i[k] for k in range(1, order + 1)] + [new] for n_i, new in zip(n, turned)]
+    turning = [
+        [*(k * n_i[k] for k in range(1, order + 1)), new]
+        for n_i, new in zip(n, turned, strict=True)
+    ]
     pressed = hold(sum(product(a, b) for a, b in zip(v, turning, strict=True)))
     weighed = sum(a * n_i[order] for a, n_i in zip(acceleration, n, strict=True) if a != 0)
     own = hold(-(1 - SHARE) * weighed - pressed)

@@ -39,13 +39,11 @@ from ..ground.kernel import Kernel, symbols_in
 from ..ground.rounding import position_error, velocity_error
 from ..ground.symbols import (
     POSITION,
-    SPIN,
     UNIT_ROUNDOFF,
     VELOCITY,
     normal,
     position,
     spin,
-    t,
     velocity,
 )
 from ..search.approach import first_root

@@ -1,8 +1,9 @@
 """A ball that stays in contact: the nodes of the event loop from the last bounce to the leaving.
 
 The turn after the last bounce puts the ball onto the surface. Then it rolls, step by step, until it
-meets something, leaves, is at rest, or its time is up: all in one turn. One that leaves tangentially
-flies for a moment in which it certainly meets nothing, and is in flight like any other.
+meets something, leaves, is at rest, or its time is up: all in one turn. One that leaves
+tangentially flies for a moment in which it certainly meets nothing, and is in flight like any
+other.
 """
 
 from __future__ import annotations
@@ -160,7 +161,7 @@ def _on(node: Do, names: Mapping[str, str]) -> Do:
 def settled(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]) -> Iterator[Node]:
     """Look whether a ball that has bounced stays on the surface."""
     yield Do(common["slowed"])
-    looked = []
+    looked: list[Node] = []
     for surface in contacts:
         if "tube" not in surface.parts:
             continue

@@ -168,7 +168,7 @@ def _admitted(passage: Passage) -> dict[str, sp.Basic]:
 
 
 def _passed_in_contact(passage: Passage) -> dict[str, sp.Basic]:
-    """Return `through` after a step in contact: on the ring the ball is far from the disc's edge."""
+    """Return `through` after a step in contact: a ball on the ring is far from the disc's edge."""
     within = Less(hold(x**2 + y**2), hold(passage.radius**2))
     rises = every(Not(over), AtMost(0, z), within)
     falls = every(over, Less(z, 0), within)

@@ -6,7 +6,7 @@ works on rows: a body takes the rows that need it, and puts back what it assigne
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from hoopgen.derive.ground.tree import (
@@ -17,11 +17,10 @@ from hoopgen.derive.ground.tree import (
     Repeat,
     live_before,
     live_in_body,
-    reads,
     writes,
 )
 
-from .printers import NUMPY, C, Spelling, constant
+from .printers import C, Spelling, constant
 
 CHEAP = 40
 """A body that costs no more is done for every lane or row: to skip it would cost as much."""
@@ -73,7 +72,7 @@ def scope(node: Guard | Repeat, after: Iterable[str]) -> Scope:
 
 
 @dataclass
-class _Printer:
+class Printer:
     """What printing to any target has in common."""
 
     prefix: str
@@ -98,7 +97,7 @@ class _Printer:
 
 
 @dataclass
-class CLoop(_Printer):
+class CLoop(Printer):
     """Lanes: `lanes_any` skips a body, `lanes_select` keeps the other lanes as they are."""
 
     def stage(
@@ -136,7 +135,7 @@ class CLoop(_Printer):
             inner = indent + "    "
             inside = dict(known)
             shared = set(own.gives) | set(own.keeps)
-            # What the body has for itself alone it declares, unless it may need the value around it.
+            # What the body has for itself alone it declares, if it needs no value from around it.
             for name in set(writes(node.body)) - shared - set(own.takes):
                 inside.pop(name, None)
             if isinstance(node, Repeat):
@@ -208,238 +207,6 @@ class CLoop(_Printer):
 
     def _value(self, value: str | float) -> str:
         return value if isinstance(value, str) else constant(float(value), C)
-
-
-@dataclass
-class NumPyLoop(_Printer):
-    """Rows: a body takes its own, and puts back what it assigned.
-
-    Attributes
-    ----------
-    rows
-        The kernels that are given rows to write into: as many shots long as their arguments.
-    far
-        Within a body that repeats, what only some of its shots need, never changed by it: its names
-        outside. It is taken from there, rather than by all shots in each turn.
-    """
-
-    rows: Collection[str] = ()
-    far: dict[str, str] = field(default_factory=dict)
-    turning: str = ""
-
-    def stage(
-        self, nodes: Sequence[Node], names: Mapping[str, str], after: Iterable[str]
-    ) -> dict[str, str]:
-        """Print a stage, given the names of what it knows; return those known after it."""
-        names = dict(names)
-        self._body(nodes, names, "shots", "", set(after), 0)
-        return names
-
-    def _body(
-        self,
-        nodes: Sequence[Node],
-        names: dict[str, str],
-        count: str,
-        indent: str,
-        after: set[str],
-        depth: int,
-    ) -> None:
-        if self._given_rows(nodes):
-            self.lines.append(f"{indent}{_room(depth)} = room({count})")
-        for index, node in enumerate(nodes):
-            later = live_before(nodes[index + 1 :], after)
-            if isinstance(node, Do):
-                self._do(node, names, indent, depth, depth)
-            elif isinstance(node, Each):
-                self._each(node, names, count, indent, later, depth)
-            elif isinstance(node, Guard) and self._for_all(node):
-                self._chosen(node, names, indent, later, depth)
-            else:
-                self._rows(node, names, count, indent, later, depth)
-
-    def _given_rows(self, nodes: Sequence[Node]) -> bool:
-        """Whether a kernel that all shots of a body call is given rows to write into."""
-        return any(
-            node.kernel.name in self.rows
-            if isinstance(node, Do)
-            else isinstance(node, Guard) and self._for_all(node) and self._given_rows(node.body)
-            for node in nodes
-        )
-
-    def _for_all(self, node: Guard) -> bool:
-        """Whether a body is done for all rows; in one that repeats, rows are few and taken anew."""
-        most = CHEAP_IN_TURNS if self.turning else CHEAP
-        return self.cheap(node) and self._cost(node) <= most
-
-    def _near(self, nodes: Sequence[Node], after: set[str]) -> set[str]:
-        """Return what all rows of a body need, not those of a guarded body alone."""
-        near: set[str] = set()
-        for index, node in enumerate(nodes):
-            if isinstance(node, Do):
-                near |= reads([node])
-                continue
-            later = live_before(nodes[index + 1 :], after)
-            near |= {node.truth, *scope(node, later).gives}
-            if isinstance(node, Repeat):
-                near |= set(scope(node, later).takes)
-            elif self._for_all(node):
-                near |= self._near(node.body, later)
-        return near
-
-    def _do(
-        self, node: Do, names: dict[str, str], indent: str, depth: int, shots_depth: int
-    ) -> None:
-        given = ", ".join(
-            names[v] if isinstance(v, str) else constant(float(v), NUMPY) for v in node.arguments
-        )
-        if node.kernel.name in self.rows:
-            given += f", {_room(shots_depth)}"
-        for variable in node.assigned.values():
-            names[variable] = local(variable, depth)
-        targets = [
-            names[node.assigned[o]] if o in node.assigned else "_" for o in node.kernel.output_names
-        ]
-        while targets[-1] == "_" and len(targets) > 1 and targets[-2] == "_":
-            targets.pop()
-        if targets[-1] == "_":
-            targets[-1] = "*_"
-        self.lines.append(
-            f"{indent}{', '.join(targets)}{',' * (len(targets) == 1)} = {node.kernel.name}({given})"
-        )
-
-    def _each(
-        self,
-        node: Each,
-        names: dict[str, str],
-        count: str,
-        indent: str,
-        later: set[str],
-        depth: int,
-    ) -> None:
-        """Print a loop over the rows of a table; what goes from row to row keeps its name."""
-        after = carried(node, later)
-        kept = {v: local(v, depth) for v in sorted(set(writes(node.body)) & after)}
-        for name, own in kept.items():
-            if names[name] != own:
-                self.lines.append(f"{indent}{own} = {names[name]}")
-        inside = names | kept | {name: local(name, depth) for name in node.names}
-        self.lines.append(f"{indent}for {', '.join(inside[name] for name in node.names)}, in (")
-        for row in node.rows:
-            given = (names[v] if isinstance(v, str) else constant(float(v), NUMPY) for v in row)
-            self.lines.append(f"{indent}    ({', '.join(given)},),")
-        self.lines.append(f"{indent}):")
-        self._body(node.body, inside, count, indent + "    ", after, depth)
-        assert all(inside[name] == own for name, own in kept.items()), "a name changed"
-        names |= kept
-
-    def _chosen(
-        self, node: Guard, names: dict[str, str], indent: str, later: set[str], depth: int
-    ) -> None:
-        """Print a cheap body for all rows, and choose."""
-        own = scope(node, later)
-        inside = dict(names)
-        inner = depth + 1
-        for body in node.body:
-            assert isinstance(body, Do)
-            self._do(body, inside, indent, inner, depth)
-        for name in own.gives:
-            new = local(name, depth)
-            self.lines.append(
-                f"{indent}{new} = _choose({names[node.truth]}, {inside[name]}, {names[name]})"
-            )
-            names[name] = new
-
-    def _rows(
-        self,
-        node: Guard | Repeat,
-        names: dict[str, str],
-        count: str,
-        indent: str,
-        later: set[str],
-        depth: int,
-    ) -> None:
-        own = scope(node, later)
-        rows, own_count = self.fresh("rows"), self.fresh("count")
-        line, deeper = self.lines.append, indent + "    "
-        line(f"{indent}{rows}, {own_count} = _rows({names[node.truth]}, {count})")
-        line(f"{indent}if {own_count}:")
-        if isinstance(node, Repeat):
-            self._turns(node, names, own, (rows, own_count), count, deeper, later, depth)
-        else:
-            far = set(own.takes) - set(names)
-            if far:
-                line(f"{deeper}_far = _of({self.turning}, {rows})")
-            inside = {name: local(name, depth + 1) for name in own.takes}
-            for name in inside:
-                of = f"{self.far[name]}, _far" if name in far else f"{names[name]}, {rows}"
-                line(f"{deeper}{inside[name]} = _take({of})")
-            self._body(node.body, inside, own_count, deeper, later, depth + 1)
-            for name in own.gives:
-                given = f"{names[name]}, {rows}, {inside[name]}, {count}"
-                line(f"{deeper}{local(name, depth)} = _put({given})")
-        missing = [name for name in own.gives if names[name] != local(name, depth)]
-        if missing:
-            line(f"{indent}else:")
-            for name in missing:
-                line(f"{deeper}{local(name, depth)} = {names[name]}")
-        for name in own.gives:
-            names[name] = local(name, depth)
-
-    def _turns(
-        self,
-        node: Repeat,
-        names: dict[str, str],
-        own: Scope,
-        own_rows: tuple[str, str],
-        count: str,
-        deeper: str,
-        later: set[str],
-        depth: int,
-    ) -> None:
-        """Print a body that repeats; rows that are done are stored, the others taken anew."""
-        (rows, own_count), outer = own_rows, (self.far, self.turning)
-        line, turning = self.lines.append, deeper + "    "
-        wanted = later | set(own.takes) | {node.truth}
-        self.turning = rows
-        far = set(own.takes) - set(writes(node.body)) - self._near(node.body, wanted) - {node.truth}
-        self.far = {name: names[name] for name in far}
-        inside = {name: local(name, depth + 1) for name in own.takes if name not in far}
-        for name in inside:
-            line(f"{deeper}{inside[name]} = _take({names[name]}, {rows})")
-        for name in own.gives:
-            line(f"{deeper}{local(name, depth)} = _copy({names[name]}, {count})")
-        line(f"{deeper}for _ in range({node.limit}):")
-        start = dict(inside)
-        self._body(node.body, inside, own_count, turning, wanted, depth + 1)
-        assert all(inside[name] == value for name, value in start.items()), "a name changed"
-        going = self.fresh("going")
-        line(f"{turning}{going} = _where_true({inside[node.truth]})")
-        line(f"{turning}if len({going}) == {own_count}:")
-        line(f"{turning}    continue")
-        line(f"{turning}_done = _where_true(_logical_not({inside[node.truth]}))")
-        for name in own.gives:
-            into = f"{local(name, depth)}, _of({rows}, _done)"
-            line(f"{turning}_store({into}, {inside[name]}, _done)")
-        line(f"{turning}{rows}, {own_count} = _of({rows}, {going}), len({going})")
-        line(f"{turning}if not {own_count}:")
-        line(f"{turning}    break")
-        for name in sorted({*own.takes, *own.gives} - far):
-            line(f"{turning}{inside[name]} = _take({inside[name]}, {going})")
-        if own.gives:
-            line(f"{deeper}else:")
-        for name in own.gives:
-            line(f"{turning}_store({local(name, depth)}, {rows}, {inside[name]}, None)")
-        self.far, self.turning = outer
-
-
-def _room(depth: int) -> str:
-    """Return the rows for as many shots as there are so many bodies deep."""
-    return f"_room_{depth}"
-
-
-def local(name: str, depth: int) -> str:
-    """Return a variable as a name in a stage in NumPy, so many bodies deep."""
-    return f"_{name}_{depth}"
 
 
 def weighted(cost: Mapping[str, int]) -> int:

@@ -24,8 +24,9 @@ from hoopgen.derive.scenes.scene import Scene
 from hoopgen.outputs import write
 
 from .derivation import derivation_context
-from .loop import local, weighted
+from .loop import weighted
 from .names import FILTERS, identifier
+from .numpy_loop import local
 from .printers import JS, NUMPY, Body, C, constant, print_program
 from .program import Program, lower
 from .rows import print_in_rows

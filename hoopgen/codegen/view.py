@@ -11,7 +11,8 @@ from hoopgen.derive.ground.symbols import STATE
 from hoopgen.derive.ground.tree import Node, live_before, needed, reads, writes
 
 from .lists import CLists, Frame, Note
-from .loop import CLoop, NumPyLoop, local
+from .loop import CLoop
+from .numpy_loop import NumPyLoop, local
 from .printers import NUMPY, C
 
 STATE_NAMES = tuple(symbol.name for symbol in STATE)
