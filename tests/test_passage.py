@@ -30,9 +30,7 @@ RADIUS, GRAVITY = 0.235, 9.81
 
 def called(name: str, **given: Any) -> tuple[Any, ...]:
     """Call a kernel of the court with what it takes of what is given."""
-    function = getattr(kernels, name)
-    names = function.__code__.co_varnames[: function.__code__.co_argcount]
-    found = function(*(given[each] for each in names))
+    found = getattr(kernels, name)(*(given[each] for each in kernels.ARGUMENTS[name]))
     return found if isinstance(found, tuple) else (found,)
 
 

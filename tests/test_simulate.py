@@ -678,7 +678,7 @@ def test_dtypes_and_shapes_are_those_documented(simulate: Simulate) -> None:
     }
     assert shots.time_error.shape == (2,)
     assert shots.state_error.shape == (2, 3)
-    assert shots.events.dtype.names == ("shot", "surface", "time", "before", "after")
+    assert shots.events.dtype.names == (*("shot", "surface", "time", "before", "after", "kind"),)
 
 
 # --------------------------------------------------------------------------------- whatever comes
