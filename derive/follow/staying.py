@@ -17,9 +17,9 @@ from ..ground.tree import Do, Guard, Node, Repeat, given_as
 from ..search.search import Parts
 from .kinds import Contact
 
-LIMIT = 1 << 11
-"""Steps of a ball in contact in one turn of the loop; it goes on in the next. A fast swirl of five
-seconds takes as many: what rolls on and on waits for others that do, and keeps lanes busy."""
+LIMIT = 1 << 6
+"""Steps of a ball in contact in one turn of the loop; it goes on in the next. What rolls longer than
+most do waits for others that do, and so keeps lanes busy."""
 
 _FAR = {s.name: f"far_{s.name}" for s in STATE}
 

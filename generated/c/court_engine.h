@@ -2954,7 +2954,7 @@ static void LANES(court_plain)(const court_job *job)
                 clock = _o247.clock;
                 rolling = _o247.rolling;
                 turns = lanes_add(turns, K(1.0));
-                const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(2048.0)))));
+                const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(64.0)))));
                 if (lanes_any(ended)) {
                     double ended_row[LANES_WIDTH];
                     lanes_store(ended_row, row);
@@ -7117,7 +7117,7 @@ static void LANES(court_bounded)(const court_job *job)
                 clock = _o285.clock;
                 rolling = _o285.rolling;
                 turns = lanes_add(turns, K(1.0));
-                const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(2048.0)))));
+                const M ended = lanes_both(active, lanes_not(lanes_both(rolling, lanes_less(turns, K(64.0)))));
                 if (lanes_any(ended)) {
                     double ended_row[LANES_WIDTH];
                     lanes_store(ended_row, row);

@@ -4895,7 +4895,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
             _x_1 = _copy(_x_1, _count31)
             _y_1 = _copy(_y_1, _count31)
             _z_1 = _copy(_z_1, _count31)
-            for _ in range(2048):
+            for _ in range(64):
                 _room_2 = room(_count35)
                 _here_2, = holding(_held_2, 0.0)
                 _rows36, _count37 = _rows(_here_2, _count35)
@@ -6971,7 +6971,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
             _x_1 = _copy(_x_1, _count31)
             _y_1 = _copy(_y_1, _count31)
             _z_1 = _copy(_z_1, _count31)
-            for _ in range(2048):
+            for _ in range(64):
                 _room_2 = room(_count35)
                 _position_error_2, _velocity_error_2, *_ = error_bounds(_clock_error_2, _dx_2, _dy_2, _dz_2, _dvx_2, _dvy_2, _dvz_2, _dwx_2, _dwy_2, _dwz_2, _room_2)
                 _here_2, = holding(_held_2, 0.0)
