@@ -368,7 +368,7 @@ def test_the_command_line_runs_studies_of_a_scene(file: Path, tmp_path: Path) ->
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (("aim", "--scene", "FILE"), "hoopgen aim: its question is a hoop's, the article's; leave --scene out"),
+        (("aim", "--scene", "FILE"), "hoopgen aim: its question is a hoop's, the article's"),
         (("paper", "--scene", "FILE"), "hoopgen paper: its question is a hoop's"),
         (("estimate", *RELEASED), "--position is of a shot in a --scene"),
         (("estimate", "--scene", "x.txt"), "expected hoop or court, or a scene file, .toml"),
