@@ -107,6 +107,17 @@ class Engine:
         """What simulates where nothing else is asked for, "c" or "numpy"."""
         return "numpy" if self.library is None else "c"
 
+    @cached_property
+    def infinite(self) -> frozenset[str]:
+        """The parameters that may be infinite, a friction for one."""
+        kernels, names = self.kernels, list(self.kernels.VARIABLES)
+        tried = np.where(np.eye(len(names), dtype=np.bool_), math.inf, 1.0)
+        given = {**dict(zip(kernels.VARIABLES.values(), tried, strict=True)), "allowed": 1.0}
+        asked = (given[name] for name in kernels.ARGUMENTS["finite_parameters"])
+        (permitted,) = kernels.finite_parameters(*asked)
+        found = dict(zip(names, np.broadcast_to(permitted, len(names)), strict=True))
+        return frozenset(name for name in self.table.defaults if found.get(name))
+
     @property
     def parameters(self) -> Parameters:
         """The usual value of each parameter; SI units."""

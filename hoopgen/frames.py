@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Mapping
 from functools import partial
 from typing import Any, Protocol
@@ -16,6 +15,7 @@ from .notebook import ROWS, some_rows, table
 from .told import say_of
 from .units import column_name
 from .variables import STATE, STATE_UNITS
+from .words import for_json
 
 __all__ = [
     "contacts_frame",
@@ -133,10 +133,8 @@ def shots_dataset(shots: Shots) -> Any:
     if "state" in data:
         dataset = dataset.assign_coords(unit=("component", list(STATE_UNITS.values())))
     alike = {name: float(v) for name, v in shots.parameters.items() if np.ndim(v) == 0}
-    # JSON has no infinite number: what is not finite is a text, which float() reads.
-    told_alike = {name: v if math.isfinite(v) else str(v) for name, v in alike.items()}
     dataset.attrs["scene"] = scene_of(shots)
-    dataset.attrs["parameters"] = json.dumps(told_alike)
+    dataset.attrs["parameters"] = json.dumps(for_json(alike))
     apart = {name: ("shot", v) for name, v in shots.parameters.items() if np.ndim(v)}
     return dataset.assign_coords(apart)
 

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
+from importlib import import_module
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
 from .brief import brief, listed
 from .engines import HOOP, Engine
-from .hoop.presets import PRESETS
 from .hoop.variables import ARGUMENTS, INSTEAD, VARIABLES
 from .parameters import Parameters
 from .units import Kind
@@ -23,6 +23,7 @@ __all__ = [
     "STATES",
     "SUFFIX",
     "BuiltIn",
+    "check_article",
     "check_hoop",
     "engine_of",
     "is_built_in",
@@ -35,22 +36,42 @@ __all__ = [
 
 @dataclass(frozen=True)
 class BuiltIn:
-    """A scene that comes with hoopgen.
+    """A scene that comes with hoopgen; its module is loaded when it is first asked for.
 
     Attributes
     ----------
-    engine
-        What simulates it.
-    presets
-        Its parameters by the name of a preset.
+    engine_at, presets_at
+        Modules of hoopgen, and the names there of its engine and of its presets.
     """
 
-    engine: Engine
-    presets: Mapping[str, Parameters]
+    engine_at: tuple[str, str]
+    presets_at: tuple[str, str]
+
+    @property
+    def engine(self) -> Engine:
+        """What simulates it."""
+        engine: Engine = _found(self.engine_at)
+        return engine
+
+    @property
+    def presets(self) -> Mapping[str, Parameters]:
+        """Its parameters by the name of a preset."""
+        presets: Mapping[str, Parameters] = _found(self.presets_at)
+        return presets
 
 
-BUILT_IN: Mapping[str, BuiltIn] = MappingProxyType({"hoop": BuiltIn(HOOP, PRESETS)})
-"""By the names that they have on the command line and in files."""
+def _found(at: tuple[str, str]) -> Any:
+    module, name = at
+    return getattr(import_module(f"{__package__}.{module}"), name)
+
+
+BUILT_IN: Mapping[str, BuiltIn] = MappingProxyType(
+    {
+        "hoop": BuiltIn(("engines", "HOOP"), ("hoop.presets", "PRESETS")),
+        "court": BuiltIn(("court", "COURT"), ("court", "PRESETS")),
+    }
+)
+"""By the names that they have on the command line and in files, which are those of the engines."""
 
 SUFFIX = ".toml"
 """Of the name of a scene file."""
@@ -116,7 +137,8 @@ def engine_of(scene: Any) -> Engine:
 
 def presets_of(scene: Engine) -> Mapping[str, Parameters]:
     """Return the presets of a scene by name: none of one of one's own."""
-    return next((one.presets for one in BUILT_IN.values() if one.engine is scene), {})
+    one = BUILT_IN.get(scene.name)  # a scene of one's own may have the same name
+    return one.presets if one is not None and one.engine is scene else {}
 
 
 def outcomes_of(scene: Engine) -> tuple[str, ...]:
@@ -161,13 +183,17 @@ def variables_of(scene: Any) -> Mapping[str, Variable]:
 
 
 def _written(scene: Any) -> dict[str, Variable]:
-    return {one.name: _parameter(one.name, one.unit) for one in scene.inputs if one.own}
+    own = (one for one in scene.inputs if one.own)
+    return {one.name: _parameter(one.name, one.unit, one.infinite) for one in own}
 
 
 @cache
 def _engines_variables(scene: Engine) -> Mapping[str, Variable]:
     units = {name: unit for name, (_, unit, _) in scene.kernels.PARAMETERS.items()}
-    own = {name: _parameter(name, units.get(name, "")) for name in scene.parameters}
+    own = {
+        name: _parameter(name, units.get(name, ""), name in scene.infinite)
+        for name in scene.parameters
+    }
     return _with_states(own) if not scene.has_hoop else {**ARGUMENTS, **INSTEAD, **own}
 
 
@@ -181,18 +207,39 @@ def _with_states(own: Mapping[str, Variable]) -> Mapping[str, Variable]:
     return {**STATES, **own}
 
 
-def _parameter(name: str, unit: str) -> Variable:
-    return Variable(name, _KINDS.get(unit, "number"), name.replace("_", " "))
+def _parameter(name: str, unit: str, infinite: bool) -> Variable:
+    return Variable(name, _KINDS.get(unit, "number"), name.replace("_", " "), infinite)
 
 
-HOOPED: Mapping[str, Variable] = MappingProxyType(
-    {
+class _Hooped(Mapping[str, Variable]):
+    """Those of the article's scene, and only where they are not enough those of the others too."""
+
+    def __getitem__(self, name: str) -> Variable:
+        return VARIABLES[name] if name in VARIABLES else _of_all_hoops()[name]
+
+    def __contains__(self, name: object) -> bool:
+        # No component of a state is asked for in vain.
+        return name in VARIABLES or (name not in STATE and name in _of_all_hoops())
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(_of_all_hoops())
+
+    def __len__(self) -> int:
+        return len(_of_all_hoops())
+
+
+@cache
+def _of_all_hoops() -> Mapping[str, Variable]:
+    engines = [one.engine for one in BUILT_IN.values()]
+    return {
         name: variable
-        for one in BUILT_IN.values()
-        if one.engine.has_hoop
-        for name, variable in variables_of(one.engine).items()
+        for engine in engines
+        if engine.has_hoop
+        for name, variable in variables_of(engine).items()
     }
-)
+
+
+HOOPED: Mapping[str, Variable] = _Hooped()
 """Variables of a shot at any hoop there is."""
 
 
@@ -212,3 +259,20 @@ def check_hoop(what: str, scene: Any) -> None:
         f"{what}: its question is a hoop's, and {said} has none; estimate, compare, map, optimum, "
         "batch, simulate, certify, plot and view take any scene"
     )
+
+
+def check_article(what: str, scene: Any) -> None:
+    """Refuse any scene but the article's hoop, whose formulas and parameters a study is made of.
+
+    Raises
+    ------
+    ValueError
+        If it is another, with or without a hoop; says what asks.
+    """
+    check_hoop(what, scene)
+    if scene is not None and not scene.is_hoop:
+        raise ValueError(
+            f"{what}: it is computed for HOOP, the article's hoop, and not for the scene "
+            f"{scene.name}; estimate, compare, map, optimum, batch, simulate, certify, plot and "
+            "view take that"
+        )

@@ -13,7 +13,7 @@ import numpy as np
 
 from .engines import HOOP, Engine
 from .hoop.presets import NAMES, PRESETS, nearest_preset
-from .scenes import variables_of
+from .scenes import presets_of, variables_of
 from .variables import STATE, STATE_UNITS, is_state
 from .words import Quantity, quantity
 
@@ -59,7 +59,7 @@ def say_scene(parameters: Mapping[str, Any], by_row: Iterable[str] = ()) -> str:
 
 
 def say_of(scene: Engine, parameters: Mapping[str, Any], by_row: Iterable[str] = ()) -> str:
-    """Say any scene: the hoop as `say_scene` does, another by its name and what differs.
+    """Say any scene: the hoop as `say_scene` does, another by name, preset and what differs.
 
     Parameters
     ----------
@@ -73,8 +73,12 @@ def say_of(scene: Engine, parameters: Mapping[str, Any], by_row: Iterable[str] =
     if scene.is_hoop:
         return say_scene(parameters, by_row)
     said, apart = [scene.name], set(by_row)
-    for name, usual in scene.parameters.items():
-        value = np.asarray(parameters[name])
+    presets, base = presets_of(scene), scene.parameters
+    if presets:
+        named, _ = nearest_preset({n: v for n, v in parameters.items() if n not in apart}, presets)
+        said, base = [f"{scene.name}, {named.upper()}"], presets[named]
+    for name, usual in base.items():
+        value = np.asarray(parameters.get(name, usual))
         if name in apart:
             said.append(f"{name} by row")
         elif not np.all(value == usual):

@@ -118,6 +118,7 @@ _UNIT = (  # only a square ends in a digit: 6ft2in is feet, inches
     rf"{_WORD}(?:(?:\s*/\s*|\s+[pP][eE][rR]\s+){_WORD}(?:(?<=/s)2|(?<=\^)2)?)?"
 )
 _PART = re.compile(rf"\s*({_NUMBER})\s*({_UNIT})?", re.ASCII)
+_INFINITE = re.compile(r"\s*[+-]?inf(?:inity)?\s*", re.ASCII | re.IGNORECASE)
 _SIGN = re.compile(r"\s*([+-]?)", re.ASCII)
 
 
@@ -135,7 +136,7 @@ def unit_size(unit: str, kind: Kind) -> float | None:
     return _SIZES[kind].get(_SYMBOLS.get(symbol, symbol))
 
 
-def parse_quantity(text: str, kind: Kind) -> float:
+def parse_quantity(text: str, kind: Kind, *, infinite: bool = False) -> float:
     """Read a number with a unit and give it in SI.
 
     Parameters
@@ -146,11 +147,13 @@ def parse_quantity(text: str, kind: Kind) -> float:
         a unit it is SI; an angle or a spin other than 0 must have one.
     kind
         What is measured; see `UNITS`.
+    infinite
+        Whether ``inf`` is a value, too; it needs no unit.
 
     Returns
     -------
     float
-        m, m/s, rad, rad/s, m/s² or the number itself; always finite.
+        m, m/s, rad, rad/s, m/s² or the number itself; finite, or positive infinity where allowed.
 
     Raises
     ------
@@ -158,6 +161,11 @@ def parse_quantity(text: str, kind: Kind) -> float:
         The text is no number, the unit is not one of `kind` or is needed and not there, or the
         value is not finite.
     """
+    if _INFINITE.fullmatch(text):
+        if not infinite or "-" in text:
+            least = "a finite number, or plus infinity" if infinite else "a finite number"
+            raise ValueError(f"{brief(text)} is not {least}")
+        return math.inf
     sign, parts = _split(text, kind)
     if len(parts) > 1 and (kind != "length" or any(not unit for _, unit in parts)):
         raise ValueError(_complaint(text, kind))

@@ -30,11 +30,14 @@ class Variable:
         What is measured; `hoopgen.units.UNITS` has its units.
     label
         In words, for axes and tables.
+    infinite
+        Whether it may be infinite.
     """
 
     name: str
     kind: Kind
     label: str
+    infinite: bool = False
 
     @property
     def unit(self) -> str:
@@ -86,7 +89,8 @@ def check_names(name: str, given: Iterable[str], allowed: Iterable[str]) -> tupl
     ValueError
         The message begins with `name` and lists what is allowed.
     """
-    names, known = tuple(given), tuple(allowed)
+    names = tuple(given)
+    known = allowed if isinstance(allowed, Mapping) else tuple(allowed)
     unknown = [key for key in names if key not in known]
     if unknown:
         raise ValueError(f"{name}: unknown {listed(unknown)}. One of {', '.join(known)}")

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from math import isfinite
+from math import isfinite, isnan
 from typing import Any
 
 import numpy as np
@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from .hoop.presets import NAMES
 from .hoop.variables import VARIABLES
 from .printable import printable
+from .scenes import HOOPED
 from .units import Shown, shown, shown_system
 
 __all__ = [
@@ -51,7 +52,7 @@ def say(name: str, value: float, *, unit: bool = True) -> str:
 
 def _shown(name: str) -> Shown:
     """Return the unit that a variable is shown in, on axes too."""
-    kind = VARIABLES[name].kind
+    kind = HOOPED[name].kind
     inches = kind == "length" and name in _IN_INCHES and shown_system() == "us"
     return shown("short" if inches else kind)
 
@@ -102,13 +103,14 @@ def quantity(name: str, attributes: Mapping[str, object] | None = None) -> Quant
     Parameters
     ----------
     name
-        One of `hoopgen.hoop.variables.VARIABLES`, in SI units; or any other.
+        One of `hoopgen.hoop.variables.VARIABLES`, in SI units; or any other. Without attributes,
+        also one of `hoopgen.scenes.HOOPED`.
     attributes
         Of another one: ``long_name`` and ``units``, as xarray has them.
     """
-    if name in VARIABLES:
+    if name in VARIABLES or (attributes is None and name in HOOPED):
         one = _shown(name)
-        return Quantity(VARIABLES[name].label, one.symbol, one.size)
+        return Quantity(HOOPED[name].label, one.symbol, one.size)
     given = attributes or {}
     long_name, units = str(given.get("long_name", name)), str(given.get("units", ""))
     return Quantity(printable(long_name), printable(units))
@@ -119,9 +121,15 @@ def _with(unit: str, number: str) -> str:
 
 
 def for_json(value: Any) -> Any:
-    """Return a value, and all in it, in types that JSON knows: None for what is not a number."""
+    """Return a value, and all in it, in types that JSON knows.
+
+    JSON has no infinite number: it is the text "inf" or "-inf", which `float` reads; and None
+    stands for what is not a number.
+    """
     if isinstance(value, Mapping):
         return {str(name): for_json(one) for name, one in value.items()}
     if isinstance(value, list | tuple):
         return [for_json(one) for one in value]
-    return None if isinstance(value, float) and not isfinite(value) else value
+    if isinstance(value, float) and not isfinite(value):
+        return None if isnan(value) else str(float(value))
+    return value

@@ -23,7 +23,7 @@ from hoopgen.cli.progress import shown
 pa = pytest.importorskip("pyarrow")
 pq = pytest.importorskip("pyarrow.parquet")
 
-from hoopgen.hoop.kinds import ENDED, Kind, kinds  # noqa: E402
+from hoopgen.hoop.kinds import Kind, ended_in, kinds  # noqa: E402
 from hoopgen.study import batch as study_batch  # noqa: E402
 from hoopgen.study import chunks  # noqa: E402
 from hoopgen.study.columns import NAMED  # noqa: E402
@@ -132,9 +132,9 @@ def test_results_are_those_of_the_shots_row_by_row(source: Path, tmp_path: Path)
         np.testing.assert_array_equal(table[named(f"end_{name}")].to_numpy(), expected)
     for name, numbers in measure(states, shots, scene).items():
         np.testing.assert_array_equal(table[named(name)].to_numpy(), numbers)
-    counts = np.bincount(shots.outcome, minlength=len(ENDED))
+    counts = np.bincount(shots.outcome, minlength=len(ended_in(False)))
     assert list(outcomes.values()) == counts.tolist()
-    assert list(outcomes) == [outcome.name.lower() for outcome in ENDED]
+    assert list(outcomes) == [outcome.name.lower() for outcome in ended_in(False)]
     assert np.all(counts[: hoopgen.Outcome.INVALID] > 0), "throws of every kind"
 
 

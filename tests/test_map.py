@@ -74,7 +74,7 @@ def test_a_cell_is_the_estimate_of_its_release(over: Any, release: Any, sd: Any)
     assert dataset["probability"].dims == tuple(over)
     for at, cell in cells(dataset, over):
         alone = estimate(Scatter(release | at, sd, CORRELATION), scene, shots=300, seed=5)
-        for name in ("probability", "low", "high", *mapped._LABELS):
+        for name in ("probability", "low", "high", *(n for n in mapped._LABELS if n in cell)):
             assert cell[name].item() == getattr(alone, name), name
         shares = dict(zip(cell["kind"].values.tolist(), cell["share"].values.tolist(), strict=True))
         assert shares == alone.shares

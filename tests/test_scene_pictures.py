@@ -399,7 +399,7 @@ def test_a_shot_of_a_scene_is_proved_on_the_command_line(hole: Path) -> None:
     [
         (("--speed", "3"), "--speed is of a shot at a hoop; with --scene give --position and"),
         ((), "with --scene, give --position and --velocity"),
-        ((*GIVEN, "--preset", "nba"), "--preset is the hoop's"),
+        ((*GIVEN, "--preset", "nba"), "--preset is a hoop's"),
         ((*GIVEN, "--set", "spring=2"), "'spring' is none of bounce"),
         ((*GIVEN, "--set", "bounce=x"), "bounce: 'x' is not a number"),
         (

@@ -368,13 +368,13 @@ def test_the_command_line_runs_studies_of_a_scene(file: Path, tmp_path: Path) ->
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (("aim", "--scene", "FILE"), "hoopgen aim: its question is a hoop's; leave --scene out"),
+        (("aim", "--scene", "FILE"), "hoopgen aim: its question is a hoop's, the article's"),
         (("paper", "--scene", "FILE"), "hoopgen paper: its question is a hoop's"),
         (("estimate", *RELEASED), "--position is of a shot in a --scene"),
-        (("estimate", "--scene", "x.txt"), "expected hoop, or a scene file, .toml"),
+        (("estimate", "--scene", "x.txt"), "expected hoop or court, or a scene file, .toml"),
         (("estimate", "--scene", "none.toml"), "does not exist"),
         (("estimate", "--scene", "FILE", "--speed", "7"), "--speed is of a shot at a hoop"),
-        (("estimate", "--scene", "FILE", *RELEASED, "--preset", "nba"), "--preset is the hoop's"),
+        (("estimate", "--scene", "FILE", *RELEASED, "--preset", "nba"), "--preset is a hoop's"),
         (("estimate", "--scene", "FILE", *RELEASED, "--scatter", "speed=1"), "'speed' is none"),
         (("map", "--scene", "FILE", *RELEASED, "--over", "aim=0:1:3"), "'aim' is none of x, y, z"),
         (
@@ -494,9 +494,9 @@ def test_nothing_in_a_scene_file_of_a_study_is_run(
     ("given", "scene", "said"),
     [
         ('"none.toml"', None, "there is no file"),
-        ('"ledge.py"', LEDGE, "expected hoop, or a scene file, .toml; got 'ledge.py'"),
-        ('"/dev/zero"', LEDGE, "expected hoop, or a scene file, .toml"),
-        ('"."', LEDGE, "expected hoop, or a scene file"),
+        ('"ledge.py"', LEDGE, "expected hoop or court, or a scene file, .toml; got 'ledge.py'"),
+        ('"/dev/zero"', LEDGE, "expected hoop or court, or a scene file, .toml"),
+        ('"."', LEDGE, "expected hoop or court, or a scene file"),
         ('"ledge.toml"', "[[[", "this is not TOML"),
         ('"ledge.toml"', "\x00", "this is not TOML"),
         ('"ledge.toml"', 'name = "no bodies"', "scene"),

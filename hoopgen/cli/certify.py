@@ -114,7 +114,8 @@ def _read(file: Path, scene: Engine) -> tuple[list[float], dict[str, float]]:
 
     try:
         record = json.loads(file.read_text(encoding="utf-8"))
-        return list(record["release"]), parameters_named(dict(record["parameters"]), scene)
+        said = parameters_named(dict(record["parameters"]), scene)
+        return list(record["release"]), {name: float(value) for name, value in said.items()}
     except (ValueError, KeyError, TypeError):
         raise click.ClickException(
             f"{file}: expected what `hoopgen shot --json` writes, with release and parameters"

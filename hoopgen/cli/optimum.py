@@ -109,7 +109,14 @@ def optimum(
             usual = {n: None if n in _AIMING else ends for n, ends in over.items()}
             beside = folder and folder / "versus"
             rival = best_release(
-                model, usual, parameters, by=versus, margins=(), folder=beside, **options
+                model,
+                usual,
+                parameters,
+                scene=scene,
+                by=versus,
+                margins=(),
+                folder=beside,
+                **options,
             )
     if as_json:
         click.echo(json.dumps(_record(best, rival), indent=2, allow_nan=False))

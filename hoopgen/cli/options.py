@@ -126,7 +126,8 @@ preset_options = together(
         type=click.Choice(list(PRESETS), case_sensitive=False),
         default="paper",
         show_default=True,
-        help="Ball, ring, board and restitution; a file of results names its own.",
+        help="Ball, ring, board and restitution; a file of results names its own. Of --scene court "
+        "restitution and friction too, of which most are guesses.",
     ),
     click.option(
         "--set",
@@ -207,7 +208,8 @@ class _By(click.Choice[str]):
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         """Return the way or the end."""
-        own = ctx is not None and ctx.meta.get(SCENE) is not None
+        scene = None if ctx is None else ctx.meta.get(SCENE)
+        own = scene is not None and not getattr(scene, "has_hoop", False)
         return value if own else super().convert(value, param, ctx)
 
 

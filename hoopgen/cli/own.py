@@ -10,6 +10,7 @@ from click.core import ParameterSource
 
 from hoopgen.brief import brief
 from hoopgen.cli.types import FILE, SCENE, Parsed
+from hoopgen.scenes import BUILT_IN
 from hoopgen.units import Kind, parse_quantity
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ _COMPONENTS = (("x", "y", "z"), ("vx", "vy", "vz"), ("wx", "wy", "wz"))
 class _Scene(click.ParamType[str]):
     """A scene by its name, or a scene file."""
 
-    name = "hoop|FILE.toml"
+    name = "|".join((*BUILT_IN, "FILE.toml"))
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         """Return the text, once it names a scene that there is."""
@@ -74,8 +75,8 @@ scene_option = click.option(
 def _refuse(ctx: click.Context, _: click.Parameter, text: str | None) -> None:
     if text not in (None, "hoop"):
         raise click.UsageError(
-            f"hoopgen {ctx.info_name}: its question is a hoop's; leave --scene out, or ask "
-            "estimate, map, optimum, batch, view, shot or certify, which take any scene"
+            f"hoopgen {ctx.info_name}: its question is a hoop's, the article's; leave --scene out, "
+            "or ask estimate, map, optimum, batch, view, shot or certify, which take any scene"
         )
 
 
@@ -147,7 +148,9 @@ def parameters_of(engine: Engine, preset: str, settings: Mapping[str, float]) ->
     if preset in presets:
         return presets[preset] | dict(settings)
     if given("preset"):
-        raise click.UsageError("--preset is the hoop's; with --scene, leave it out")
+        raise click.UsageError(
+            f"--preset is a hoop's, and the scene {engine.name} has none; leave it out"
+        )
     return engine.parameters | dict(settings)
 
 

@@ -34,6 +34,7 @@ from hoopgen.cli.types import PAGE
 from hoopgen.inputs import Backend
 from hoopgen.phrases import counted
 from hoopgen.told import say_of
+from hoopgen.words import for_json
 
 if TYPE_CHECKING:
     import numpy as np
@@ -119,7 +120,9 @@ def shot(
 
         view(shots, parameters, page)
     if as_json:
-        click.echo(json.dumps(_record(shots, state, parameters), indent=2, allow_nan=False))
+        click.echo(
+            json.dumps(for_json(_record(shots, state, parameters)), indent=2, allow_nan=False)
+        )
     else:
         click.echo(_summary(shots, state))
         click.echo(f"scene      {say_of(shots.scene, parameters)}")
@@ -154,6 +157,9 @@ def _outcome_text(shots: hoopgen.Shots) -> str:
         return f"{said}: {counted(shots.contacts[0], 'contact')}, and not yet at the end plane"
     if outcome == hoopgen.Outcome.SHORT:
         return f"{said}: the ball never comes down through the end plane"
+    if outcome in (hoopgen.Outcome.LODGED, hoopgen.Outcome.ENDLESS):
+        where = "at rest on the hoop" if outcome == hoopgen.Outcome.LODGED else "still on its way"
+        return f"{said}: {where} after {shots.time[0]:.3f} s"
     off_centre = math.hypot(shots.state[0, 0], shots.state[0, 1])
     unit = shown("length")
     far = f"{off_centre / unit.size:.{unit.decimals}f} {unit.symbol}"

@@ -160,7 +160,7 @@ class OfScene(Parsed[Value]):
 
 def _read(text: str, variable: Variable) -> float:
     try:
-        return parse_quantity(text, variable.kind)
+        return parse_quantity(text, variable.kind, infinite=variable.infinite)
     except ValueError as error:
         raise ValueError(f"{variable.name}: {error}") from None
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from hoopgen.generated.numpy.hoop import BODIES, Outcome
 
-__all__ = ["ENDED", "Kind", "kinds"]
+__all__ = ["Kind", "ended_in", "kinds"]
 
 _RING, _BOARD, _BRIDGE = (BODIES.index(name) for name in ("ring", "backboard", "bridge"))
 
@@ -30,7 +30,7 @@ class Kind(IntEnum):
     AIRBALL = 5
     """Missed, and touched nothing."""
     NONE = 6
-    """Touched nothing, and was neither made nor missed: short or invalid."""
+    """Touched nothing, and was neither made nor missed: short, endless or invalid."""
 
 
 def kinds(
@@ -53,8 +53,9 @@ def kinds(
     return np.asarray(_KIND_OF[board * 1 + frame * 2 + (first == _BOARD) * 4, outcome])
 
 
-ENDED = tuple(one for one in Outcome if one <= Outcome.INVALID)
-"""How the shots of a study end: none has a time limit, and on the hoop none comes to rest."""
+def ended_in(rolls: bool) -> tuple[Outcome, ...]:
+    """Return how the shots of a study can end: none is at rest or endless where none can roll."""
+    return tuple(one for one in Outcome if rolls or one <= Outcome.INVALID)
 
 
 def _kind_of() -> NDArray[np.uint8]:

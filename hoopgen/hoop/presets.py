@@ -64,18 +64,22 @@ PRESETS: Mapping[str, Parameters] = MappingProxyType({"paper": PAPER, "nba": NBA
 """By the names that they have on the command line and in files."""
 
 
-def nearest_preset(parameters: Mapping[str, Any]) -> tuple[str, dict[str, Any]]:
+def nearest_preset(
+    parameters: Mapping[str, Any], presets: Mapping[str, Mapping[str, Any]] = PRESETS
+) -> tuple[str, dict[str, Any]]:
     """Return the preset that differs in the fewest parameters, and those that differ from it.
 
     Parameters
     ----------
     parameters
         Of the scene, one number each or (n,). Names that are not there do not count.
+    presets
+        By name.
 
     Returns
     -------
     tuple
-        A key of `PRESETS`, of several the first; and names and values.
+        A key of `presets`, of several the first; and names and values.
     """
 
     def apart(preset: Mapping[str, Any]) -> dict[str, Any]:
@@ -85,6 +89,6 @@ def nearest_preset(parameters: Mapping[str, Any]) -> tuple[str, dict[str, Any]]:
             if name in preset and not np.all(np.asarray(value) == preset[name])
         }
 
-    differences = {name: apart(preset) for name, preset in PRESETS.items()}
+    differences = {name: apart(preset) for name, preset in presets.items()}
     nearest = min(differences, key=lambda name: len(differences[name]))
     return nearest, differences[nearest]

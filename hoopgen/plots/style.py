@@ -88,7 +88,13 @@ MISSED_LINES: Mapping[str, str] = MappingProxyType(
 """Of lines of missed shots, which on paper are lost in paler colours."""
 
 NEITHER: Mapping[str, str] = MappingProxyType(
-    {"capped": "#000000", "short": "#C4C4C4", "invalid": "#A6A6A6"}
+    {
+        "capped": "#000000",
+        "short": "#C4C4C4",
+        "invalid": "#A6A6A6",
+        "lodged": "#5F5F5F",
+        "endless": "#333333",
+    }
 )
 """Of a shot that is neither made nor missed, by outcome."""
 

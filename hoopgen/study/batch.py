@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from hoopgen.brief import listed
 from hoopgen.engines import Engine
-from hoopgen.hoop.kinds import ENDED
+from hoopgen.hoop.kinds import ended_in
 from hoopgen.hoop.releases import from_zero
 from hoopgen.inputs import check_count, doubles
 from hoopgen.outputs import check_output, followed
@@ -33,7 +33,7 @@ from .chunks import check_workers, opened, run, written
 from .columns import Column, variable_of
 from .flights import Flights
 from .frames import sourced
-from .measures import MEASURES
+from .measures import measures_of
 from .models import check_turns
 from .named import named
 from .origin import settle
@@ -170,7 +170,7 @@ def batch(
             origin.max_contacts,
             engine,
         )
-        check_names("measures", shots.measures, MEASURES)
+        check_names("measures", shots.measures, measures_of(engine))
         stamp = table.stamp()
         columns = table.columns(origin.own, shots.release, engine)
         said = say_of(engine, origin.parameters, columns)
@@ -192,8 +192,9 @@ def batch(
                     write(results.table(work.read.popleft(), chunk, schema))
                 table.check_unchanged(stamp)  # its own columns were read until now
             folder.remove()
-        # No shot at the hoop comes to rest, and none has a time limit.
-        ended = [o.name.lower() for o in ENDED] if engine.is_hoop else outcomes_of(engine)
+        ended = outcomes_of(engine)
+        if engine.has_hoop:
+            ended = tuple(one.name.lower() for one in ended_in(engine.rolls))
         counts = dict(zip(ended, results.outcomes.tolist(), strict=False))
         told = ", ".join(f"{column.name} as {name}" for name, column in columns.items())
         return Batch(

@@ -259,7 +259,7 @@ def _of_a_state(best: Optimum) -> list[str]:
 def _where(best: Optimum) -> str:
     """Say where the ball goes: on the board, or down into the ring."""
     if best.by == "bank":
-        touch = on_board(best.arguments, best.parameters)
+        touch = on_board(best.arguments, best.parameters, best.scene)
         side = "right" if touch["touch_y"] >= 0 else "left"
         return (
             f"flight   touches the board {say('aim', touch['touch_z'])} above the ring, "

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
+from hoopgen.engines import HOOP, Engine
 from hoopgen.hoop.releases import release
 from hoopgen.hoop.variables import ARGUMENTS
 from hoopgen.results import SURFACES
@@ -15,7 +16,9 @@ __all__ = ["on_board"]
 _BACKBOARD = SURFACES.index("backboard")
 
 
-def on_board(arguments: Mapping[str, float], parameters: Mapping[str, float]) -> dict[str, float]:
+def on_board(
+    arguments: Mapping[str, float], parameters: Mapping[str, float], scene: Engine = HOOP
+) -> dict[str, float]:
     """Return where the ball of a bank shot touches the board, and where its release points.
 
     Parameters
@@ -24,6 +27,8 @@ def on_board(arguments: Mapping[str, float], parameters: Mapping[str, float]) ->
         Of `hoopgen.release`, one number each.
     parameters
         Of the scene.
+    scene
+        The scene itself, with a hoop.
 
     Returns
     -------
@@ -35,7 +40,7 @@ def on_board(arguments: Mapping[str, float], parameters: Mapping[str, float]) ->
     if math.isnan(arguments["speed"]):
         return nowhere
     state = release(**{name: arguments[name] for name in ARGUMENTS})
-    events = simulate(state, parameters, record=True).events
+    events = simulate(state, parameters, scene=scene, record=True).events
     if not len(events) or events["surface"][0] != _BACKBOARD:
         return nowhere
     # The board's normal is along x: the ball touches at its centre's y and z.

@@ -40,10 +40,13 @@ class Column:
         Of the column.
     unit
         Its size in SI.
+    infinite
+        Whether a number in it may be infinite.
     """
 
     name: str
     unit: float
+    infinite: bool = False
 
 
 @cache
@@ -113,7 +116,8 @@ def columns_of(
         if variable and variable not in given:
             if unit is None and not old:
                 raise ValueError(_no_unit(column, variable, scene))
-            found[variable] = Column(column, 1.0 if unit is None else unit)
+            infinite = variable in scene.infinite
+            found[variable] = Column(column, 1.0 if unit is None else unit, infinite)
     _ask(
         names, {*own, *(column.name for column in found.values())}, {*found, *given}, _kinds(scene)
     )
@@ -231,7 +235,8 @@ def values(
     Returns
     -------
     dict
-        By variable, (n,) each; NaN where a cell is empty, no number, or not finite.
+        By variable, (n,) each; NaN where a cell is empty, no number, or infinite where it may not
+        be.
 
     Raises
     ------
@@ -258,4 +263,5 @@ def _numbers(table: pa.Table, column: Column, comma: bool) -> NDArray[np.float64
     ):
         raise ValueError(f"column {column.name}: expected numbers, got {kind}")
     numbers = cells.cast(pa.float64(), safe=False).to_numpy() * column.unit
-    return np.where(np.isfinite(numbers), numbers, np.nan)
+    there = np.isfinite(numbers) | (column.infinite & (numbers == np.inf))
+    return np.where(there, numbers, np.nan)

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.engines import HOOP, Engine
-from hoopgen.hoop.kinds import ENDED, Kind
+from hoopgen.hoop.kinds import Kind, ended_in
 from hoopgen.inputs import Backend
 from hoopgen.phrases import decimals, doubtful, interval, percent
 from hoopgen.results import Outcome
@@ -67,6 +67,9 @@ class Estimate(Said):
         Release model and parameters.
     scene
         In which the shots were thrown.
+    lodged, endless
+        Shots at rest on the hoop, and those still on their way at the time limit: none where no
+        ball rolls.
     """
 
     probability: float
@@ -86,6 +89,8 @@ class Estimate(Said):
     seed: int
     setting: Mapping[str, Any]
     scene: Engine = field(default=HOOP, compare=False)
+    lodged: int = 0
+    endless: int = 0
 
     @property
     def shares(self) -> dict[str, float]:
@@ -117,7 +122,7 @@ class Estimate(Said):
 
     def __str__(self) -> str:
         digits = decimals(self.half_width)
-        ended = (outcome.name.lower() for outcome in ENDED)
+        ended = (outcome.name.lower() for outcome in ended_in(self.scene.rolls))
         counts = [f"{getattr(self, name):,} {name}" for name in ended]
         counts.append(doubtful(self.uncertain, self.uncertain_capped))
         lines = [
@@ -244,7 +249,9 @@ def estimated(work: Work, total: NDArray[np.int64], which: int, level: float) ->
 
 
 def _estimated(work: Work, tally: Tally, which: int, level: float) -> Estimate:
-    ended = {outcome.name.lower(): int(tally.ended(outcome)) for outcome in ENDED}
+    ended = {
+        outcome.name.lower(): int(tally.ended(outcome)) for outcome in ended_in(work.scene.rolls)
+    }
     valid = int(tally.valid)
     low, high = wilson(ended["made"], valid, level)
     names = [kind.name.lower() for kind in Kind]

@@ -17,6 +17,7 @@ from typing import IO, Any
 import pyarrow as pa
 
 from hoopgen import outputs
+from hoopgen.words import for_json
 
 from .lock import LOCK, held, read_file
 from .workers import versions
@@ -205,7 +206,7 @@ def flat(values: Mapping[str, Any], prefix: str = "") -> dict[str, str]:
         if isinstance(value, Mapping):
             leaves |= flat(value, f"{prefix}{name}.")
         else:
-            leaves[f"{prefix}{name}"] = json.dumps(value)
+            leaves[f"{prefix}{name}"] = json.dumps(for_json(value))
     return leaves
 
 

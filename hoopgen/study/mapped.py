@@ -12,7 +12,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.engines import Engine
-from hoopgen.hoop.kinds import Kind
+from hoopgen.hoop.kinds import Kind, ended_in
 from hoopgen.hoop.variables import STANDS_FOR, change_variables
 from hoopgen.installed import version
 from hoopgen.phrases import percent
@@ -20,6 +20,7 @@ from hoopgen.results import Outcome
 from hoopgen.scenes import STATES, outcomes_of, variables_of
 from hoopgen.told import model_told, say_of, say_scene, told_setting
 from hoopgen.variables import Variable
+from hoopgen.words import for_json
 
 from .intervals import wilson
 from .resample import Resample
@@ -132,7 +133,7 @@ def _probabilities(work: Work, numbers: Counts, level: float) -> dict[str, xr.Va
     dims = tuple(work.axes)
     counts = {
         "shots": tally.shots,
-        **{one: tally.ended(Outcome[one.upper()]) for one in _COUNTED},
+        **{one: tally.ended(Outcome[one.upper()]) for one in _counted(work.scene)},
         "uncertain": tally.uncertain,
         "uncertain_capped": tally.uncertain_capped,
     }
@@ -145,13 +146,18 @@ def _probabilities(work: Work, numbers: Counts, level: float) -> dict[str, xr.Va
     }
 
 
-_COUNTED = ("made", "capped", "short", "invalid")
+def _counted(scene: Engine) -> tuple[str, ...]:
+    """Return the outcomes of which a map has the numbers; the missed ones are the others."""
+    return tuple(one.name.lower() for one in ended_in(scene.rolls) if one != Outcome.MISSED)
+
 
 _LABELS = {
     "shots": "shots",
     "made": "shots made",
     "capped": "shots given up after so many contacts",
     "short": "shots that never come down through the end plane",
+    "lodged": "shots that come to rest on the hoop",
+    "endless": "shots still on their way at the time limit",
     "invalid": "shots that cannot be simulated, and are no trials",
     "uncertain": "shots with a decision within its rounding-error bound",
     "uncertain_capped": "those of them that were given up",
@@ -231,7 +237,7 @@ def _attributes(work: Work, level: float) -> dict[str, Any]:
         "Conventions": "CF-1.11",
         "source": f"hoopgen {version()}",
         **_said(work, scene, by_row),
-        "parameters": json.dumps(scene),
+        "parameters": json.dumps(for_json(scene)),
         "max_contacts": work.max_contacts,
         **(
             {}
@@ -250,10 +256,9 @@ def _said(work: Work, scene: Mapping[str, float], by_row: Sequence[str]) -> dict
     if work.scene.is_hoop:
         return {"scene": say_scene(scene, by_row)}
     told = told_setting({**work.model.identity(), "parameters": work.parameters}, work.scene)
-    usual = work.scene.parameters
     return {
         # What is mapped over is in the coordinates.
-        "scene": say_of(work.scene, {**usual, **scene}, by_row),
+        "scene": say_of(work.scene, scene, by_row),
         "scene_sha256": work.scene.identity["sha256"],
         **{f"said_{name}": told[name] for name in ("release", "scatter") if told.get(name)},
     }

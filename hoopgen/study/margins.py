@@ -15,7 +15,7 @@ from hoopgen.hoop.presets import PAPER
 from hoopgen.hoop.variables import VARIABLES
 from hoopgen.inputs import check_count
 from hoopgen.phrases import counted
-from hoopgen.told import say_scene
+from hoopgen.told import say_of
 from hoopgen.units import DEGREE, TURN
 from hoopgen.variables import check_names
 from hoopgen.words import between, for_json, say
@@ -201,7 +201,8 @@ def margins_about(
             least = player.thrown(values, shots, seed).share[0] - tolerance
             line = _Line(name, values, player, shots, least, seed)
             steady, _ = line.intervals(searched, *_SMOOTH)
-        scene = say_scene({k: v for k, v in exact.parameters.items() if k != name})
+        others = {k: v for k, v in exact.parameters.items() if k != name}
+        scene = say_of(player.scene, others)
         found[name] = Margin(name, values[name], low, high, elsewhere, searched, steady, scene)
     return found
 

@@ -15,8 +15,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hoopgen.engines import Engine
 from hoopgen.generated.numpy import hoop
-from hoopgen.hoop.presets import HOOP_TABLE, NAMES, PAPER
+from hoopgen.hoop.presets import PAPER
 from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.inputs import check_states
 from hoopgen.parameters import Value, resolve
@@ -27,7 +28,7 @@ from hoopgen.variables import check_names
 
 from .nearest import nearest, rows_of
 
-__all__ = ["MEASURES", "Measure", "measure"]
+__all__ = ["MEASURES", "Measure", "measure", "measures_of"]
 
 Floats = NDArray[np.float64]
 
@@ -54,7 +55,7 @@ def measure(
     parameters
         Of the scene, as they were then: one number, or (n,).
     names
-        Of `MEASURES`; None for all. What is not wanted is not computed.
+        Of `measures_of` the scene; None for all. What is not wanted is not computed.
 
     Returns
     -------
@@ -69,13 +70,15 @@ def measure(
         If `shots` lacks a field.
     """
     check_hoop("measure", shots.scene)
-    wanted = check_names("names", MEASURES if names is None else names, MEASURES)
+    there = measures_of(shots.scene)
+    wanted = check_names("names", there if names is None else names, there)
     releases = check_states(states)
     if len(releases) != len(shots):
         raise ValueError(
             f"states: expected the {len(shots)} releases of shots, got {len(releases)}"
         )
-    values = resolve(parameters, len(shots), HOOP_TABLE)
+    scene = shots.scene
+    values = resolve(parameters, len(shots), scene.table)
     columns = {name: np.full(len(shots), np.nan) for name in wanted}
     needed = {"outcome", *(name for measured in wanted for name in MEASURES[measured].fields)}
     results = {name: getattr(shots, name) for name in sorted(needed)}
@@ -85,7 +88,10 @@ def measure(
         block = _Block(
             releases[rows],
             {name: result[rows] for name, result in results.items()},
-            dict(zip(NAMES, (rows_of(value, rows) for value in values), strict=True)),
+            dict(
+                zip(scene.table.defaults, (rows_of(value, rows) for value in values), strict=True)
+            ),
+            scene,
         )
         with np.errstate(all="ignore"):  # what is out of range there is NaN
             for group in groups:
@@ -97,11 +103,12 @@ def measure(
 
 @dataclass(frozen=True)
 class _Block:
-    """Some shots: releases, results and parameters."""
+    """Some shots: releases, results, parameters, and their scene."""
 
     states: Floats
     results: Mapping[str, NDArray[Any]]
     parameters: Mapping[str, Value]
+    scene: Engine
 
     def __len__(self) -> int:
         return len(self.states)
@@ -124,7 +131,12 @@ class _Block:
     def again(self, rows: NDArray[np.intp], max_contacts: int, **options: Any) -> Shots:
         """Simulate some of the shots up to so many contacts."""
         return simulate(
-            self.states[rows], self.of(rows), max_contacts=max_contacts, threads=1, **options
+            self.states[rows],
+            self.of(rows),
+            scene=self.scene,
+            max_contacts=max_contacts,
+            threads=1,
+            **options,
         )
 
     def descent(self, states: Floats, level: ArrayLike) -> tuple[Floats, Floats]:
@@ -183,7 +195,8 @@ def _at_the_end(block: _Block) -> dict[str, Floats]:
 
 def _on_the_floor(block: _Block) -> dict[str, Floats]:
     """Return when, where and how the ball comes to the floor."""
-    falls = block.results["outcome"] != Outcome.CAPPED
+    outcome = block.results["outcome"]
+    falls = block.ended | (outcome == Outcome.SHORT)
     time, there = block.descent(block.results["state"], block.floor)
     time, (x, y, _, vx, vy, vz) = np.where(falls, time, np.nan), np.where(falls, there, np.nan)
     return {
@@ -315,3 +328,11 @@ def _measures() -> Iterator[Measure]:
 
 MEASURES: Mapping[str, Measure] = MappingProxyType({each.name: each for each in _measures()})
 """What can be measured, by name."""
+
+
+def measures_of(scene: Engine) -> Mapping[str, Measure]:
+    """Return what can be measured in a scene, by name.
+
+    The clearance is that of flights, and so none where a ball may roll.
+    """
+    return {n: one for n, one in MEASURES.items() if not (scene.rolls and n == "clearance")}

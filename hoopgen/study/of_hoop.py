@@ -1,4 +1,4 @@
-"""Studies whose question is a hoop's: of another scene they say so, in one line."""
+"""Studies of the article's hoop alone: of another scene they say so, in one line."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import functools
 from collections.abc import Callable
 from typing import ParamSpec, TypeVar
 
-from hoopgen.scenes import check_hoop
+from hoopgen.scenes import check_article
 
 __all__ = ["of_hoop"]
 
@@ -15,11 +15,11 @@ Found = TypeVar("Found")
 
 
 def of_hoop(study: Callable[Given, Found]) -> Callable[Given, Found]:
-    """Make a study refuse ``scene=`` of another scene in a line, and take the hoop's."""
+    """Make a study refuse ``scene=`` of another scene in a line, and take the article's."""
 
     @functools.wraps(study)
     def asked(*arguments: Given.args, **options: Given.kwargs) -> Found:
-        check_hoop(study.__name__, options.pop("scene", None))
+        check_article(study.__name__, options.pop("scene", None))
         return study(*arguments, **options)
 
     return asked

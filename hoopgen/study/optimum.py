@@ -190,6 +190,6 @@ def scattering(
 def _coming_down(release: Mapping[str, float], player: Player) -> tuple[float, float]:
     """Return entry angle and depth of the shot without scatter."""
     shot = resolve_variables(release, player.parameters)
-    shots = simulate(shot.states, shot.parameters)
+    shots = simulate(shot.states, shot.parameters, scene=player.scene)
     found = measure(shot.states, shots, shot.parameters, ("entry_angle", "depth"))
     return found["entry_angle"].item(), found["depth"].item()

@@ -19,6 +19,7 @@ from hoopgen.installed import version
 from hoopgen.scenes import variables_of
 from hoopgen.told import say_of
 from hoopgen.variables import check_names
+from hoopgen.words import for_json
 
 from .columns import NAMED, variable_of
 from .tables import Source
@@ -68,7 +69,7 @@ class Origin:
             made = {"preset": nearest_preset(self.parameters)[0]}
         said = {"version": version(), **made, "scene": scene, NAMED: True}
         shared = {one.name: getattr(self, one.name) for one in fields(self) if one.name != "engine"}
-        return {_KEY: json.dumps({**said, **shared}).encode()}
+        return {_KEY: json.dumps(for_json({**said, **shared})).encode()}
 
 
 class OtherScene(ValueError):
@@ -102,7 +103,7 @@ def origin_of(table: Source, scene: Engine = HOOP) -> Origin | None:
         release = {name: float(value) for name, value in said["release"].items()}
         check_names("release", release, variables_of(scene))
         return Origin(
-            check_scene(said["parameters"], scene),
+            check_scene({n: float(v) for n, v in said["parameters"].items()}, scene),
             release,
             check_contacts(said["max_contacts"]),
             tuple(name for name in said.get("own", ()) if name in schema.names),

@@ -15,7 +15,7 @@ from hoopgen.engines import Engine
 from hoopgen.variables import Releases
 
 from .columns import Column
-from .tallies import allowed
+from .tallies import allowed, not_allowed
 
 __all__ = ["reasons"]
 
@@ -54,7 +54,7 @@ def reasons(
 
 
 def _cell(name: str, cell: Any) -> str:
-    """Say what is wrong with a cell that gave no finite number."""
+    """Say what is wrong with a cell that gave no number that is allowed."""
     column = cut(name)
     if cell is None or (isinstance(cell, str) and not cell.strip()):
         return f"no value in {column}"
@@ -72,13 +72,15 @@ def _shot(releases: Releases, row: int, scene: Engine) -> str:
         name: np.float64(np.broadcast_to(value, len(releases))[row])
         for name, value in releases.parameters.items()
     }
-    usual = scene.table.defaults
-    wrong = [n for n, value in own.items() if not np.isfinite(value) and np.isfinite(usual[n])]
+    wrong = [
+        n
+        for n, value in own.items()
+        if not np.isfinite(value) and not (n in scene.infinite and value == np.inf)
+    ]
     if wrong:
         return f"not finite: {', '.join(wrong)}"
     if not allowed(scene, own):
-        alone = [name for name in own if allowed(scene, own | {name: np.float64(usual[name])})]
-        named = [f"{name} {own[name]:g}" for name in alone]
+        named = [f"{name} {own[name]:g}" for name in not_allowed(scene, own)]
         return f"parameter not allowed: {', '.join(named) or 'several'}"
     speed = releases.columns.get("speed")
     if speed is not None and np.isnan(speed[row]):

@@ -80,7 +80,8 @@ class Scatter:
         check_known("release", self.release, self._names)
         # Of a scatter alone it is not known what it is about: perhaps a state.
         hooped = self.release or any(name in HOOPED and name not in STATE for name in self.sd)
-        if hooped and not self.is_state:
+        plain = (name in HOOPED and name not in INSTEAD for name in self.sd)
+        if hooped and not self.is_state and not all(plain):
             check_names("sd", self.sd, [name for name in HOOPED if name not in INSTEAD])
         for name, value in self.release.items():
             if doubles(f"release[{name!r}]", value).ndim:

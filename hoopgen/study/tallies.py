@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from hoopgen.brief import brief
+from hoopgen.brief import brief, listed
 from hoopgen.engines import HOOP, Engine
 from hoopgen.hoop.kinds import Kind, kinds
 from hoopgen.inputs import check_contacts, is_whole
@@ -146,11 +146,21 @@ def check_scene(parameters: Mapping[str, Any] | None, scene: Engine = HOOP) -> d
     wrong = [name for name, value in (parameters or {}).items() if np.ndim(value)]
     if wrong:
         raise ValueError(f"parameters: expected one number for {', '.join(wrong)}")
+    endless = [n for n, v in values.items() if not np.isfinite(v) and not _infinite(scene, n, v)]
+    if endless:
+        said = listed(f"{name} {values[name]}" for name in endless)
+        raise ValueError(f"parameters: no shot can be simulated with these: {said} is not finite")
     if not allowed(scene, values):
-        fit = ", or the ball is too big for the ring" if scene.has_hoop else ""
-        size = "a size or gravity is not above zero" if scene.has_hoop else "one is not allowed"
-        raise ValueError(f"parameters: no shot can be simulated with these: {size}{fit}")
+        alone = listed(f"{name} {values[name]}" for name in not_allowed(scene, values))
+        why = f"{alone} not allowed" if alone else "one is not allowed, beside the others"
+        if scene.is_hoop:
+            why = "a size or gravity is not above zero, or the ball is too big for the ring"
+        raise ValueError(f"parameters: no shot can be simulated with these: {why}")
     return {name: float(value) for name, value in values.items()}
+
+
+def _infinite(scene: Engine, name: str, value: Any) -> bool:
+    return name in scene.infinite and bool(value == np.inf)
 
 
 def allowed(scene: Engine, parameters: Mapping[str, Any]) -> bool:
@@ -160,6 +170,12 @@ def allowed(scene: Engine, parameters: Mapping[str, Any]) -> bool:
     with np.errstate(all="ignore"):
         asked = (np.float64(given[name]) for name in scene.kernels.ARGUMENTS["allowed"])
         return bool(kernel(*asked)[0])
+
+
+def not_allowed(scene: Engine, parameters: Mapping[str, Any]) -> list[str]:
+    """Return the parameters with the usual value of any of which the others would be allowed."""
+    usual = scene.table.defaults
+    return [n for n in parameters if allowed(scene, {**parameters, n: np.float64(usual[n])})]
 
 
 def contacts_of(max_contacts: int | None, scene: Engine) -> int:

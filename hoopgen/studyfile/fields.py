@@ -88,9 +88,18 @@ class Listed:
 
 @dataclass(frozen=True)
 class Values:
-    """Values of a variable: one, a list, or from one to another."""
+    """Values of a variable: one, a list, or from one to another.
+
+    Attributes
+    ----------
+    kind
+        What is measured.
+    infinite
+        Whether one of a list may be infinite.
+    """
 
     kind: Kind
+    infinite: bool = False
 
     @property
     def words(self) -> str:
@@ -99,10 +108,11 @@ class Values:
         return f"a list of {self.kind}s, or {{ from = {first}, to = {last}, count = 11 }}"
 
     def __get_pydantic_core_schema__(self, _: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
-        one = handler.generate_schema(Annotated[Any, Quantity(self.kind)])
+        value = Quantity(self.kind, infinite=self.infinite)
+        one = handler.generate_schema(Annotated[Any, value])
         ways = {
             "<range>": handler.generate_schema(_range(self.kind)),
-            "<list>": handler.generate_schema(Annotated[Any, Listed(Quantity(self.kind), 1)]),
+            "<list>": handler.generate_schema(Annotated[Any, Listed(value, 1)]),
             "<one>": one,
         }
         return core_schema.no_info_after_validator_function(

@@ -6,6 +6,7 @@ import html
 import json
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from math import isfinite
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
@@ -135,7 +136,15 @@ def _keys(values: Mapping[str, Any], prefix: str = "") -> Iterator[str]:
         if isinstance(value, Mapping) and value:
             yield from _keys(value, f"{prefix}{key}.")
         else:
-            yield f"{prefix}{key} = {json.dumps(value, ensure_ascii=False, default=str)}"
+            yield f"{prefix}{key} = {_value(value)}"
+
+
+def _value(value: Any) -> str:
+    if isinstance(value, list):
+        return f"[{', '.join(map(_value, value))}]"
+    if isinstance(value, float) and not isfinite(value):
+        return str(value)  # as TOML has it, and JSON has not
+    return json.dumps(value, ensure_ascii=False, default=str)
 
 
 def _text(said: object) -> str:

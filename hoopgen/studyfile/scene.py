@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -26,6 +27,8 @@ __all__ = [
     "Varying",
     "Way",
     "kind_of",
+    "limits_of",
+    "may_be_infinite",
     "named_by",
     "releasing",
     "scattering",
@@ -83,6 +86,17 @@ def scene_keys() -> tuple[str, ...]:
 def kind_of(name: str) -> Kind:
     """Return what a variable measures."""
     return variables_of(_SCENE.get())[name].kind
+
+
+def may_be_infinite(name: str) -> bool:
+    """Return whether a variable may be infinite."""
+    return variables_of(_SCENE.get())[name].infinite
+
+
+def limits_of(name: str) -> tuple[float, float]:
+    """Return the least and the largest value that a variable may have."""
+    limits: tuple[float, float] = _SCENE.get().table.limits.get(name, (-math.inf, math.inf))
+    return limits
 
 
 @dataclass(frozen=True)

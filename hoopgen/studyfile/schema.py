@@ -19,7 +19,19 @@ from hoopgen.study.player import BY, By
 from hoopgen.study.tables import FORMATS
 
 from .fields import Ends, Listed, Named, OneOf, Table, Values
-from .scene import FILE, InScene, Varying, Way, kind_of, releasing, scattering, scene_keys, varying
+from .scene import (
+    FILE,
+    InScene,
+    Varying,
+    Way,
+    kind_of,
+    limits_of,
+    may_be_infinite,
+    releasing,
+    scattering,
+    scene_keys,
+    varying,
+)
 from .single import Name, Quantity, Share, Text, Whole, Word, meant, show, wrong
 
 __all__ = [
@@ -40,9 +52,7 @@ __all__ = [
 
 
 def _quantity(name: str) -> Quantity:
-    if name == "restitution":
-        return Quantity("number", 0.0, 1.0)
-    return Quantity(kind_of(name))
+    return Quantity(kind_of(name), *limits_of(name), may_be_infinite(name))
 
 
 def _deviation(name: str) -> Quantity:
@@ -58,7 +68,7 @@ def _correlations(_: str) -> Named:
 
 
 def _values(name: str) -> Values:
-    return Values(kind_of(name))
+    return Values(kind_of(name), may_be_infinite(name))
 
 
 def _ends(name: str) -> Ends:

@@ -105,19 +105,24 @@ class Quantity(Single):
         What is measured.
     low, high
         What it may be, ends included.
+    infinite
+        Whether it may be infinite, too.
     """
 
     kind: Kind
     low: float = -math.inf
     high: float = math.inf
+    infinite: bool = False
 
     @property
     def words(self) -> str:
         """What may be given."""
         said = f"a {self.kind}".replace("a a", "an a")
         said += "" if self.kind == "number" else f" such as {EXAMPLES[self.kind][0]}"
+        said += ", or inf" if self.infinite else ""
         if self.high < math.inf:
-            return f"{said} from {self.low:g} to {self.high:g}"
+            least = "at most" if self.low == -math.inf else f"from {self.low:g} to"
+            return f"{said} {least} {self.high:g}"
         return f"{said}, not below {self.low:g}" if self.low > -math.inf else said
 
     def read(self, given: Any) -> float:
@@ -130,14 +135,16 @@ class Quantity(Single):
             said = readings(show(given), self.kind, '"{} {}"')
             raise self.refuse(given, f", which has no unit: write {said}")
         else:
-            value = float(given) if abs(given) < 10**300 else math.inf
+            value = float(given) if abs(given) < 10**300 or given == math.inf else math.nan
+        if value == math.inf and self.infinite:
+            return value
         if not math.isfinite(value) or not self.low <= value <= self.high:
             raise self.refuse(given)
         return value
 
     def _parsed(self, given: str) -> float:
         try:
-            return parse_quantity(given, self.kind)
+            return parse_quantity(given, self.kind, infinite=self.infinite)
         except ValueError as error:
             raise ValueError(f"expected {self.words}; {error}") from None
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from hoopgen import plots
 from hoopgen.outputs import write
 from hoopgen.phrases import counted, interval, percent, points
-from hoopgen.scenes import check_hoop
+from hoopgen.scenes import check_article, check_hoop
 from hoopgen.sizes import check_room
 from hoopgen.study.aim import aim
 from hoopgen.study.aim_table import OFF, aim_table, write_csv
@@ -188,7 +188,7 @@ def _bank_model(asked: Asked, question: Bank) -> Scatter | Resample:
 
 def check_bank(asked: Asked, question: Bank) -> None:
     """Look for what is wrong with a comparison of bank and direct shots."""
-    check_hoop("bank", asked.engine)
+    check_article("bank", asked.engine)
     check_two_seeds(asked.study.seed)
     model, parameters = _bank_model(asked, question), asked.setting.parameters
     check_kept(question.shots)
@@ -298,7 +298,7 @@ def _wanted(asked: Asked, question: Aim) -> dict[str, Any]:
 
 def check_aim(asked: Asked, question: Aim) -> None:
     """Look for what is wrong with a table of aim."""
-    check_hoop("aim", asked.engine)
+    check_article("aim", asked.engine)
     aim(
         **_wanted(asked, question),
         distance=np.array(question.distance),
