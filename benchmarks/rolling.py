@@ -385,8 +385,93 @@ def _errors(state: list[arb], when: arb, there: Floats, time: float) -> Floats:
     return np.array([abs(float(when - arb(time))), *(max(off[k : k + 3]) for k in (0, 3, 6))])
 
 
+@dataclass(frozen=True)
+class Bounce:
+    """A bounce of a sequence that settles, and rolling from it.
+
+    Its speed V off the ring, m/s; how far the ball that rolls from it is from the limit of the
+    sequence, by V², s²/m; and the same by 2 F V²/(N² (1 - e²)), which it tends to.
+    """
+
+    speed: float
+    by_square: float
+    by_limit: float
+
+
+def bounces(states: Floats, restitution: float) -> Iterator[Bounce]:
+    """Roll from every bounce of the sequences that settle on the ring."""
+    scene = elastic(restitution)
+    shots = hoopgen.simulate(states, scene, scene=COURT, time_limit=3.0, record=True)
+    log = shots.events
+    for row in np.flatnonzero((log["kind"] == Event.ROLL) & (log["surface"] == RING)):
+        limit, time = log["after"][row], float(log["time"][row])
+        place = row - 1
+        while place > 0 and _same_sequence(log[place], log[row]):
+            one = _bounce(log[place], limit, time, scene, restitution)
+            place -= 1
+            if one is not None:
+                yield one
+
+
+def _same_sequence(impact: Any, roll: Any) -> bool:
+    return bool(
+        impact["shot"] == roll["shot"]
+        and impact["kind"] == Event.IMPACT
+        and impact["surface"] == RING
+    )
+
+
+def _bounce(
+    impact: Any, limit: Floats, time: float, scene: Mapping[str, float], restitution: float
+) -> Bounce | None:
+    after = impact["after"]
+    rho = np.hypot(after[0], after[1])
+    normal = np.array([*(after[:2] * (1 - scene["ring_radius"] / rho)), after[2]])
+    normal /= np.linalg.norm(normal)
+    speed = float(after[3:6] @ normal)
+    if not 1e-4 < speed < 0.1:
+        return None
+    roll = Roll(after, scene, float(impact["time"]))
+    what, _ = roll.until(time)
+    if what != TIME:
+        return None
+    off = np.array([float(own - arb(float(x))) for own, x in zip(roll.state(), limit, strict=True)])
+    force, friction = _forces(limit, scene)
+    by_square = float(np.linalg.norm(off[:3])) / speed**2
+    return Bounce(speed, by_square, by_square * force**2 * (1 - restitution**2) / (2 * friction))
+
+
+def _forces(state: Floats, scene: Mapping[str, float]) -> tuple[float, float]:
+    """Return normal force and friction of a ball that rolls on the ring, per unit mass."""
+    place, v, w = state.reshape(3, 3)
+    rho = np.hypot(place[0], place[1])
+    e = np.array([place[0] / rho, place[1] / rho, 0.0])
+    over = np.array([-e[1], e[0], 0.0])
+    n = place - scene["ring_radius"] * e
+    n /= np.linalg.norm(n)
+    reach = scene["ball_radius"] + scene["wire_radius"]
+    turning = (v - scene["ring_radius"] * (v @ over / rho) * over) / reach
+    up = np.array([0.0, 0.0, scene["gravity"]])
+    pushed = up + scene["ball_radius"] * np.cross(w, turning)
+    friction = 2 / 5 * (pushed - pushed @ n * n)
+    return float(up @ n - v @ turning), float(np.linalg.norm(friction))
+
+
 KINDS = ((0.7, 1 << 19), (0.5, 1 << 16), (0.3, 1 << 16))
 """Restitutions, and how many free throws there are of each at most."""
+CHUNK = 1 << 13
+
+
+def settled(shots: int) -> Found:
+    """Compare so many free throws that settle, a third of each restitution if there are as many."""
+    found = Found()
+    for k, (restitution, throws) in enumerate(KINDS):
+        most = -(-shots * (k + 1) // len(KINDS))
+        states = free_throw(throws)
+        for low in range(0, throws, CHUNK):
+            if found.shots < most:
+                compare(states[low : low + CHUNK], elastic(restitution), 6.0, most, found)
+    return found
 
 
 def main() -> None:
@@ -396,15 +481,9 @@ def main() -> None:
         description="Rolling on the ring, held against a second formulation with 110 bits.",
     )
     parser.add_argument("--shots", type=int, default=2_000, help="that settle, default 2,000")
-    arguments = parser.parse_args()
-    found = Found()
-    for k, (restitution, throws) in enumerate(KINDS):
-        most = -(-arguments.shots * (k + 1) // len(KINDS))
-        states = free_throw(throws)
-        for low in range(0, throws, 1 << 13):
-            if found.shots < most:
-                compare(states[low : low + (1 << 13)], elastic(restitution), 6.0, most, found)
-    print(found)
+    found = settled(parser.parse_args().shots)
+    for name, value in vars(found).items():
+        print(f"{name}: {value}")
     sys.exit(bool(found.wrong))
 
 

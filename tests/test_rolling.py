@@ -153,7 +153,7 @@ def test_from_rest_it_leaves_at_six_elevenths_of_the_height(a: float) -> None:
 # Swirls that stay for longer than a second: one nearly steady, two that rise and fall.
 SWIRLS = (
     (135.0, 0.0, 0.924, 0.0, 0.0),
-    (135.0, 0.2, 1.0, 0.0, 40.0),
+    (135.0, -0.1, 0.924, -0.02, 40.0),
     (140.0, -0.4, 1.0, -0.2, 0.0),
 )
 
@@ -213,6 +213,17 @@ def test_settled_shots_roll_as_a_second_formulation_says() -> None:
     assert found.wrong == []
     assert found.leaving < 1e-9
     assert np.all(found.ratios <= 1)
+
+
+@needs_library
+def test_rolling_from_a_bounce_is_off_by_the_square_of_its_speed() -> None:
+    for restitution, throws in ((0.3, 200), (0.5, 300)):
+        found = list(rolling.bounces(free_throw(throws), restitution))
+        slow = [one.by_limit for one in found if one.speed < 1e-3]
+        assert len(slow) > 20
+        assert np.median(slow) == pytest.approx(1.0, abs=3e-3)
+        fast = [one.by_limit for one in found if one.speed > 1e-2]
+        assert np.std(slow) < np.std(fast) / 4
 
 
 def test_the_second_formulation_leaves_when_and_where_it_should() -> None:
