@@ -17,8 +17,8 @@ THROWS = {0.3: 1 << 10, 0.5: 1 << 11, 0.7: 1 << 13}
 """Free throws whose bounces are looked at, by restitution."""
 SPEEDS = (1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1)
 """Between which bounces are taken together, m/s."""
-SETTLED = 2_000
 SHOTS = 200_000
+"""Free throws that are flown in both scenes; a hundredth as many settled ones are rolled again."""
 
 
 def players(n: int) -> States:
@@ -63,15 +63,15 @@ def given_up(states: States) -> GivenUp:
     )
 
 
-def section() -> list[str]:
+def section(shots: int = SHOTS) -> list[str]:
     """The section of the page."""
     found = {e: list(bounces(free_throw(n), e)) for e, n in THROWS.items()}
     return [
         "## Bounces that accumulate, and rolling",
         "",
         *_accumulating(found),
-        *_again(settled(SETTLED)),
-        *_ended({"W2": given_up(free_throw(SHOTS)), "a 70% player": given_up(players(SHOTS))}),
+        *_again(settled(shots // 100)),
+        *_ended({"W2": given_up(free_throw(shots)), "a 70% player": given_up(players(shots))}),
     ]
 
 
@@ -129,8 +129,9 @@ def _ended(found: dict[str, GivenUp]) -> list[str]:
         ["made in all, `HOOP`", *(percent(one.hoop / one.shots, 2) for one in found.values())],
         ["made in all, `COURT`", *(percent(one.court / one.shots, 2) for one in found.values())],
     ]
+    shots = max(one.shots for one in found.values())
     return [
-        f"What `HOOP` gives up after 40 contacts, `COURT` ends. Of {SHOTS:,} free throws with the "
+        f"What `HOOP` gives up after 40 contacts, `COURT` ends. Of {shots:,} free throws with the "
         "NBA's sizes, grip, and a restitution of 0.7, with the scatter of the benchmarks' W2 and "
         "of a player who makes 70%:",
         "",

@@ -22,7 +22,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1]))  # benchmarks/ is not 
 
 pytest.importorskip("flint")
 
-from benchmarks import rolling
+from benchmarks import ring_roll, rolling
 from benchmarks.workloads import free_throw
 
 # One worker: the C library of the scene is looked at once.
@@ -230,9 +230,9 @@ def test_the_second_formulation_leaves_when_and_where_it_should() -> None:
     for start, time, there in LEAVES:
         ball = Rolling(*start)
         state = np.array([ball[name] for name in court.STATE])
-        roll = rolling.Roll(state, NBA | {"end_depth": 9.0})
+        roll = ring_roll.Roll(state, NBA | {"end_depth": 9.0})
         what, when = roll.until(2.0)
-        assert what == rolling.LEAVES
+        assert what == ring_roll.LEAVES
         # The start is of doubles.
         assert float(when) == pytest.approx(time, rel=0, abs=2e-15)
         a = math.degrees(math.atan2(float(roll.now[1]), float(roll.now[0])))
