@@ -81,8 +81,8 @@ def _accumulating(found: dict[float, Sequence[Bounce]]) -> list[str]:
         for low, high in reversed([*pairwise(SPEEDS)])
     ]
     return [
-        "A ball whose bounces become ever smaller ends up as one that rolls, as the article says "
-        "(its section on numerical results). How soon: from each recorded bounce of shots that "
+        "A ball whose bounces become ever smaller ends up as one that rolls, as the article "
+        "says. How soon: from each recorded bounce of shots that "
         "settle on the ring, with the speed V off it, a ball is rolled on, and compared with where "
         "the sequence of bounces ends. It is off by 2 F V²/(N² (1 − e²)) in the limit, with the "
         "normal force N and the friction F of rolling, per unit mass. The table has the measured "
