@@ -49,7 +49,7 @@ exactness: $(VENV)/with-certify $(VENV)/with-generate ## results against ball ar
 pictures: $(VENV)/with-study $(VENV)/with-generate ## docs' pictures
 	$(BIN)/python -m benchmarks.pictures $(ARGS)
 
-validate: $(VENV)/with-study ## results beside those of the literature
+validate: $(VENV)/with-study $(VENV)/with-certify ## results beside those of the literature
 	$(BIN)/python -m benchmarks.validation $(ARGS)
 
 clean: ## remove all that these targets made, .venv too

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.optimize import minimize_scalar
 
 import hoopgen
-from benchmarks.validation_court import section
+from benchmarks import validation_court, validation_rolling
 from hoopgen import FIBA, NBA, PAPER, Outcome, Scatter
 from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.hoop.variables import ARGUMENTS, resolve_variables
@@ -352,7 +352,7 @@ class Results:
     shots: int
     bank_shots: int
     court: Sequence[str]
-    """Lines of the section on the whole hoop."""
+    """Lines of the sections on the whole hoop, and on rolling."""
 
 
 def everything(shots: int, bank_shots: int, distances: Sequence[float]) -> Results:
@@ -368,7 +368,9 @@ def everything(shots: int, bank_shots: int, distances: Sequence[float]) -> Resul
     print("scatter")
     release = rounded(line.best)
     print("the whole hoop")
-    court = section(shots)
+    court = validation_court.section(shots)
+    print("rolling")
+    rolling = validation_rolling.section(4 * shots)
     return Results(
         checks,
         entries,
@@ -380,5 +382,5 @@ def everything(shots: int, bank_shots: int, distances: Sequence[float]) -> Resul
         success(release, "elevation", [sd * DEGREE for sd in ANGLE_SDS], shots),
         shots,
         bank_shots,
-        court,
+        [*court, *rolling],
     )

@@ -1,0 +1,139 @@
+"""Bounces that accumulate, rolling, and what becomes of shots that the hoop gives up."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+import hoopgen
+from benchmarks.report import table
+from benchmarks.rolling import NAMES, NBA, Bounce, Found, bounces, settled
+from benchmarks.workloads import FOOT, SEED, States, free_throw
+from hoopgen import COURT, HOOP, Outcome
+from hoopgen.phrases import percent
+
+THROWS = {0.3: 1 << 10, 0.5: 1 << 11, 0.7: 1 << 13}
+"""Free throws whose bounces are looked at, by restitution."""
+SPEEDS = (1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1)
+"""Between which bounces are taken together, m/s."""
+SHOTS = 200_000
+"""Free throws that are flown in both scenes; a hundredth as many settled ones are rolled again."""
+
+
+def players(n: int) -> States:
+    """Return free throws of a player who makes 70%: 7.17 ± 0.07 m/s, 52° ± 1.3°, ± 1° aside."""
+    gauss = np.random.Generator(np.random.Philox(SEED)).standard_normal((n, 3))
+    return hoopgen.release(
+        speed=7.17 + 0.07 * gauss[:, 0],
+        elevation=np.radians(52 + 1.3 * gauss[:, 1]),
+        azimuth=np.radians(gauss[:, 2]),
+        backspin=6 * np.pi,
+        height=7 * FOOT,
+        distance=13.75 * FOOT,
+    )
+
+
+@dataclass(frozen=True)
+class GivenUp:
+    """Free throws: how many HOOP caps, how those end in COURT, and who makes how many in all."""
+
+    shots: int
+    capped: int
+    ends: dict[str, int]
+    hoop: int
+    court: int
+
+    @property
+    def share(self) -> float:
+        """Made ones among those that end made or missed."""
+        return self.ends["MADE"] / (self.ends["MADE"] + self.ends["MISSED"])
+
+
+def given_up(states: States) -> GivenUp:
+    """Fly shots with the NBA's sizes, grip and restitution 0.7 in both scenes."""
+    sizes = hoopgen.NBA | {"restitution": NBA["ring_restitution"]}
+    hoop = hoopgen.simulate(states, sizes, scene=HOOP)
+    court = hoopgen.simulate(states, NBA, scene=COURT)
+    capped = hoop.outcome == Outcome.CAPPED
+    counts = np.bincount(court.outcome[capped], minlength=len(COURT.outcomes))
+    ends = {one.name: int(counts[one]) for one in COURT.outcomes}
+    return GivenUp(
+        len(states), int(capped.sum()), ends, int(hoop.made.sum()), int(court.made.sum())
+    )
+
+
+def section(shots: int = SHOTS) -> list[str]:
+    """The section of the page."""
+    found = {e: list(bounces(free_throw(n), e)) for e, n in THROWS.items()}
+    return [
+        "## Bounces that accumulate, and rolling",
+        "",
+        *_accumulating(found),
+        *_again(settled(shots // 100)),
+        *_ended({"W2": given_up(free_throw(shots)), "a 70% player": given_up(players(shots))}),
+    ]
+
+
+def _accumulating(found: dict[float, Sequence[Bounce]]) -> list[str]:
+    rows = [
+        [f"{low:g} to {high:g} m/s", *(_ratios(own, low, high) for own in found.values())]
+        for low, high in reversed([*pairwise(SPEEDS)])
+    ]
+    return [
+        "A ball whose bounces become ever smaller ends up as one that rolls, as the article "
+        "says. How soon: from each recorded bounce of shots that "
+        "settle on the ring, with the speed V off it, a ball is rolled on, and compared with where "
+        "the sequence of bounces ends. It is off by 2 F V²/(N² (1 − e²)) in the limit, with the "
+        "normal force N and the friction F of rolling, per unit mass. The table has the measured "
+        "distance by that: its median, and in parentheses 5% and 95% of the bounces. The distance "
+        "by V² tends to a constant of each sequence.",
+        "",
+        *table(["V", *(f"e = {e:g}" for e in found)], rows),
+    ]
+
+
+def _ratios(found: Sequence[Bounce], low: float, high: float) -> str:
+    ratios = [one.by_limit for one in found if low <= one.speed < high]
+    least, middle, most = np.percentile(ratios, [5, 50, 95])
+    return f"{middle:.4f} ({least:.3f}–{most:.3f}; {len(ratios)})"
+
+
+def _again(found: Found) -> list[str]:
+    ends = ", ".join(f"{NAMES[what]} {found.ends.get(NAMES[what], 0):,}" for what in NAMES)
+    errors = ", ".join(
+        f"{value:.0e} {unit}"
+        for value, unit in zip(found.errors, ("s", "m", "m/s", "rad/s"), strict=True)
+    )
+    return [
+        f"Of {found.shots:,} free throws that settled on the ring (e = 0.7, 0.5, 0.3), rolling was "
+        "computed a second time, in the ring's own coordinates, with series of order 24 and 110 "
+        f"bits (`python -m benchmarks.rolling`). Their contact ends by: {ends}. Flagged are "
+        f"{found.flagged:,} of them; of the others {len(found.wrong)} end otherwise or are further "
+        f"off than they claim. The largest differences are {errors}, at most "
+        f"{found.ratios.max():.0e} of what is claimed, and {found.leaving:.0e} s in when contact "
+        f"ends. Of the flagged {found.flagged_wrong} differ.",
+        "",
+    ]
+
+
+def _ended(found: dict[str, GivenUp]) -> list[str]:
+    names = ("MADE", "MISSED", "LODGED", "ENDLESS", "CAPPED")
+    rows = [
+        ["capped in `HOOP`", *(f"{one.capped:,}" for one in found.values())],
+        *(
+            [f"of these in `COURT`: {name}", *(f"{one.ends[name]:,}" for one in found.values())]
+            for name in names
+        ),
+        ["made, of made and missed", *(percent(one.share) for one in found.values())],
+        ["made in all, `HOOP`", *(percent(one.hoop / one.shots, 2) for one in found.values())],
+        ["made in all, `COURT`", *(percent(one.court / one.shots, 2) for one in found.values())],
+    ]
+    shots = max(one.shots for one in found.values())
+    return [
+        f"What `HOOP` gives up after 40 contacts, `COURT` ends. Of {shots:,} free throws with the "
+        "NBA's sizes, grip, and a restitution of 0.7, with the scatter of the benchmarks' W2 and "
+        "of a player who makes 70%:",
+        "",
+        *table(["", *found], rows),
+    ]
