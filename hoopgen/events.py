@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.generated.numpy.hoop import Event as Event
@@ -22,7 +23,7 @@ def event_words(event: Any, surfaces: Sequence[str]) -> str:
 
 def impacts(events: NDArray[Any]) -> NDArray[Any]:
     """Return the rows that count as contacts."""
-    return events[events["kind"] == Event.IMPACT]
+    return np.asarray(events[events["kind"] == Event.IMPACT])
 
 
 def numbered(events: NDArray[Any]) -> Iterable[tuple[int | None, Any]]:

@@ -140,10 +140,11 @@ class Trajectory:
             rolling.append(np.array([row in lasting]))
             if row in lasting:
                 parts = max(1, min(most, int(np.ceil(lasting[row] / step))))
-                since = lasting[row] * np.arange(1, parts) / parts
-                times.append(starts[row + 1] + since)
+                since = lasting[row] * np.arange(1, parts + 1) / parts
+                # Its end too, as it is before what ends it.
+                times.append(np.append(starts[row + 1] + since[:-1], starts[row + 2]))
                 there.append(self._roll(row).at(since))
-                rolling.append(np.ones(len(since), np.bool_))
+                rolling.append(np.arange(1, parts + 1) < parts)
         return np.concatenate(times), np.concatenate(there), np.concatenate(rolling)
 
     @cached_property

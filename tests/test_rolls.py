@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import pickle
 
 import numpy as np
@@ -125,6 +126,18 @@ def test_where_nothing_rolls_nothing_is_followed() -> None:
     assert hoopgen.simulate(states, record=True).trajectory(0).rolls == []
 
 
+def test_a_shot_goes_on_from_where_contact_begins(
+    shots: hoopgen.Shots, rolling: list[int]
+) -> None:
+    for shot in rolling[:3]:
+        path = shots.trajectory(shot)
+        ((row, start, _), *_) = path.rolls
+        event = path.events[row]
+        on = hoopgen.simulate(event["after"], SOFT, scene=COURT, leaving=int(event["surface"]))
+        assert on.outcome[0] == shots.outcome[shot]
+        assert start + on.time[0] == pytest.approx(shots.time[shot], rel=0, abs=1e-9)
+
+
 # In words
 
 
@@ -207,3 +220,19 @@ def test_marks_say_where_it_rolls_and_number_impacts(
     numbers = [mark.label for mark in marks if mark.label[0].isdigit()]
     assert numbers[-1].rpartition("\N{EN DASH}")[2] == str(shots.contacts[rolling[0]])
     assert marks[-1].label == "end"
+
+
+def test_the_page_has_the_roll_in_pieces(shots: hoopgen.Shots, rolling: list[int]) -> None:
+    pytest.importorskip("matplotlib")
+    from hoopgen.viewer import page
+
+    one = hoopgen.simulate(shots._states[rolling[:1]], SOFT, scene=COURT, record=True)
+    path = one.trajectory(0)
+    data = page(one, SOFT).partition('id="data">')[2].partition("</script>")[0]
+    (shot,) = json.loads(data)["shots"]
+    ((first, end),) = shot["rolls"]
+    ((_, start, stop),) = path.rolls
+    assert shot["flights"][first][0] == start
+    assert shot["flights"][end][0] == stop
+    assert [event["kind"] for event in shot["events"]].count("roll") == 1
+    assert max(event["number"] for event in shot["events"]) == one.contacts[0]
