@@ -161,8 +161,22 @@ def own(name: str) -> Figure:
     )
 
 
+def roll() -> Figure:
+    """A free throw at a dead rim, which rolls along the ring and over it."""
+    parameters = hoopgen.PAPER_COURT | {"ring_restitution": 0.3}
+    release = {**PLACE, **AIM, "speed": 7.29, "azimuth": np.radians(0.9)}
+    shots = hoopgen.simulate(
+        hoopgen.release(**release), parameters, scene=hoopgen.COURT, record=True
+    )
+    trajectory = shots.trajectory(0)
+    return plot_trajectory(
+        trajectory, trajectory.parameters, outcome=trajectory.outcome, three_d=False
+    )
+
+
 PICTURES: Mapping[str, Callable[[], Figure]] = {
     **{f"scene-{name}": partial(own, name) for name in OWN},
+    "court-roll": roll,
     "free-throws": free_throws,
     "outcome-map": outcome_map,
     "probability-map": probability_map,

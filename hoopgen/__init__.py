@@ -19,6 +19,7 @@ if find_spec(f"{__name__}.generated") is None:
 if TYPE_CHECKING:
     from .court import COURT, FIBA_COURT, NBA_COURT, PAPER_COURT
     from .engines import HOOP
+    from .events import Event
     from .hoop.presets import FIBA, NBA, PAPER
     from .hoop.releases import release
     from .results import SURFACES, Outcome, Shots, Trajectory
@@ -38,6 +39,7 @@ __all__ = [
     "NBA_COURT",
     "FIBA_COURT",
     "Outcome",
+    "Event",
     "SURFACES",
     "Shots",
     "Trajectory",
@@ -59,6 +61,7 @@ _LATER = {
     "NBA": "hoop.presets",
     "FIBA": "hoop.presets",
     "Outcome": "results",
+    "Event": "events",
     "SURFACES": "results",
     "Shots": "results",
     "Trajectory": "results",

@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from hoopgen.generated.numpy import hoop
 
 from .engine import native, trust
+from .engine.contact import Roll
 from .engine.raw import Layout
 from .parameters import Parameters, Table, Written
 
@@ -170,11 +171,27 @@ class Engine:
         self, times: Any, states: NDArray[np.float64], parameters: Mapping[str, Any]
     ) -> NDArray[np.float64]:
         """Return states (..., 9) some times after others, with nothing touched in between."""
-        own = dict(zip(self.kernels.VARIABLES.values(), self.table.inputs(parameters), strict=True))
+        own = self._inputs(parameters)
         own |= dict(zip(self.kernels.STATE, np.moveaxis(states, -1, 0), strict=True))
         asked = self.kernels.ARGUMENTS["flight"][1:]
         moved = self.kernels.flight(times, *(own[name] for name in asked))
         return np.stack([*moved, *np.moveaxis(states[..., len(moved) :], -1, 0)], -1)
+
+    def roll(
+        self,
+        surface: int,
+        state: NDArray[np.float64],
+        lasting: float,
+        parameters: Mapping[str, Any],
+    ) -> Roll:
+        """Return the motion of a ball in contact with a surface, so long from a state (9,) on."""
+        own = self._inputs(parameters)
+        return Roll(self.kernels, self.surfaces[surface], state, lasting, own)
+
+    def _inputs(self, parameters: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the scene's numbers by the names that kernels have for them."""
+        inputs = self.table.inputs(parameters)
+        return dict(zip(self.kernels.VARIABLES.values(), inputs, strict=True))
 
     def __repr__(self) -> str:
         touched = ", ".join(self.surfaces)

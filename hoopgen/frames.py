@@ -10,6 +10,7 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from .events import Event, event_words, numbered
 from .installed import need
 from .notebook import ROWS, some_rows, table
 from .told import say_of
@@ -154,17 +155,13 @@ def shots_html(shots: Shots) -> str:
     return table(about, head, zip(rows, *columns.values(), strict=True), gap=gap)
 
 
-def _ends(trajectory: Trajectory) -> tuple[str, ...]:
-    """Return what events are with, by number."""
-    return (*trajectory.scene.surfaces, "end")
-
-
 def contacts_frame(trajectory: Trajectory) -> Any:
     """Return what `Trajectory.to_pandas` does."""
     pd = need("pandas", "to_pandas")
     events = trajectory.events
-    words = pd.Categorical.from_codes(events["surface"], list(_ends(trajectory)))
-    columns = {_named("time"): events["time"], "surface": words}
+    words = pd.Categorical.from_codes(events["surface"], [*trajectory.scene.surfaces, "end"])
+    kinds = pd.Categorical.from_codes(events["kind"], [one.name.lower() for one in Event])
+    columns = {_named("time"): events["time"], "kind": kinds, "surface": words}
     columns |= dict(zip(map(_named, STATE[:3]), events["before"].T, strict=False))
     for name in ("before", "after"):
         columns |= {
@@ -177,12 +174,13 @@ def contacts_frame(trajectory: Trajectory) -> Any:
 
 def contacts_html(trajectory: Trajectory) -> str:
     """Return a table of the events."""
+    surfaces = trajectory.scene.surfaces
     rows = [("", "release", 0.0, *trajectory.release[:3].tolist(), "", _speed(trajectory.release))]
-    for number, event in enumerate(trajectory.events, 1):
+    for number, event in numbered(trajectory.events):
         where = event["before"][:3].tolist()
         speeds = _speed(event["before"]), _speed(event["after"])
         rows.append(
-            (number, _ends(trajectory)[event["surface"]], float(event["time"]), *where, *speeds)
+            (number or "", event_words(event, surfaces), float(event["time"]), *where, *speeds)
         )
     head = ["", "event", "time (s)", "x (m)", "y (m)", "z (m)"]
     head += ["speed before (m/s)", "speed after (m/s)"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import IntEnum
+from functools import cached_property
 from itertools import groupby
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +16,9 @@ from hoopgen.generated.numpy.hoop import Outcome as Outcome
 
 from . import frames
 from .brief import brief
+from .engine.contact import Roll
 from .engines import HOOP, Engine
+from .events import Event, event_words, rolls
 from .inputs import doubles
 from .phrases import counted, doubtful
 
@@ -71,6 +74,8 @@ class Trajectory:
     def at(self, t: ArrayLike) -> NDArray[np.float64]:
         """Return the states at the times `t`; at a contact, the state after it.
 
+        In flight and in contact: where the ball rolls, it is followed as far as it does.
+
         Parameters
         ----------
         t
@@ -94,14 +99,72 @@ class Trajectory:
         starts = np.concatenate([[0.0], self.events["time"]])
         states = np.concatenate([self.release[None], self.events["after"]])
         segment = np.searchsorted(starts, times, side="right") - 1
-        return self.scene.fly(times - starts[segment], states[segment], self.parameters)
+        since = times - starts[segment]
+        moved = self.scene.fly(since, states[segment], self.parameters)
+        for row, _, _ in self.rolls:
+            there = segment == row + 1
+            if there.any():
+                moved[there] = self._roll(row).at(since[there])
+        return moved
+
+    @property
+    def rolls(self) -> list[tuple[int, float, float]]:
+        """Contacts that last: the row of `events` with which each begins, from when to when, s."""
+        return rolls(self.events)
+
+    def pieces(
+        self, step: float, most: int = 2000
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.bool_]]:
+        """Cut the path into its flights, and its rolls into pieces, for pictures.
+
+        Parameters
+        ----------
+        step
+            Longest piece of a roll, s.
+        most
+            Pieces of one roll, at most; then they are longer.
+
+        Returns
+        -------
+        tuple of ndarray
+            When each piece begins, (n,), s; the state there, (n, 9); whether the ball rolls from
+            there to the next, (n,). The last one is the end.
+        """
+        starts = np.concatenate([[0.0], self.events["time"]])
+        states = np.concatenate([self.release[None], self.events["after"]])
+        times, there, rolling = [starts[:1]], [states[:1]], [np.zeros(1, np.bool_)]
+        lasting = {row: stop - start for row, start, stop in self.rolls}
+        for row in range(len(self.events)):
+            times.append(starts[row + 1 : row + 2])
+            there.append(states[row + 1 : row + 2])
+            rolling.append(np.array([row in lasting]))
+            if row in lasting:
+                parts = max(1, min(most, int(np.ceil(lasting[row] / step))))
+                since = lasting[row] * np.arange(1, parts + 1) / parts
+                # Its end too, as it is before what ends it.
+                times.append(np.append(starts[row + 1] + since[:-1], starts[row + 2]))
+                there.append(self._roll(row).at(since))
+                rolling.append(np.arange(1, parts + 1) < parts)
+        return np.concatenate(times), np.concatenate(there), np.concatenate(rolling)
+
+    @cached_property
+    def _followed(self) -> dict[int, Roll]:
+        """Those that were looked into, by the row with which they begin."""
+        return {}
+
+    def _roll(self, row: int) -> Roll:
+        if row not in self._followed:
+            event, until = self.events[row], self.events["time"][row + 1]
+            self._followed[row] = self.scene.roll(
+                int(event["surface"]), event["after"], until - event["time"], self.parameters
+            )
+        return self._followed[row]
 
     def __repr__(self) -> str:
-        runs = ((surface, len(list(run))) for surface, run in groupby(self.events["surface"]))
-        names = [
-            f"{(*self.scene.surfaces, 'end')[surface]}{f' {times} times' if times > 1 else ''}"
-            for surface, times in runs
-        ]
+        told = self.events[self.events["kind"] != Event.LEAVE]
+        words = [event_words(event, self.scene.surfaces) for event in told]
+        runs = ((word, len(list(run))) for word, run in groupby(words))
+        names = [f"{word}{f' {times} times' if times > 1 else ''}" for word, times in runs]
         ended = "" if self.outcome is None else f"; {self.outcome.name.lower()}"
         return f"Trajectory({self.duration:.3f} s: {', '.join(['release', *names])}{ended})"
 
@@ -117,7 +180,7 @@ class Trajectory:
     def to_pandas(self) -> Any:
         """Return the events as a pandas.DataFrame, a row each, units in the columns' names.
 
-        Time, surface, position, and velocity and spin before and after.
+        Time, kind, surface, position, and velocity and spin before and after.
 
         Raises
         ------
@@ -155,7 +218,8 @@ class Shots:
         float64 (n,) and (n, 3), when asked for by name: bounds on the errors of `time` and of each
         component of the position, velocity and spin in `state`, for shots that are not uncertain.
     events
-        With ``record=True``: the event log, rows in order of shot, then time.
+        With ``record=True``: the event log, rows in order of shot, then time; their ``kind`` is an
+        `Event`. Between a ROLL row and the next one of its shot the ball stays in contact.
     parameters
         Of the scene, as they were simulated with: one number each or (n,).
     scene

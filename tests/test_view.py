@@ -210,7 +210,7 @@ const [Flight, Scene] = new Function(require("fs").readFileSync(0, "utf8"))();
 for (const lasts of [1, 3.9, 1e4, 1e13, 1e200]) {
   const gravity = 10 / lasts;
   const flights = [[0, 4, 0, 0, -4, 0, 5, 0, 0, 0], [lasts, 4 - 4 * lasts, 0, 0, 0, 0, 0, 0, 0, 0]];
-  const shot = { flights, parameters: { gravity }, duration: lasts };
+  const shot = { flights, rolls: [], parameters: { gravity }, duration: lasts };
   const beat = Scene.beatOf([shot]);
   console.log(JSON.stringify([Flight.pathOf(shot).length, beat, lasts / beat]));
 }

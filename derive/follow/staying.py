@@ -18,8 +18,8 @@ from ..search.search import Parts
 from .kinds import Contact
 
 LIMIT = 1 << 6
-"""Steps of a ball in contact in one turn of the loop; it goes on in the next. What rolls longer than
-most do waits for others that do, and so keeps lanes busy."""
+"""Steps of a ball in contact in one turn of the loop; it goes on in the next. What rolls longer
+than most do waits for others that do, and so keeps lanes busy."""
 
 _FAR = {s.name: f"far_{s.name}" for s in STATE}
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import hoopgen
+from hoopgen.events import event_words, numbered
 from hoopgen.layout import NO_BREAK, table
 from hoopgen.units import shown
 
@@ -59,15 +60,14 @@ def event_table(
     headers = ["#", "time (s)", "surface", "x", "y", "z", "vx", "vy", "vz", "vx", "vy", "vz"]
     first = ["", _time(0.0), "release", *places(release), *[""] * 3, *speeds(release)]
     rows = [first]
-    for number, event in enumerate(events, 1):
+    for number, event in numbered(events):
         before, after = event["before"], event["after"]
-        surface = int(event["surface"])
-        ended = surface >= len(surfaces)
+        ended = int(event["surface"]) >= len(surfaces)
         rows.append(
             [
-                "" if ended else str(number),
+                "" if number is None else str(number),
                 _time(float(event["time"])),
-                surface_name(surface, surfaces),
+                event_words(event, surfaces),
                 *places(before),
                 *speeds(before),
                 *([""] * 3 if ended else speeds(after)),

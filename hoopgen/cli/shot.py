@@ -133,12 +133,16 @@ def _summary(shots: hoopgen.Shots, state: NDArray[np.float64]) -> str:
 
     counts = zip(shots.surfaces, shots.counts[0], strict=True)
     by_surface = ", ".join(f"{name} {count}" for name, count in counts)
+    path = shots.trajectory(0)
     lines = [
-        event_table(state, shots.trajectory(0).events, shots.surfaces),
+        event_table(state, path.events, shots.surfaces),
         "",
         f"outcome    {_outcome_text(shots)}",
         f"contacts   {shots.contacts[0]} ({by_surface})",
     ]
+    for row, start, stop in path.rolls:
+        name = shots.surfaces[int(path.events["surface"][row])]
+        lines.append(f"rolls      on the {name} from {start:.3f} to {stop:.3f} s")
     if shots.uncertain[0]:
         lines.append("uncertain  yes: some decision is within the bound on its rounding error")
     return "\n".join(lines)
@@ -185,6 +189,7 @@ def _record(
 ) -> dict[str, Any]:
     """Collect everything about the shot in types that JSON knows."""
     from hoopgen.cli.report import surface_name
+    from hoopgen.events import Event
     from hoopgen.study.named import COMPONENTS, in_units
 
     first = int(shots.first[0])
@@ -201,6 +206,7 @@ def _record(
         "parameters": {name: float(value) for name, value in parameters.items()},
         "events": [
             {
+                "kind": Event(int(event["kind"])).name.lower(),
                 "surface": surface_name(int(event["surface"]), shots.surfaces),
                 "time": float(event["time"]),
                 "before": event["before"].tolist(),

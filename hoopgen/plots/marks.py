@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import IntEnum
 from typing import Any
@@ -12,6 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from hoopgen.events import Event, impacts, rolls
 from hoopgen.plots.layout import Box, place_labels
 from hoopgen.plots.style import COLOURS, POINTS_PER_INCH
 from hoopgen.plots.views import Points, View
@@ -40,7 +41,7 @@ class Mark:
     Attributes
     ----------
     label
-        In the badge: ``"2"``, ``"9-40"``, ``"end"``; empty for what has no place.
+        In the badge: ``"2"``, ``"9-40"``, ``"rolls"``, ``"end"``; empty for what has no place.
     kind
         A surface's name, ``"release"`` or ``"end"``; of another scene, ``"body"``.
     text
@@ -86,14 +87,16 @@ def collect_marks(
         Of another scene than the hoop, in the order of its results, and their colours.
     """
     names = SURFACES if bodies is None else tuple(bodies)
-    contacts = events[events["surface"] < len(names)]
+    contacts = impacts(events)
     marks = [Mark("release", "release", "", release)]
     groups = _groups(contacts, _HERE * ball_radius)
     marks += [_contact_mark(contacts, first, last, bodies) for first, last in groups]
     if groups and (more := len(contacts) - 1 - groups[-1][1]):
         marks.append(Mark("", "end", f"and {more:,} contacts more", release))
     said = "" if outcome is None else f", {outcome.name.lower()}"
-    if len(events) > len(contacts):
+    for row, _, _ in rolls(events)[:_MOST]:
+        marks += _roll_marks(events, row, names, bodies)
+    if len(events) and events["surface"][-1] == len(names):
         end = events[-1]
         marks.append(Mark("end", "end", f"{end['time']:.3f} s{said}", end["before"][:3]))
     elif outcome is not None:
@@ -107,6 +110,19 @@ def _unended(outcome: IntEnum, contacts: int, *, hoop: bool) -> str:
     if outcome.name == "CAPPED":
         return f"capped after {contacts} contacts"
     return f"{outcome.name.lower()}{': not down through the end plane' if hoop else ''}"
+
+
+def _roll_marks(
+    events: NDArray[Any], row: int, names: tuple[str, ...], bodies: Mapping[str, str] | None
+) -> Iterator[Mark]:
+    """Mark where contact begins that lasts, and where the ball leaves."""
+    event, after = events[row], events[row + 1]
+    name = names[int(event["surface"])]
+    kind, own = (name, "") if bodies is None else ("body", bodies[name])
+    text = f"{name} {event['time']:.3f}\N{EN DASH}{after['time']:.3f} s"
+    yield Mark("rolls", kind, text, event["before"][:3], own)
+    if after["kind"] == Event.LEAVE:
+        yield Mark("leaves", kind, f"{name} {after['time']:.3f} s", after["before"][:3], own)
 
 
 def _groups(contacts: NDArray[Any], reach: float) -> list[tuple[int, int]]:

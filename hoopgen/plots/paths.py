@@ -30,6 +30,7 @@ __all__ = ["bezier", "draw_paths"]
 _LEFT, _RIGHT, _BELOW, _ABOVE, _KEY = 0.6, 0.12, 0.5, 0.12, 0.24
 _TALLEST = 4.5
 _LINE = 0.6  # points
+_PIECE = 0.01  # s, of a roll: less than can be seen off a parabola
 _MARGIN = 0.03  # of what is drawn
 
 
@@ -98,11 +99,10 @@ def draw_paths(
 def bezier(trajectory: Trajectory) -> NDArray[np.float64]:
     """Return a path as it is: its start, then two points for each flight (2 n + 1, 3).
 
-    Each flight is a parabola, which is one quadratic Bézier curve.
+    Each flight is a parabola, which is one quadratic Bézier curve; a roll is cut into short ones.
     """
-    events = trajectory.events
-    states = np.concatenate([trajectory.release[np.newaxis], events["after"]])
-    lasting = np.diff(events["time"], prepend=0.0)[:, np.newaxis]
+    times, states, _ = trajectory.pieces(_PIECE)
+    lasting = np.diff(times)[:, np.newaxis]
     start, velocity = states[:-1, :3], states[:-1, 3:6]
     points = np.stack([start + velocity * lasting / 2.0, states[1:, :3]], axis=1).reshape(-1, 3)
     return np.concatenate([states[:1, :3], points])

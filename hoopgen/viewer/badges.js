@@ -8,18 +8,24 @@ const Badges = (() => {
   const [EDGE, TOP] = [6, 60]; // px left free at the edges, and for the buttons at the top
   const ROUND = Array.from({ length: 16 }, (_, k) => (2 * Math.PI * (k + 0.5)) / 16);
 
+  /** Return an event's number among the impacts, or what else it is. */
+  function label(event) {
+    return event.number ? `${event.number}` : { roll: "rolls", leave: "leaves", end: "end" }[event.kind];
+  }
+
   /** Return what badges name: the release, runs of contacts at one place, and the end. */
   function marks(shot) {
     const found = [{ label: "release", surface: "release", at: shot.flights[0].slice(1, 4) }];
-    shot.events.forEach((event, k) => {
+    shot.events.forEach((event) => {
       const last = found.at(-1);
       const reach = HERE * shot.parameters.ball_radius;
-      if (last.surface === event.surface && distance(last.at, event.at) < reach) {
-        last.to = k + 1;
+      const here = last.surface === event.surface && distance(last.at, event.at) < reach;
+      if (here && last.to && event.number) {
+        last.to = event.number;
         last.label = `${last.from}–${last.to}`;
       } else {
-        const label = event.surface === "end" ? "end" : `${k + 1}`;
-        found.push({ label, surface: event.surface, at: event.at, from: k + 1, to: k + 1 });
+        const { surface, at, number } = event;
+        found.push({ label: label(event), surface, at, from: number, to: number });
       }
     });
     return found;
@@ -111,5 +117,5 @@ const Badges = (() => {
     return made;
   }
 
-  return { draw, marks };
+  return { label, draw, marks };
 })();

@@ -1,5 +1,6 @@
 // The ball between its contacts, by the generated kernel `flight` (Eq. 3): a position here has the
-// same bits as hoopgen.Trajectory.at gives.
+// same bits as hoopgen.Trajectory.at gives. Where it rolls it is followed in short pieces, each a
+// cubic with the positions and velocities at its ends, with a spin that changes evenly.
 "use strict";
 
 const Flight = (() => {
@@ -21,10 +22,37 @@ const Flight = (() => {
     return [...hoop_flight(t, x, y, z, vx, vy, vz, gravity), ...spin];
   }
 
+  /** Tell whether the ball rolls from one of a shot's flights to the next. */
+  function rolls(shot, k) {
+    return shot.rolls.some(([first, end]) => first <= k && k < end);
+  }
+
+  /** Return the state some seconds into a piece of a roll. */
+  function rolled(piece, next, t) {
+    const lasts = next[0] - piece[0];
+    const s = t / lasts;
+    const between = (k) => piece[k] + s * (next[k] - piece[k]);
+    const place = [1, 2, 3].map((k) => {
+      const step = next[k] - piece[k];
+      const [from, to] = [lasts * piece[k + 3] - step, step - lasts * next[k + 3]];
+      return between(k) + s * (1 - s) * ((1 - s) * from + s * to);
+    });
+    return [...place, ...[4, 5, 6, 7, 8, 9].map(between)];
+  }
+
   /** Return the state of a shot at a time, s. */
   function stateAt(shot, time) {
-    const flight = shot.flights[indexAt(shot.flights, time)];
+    const k = indexAt(shot.flights, time);
+    const [flight, next] = [shot.flights[k], shot.flights[k + 1]];
+    if (rolls(shot, k)) return rolled(flight, next, time - flight[0]);
     return along(flight, time - flight[0], shot.parameters.gravity);
+  }
+
+  /** Return the mean spin over the first seconds of a flight, in which it is constant, or a roll. */
+  function spinOver(shot, k, seconds) {
+    const [flight, next] = [shot.flights[k], shot.flights[k + 1]];
+    if (!rolls(shot, k)) return flight.slice(7);
+    return rolled(flight, next, seconds / 2).slice(6);
   }
 
   /** Return points that show a shot's path as smooth curves, contacts among them. A parabola cut
@@ -34,7 +62,7 @@ const Flight = (() => {
     const points = [flights[0].slice(1, 4)];
     for (let k = 0; k + 1 < flights.length; k++) {
       const lasts = flights[k + 1][0] - flights[k][0];
-      const pieces = Math.max(1, Math.min(most, Math.ceil(lasts / step)));
+      const pieces = rolls(shot, k) ? 1 : Math.max(1, Math.min(most, Math.ceil(lasts / step)));
       for (let i = 1; i < pieces; i++) {
         points.push(along(flights[k], (lasts * i) / pieces, shot.parameters.gravity).slice(0, 3));
       }
@@ -43,5 +71,5 @@ const Flight = (() => {
     return points;
   }
 
-  return { indexAt, stateAt, pathOf };
+  return { indexAt, stateAt, spinOver, pathOf };
 })();

@@ -50,13 +50,14 @@
 
   function outcomeWords(shot) {
     const [, x, y] = shot.flights.at(-1);
+    const contacts = shot.events.filter((event) => event.number).length;
+    const many = `${contacts} contact${contacts === 1 ? "" : "s"}`;
     const words = {
-      capped: `${shot.events.length} contact${shot.events.length === 1 ? "" : "s"}, and not yet at the end plane`,
+      capped: `${many}, and not yet at the end plane`,
       short: "never comes down through the end plane",
     };
     if (scenery) {
       const ended = shot.events.at(-1)?.surface === "end";
-      const many = `${shot.events.length} contact${shot.events.length === 1 ? "" : "s"}`;
       return ended ? `after ${seconds(shot.duration)}` : `after ${many}, ${seconds(shot.duration)}`;
     }
     const away = `${Math.hypot(x, y).toFixed(3)} m from the ring’s centre`;
@@ -138,12 +139,12 @@
   const endWord = scenery ? "end" : "end plane";
 
   function listEvents(shot) {
-    const rows = shot.events.map((event, k) => {
+    const rows = shot.events.map((event) => {
       const ends = event.surface === "end";
       const button = make(
         "button",
         { type: "button", onclick: () => seek(event.time, false) },
-        tag(event.surface, ends ? "end" : `${k + 1}`),
+        tag(event.surface, Badges.label(event)),
         make("span", { textContent: ends ? endWord : named(event.surface) }),
         make("span", { textContent: seconds(event.time) }),
       );

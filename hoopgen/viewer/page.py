@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from hoopgen.brief import brief
 from hoopgen.colours import COLOURS
+from hoopgen.events import Event, numbered
 from hoopgen.hoop.kinds import Kind, kinds
 from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.installed import version
@@ -35,6 +36,8 @@ __all__ = ["MOST", "page", "written"]
 
 MOST = 2000
 """Shots on a page; with more, browsers are slow and paths cannot be told apart."""
+
+_PIECE = 2.0**-6  # s, of a roll: between its ends a cubic is off by less than 1e-6 m
 
 _SCRIPTS = ("flight.js", "scene.js", "camera.js", "badges.js", "picture.js", "page.js")
 _SLOT = re.compile(r"\{\{(\w+)\}\}")
@@ -122,12 +125,11 @@ def _shot(
     label: str,
     kind: str,
 ) -> dict[str, Any]:
-    """Collect a shot: its flights (start, state there) and its events (surface, time, place)."""
+    """Collect a shot: flights (start, state there), rolls (first flight, end), and its events."""
     trajectory = shots.trajectory(row)
     events = trajectory.events
     low = int(np.searchsorted(shots.events["shot"], row))
-    states = turned(shots, np.vstack([trajectory.release, events["after"]]))
-    starts = np.concatenate([[0.0], events["time"]])
+    starts, states, rolling = trajectory.pieces(_PIECE)
     surfaces = (*shots.surfaces, "end")
     own = {n: float(v[row]) for n, v in values.items() if not isinstance(v, float)}
     if not shots.scene.is_hoop:
@@ -140,11 +142,18 @@ def _shot(
         "kind": kind,
         "uncertain": bool(shots.uncertain[row]),
         "parameters": own,
-        "flights": np.column_stack([starts, states]).tolist(),
+        "flights": np.column_stack([starts, turned(shots, states)]).tolist(),
+        "rolls": np.flatnonzero(np.diff(rolling, prepend=False)).reshape(-1, 2).tolist(),
         "events": [
-            {"surface": surfaces[surface], "time": float(time), "at": at.tolist()}
-            for surface, time, at in zip(
-                events["surface"], events["time"], touched[low : low + len(events)], strict=True
+            {
+                "number": number or 0,
+                "kind": Event(int(event["kind"])).name.lower(),
+                "surface": surfaces[event["surface"]],
+                "time": float(event["time"]),
+                "at": at.tolist(),
+            }
+            for (number, event), at in zip(
+                numbered(events), touched[low : low + len(events)], strict=True
             )
         ],
     }

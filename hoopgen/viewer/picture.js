@@ -106,8 +106,7 @@ const Picture = (() => {
     function move(shot, time) {
       const [x, y, z] = Flight.stateAt(shot, time);
       const k = Flight.indexAt(shot.flights, time);
-      const flight = shot.flights[k];
-      const turn = Scene.turn(things.path.userData.turned[k], flight, time - flight[0]);
+      const turn = Scene.turn(things.path.userData.turned[k], shot, k, time - shot.flights[k][0]);
       things.ball.position.set(x, y, z);
       things.ball.quaternion.copy(turn);
       ask();

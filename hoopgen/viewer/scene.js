@@ -171,14 +171,14 @@ const Scene = (() => {
   function orientations(shot) {
     const turned = [new THREE.Quaternion()];
     for (let k = 0; k + 1 < shot.flights.length; k++) {
-      turned.push(turn(turned[k], shot.flights[k], shot.flights[k + 1][0] - shot.flights[k][0]));
+      turned.push(turn(turned[k], shot, k, shot.flights[k + 1][0] - shot.flights[k][0]));
     }
     return turned;
   }
 
-  /** Return an orientation after so many seconds of a flight: its spin is constant. */
-  function turn(orientation, flight, seconds) {
-    const axis = new THREE.Vector3(...flight.slice(7));
+  /** Return an orientation after so many seconds of a shot's flight. */
+  function turn(orientation, shot, k, seconds) {
+    const axis = new THREE.Vector3(...Flight.spinOver(shot, k, seconds));
     const rate = axis.length();
     if (rate === 0) return orientation.clone();
     const rotation = new THREE.Quaternion();
