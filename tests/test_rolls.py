@@ -126,9 +126,7 @@ def test_where_nothing_rolls_nothing_is_followed() -> None:
     assert hoopgen.simulate(states, record=True).trajectory(0).rolls == []
 
 
-def test_a_shot_goes_on_from_where_contact_begins(
-    shots: hoopgen.Shots, rolling: list[int]
-) -> None:
+def test_a_shot_goes_on_from_where_contact_begins(shots: hoopgen.Shots, rolling: list[int]) -> None:
     for shot in rolling[:3]:
         path = shots.trajectory(shot)
         ((row, start, _), *_) = path.rolls
