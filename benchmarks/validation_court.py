@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 import hoopgen
 from benchmarks.report import table
 from benchmarks.workloads import SEED, States, free_throw, swirl
-from hoopgen import COURT, HOOP, PAPER, PAPER_COURT, Outcome
+from hoopgen import COURT, HOOP, PAPER, PAPER_COURT, Event, Outcome
 from hoopgen.phrases import percent
 
 Floats = NDArray[np.float64]
@@ -27,6 +27,7 @@ REASONS = {
     "round": "lands where the hoop's bridge goes on beside the wire, but a plate does not",
     "rose": "goes the same way, and had come up through the ring",
     "starts": "starts in a body that the hoop does not have",
+    "rolls": "rolls, where the hoop's ball bounces on",
     "doubt": "is uncertain in one of the scenes",
 }
 """Why a shot changes: the first of these that happens to it."""
@@ -109,6 +110,8 @@ def _first_reasons(hoop: hoopgen.Shots, court: hoopgen.Shots) -> NDArray[np.int6
     beside = (hoop.events["surface"] == BRIDGE) & (there[:, 0] > -p["ring_radius"])
     rows = [(hoop.events, beside, np.full(len(beside), places["round"]))]
     rows.append((court.events, *_parts(court.events, places)))
+    rolls = court.events["kind"] == Event.ROLL
+    rows.append((court.events, rolls, np.full(len(rolls), places["rolls"])))
     for events, own, why in rows:
         for row in np.flatnonzero(own):
             shot = events["shot"][row]

@@ -183,7 +183,7 @@ def test_an_empty_batch_gives_empty_results(simulate: Simulate) -> None:
     shapes = {name: getattr(shots, name).shape for name in FIELDS}
     assert shapes == dict.fromkeys(FIELDS, (0,)) | {"counts": (0, 3), "state": (0, 9)}
     assert len(shots.events) == 0
-    assert shots.events.dtype.names == ("shot", "surface", "time", "before", "after")
+    assert shots.events.dtype.names == (*("shot", "surface", "time", "before", "after", "kind"),)
     assert len(simulate(np.empty((0, 9)), PAPER | {"gravity": []})) == 0
 
 

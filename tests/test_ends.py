@@ -121,7 +121,7 @@ class Engines:
             if getattr(other, name) is not None:
                 assert same_bits(getattr(one, name), getattr(other, name)).all(), name
         for shot in range(len(one.outcome)):
-            for name in ("shot", "surface", "time", "before", "after"):
+            for name in ("shot", "surface", "time", "before", "after", "kind"):
                 assert same_bits(events(one, shot)[name], events(other, shot)[name]).all()
 
     def names(self, out: Raw) -> list[str]:

@@ -18,7 +18,7 @@ from mutants import Fault, Run, derived, numpy_engine, numpy_module
 
 from benchmarks.families import FAMILIES
 from hoopgen import PAPER
-from hoopgen.codegen import loop
+from hoopgen.codegen import loop, numpy_loop
 from hoopgen.engine import numpy_backend
 from hoopgen.engine.raw import Layout, Raw
 
@@ -65,7 +65,7 @@ def assert_same(one: Raw, other: Raw, fields: tuple[str, ...]) -> None:
     for name in fields:
         assert same_bits(one.arrays[name], other.arrays[name]).all(), name
     assert np.array_equal(one.arrays["event_counts"], other.arrays["event_counts"])
-    for name in ("shot", "surface", "time", "before", "after"):
+    for name in ("shot", "surface", "time", "before", "after", "kind"):
         columns = (raw.arrays["events"][name] for raw in (one, other))
         assert same_bits(*columns).all(), name
 
@@ -75,8 +75,9 @@ def test_a_guarded_body_changes_nothing_outside_its_guard(
     cheap: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Taking the rows that a guard lets through, or choosing after all: the same bits."""
+    monkeypatch.setattr(numpy_loop, "CHEAP", cheap)
+    monkeypatch.setattr(numpy_loop, "CHEAP_IN_TURNS", cheap)
     monkeypatch.setattr(loop, "CHEAP", cheap)
-    monkeypatch.setattr(loop, "CHEAP_IN_TURNS", cheap)
     files = derived(Fault("none"))
     text = files["numpy/hoop.py"]
     guards = sum(isinstance(n, Guard) for s in hoop_model().loop.stages.values() for n in walk(s))

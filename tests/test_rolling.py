@@ -295,7 +295,6 @@ def test_a_ball_that_drops_onto_the_bridge_comes_to_rest(ball: float) -> None:
     assert shots.state[0] == pytest.approx([-0.26, 0, top, 0, 0, 0, 0, 0, 0], abs=1e-15)
 
 
-@pytest.mark.xfail(strict=True, reason="at rest only where the acceleration is exactly 0")
 def test_so_does_one_whose_normal_is_rounded() -> None:
     outcome, _ = _flown(_dropped((-0.25, 0, 0.5)), **_restitution(0.5))
     assert outcome == "LODGED"
@@ -329,7 +328,6 @@ def test_without_restitution_a_ball_settles_at_once() -> None:
     assert shots.events["time"][0] == shots.events["time"][1]
 
 
-@pytest.mark.xfail(strict=True, reason="slip of nothing but rounding counts where nothing moves")
 def test_one_that_falls_straight_onto_it_does_too() -> None:
     _, shots = _flown(_dropped((0.235, 0.0, 0.5)), **_restitution(0.0))
     assert [*shots.events["kind"]] == [Event.IMPACT, Event.ROLL]

@@ -428,14 +428,9 @@ def test_a_position_without_a_scene_is_refused() -> None:
 
 
 STUDIES: dict[str, tuple[Any, ...]] = {
-    "estimate": (None,),
-    "compare": (None, None),
-    "map": (None, {}),
-    "optimum": (None, {}),
     "margins": (None,),
     "bank_or_direct": (None, []),
     "aim": (),
-    "batch": ("in.csv", "out.csv"),
 }
 
 

@@ -289,7 +289,7 @@ def test_both_engines_give_the_same_bits(engines: Engines, width: int, shared: b
     for name in (*Layout(engines.module).results, "event_counts"):
         assert same_bits(getattr(numpy, name), getattr(c, name)).all(), name
     for shot in range(len(states)):
-        for name in ("shot", "surface", "time", "before", "after"):
+        for name in ("shot", "surface", "time", "before", "after", "kind"):
             left, right = events(numpy, shot)[name], events(c, shot)[name]
             assert same_bits(left, right).all(), name
 

@@ -151,7 +151,7 @@ def test_room_for_the_log_is_that_of_the_shots_at_once() -> None:
     contacts = 5 * 10**7  # 8.9 GB a shot
     check_log(1, contacts, threads=2)
     check_log(10**6, contacts, threads=1)
-    with pytest.raises(ValueError, match=r"^max_contacts: 100,000,002 events .* 18 GB of memory"):
+    with pytest.raises(ValueError, match=r"^max_contacts: 100,000,002 events .* 19 GB of memory"):
         check_log(10, contacts, threads=2)
     check_log(10**6, 40, threads=100)
 

@@ -140,6 +140,9 @@ def test_options_of_every_example_are_understood(
             assert "/" not in word or (README.parent / word).exists()
             (tmp_path / word).parent.mkdir(parents=True, exist_ok=True)
             (tmp_path / word).touch()
+            scene = README.parent / "examples" / "scenes" / word
+            if scene.exists():  # a scene is read with the option that names it
+                (tmp_path / word).write_bytes(scene.read_bytes())
     command = _commands()[name]
     with command.make_context(name, arguments):
         pass

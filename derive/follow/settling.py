@@ -115,10 +115,11 @@ def settling(law: Law, acceleration: Sequence[sp.Expr], ball_radius: sp.Expr) ->
     hop = hold(bounce / n)
     astray = hold(4 * f * hop**2 / loss + hop * bounce / 2 + 4 * rolling.SHARE * hop * slip / left)
     allowed = hold(tolerance(ball_radius))
+    quick = hold(speed + sp.sqrt(hold(size(pressing) * ball_radius)))
     turns = hold(hold(sp.Add(*map(size, turning))) + 4 * UNIT_ROUNDOFF)
     swing = hold(8 * hold(size(pressing) + speed * turns) * turns)
     steady = Less(hold(3 * hop * swing), hold(n * left**2))
-    slid = AtMost(slip, hold(hold(8 * f * hop) + sp.Rational(1, 2**46) * speed))
+    slid = AtMost(slip, hold(hold(8 * f * hop) + sp.Rational(1, 2**46) * quick))
     grips = AtMost(2 * f, hold(law.coefficient * n * (1 + e))) if law.coefficient != sp.oo else None
     conditions = [Less(0, n), Less(0, left), steady, slid]
     presses = every(*conditions, *([grips] if grips is not None else []))
@@ -128,7 +129,7 @@ def settling(law: Law, acceleration: Sequence[sp.Expr], ball_radius: sp.Expr) ->
     alone = Less(tube, nearest)
     near_zero = AtMost(size(n), hold(4 * turns * velocity_error))
     close = hold(size(astray - allowed) * bounce)
-    vague = every(AtMost(close, hold(2 * allowed * velocity_error)), Less(0, n))
+    vague = every(AtMost(close, hold(2 * allowed * velocity_error)), Less(0, bounce))
     return made(
         f"{law.name}_settling",
         {
@@ -253,9 +254,11 @@ def _stepping(strength: sp.Expr, ball_radius: sp.Expr, codes: Codes) -> tuple[Ke
     off = hold(small + 8 * size(per) * hold(pull * position_error + fastest * velocity_error))
     bends = hold(force_bend + sp.Rational(1, 2**40) * pull)
     leaves = some(Less(force, -small), every(AtMost(force, small), Less(force_rate, 0)))
-    stopped = AtMost(
-        hold(sum(map(size, velocity)) + sum(size(rolling.term(v, 1)) for v in rolling.SERIES[:3])),
-        0,
+    still = sp.Rational(1, 2**44)
+    pulled = sum(size(rolling.term(v, 1)) for v in rolling.SERIES[:3])
+    stopped = every(
+        AtMost(hold(sum(map(size, velocity))), still * hold(sp.sqrt(hold(strength * ball_radius)))),
+        AtMost(hold(pulled), still * strength),
     )
     room = hold(
         2 * position_error + sp.Rational(1, 2**47) * hold(sum(map(size, position)) + ball_radius)

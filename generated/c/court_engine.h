@@ -1,6 +1,6 @@
 /* The event loop of the scene court, LANES_WIDTH shots abreast.
 
-   Generated from templates/c/engine.h.j2, scene court, derivation 9ad18f7f95c999b6,
+   Generated from templates/c/engine.h.j2, scene court, derivation 643d48f59fe07a6b,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included by court.c once for every width. The shots in flight fill the first rows of the lists;
@@ -2419,7 +2419,7 @@ static void LANES(court_plain)(const court_job *job)
                 V force_rate = _o142.force_rate;
                 V force_bend = _o142.force_bend;
                 const LANES(court_leaving_force_out) _o143 =
-                    LANES(court_leaving_force)(K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
+                    LANES(court_leaving_force)(p_ball_radius, K(INFINITY), fastest, force, force_bend, force_rate, p_gravity, per_reach, K(0.0), stride, K(0.0), vx, vx_1, vy, vy_1, vz, vz_1, which);
                 stride = _o143.stride;
                 which = _o143.which;
                 M rests = _o143.rests;
@@ -6538,7 +6538,7 @@ static void LANES(court_bounded)(const court_job *job)
                 V force_rate = _o175.force_rate;
                 V force_bend = _o175.force_bend;
                 const LANES(court_leaving_force_out) _o176 =
-                    LANES(court_leaving_force)(doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
+                    LANES(court_leaving_force)(p_ball_radius, doubt, fastest, force, force_bend, force_rate, p_gravity, per_reach, position_error, stride, velocity_error, vx, vx_1, vy, vy_1, vz, vz_1, which);
                 stride = _o176.stride;
                 which = _o176.which;
                 M rests = _o176.rests;

@@ -1,6 +1,6 @@
 /* Kernels of the scene court, in C.
 
-   Generated from templates/c/kernels.h.j2, scene court, derivation 9ad18f7f95c999b6,
+   Generated from templates/c/kernels.h.j2, scene court, derivation 643d48f59fe07a6b,
    with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
    and run `make generate`.
    Included once for every vector width, after these are defined:
@@ -1771,7 +1771,7 @@ LANES(court_begun_errors)(V p_ball_radius, V dvx, V dvy, V dvz, V dwx, V dwy, V 
 }
 
 /* Where the normal force is spent, or nothing moves; else how long it certainly lasts.
-   N = 0. 65 operations: 11 additions, 1 subtraction, 14 multiplications, 1 division, 1 square root, 1 negation, 8 absolute values, 11 comparisons, 4 conjunctions, 2 disjunctions, 2 complements, 9 selections. */
+   N = 0. 70 operations: 10 additions, 1 subtraction, 17 multiplications, 1 division, 2 square roots, 1 negation, 8 absolute values, 12 comparisons, 5 conjunctions, 2 disjunctions, 2 complements, 9 selections. */
 typedef struct {
     V stride;
     V which;
@@ -1780,24 +1780,23 @@ typedef struct {
 } LANES(court_leaving_force_out);
 
 LANES_INLINE LANES(court_leaving_force_out)
-LANES(court_leaving_force)(V doubt, V fastest, V force, V force_bend, V force_rate, V p_gravity, V per_reach, V position_error, V stride, V velocity_error, V vx, V vx_1, V vy, V vy_1, V vz, V vz_1, V which)
+LANES(court_leaving_force)(V p_ball_radius, V doubt, V fastest, V force, V force_bend, V force_rate, V p_gravity, V per_reach, V position_error, V stride, V velocity_error, V vx, V vx_1, V vy, V vy_1, V vz, V vz_1, V which)
 {
     const V _s0 = lanes_abs(per_reach);
     const V _s1 = lanes_add(p_gravity, lanes_mul(lanes_mul(fastest, fastest), _s0));
     const V _s2 = lanes_mul(K(5.684341886080802e-14), _s1);
     const M _s3 = lanes_less(force_rate, K(0.0));
     const M _s4 = lanes_either(lanes_less(force, lanes_neg(_s2)), lanes_both(lanes_at_most(force, _s2), _s3));
-    const V _s5 = lanes_add(lanes_add(lanes_add(lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vx_1)), lanes_abs(vy)), lanes_abs(vy_1)), lanes_abs(vz)), lanes_abs(vz_1));
-    const M _s6 = lanes_at_most(_s5, K(0.0));
-    const V _s7 = lanes_mul(force_rate, force_rate);
-    const V _s8 = lanes_add(force_bend, lanes_mul(K(9.094947017729282e-13), _s1));
-    const V _s9 = lanes_max(force, K(0.0));
-    const V _s10 = lanes_add(_s7, lanes_mul(lanes_mul(K(2.0), _s8), _s9));
-    const V _s11 = lanes_sqrt(_s10);
-    const V _s12 = lanes_select(lanes_at_most(K(0.0), _s10), lanes_div(lanes_select(_s3, lanes_mul(K(2.0), _s9), lanes_add(force_rate, _s11)), lanes_select(_s3, lanes_sub(_s11, force_rate), lanes_max(K(0.0), _s8))), K(INFINITY));
-    const V _s13 = lanes_add(lanes_mul(lanes_mul(K(8.0), _s0), lanes_add(lanes_mul(fastest, velocity_error), lanes_mul(position_error, _s1))), _s2);
-    const V _s14 = lanes_select(lanes_both(lanes_at_most(lanes_abs(force), _s13), lanes_not(lanes_less(lanes_mul(lanes_mul(K(8.0), _s8), _s13), _s7))), K(0.0), doubt);
-    return (LANES(court_leaving_force_out)){ lanes_select(lanes_either(_s4, _s6), K(0.0), lanes_min(_s12, stride)), lanes_select(lanes_both(_s4, lanes_equal(which, K(-1.0))), K(6.0), which), lanes_both(_s6, lanes_not(_s4)), _s14 };
+    const M _s5 = lanes_both(lanes_at_most(lanes_add(lanes_add(lanes_abs(vx), lanes_abs(vy)), lanes_abs(vz)), lanes_mul(K(5.684341886080802e-14), lanes_sqrt(lanes_mul(p_ball_radius, p_gravity)))), lanes_at_most(lanes_add(lanes_add(lanes_abs(vx_1), lanes_abs(vy_1)), lanes_abs(vz_1)), lanes_mul(K(5.684341886080802e-14), p_gravity)));
+    const V _s6 = lanes_mul(force_rate, force_rate);
+    const V _s7 = lanes_add(force_bend, lanes_mul(K(9.094947017729282e-13), _s1));
+    const V _s8 = lanes_max(force, K(0.0));
+    const V _s9 = lanes_add(_s6, lanes_mul(lanes_mul(K(2.0), _s7), _s8));
+    const V _s10 = lanes_sqrt(_s9);
+    const V _s11 = lanes_select(lanes_at_most(K(0.0), _s9), lanes_div(lanes_select(_s3, lanes_mul(K(2.0), _s8), lanes_add(force_rate, _s10)), lanes_select(_s3, lanes_sub(_s10, force_rate), lanes_max(K(0.0), _s7))), K(INFINITY));
+    const V _s12 = lanes_add(lanes_mul(lanes_mul(K(8.0), _s0), lanes_add(lanes_mul(fastest, velocity_error), lanes_mul(position_error, _s1))), _s2);
+    const V _s13 = lanes_select(lanes_both(lanes_at_most(lanes_abs(force), _s12), lanes_not(lanes_less(lanes_mul(lanes_mul(K(8.0), _s7), _s12), _s6))), K(0.0), doubt);
+    return (LANES(court_leaving_force_out)){ lanes_select(lanes_either(_s4, _s5), K(0.0), lanes_min(_s11, stride)), lanes_select(lanes_both(_s4, lanes_equal(which, K(-1.0))), K(6.0), which), lanes_both(_s5, lanes_not(_s4)), _s13 };
 }
 
 /* Where a rolling ball meets another surface; else how long it certainly does not.
@@ -2231,7 +2230,7 @@ LANES(court_ring_impact_doubt)(V vx, V vy, V vz, V wx, V wy, V wz, V nx, V ny, V
 }
 
 /* Where a ball stays on a surface: its bounces end before anything else can happen, and from when on that is certain.
-   a geometric series of bounces. 131 operations: 24 additions, 6 subtractions, 61 multiplications, 4 divisions, 1 square root, 2 negations, 12 absolute values, 10 comparisons, 9 conjunctions, 1 disjunction, 1 selection. */
+   a geometric series of bounces. 135 operations: 25 additions, 6 subtractions, 62 multiplications, 4 divisions, 2 square roots, 2 negations, 12 absolute values, 11 comparisons, 9 conjunctions, 1 disjunction, 1 selection. */
 typedef struct {
     M settles;
     M lodges;
@@ -2244,28 +2243,29 @@ LANES(court_ring_impact_settling)(V p_ball_radius, V bounce, V p_gravity, V near
 {
     const V _s0 = lanes_neg(lanes_mul(p_gravity, nz));
     const V _s1 = lanes_sub(lanes_neg(_s0), lanes_add(lanes_add(lanes_mul(rolled_x, turning_x), lanes_mul(rolled_y, turning_y)), lanes_mul(rolled_z, turning_z)));
-    const M _s2 = lanes_less(K(0.0), _s1);
-    const V _s3 = lanes_sub(K(1.0), p_ring_restitution);
-    const V _s4 = lanes_div(bounce, _s1);
-    const V _s5 = lanes_add(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_abs(turning_x), lanes_abs(turning_y)), lanes_abs(turning_z)));
-    const V _s6 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(rolled_x)), lanes_abs(rolled_y));
-    const V _s7 = lanes_add(_s6, lanes_abs(rolled_z));
-    const M _s8 = lanes_less(lanes_mul(lanes_mul(K(3.0), _s4), lanes_mul(lanes_mul(K(8.0), lanes_add(lanes_mul(_s5, _s7), lanes_abs(_s0))), _s5)), lanes_mul(lanes_mul(_s3, _s3), _s1));
+    const V _s2 = lanes_sub(K(1.0), p_ring_restitution);
+    const V _s3 = lanes_div(bounce, _s1);
+    const V _s4 = lanes_add(K(4.440892098500626e-16), lanes_add(lanes_add(lanes_abs(turning_x), lanes_abs(turning_y)), lanes_abs(turning_z)));
+    const V _s5 = lanes_add(lanes_add(lanes_mul(p_ball_radius, lanes_add(lanes_add(lanes_abs(wx), lanes_abs(wy)), lanes_abs(wz))), lanes_abs(rolled_x)), lanes_abs(rolled_y));
+    const V _s6 = lanes_add(_s5, lanes_abs(rolled_z));
+    const V _s7 = lanes_abs(_s0);
+    const M _s8 = lanes_less(lanes_mul(lanes_mul(K(3.0), _s3), lanes_mul(lanes_mul(K(8.0), lanes_add(lanes_mul(_s4, _s6), _s7)), _s4)), lanes_mul(lanes_mul(_s2, _s2), _s1));
     const V _s9 = lanes_add(lanes_add(lanes_mul(nx, wx), lanes_mul(ny, wy)), lanes_mul(nz, wz));
     const V _s10 = lanes_mul(K(0.4), p_ball_radius);
     const V _s11 = lanes_add(lanes_mul(lanes_mul(K(0.4), ny), _s0), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(nz, turning_x), lanes_mul(nx, turning_z))), _s9));
     const V _s12 = lanes_add(lanes_mul(lanes_mul(K(0.4), nx), _s0), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(ny, turning_z), lanes_mul(nz, turning_y))), _s9));
     const V _s13 = lanes_add(lanes_add(lanes_mul(K(0.4), p_gravity), lanes_mul(lanes_mul(K(0.4), nz), _s0)), lanes_mul(lanes_mul(_s10, lanes_sub(lanes_mul(nx, turning_y), lanes_mul(ny, turning_x))), _s9));
     const V _s14 = lanes_sqrt(lanes_add(lanes_add(lanes_mul(_s11, _s11), lanes_mul(_s12, _s12)), lanes_mul(_s13, _s13)));
-    const V _s15 = lanes_add(K(1.0), p_ring_restitution);
-    const M _s16 = lanes_both(lanes_both(lanes_both(lanes_both(_s2, lanes_less(K(0.0), _s3)), _s8), lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), _s4), _s14), lanes_mul(K(1.4210854715202004e-14), _s7)))), lanes_at_most(lanes_mul(K(2.0), _s14), lanes_mul(lanes_mul(p_ring_friction, _s15), _s1)));
-    const V _s17 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(0.5), bounce), _s4), lanes_div(lanes_mul(lanes_mul(K(1.6), slip), _s4), _s3)), lanes_div(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s4, _s4)), _s14), lanes_mul(_s15, _s3)));
-    const V _s18 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
-    const M _s19 = lanes_both(_s16, lanes_at_most(_s17, _s18));
-    const V _s20 = lanes_mul(K(1024.0), _s18);
-    const M _s21 = lanes_less(lanes_add(lanes_div(lanes_mul(lanes_mul(K(16.0), _s4), _s7), _s3), _s20), nearest);
-    const M _s22 = lanes_either(lanes_at_most(lanes_abs(_s1), lanes_mul(lanes_mul(K(4.0), velocity_error), _s5)), lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s17, _s18))), lanes_mul(lanes_mul(K(2.0), velocity_error), _s18)), _s2));
-    return (LANES(court_ring_impact_settling_out)){ lanes_both(_s19, _s21), lanes_both(_s19, lanes_at_most(nearest, _s20)), lanes_select(lanes_both(_s16, _s21), K(1.0), K(0.0)), _s22 };
+    const M _s15 = lanes_at_most(slip, lanes_add(lanes_mul(lanes_mul(K(8.0), _s3), _s14), lanes_mul(K(1.4210854715202004e-14), lanes_add(lanes_sqrt(lanes_mul(p_ball_radius, _s7)), _s6))));
+    const V _s16 = lanes_add(K(1.0), p_ring_restitution);
+    const M _s17 = lanes_both(lanes_both(lanes_both(lanes_both(lanes_less(K(0.0), _s1), lanes_less(K(0.0), _s2)), _s8), _s15), lanes_at_most(lanes_mul(K(2.0), _s14), lanes_mul(lanes_mul(p_ring_friction, _s16), _s1)));
+    const V _s18 = lanes_add(lanes_add(lanes_mul(lanes_mul(K(0.5), bounce), _s3), lanes_div(lanes_mul(lanes_mul(K(1.6), slip), _s3), _s2)), lanes_div(lanes_mul(lanes_mul(K(4.0), lanes_mul(_s3, _s3)), _s14), lanes_mul(_s16, _s2)));
+    const V _s19 = lanes_mul(K(3.637978807091713e-12), p_ball_radius);
+    const M _s20 = lanes_both(_s17, lanes_at_most(_s18, _s19));
+    const V _s21 = lanes_mul(K(1024.0), _s19);
+    const M _s22 = lanes_less(lanes_add(lanes_div(lanes_mul(lanes_mul(K(16.0), _s3), _s6), _s2), _s21), nearest);
+    const M _s23 = lanes_either(lanes_at_most(lanes_abs(_s1), lanes_mul(lanes_mul(K(4.0), velocity_error), _s4)), lanes_both(lanes_at_most(lanes_mul(bounce, lanes_abs(lanes_sub(_s18, _s19))), lanes_mul(lanes_mul(K(2.0), velocity_error), _s19)), lanes_less(K(0.0), bounce)));
+    return (LANES(court_ring_impact_settling_out)){ lanes_both(_s20, _s22), lanes_both(_s20, lanes_at_most(nearest, _s21)), lanes_select(lanes_both(_s17, _s22), K(1.0), K(0.0)), _s23 };
 }
 
 /* Velocity and spin after a contact, frame-free.

@@ -1,6 +1,6 @@
 """NumPy kernels of the scene court.
 
-Generated from templates/numpy/kernels.py.j2, scene court, derivation 9ad18f7f95c999b6,
+Generated from templates/numpy/kernels.py.j2, scene court, derivation 643d48f59fe07a6b,
 with SymPy 1.14.0 and Jinja2 3.1.6. Do not edit: change derive/ or templates/
 and run `make generate`.
 Every function takes scalars or arrays that broadcast and is evaluated element by element; SI units.
@@ -300,7 +300,7 @@ ARGUMENTS: dict[str, tuple[str, ...]] = {
     "alone": (),
     "neared": ("gap", "nearest",),
     "begun_errors": ("p_ball_radius", "dvx", "dvy", "dvz", "dwx", "dwy", "dwz", "dx", "dy", "dz", "vx", "vy", "vz",),
-    "leaving_force": ("doubt", "fastest", "force", "force_bend", "force_rate", "p_gravity", "per_reach", "position_error", "stride", "velocity_error", "vx", "vx_1", "vy", "vy_1", "vz", "vz_1", "which",),
+    "leaving_force": ("p_ball_radius", "doubt", "fastest", "force", "force_bend", "force_rate", "p_gravity", "per_reach", "position_error", "stride", "velocity_error", "vx", "vx_1", "vy", "vy_1", "vz", "vz_1", "which",),
     "beside_body": ("p_ball_radius", "dent", "doubt", "fastest", "gap", "index", "late", "nearing", "position_error", "stride", "strongest", "which", "x", "y", "z",),
     "beside_gate": ("p_ball_radius", "dent", "doubt", "fastest", "gap", "index", "late", "nearing", "position_error", "stride", "strongest", "which", "x", "y", "z",),
     "beside_seam": ("fastest", "gap", "near", "nearing", "stride", "strongest",),
@@ -2011,10 +2011,10 @@ def begun_errors(p_ball_radius: Any, dvx: Any, dvy: Any, dvz: Any, dwx: Any, dwy
     return dx + _select(dx < 0.0, _s1, _s0, _r4), dy + _select(dy < 0.0, _s1, _s0, _r4), dz + _select(dz < 0.0, _s1, _s0, _r4), dvx + _select(dvx < 0.0, _s3, _s2, _r4), dvy + _select(dvy < 0.0, _s3, _s2, _r4), dvz + _select(dvz < 0.0, _s3, _s2, _r4), dwx + _select(dwx < 0.0, _s5, _s4, _r4), dwy + _select(dwy < 0.0, _s5, _s4, _r4), dwz + _select(dwz < 0.0, _s5, _s4, _r4)
 
 
-def leaving_force(doubt: Any, fastest: Any, force: Any, force_bend: Any, force_rate: Any, p_gravity: Any, per_reach: Any, position_error: Any, stride: Any, velocity_error: Any, vx: Any, vx_1: Any, vy: Any, vy_1: Any, vz: Any, vz_1: Any, which: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
+def leaving_force(p_ball_radius: Any, doubt: Any, fastest: Any, force: Any, force_bend: Any, force_rate: Any, p_gravity: Any, per_reach: Any, position_error: Any, stride: Any, velocity_error: Any, vx: Any, vx_1: Any, vy: Any, vy_1: Any, vz: Any, vz_1: Any, which: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Where the normal force is spent, or nothing moves; else how long it certainly lasts.
 
-    N = 0. 65 operations: 11 additions, 1 subtraction, 14 multiplications, 1 division, 1 square root, 1 negation, 8 absolute values, 11 comparisons, 4 conjunctions, 2 disjunctions, 2 complements, 9 selections.
+    N = 0. 70 operations: 10 additions, 1 subtraction, 17 multiplications, 1 division, 2 square roots, 1 negation, 8 absolute values, 12 comparisons, 5 conjunctions, 2 disjunctions, 2 complements, 9 selections.
     Returns stride, which, rests, doubt.
     """
     _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
@@ -2023,17 +2023,16 @@ def leaving_force(doubt: Any, fastest: Any, force: Any, force_bend: Any, force_r
     _s2 = _multiply(5.684341886080802e-14, _s1, _r2)
     _s3 = force_rate < 0.0
     _s4 = _logical_or((force < _negative(_s2, _r3)), _logical_and((force <= _s2), _s3))
-    _s5 = _add(_add(_add(_add(_add(_absolute(vx, _r3), _absolute(vx_1, _r4), _r4), _absolute(vy, _r3), _r3), _absolute(vy_1, _r4), _r4), _absolute(vz, _r3), _r3), _absolute(vz_1, _r4), _r4)
-    _s6 = _s5 <= 0.0
-    _s7 = _multiply(force_rate, force_rate, _r4)
-    _s8 = _add(force_bend, _multiply(9.094947017729282e-13, _s1, _r3), _r3)
-    _s9 = _select(force < 0.0, 0.0, force, _r5)
-    _s10 = _add(_s7, _multiply(_multiply(2.0, _s8, _r6), _s9, _r6), _r6)
-    _s11 = _sqrt(_s10, _r7)
-    _s12 = _select(0.0 <= _s10, _divide(_select(_s3, _multiply(2.0, _s9, _r5), _add(force_rate, _s11, _r6), _r8), _select(_s3, _subtract(_s11, force_rate, _r7), _select(0.0 < _s8, _s8, 0.0, _r9), _r10), _r8), _inf, _r6)
-    _s13 = _add(_multiply(_multiply(8.0, _s0, _r0), _add(_multiply(fastest, velocity_error, _r5), _multiply(position_error, _s1, _r1), _r1), _r0), _s2, _r0)
-    _s14 = _result(_logical_and((_absolute(force, _r2) <= _s13), _logical_not((_multiply(_multiply(8.0, _s8, _r3), _s13, _r3) < _s7))), 0.0, doubt, _r0)
-    return _result(_logical_or(_s4, _s6), 0.0, _select(_s12 < stride, _s12, stride, _r3), _r0), _result(_logical_and(_s4, (which == -1.0)), 6.0, which, _r0), _logical_and(_s6, _logical_not(_s4)), _s14
+    _s5 = _logical_and((_add(_add(_absolute(vx, _r3), _absolute(vy, _r4), _r4), _absolute(vz, _r3), _r3) <= (5.684341886080802e-14 * _sqrt((p_ball_radius * p_gravity)))), (_add(_add(_absolute(vx_1, _r3), _absolute(vy_1, _r4), _r4), _absolute(vz_1, _r3), _r3) <= (5.684341886080802e-14 * p_gravity)))
+    _s6 = _multiply(force_rate, force_rate, _r3)
+    _s7 = _add(force_bend, _multiply(9.094947017729282e-13, _s1, _r4), _r4)
+    _s8 = _select(force < 0.0, 0.0, force, _r5)
+    _s9 = _add(_s6, _multiply(_multiply(2.0, _s7, _r6), _s8, _r6), _r6)
+    _s10 = _sqrt(_s9, _r7)
+    _s11 = _select(0.0 <= _s9, _divide(_select(_s3, _multiply(2.0, _s8, _r5), _add(force_rate, _s10, _r6), _r8), _select(_s3, _subtract(_s10, force_rate, _r7), _select(0.0 < _s7, _s7, 0.0, _r9), _r10), _r8), _inf, _r6)
+    _s12 = _add(_multiply(_multiply(8.0, _s0, _r0), _add(_multiply(fastest, velocity_error, _r5), _multiply(position_error, _s1, _r1), _r1), _r0), _s2, _r0)
+    _s13 = _result(_logical_and((_absolute(force, _r2) <= _s12), _logical_not((_multiply(_multiply(8.0, _s7, _r4), _s12, _r4) < _s6))), 0.0, doubt, _r0)
+    return _result(_logical_or(_s4, _s5), 0.0, _select(_s11 < stride, _s11, stride, _r4), _r0), _result(_logical_and(_s4, (which == -1.0)), 6.0, which, _r0), _logical_and(_s5, _logical_not(_s4)), _s13
 
 
 def beside_body(p_ball_radius: Any, dent: Any, doubt: Any, fastest: Any, gap: Any, index: Any, late: Any, nearing: Any, position_error: Any, stride: Any, strongest: Any, which: Any, x: Any, y: Any, z: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -2357,34 +2356,35 @@ def ring_impact_doubt(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: 
 def ring_impact_settling(p_ball_radius: Any, bounce: Any, p_gravity: Any, nearest: Any, nx: Any, ny: Any, nz: Any, p_ring_friction: Any, p_ring_restitution: Any, rolled_x: Any, rolled_y: Any, rolled_z: Any, slip: Any, turning_x: Any, turning_y: Any, turning_z: Any, velocity_error: Any, wx: Any, wy: Any, wz: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
     """Where a ball stays on a surface: its bounces end before anything else can happen, and from when on that is certain.
 
-    a geometric series of bounces. 131 operations: 24 additions, 6 subtractions, 61 multiplications, 4 divisions, 1 square root, 2 negations, 12 absolute values, 10 comparisons, 9 conjunctions, 1 disjunction, 1 selection.
+    a geometric series of bounces. 135 operations: 25 additions, 6 subtractions, 62 multiplications, 4 divisions, 2 square roots, 2 negations, 12 absolute values, 11 comparisons, 9 conjunctions, 1 disjunction, 1 selection.
     Returns settles, lodges, assured, unsure.
     """
-    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, *_ = _room
+    _r0, _r1, _r2, _r3, _r4, _r5, _r6, _r7, _r8, _r9, _r10, *_ = _room
     _s0 = _negative(_multiply(p_gravity, nz, _r0), _r0)
     _s1 = _subtract(_negative(_s0, _r1), _add(_add(_multiply(rolled_x, turning_x, _r2), _multiply(rolled_y, turning_y, _r3), _r3), _multiply(rolled_z, turning_z, _r2), _r2), _r2)
-    _s2 = 0.0 < _s1
-    _s3 = 1.0 - p_ring_restitution
-    _s4 = _divide(bounce, _s1, _r1)
-    _s5 = _add(4.440892098500626e-16, _add(_add(_absolute(turning_x, _r3), _absolute(turning_y, _r4), _r4), _absolute(turning_z, _r3), _r3), _r3)
-    _s6 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r4), _absolute(wy, _r5), _r5), _absolute(wz, _r4), _r4), _r4), _absolute(rolled_x, _r5), _r5), _absolute(rolled_y, _r4), _r4)
-    _s7 = _add(_s6, _absolute(rolled_z, _r5), _r5)
-    _s8 = _multiply(_multiply(3.0, _s4, _r4), _multiply(_multiply(8.0, _add(_multiply(_s5, _s7, _r6), _absolute(_s0, _r7), _r7), _r7), _s5, _r7), _r4) < _multiply(_s3 * _s3, _s1, _r7)
-    _s9 = _add(_add(_multiply(nx, wx, _r7), _multiply(ny, wy, _r4), _r4), _multiply(nz, wz, _r7), _r7)
+    _s2 = 1.0 - p_ring_restitution
+    _s3 = _divide(bounce, _s1, _r1)
+    _s4 = _add(4.440892098500626e-16, _add(_add(_absolute(turning_x, _r3), _absolute(turning_y, _r4), _r4), _absolute(turning_z, _r3), _r3), _r3)
+    _s5 = _add(_add(_multiply(p_ball_radius, _add(_add(_absolute(wx, _r4), _absolute(wy, _r5), _r5), _absolute(wz, _r4), _r4), _r4), _absolute(rolled_x, _r5), _r5), _absolute(rolled_y, _r4), _r4)
+    _s6 = _add(_s5, _absolute(rolled_z, _r5), _r5)
+    _s7 = _absolute(_s0, _r4)
+    _s8 = _multiply(_multiply(3.0, _s3, _r6), _multiply(_multiply(8.0, _add(_multiply(_s4, _s6, _r7), _s7, _r7), _r7), _s4, _r7), _r6) < _multiply(_s2 * _s2, _s1, _r7)
+    _s9 = _add(_add(_multiply(nx, wx, _r7), _multiply(ny, wy, _r6), _r6), _multiply(nz, wz, _r7), _r7)
     _s10 = 0.4 * p_ball_radius
-    _s11 = _add(_multiply(_multiply(0.4, ny, _r4), _s0, _r4), _multiply(_multiply(_s10, _subtract(_multiply(nz, turning_x, _r6), _multiply(nx, turning_z, _r8), _r8), _r8), _s9, _r8), _r8)
-    _s12 = _add(_multiply(_multiply(0.4, nx, _r4), _s0, _r4), _multiply(_multiply(_s10, _subtract(_multiply(ny, turning_z, _r6), _multiply(nz, turning_y, _r9), _r9), _r9), _s9, _r9), _r9)
-    _s13 = _add(_add(0.4 * p_gravity, _multiply(_multiply(0.4, nz, _r4), _s0, _r4), _r4), _multiply(_multiply(_s10, _subtract(_multiply(nx, turning_y, _r0), _multiply(ny, turning_x, _r6), _r6), _r6), _s9, _r6), _r6)
-    _s14 = _sqrt(_add(_add(_multiply(_s11, _s11, _r8), _multiply(_s12, _s12, _r9), _r9), _multiply(_s13, _s13, _r6), _r6), _r6)
-    _s15 = 1.0 + p_ring_restitution
-    _s16 = _logical_and(_logical_and(_logical_and(_logical_and(_s2, (0.0 < _s3)), _s8), (slip <= _add(_multiply(_multiply(8.0, _s4, _r9), _s14, _r9), _multiply(1.4210854715202004e-14, _s7, _r8), _r8))), (_multiply(2.0, _s14, _r8) <= _multiply(p_ring_friction * _s15, _s1, _r9)))
-    _s17 = _add(_add(_multiply(_multiply(0.5, bounce, _r9), _s4, _r9), _divide(_multiply(_multiply(1.6, slip, _r8), _s4, _r8), _s3, _r8), _r8), _divide(_multiply(_multiply(4.0, _multiply(_s4, _s4, _r9), _r9), _s14, _r9), _s15 * _s3, _r9), _r9)
-    _s18 = 3.637978807091713e-12 * p_ball_radius
-    _s19 = _logical_and(_s16, (_s17 <= _s18))
-    _s20 = 1024.0 * _s18
-    _s21 = _add(_divide(_multiply(_multiply(16.0, _s4, _r1), _s7, _r1), _s3, _r1), _s20, _r1) < nearest
-    _s22 = _logical_or((_absolute(_s1, _r2) <= _multiply(_multiply(4.0, velocity_error, _r1), _s5, _r1)), _logical_and((_multiply(bounce, _absolute(_subtract(_s17, _s18, _r9), _r9), _r9) <= _multiply(_multiply(2.0, velocity_error, _r1), _s18, _r1)), _s2))
-    return _logical_and(_s19, _s21), _logical_and(_s19, (nearest <= _s20)), _result(_logical_and(_s16, _s21), 1.0, 0.0, _r0), _s22
+    _s11 = _add(_multiply(_multiply(0.4, ny, _r6), _s0, _r6), _multiply(_multiply(_s10, _subtract(_multiply(nz, turning_x, _r8), _multiply(nx, turning_z, _r9), _r9), _r9), _s9, _r9), _r9)
+    _s12 = _add(_multiply(_multiply(0.4, nx, _r6), _s0, _r6), _multiply(_multiply(_s10, _subtract(_multiply(ny, turning_z, _r8), _multiply(nz, turning_y, _r10), _r10), _r10), _s9, _r10), _r10)
+    _s13 = _add(_add(0.4 * p_gravity, _multiply(_multiply(0.4, nz, _r6), _s0, _r6), _r6), _multiply(_multiply(_s10, _subtract(_multiply(nx, turning_y, _r0), _multiply(ny, turning_x, _r8), _r8), _r8), _s9, _r8), _r8)
+    _s14 = _sqrt(_add(_add(_multiply(_s11, _s11, _r9), _multiply(_s12, _s12, _r10), _r10), _multiply(_s13, _s13, _r8), _r8), _r8)
+    _s15 = slip <= _add(_multiply(_multiply(8.0, _s3, _r10), _s14, _r10), _multiply(1.4210854715202004e-14, _add(_sqrt(_multiply(p_ball_radius, _s7, _r4), _r4), _s6, _r4), _r4), _r4)
+    _s16 = 1.0 + p_ring_restitution
+    _s17 = _logical_and(_logical_and(_logical_and(_logical_and((0.0 < _s1), (0.0 < _s2)), _s8), _s15), (_multiply(2.0, _s14, _r4) <= _multiply(p_ring_friction * _s16, _s1, _r10)))
+    _s18 = _add(_add(_multiply(_multiply(0.5, bounce, _r10), _s3, _r10), _divide(_multiply(_multiply(1.6, slip, _r4), _s3, _r4), _s2, _r4), _r4), _divide(_multiply(_multiply(4.0, _multiply(_s3, _s3, _r10), _r10), _s14, _r10), _s16 * _s2, _r10), _r10)
+    _s19 = 3.637978807091713e-12 * p_ball_radius
+    _s20 = _logical_and(_s17, (_s18 <= _s19))
+    _s21 = 1024.0 * _s19
+    _s22 = _add(_divide(_multiply(_multiply(16.0, _s3, _r1), _s6, _r1), _s2, _r1), _s21, _r1) < nearest
+    _s23 = _logical_or((_absolute(_s1, _r2) <= _multiply(_multiply(4.0, velocity_error, _r1), _s4, _r1)), _logical_and((_multiply(bounce, _absolute(_subtract(_s18, _s19, _r10), _r10), _r10) <= _multiply(_multiply(2.0, velocity_error, _r1), _s19, _r1)), (0.0 < bounce)))
+    return _logical_and(_s20, _s22), _logical_and(_s20, (nearest <= _s21)), _result(_logical_and(_s17, _s22), 1.0, 0.0, _r0), _s23
 
 
 def ring_impact(vx: Any, vy: Any, vz: Any, wx: Any, wy: Any, wz: Any, nx: Any, ny: Any, nz: Any, p_ball_radius: Any, p_ring_restitution: Any, p_ring_friction: Any, p_tangential_restitution: Any, p_restitution_speed: Any, _room: Any = NO_ROWS) -> tuple[Any, ...]:
@@ -4982,7 +4982,7 @@ def reach_plain(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _across_6_2, _round_6_2, _lift_6_2, _tx_6_2, _ty_6_2, _tz_6_2, _vx_7_2, _vy_7_2, _vz_7_2, _nx_7_2, _ny_7_2, _nz_7_2, _turn_rate_7_2, _cos_7_2, _sin_7_2, _widened_7_2, _near_7_2 = roll_6(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _room_2)
                 _, _, _lift_7_2, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _nx_8_2, _ny_8_2, _nz_8_2, _turn_rate_8_2, *_ = roll_7(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _across_6_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _round_6_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _widened_7_2, _room_2)
                 _stride_2, _strongest_2, _fastest_2, _force_2, _force_rate_2, _force_bend_2 = roll_pace(_p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _lift_7_2, _nx_8_2, _ny_8_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _nz_8_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _room_2)
-                _stride_2, _which_2, _rests_2, *_ = leaving_force(_inf, _fastest_2, _force_2, _force_bend_2, _force_rate_2, _p_gravity_2, _per_reach_2, 0.0, _stride_2, 0.0, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _room_2)
+                _stride_2, _which_2, _rests_2, *_ = leaving_force(_p_ball_radius_2, _inf, _fastest_2, _force_2, _force_bend_2, _force_rate_2, _p_gravity_2, _per_reach_2, 0.0, _stride_2, 0.0, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _room_2)
                 _beside_2, = beside(_held_2, 0.0)
                 _rows42, _count43 = _rows(_beside_2, _count35)
                 if _count43:
@@ -7059,7 +7059,7 @@ def reach_bounded(columns: dict[str, Any], shots: int, room: Any) -> None:
                 _across_6_2, _round_6_2, _lift_6_2, _tx_6_2, _ty_6_2, _tz_6_2, _vx_7_2, _vy_7_2, _vz_7_2, _nx_7_2, _ny_7_2, _nz_7_2, _turn_rate_7_2, _cos_7_2, _sin_7_2, _widened_7_2, _near_7_2 = roll_6(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _room_2)
                 _, _, _lift_7_2, _, _, _, _vx_8_2, _vy_8_2, _vz_8_2, _nx_8_2, _ny_8_2, _nz_8_2, _turn_rate_8_2, *_ = roll_7(_across_0_2, _across_1_2, _across_2_2, _across_3_2, _across_4_2, _across_5_2, _across_6_2, _bent_x_2, _bent_y_2, _bent_z_2, _cos_0_2, _cos_1_2, _cos_2_2, _cos_3_2, _cos_4_2, _cos_5_2, _cos_6_2, _cos_7_2, _p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _near_0_2, _near_1_2, _near_2_2, _near_3_2, _near_4_2, _near_5_2, _near_6_2, _near_7_2, _nx_0_2, _nx_1_2, _nx_2_2, _nx_3_2, _nx_4_2, _nx_5_2, _nx_6_2, _nx_7_2, _ny_0_2, _ny_1_2, _ny_2_2, _ny_3_2, _ny_4_2, _ny_5_2, _ny_6_2, _ny_7_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _per_reach_2, _ring_2, _round_0_2, _round_1_2, _round_2_2, _round_3_2, _round_4_2, _round_5_2, _round_6_2, _sin_0_2, _sin_1_2, _sin_2_2, _sin_3_2, _sin_4_2, _sin_5_2, _sin_6_2, _sin_7_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _tx_0_2, _tx_1_2, _tx_2_2, _tx_3_2, _tx_4_2, _tx_5_2, _tx_6_2, _ty_0_2, _ty_1_2, _ty_2_2, _ty_3_2, _ty_4_2, _ty_5_2, _ty_6_2, _tz_0_2, _tz_1_2, _tz_2_2, _tz_3_2, _tz_4_2, _tz_5_2, _tz_6_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _widened_1_2, _widened_2_2, _widened_3_2, _widened_4_2, _widened_5_2, _widened_6_2, _widened_7_2, _room_2)
                 _stride_2, _strongest_2, _fastest_2, _force_2, _force_rate_2, _force_bend_2 = roll_pace(_p_gravity_2, _lift_0_2, _lift_1_2, _lift_2_2, _lift_3_2, _lift_4_2, _lift_5_2, _lift_6_2, _lift_7_2, _nx_8_2, _ny_8_2, _nz_0_2, _nz_1_2, _nz_2_2, _nz_3_2, _nz_4_2, _nz_5_2, _nz_6_2, _nz_7_2, _nz_8_2, _per_reach_2, _turn_rate_0_2, _turn_rate_1_2, _turn_rate_2_2, _turn_rate_3_2, _turn_rate_4_2, _turn_rate_5_2, _turn_rate_6_2, _turn_rate_7_2, _turn_rate_8_2, _vx_0_2, _vx_1_2, _vx_2_2, _vx_3_2, _vx_4_2, _vx_5_2, _vx_6_2, _vx_7_2, _vx_8_2, _vy_0_2, _vy_1_2, _vy_2_2, _vy_3_2, _vy_4_2, _vy_5_2, _vy_6_2, _vy_7_2, _vy_8_2, _vz_0_2, _vz_1_2, _vz_2_2, _vz_3_2, _vz_4_2, _vz_5_2, _vz_6_2, _vz_7_2, _vz_8_2, _room_2)
-                _stride_2, _which_2, _rests_2, _doubt_2 = leaving_force(_doubt_2, _fastest_2, _force_2, _force_bend_2, _force_rate_2, _p_gravity_2, _per_reach_2, _position_error_2, _stride_2, _velocity_error_2, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _room_2)
+                _stride_2, _which_2, _rests_2, _doubt_2 = leaving_force(_p_ball_radius_2, _doubt_2, _fastest_2, _force_2, _force_bend_2, _force_rate_2, _p_gravity_2, _per_reach_2, _position_error_2, _stride_2, _velocity_error_2, _vx_2, _vx_1_2, _vy_2, _vy_1_2, _vz_2, _vz_1_2, _which_2, _room_2)
                 _beside_2, = beside(_held_2, 0.0)
                 _rows42, _count43 = _rows(_beside_2, _count35)
                 if _count43:

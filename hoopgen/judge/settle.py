@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hoopgen.engines import HOOP, Engine
+from hoopgen.events import Event
 from hoopgen.inputs import doubles
 
 from .batch import certify
@@ -63,11 +64,13 @@ def settle(
         processes=processes,
     )
     proved = certificate.decided
+    if scene.rolls:  # the judge bounces on where a ball rolls
+        proved = proved & (np.asarray(certificate.outcome) != scene.outcomes["CAPPED"])
     settled = rows[proved]
     for name in scene.layout.results.keys() & fields.keys():
         fields[name][settled] = getattr(certificate, name)[proved]
     if "events" in fields:
-        fields["events"] = _log(fields["events"], rows, certificate)
+        fields["events"] = _log(fields["events"], rows, certificate, proved, len(scene.surfaces))
     return settled
 
 
@@ -76,7 +79,13 @@ def _rows(value: ArrayLike, rows: NDArray[np.int64]) -> NDArray[Any]:
     return array[rows] if array.ndim else array
 
 
-def _log(events: NDArray[Any], rows: NDArray[np.int64], certificate: Certificate) -> NDArray[Any]:
+def _log(
+    events: NDArray[Any],
+    rows: NDArray[np.int64],
+    certificate: Certificate,
+    proved: NDArray[np.bool_],
+    bodies: int,
+) -> NDArray[Any]:
     """Return the event log with the proved events of settled shots in place of theirs."""
     fresh = [
         (
@@ -84,11 +93,12 @@ def _log(events: NDArray[Any], rows: NDArray[np.int64], certificate: Certificate
             event.surface,
             float(event.time),
             *([float(component) for component in state] for state in (event.before, event.after)),
+            int(Event.END if event.surface == bodies else Event.IMPACT),
         )
-        for row, proof in zip(rows.tolist(), certificate.proofs, strict=True)
-        if proof.decided
+        for row, proof, taken in zip(rows.tolist(), certificate.proofs, proved, strict=True)
+        if taken
         for event in proof.events
     ]
-    kept = events[~np.isin(events["shot"], rows[certificate.decided])]
+    kept = events[~np.isin(events["shot"], rows[proved])]
     merged = np.concatenate([kept, np.array(fresh, events.dtype)])
     return merged[np.argsort(merged["shot"], kind="stable")]
