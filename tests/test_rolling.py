@@ -355,3 +355,20 @@ def test_a_ball_that_flight_would_press_on_does_not_leave_again_and_again() -> N
     state = np.array([float.fromhex(part) for part in HELD.split()])
     shots = hoopgen.simulate(state, NBA | _restitution(0.7), scene=COURT, record=True)
     assert np.count_nonzero(shots.events["kind"] == Event.LEAVE) < 5
+
+
+def test_a_proof_agrees_with_a_shot_that_rolls_as_far_as_it_goes() -> None:
+    """The judge bounces on where the ball rolls; the contacts until then are those proved."""
+    soft = NBA | _restitution(0.2)
+    random = np.random.default_rng(3)
+    states = np.zeros((24, 9))
+    states[:, :6] = random.normal([0.24, 0, 0.3, 0, 0.3, 0], [0.03, 0, 0, 0.2, 0.2, 0], (24, 6))
+    shots = hoopgen.simulate(states, soft, scene=COURT, record=True, time_limit=3)
+    proof = hoopgen.certify(states, soft, scene=COURT, max_contacts=16, time_limit=3)
+    rolled = np.unique(shots.events["shot"][shots.events["kind"] == Event.ROLL])
+    sure = rolled[~shots.uncertain[rolled]]
+    assert len(sure) > 3
+    assert proof.agrees(shots)[sure].all()
+    other = np.roll(np.arange(len(states)), 1)
+    wrong = hoopgen.certify(states[other], soft, scene=COURT, max_contacts=16, time_limit=3)
+    assert not wrong.agrees(shots)[sure].all()

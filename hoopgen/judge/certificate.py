@@ -11,6 +11,7 @@ import numpy as np
 from flint import arb, ctx
 from numpy.typing import NDArray
 
+from hoopgen.events import Event
 from hoopgen.phrases import counted
 
 if TYPE_CHECKING:
@@ -168,7 +169,8 @@ class Certificate:
         -------
         ndarray
             bool (n,): the same surfaces in the same order, and the same outcome; or uncertain. Of
-            an undecided proof, that it is uncertain.
+            an undecided proof, that it is uncertain. The judge bounces on where a ball rolls: such
+            a shot agrees if its contacts until then are those proved, as far as the proof goes.
 
         Raises
         ------
@@ -182,10 +184,16 @@ class Certificate:
                 f"shots: expected {len(self)}, as many as were proved; got {len(shots)}"
             )
         ends = np.searchsorted(shots.events["shot"], np.arange(1, len(self)))
-        found = np.split(shots.events["surface"], ends) if len(self) else []
-        proved = (proof.surfaces for proof in self.proofs)
-        same = [list(one) == other for one, other in zip(found, proved, strict=True)]
+        found = np.split(shots.events, ends) if len(self) else []
+        proved = [proof.surfaces for proof in self.proofs]
+        same = [list(one["surface"]) == own for one, own in zip(found, proved, strict=True)]
         right = self.decided & (shots.outcome == self.outcome) & np.array(same, np.bool_)
+        capped = int(shots.scene.outcomes["CAPPED"])
+        for shot, (one, own) in enumerate(zip(found, proved, strict=True)):
+            begun = np.flatnonzero(one["kind"] == Event.ROLL)
+            if len(begun) and (not self.decided[shot] or self.outcome[shot] == capped):
+                until = min(int(begun[0]), len(own))
+                right[shot] = list(one["surface"][:until]) == own[:until]
         return np.asarray(right | shots.uncertain)
 
     @property
