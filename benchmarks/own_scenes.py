@@ -154,7 +154,7 @@ def as_markdown(rows: Sequence[Row], seconds: float) -> str:
         "# Exactness of the example scenes",
         "",
         f"`make exactness` flies {rows[0].shots:,} shots in each of "
-        "[examples/scenes](../examples/scenes), at most "
+        "`examples/scenes`, at most "
         f"{MAX_CONTACTS} contacts each, and holds them against `hoopgen.certify`, as those at the "
         "hoop in [exactness.md](exactness.md), which has the words; *flagged* is a share of all "
         "shots here. A ball that bounces ever lower, as on the green, is capped.",
