@@ -191,7 +191,7 @@ def simulate(
     wanted = _fields(fields, engine)
     workers = check_threads(threads)
     if record:
-        check_log(shots, most, workers)
+        check_log(shots, most, workers, engine)
     batch = _Batch(
         engine,
         releases,
@@ -228,7 +228,9 @@ def _limit(time_limit: float | None, engine: Engine) -> float:
     return limit
 
 
-def check_log(shots: int, max_contacts: int, threads: int | None = None) -> None:
+def check_log(
+    shots: int, max_contacts: int, threads: int | None = None, scene: Engine = HOOP
+) -> None:
     """Refuse an event log for which there is no room; arguments as of `simulate`.
 
     Raises
@@ -237,11 +239,11 @@ def check_log(shots: int, max_contacts: int, threads: int | None = None) -> None
         If it would take too much memory.
     """
     # Room is made for every contact that could be, by each thread for the shots it has.
-    at_once = min(shots, check_threads(threads) * max(1, ROOM // (max_contacts + 1)))
-    rows = at_once * (max_contacts + 1)
-    check_room(
-        "max_contacts", rows, "events to be recorded at once", HOOP.layout.event.itemsize + 16
-    )
+    layout = scene.layout
+    each = layout.log_rows(max_contacts)
+    at_once = min(shots, check_threads(threads) * max(1, ROOM // each))
+    row = layout.event.itemsize + 16
+    check_room("max_contacts", at_once * each, "events to be recorded at once", row)
 
 
 def _run(batch: _Batch, out: Raw, threads: int, record: bool) -> list[NDArray[Any]]:

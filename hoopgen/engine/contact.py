@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import operator
+import re
 from collections.abc import Callable, Mapping
 from functools import cache
 from types import FunctionType, ModuleType
@@ -26,9 +27,6 @@ _SHORTEST = 2.0**-30
 _LONGER = 3.0
 """Steps than those of the engines: theirs are off by a rounding, and a step of so much more by some
 1e-12 m, which nobody sees. Where there are seams the bounds on what is left hold for theirs."""
-
-_AGAIN = 8
-"""Terms of the series, each with a kernel of its own."""
 
 
 def _divided(above: float, below: float) -> float:
@@ -103,6 +101,7 @@ class Roll:
         self._kernels, self._body, self._first = kernels, body, state
         self._parameters = {name: float(value) for name, value in parameters.items()}
         self._seams = [name for name in kernels.ARGUMENTS if name.startswith(f"{body}_seam")]
+        self._order = sum(re.fullmatch(r"roll_\d+", name) is not None for name in kernels.ARGUMENTS)
         self._needed = [name for name in kernels.ARGUMENTS["roll_moved"] if name != "t"]
         starts, steps = self._follow(lasting)
         self._starts = np.array(starts)
@@ -136,7 +135,7 @@ class Roll:
 
     def _expand(self, now: dict[str, Any]) -> None:
         """Add the series about a state, and how long it holds."""
-        series = (f"roll_{k}" for k in range(_AGAIN))
+        series = (f"roll_{k}" for k in range(self._order))
         seams = (name for seam in self._seams for name in (seam, "beside_seam"))
         about = (f"{self._body}_normal", f"{self._body}_tube", "roll_start")
         for name in (*about, *series, "roll_pace", *seams):

@@ -218,7 +218,7 @@ def setting_of(
     if isinstance(model, Grid) or not isinstance(model, ReleaseModel):
         raise TypeError(
             "model: expected a Scatter, a Resample, or what else draws at random (it has draw and "
-            f"identity; a grid is for hoopgen.map), got {brief(model)}"
+            f"identity), got {brief(model)}"
         )
     engine = engine_of(scene)
     check_states(model, engine)

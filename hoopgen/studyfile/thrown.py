@@ -50,7 +50,7 @@ def check_throws(asked: Asked, question: Estimate | Compare) -> None:
         check_hoop("landings", asked.engine)
     contacts = contacts_of(question.max_contacts, asked.engine)
     if isinstance(question, Estimate) and "fan" in question.figures:
-        check_log(min(PLOTTED, most), contacts)
+        check_log(min(PLOTTED, most), contacts, scene=asked.engine)
 
 
 def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
