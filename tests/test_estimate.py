@@ -457,7 +457,11 @@ def test_a_comparison_in_words() -> None:
         ),
         ({"model": MEAN}, TypeError, "model: expected a Scatter, a Resample, or what else draws"),
         ({"model": Scatter({"speed": 7})}, ValueError, "variables: missing height, distance"),
-        ({"model": hoopgen.Grid({"speed": [7.0]}, REST)}, TypeError, "expected a Scatter, a Resample"),
+        (
+            {"model": hoopgen.Grid({"speed": [7.0]}, REST)},
+            TypeError,
+            "expected a Scatter, a Resample",
+        ),
     ],
 )
 def test_what_is_wrong_is_said(

@@ -1,0 +1,80 @@
+"""Rolling and settling agree with contacts, and with the laws of Newton and Euler."""
+
+from __future__ import annotations
+
+import sympy as sp
+from hoopgen.derive.contact.rolling import INERTIA_FACTOR, impact
+from hoopgen.derive.contact.slipping import gripping
+from hoopgen.derive.flight import rolling
+from hoopgen.derive.follow.settling import Codes, kernels
+from hoopgen.derive.ground.choice import release
+from hoopgen.derive.ground.symbols import normal, spin, velocity
+from hoopgen.derive.scenes import COURT
+
+RADIUS = sp.Rational(3, 25)
+NORMAL = sp.Matrix([1, 2, 2]) / 3
+STATE = sp.Matrix([-2, sp.Rational(1, 2), -3]), sp.Matrix([30, -70, 11])
+FALL = sp.Matrix([0, 0, -sp.Rational(981, 100)])
+
+
+def valued(expression: sp.Expr, extra: dict[sp.Symbol, sp.Expr] | None = None) -> sp.Expr:
+    """Return an expression with nothing held, at the motion above."""
+    moving, turning = STATE
+    given = dict(zip((*normal, *velocity, *spin), (*NORMAL, *moving, *turning), strict=True))
+    return sp.nsimplify(release(sp.sympify(expression)).subs({**given, **(extra or {})}))
+
+
+def test_rolling_takes_what_a_contact_that_grips_takes() -> None:
+    assert gripping(sp.Symbol("R", positive=True), sp.Integer(0)) == rolling.SHARE
+
+
+def test_a_ball_begins_to_roll_as_the_article_s_contact_without_restitution_leaves_it() -> None:
+    made = kernels(COURT.flight, RADIUS, (0,), Codes(1, 1), 0, 0)
+    gripped = dict(made["gripped"].outputs)
+    rolled = [valued(gripped[f"rolled_{axis}"]) for axis in "xyz"]
+    after, turned = impact(NORMAL, *STATE, RADIUS, sp.Integer(0))
+    assert rolled == [release(component) for component in after]
+    turn_rate = {sp.Symbol("turn_rate", real=True): RADIUS * STATE[1].dot(NORMAL)}
+    placed = rolling.placed(RADIUS)
+    where = dict(zip(velocity, rolled, strict=True)) | {rolling.gap: sp.Integer(0)} | turn_rate
+    spun = [
+        sp.nsimplify(
+            release(placed[str(w)]).subs({**dict(zip(normal, NORMAL, strict=True)), **where})
+        )
+        for w in spin
+    ]
+    assert spun == [release(component) for component in turned]
+
+
+def test_the_first_terms_are_newton_s_and_euler_s_with_the_contact_point_at_rest() -> None:
+    """On a sphere: force N n + F, its moment about the centre, and what stays zero."""
+    reach = sp.Rational(1, 4)
+    v = sp.Matrix([2, -1, 0])
+    s = sp.Rational(7, 10)
+    w = (NORMAL.cross(v) + s * NORMAL) / RADIUS
+    bending = v / reach
+    assert v.dot(NORMAL) == 0
+    dv, dw, push = (sp.Matrix(sp.symbols(f"{name}:3")) for name in ("dv", "dw", "push"))
+    moment = (-RADIUS * NORMAL).cross(push)
+    slipping = dv - RADIUS * (dw.cross(NORMAL) + w.cross(bending))
+    equations = [
+        *(dv - FALL - push),
+        *(INERTIA_FACTOR * RADIUS**2 * dw - moment),
+        # Across the normal the contact point stays at rest, along it the gap stays zero.
+        *(slipping - slipping.dot(NORMAL) * NORMAL)[:2],
+        dv.dot(NORMAL) + v.dot(bending),
+    ]
+    solution = sp.solve(equations, [*dv, *dw, *push], dict=True)[0]
+    terms = {
+        rolling.term(name, 0): value for name, value in zip(("vx", "vy", "vz"), v, strict=True)
+    }
+    terms |= {rolling.term(f"n{axis}", 0): n for axis, n in zip("xyz", NORMAL, strict=True)}
+    terms |= {rolling.term("turn_rate", 0): s, rolling.per_reach: 1 / reach, rolling.ring: 0}
+    terms |= dict.fromkeys(rolling.bent, sp.Integer(1))
+    terms |= {rolling.term("cos", 0): 1, rolling.term("sin", 0): 0, rolling.term("near", 0): 1}
+    first = {k: release(e).subs(terms) for k, e in rolling.following(0, tuple(FALL)).items()}
+    assert [first[f"v{axis}_1"] for axis in "xyz"] == [solution[d] for d in dv]
+    spin_rate = (dw.dot(NORMAL) + w.dot(bending)).subs(solution)
+    assert sp.simplify(first["turn_rate_1"] - RADIUS * spin_rate) == 0
+    lifted = first["lift_0"] - rolling.SHARE * FALL.dot(NORMAL)
+    assert sp.simplify(lifted - sp.Matrix([solution[p] for p in push]).dot(NORMAL)) == 0
