@@ -26,18 +26,16 @@ from hoopgen.outputs import write
 from hoopgen.parameters import Value, resolve
 from hoopgen.phrases import counted
 from hoopgen.printable import printable
-from hoopgen.results import Shots
+from hoopgen.results import Shots, Trajectory
 from hoopgen.told import say_of
 
-from .scenery import ball_radius, scenery, shown_parameters, turned
+from .scenery import PIECE, ball_radius, scenery, shown_parameters, turned
 from .shown import Page
 
 __all__ = ["MOST", "page", "written"]
 
 MOST = 2000
 """Shots on a page; with more, browsers are slow and paths cannot be told apart."""
-
-_PIECE = 2.0**-6  # s, of a roll: between its ends a cubic is off by less than 1e-6 m
 
 _SCRIPTS = ("flight.js", "scene.js", "camera.js", "badges.js", "picture.js", "page.js")
 _SLOT = re.compile(r"\{\{(\w+)\}\}")
@@ -75,6 +73,8 @@ def page(
     if not 1 <= len(valid) <= MOST:
         raise ValueError(f"shots: expected 1 to {MOST} valid ones, got {len(valid)}")
     touched = _touched(shots, values)
+    # One each, for all that is drawn of it: to follow a ball that rolls for long takes seconds.
+    paths = {int(row): shots.trajectory(int(row)) for row in valid}
     words = ["none"] * len(shots)
     if hoop:
         found = kinds(shots.outcome, shots.counts, shots.first)
@@ -88,12 +88,12 @@ def page(
         "kinds": [kind.name.lower() for kind in Kind],
         "parameters": {name: v for name, v in values.items() if isinstance(v, float)},
         "shots": [
-            _shot(shots, int(row), values, touched, label=names[row], kind=words[row])
-            for row in valid
+            _shot(shots, row, path, values, touched, label=names[row], kind=words[row])
+            for row, path in paths.items()
         ],
     }
     if not hoop:
-        data |= {"kinds": [], "parameters": {}, "scenery": scenery(shots, values)}
+        data |= {"kinds": [], "parameters": {}, "scenery": scenery(shots, values, paths.values())}
     return _fill(data)
 
 
@@ -119,6 +119,7 @@ def _labels(labels: Sequence[str] | None, shots: int) -> list[str]:
 def _shot(
     shots: Shots,
     row: int,
+    trajectory: Trajectory,
     values: Mapping[str, Value],
     touched: NDArray[np.float64],
     *,
@@ -126,10 +127,9 @@ def _shot(
     kind: str,
 ) -> dict[str, Any]:
     """Collect a shot: flights (start, state there), rolls (first flight, end), and its events."""
-    trajectory = shots.trajectory(row)
     events = trajectory.events
     low = int(np.searchsorted(shots.events["shot"], row))
-    starts, states, rolling = trajectory.pieces(_PIECE)
+    starts, states, rolling = trajectory.pieces(PIECE)
     surfaces = (*shots.surfaces, "end")
     own = {n: float(v[row]) for n, v in values.items() if not isinstance(v, float)}
     if not shots.scene.is_hoop:
