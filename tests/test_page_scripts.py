@@ -1,4 +1,4 @@
-"""The page's scripts without a browser: flights, balls that roll and turn."""
+"""The page's scripts without a browser: flights, balls that roll and turn, stops of a shot."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def told(script: str, given: Any = None) -> Any:
     flight = FOLDER.parent.parent / "generated" / "js" / "hoop.js"
     if not flight.is_file():
         pytest.skip("needs the sources")
-    own = (FOLDER / name for name in ("three/three.js", "flight.js", "scene.js"))
+    own = (FOLDER / name for name in ("three/three.js", "flight.js", "scene.js", "stops.js"))
     files = [file.read_text(encoding="utf-8") for file in (flight, *own)]
     whole = "\n".join(
         [*files, f"const given = {json.dumps(given)};", f"return ({script.strip()});"]
@@ -227,3 +227,28 @@ def test_after_its_end_a_ball_is_where_it_ended() -> None:
     (shot,) = shown(shots)
     later, end = told("[9, given.duration].map((time) => Flight.stateAt(given, time))", shot)
     assert later == end == shots.state[0].tolist()
+
+
+# Stops
+
+
+def test_stops_are_the_release_and_every_row_also_those_at_one_time() -> None:
+    shot = {"events": [{"time": time} for time in (0.5, 0.9, 0.9, 1.2)]}
+    at = "[0, 0.4, 0.5, 0.9, 1, 1.2].map((time) => Stops.at(given, time))"
+    assert told(at, shot) == [0, 0, 1, 3, 3, 4]
+    walk = """((way, from) => {
+      const seen = [from];
+      for (;;) {
+        const stop = seen.at(-1);
+        const next = Stops.beside(given, stop, Stops.times(given)[stop], way);
+        if (next === null) return seen;
+        seen.push(next);
+      }
+    })"""
+    assert told(f"{walk}(1, 0)", shot) == [0, 1, 2, 3, 4]
+    assert told(f"{walk}(-1, 4)", shot) == [4, 3, 2, 1, 0]
+    # From between two: back to the one before, on to the one after.
+    assert told("[-1, 1].map((way) => Stops.beside(given, 1, 0.7, way))", shot) == [1, 2]
+    assert (
+        told("[-1, 1].map((way) => Stops.beside(given, 0, 0, way))", {"events": []}) == [None] * 2
+    )

@@ -184,7 +184,8 @@ def test_surfaces_have_the_colours_of_the_pictures(tmp_path: Path) -> None:
 
     written = view(hoopgen.simulate(SAMPLE[0], record=True), hoopgen.PAPER, tmp_path / "shot.html")
     style = Path(written).read_text("utf-8").partition("<style>")[2].partition("</style>")[0]
-    given = re.findall(r"--([a-z]+): (#[0-9A-F]{6});", style)
+    by_day = "".join(re.findall(r":root \{.*?\}", style, re.S))
+    given = re.findall(r"--([a-z]+): (#[0-9A-F]{6});", by_day)
     assert len(given) == len(dict(given)), "no colour is given twice"
     assert {name: dict(given)[name] for name in COLOURS} == dict(COLOURS)
     own = (FOLDER / "page.css").read_text("utf-8").upper()

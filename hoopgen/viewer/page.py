@@ -17,7 +17,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
-from hoopgen.colours import COLOURS
 from hoopgen.events import Event, numbered
 from hoopgen.hoop.kinds import Kind, kinds
 from hoopgen.hoop.releases import RING_HEIGHT
@@ -29,6 +28,8 @@ from hoopgen.printable import printable
 from hoopgen.results import Shots, Trajectory
 from hoopgen.told import say_of
 
+from .ghost import ghost
+from .palette import palette
 from .scenery import PIECE, ball_radius, scenery, shown_parameters, turned
 from .shown import Page
 
@@ -37,7 +38,17 @@ __all__ = ["MOST", "page", "written"]
 MOST = 2000
 """Shots on a page; with more, browsers are slow and paths cannot be told apart."""
 
-_SCRIPTS = ("flight.js", "scene.js", "camera.js", "badges.js", "picture.js", "page.js")
+_SCRIPTS = (
+    "flight.js",
+    "stops.js",
+    "scene.js",
+    "others.js",
+    "camera.js",
+    "badges.js",
+    "picture.js",
+    "words.js",
+    "page.js",
+)
 _SLOT = re.compile(r"\{\{(\w+)\}\}")
 
 
@@ -83,6 +94,7 @@ def page(
         "title": printable(title) or _title(shots, valid),
         "about": _about(about, shots, parameters),
         "ring_height": RING_HEIGHT,
+        "ghost": ghost(shots, values),
         "surfaces": shots.surfaces,
         "outcomes": [outcome.name.lower() for outcome in shots.scene.outcomes],
         "kinds": [kind.name.lower() for kind in Kind],
@@ -92,9 +104,11 @@ def page(
             for row, path in paths.items()
         ],
     }
+    colours: dict[str, str] = {}
     if not hoop:
-        data |= {"kinds": [], "parameters": {}, "scenery": scenery(shots, values, paths.values())}
-    return _fill(data)
+        drawn, colours = scenery(shots, values, paths.values())
+        data |= {"kinds": [], "parameters": {}, "scenery": drawn}
+    return _fill(data, palette(colours))
 
 
 def _about(about: str, shots: Shots, parameters: Mapping[str, Any]) -> str:
@@ -190,17 +204,18 @@ def _ball(shots: Shots, values: Mapping[str, Value], rows: NDArray[np.intp]) -> 
     return found if isinstance(found, float) else found[rows]
 
 
-def _fill(data: Mapping[str, Any]) -> str:
+def _fill(data: Mapping[str, Any], colours: str) -> str:
     """Put style, scripts and data into the page, and a policy that lets nothing else run."""
-    style, three = _palette() + _read("page.css"), _read("three/three.js")
-    scripts = [_generated(), *(_read(name) for name in _SCRIPTS)]
-    allowed = " ".join(_digest(text) for text in (three, *scripts))
+    style, three = colours + _read("page.css"), _read("three/three.js")
+    first, scripts = _read("theme.js"), [_generated(), *(_read(name) for name in _SCRIPTS)]
+    allowed = " ".join(_digest(text) for text in (first, three, *scripts))
     policy = f"default-src 'none'; img-src data:; script-src {allowed}; style-src {_digest(style)}"
     slots = {
         "policy": policy,
         "version": html.escape(version()),
         "title": html.escape(data["title"]),
         "style": style,
+        "theme": first,
         "data": _json(data),
         "licence": _read("three/LICENSE"),
         "three": three,
@@ -218,13 +233,6 @@ def _json(data: Mapping[str, Any]) -> str:
 def _digest(text: str) -> str:
     digest = hashlib.sha256(text.encode()).digest()
     return f"'sha256-{base64.b64encode(digest).decode()}'"
-
-
-@cache
-def _palette() -> str:
-    """Return the colours that the page shares with pictures, as variables of its style."""
-    names = "".join(f"  --{name}: {colour};\n" for name, colour in COLOURS.items())
-    return f":root {{\n{names}}}\n"
 
 
 def _generated() -> str:

@@ -27,8 +27,12 @@ Floats = NDArray[np.float64]
 
 def scenery(
     shots: Shots, parameters: Mapping[str, Any], paths: Iterable[Trajectory]
-) -> dict[str, Any]:
-    """Return the scene of shots for the page; of parameters that differ, the mean is drawn."""
+) -> tuple[dict[str, Any], dict[str, str]]:
+    """Return the scene of shots for the page, and its colours by their names in the style.
+
+    Of parameters that differ, the mean is drawn. No name of a scene's author is in a style: bodies
+    are body-0, body-1, ... there, and outcomes ink-0, ink-1, ...
+    """
     seen = Seen.of(shots.scene, parameters)
     turn, axes = upright(seen.scene.read.down)
     low, high = _reach(paths)
@@ -37,14 +41,16 @@ def scenery(
     corners = np.sort(np.stack(room) @ turn.T, axis=0)
     outcomes = shots.scene.outcomes.__members__
     inks = ended(outcomes, len(shots.scene.kernels.ENDS))
-    return {
+    named = {f"body-{k}": own[name] for k, name in enumerate(seen.names)}
+    named |= {f"ink-{k}": inks[name] for k, name in enumerate(outcomes)}
+    found = {
         "axes": axes,
         "room": corners.tolist(),
         "step": float(10.0 ** np.floor(np.log10((corners[1] - corners[0]).max() / 3.0))),
-        "bodies": [_body(body, own[body.name], turn) for body in seen.bodies(room)],
+        "bodies": [_body(body, turn) for body in seen.bodies(room)],
         "ends": [line for end in seen.ends(room) for line in _lines(end.mesh.rims, turn)],
-        "inks": {name.lower(): colour for name, colour in inks.items()},
     }
+    return found, named
 
 
 def turned(shots: Shots, states: Floats) -> Floats:
@@ -83,11 +89,10 @@ def _reach(paths: Iterable[Trajectory]) -> tuple[Floats, Floats]:
     return rows.min(axis=0), rows.max(axis=0)
 
 
-def _body(body: Body, colour: str, turn: NDArray[np.int64]) -> dict[str, Any]:
+def _body(body: Body, turn: NDArray[np.int64]) -> dict[str, Any]:
     corners = body.mesh.corners.reshape(-1, 6)
     rows, index = np.unique(corners, axis=0, return_inverse=True)
     return {
-        "colour": colour,
         "flat": body.behind and _is_flat(body),
         "inside": body.behind and not _is_flat(body),
         "points": _rounded(rows[:, :3] @ turn.T).tolist(),
