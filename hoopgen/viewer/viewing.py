@@ -32,6 +32,10 @@ def view(
     notebook that shows it becomes larger by as much. Invalid shots are left out; `about` may say
     so.
 
+    One shot is played, or all at once; it goes from contact to contact by buttons or by Shift with
+    an arrow key, and is light or dark as the system is, or as its reader says. Around a hoop it has
+    a net and court lines, drawn for orientation and not simulated, which can be left out.
+
     Parameters
     ----------
     shots
