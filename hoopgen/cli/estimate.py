@@ -46,7 +46,10 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1de
     "--by", metavar="END", help="With --scene and --versus: the end that counts; else the first."
 )
 @click.option(
-    "--shots", type=COUNT, help="100,000 by default; with --precision the most, 1e9 by default."
+    "--shots",
+    type=COUNT,
+    help="100,000 by default; with --precision the most, 1e9 by default. Of more than a --folder "
+    "has, only the rest is thrown.",
 )
 @click.option(
     "--precision",

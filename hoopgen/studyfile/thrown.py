@@ -68,6 +68,7 @@ def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
         max_contacts=question.max_contacts,
         **work.options,
     )
+    work.keep(found.shots)
     shooting = _Shooting(asked, question, found.shots)
     for name in question.figures:
         asked.draw(work, name, shooting.fan() if name == "fan" else shooting.landings())
@@ -153,6 +154,7 @@ def answer_compare(asked: Asked, question: Compare, work: Work) -> Answer:
         max_contacts=question.max_contacts,
         **work.options,
     )
+    work.keep(found.first.shots)
     digits = decimals(found.half_width)
     line = (
         f"{points(found.difference, digits)} points by the change "
