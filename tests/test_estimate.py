@@ -334,7 +334,7 @@ def test_an_extension_that_is_interrupted_goes_on_to_the_same_bytes(
     whole = estimate(PLAYER, SCENE, shots=2500, folder=tmp_path / "whole")
     estimate(PLAYER, SCENE, shots=400, folder=tmp_path / "more")
     with monkeypatch.context() as patch:
-        patch.setattr(throws.Work, "_counted", _interrupted)
+        patch.setattr(throws.Work, "counted", _interrupted)
         with pytest.raises(KeyboardInterrupt) as raised:
             estimate(PLAYER, SCENE, shots=2500, folder=tmp_path / "more", threads=1)
     assert "the same call goes on from there" in raised.value.__notes__[0]
@@ -342,7 +342,7 @@ def test_an_extension_that_is_interrupted_goes_on_to_the_same_bytes(
     assert contents(tmp_path / "more") == contents(tmp_path / "whole")
 
 
-_counted = throws.Work._counted
+_counted = throws.Work.counted
 
 
 def _interrupted(work: throws.Work, start: int, stop: int, before: Any = None) -> Any:

@@ -134,6 +134,12 @@ name = "rows"
 file = "measured.csv"
 release = { height = "7 ft", distance = "13.75 ft" }
 measures = ["depth"]
+
+[[question]]
+kind = "solve"
+name = "scatter"
+share = 0.5
+shots = 300
 """
 )
 """A question of every kind, and of those with more than one way to be asked more than one."""
@@ -326,8 +332,8 @@ WRONG = {
     "wrong kind": (
         BEGIN + ASKED + "[[question]]\nname = 'm'\nkind = 'maps'\n",
         8,
-        'question #2, kind: expected "estimate", "compare", "map", "optimum", "bank", "aim" or '
-        '"batch"; got "maps"; is map meant?',
+        'question #2, kind: expected "estimate", "compare", "solve", "map", "optimum", "bank", "aim" '
+        'or "batch"; got "maps"; is map meant?',
     ),
     "below the range": (
         BEGIN + "[scatter]\nspeed = '-1 m/s'\n" + ASKED,
@@ -1143,7 +1149,7 @@ def test_check_reads_and_computes_nothing(tmp_path: Path) -> None:
     file = written(tmp_path, ALL)
     result = run(file, "--check")
     assert result.exit_code == 0, result.output
-    assert result.stdout.startswith(f"{file}: 9 questions, probability, backspin, map")
+    assert result.stdout.startswith(f"{file}: 10 questions, probability, backspin, map")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["measured.csv", "study.toml"]
 
 

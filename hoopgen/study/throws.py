@@ -122,7 +122,7 @@ class Work:
 
     def compute(self, chunk: int) -> pa.Table:
         """Return the numbers of a chunk: one row."""
-        return self._counted(*self._shots_of(chunk))
+        return self.counted(*self._shots_of(chunk))
 
     def rest(self, chunk: int, kept: pa.Table) -> Rest | None:
         """Return what goes on with a chunk that has fewer shots, or counts fewer of them."""
@@ -132,15 +132,15 @@ class Work:
         if there == stop:
             return None
         if there > stop:
-            return Rest(partial(self._counted, start, stop), more=False)
-        return Rest(partial(self._counted, there, stop, numbers), more=True)
+            return Rest(partial(self.counted, start, stop), more=False)
+        return Rest(partial(self.counted, there, stop, numbers), more=True)
 
     def _shots_of(self, chunk: int) -> tuple[int, int]:
         """Return the first shot of a chunk, and the one after its last."""
         start = chunk * CHUNK
         return start, min(start + CHUNK, self.shots)
 
-    def _counted(self, start: int, stop: int, before: NDArray[np.int64] | None = None) -> pa.Table:
+    def counted(self, start: int, stop: int, before: NDArray[np.int64] | None = None) -> pa.Table:
         """Return the numbers of some shots, and of those before them."""
         counts = [self.count(*block) for block in blocks(start, stop)]
         total = np.sum(counts if before is None else [before, *counts], axis=0)

@@ -96,7 +96,8 @@ study file, or the name of one that comes with hoopgen, `"hoop"`. As a table, `[
 `file = "netball.toml"` and parameters of the scene. Nothing in that file is evaluated either. Then
 `release` is a state, `x y z vx vy vz` and, if it spins, `wx wy wz`; these and the scene's
 parameters are what scatters and what is mapped and searched over. Questions are estimate, compare,
-map, optimum and batch; the others are a hoop's. If the scene file changes, the folder is refused.
+solve, map, optimum and batch; the others are a hoop's. If the scene file changes, the folder is
+refused.
 """
 
 _QUANTITIES = """
