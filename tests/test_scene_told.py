@@ -375,6 +375,8 @@ PRINTED = {
     "map": ("map", "--over", "elevation=45deg:60deg:3", "--aim", "5cm", *PLACE, *SCATTER, *FEW),
     "optimum": ("optimum", "--over", "elevation", "--aim", "5cm", *PLACE, *SCATTER, *FEW),
     "aim": ("aim", "--distance", "4m", "--height", "7ft"),
+    "bank": ("bank", *PLACE, *SCATTER, *FEW),
+    "banks": ("bank", "--places", "distance=3m,4m", "--height", "7ft", *SCATTER, *FEW),
     "aims": ("aim", "--distance", "4m,5m", "--height", "7ft"),
 }
 

@@ -332,8 +332,8 @@ WRONG = {
     "wrong kind": (
         BEGIN + ASKED + "[[question]]\nname = 'm'\nkind = 'maps'\n",
         8,
-        'question #2, kind: expected "estimate", "compare", "solve", "map", "optimum", "bank", "aim" '
-        'or "batch"; got "maps"; is map meant?',
+        'question #2, kind: expected "estimate", "compare", "solve", "map", "optimum", "bank", '
+        '"aim" or "batch"; got "maps"; is map meant?',
     ),
     "below the range": (
         BEGIN + "[scatter]\nspeed = '-1 m/s'\n" + ASKED,
