@@ -169,7 +169,7 @@ def test_a_file_is_viewed_in_python(results: Path, tmp_path: Path) -> None:
     assert data_of(tmp_path / "page.html")["parameters"] == dict(SCENE)
     with pytest.raises(ValueError, match="not PAPER"):
         hoopgen.view(str(results), hoopgen.PAPER)
-    with pytest.raises(ValueError, match="about, labels"):
+    with pytest.raises(ValueError, match="about: of a file it is which rows"):
         hoopgen.view(results, about="mine")
 
 
