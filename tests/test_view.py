@@ -653,6 +653,69 @@ def test_the_command_shows_a_sample_of_a_table(table: Path, tmp_path: Path) -> N
     assert np.linalg.norm(data["shots"][0]["flights"][0][4:7]) == pytest.approx(speed, rel=1e-14)
 
 
+NAMED = """player,game,speed,elevation_deg,height,distance
+Ann,0022400001,7.1,52,2.1,4.2
+Bea,0022400002,7.2,52,2.1,4.2
+Ann,0022400003,7.3,52,2.1,4.2
+,0022400004,7.0,52,2.1,4.2
+  </script><b>,0022400005,7.2,51,2.1,4.2
+"""
+
+
+def labels_of(file: Path, out: Path, *options: str) -> list[str]:
+    result = CliRunner().invoke(main, ["view", str(file), "--out", str(out), *options])
+    assert result.exit_code == 0, result.output
+    return [shot["label"] for shot in data_of(out.read_text("utf-8"))["shots"]]
+
+
+def test_a_column_names_the_shots_and_no_two_alike(tmp_path: Path) -> None:
+    pytest.importorskip("pyarrow")
+    pytest.importorskip("scipy")
+    file, out = tmp_path / "named.csv", tmp_path / "shots.html"
+    file.write_text(NAMED, encoding="utf-8")
+    wanted = ["Ann, row 1", "Bea", "Ann, row 3", "Row 4", "</script><b>"]
+    assert labels_of(file, out, "--label", "player") == wanted
+    games = [f"00224{number:05}" for number in range(1, 6)]
+    assert labels_of(file, out, "--label", "game") == games
+    speeds = ["7.1", "7.2, row 2", "7.3", "7.0", "7.2, row 5"]
+    assert labels_of(file, out, "--label", "speed") == speeds
+    assert labels_of(file, out) == [f"Row {row}" for row in range(1, 6)]
+    shown = hoopgen.view(file, labels="player")
+    assert [shot["label"] for shot in data_of(shown.text)["shots"]] == wanted
+    with pytest.raises(ValueError, match=r"labels: of a file, expected a column's name, got \['a'"):
+        hoopgen.view(file, labels=["a"] * 5)
+    result = CliRunner().invoke(main, ["view", str(file), "--out", str(out), "--label", "shooter"])
+    assert (result.exit_code, result.stdout) == (2, "")
+    said = "has no column 'shooter'. The columns are player, game, speed, elevation_deg"
+    assert said in result.stderr
+    assert result.stderr.count("\n") == 1
+
+
+def test_a_name_stays_with_its_shot_however_the_table_is_read(
+    table: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The column player of that table is the row, from 0."""
+    from hoopgen.viewer import sample as module
+
+    monkeypatch.setattr(module, "_ROWS", 9)
+    chosen = module.sample(table, 20, 7, release={"distance": 4.191}, label="player")
+    assert chosen.labels == [str(row) for row in chosen.rows]
+
+
+def test_results_keep_the_column_that_names_them(tmp_path: Path) -> None:
+    pytest.importorskip("pyarrow")
+    pytest.importorskip("scipy")
+    file, out = tmp_path / "named.csv", tmp_path / "results.parquet"
+    file.write_text(NAMED + f"{'long ' * 30},6,7.1,52,2.1,4.2\n", encoding="utf-8")
+    hoopgen.batch(file, out)
+    labels = labels_of(out, tmp_path / "shots.html", "--label", "player")
+    assert labels[:4] == ["Ann, row 1", "Bea", "Ann, row 3", "Row 4"]
+    assert labels[-1].endswith("...")
+    assert len(labels[-1]) == 40
+    kinds = labels_of(out, tmp_path / "shots.html", "--label", "outcome")
+    assert all(re.fullmatch(r"(made|missed)(, row \d)?", kind) for kind in kinds)
+
+
 def test_results_of_a_batch_are_shown_as_its_releases_are(table: Path, tmp_path: Path) -> None:
     results = tmp_path / "results.parquet"
     here = ["--release", "distance=13.75ft"]

@@ -30,6 +30,7 @@ _COMMANDS = {
     "map": "map",
     "optimum": "optimum",
     "aim": "aim",
+    "bank": "bank",
     "batch": "batch",
     "study": "study",
     "view": "view",
