@@ -275,6 +275,20 @@ def test_many_paths_are_drawn_by_how_they_end(netball: Engine) -> None:
     assert shots.plot(ax=axes) is axes
 
 
+def test_on_axes_a_shot_has_a_key_in_the_colours_of_the_bodies(netball: Engine) -> None:
+    axes = Figure().add_subplot()
+    netball.simulate(SHOT, record=True).trajectory(0).plot(ax=axes)
+    key = axes.get_legend()
+    assert key is not None
+    own = colours(netball.surfaces)
+    inks = {
+        text.get_text().split()[1]: to_hex(line.get_color()).upper()
+        for text, line in zip(key.get_texts(), key.get_lines(), strict=True)
+    }
+    assert (inks["cap"], inks["ring"]) == (own["cap"], own["ring"])
+    assert "\N{MINUS SIGN}0.350) m" in axes.get_title(loc="left")
+
+
 def test_a_crowd_of_paths_has_a_panel_for_each_end(netball: Engine) -> None:
     states = np.array(SHOT) + np.linspace(0.0, 0.3, 60)[:, None] * (np.arange(9) == 3)
     shots = netball.simulate(states, record=True)

@@ -37,6 +37,7 @@ from matplotlib.patches import Circle, Rectangle  # noqa: E402
 from matplotlib.text import Text  # noqa: E402
 
 from hoopgen.hoop.kinds import Kind, kinds  # noqa: E402
+from hoopgen.hoop.places import on_board, say_on_board  # noqa: E402
 from hoopgen.plots import (  # noqa: E402
     COLUMN,
     PAGE,
@@ -724,6 +725,50 @@ def test_lines_lead_along_the_releases_to_the_board() -> None:
         [[0.0, -4.2], [0.0, board]],
         [[2.5, -2.0], [0.15, board]],
     ]
+
+
+def test_an_aim_point_has_its_range() -> None:
+    dataset = aims()
+    ends = {
+        "touch_y_low": [-0.5, -0.1, 0.2, np.nan],
+        "touch_y_high": [-0.3, 0.1, 0.4, np.nan],
+        "touch_z_low": [0.5, 0.3, 0.35, np.nan],
+        "touch_z_high": [0.7, 0.4, 0.45, np.nan],
+    }
+    assert "A cross" not in said(plot_aim_points(dataset, SCENE))
+    ranged = dataset.assign({name: ("place", column) for name, column in ends.items()})
+    figure = plot_aim_points(ranged, SCENE)
+    assert "A cross spans nine tenths of the made bank shots, each way." in said(figure)
+    lines = one(axes_of(figure, "front view"), LineCollection)
+    assert [line.tolist() for line in lines.get_segments()] == [
+        [[-0.5, 0.6], [-0.3, 0.6]],
+        [[-0.1, 0.35], [0.1, 0.35]],
+        [[0.2, 0.4], [0.4, 0.4]],
+        [[-0.4, 0.5], [-0.4, 0.7]],
+        [[0.01, 0.3], [0.01, 0.4]],
+        [[0.3, 0.35], [0.3, 0.45]],
+    ]
+
+
+def test_places_have_names_and_shots_aim_at_them() -> None:
+    figure = plot_aim_points(aims(), SCENE)
+    axes = axes_of(figure, "front view")
+    names = {name.removesuffix(" of the square") for name in on_board(SCENE)}
+    assert {text.get_text() for text in axes.texts} == names
+    assert len(names) == 6
+    square = axes.patches[-1]
+    assert type(square) is Rectangle
+    # Outside the line, which is drawn along its middle.
+    top, line = SCENE["wire_radius"] + (18 - 2) * FOOT / 12, 2 * FOOT / 12
+    assert on_board(SCENE)["top right corner of the square"] == pytest.approx((FOOT, top))
+    assert square.get_y() + square.get_height() + line / 2 == pytest.approx(top)
+    left, right = (say_on_board(y, z, SCENE) for y, z in ((-0.4, 0.6), (0.3, 0.4)))
+    assert f"Bank shots aim from {left} to {right}." in said(figure)
+    assert left == "19 cm above and 10 cm left of the top left corner of the square"
+    dataset = aims().assign(aim=(("way", "place"), [[0.02, 0.07, 0.05, np.nan], [0.4] * 4]))
+    dataset = dataset.assign_coords(way=["direct", "bank"])
+    wanted = "Direct ones aim from 2 to 7 cm past the centre of the ring."
+    assert wanted in said(plot_aim_points(dataset, SCENE))
 
 
 def test_the_target_is_that_of_the_rule_book() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import textwrap
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -34,6 +36,7 @@ __all__ = [
     "letter",
     "save",
     "style",
+    "wrap",
 ]
 
 COLUMN, PAGE = 3.5, 7.1
@@ -78,6 +81,9 @@ MISSED: Mapping[str, str] = MappingProxyType(
 SHADES = "YlGnBu"
 """Matplotlib's colours of a share: lightness falls evenly, in grey and with any colour vision."""
 
+_FEWEST = 20  # letters of a line
+_NUMBER_AND_UNIT = re.compile(r"(?<=[\d$]) (?=(?:m|cm|mm|m/s|ft|in|ft/s|mph|s|Hz|rad/s)\b)")
+
 FORMATS = tuple(suffix.removeprefix(".") for suffix in PICTURES)
 
 _SETTINGS: Mapping[Any, Any] = {
@@ -113,6 +119,16 @@ _METADATA: Mapping[str, dict[str, str | None]] = MappingProxyType(
 def letter(size: float) -> float:
     """Return the mean width of a letter in DejaVu Sans, inches; its size is in points."""
     return 0.56 * size / POINTS_PER_INCH
+
+
+def wrap(text: str, width: float, size: float) -> list[str]:
+    """Break a text into lines of a width, inches, in letters of a size, points.
+
+    A number stays with its unit.
+    """
+    kept = _NUMBER_AND_UNIT.sub("\N{NO-BREAK SPACE}", text)
+    lines = textwrap.wrap(kept, max(_FEWEST, int(width / letter(size))))
+    return [line.replace("\N{NO-BREAK SPACE}", " ") for line in lines]
 
 
 @contextmanager
