@@ -515,8 +515,8 @@ def test_many_paths_have_a_panel_for_each_kind() -> None:
     shots = shots_of(200)
     figure = plot_fan(shots, SCENE)
     whole, *panels, _ = figure.axes
-    assert len(one(whole, PathCollection).get_paths()) == 150
-    place = classify(shots.outcome, kinds(shots.outcome, shots.counts, shots.first))[:150]
+    assert len(one(whole, PathCollection).get_paths()) == 120
+    place = classify(shots.outcome, kinds(shots.outcome, shots.counts, shots.first))[:120]
     for axes, each in zip(panels, np.unique(place).tolist(), strict=True):
         lines, which = one(axes, PathCollection), CLASSES[each]
         assert {to_hex(colour).upper() for colour in lines.get_edgecolors()} == {which.colour}
@@ -524,7 +524,7 @@ def test_many_paths_have_a_panel_for_each_kind() -> None:
         assert len(lines.get_paths()) == count
         assert axes.get_title(loc="left") == f"{which.words} ({count})"
         assert axes.get_xlim() == panels[0].get_xlim()
-    assert "150 are drawn, by kind (how many of each)." in said(figure)
+    assert "120 are drawn, by kind (how many of each)." in said(figure)
     assert len(plot_fan(shots, SCENE, paths=40).axes) == 3
 
 
@@ -841,8 +841,8 @@ def test_a_map_of_many_cells_is_a_small_file(tmp_path: Path) -> None:
 def test_the_pictures_of_the_documents_are_there_and_small() -> None:
     root = Path(__file__).parents[1]
     text = (root / "benchmarks" / "pictures.py").read_text(encoding="utf-8")
-    names = re.findall(r'^    "([a-z-]+)": [a-z_]+,$', text, re.MULTILINE)
-    assert "free-throws" in names
+    names = re.findall(r'^    "([a-z0-9-]+)": [a-z0-9_]+,$', text, re.MULTILINE)
+    assert {"free-throws", "figure-7"} <= set(names)
     for name in names:
         assert 0 < (root / "docs" / f"{name}.svg").stat().st_size < 300_000
 

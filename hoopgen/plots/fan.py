@@ -80,7 +80,7 @@ def plot_fan(
     shots: Shots,
     parameters: Mapping[str, Any],
     *,
-    paths: int = 150,
+    paths: int = 120,
     by: str = "auto",
     title: str = "",
     note: str = "",

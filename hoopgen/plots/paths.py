@@ -84,9 +84,9 @@ def draw_paths(
         if share
     ]
     limits = _limits(paths, view, scenery)
-    drawn = f"{len(paths)} {'is' if len(paths) == 1 else 'are'} drawn{say_by(by)}"
+    shown = f"{len(paths)} {'is' if len(paths) == 1 else 'are'} drawn{say_by(by)}"
     scene = say_of(shots.scene, parameters)
-    told = f"{counted(len(shots), 'shot')}, {drawn}. Scene: {scene}. {note}"
+    told = f"{counted(len(shots), 'shot')}, {shown}. Scene: {scene}. {note}"
     with style():
         if ax is not None:
             axes = check_axes(ax)
