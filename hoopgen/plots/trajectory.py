@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
@@ -21,11 +20,12 @@ from hoopgen.plots.marks import KEY_ROW, Mark, collect_marks, draw_key, key_rows
 from hoopgen.plots.panels import Drawing, Panel, Room, draw_panel, draw_view, some
 from hoopgen.plots.picture import Picture, add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scenery import Scenery, scenery_of
-from hoopgen.plots.style import COLOURS, INK, PAGE, SMALL, letter, style
+from hoopgen.plots.style import INK, PAGE, SMALL, style, wrap
 from hoopgen.plots.views import SIDE, TOP, Limits, Points, View, oblique
 from hoopgen.printable import printable
 from hoopgen.told import say_of
 from hoopgen.units import shown, shown_system
+from hoopgen.words import MINUS
 
 __all__ = ["plot_trajectory"]
 
@@ -145,7 +145,7 @@ def plot_trajectory(
         told = [
             line
             for text in _told(trajectory, parameters)
-            for line in textwrap.wrap(text, int((page.width - _LEFT) / letter(SMALL)))
+            for line in wrap(text, page.width - _LEFT, SMALL)
         ]
         room = max(0, len(told) - _LINES) * _LINE
         figure = Picture(figsize=(page.width, page.height + room))
@@ -165,8 +165,10 @@ def _draw_on(axes: Axes, drawing: Drawing, title: str, *told: str) -> Axes:
 
 
 def _key_of(mark: Mark) -> Line2D:
-    colour, text = COLOURS[mark.kind], f"{mark.label}  {mark.text}".strip()
-    return Line2D([], [], color=colour, label=text, marker="o", markersize=5.0, linestyle="none")
+    text = f"{mark.label}  {mark.text}".strip()
+    return Line2D(
+        [], [], color=mark.colour, label=text, marker="o", markersize=5.0, linestyle="none"
+    )
 
 
 def _collect(trajectory: Path, parameters: Mapping[str, float], outcome: IntEnum | None) -> Drawing:
@@ -314,7 +316,7 @@ def _told(trajectory: Path, parameters: Mapping[str, float]) -> tuple[str, str]:
     dots = f"Scene: {scene}. Dots on the path every {_beat(trajectory.duration):g} s."
     turns = ", ".join(turning) or "no spin"
     if not trajectory.scene.is_hoop:
-        at = ", ".join(f"{one / length.size:.3f}" for one in (x, y, z))
+        at = ", ".join(f"{one / length.size:.3f}".replace("-", MINUS) for one in (x, y, z))
         fast = f"{speed / unit.size:.2f} {unit.symbol}"
         return f"Released at {fast}, {turns}; from ({at}) {length.symbol}.", dots
     away, high = (

@@ -23,7 +23,7 @@ from hoopgen.sizes import check_room
 from hoopgen.told import model_told, say_scene
 
 from .best import paired
-from .board import on_board
+from .board import NOWHERE, on_board, window
 from .crew import crew
 from .draws import check_two_seeds
 from .intervals import wilson
@@ -46,6 +46,13 @@ _OVER = ("elevation", "aim", "azimuth")
 
 _PLACE = 400
 """Bytes that a place takes as one of a list."""
+
+_ENDS = {
+    "touch_y_low": "lower end of y on the board",
+    "touch_y_high": "upper end of y on the board",
+    "touch_z_low": "lower end of the height on the board from the ring",
+    "touch_z_high": "upper end of the height on the board from the ring",
+}
 
 _SHOT = 48
 """Bytes that what became of a shot takes, both ways, until it is counted."""
@@ -84,13 +91,15 @@ def bank_or_direct(
     xarray.Dataset
         Over ``way`` ("direct", "bank") and ``place``: `probability` with its Wilson interval, `low`
         and `high`, of the fresh shots that are valid; how many are `invalid`; and the release, each
-        argument of `hoopgen.release` and what parameters were searched over. Where no shot tried
-        succeeds that way, the probability is 0 and the release NaN.
+        argument of `hoopgen.release`, and `aim` and what parameters were searched over. Where no
+        shot tried succeeds that way, the probability is 0 and the release NaN.
 
         Over ``place``: `difference`, bank less direct, with the interval of the paired shots,
         `difference_low` and `difference_high`; where the ball of the best bank shot touches the
-        board, `touch_y` and `touch_z` (m; z from the ring's height); and `sight_y` (m), where the
-        vertical plane of its release meets the board.
+        board, `touch_y` and `touch_z` (m; z from the ring's height), and the range of those of its
+        fresh shots that are made, nine tenths of them, `touch_y_low`, `touch_y_high`,
+        `touch_z_low` and `touch_z_high`; and `sight_y` (m), where the vertical plane of its release
+        meets the board.
 
     Raises
     ------
@@ -203,7 +212,7 @@ class _Question:
         both = Thrown(*np.array([[t.made.sum(), t.valid.sum()] for t in (straight, banked)]).T)
         low, high = wilson(both.made, both.valid, self.confidence)
         difference, least, most = paired(banked, straight, self.confidence)
-        released = (*ARGUMENTS, *(name for name in self.over if name in NAMES))
+        released = (*ARGUMENTS, *(name for name in self.over if name in ("aim", *NAMES)))
         answer = {name: np.array([direct[name], bank[name]]) for name in released}
         answer |= {"probability": both.share, "low": low, "high": high}
         answer |= {"invalid": self.shots - both.valid}
@@ -212,6 +221,7 @@ class _Question:
             "difference_low": least,
             "difference_high": most,
             **on_board(bank, {name: bank[name] for name in NAMES}),
+            **{name: bank[name] for name in NOWHERE},
         }
         return answer | {name: np.asarray(value) for name, value in single.items()}
 
@@ -223,11 +233,13 @@ class _Question:
         if point is None:
             nothing = np.zeros(self.shots, np.bool_)
             unknown = dict.fromkeys((*ARGUMENTS, *self.over), math.nan)
-            return {**player.parameters, **unknown}, Thrown(nothing, ~nothing)
+            return {**player.parameters, **unknown, **NOWHERE}, Thrown(nothing, ~nothing)
         best = change_variables(centre, point)
         player = player.at(best)
+        banked = player.by == "bank"
+        touched = window(player, fixed | point, self.shots, self.seed + 1) if banked else NOWHERE
         return (
-            {**player.parameters, **arguments_of(best, player.parameters)},
+            {**best, **player.parameters, **arguments_of(best, player.parameters), **touched},
             player.scored(fixed | point, self.shots, self.seed + 1),
         )
 
@@ -243,6 +255,7 @@ def _dataset(spots: Floats, columns: Mapping[str, Floats], question: _Question) 
         "difference_high": ("1", "upper end of its interval"),
         "touch_y": ("m", "where the ball touches the board, y"),
         "touch_z": ("m", "where the ball touches the board, height from the ring"),
+        **{name: ("m", f"of made shots, nine tenths: {said}") for name, said in _ENDS.items()},
         "sight_y": ("m", "where the release points on the board, y"),
     } | {name: (variable.unit or "1", variable.label) for name, variable in VARIABLES.items()}
     data = {
