@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from hoopgen.cli.measuring import measure_options
 from hoopgen.cli.options import UNITS_IN_WORDS, examples, json_option, units_option
 from hoopgen.cli.releasing import Releasing, from_option, release_options, work_options
 from hoopgen.cli.types import ASSIGNMENT, COUNT, once
@@ -28,6 +29,9 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1de
         "hoopgen estimate --aim 5cm --elevation 52deg --backspin 3Hz --height 7ft \\",
         f"    --distance 13.75ft {_PLAYER} \\",
         "    --preset nba --precision 0.001 --versus backspin=0",
+        "hoopgen estimate --speed 7.17 --elevation 52deg --height 7ft --distance 13.75ft \\",
+        f"    {_PLAYER} \\",
+        "    --measure rebound_distance --measure rebound_angle --catching-height 2.7m",
         "hoopgen estimate --scene golf.toml --position=-30cm,0,3cm --velocity 1.2,0,0 \\",
         "    --scatter vx=0.1 --scatter vy=0.05",
         "hoopgen estimate --from releases.csv --height 7ft --distance 13.75ft --json",
@@ -53,6 +57,7 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1de
     type=click.FloatRange(0, 1, min_open=True, max_open=True),
     help="Stop when half the interval is no wider: 0.001 is a tenth of a point.",
 )
+@measure_options("Say how it is spread")
 @work_options
 @units_option
 @json_option
@@ -61,14 +66,17 @@ def estimate(
     versus: Mapping[str, float],
     by: str | None,
     precision: float | None,
+    measures: tuple[str, ...],
+    catching_height: float,
     as_json: bool,
     **work: Any,
 ) -> None:
     """Estimate how probably a shot is made.
 
     Shots scatter about a release, or are drawn from measured ones. Said are the probability with
-    its interval, and the shares of swishes, shots off the rim, bank shots and so on. With --scene
-    shots scatter about a position and a velocity, and said is the share of each end.
+    its interval, and the shares of swishes, shots off the rim, bank shots and so on; with --measure
+    how a measure is spread too, and of rebound_angle how many rebounds go where. With --scene shots
+    scatter about a position and a velocity, and said is the share of each end.
     """
     import hoopgen
     from hoopgen.cli.progress import shown
@@ -78,9 +86,12 @@ def estimate(
     with shown() as progress:
         options = {"precision": precision, "progress": progress, **work}
         if versus:
+            if measures:
+                raise click.UsageError("--measure is of one setting, without --versus.")
             changed = releasing.model(versus)
             result: Any = hoopgen.compare(setting, changed, scene=scene, by=by, **options)
         else:
+            options |= {"measures": measures, "catching_height": catching_height}
             result = hoopgen.estimate(*setting, scene=scene, **options)
     if as_json:
         click.echo(json.dumps(in_units(result.as_dict()), indent=2, allow_nan=False))

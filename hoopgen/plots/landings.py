@@ -21,6 +21,7 @@ from hoopgen.plots.court import FLOOR, Court, add_floor, draw_floor, find_court,
 from hoopgen.plots.page import add_axes, new_page
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import add_title, check_axes, fit_view
+from hoopgen.plots.sectors import at_height, draw_sectors
 from hoopgen.plots.style import COLOURS, DARK, PAGE, SHADES, style
 from hoopgen.plots.views import Limits, Points
 from hoopgen.told import say_scene
@@ -43,12 +44,14 @@ _MARGIN = 0.3  # m
 _CELLS = 500  # along a side, at most
 
 
-def _share() -> str:
-    return f"balls that land there (% per {shown('length').symbol}²)"
+def _share(height: float | None) -> str:
+    what = "land there" if height is None else "come down there"
+    return f"balls that {what} (% per {shown('length').symbol}²)"
 
 
 class _Options(TypedDict, total=False):
     place: tuple[float, float] | None
+    height: float | None
     court: str
     title: str
     note: str
@@ -83,6 +86,7 @@ def plot_landings(
     parameters: Mapping[str, Any],
     *,
     place: tuple[float, float] | None = None,
+    height: float | None = None,
     court: str = "NBA",
     title: str = "",
     note: str = "",
@@ -100,6 +104,10 @@ def plot_landings(
         Of the scene; of those that differ from shot to shot the hoop shows the mean.
     place
         Where the shots are released, x and y, m.
+    height
+        Of rebounds, m above the floor: x and y are rebound_x and rebound_y at that catching height,
+        in place of floor_x and floor_y. With a `place` it is said how many go in which direction,
+        seen from there.
     court
         Whose lines are drawn, of `hoopgen.plots.court.COURTS`.
     title
@@ -127,8 +135,9 @@ def plot_landings(
     points = _points(x, y)
     scene = {name: float(np.mean(value)) for name, value in parameters.items()}
     circles = {share: float(np.quantile(np.hypot(*points.T), share)) for share in _WITHIN}
-    told = f"n = {len(points)}. Scene: {say_scene(parameters)}. {note}"
-    places = _Places(points, circles, place, scene, lines, told)
+    caught = at_height(height, sectors=place is not None)
+    told = f"n = {len(points)}{caught}. Scene: {say_scene(parameters)}. {note}"
+    places = _Places(points, circles, place, scene, lines, told, height)
     with style():
         if ax is not None:
             return _draw_on(check_axes(ax), places, title)
@@ -157,6 +166,7 @@ class _Places:
     scene: Mapping[str, float]
     court: Court
     note: str
+    height: float | None
 
     @property
     def limits(self) -> Limits:
@@ -170,6 +180,8 @@ class _Places:
         cells = _draw_density(axes, shown, limits, self.scene["ball_radius"])
         for share, radius in self.circles.items():
             _draw_circle(axes, radius, share)
+        if self.height is not None and self.place is not None:
+            draw_sectors(axes, self.points, self.place, max(self.circles.values()))
         if self.place is not None:
             _draw_release(axes, *on_floor(*self.place).tolist())
         return cells
@@ -188,7 +200,7 @@ def _draw(places: _Places, title: str, width: float) -> Figure:
     cells = places.draw(axes, limits)
     left_of_bar = panel.left + panel.width + _BAR_GAP
     bar = add_axes(figure, left_of_bar, panel.bottom, _BAR, panel.height, "bar")
-    figure.colorbar(cells, cax=bar, label=_share())
+    figure.colorbar(cells, cax=bar, label=_share(places.height))
     bar.yaxis.set_major_locator(MaxNLocator(steps=[1, 2, 5, 10]))
     return figure
 
@@ -202,7 +214,7 @@ def _draw_on(axes: Axes, places: _Places, title: str) -> Axes:
     figure = axes.figure
     assert figure is not None
     ticks = MaxNLocator(steps=[1, 2, 5, 10])
-    figure.colorbar(cells, ax=axes, label=_share(), ticks=ticks)
+    figure.colorbar(cells, ax=axes, label=_share(places.height), ticks=ticks)
     return axes
 
 

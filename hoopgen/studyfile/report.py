@@ -26,6 +26,7 @@ _CAPTIONS: Mapping[str, str] = MappingProxyType(
     {
         "fan": "Paths of the first shots",
         "landings": "Where misses reach the floor",
+        "rebounds": "Where misses come down to the catching height",
         "map": "The map",
         "aim_points": "Where bank shots touch the board, and from where",
     }

@@ -10,12 +10,14 @@ from pydantic import AfterValidator, Field, GetCoreSchemaHandler, ValidationErro
 from pydantic_core import CoreSchema, core_schema
 
 from hoopgen.hoop.presets import PRESETS
+from hoopgen.hoop.releases import CATCHING_HEIGHT
 from hoopgen.hoop.variables import VARIABLES
 from hoopgen.study.aim import Arc
 from hoopgen.study.lock import LOCK
 from hoopgen.study.margins import MARGINS
 from hoopgen.study.measures import MEASURES
 from hoopgen.study.player import BY, By
+from hoopgen.study.rebounds import check_height
 from hoopgen.study.tables import FORMATS
 
 from .fields import Ends, Listed, Named, OneOf, Table, Values
@@ -108,9 +110,12 @@ ByWay: TypeAlias = Annotated[str, Way(tuple(BY))]
 Names: TypeAlias = Annotated[list[str], Listed(Text(said="a column's name"))]
 Format: TypeAlias = Annotated[str | None, Word(tuple(FORMATS))]
 File: TypeAlias = Annotated[str, Text(said="the name of a file")]
+Measures: TypeAlias = Annotated[list[str], Listed(Word(tuple(MEASURES)))]
+Height: TypeAlias = Annotated[float, Quantity("length", 0.0), AfterValidator(check_height)]
 
 
 _CAPPED = "A shot with so many is given up as capped; by default 40 at the hoop, elsewhere 1000."
+_CAUGHT = "Of rebounds, above the floor: of the ball's centre when it is caught. A choice."
 
 
 class Study(Table):
@@ -197,8 +202,14 @@ class Estimate(Question):
         None, description="Stop when half the interval is no wider: 0.001 is a tenth of a point."
     )
     max_contacts: Contacts = Field(None, description=_CAPPED)
-    figures: Annotated[list[str], Listed(Word(("fan", "landings")))] = Field(
-        [], description="Paths of the first shots; where misses reach the floor."
+    measures: Measures = Field(
+        [], description="How each is spread; of rebound_angle, how many rebounds go where."
+    )
+    catching_height: Height = Field(CATCHING_HEIGHT, description=_CAUGHT)
+    figures: Annotated[list[str], Listed(Word(("fan", "landings", "rebounds")))] = Field(
+        [],
+        description="Paths of the first shots; where misses reach the floor; where they come down "
+        "to the catching height.",
     )
 
 
@@ -312,9 +323,8 @@ class Batch(Question):
     own: Names = Field(
         [], description="Columns that are not to be read, though they are named like variables."
     )
-    measures: Annotated[list[str], Listed(Word(tuple(MEASURES)))] = Field(
-        [], description="Columns to add."
-    )
+    measures: Measures = Field([], description="Columns to add.")
+    catching_height: Height = Field(CATCHING_HEIGHT, description=_CAUGHT)
     prefix: Annotated[str, Text(r".*", "text")] = Field(
         "", description="Of the names of the results' columns."
     )

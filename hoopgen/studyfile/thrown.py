@@ -14,7 +14,7 @@ from hoopgen.study.batch import batch
 from hoopgen.study.best import PLOTTED
 from hoopgen.study.compare import compare
 from hoopgen.study.estimate import estimate
-from hoopgen.study.measures import measure
+from hoopgen.study.measures import measure, measures_of
 from hoopgen.study.named import in_units
 from hoopgen.study.origin import settle
 from hoopgen.study.shares import Shares
@@ -22,7 +22,7 @@ from hoopgen.study.tables import Source
 from hoopgen.study.tallies import contacts_of
 from hoopgen.study.throws import check_states, most_shots, outcome_by
 from hoopgen.told import in_a_note, told_setting
-from hoopgen.variables import Releases
+from hoopgen.variables import Releases, check_names
 
 from .asked import Answer, Asked, Work, fenced
 from .schema import Batch, Compare, Estimate
@@ -46,11 +46,20 @@ def check_throws(asked: Asked, question: Estimate | Compare) -> None:
     most = most_shots(question.shots, question.precision, asked.study.confidence, paired=paired)
     if isinstance(question, Compare):
         outcome_by(asked.engine, question.by)
-    elif "landings" in question.figures:
-        check_hoop("landings", asked.engine)
+    else:
+        _check_measured(asked, question)
     contacts = contacts_of(question.max_contacts, asked.engine)
     if isinstance(question, Estimate) and "fan" in question.figures:
         check_log(min(PLOTTED, most), contacts, scene=asked.engine)
+
+
+def _check_measured(asked: Asked, question: Estimate) -> None:
+    """Look for what is measured where it cannot be."""
+    for name in {"landings", "rebounds"} & set(question.figures):
+        check_hoop(name, asked.engine)
+    if question.measures:
+        check_hoop("measures", asked.engine)
+        check_names("measures", question.measures, measures_of(asked.engine))
 
 
 def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
@@ -63,6 +72,8 @@ def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
         scene=asked.engine,
         shots=question.shots,
         precision=question.precision,
+        measures=question.measures,
+        catching_height=question.catching_height,
         confidence=asked.study.confidence,
         seed=asked.study.seed,
         max_contacts=question.max_contacts,
@@ -70,7 +81,7 @@ def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
     )
     shooting = _Shooting(asked, question, found.shots)
     for name in question.figures:
-        asked.draw(work, name, shooting.fan() if name == "fan" else shooting.landings())
+        asked.draw(work, name, shooting.figure(name))
     digits = decimals(found.half_width)
     if isinstance(found, Shares):
         ends = asked.engine.kernels.ENDS or tuple(n for n, share in found.shares.items() if share)
@@ -102,22 +113,35 @@ class _Shooting:
     question: Estimate
     shots: int
 
-    def fan(self) -> Any:
+    def figure(self, name: str) -> Any:
+        """Return a picture by its name."""
+        draw = {"fan": self._fan, "landings": self._landings, "rebounds": self._rebounds}
+        return draw[name]()
+
+    def _fan(self) -> Any:
         """Return the picture of paths."""
         released, shots = self._simulated(PLOTTED, record=True)
         note = in_a_note(self._told)
         return plots.plot_fan(shots, released.parameters, title=self.question.title, note=note)
 
-    def landings(self) -> Any:
+    def _landings(self) -> Any:
         """Return the picture of where misses reach the floor."""
+        return self._on_the_floor_plan("floor", "where misses land")
+
+    def _rebounds(self) -> Any:
+        """Return the picture of where misses come down to the catching height."""
+        height = self.question.catching_height
+        return self._on_the_floor_plan("rebound", "where rebounds are caught", height=height)
+
+    def _on_the_floor_plan(self, where: str, said: str, **options: Any) -> Any:
         released, shots = self._simulated(_LANDINGS)
         states, scene = released.states, released.parameters
-        floor = measure(states, shots, scene, ("floor_x", "floor_y"))
-        x, y = (floor[name][shots.outcome == Outcome.MISSED] for name in ("floor_x", "floor_y"))
-        place = states[:, :2].mean(axis=0).tolist()
-        title = f"{self.question.title}: where misses land" if self.question.title else ""
-        note = in_a_note(self._told)
-        return plots.plot_landings(x, y, scene, place=tuple(place), title=title, note=note)
+        height, names = self.question.catching_height, (f"{where}_x", f"{where}_y")
+        there = measure(states, shots, scene, names, catching_height=height)
+        x, y = (there[name][shots.outcome == Outcome.MISSED] for name in names)
+        title = f"{self.question.title}: {said}" if self.question.title else ""
+        options |= {"place": tuple(states[:, :2].mean(axis=0).tolist()), "title": title}
+        return plots.plot_landings(x, y, scene, note=in_a_note(self._told), **options)
 
     @property
     def _told(self) -> dict[str, str]:
@@ -190,6 +214,7 @@ def answer_batch(asked: Asked, question: Batch, work: Work) -> Answer:
         scene=asked.engine,
         release=question.release,
         measures=question.measures,
+        catching_height=question.catching_height,
         max_contacts=_most_contacts(question),
         override=True,  # what the study file says is said on purpose
         format=question.format,
