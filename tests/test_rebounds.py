@@ -465,6 +465,24 @@ def test_a_study_says_what_is_wrong_with_them(tmp_path: Path, more: str, said: s
         check_study(_study(tmp_path, more))
 
 
+def test_a_place_of_many_balls_leaves_the_others_their_shades() -> None:
+    """The darkest shade is for where nine in ten are; an arrow says that there is more."""
+    random = np.random.default_rng(3)
+    places = random.normal(0, 1, (20_000, 2))
+    even = plot_landings(*places.T, hoopgen.NBA, height=2.5)
+    (cells,) = even.axes[0].collections
+    assert cells.norm.vmax == cells.get_array().max()
+    assert cells.get_cmap().colorbar_extend is False
+    places[:1000] = (1.5, 0.5)
+    figure = plot_landings(*places.T, hoopgen.NBA, height=2.5)
+    (cells,) = figure.axes[0].collections
+    density = cells.get_array()
+    within = density[density <= cells.norm.vmax].sum() / density.sum()
+    assert 0.9 <= within < 0.96
+    assert density.max() > 2 * cells.norm.vmax
+    assert cells.colorbar.extend == "max"
+
+
 def test_the_picture_says_the_height_and_the_shares_of_the_sectors() -> None:
     places = np.array([(1.0, 0.0)] * 5 + [(0.5, -1.0)] * 3 + [(0.5, 1.0), (-1.0, 0.1)])
     figure = plot_landings(*places.T, hoopgen.NBA, place=(4.191, 0.0), height=2.5)

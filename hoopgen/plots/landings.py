@@ -22,6 +22,7 @@ from hoopgen.plots.page import add_axes, new_page
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import add_title, check_axes, fit_view
 from hoopgen.plots.sectors import at_height, draw_sectors
+from hoopgen.plots.shades import limit_shades
 from hoopgen.plots.style import COLOURS, DARK, PAGE, SHADES, style
 from hoopgen.plots.views import Limits, Points
 from hoopgen.told import say_scene
@@ -178,6 +179,7 @@ class _Places:
         """Draw all but the floor, on a floor plan."""
         shown = on_floor(*self.points.T)
         cells = _draw_density(axes, shown, limits, self.scene["ball_radius"])
+        limit_shades(cells)
         for share, radius in self.circles.items():
             _draw_circle(axes, radius, share)
         if self.height is not None and self.place is not None:

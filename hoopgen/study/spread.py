@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from math import inf, sqrt
 from types import MappingProxyType
 from typing import Any
@@ -27,7 +28,7 @@ from .intervals import wilson
 from .measures import MEASURES, measure
 from .rebounds import SECTORS, caught_at
 
-__all__ = ["QUANTILES", "Spread", "counts_of", "spread_lines", "spreads", "width_of"]
+__all__ = ["QUANTILES", "Spread", "counts_of", "in_brief", "spread_lines", "spreads", "width_of"]
 
 QUANTILES = (0.05, 0.25, 0.5, 0.75, 0.95)
 """Shares of the shots that are below."""
@@ -180,6 +181,21 @@ def _sectors(cells: NDArray[np.int64]) -> dict[str, int]:
 # ----------------------------------------------------------------------------------------- in words
 
 
+def in_brief(found: Mapping[str, Spread]) -> str:
+    """Say of each measure the median, and of a direction the sector that most rebounds go to."""
+    said = []
+    for one in found.values():
+        if one.sectors and one.shots:
+            name = max(one.sectors, key=one.sectors.__getitem__)
+            said.append(f"{percent(one.sectors[name] / one.shots)} of the rebounds {name}")
+        elif one.quantiles:
+            seen = _shown(MEASURES[one.name].unit)
+            blank = "" if seen.symbol == "°" else " "
+            median = f"{_number(one.quantiles[0.5][0], seen)}{blank}{seen.symbol}"
+            said.append(f"{MEASURES[one.name].label} {median} (median)")
+    return "; ".join(said)
+
+
 def spread_lines(found: Mapping[str, Spread]) -> list[str]:
     """Say measures in lines: quantiles in a table, and the sectors of a direction."""
     lines: list[str] = []
@@ -201,11 +217,7 @@ def _row(one: Spread) -> list[str]:
     """Return a measure as a row: how many, and quantiles in the unit shown."""
     unit = MEASURES[one.name].unit
     seen = _shown(unit)
-
-    def said(value: float) -> str:
-        number = round(value / seen.size, seen.decimals) + 0.0  # no minus before a zero
-        return f"{number:.{seen.decimals}f}".replace("-", MINUS)
-
+    said = partial(_number, seen=seen)
     label = f"{MEASURES[one.name].label} ({seen.symbol})"
     if not one.quantiles:
         return [label, "0", *[""] * 6]
@@ -213,6 +225,12 @@ def _row(one: Spread) -> list[str]:
     low, high = (said(end) for end in one.quantiles[0.5][1:])
     between = f"({low} to {high})"
     return [label, f"{one.shots:,}", at[0.05], at[0.25], at[0.5], between, at[0.75], at[0.95]]
+
+
+def _number(value: float, seen: Shown) -> str:
+    """Return a value in the unit shown."""
+    number = round(value / seen.size, seen.decimals) + 0.0  # no minus before a zero
+    return f"{number:.{seen.decimals}f}".replace("-", MINUS)
 
 
 def _shown(unit: str) -> Shown:

@@ -73,6 +73,10 @@ the same bytes with the same versions; `versions.json` alone tells of the machin
 added to the file later. If one that is in the folder has changed, or is no longer asked, the folder
 is refused, and what differs is said.
 
+With `--report page.html` the report is written as a page too: one file with all pictures in it, to
+read, to print and to pass on, which says what was asked in words, how it was made, and the digests
+of the study file and the answers.
+
 With `--scheduler tcp://…` the workers of a Dask cluster compute the chunks.
 
 ## Where shots come from

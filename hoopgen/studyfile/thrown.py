@@ -18,6 +18,7 @@ from hoopgen.study.measures import measure, measures_of
 from hoopgen.study.named import in_units
 from hoopgen.study.origin import settle
 from hoopgen.study.shares import Shares
+from hoopgen.study.spread import in_brief
 from hoopgen.study.tables import Source
 from hoopgen.study.tallies import contacts_of
 from hoopgen.study.throws import check_states, most_shots, outcome_by
@@ -93,6 +94,7 @@ def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
     else:
         ends = interval(found.low, found.high, digits)
         line = f"{percent(found.probability, digits)} made ({ends})"
+        line = "; ".join(filter(None, (line, in_brief(found.measured))))
     return Answer(
         line + _short_of(question, found.half_width), fenced(found), in_units(found.as_dict())
     )
