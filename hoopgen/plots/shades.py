@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from matplotlib.collections import PolyCollection
 
@@ -26,7 +28,7 @@ def limit_shades(cells: PolyCollection) -> None:
         return
     most = float(density[np.searchsorted(upto, _WITHIN * upto[-1])])
     if density[-1] > _FAR_MORE * most:
-        shades = cells.get_cmap().copy()
+        shades: Any = cells.get_cmap().copy()  # whose annotation of what follows is too narrow
         shades.colorbar_extend = "max"
         cells.set_cmap(shades)
         cells.set_clim(0.0, most)
