@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 import hoopgen
 from hoopgen.hoop.kinds import Kind, kinds
 from hoopgen.hoop.releases import RING_HEIGHT
-from hoopgen.study import measures
+from hoopgen.study import block, measures
 from hoopgen.study.measures import MEASURES, measure
 from hoopgen.study.nearest import nearest
 
@@ -554,7 +554,7 @@ def test_only_what_is_wanted_is_asked_for_and_computed(monkeypatch: pytest.Monke
     def never(*arguments: Any, **options: Any) -> None:
         raise AssertionError
 
-    monkeypatch.setattr(measures, "simulate", never)
+    monkeypatch.setattr(block, "simulate", never)
     shots = hoopgen.simulate(state)
     assert shots.contacts[0] > 0
     measure(state, shots, names=["end_x", "floor_time"])

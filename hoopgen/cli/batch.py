@@ -8,6 +8,7 @@ from typing import Any
 
 import click
 
+from hoopgen.cli.measuring import measure_options
 from hoopgen.cli.options import examples, scheduler_option, table_options, threads_option
 from hoopgen.cli.types import OUT
 from hoopgen.phrases import counted
@@ -44,13 +45,7 @@ semicolons or tabs, numbers may have decimal commas.
     help="Parquet or CSV: the table with its results, in the same order.",
 )
 @table_options
-@click.option(
-    "--measure",
-    "measures",
-    metavar="NAME",
-    multiple=True,
-    help="Add a column: depth, entry_angle, apex ...; may be repeated.",
-)
+@measure_options("Add a column")
 @click.option("--prefix", default="", help="Of the names of the results.")
 @click.option(
     "--delimiter",

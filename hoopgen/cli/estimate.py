@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from hoopgen.cli.measuring import measure_options
 from hoopgen.cli.options import UNITS_IN_WORDS, examples, json_option, units_option
 from hoopgen.cli.releasing import Releasing, from_option, release_options, work_options
 from hoopgen.cli.types import ASSIGNMENT, COUNT, SHARE, once
@@ -64,6 +65,7 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1de
     type=click.FloatRange(0, 1, min_open=True, max_open=True),
     help="Stop when half the interval is no wider: 0.001 is a tenth of a point.",
 )
+@measure_options("Say how it is spread")
 @work_options
 @units_option
 @json_option
@@ -73,15 +75,18 @@ def estimate(
     share: float | None,
     by: str | None,
     precision: float | None,
+    measures: tuple[str, ...],
+    catching_height: float,
     as_json: bool,
     **work: Any,
 ) -> None:
     """Estimate how probably a shot is made.
 
     Shots scatter about a release, or are drawn from measured ones. Said are the probability with
-    its interval, and the shares of swishes, shots off the rim, bank shots and so on. With --scene
-    shots scatter about a position and a velocity, and said is the share of each end. With --solve
-    it is asked the other way round: how wide the scatter is of somebody who makes so many.
+    its interval, and the shares of swishes, shots off the rim, bank shots and so on; with --measure
+    how a measure is spread too, and of rebound_angle how many rebounds go where. With --scene shots
+    scatter about a position and a velocity, and said is the share of each end. With --solve it is
+    asked the other way round: how wide the scatter is of somebody who makes so many.
     """
     import hoopgen
     from hoopgen.cli.progress import shown
@@ -90,6 +95,9 @@ def estimate(
     if share is not None and (versus or precision is not None):
         other = "--versus" if versus else "--precision"
         raise click.UsageError(f"--solve and {other} ask different questions; leave one out")
+    if measures and (versus or share is not None):
+        other = "--versus" if versus else "--solve"
+        raise click.UsageError(f"--measure is of one setting, without {other}.")
     (model, parameters), scene = releasing.model(), releasing.engine
     with shown() as progress:
         options = {"scene": scene, "progress": progress, **work}
@@ -100,6 +108,7 @@ def estimate(
             settings = (model, parameters), releasing.model(versus)
             result = hoopgen.compare(*settings, by=by, precision=precision, **options)
         else:
+            options |= {"measures": measures, "catching_height": catching_height}
             result = hoopgen.estimate(model, parameters, precision=precision, **options)
     if as_json:
         click.echo(json.dumps(in_units(result.as_dict()), indent=2, allow_nan=False))

@@ -12,7 +12,7 @@ import click
 
 from hoopgen.cli.errors import OwnError, foreseen, in_words
 from hoopgen.cli.options import examples, scheduler_option, threads_option
-from hoopgen.cli.types import FILE, FOLDER
+from hoopgen.cli.types import FILE, FOLDER, PAGE
 from hoopgen.phrases import counted
 from hoopgen.printable import printable
 
@@ -31,7 +31,7 @@ def _print_reference(ctx: click.Context, _: click.Parameter, wanted: bool) -> No
 @click.command(
     epilog=examples(
         "hoopgen study free-throw.toml",
-        "hoopgen study free-throw.toml --out results --threads 8",
+        "hoopgen study free-throw.toml --out results --report results.html",
         "hoopgen study free-throw.toml --check",
         "hoopgen study --reference",
     )
@@ -41,6 +41,11 @@ def _print_reference(ctx: click.Context, _: click.Parameter, wanted: bool) -> No
     "--out",
     type=FOLDER,
     help="Folder of the results; by default beside FILE, <its name>-results.",
+)
+@click.option(
+    "--report",
+    type=PAGE,
+    help="Write the report as a page too, .html: one file with all pictures, to print or pass on.",
 )
 @threads_option
 @scheduler_option
@@ -54,7 +59,12 @@ def _print_reference(ctx: click.Context, _: click.Parameter, wanted: bool) -> No
     help="Print what FILE may say, and exit.",
 )
 def study(
-    file: Path, out: Path | None, threads: int | None, scheduler: str | None, check: bool
+    file: Path,
+    out: Path | None,
+    report: Path | None,
+    threads: int | None,
+    scheduler: str | None,
+    check: bool,
 ) -> None:
     """Answer the questions of a study file.
 
@@ -72,7 +82,8 @@ def study(
             click.echo(printable(f"{file}: {counted(len(questions), 'question')}, {names}"))
             return
         with _shown() as progress:
-            answers = run_study(file, out, threads=threads, scheduler=scheduler, progress=progress)
+            work: Any = {"threads": threads, "scheduler": scheduler, "progress": progress}
+            answers = run_study(file, out, report=report, **work)
     except StudyError as error:
         raise _failed(error.complaints) from None
     except ExceptionGroup as group:
@@ -83,7 +94,8 @@ def study(
     for name, answer in answers.items():
         click.echo(f"{name:{width}}  {answer.line}")
     folder = out if out is not None else file.with_name(f"{file.stem}-results")
-    click.echo(printable(f"{'report':{width}}  {folder / 'report.md'}"))
+    for written in filter(None, (folder / "report.md", report)):
+        click.echo(printable(f"{'report':{width}}  {written}"))
 
 
 def _failed(

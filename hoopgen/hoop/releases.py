@@ -12,6 +12,10 @@ from hoopgen.inputs import check_angles, doubles
 RING_HEIGHT = 3.048
 """m, of the ring above the floor: 10 ft."""
 
+CATCHING_HEIGHT = 2.5
+"""m above the floor, of the ball's centre when a rebound is caught. A choice, not a measurement:
+about where a tall player's hands are who stands and reaches up; who jumps has them higher."""
+
 _ANGLES = ("elevation", "azimuth", "angle")
 
 

@@ -21,6 +21,8 @@ from hoopgen.plots.court import FLOOR, Court, add_floor, draw_floor, find_court,
 from hoopgen.plots.page import add_axes, new_page
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import add_title, check_axes, fit_view
+from hoopgen.plots.sectors import at_height, draw_sectors
+from hoopgen.plots.shades import limit_shades
 from hoopgen.plots.style import COLOURS, DARK, PAGE, SHADES, style
 from hoopgen.plots.views import Limits, Points
 from hoopgen.told import say_scene
@@ -47,12 +49,14 @@ _FROM = "Distances are from the point of the floor below the ring's centre."
 _PLAN = replace(FLOOR, labels=("y from the ring's centre", "x from the ring's centre"))
 
 
-def _share() -> str:
-    return f"balls that land there (% per {shown('length').symbol}²)"
+def _share(height: float | None) -> str:
+    what = "land there" if height is None else "come down there"
+    return f"balls that {what} (% per {shown('length').symbol}²)"
 
 
 class _Options(TypedDict, total=False):
     place: tuple[float, float] | None
+    height: float | None
     court: str
     title: str
     note: str
@@ -87,6 +91,7 @@ def plot_landings(
     parameters: Mapping[str, Any],
     *,
     place: tuple[float, float] | None = None,
+    height: float | None = None,
     court: str = "NBA",
     title: str = "",
     note: str = "",
@@ -105,6 +110,10 @@ def plot_landings(
         Of the scene; of those that differ from shot to shot the hoop shows the mean.
     place
         Where the shots are released, x and y, m.
+    height
+        Of rebounds, m above the floor: x and y are rebound_x and rebound_y at that catching height,
+        in place of floor_x and floor_y. With a `place` it is said how many go in which direction,
+        seen from there.
     court
         Whose lines are drawn, of `hoopgen.plots.court.COURTS`.
     title
@@ -133,8 +142,9 @@ def plot_landings(
     points, misses = _points(x, y)
     scene = {name: float(np.mean(value)) for name, value in parameters.items()}
     circles = {share: float(np.quantile(np.hypot(*points.T), share)) for share in _WITHIN}
+    caught = at_height(height, sectors=place is not None)
     told = f"Scene: {say_scene(parameters)}. {note}"
-    places = _Places(points, misses, circles, place, scene, lines, told)
+    places = _Places(points, misses, circles, place, scene, lines, told, height, caught)
     with style():
         if ax is not None:
             return _draw_on(check_axes(ax), places, title)
@@ -164,6 +174,8 @@ class _Places:
     scene: Mapping[str, float]
     court: Court
     note: str
+    height: float | None
+    caught: str
 
     @property
     def told(self) -> str:
@@ -175,10 +187,13 @@ class _Places:
         of = f"{seen:,} of {self.misses:,} {'miss' if self.misses == 1 else 'misses'}"
         others = [f"{beyond:,} beyond it"] * bool(beyond)
         reach = "reaches" if never == 1 else "reach"
-        others += [f"{never:,} never {reach} the floor"] * bool(never)
-        lands = "lands" if seen == 1 else "land"
+        there = "the floor" if self.height is None else "that height"
+        others += [f"{never:,} never {reach} {there}"] * bool(never)
+        down = "land" if self.height is None else "come down"
+        lands = down if seen != 1 else {"land": "lands"}.get(down, "comes down")
         said = ", ".join([f"{of} {lands} within the picture", *others])
-        return f"{said}. Circles hold shares of those that land. {_FROM} {self.note}"
+        said += f", all{self.caught}" if self.caught else ""
+        return f"{said}. Circles hold shares of those that {down}. {_FROM} {self.note}"
 
     @property
     def limits(self) -> Limits:
@@ -190,8 +205,11 @@ class _Places:
         """Draw all but the floor, on a floor plan."""
         shown = on_floor(*self.points.T)
         cells = _draw_density(axes, shown, limits, self.scene["ball_radius"])
+        limit_shades(cells)
         for share, radius in self.circles.items():
             _draw_circle(axes, radius, share)
+        if self.height is not None and self.place is not None:
+            draw_sectors(axes, self.points, self.place, max(self.circles.values()))
         if self.place is not None:
             _draw_release(axes, *on_floor(*self.place).tolist())
         return cells
@@ -210,7 +228,7 @@ def _draw(places: _Places, title: str, width: float) -> Figure:
     cells = places.draw(axes, limits)
     left_of_bar = panel.left + panel.width + _BAR_GAP
     bar = add_axes(figure, left_of_bar, panel.bottom, _BAR, panel.height, "bar")
-    figure.colorbar(cells, cax=bar, label=_share())
+    figure.colorbar(cells, cax=bar, label=_share(places.height))
     bar.yaxis.set_major_locator(MaxNLocator(steps=[1, 2, 5, 10]))
     return figure
 
@@ -224,7 +242,7 @@ def _draw_on(axes: Axes, places: _Places, title: str) -> Axes:
     figure = axes.figure
     assert figure is not None
     ticks = MaxNLocator(steps=[1, 2, 5, 10])
-    figure.colorbar(cells, ax=axes, label=_share(), ticks=ticks)
+    figure.colorbar(cells, ax=axes, label=_share(places.height), ticks=ticks)
     return axes
 
 

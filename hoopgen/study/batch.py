@@ -38,6 +38,7 @@ from .models import check_turns
 from .named import named
 from .origin import settle
 from .reasons import reasons
+from .rebounds import CATCHING_HEIGHT, caught_at, check_height
 from .sinks import RESULTS, check_sink, sink
 from .tables import Source, Stamp
 
@@ -59,6 +60,7 @@ def batch(
     scene: Any = None,
     release: Mapping[str, float] | None = None,
     measures: Sequence[str] = (),
+    catching_height: float = CATCHING_HEIGHT,
     max_contacts: int | None = None,
     override: bool = False,
     format: str | None = None,
@@ -107,6 +109,8 @@ def batch(
         Variables that all shots share, in place of columns; see `hoopgen.hoop.variables`.
     measures
         Names of `hoopgen.study.measures.MEASURES`, each a column.
+    catching_height
+        Of rebounds, as for `hoopgen.measure`.
     max_contacts
         A shot with so many contacts ends as capped; by default as many as `source` says, else as
         is usual in the scene.
@@ -156,6 +160,7 @@ def batch(
     check_turns("release", release, release)
     if measures:
         check_hoop("measures", engine)
+    height = check_height(catching_height)
     check_workers(scheduler, threads)
     rows = check_count("rows", rows)
     computed = partial(run, scheduler=scheduler, threads=threads, progress=progress, report=report)
@@ -169,6 +174,7 @@ def batch(
             tuple(measures),
             origin.max_contacts,
             engine,
+            height,
         )
         check_names("measures", shots.measures, measures_of(engine))
         stamp = table.stamp()
@@ -281,15 +287,17 @@ class _Results:
         """
         scene = {n: v for n, v in self.shots.parameters.items() if n not in self.columns}
         variables = {**self.shots.release, **scene}
-        contacts = f"{self.prefix}max_contacts"
+        height = caught_at(self.shots.measures, self.shots.catching_height)
+        limits = {"max_contacts": self.shots.max_contacts, **height}
+        ours = {f"{self.prefix}{named(name)}": value for name, value in limits.items()}
         for name in self.types.names:
-            if name == contacts or _variable(name, self.shots.scene) in variables:
+            if name in ours or _variable(name, self.shots.scene) in variables:
                 raise ValueError(
                     f"out: CSV has what all rows share in columns, and {self.source} has "
                     f"{name} already; write .parquet, or rename it"
                 )
         shared = {named(name, self.shots.scene): value for name, value in variables.items()}
-        return {**shared, contacts: self.shots.max_contacts}
+        return {**shared, **ours}
 
     def table(self, read: pa.Table, results: pa.Table, schema: pa.Schema) -> pa.Table:
         """Return the next rows, with their results, and count them."""

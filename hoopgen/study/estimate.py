@@ -5,7 +5,7 @@ Every share is of shots that were drawn by index, so that a result can be had ag
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, fields
 from math import nan
 from os import PathLike
@@ -19,14 +19,19 @@ from hoopgen.hoop.kinds import Kind, ended_in
 from hoopgen.inputs import Backend
 from hoopgen.phrases import decimals, doubtful, interval, percent
 from hoopgen.results import Outcome
+from hoopgen.scenes import check_hoop
 from hoopgen.told import footer, told_setting
+from hoopgen.variables import check_names
 from hoopgen.words import for_json
 
 from .draws import check_seed
 from .intervals import wilson
+from .measures import MEASURES, measures_of
 from .models import ReleaseModel
+from .rebounds import CATCHING_HEIGHT, check_height
 from .said import Said
 from .shares import Shares, shares_of
+from .spread import Spread, spread_lines, spreads, width_of
 from .tallies import Tally, check_share, contacts_of
 from .throws import Progress, Until, Work, most_shots, setting_of, tally_of
 
@@ -70,6 +75,8 @@ class Estimate(Said):
     lodged, endless
         Shots at rest on the hoop, and those still on their way at the time limit: none where no
         ball rolls.
+    measured
+        How measures are spread, by their names: those that were asked for.
     """
 
     probability: float
@@ -91,6 +98,7 @@ class Estimate(Said):
     scene: Engine = field(default=HOOP, compare=False)
     lodged: int = 0
     endless: int = 0
+    measured: Mapping[str, Spread] = field(default_factory=dict)
 
     @property
     def shares(self) -> dict[str, float]:
@@ -118,6 +126,8 @@ class Estimate(Said):
         more: dict[str, Any] = {"with_capped": self.with_capped, "shares": self.shares}
         plain = {one.name: getattr(self, one.name) for one in fields(self)}
         more["scene"] = told_setting(self.setting, self.scene)["scene"]
+        measured = {name: one.as_dict() for name, one in plain.pop("measured").items()}
+        more |= {"measured": measured} if measured else {}
         return {name: for_json(value) for name, value in (plain | more).items()}
 
     def __str__(self) -> str:
@@ -140,12 +150,15 @@ class Estimate(Said):
             for name, count in self.kinds.items()
             if count
         ]
+        lines += spread_lines(self.measured)
         return "\n".join([*lines, "", footer(NAMES, told(self))])
 
 
 class _Options(TypedDict, total=False):
     shots: int | None
     precision: float | None
+    measures: Iterable[str]
+    catching_height: float
     confidence: float
     seed: int
     max_contacts: int | None
@@ -183,6 +196,8 @@ def estimate(
     scene: Any = None,
     shots: int | None = None,
     precision: float | None = None,
+    measures: Iterable[str] = (),
+    catching_height: float = CATCHING_HEIGHT,
     confidence: float = 0.95,
     seed: int = 0,
     max_contacts: int | None = None,
@@ -208,6 +223,11 @@ def estimate(
     precision
         Stop as soon as half the interval, the widest of several, is no wider; looked at after
         every `CHUNK` shots.
+    measures
+        Names of `hoopgen.study.measures.MEASURES`: how each is spread is in `Estimate.measured`;
+        of rebound_angle, how many rebounds go where. Only where there is a hoop.
+    catching_height
+        Of rebounds, as for `hoopgen.measure`.
     confidence
         Of the interval, within 0 and 1.
     seed
@@ -236,10 +256,29 @@ def estimate(
     level = check_share("confidence", confidence)
     contacts = contacts_of(max_contacts, setting.scene)
     most = most_shots(shots, precision, level)
-    work = Work((setting,), most, check_seed(seed), contacts, backend)
+    names = _measured(measures, setting.scene)
+    height = check_height(catching_height)
+    work = Work(
+        (setting,),
+        most,
+        check_seed(seed),
+        contacts,
+        backend,
+        measures=names,
+        catching_height=height,
+    )
     until = Until(precision, lambda total: estimated(work, total, 0, level).half_width, progress)
     total = until.total(work, folder, scheduler, threads)
     return estimated(work, total, 0, level)
+
+
+def _measured(measures: Iterable[str], scene: Engine) -> tuple[str, ...]:
+    """Return the names of measures, each once; refuse those that there are not."""
+    names = tuple(dict.fromkeys(check_names("measures", measures, MEASURES)))
+    if names:
+        check_hoop("measures", scene)
+        check_names("measures", names, measures_of(scene))
+    return names
 
 
 def estimated(work: Work, total: NDArray[np.int64], which: int, level: float) -> Estimate | Shares:
@@ -247,16 +286,19 @@ def estimated(work: Work, total: NDArray[np.int64], which: int, level: float) ->
     tally = tally_of(total, which, work.scene)
     if not work.scene.has_hoop:
         return shares_of(tally, work.settings[which], level, work.seed)
-    return _estimated(work, tally, which, level)
+    return _estimated(work, total, tally, which, level)
 
 
-def _estimated(work: Work, tally: Tally, which: int, level: float) -> Estimate:
+def _estimated(
+    work: Work, total: NDArray[np.int64], tally: Tally, which: int, level: float
+) -> Estimate:
     ended = {
         outcome.name.lower(): int(tally.ended(outcome)) for outcome in ended_in(work.scene.rolls)
     }
     valid = int(tally.valid)
     low, high = wilson(ended["made"], valid, level)
     names = [kind.name.lower() for kind in Kind]
+    counts = total[len(total) - width_of(work.measures) :]
     return Estimate(
         probability=ended["made"] / valid if valid else nan,
         low=float(low),
@@ -271,6 +313,7 @@ def _estimated(work: Work, tally: Tally, which: int, level: float) -> Estimate:
         seed=work.seed,
         setting=work.settings[which].identity(),
         scene=work.scene,
+        measured=spreads(counts, work.measures, level, work.catching_height),
     )
 
 

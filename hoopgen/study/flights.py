@@ -21,6 +21,7 @@ from .columns import CONTACTS
 from .measures import measure
 from .models import from_columns
 from .named import UNIT_OF, named
+from .rebounds import CATCHING_HEIGHT, caught_at
 from .throws import scene_identity
 
 __all__ = ["Flights"]
@@ -42,6 +43,8 @@ class Flights:
         With which a shot ends as capped.
     scene
         In which they are.
+    catching_height
+        Of rebounds, m above the floor.
     """
 
     parameters: dict[str, float]
@@ -49,6 +52,7 @@ class Flights:
     measures: tuple[str, ...]
     max_contacts: int
     scene: Engine
+    catching_height: float = CATCHING_HEIGHT
 
     def identity(self) -> dict[str, Any]:
         """Return what the results depend on, in types that JSON knows."""
@@ -57,6 +61,7 @@ class Flights:
             "release": self.release,
             "measures": self.measures,
             "max_contacts": self.max_contacts,
+            **caught_at(self.measures, self.catching_height),
             **scene_identity(self.scene),
         }
 
@@ -75,17 +80,24 @@ class Flights:
         columns = _ends(shots)
         more = [name for name in self.measures if name not in columns]
         if more:
-            columns |= measure(states, shots, scene, more)
+            height = self.catching_height
+            columns |= measure(states, shots, scene, more, catching_height=height)
         cells = {name: pa.array(column) for name, column in columns.items()}
         schema = [
             pa.field(
                 named(name),
                 array.type,
-                metadata={"unit": UNIT_OF[name]} if name in UNIT_OF else None,
+                metadata=self._about(name),
             )
             for name, array in cells.items()
         ]
         return pa.Table.from_arrays(list(cells.values()), schema=pa.schema(schema))
+
+    def _about(self, name: str) -> dict[str, str] | None:
+        """Return what the schema says of a column."""
+        height = caught_at([name], self.catching_height)
+        at = {named(one): repr(value) for one, value in height.items()}
+        return {"unit": UNIT_OF[name], **at} if name in UNIT_OF else None
 
 
 def _ends(shots: Shots) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property, partial
+from functools import partial
 from types import MappingProxyType
 from typing import Any
 
@@ -20,17 +20,16 @@ from hoopgen.generated.numpy import hoop
 from hoopgen.hoop.presets import PAPER
 from hoopgen.hoop.releases import RING_HEIGHT
 from hoopgen.inputs import check_states
-from hoopgen.parameters import Value, resolve
+from hoopgen.parameters import resolve
 from hoopgen.results import SURFACES, Outcome, Shots
 from hoopgen.scenes import check_hoop
-from hoopgen.simulation import simulate
 from hoopgen.variables import check_names
 
+from .block import Block, Floats
 from .nearest import nearest, rows_of
+from .rebounds import CATCHING_HEIGHT, check_height, delay, rebound
 
 __all__ = ["MEASURES", "Measure", "measure", "measures_of"]
-
-Floats = NDArray[np.float64]
 
 _RING, _BOARD, _BRIDGE = (SURFACES.index(name) for name in ("ring", "backboard", "bridge"))
 
@@ -43,6 +42,8 @@ def measure(
     shots: Shots,
     parameters: Mapping[str, Any] = PAPER,
     names: Iterable[str] | None = None,
+    *,
+    catching_height: float = CATCHING_HEIGHT,
 ) -> dict[str, Floats]:
     """Return measures of simulated shots.
 
@@ -56,6 +57,8 @@ def measure(
         Of the scene, as they were then: one number, or (n,).
     names
         Of `measures_of` the scene; None for all. What is not wanted is not computed.
+    catching_height
+        m above the floor: where the ball's centre is when a rebound is caught.
 
     Returns
     -------
@@ -72,6 +75,7 @@ def measure(
     check_hoop("measure", shots.scene)
     there = measures_of(shots.scene)
     wanted = check_names("names", there if names is None else names, there)
+    height = check_height(catching_height)
     releases = check_states(states)
     if len(releases) != len(shots):
         raise ValueError(
@@ -85,13 +89,14 @@ def measure(
     groups = dict.fromkeys(MEASURES[name].compute for name in wanted)
     for start in range(0, len(shots), _BLOCK):
         rows = slice(start, start + _BLOCK)
-        block = _Block(
+        block = Block(
             releases[rows],
             {name: result[rows] for name, result in results.items()},
             dict(
                 zip(scene.table.defaults, (rows_of(value, rows) for value in values), strict=True)
             ),
             scene,
+            height,
         )
         with np.errstate(all="ignore"):  # what is out of range there is NaN
             for group in groups:
@@ -101,70 +106,10 @@ def measure(
     return columns
 
 
-@dataclass(frozen=True)
-class _Block:
-    """Some shots: releases, results, parameters, and their scene."""
-
-    states: Floats
-    results: Mapping[str, NDArray[Any]]
-    parameters: Mapping[str, Value]
-    scene: Engine
-
-    def __len__(self) -> int:
-        return len(self.states)
-
-    @cached_property
-    def valid(self) -> NDArray[np.bool_]:
-        """Which shots could be simulated."""
-        return np.asarray(self.results["outcome"] != Outcome.INVALID)
-
-    @cached_property
-    def ended(self) -> NDArray[np.bool_]:
-        """Which shots came to the end plane."""
-        outcome = self.results["outcome"]
-        return np.asarray((outcome == Outcome.MADE) | (outcome == Outcome.MISSED))
-
-    def of(self, rows: NDArray[np.intp]) -> dict[str, Value]:
-        """Return the parameters of some of the shots."""
-        return {name: rows_of(value, rows) for name, value in self.parameters.items()}
-
-    def again(self, rows: NDArray[np.intp], max_contacts: int, **options: Any) -> Shots:
-        """Simulate some of the shots up to so many contacts."""
-        return simulate(
-            self.states[rows],
-            self.of(rows),
-            scene=self.scene,
-            max_contacts=max_contacts,
-            threads=1,
-            **options,
-        )
-
-    def descent(self, states: Floats, level: ArrayLike) -> tuple[Floats, Floats]:
-        """Return when flights from the states come down to a height, and where they are then.
-
-        Returns
-        -------
-        ndarray, ndarray
-            s, (n,), and x y z vx vy vz, (6, n); NaN if never.
-        """
-        x, y, z, vx, vy, vz, *_ = states.T
-        gravity = self.parameters["gravity"]
-        time, falling = hoop.descent(z, vz, level, gravity)
-        time = np.where(time >= 0.0, time, np.nan)
-        there = np.array(hoop.flight(time, x, y, z, vx, vy, vz, gravity))
-        there[5] = np.where(time >= 0.0, falling, np.nan)  # which keeps its digits
-        return time, there
-
-    @property
-    def floor(self) -> Value:
-        """Height of the centre of a ball on the floor, above the ring's plane."""
-        return self.parameters["ball_radius"] - RING_HEIGHT
-
-
 # The columns of each group, from a block
 
 
-def _to_the_ring(block: _Block) -> dict[str, Floats]:
+def _to_the_ring(block: Block) -> dict[str, Floats]:
     """Return where and how the flight that brings the ball to the ring crosses its plane."""
     flights = block.states.copy()
     banked = np.flatnonzero(block.results["first"] == _BOARD)
@@ -175,7 +120,7 @@ def _to_the_ring(block: _Block) -> dict[str, Floats]:
     return {"entry_angle": np.arctan2(-vz, np.hypot(vx, vy)), "depth": depth, "left_right": left}
 
 
-def _highest(block: _Block) -> dict[str, Floats]:
+def _highest(block: Block) -> dict[str, Floats]:
     """Return the height of the path up to the first contact."""
     z, vz = block.states[:, 2], block.states[:, 5]
     time, height = hoop.apex(z, vz, block.parameters["gravity"])
@@ -187,13 +132,13 @@ def _highest(block: _Block) -> dict[str, Floats]:
     return {"apex": height + RING_HEIGHT}
 
 
-def _at_the_end(block: _Block) -> dict[str, Floats]:
+def _at_the_end(block: Block) -> dict[str, Floats]:
     """Return place and velocity at the end plane."""
     x, y, _, vx, vy, vz, *_ = np.where(block.ended, block.results["state"].T, np.nan)
     return {"end_x": x, "end_y": y, "end_vx": vx, "end_vy": vy, "end_vz": vz}
 
 
-def _on_the_floor(block: _Block) -> dict[str, Floats]:
+def _on_the_floor(block: Block) -> dict[str, Floats]:
     """Return when, where and how the ball comes to the floor."""
     outcome = block.results["outcome"]
     falls = block.ended | (outcome == Outcome.SHORT)
@@ -209,7 +154,7 @@ def _on_the_floor(block: _Block) -> dict[str, Floats]:
     }
 
 
-def _past_the_wire(block: _Block) -> dict[str, Floats]:
+def _past_the_wire(block: Block) -> dict[str, Floats]:
     """Return the closest approach to the ring."""
     contacts = block.results["contacts"]
     missed_it = block.valid & (block.results["counts"][:, _RING] == 0)
@@ -228,7 +173,7 @@ def _past_the_wire(block: _Block) -> dict[str, Floats]:
 
 
 def _flights(
-    block: _Block, rows: NDArray[np.intp], ends: Floats
+    block: Block, rows: NDArray[np.intp], ends: Floats
 ) -> tuple[NDArray[np.intp], Floats, Floats]:
     """Return every flight of some of the shots: whose it is, its first state, its duration."""
     contacts = block.results["contacts"][rows]
@@ -275,11 +220,11 @@ class Measure:
     unit: str
     summary: str
     fields: tuple[str, ...]
-    compute: Callable[[_Block], dict[str, Floats]] = field(repr=False)
+    compute: Callable[[Block], dict[str, Floats]] = field(repr=False)
 
 
 def _measures() -> Iterator[Measure]:
-    def of(compute: Callable[[_Block], dict[str, Floats]], *fields: str) -> Callable[..., Measure]:
+    def of(compute: Callable[[Block], dict[str, Floats]], *fields: str) -> Callable[..., Measure]:
         return partial(Measure, fields=("outcome", *fields), compute=compute)
 
     ring = of(_to_the_ring, "first")
@@ -324,6 +269,27 @@ def _measures() -> Iterator[Measure]:
     for axis in "xyz":
         yield end(f"end_v{axis}", f"v{axis} at the end", "m/s", "At the end plane.")
         yield floor(f"floor_v{axis}", f"v{axis} at the floor", "m/s", "There; see floor_x.")
+    back = of(rebound, "contacts", "time", "state")
+    where = "Of the centre, when a miss comes down to the catching height after its last contact."
+    for axis in "xy":
+        yield back(f"rebound_{axis}", f"{axis} of the rebound", "m", where)
+    yield back(
+        "rebound_distance", "rebound distance", "m", "Of that place, from the ring's centre."
+    )
+    yield back(
+        "rebound_angle",
+        "rebound direction",
+        "rad",
+        "Of that place around the ring, as the shooter sees it: 0 back to the shooter, positive to "
+        "the left, ±π beyond the ring.",
+    )
+    yield back("rebound_time", "time of the rebound", "s", "Since the release; see rebound_x.")
+    yield of(delay, "contacts", "time", "state")(
+        "rebound_delay",
+        "rebound after the first contact",
+        "s",
+        "Since the first contact; none if nothing was touched. See rebound_x.",
+    )
 
 
 MEASURES: Mapping[str, Measure] = MappingProxyType({each.name: each for each in _measures()})

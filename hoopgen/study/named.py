@@ -31,6 +31,7 @@ UNIT_OF: Mapping[str, str] = MappingProxyType(
         **{f"end_{name}": unit for name, unit in STATE_UNITS.items()},
         "time": "s",
         "end_time": "s",
+        "catching_height": "m",
     }
 )
 """By name: SI unit of what results hold."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import closing
 from dataclasses import dataclass
 from functools import partial
@@ -26,9 +26,12 @@ from hoopgen.variables import STATE, Releases, is_state
 from .chunks import Rest, run
 from .grid import Grid
 from .intervals import least_shots
+from .measures import MEASURES
 from .models import ReleaseModel
+from .rebounds import CATCHING_HEIGHT, caught_at
 from .resample import Resample
 from .scatter import Scatter
+from .spread import counts_of
 from .tallies import FIELDS, Tally, blocks, check_scene, check_share, width_of
 
 __all__ = [
@@ -90,6 +93,10 @@ class Work:
     ----------
     by
         The outcome by which they pair.
+    measures
+        Names of those of which it is counted, of one setting, how they are spread.
+    catching_height
+        Of rebounds.
     """
 
     settings: tuple[_Set, ...]
@@ -98,6 +105,8 @@ class Work:
     max_contacts: int
     backend: Backend
     by: int = Outcome.MADE
+    measures: tuple[str, ...] = ()
+    catching_height: float = CATCHING_HEIGHT
 
     @property
     def scene(self) -> Engine:
@@ -118,6 +127,8 @@ class Work:
             "seed": self.seed,
             "max_contacts": self.max_contacts,
             **({} if self.by == Outcome.MADE else {"by": int(self.by)}),
+            **({"measures": list(self.measures)} if self.measures else {}),
+            **caught_at(self.measures, self.catching_height),
         }
 
     def compute(self, chunk: int) -> pa.Table:
@@ -148,13 +159,18 @@ class Work:
 
     def count(self, start: int, stop: int) -> NDArray[np.int64]:
         """Return the tally of each setting, and of two the pairs, of some shots."""
-        results = [self._simulate(setting, start, stop) for setting in self.settings]
+        thrown = [self._simulate(setting, start, stop) for setting in self.settings]
+        results = [shots for _, shots in thrown]
         rows = [Tally.of(shots, 1).row()[0] for shots in results]
-        return np.concatenate([*rows, *([self._pairs(*results)] if len(results) == 2 else [])])
+        rows += [self._pairs(*results)] if len(results) == 2 else []
+        if self.measures:
+            rows.append(counts_of(*thrown[0], self.measures, self.catching_height))
+        return np.concatenate(rows)
 
-    def _simulate(self, setting: _Set, start: int, stop: int) -> Shots:
+    def _simulate(self, setting: _Set, start: int, stop: int) -> tuple[Releases, Shots]:
         releases = setting.model.draw(start, stop, self.seed, setting.parameters)
-        return flown(releases, self.max_contacts, self.backend, setting.scene)
+        contacts, scene = self.max_contacts, setting.scene
+        return releases, flown(releases, contacts, self.backend, scene, self.measures)
 
     def _pairs(self, first: Shots, second: Shots) -> NDArray[np.int64]:
         """Return how many pairs end so both, the first only, the second only, neither."""
@@ -169,8 +185,15 @@ def chunks_of(shots: int) -> int:
     return -(-shots // CHUNK)
 
 
-def flown(releases: Releases, max_contacts: int, backend: Backend, scene: Engine) -> Shots:
-    """Simulate releases, as far as a tally needs it; the chunks have the threads."""
+def flown(
+    releases: Releases,
+    max_contacts: int,
+    backend: Backend,
+    scene: Engine,
+    measures: Sequence[str] = (),
+) -> Shots:
+    """Simulate releases, as far as a tally and measures need it; the chunks have the threads."""
+    needed = {*FIELDS, *(field for name in measures for field in MEASURES[name].fields)}
     return simulate(
         releases.states,
         releases.parameters,
@@ -178,7 +201,7 @@ def flown(releases: Releases, max_contacts: int, backend: Backend, scene: Engine
         max_contacts=max_contacts,
         backend=backend,
         threads=1,
-        fields=FIELDS,
+        fields=sorted(needed),
     )
 
 

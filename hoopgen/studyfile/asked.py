@@ -11,11 +11,12 @@ from typing import Any
 from hoopgen import plots
 from hoopgen.engines import Engine
 from hoopgen.study.folders import trim
+from hoopgen.study.rebounds import REBOUNDS, caught_at
 from hoopgen.study.tables import Source
 from hoopgen.study.throws import chunks_of, scene_identity
 from hoopgen.told import say_of
 
-from .schema import Batch, Compare, Given, Question, Study
+from .schema import Batch, Compare, Estimate, Given, Question, Study
 from .settings import Setting
 
 __all__ = ["CHUNKS", "Answer", "Asked", "Work", "fenced"]
@@ -130,6 +131,9 @@ class Asked:
         }
         if identity.get("max_contacts", 0) is None:
             identity["max_contacts"] = self.engine.max_contacts
+        caught = {"catching_height"} - set(self._caught)
+        unsaid = {"measures"} if isinstance(question, Estimate) and not question.measures else set()
+        identity = {name: v for name, v in identity.items() if name not in caught | unsaid}
         if isinstance(question, Batch):
             source = Source(self.folder / question.file, question.format or "")
             scene = self.setting.parameters_of(source)
@@ -139,6 +143,15 @@ class Asked:
         if isinstance(question, Compare):
             identity["versus"] = self.changed(question.versus).identity()
         return identity
+
+    @property
+    def _caught(self) -> dict[str, float]:
+        """The catching height by its name, where the answer hangs on it."""
+        question = self.question
+        if not isinstance(question, Estimate | Batch):
+            return {}
+        drawn = "rebounds" in getattr(question, "figures", ())
+        return caught_at(REBOUNDS if drawn else question.measures, question.catching_height)
 
     def draw(self, work: Work, name: str, figure: Any) -> None:
         """Write a figure in the formats wanted."""

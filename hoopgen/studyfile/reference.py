@@ -79,6 +79,10 @@ the rest is thrown, and the folder is that of a study which asked for as much fr
 does not hold for maps, where how shots are cut into chunks hangs on their number; nor for searches
 (optimum, solve, bank), where what is thrown next hangs on all shots so far.
 
+With `--report page.html` the report is written as a page too: one file with all pictures in it, to
+read, to print and to pass on, which says what was asked in words, how it was made, and the digests
+of the study file and the answers.
+
 With `--scheduler tcp://…` the workers of a Dask cluster compute the chunks.
 
 ## Where shots come from

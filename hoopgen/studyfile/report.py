@@ -17,19 +17,21 @@ from hoopgen.printable import printable
 
 from .asked import Answer, Asked
 
-__all__ = ["report"]
+__all__ = ["CAPTIONS", "asked_of", "report"]
 
 _SHOWN = (".svg", ".png")
 """Pictures that a page can show."""
 
-_CAPTIONS: Mapping[str, str] = MappingProxyType(
+CAPTIONS: Mapping[str, str] = MappingProxyType(
     {
         "fan": "Paths of the first shots",
         "landings": "Where misses reach the floor",
+        "rebounds": "Where misses come down to the catching height",
         "map": "The map",
         "aim_points": "Where bank shots touch the board, and from where",
     }
 )
+"""What pictures show, by the names of their files."""
 
 _MARKS = re.compile(r"[\\`*_\[\]|~$#]")
 
@@ -91,7 +93,8 @@ def _sections(
         name = asked.question.name
         yield f'<a id="{name}"></a>\n\n## {_title(asked)}'
         options = {key: value for key, value in written.items() if key not in _OF_ITSELF}
-        yield f"Asked: {_kind(asked)}" + (f"\n\n{_toml(options)}" if options else "")
+        kind = f"{asked.question.kind}. {asked_of(asked)}"
+        yield f"Asked: {kind}" + (f"\n\n{_toml(options)}" if options else "")
         if name in answers:
             yield from _answer(asked, answers[name], folder)
         else:
@@ -111,7 +114,7 @@ def _answer(asked: Asked, answer: Answer, folder: Path) -> Iterator[str]:
         if suffix in _SHOWN:
             shown.setdefault(stem, file)
     yield from (
-        f"![{_CAPTIONS.get(stem, stem)}]({asked.question.name}/{file})"
+        f"![{CAPTIONS.get(stem, stem)}]({asked.question.name}/{file})"
         for stem, file in shown.items()
     )
     yield f"Files: {', '.join(f'[{file}]({asked.question.name}/{file})' for file in files)}"
@@ -121,10 +124,9 @@ def _title(asked: Asked) -> str:
     return _text(asked.question.title or asked.question.name)
 
 
-def _kind(asked: Asked) -> str:
+def asked_of(asked: Asked) -> str:
     """Say what is asked: the first line of the question's description."""
-    first = (type(asked.question).__doc__ or "").partition("\n")[0]
-    return f"{asked.question.kind}. {first}"
+    return (type(asked.question).__doc__ or "").partition("\n")[0]
 
 
 def _toml(tables: Mapping[str, Any]) -> str:

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from hoopgen.installed import version
-from hoopgen.outputs import sync
+from hoopgen.outputs import PAGES, check_output, sync, write
 from hoopgen.phrases import counted
 from hoopgen.study.chunks import check_workers, versions
 from hoopgen.study.folders import differences, flat, in_short, opened, read_record, written
@@ -29,8 +29,9 @@ from hoopgen.words import for_json
 from . import lines
 from .answers import answer, check
 from .asked import CHUNKS, Answer, Asked, Work
+from .page import check_page, page
 from .reading import complain, parse
-from .report import report
+from .report import report as in_markdown
 from .scene import FILE
 from .schema import Batch, Compare, Estimate, StudyFile
 
@@ -76,6 +77,7 @@ def run_study(
     path: str | os.PathLike[str],
     out: str | os.PathLike[str] | None = None,
     *,
+    report: str | os.PathLike[str] | None = None,
     threads: int | None = None,
     scheduler: str | None = None,
     progress: Progress | None = None,
@@ -94,6 +96,8 @@ def run_study(
         The folder: made if it is not there, by default beside the file, ``<its name>-results``. It
         gets a copy of the file, the versions of what computed, a report, and a folder for each
         question with its answer, tables and figures.
+    report
+        Where to write the report as a page too: one file, .html, with all pictures in it.
     threads, scheduler
         As for `hoopgen.estimate`.
     progress
@@ -110,7 +114,9 @@ def run_study(
         If the file is not as described: with all that is wrong, the lines and the keys.
     ValueError
         If the folder holds another study, and what differs; or something else. If `out`,
-        `threads` or the form of `scheduler` is not as described.
+        `report`, `threads` or the form of `scheduler` is not as described.
+    ImportError
+        If Jinja2 is missing, which makes the page: what brings it.
     ExceptionGroup
         If questions cannot be answered: their errors, each with a note that names it. The others
         are in the folder.
@@ -121,6 +127,9 @@ def run_study(
     if out is not None and not os.fspath(out):
         raise ValueError("out: expected the name of a folder, got ''")
     check_workers(scheduler, threads)
+    target = None if report is None else check_output(report, PAGES)
+    if target is not None:
+        check_page()
     content, questions, document = _read(file)
     folder = Path(out) if out is not None else file.with_name(f"{file.stem}-results")
     identities = {asked.question.name: _identity(asked) for asked in questions}
@@ -142,7 +151,10 @@ def run_study(
                 except Exception as error:  # whatever it is, the other questions go on
                     error.add_note(f"question {name}")
                     errors[name] = error
-            _write(folder / _REPORT, report(questions, document, answers, errors, folder).encode())
+            found = questions, document, answers, errors, folder
+            _write(folder / _REPORT, in_markdown(*found).encode())
+            if target is not None:
+                write(target, page(content, *found, _versions()))
         finally:
             kept.remove()
     if errors:

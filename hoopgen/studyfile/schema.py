@@ -4,35 +4,43 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from types import MappingProxyType
-from typing import Annotated, Any, TypeAlias
+from typing import Annotated, Any
 
-from pydantic import AfterValidator, Field, GetCoreSchemaHandler, ValidationError, model_validator
+from pydantic import Field, GetCoreSchemaHandler, ValidationError, model_validator
 from pydantic_core import CoreSchema, core_schema
 
-from hoopgen.hoop.presets import PRESETS
+from hoopgen.hoop.releases import CATCHING_HEIGHT
 from hoopgen.hoop.variables import VARIABLES
 from hoopgen.study.aim import Arc
 from hoopgen.study.lock import LOCK
 from hoopgen.study.margins import MARGINS
-from hoopgen.study.measures import MEASURES
 from hoopgen.study.player import BY, By
-from hoopgen.study.tables import FORMATS
 
-from .fields import Ends, Listed, Named, OneOf, Table, Values
+from .fields import Listed, Named, Table, Values
 from .scene import (
-    FILE,
     InScene,
-    Varying,
-    Way,
-    kind_of,
-    limits_of,
-    may_be_infinite,
     releasing,
     scattering,
     scene_keys,
-    varying,
 )
 from .single import Name, Quantity, Share, Text, Whole, Word, meant, show, wrong
+from .values import (
+    ByWay,
+    Contacts,
+    Count,
+    File,
+    Format,
+    Height,
+    Measures,
+    Names,
+    Over,
+    Search,
+    correlations,
+    deviation,
+    quantity,
+    scene_or_size,
+    values_of,
+)
 
 __all__ = [
     "KINDS",
@@ -52,36 +60,6 @@ __all__ = [
 ]
 
 
-def _quantity(name: str) -> Quantity:
-    return Quantity(kind_of(name), *limits_of(name), may_be_infinite(name))
-
-
-def _deviation(name: str) -> Quantity:
-    return Quantity(kind_of(name), 0.0)
-
-
-def _correlation(_: str) -> Quantity:
-    return Quantity("number", -1.0, 1.0)
-
-
-def _correlations(_: str) -> Named:
-    return Named(scattering, _correlation)
-
-
-def _values(name: str) -> Values:
-    return Values(kind_of(name), may_be_infinite(name))
-
-
-def _ends(name: str) -> Ends:
-    return Ends(kind_of(name))
-
-
-def _scene(name: str) -> Any:
-    if name == FILE:
-        return Text(said="a scene's name, or that of a scene file")
-    return Word(tuple(PRESETS)) if name == "preset" else _quantity(name)
-
-
 _PORTS = (f"{port}{number}" for port in ("com", "lpt") for number in range(10))
 
 _TAKEN: Mapping[str, str] = MappingProxyType(
@@ -92,26 +70,8 @@ _TAKEN: Mapping[str, str] = MappingProxyType(
 )
 """What no question's folder can be called, and why; other names of ours have a dot in them."""
 
-_SEARCH = Named(varying, _ends, least=1)
-_SEARCHED = OneOf(Listed(Varying(tuple(VARIABLES)), 1), _SEARCH)
-
-
-def _search(given: Any) -> Any:
-    """Names alone are searched within their usual ends."""
-    return dict.fromkeys(given) if isinstance(given, list) else given
-
-
-Count: TypeAlias = Annotated[int, Whole()]
-Contacts: TypeAlias = Annotated[int | None, Whole()]
-Over: TypeAlias = Annotated[dict[str, list[float]], Named(varying, _values, least=1)]
-Search: TypeAlias = Annotated[dict[str, list[float] | None], _SEARCHED, AfterValidator(_search)]
-ByWay: TypeAlias = Annotated[str, Way(tuple(BY))]
-Names: TypeAlias = Annotated[list[str], Listed(Text(said="a column's name"))]
-Format: TypeAlias = Annotated[str | None, Word(tuple(FORMATS))]
-File: TypeAlias = Annotated[str, Text(said="the name of a file")]
-
-
 _CAPPED = "A shot with so many is given up as capped; by default 40 at the hoop, elsewhere 1000."
+_CAUGHT = "Of rebounds, above the floor: of the ball's centre when it is caught. A choice."
 
 
 class Study(Table):
@@ -152,16 +112,16 @@ class Releases(Table):
 class Given(Table):
     """Where shots come from."""
 
-    scene: Annotated[dict[str, Any], InScene(Named(scene_keys, _scene))] = Field(
+    scene: Annotated[dict[str, Any], InScene(Named(scene_keys, scene_or_size))] = Field(
         {}, description="The hoop and the ball; or, above the questions, another scene."
     )
-    release: Annotated[dict[str, float], Named(releasing, _quantity)] = Field(
+    release: Annotated[dict[str, float], Named(releasing, quantity)] = Field(
         {}, description="The release aimed at."
     )
-    scatter: Annotated[dict[str, float] | None, Named(scattering, _deviation, none=True)] = Field(
+    scatter: Annotated[dict[str, float] | None, Named(scattering, deviation, none=True)] = Field(
         {}, description="Standard deviations about it."
     )
-    correlation: Annotated[dict[str, dict[str, float]], Named(scattering, _correlations)] = Field(
+    correlation: Annotated[dict[str, dict[str, float]], Named(scattering, correlations)] = Field(
         {}, description="Of pairs that scatter."
     )
     releases: Releases | None = Field(None, description="Measured releases instead of scatter.")
@@ -198,8 +158,14 @@ class Estimate(Question):
         None, description="Stop when half the interval is no wider: 0.001 is a tenth of a point."
     )
     max_contacts: Contacts = Field(None, description=_CAPPED)
-    figures: Annotated[list[str], Listed(Word(("fan", "landings")))] = Field(
-        [], description="Paths of the first shots; where misses reach the floor."
+    measures: Measures = Field(
+        [], description="How each is spread; of rebound_angle, how many rebounds go where."
+    )
+    catching_height: Height = Field(CATCHING_HEIGHT, description=_CAUGHT)
+    figures: Annotated[list[str], Listed(Word(("fan", "landings", "rebounds")))] = Field(
+        [],
+        description="Paths of the first shots; where misses reach the floor; where they come down "
+        "to the catching height.",
     )
 
 
@@ -274,7 +240,7 @@ class Bank(Question):
     """The best bank shot against the best direct shot, from places on the court."""
 
     places: Annotated[
-        dict[str, list[float]], Named(("distance", "angle", "x", "y"), _values, least=2)
+        dict[str, list[float]], Named(("distance", "angle", "x", "y"), values_of, least=2)
     ] = Field(description="Distance and angle, or x and y: every combination is a place.")
     over: Search = Field(
         {"elevation": None, "aim": None, "azimuth": None},
@@ -326,9 +292,8 @@ class Batch(Question):
     own: Names = Field(
         [], description="Columns that are not to be read, though they are named like variables."
     )
-    measures: Annotated[list[str], Listed(Word(tuple(MEASURES)))] = Field(
-        [], description="Columns to add."
-    )
+    measures: Measures = Field([], description="Columns to add.")
+    catching_height: Height = Field(CATCHING_HEIGHT, description=_CAUGHT)
     prefix: Annotated[str, Text(r".*", "text")] = Field(
         "", description="Of the names of the results' columns."
     )

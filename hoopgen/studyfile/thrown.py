@@ -15,18 +15,19 @@ from hoopgen.study.best import PLOTTED
 from hoopgen.study.compare import compare
 from hoopgen.study.draws import check_two_seeds
 from hoopgen.study.estimate import estimate
-from hoopgen.study.measures import measure
+from hoopgen.study.measures import measure, measures_of
 from hoopgen.study.named import in_units
 from hoopgen.study.origin import settle
 from hoopgen.study.resample import Resample
 from hoopgen.study.scatter import Scatter
 from hoopgen.study.shares import Shares
 from hoopgen.study.solve import check_scatters, solve
+from hoopgen.study.spread import in_brief
 from hoopgen.study.tables import Source
 from hoopgen.study.tallies import contacts_of
 from hoopgen.study.throws import check_states, most_shots, outcome_by
 from hoopgen.told import in_a_note, told_setting
-from hoopgen.variables import Releases
+from hoopgen.variables import Releases, check_names
 
 from .asked import Answer, Asked, Work, fenced
 from .schema import Batch, Compare, Estimate, Solve
@@ -56,8 +57,8 @@ def check_throws(asked: Asked, question: Estimate | Compare) -> None:
     most = most_shots(question.shots, question.precision, asked.study.confidence, paired=paired)
     if isinstance(question, Compare):
         outcome_by(asked.engine, question.by)
-    elif "landings" in question.figures:
-        check_hoop("landings", asked.engine)
+    else:
+        _check_measured(asked, question)
     contacts = contacts_of(question.max_contacts, asked.engine)
     if isinstance(question, Estimate) and "fan" in question.figures:
         check_log(min(PLOTTED, most), contacts, scene=asked.engine)
@@ -96,6 +97,15 @@ def answer_solve(asked: Asked, question: Solve, work: Work) -> Answer:
     return Answer(found.line, fenced(found), in_units(found.as_dict()))
 
 
+def _check_measured(asked: Asked, question: Estimate) -> None:
+    """Look for what is measured where it cannot be."""
+    for name in {"landings", "rebounds"} & set(question.figures):
+        check_hoop(name, asked.engine)
+    if question.measures:
+        check_hoop("measures", asked.engine)
+        check_names("measures", question.measures, measures_of(asked.engine))
+
+
 def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
     """Return how probably a shot is made, and draw its figures."""
     setting = asked.setting
@@ -106,6 +116,8 @@ def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
         scene=asked.engine,
         shots=question.shots,
         precision=question.precision,
+        measures=question.measures,
+        catching_height=question.catching_height,
         confidence=asked.study.confidence,
         seed=asked.study.seed,
         max_contacts=question.max_contacts,
@@ -114,7 +126,7 @@ def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
     work.keep(found.shots)
     shooting = _Shooting(asked, question, found.shots)
     for name in question.figures:
-        asked.draw(work, name, shooting.fan() if name == "fan" else shooting.landings())
+        asked.draw(work, name, shooting.figure(name))
     digits = decimals(found.half_width)
     if isinstance(found, Shares):
         ends = asked.engine.kernels.ENDS or tuple(n for n, share in found.shares.items() if share)
@@ -126,6 +138,7 @@ def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
     else:
         ends = interval(found.low, found.high, digits)
         line = f"{percent(found.probability, digits)} made ({ends})"
+        line = "; ".join(filter(None, (line, in_brief(found.measured))))
     return Answer(
         line + _short_of(question, found.half_width), fenced(found), in_units(found.as_dict())
     )
@@ -146,22 +159,35 @@ class _Shooting:
     question: Estimate
     shots: int
 
-    def fan(self) -> Any:
+    def figure(self, name: str) -> Any:
+        """Return a picture by its name."""
+        draw = {"fan": self._fan, "landings": self._landings, "rebounds": self._rebounds}
+        return draw[name]()
+
+    def _fan(self) -> Any:
         """Return the picture of paths."""
         released, shots = self._simulated(PLOTTED, record=True)
         note = in_a_note(self._told)
         return plots.plot_fan(shots, released.parameters, title=self.question.title, note=note)
 
-    def landings(self) -> Any:
+    def _landings(self) -> Any:
         """Return the picture of where misses reach the floor."""
+        return self._on_the_floor_plan("floor", "where misses land")
+
+    def _rebounds(self) -> Any:
+        """Return the picture of where misses come down to the catching height."""
+        height = self.question.catching_height
+        return self._on_the_floor_plan("rebound", "where rebounds are caught", height=height)
+
+    def _on_the_floor_plan(self, where: str, said: str, **options: Any) -> Any:
         released, shots = self._simulated(_LANDINGS)
         states, scene = released.states, released.parameters
-        floor = measure(states, shots, scene, ("floor_x", "floor_y"))
-        x, y = (floor[name][shots.outcome == Outcome.MISSED] for name in ("floor_x", "floor_y"))
-        place = states[:, :2].mean(axis=0).tolist()
-        title = f"{self.question.title}: where misses land" if self.question.title else ""
-        note = in_a_note(self._told)
-        return plots.plot_landings(x, y, scene, place=tuple(place), title=title, note=note)
+        height, names = self.question.catching_height, (f"{where}_x", f"{where}_y")
+        there = measure(states, shots, scene, names, catching_height=height)
+        x, y = (there[name][shots.outcome == Outcome.MISSED] for name in names)
+        title = f"{self.question.title}: {said}" if self.question.title else ""
+        options |= {"place": tuple(states[:, :2].mean(axis=0).tolist()), "title": title}
+        return plots.plot_landings(x, y, scene, note=in_a_note(self._told), **options)
 
     @property
     def _told(self) -> dict[str, str]:
@@ -235,6 +261,7 @@ def answer_batch(asked: Asked, question: Batch, work: Work) -> Answer:
         scene=asked.engine,
         release=question.release,
         measures=question.measures,
+        catching_height=question.catching_height,
         max_contacts=_most_contacts(question),
         override=True,  # what the study file says is said on purpose
         format=question.format,
