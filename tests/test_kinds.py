@@ -200,7 +200,7 @@ def test_shared_kernels_fly_the_same_shots(
 def test_c_and_numpy_have_the_same_bits_with_sizes_of_each_shot() -> None:
     engine = hoopgen.compile(pins(groups.FEWEST))
     assert engine.backend == "c"
-    assert "_boxes" in engine.source("c")
+    assert "_boxes" in engine.source("c")["pins_engine.h"]
     states = thrown(3000)
     states[:, 0] += np.random.default_rng(2).uniform(0, 9, len(states))
     states[::20, 2] -= 1

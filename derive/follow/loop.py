@@ -122,7 +122,7 @@ def _starting(kind: Kind) -> Iterator[Node]:
         return
     apart = {
         **{f"middle_{axis}": axis for axis in "xyz"},
-        **{f"reach_{axis}": "room" for axis in "xyz"},
+        **{f"reach_{axis}": "leeway" for axis in "xyz"},
     }
     yield from each(
         kind.contacts,

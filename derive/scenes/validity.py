@@ -19,7 +19,7 @@ permission = sp.Symbol("allowed", real=True)
 
 
 index, valid_so_far, doubt_so_far = sp.symbols("index valid doubt", real=True)
-blur, room = sp.symbols("blur room", real=True)
+blur, leeway = sp.symbols("blur leeway", real=True)
 """How much of a length may be rounded; and how far from a box of surfaces that may matter."""
 
 measured, lengths = sp.symbols("measured lengths", nonnegative=True)
@@ -52,7 +52,7 @@ def valid(scene: Scene, tabled: Set[int]) -> dict[str, sp.Expr]:
         if index not in tabled:
             verdict, doubt = _asked(surface, index, verdict, doubt, slack)
     found = {"valid": verdict, "doubt": doubt}
-    return found | ({"blur": slack, "room": ROOM * slack} if tabled else {})
+    return found | ({"blur": slack, "leeway": ROOM * slack} if tabled else {})
 
 
 def measure(scene: Scene) -> dict[str, sp.Expr]:
