@@ -158,7 +158,9 @@ def test_a_ball_out_of_a_groups_box_is_in_none_of_its_bodies(body: str) -> None:
     known |= called(place, "measure", known)
     found = called(place, "valid", known)
     known |= {name: found[name] for name in ("blur", "leeway")}
-    known |= {f"middle_{a}": known[a] for a in "xyz"} | {f"reach_{a}": found["leeway"] for a in "xyz"}
+    known |= {f"middle_{a}": known[a] for a in "xyz"} | {
+        f"reach_{a}": found["leeway"] for a in "xyz"
+    }
     out = ~called(place, f"{body}_near_any", known | box)["near"]
     started = called(place, f"{body}_start", known)
     assert (started["valid"][out] == 1).all()
