@@ -230,6 +230,12 @@ def test_each_body_has_its_normal() -> None:
     assert last(*values) == first(*values)
 
 
+def test_a_scene_with_groups_is_explained() -> None:
+    page = pins(groups.FEWEST).explain()
+    for part in ("near_any", "box", "start"):
+        assert f"pin0_{part}" in page
+
+
 def exactly(values: NDArray[np.float64]) -> list[Fraction]:
     return [Fraction(float(value)) for value in values]
 
