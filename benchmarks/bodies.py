@@ -1,4 +1,4 @@
-"""What bodies cost: scenes of 3, 10 and 40, most of them near or far; their sources, and their C.
+"""What bodies cost: scenes of 3 to 160, most of them near or far; their sources, and their C.
 
 Spheres stand in a square, all of other sizes, and balls are dropped among them. Where most are far
 they stand in a second square, a hundred metres off. A mixed scene has forty bodies of four kinds.
@@ -27,6 +27,9 @@ from hoopgen.scene.pieces import Body
 
 FAR = 100.0
 """Metres from the bodies that balls are dropped among to those that are far."""
+
+NEAR, FAR_AWAY = 3, (37, 77, 157)
+"""Bodies that balls are dropped among, and how many more are far."""
 
 MATTERS = ("processor", "cores used", "system", "hoopgen")
 """Of the machine's facts."""
@@ -145,8 +148,9 @@ def _made(scene: Scene) -> tuple[float, float, float]:
 
 def costs(shots: int, rounds: int) -> list[Cost]:
     """Return what scenes cost, first the hoop; in a round each has a turn."""
-    scenes = [spheres(3), spheres(10), spheres(40), spheres(40, 37), spheres(80, 77), mixed()]
-    far = [0, 0, 0, 37, 77, 0]
+    far = [0, 0, 0, *FAR_AWAY, 0]
+    away = [spheres(NEAR + count, count) for count in FAR_AWAY]
+    scenes = [spheres(NEAR), spheres(10), spheres(40), *away, mixed()]
     made = [(0.0, 0.0, 0.0), *map(_made, scenes)]
     engines = [hoopgen.compile(None), *map(hoopgen.compile, scenes)]
     near = [len(s.bodies) - f for s, f in zip(scenes, far, strict=True)]
@@ -176,6 +180,20 @@ def costs(shots: int, rounds: int) -> list[Cost]:
 def as_json(found: Sequence[Cost]) -> str:
     """Every number."""
     return json.dumps([asdict(cost) for cost in found], indent=1) + "\n"
+
+
+def _more(found: Sequence[Cost]) -> list[str]:
+    """Say what a far body adds to a shot, among few and among many, from near ones alone."""
+    alone = next(c for c in found if c.bodies == NEAR and not c.far and c.compiled)
+    each = [
+        f"{1000 * (cost.ratio.median - alone.ratio.median) / cost.far:.1f} of {cost.far}"
+        for cost in found
+        if cost.far
+    ]
+    return [
+        "A body that is far adds to a shot, in thousandths of a free throw on the hoop:",
+        f"{', '.join(each)}.",
+    ]
 
 
 def as_markdown(found: Sequence[Cost]) -> str:
@@ -225,6 +243,8 @@ def as_markdown(found: Sequence[Cost]) -> str:
             "widths, compiled for one, as `hoopgen.compile` does. Times are the processor's own.",
             "",
             *table(head, rows),
+            "",
+            *_more(found),
             "",
         ]
     )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -15,9 +17,9 @@ from .follow import kinds as of_kinds
 from .follow.fields import Result, fields, results
 from .follow.kinds import Contact
 from .follow.loop import Loop, event_loop
-from .ground.choice import largest
-from .ground.kernel import Kernel, kernel
-from .ground.kinds import Symbols, kinds
+from .ground.choice import largest, release
+from .ground.kernel import Kernel, decision, kernel
+from .ground.kinds import Like, Symbols, kinds
 from .ground.rounding import extent, position_error, speed, velocity_error
 from .ground.symbols import (
     NORMAL,
@@ -36,7 +38,7 @@ from .scenes.check import check
 from .scenes.names import check_kernels
 from .scenes.passage import passage_kernels
 from .scenes.scene import Scene
-from .search import events, far, search
+from .search import events, far, groups, search
 from .search.decisions import pad
 from .search.search import Formula, Search
 from .studies import ARGUMENTS, study_kernels
@@ -105,7 +107,7 @@ def _order(scene: Scene) -> tuple[sp.Symbol, ...]:
     searching = (t, events.end, events.leaving, events.margin, events.rate_margin)
     crossing = (events.rate, events.ceiling, events.delay, events.share, events.horizon)
     sizes = (extent, speed, position_error, velocity_error)
-    boxes = (pad, *far.MIDDLES, *far.REACHES)
+    boxes = (validity.lengths, pad, *far.MIDDLES, *far.REACHES, *far.LEASTS, *far.MOSTS, *far.WIDES)
     own = (s for surface in scene.surfaces for s in search(surface, scene.flight).constants)
     return (
         *(*searching, *crossing, *STATE, *NORMAL, *FRAME, *sizes),
@@ -132,9 +134,37 @@ def _largest_input(scene: Scene) -> sp.Expr:
     return largest(1 / scene.flight.strength, *map(sp.Abs, (*POSITION, *VELOCITY)))
 
 
-def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
+def _plain_order(scene: Scene) -> tuple[sp.Symbol, ...]:
+    """Return the order of arguments of what is asked before the parameters are known to be good."""
+    so_far = (
+        *(validity.index, validity.blur, validity.measured),
+        *(validity.valid_so_far, validity.doubt_so_far),
+    )
+    return (validity.last, *so_far, *STATE, *map(validity.plain, scene.symbols))
+
+
+def _lengths(scene: Scene, tabled: Set[int]) -> tuple[sp.Expr, ...]:
+    """Return what lengths are measured by: of many bodies, one sum that a shot begins with."""
+    return (validity.lengths,) if tabled else scene.lengths
+
+
+def _measuring(scene: Scene) -> dict[str, Kernel]:
+    measure = kernel(
+        "measure",
+        validity.measure(scene),
+        _plain_order(scene),
+        "The sum of the sizes of the scene's lengths.",
+        "what roundings are measured by",
+    )
+    begun = decision(
+        "begun_with", {"lengths": validity.measured}, "The same, of a shot that has begun."
+    )
+    return {"measure": measure, "begun_with": begun}
+
+
+def _common(scene: Scene, order: tuple[sp.Symbol, ...], tabled: Set[int]) -> list[Kernel]:
     through = impact_through_frame(FRAME, velocity, spin, scene.ball_radius, RESTITUTION)
-    plain_order = (validity.last, *STATE, *map(validity.plain, scene.symbols))
+    plain_order = _plain_order(scene)
     return [
         kernel(
             "flight",
@@ -191,7 +221,7 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
         ),
         kernel(
             "displacement",
-            {"margin": events.displacement(scene.flight, scene.lengths)},
+            {"margin": events.displacement(scene.flight, _lengths(scene, tabled))},
             order,
             "Bound on the error of a length at a computed arrival.",
             "running error analysis",
@@ -240,7 +270,7 @@ def _common(scene: Scene, order: tuple[sp.Symbol, ...]) -> list[Kernel]:
         ),
         kernel(
             "valid",
-            validity.valid(scene),
+            validity.valid(scene, tabled),
             plain_order,
             "1 where no surface is overlapped; 1 where that is in doubt.",
             "Table 2",
@@ -285,6 +315,7 @@ def _surface_kernels(
     scene: Scene,
     order: tuple[sp.Symbol, ...],
     differing: set[sp.Symbol] | None = None,
+    alike: int = 1,
 ) -> SurfaceKernels:
     found = search(surface, scene.flight)
     formulas: dict[str, Formula] = {}
@@ -326,13 +357,48 @@ def _surface_kernels(
         if not found.closed and (near := far.near(surface)):
             said = "Where a flight may reach the box of a surface at all."
             formulas["near"] = (near, said, "boxes that do not meet")
+            if alike >= groups.FEWEST:
+                formulas |= _of_groups(surface)
     kernels = {
         part: kernel(f"{surface.name}_{part}", outputs, order, summary, equation)
         for part, (outputs, summary, equation) in formulas.items()
     }
+    if differing is not None:
+        kernels["start"] = kernel(
+            f"{surface.name}_start",
+            validity.start(surface),
+            _plain_order(scene),
+            "1 where a surface is not overlapped either; 1 where that is in doubt.",
+            "Table 2",
+        )
     if scene.rolls:
         kernels |= settling.of_surface(surface, scene.flight)
     return SurfaceKernels(surface, found, kernels | found.decisions)
+
+
+def _of_groups(surface: Surface) -> dict[str, Formula]:
+    return {
+        "box": (
+            far.box(surface),
+            "The box of a surface, of which a group has the largest.",
+            "boxes that do not meet",
+        ),
+        "near_any": (
+            far.near_any(surface),
+            "Where a flight may reach the box of a group of such surfaces at all.",
+            "boxes that do not meet",
+        ),
+    }
+
+
+def _usual_box(surface: Surface, usual: Mapping[sp.Symbol, sp.Expr]) -> groups.Box:
+    """Return where a surface usually is, along each axis along which it has ends."""
+    found = []
+    for centre, half in zip(surface.about, surface.halves, strict=True):
+        if half is not None:
+            middle, reach = (float(release(sp.sympify(e)).xreplace(usual)) for e in (centre, half))
+            found.append((middle - reach, middle + reach))
+    return found
 
 
 def _in_contact(scene: Scene) -> dict[str, Kernel]:
@@ -350,10 +416,12 @@ def _variables(symbols: Symbols) -> dict[str, str]:
     return {variable(one): variable(other) for one, other in symbols.items()}
 
 
-def _of_kinds(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[SurfaceKernels, ...]:
+def _of_kinds(
+    scene: Scene, likes: Sequence[Like], order: tuple[sp.Symbol, ...]
+) -> tuple[SurfaceKernels, ...]:
     """Return the surfaces; those that differ by their sizes alone share what is derived."""
     made: list[SurfaceKernels] = []
-    likes = kinds(scene.surfaces, _shared(scene))
+    many = Counter(like.first for like in likes)
     differing: dict[int, set[sp.Symbol]] = {}
     for index, like in enumerate(likes):
         if like.first < index:
@@ -363,7 +431,8 @@ def _of_kinds(scene: Scene, order: tuple[sp.Symbol, ...]) -> tuple[SurfaceKernel
             first = made[like.first]
             made.append(SurfaceKernels(surface, first.search, first.kernels, like.symbols))
         else:
-            made.append(_surface_kernels(surface, scene, order, differing.get(index)))
+            own = differing.get(index)
+            made.append(_surface_kernels(surface, scene, order, own, many[index]))
     return tuple(made)
 
 
@@ -377,7 +446,12 @@ def build(scene: Scene) -> Model:
     """
     check(scene)
     order = _order(scene)
-    common = {k.name: k for k in _common(scene, order)}
+    likes = kinds(scene.surfaces, _shared(scene))
+    alike = Counter(like.first for like in likes)
+    tabled = {index for index, like in enumerate(likes) if alike[like.first] > 1}
+    common = {k.name: k for k in _common(scene, order, tabled)}
+    if tabled:
+        common |= _measuring(scene)
     if scene.passage is not None:
         common |= passage_kernels(scene.passage, scene.flight, order)
     swept = kernel(
@@ -399,8 +473,9 @@ def build(scene: Scene) -> Model:
         laws[law] = laws[first] if first in laws else _law_kernels(law, scene, order)
     if scene.rolls:
         choices |= _in_contact(scene)
-    surfaces = _of_kinds(scene, order)
+    surfaces = _of_kinds(scene, likes, order)
     gates = tuple(_surface_kernels(gate, scene, order) for gate in scene.gates)
+    usual = {p.symbol: sp.Rational(p.default) for p in scene.parameters if not p.infinite}
     contacts = [
         Contact(
             index,
@@ -410,6 +485,8 @@ def build(scene: Scene) -> Model:
             laws[scene.bodies[body].law],
             _variables(made.sizes),
             _variables(of_laws[scene.laws.index(scene.bodies[body].law)].symbols),
+            _usual_box(made.surface, usual) if "box" in made.kernels else (),
+            made.surface.enclosed and made.surface.steepness == 1,
         )
         for index, (body, made) in enumerate(zip(scene.faces, surfaces, strict=True))
     ]
@@ -418,15 +495,16 @@ def build(scene: Scene) -> Model:
         for k, made in enumerate(gates)
     ]
     names = [body.name for body in scene.bodies]
+    tallied = bool(tabled) and not scene.rolls
     loop = event_loop(
         common | choices,
         contacts,
         ends,
-        fields(names, scene.rolls, scene.passage is not None),
+        fields(names, scene.rolls, scene.passage is not None, tallied, bool(tabled)),
         [variable(symbol) for symbol in scene.symbols],
     )
     study = tuple(study_kernels(scene, order))
     common |= {name: made for name, made in choices.items() if name in loop.called}
-    model = Model(scene, common, laws, surfaces, gates, study, loop, results(names))
+    model = Model(scene, common, laws, surfaces, gates, study, loop, results(names, tallied))
     check_kernels(scene.name, (kernel.name for kernel in model.kernels))
     return model

@@ -147,8 +147,10 @@ def check_leaving(
     whole = array.dtype.kind in "iu" and not np.ma.is_masked(leaving)
     if not whole or array.shape not in ((), (shots,)):
         raise ValueError(f"leaving: expected whole numbers, one or {shots}, got {brief(leaving)}")
-    if np.any((array < -1) | (array >= surfaces)):
-        raise ValueError(f"leaving: expected -1 to {surfaces - 1}, got {brief(leaving)}")
+    known = min(surfaces, np.iinfo(np.int8).max + 1)
+    if np.any((array < -1) | (array >= known)):
+        of = f" of {surfaces} surfaces" if known < surfaces else ""
+        raise ValueError(f"leaving: expected -1 to {known - 1}{of}, got {brief(leaving)}")
     return np.ascontiguousarray(np.broadcast_to(array, shots), dtype=np.int8)
 
 

@@ -207,7 +207,7 @@ class Shots:
     counts
         int32 (n, k), contacts by surface, in the order of `surfaces`.
     first
-        int8 (n,), first surface touched, -1 for none.
+        int8 (n,), first surface touched, -1 for none; int16 among more than 128 bodies.
     time
         float64 (n,), s: at the end plane; capped or short, at the last contact.
     state

@@ -469,10 +469,13 @@ def test_a_study_of_a_scene_is_run_and_refused_once_the_scene_changed(
     assert 0 < found.shares["beyond"] < 1
     assert "% near (" in answers["ends"].line
     assert run_study(study(tmp_path)) == answers
+    kept = tmp_path / "study-results" / "scene.toml"
+    assert kept.read_text(encoding="utf-8") == LEDGE
     altered = LEDGE.replace('["x - 1.3"]', '["x - 1.3*reach"]')
     with pytest.raises(ValueError, match="holds another study") as refused:
         run_study(study(tmp_path, scene=altered))
     assert "scene.sha256" in str(refused.value)
+    assert kept.read_text(encoding="utf-8") == LEDGE
 
 
 def test_a_table_of_the_scene_sets_its_parameters(tmp_path: Path) -> None:

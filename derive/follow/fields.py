@@ -55,6 +55,9 @@ class Result:
         Whether it needs the fields that bound errors.
     asked
         Whether it is had by name only.
+    tallied
+        Whether it counts contacts by body, a column each, where they happen: of the fields that it
+        would be made of there is none.
     """
 
     name: str
@@ -65,6 +68,7 @@ class Result:
     bounds: bool = False
     asked: bool = False
     row: bool = False
+    tallied: bool = False
 
 
 EVENTS = {
@@ -79,8 +83,18 @@ CLAIMS = ("position_claim", "velocity_claim", "spin_claim", "time_claim")
 """Bounds on the errors of a shot that has ended."""
 
 
-def fields(bodies: Sequence[str], rolls: bool = False, passage: bool = False) -> tuple[Field, ...]:
-    """Return the fields of a shot among bodies, which it may stay on, or pass a ring's disc."""
+def fields(
+    bodies: Sequence[str],
+    rolls: bool = False,
+    passage: bool = False,
+    tallied: bool = False,
+    measured: bool = False,
+) -> tuple[Field, ...]:
+    """Return the fields of a shot among bodies, which it may stay on, or pass a ring's disc.
+
+    Of many bodies contacts are tallied where they happen: no shot then has a number for each. Their
+    sizes are measured once: then it has the sum.
+    """
     kept = (
         Field("held", NONE, "surface that it stays in contact with, -1: none"),
         Field("mode", 0.0, "0: in flight; 1, 2, 3: contact begins, goes on, ends"),
@@ -91,15 +105,17 @@ def fields(bodies: Sequence[str], rolls: bool = False, passage: bool = False) ->
     counts = (Field(f"count_{k}", 0.0, f"contacts with {name}") for k, name in enumerate(bodies))
     claims = (Field(name, 0.0, "bound on the error at the end", True) for name in CLAIMS)
     through = Field("through", 0.0, "1: it has fallen through the ring, -1: it came up through it")
+    lengths = Field("lengths", 0.0, "sum of the sizes of the scene's lengths", True)
     return (
         *state,
         *errors,
+        *([lengths] if measured else []),
         Field("clock", 0.0, "time of the last event, s since the release"),
         Field("clock_error", 0.0, "what the contacts' times were off by, summed", True),
         Field("last", None, "surface that was touched last, -1: none"),
         Field("first", NONE, "body that was touched first, -1: none"),
         Field("contacts", 0.0, "how many contacts there were"),
-        *counts,
+        *(() if tallied else counts),
         *(kept if rolls else ()),
         *([through] if passage else []),
         Field("uncertain", 0.0, "1: a decision lies within its rounding-error bound", True),
@@ -108,15 +124,20 @@ def fields(bodies: Sequence[str], rolls: bool = False, passage: bool = False) ->
     )
 
 
-def results(bodies: Sequence[str]) -> tuple[Result, ...]:
+def results(bodies: Sequence[str], tallied: bool = False) -> tuple[Result, ...]:
     """Return the results of shots among bodies, in the order of the targets' structs."""
     counts = tuple(f"count_{k}" for k in range(len(bodies)))
     state = tuple(symbol.name for symbol in STATE)
     return (
         Result("outcome", "uint8", ("outcome",), "how it ended"),
         Result("contacts", "int32", ("contacts",), "contacts before the end"),
-        Result("counts", "int32", counts, "contacts with each body", row=True),
-        Result("first", "int8", ("first",), "first body touched, -1: none"),
+        Result("counts", "int32", counts, "contacts with each body", row=True, tallied=tallied),
+        Result(
+            "first",
+            "int8" if len(bodies) <= 2**7 else "int16",
+            ("first",),
+            "first body touched, -1: none",
+        ),
         Result(
             "time",
             "float64",

@@ -10,8 +10,9 @@ import sympy as sp
 from ..ground.choice import Equal, Not, Nowhere, Truth, every
 from ..ground.kernel import decision
 from ..ground.symbols import variable
-from ..ground.tree import Do, Each, Guard, Node, Value, given_as, read_of
+from ..ground.tree import Do, Each, Groups, Guard, Node, Value, given_as, read_of
 from ..search.decisions import last, which
+from ..search.groups import Box, grouped
 from ..search.search import Parts, Search
 
 INDEX = "own_index"
@@ -48,6 +49,10 @@ class Contact:
         of the first of its kind.
     sizes, law_sizes
         Its own variable for each of the first's that those of the surface, and of the law, take.
+    box
+        Where it usually is.
+    enclosed
+        Whether all of the body is within the box that its contacts are in.
     """
 
     index: int
@@ -57,6 +62,8 @@ class Contact:
     law: Parts
     sizes: Mapping[str, str] = field(default_factory=dict)
     law_sizes: Mapping[str, str] = field(default_factory=dict)
+    box: Box = ()
+    enclosed: bool = False
 
 
 @dataclass(frozen=True)
@@ -150,7 +157,9 @@ def on(common: Parts, index: Value, *body: Node, rare: bool = False) -> Iterator
 
 
 def each(
-    alike: Sequence[Contact], body: Callable[[Contact, Value], Iterator[Node]]
+    alike: Sequence[Contact],
+    body: Callable[[Contact, Value], Iterator[Node]],
+    near: Mapping[str, str] | None = None,
 ) -> Iterator[Node]:
     """Do something for each of some surfaces that share the kernels which it evaluates.
 
@@ -160,11 +169,21 @@ def each(
         The surfaces.
     body
         From one of them, and what its index is called, to what is done.
+    near
+        What does nothing to a shot that is not near the surface asks with these inputs whether it
+        is near a group of them, if they have kernels for that.
     """
     first = alike[0]
     if len(alike) == 1:
         yield from body(first, first.index)
         return
+    groups = None
+    if near is not None and "box" in first.parts:
+        order, members = grouped([surface.box for surface in alike])
+        alike = [alike[k] for k in order]
+        names = set(map(variable, first.parts["near_any"].arguments))
+        asked = {name: value for name, value in near.items() if name in names}
+        groups = Groups(Do(first.parts["box"]), Do(first.parts["near_any"], asked), members)
     table: dict[str, list[Value]] = {INDEX: [float(surface.index) for surface in alike]}
     called: dict[str, dict[str, str]] = {}
     for kernels, sizes in (
@@ -175,7 +194,9 @@ def each(
         called |= {kernel.name: own for kernel in kernels.values()}
         table |= columns
     nodes = _called(body(first, INDEX), called)
-    yield read_of(Each(tuple(table), tuple(zip(*table.values(), strict=True)), nodes))
+    if groups is not None:
+        groups = replace(groups, box=given_as(groups.box, called[groups.box.kernel.name]))
+    yield read_of(Each(tuple(table), tuple(zip(*table.values(), strict=True)), nodes, groups))
 
 
 def _table(

@@ -8,14 +8,14 @@ lanes, writes the log, and stores results.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 
-from ..ground.tree import Do, Guard, Node, Value, check, live_before, needed, walk, without
+from ..ground.tree import Do, Each, Guard, Node, Value, check, live_before, needed, walk, without
 from ..search.search import Parts, proposed
 from . import staying
 from .fields import CLAIMS, Field
-from .kinds import Contact, each, of_laws, of_one_kind, on
+from .kinds import Contact, Kind, each, of_laws, of_one_kind, on
 
 TEMPORARY_BOUNDS = {"late": 0.0, "delay": 0.0, "doubt": float("inf")}
 """What bounds errors within a stage, as it stands where no bounds are wanted."""
@@ -46,10 +46,23 @@ class Loop:
             known = check(nodes, known)
 
     @property
+    def tallied(self) -> bool:
+        """Whether contacts are counted by body where they happen, and not in fields of a shot."""
+        return all(field.name != "count_0" for field in self.fields)
+
+    @property
     def called(self) -> frozenset[str]:
         """The names of the kernels that it evaluates."""
+        nodes = [node for stage in self.stages.values() for node in walk(stage)]
+        groups = [each.groups for each in self.tables if each.groups is not None]
+        asked = (evaluated for group in groups for evaluated in (group.box, group.near))
+        return frozenset(node.kernel.name for node in (*nodes, *asked) if isinstance(node, Do))
+
+    @property
+    def tables(self) -> tuple[Each, ...]:
+        """What is done for each row of a table."""
         nodes = (node for stage in self.stages.values() for node in walk(stage))
-        return frozenset(node.kernel.name for node in nodes if isinstance(node, Do))
+        return tuple(node for node in nodes if isinstance(node, Each))
 
     def plain(self) -> Loop:
         """Return the loop without all that only bounds errors: the same path."""
@@ -86,14 +99,35 @@ def event_loop(
         ("most_contacts", "time_limit", "claims"),
         tuple(parameters),
         {
-            "permit": (Do(common["allowed"]), Do(common["finite_parameters"])),
+            "permit": (
+                *(Do(common["allowed"]), Do(common["finite_parameters"])),
+                *([Do(common["measure"])] if "measure" in common else []),
+            ),
             "admit": (
-                *(Do(common["finite_state"]), Do(common["valid"]), Do(common["admitted"])),
+                *([Do(common["begun_with"])] if "begun_with" in common else []),
+                *(Do(common["finite_state"]), Do(common["valid"])),
+                *(node for kind in of_one_kind(contacts) for node in _starting(kind)),
+                Do(common["admitted"]),
                 *([Do(common["passing_start"])] if "passing" in common else []),
             ),
             "reach": tuple(_reach(common, contacts, gates)),
-            "meet": tuple(_meet(common, contacts, gates)),
+            "meet": tuple(_meet(common, contacts, gates, {field.name for field in fields})),
         },
+    )
+
+
+def _starting(kind: Kind) -> Iterator[Node]:
+    """Look whether a ball starts inside any surface of a kind."""
+    if "start" not in kind.first.parts:
+        return
+    apart = {
+        **{f"middle_{axis}": axis for axis in "xyz"},
+        **{f"reach_{axis}": "leeway" for axis in "xyz"},
+    }
+    yield from each(
+        kind.contacts,
+        lambda s, index: iter([Do(s.parts["start"], {"index": index})]),
+        apart if kind.first.enclosed else None,
     )
 
 
@@ -114,7 +148,7 @@ def _reach(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact])
         if "near" in kind.first.parts:
             yield Do(common["horizon"], {"t": "when"}, {"horizon": "until"})
             yield Do(common["swept"], {"horizon": "until"})
-        yield from each(kind.contacts, lambda s, index: _arriving(common, s, index))
+        yield from each(kind.contacts, lambda s, index: _arriving(common, s, index), {})
     if gates:
         yield expiry
     if "kept" in common:
@@ -153,10 +187,12 @@ def _arriving(common: Parts, surface: Contact, index: Value) -> Iterator[Node]:
     yield Guard("near", tuple(nodes))
 
 
-def _meet(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]) -> Iterator[Node]:
+def _meet(
+    common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact], fields: Set[str]
+) -> Iterator[Node]:
     """Give the ball its motion after the contact (Eqs. 7-17), and its errors theirs."""
     yield Do(common["meeting"])
-    yield Guard("meeting", tuple(_contact(common, contacts, gates)))
+    yield Guard("meeting", tuple(_contact(common, contacts, gates, fields)))
     timed = Do(common["timed"], {"index": len(contacts) + len(gates)})
     carried = Guard("timed", (Do(common["carry_time"], {"t": "when"}),), rare=True)
     yield Guard("limited", (timed, carried), rare=True)
@@ -169,7 +205,7 @@ def _meet(common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]) 
 
 
 def _contact(
-    common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact]
+    common: Parts, contacts: Sequence[Contact], gates: Sequence[Contact], fields: Set[str]
 ) -> Iterator[Node]:
     first, *others = (*gates, *contacts)
     kinds = of_one_kind(contacts)
@@ -181,9 +217,10 @@ def _contact(
         if kind.several:
             yield from kind.on(common, "normal")
             for surface in kind.contacts:
-                yield from on(common, surface.index, _counted(common, surface))
+                if counted := _counted(common, surface, fields):
+                    yield from on(common, surface.index, *counted)
         else:
-            yield from kind.on(common, "normal", _counted(common, kind.first))
+            yield from kind.on(common, "normal", *_counted(common, kind.first, fields))
     yield Do(common["elsewhere"])
     for kind in kinds:
         yield from kind.bent(common)
@@ -202,9 +239,10 @@ def _contact(
         yield Guard("touches", tuple(staying.settled(common, contacts, gates)))
 
 
-def _counted(common: Parts, surface: Contact) -> Do:
+def _counted(common: Parts, surface: Contact, fields: Set[str]) -> list[Do]:
+    """Count a contact with a body, if a shot has a field for that."""
     count = {"count": f"count_{surface.body}"}
-    return Do(common["counted"], count, count)
+    return [Do(common["counted"], count, count)] if count["count"] in fields else []
 
 
 def _laws(common: Parts, contacts: Sequence[Contact]) -> Iterator[Node]:

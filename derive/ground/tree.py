@@ -86,6 +86,48 @@ class Repeat:
 
 
 @dataclass(frozen=True)
+class Group:
+    """Rows of a table that stand together: all from `first` on that come before `past`.
+
+    Attributes
+    ----------
+    after
+        The index of the next group that has none of these rows; the next one of all is within this
+        one, if it is another.
+    """
+
+    first: int
+    past: int
+    after: int
+
+
+@dataclass(frozen=True)
+class Groups:
+    """Which rows of a table stand together, and which shots none of a group's does anything to.
+
+    Attributes
+    ----------
+    box
+        Evaluated for a row; a group has the largest of each of its outputs.
+    near
+        Evaluated for a group and a shot, the last of its arguments are those outputs. Where its
+        truth does not hold, the rows of the group do nothing to the shot: a target may leave them
+        out.
+    members
+        A group before those within it.
+    """
+
+    box: Do
+    near: Do
+    members: tuple[Group, ...]
+
+    @property
+    def asked(self) -> set[str]:
+        """The variables of a shot that are asked."""
+        return {v for v in self.near.arguments if isinstance(v, str)} - {*self.box.assigned}
+
+
+@dataclass(frozen=True)
 class Each:
     """A body that is done for every row of a table, in order: for bodies of one kind.
 
@@ -95,11 +137,14 @@ class Each:
         What the values of a row are called in the body; nothing else has these names.
     rows
         The table's rows. Under one name all values are variables, or all are numbers.
+    groups
+        Which of them may be left out, and where.
     """
 
     names: tuple[str, ...]
     rows: tuple[tuple[Value, ...], ...]
     body: tuple[Node, ...]
+    groups: Groups | None = None
 
     def __post_init__(self) -> None:
         for name, column in zip(self.names, self.columns, strict=True):
@@ -135,7 +180,7 @@ def reads(nodes: Iterable[Node]) -> set[str]:
         if isinstance(node, Do):
             found |= {value for value in node.arguments if isinstance(value, str)}
         elif isinstance(node, Each):
-            found |= reads(node.body) - set(node.names) | node.given
+            found |= reads(node.body) - set(node.names) | _asked(node)
         else:
             found |= reads(node.body) | {node.truth}
     return found
@@ -179,7 +224,9 @@ def live_in_body(node: Guard | Repeat | Each, after: Iterable[str]) -> set[str]:
 
 def _asked(node: Guard | Repeat | Each) -> set[str]:
     """Return the variables that a node reads itself."""
-    return node.given if isinstance(node, Each) else {node.truth}
+    if not isinstance(node, Each):
+        return {node.truth}
+    return node.given | (node.groups.asked if node.groups else set())
 
 
 def check(nodes: Iterable[Node], known: Iterable[str]) -> set[str]:
@@ -252,7 +299,7 @@ def _needed(nodes: tuple[Node, ...], live: set[str]) -> tuple[tuple[Node, ...], 
         if body and isinstance(node, Each):
             node = read_of(replace(node, body=body))
             kept.append(node)
-            live |= before - set(node.names) | node.given
+            live |= before - set(node.names) | _asked(node)
         elif body:
             kept.append(replace(node, body=body))
             live |= before | _asked(node)
@@ -261,7 +308,7 @@ def _needed(nodes: tuple[Node, ...], live: set[str]) -> tuple[tuple[Node, ...], 
 
 def read_of(node: Each) -> Each:
     """Return the node with those columns of its table that its body reads."""
-    read = reads(node.body)
+    read = reads(node.body) | (reads([node.groups.box]) if node.groups else set())
     places = [k for k, name in enumerate(node.names) if name in read]
     rows = tuple(tuple(row[k] for k in places) for row in node.rows)
     return replace(node, names=tuple(node.names[k] for k in places), rows=rows)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Set
+
 import sympy as sp
 
 from ..ground.choice import AtMost, IfAtMost, IfLess, Less, every, hold, largest, size
 from ..ground.symbols import POSITION, UNIT_ROUNDOFF
+from ..surfaces import Surface
 from .scene import Scene
 
 last = sp.Symbol("last", real=True)
@@ -15,28 +18,64 @@ permission = sp.Symbol("allowed", real=True)
 """Positive where the parameters are allowed."""
 
 
+index, valid_so_far, doubt_so_far = sp.symbols("index valid doubt", real=True)
+blur, leeway = sp.symbols("blur leeway", real=True)
+"""How much of a length may be rounded; and how far from a box of surfaces that may matter."""
+
+measured, lengths = sp.symbols("measured lengths", nonnegative=True)
+"""The sum of the sizes of a scene's lengths, and the same of a shot that has begun."""
+
+ROOM = 8
+"""A ball so many times further from the box of a surface than is rounded is not inside it, nor is
+that in doubt: what says so is no less than the distance from the box, but for what is rounded."""
+
+
 def plain(expression: sp.Basic) -> sp.Basic:
     """Return the expression in symbols that assume nothing of their sign."""
     return expression.xreplace({s: s.func(s.name, real=True) for s in expression.free_symbols})
 
 
-def valid(scene: Scene) -> dict[str, sp.Expr]:
+def valid(scene: Scene, tabled: Set[int]) -> dict[str, sp.Expr]:
     """Return whether a ball can start at a finite position, and whether that is in doubt.
 
     A ball is inside a surface if the largest of the surface's `inside` is negative; in doubt if
     it is within the rounding of its evaluation. The surface that the ball leaves is not asked.
+
+    Nor are the surfaces of those indices, which the loop goes over (`start`). For them there is
+    also how much may be rounded, and the room within which that may matter.
     """
-    lengths = [sp.Abs(plain(length)) for length in scene.lengths]
+    lengths = [measured] if tabled else [sp.Abs(plain(length)) for length in scene.lengths]
     slack = hold(16 * UNIT_ROUNDOFF * hold(sum(map(sp.Abs, POSITION)) + sum(lengths)))
     verdict: sp.Expr = sp.Integer(1)
     doubt: sp.Expr = sp.Integer(0)
     for index, surface in enumerate(scene.surfaces):
-        overlap = hold(largest(*map(plain, surface.inside)))
-        left = hold(sp.Abs(last - index))
-        verdict = IfLess(left, sp.Rational(1, 2), verdict, IfAtMost(0, overlap, verdict, 0))
-        near = IfAtMost(size(overlap), hold(plain(surface.steepness)) * slack, 1, doubt)
-        doubt = IfLess(left, sp.Rational(1, 2), doubt, near)
+        if index not in tabled:
+            verdict, doubt = _asked(surface, index, verdict, doubt, slack)
+    found = {"valid": verdict, "doubt": doubt}
+    return found | ({"blur": slack, "leeway": ROOM * slack} if tabled else {})
+
+
+def measure(scene: Scene) -> dict[str, sp.Expr]:
+    """Return the sum of the sizes of a scene's lengths: one for all shots that share them."""
+    return {measured.name: hold(sum(sp.Abs(plain(length)) for length in scene.lengths))}
+
+
+def start(surface: Surface) -> dict[str, sp.Expr]:
+    """Return the same of one surface more, of the index that the loop is at."""
+    verdict, doubt = _asked(surface, index, valid_so_far, doubt_so_far, blur)
     return {"valid": verdict, "doubt": doubt}
+
+
+def _asked(
+    surface: Surface, index: sp.Expr | int, verdict: sp.Expr, doubt: sp.Expr, slack: sp.Expr
+) -> tuple[sp.Expr, sp.Expr]:
+    overlap = hold(largest(*map(plain, surface.inside)))
+    left = hold(sp.Abs(last - index))
+    near = IfAtMost(size(overlap), hold(plain(surface.steepness)) * slack, 1, doubt)
+    return (
+        IfLess(left, sp.Rational(1, 2), verdict, IfAtMost(0, overlap, verdict, 0)),
+        IfLess(left, sp.Rational(1, 2), doubt, near),
+    )
 
 
 def allowed(scene: Scene) -> dict[str, sp.Expr]:

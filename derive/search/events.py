@@ -83,8 +83,13 @@ def displacement(flight: Flight, lengths: Sequence[sp.Expr]) -> sp.Expr:
     distance flown during the delay, and the roundings of sums with the scene's lengths.
     """
     there, moving = flight.rounding(horizon)
-    size = there.magnitude + hold(sum(map(sp.Abs, lengths)))
+    size = there.magnitude + total(lengths)
     return SAFETY * (3 * there.error + delay * moving.magnitude + 4 * UNIT_ROUNDOFF * hold(size))
+
+
+def total(lengths: Sequence[sp.Expr]) -> sp.Expr:
+    """Return the sum of the sizes of a scene's lengths."""
+    return hold(sum(map(sp.Abs, lengths)))
 
 
 def allowance(flight: Flight) -> dict[str, sp.Expr]:

@@ -8,6 +8,14 @@ apart where along some axis, with a middle m and a half size r of the flight's,
 
 The roundings of c, of h, of the difference and of the sum are a few u of |c - m|, of h, of r and of
 |m|, and W is far above that: m is no larger than the flight, of which r has a share W already.
+
+Bodies that stand together are in one box, so that a flight may be apart from all of them at once.
+With the smallest and the largest of their c, and the largest of their h, it is where
+
+    min c - m > (1 + W) max h + r   or   m - max c > (1 + W) max h + r.
+
+Whatever is rounded is no smaller for what is larger. So where this holds as computed, what is above
+holds as computed, for each of the bodies: to leave them out changes nothing.
 """
 
 from __future__ import annotations
@@ -29,6 +37,12 @@ SHARE = sp.Rational(1, 2**30)
 MIDDLES = sp.symbols("middle_x middle_y middle_z", real=True)
 REACHES = sp.symbols("reach_x reach_y reach_z", real=True)
 """The middle and the half sizes of a flight's box; these times 1 + W."""
+
+
+LEASTS = sp.symbols("least_x least_y least_z", real=True)
+MOSTS = sp.symbols("most_x most_y most_z", real=True)
+WIDES = sp.symbols("wide_x wide_y wide_z", real=True)
+"""The largest of -c, of c, and of (1 + W) h among bodies."""
 
 
 def swept(flight: Parabola) -> dict[str, sp.Expr]:
@@ -54,13 +68,36 @@ def swept(flight: Parabola) -> dict[str, sp.Expr]:
     return middles | reaches
 
 
+def _sides(surface: Surface) -> list[tuple[int, sp.Expr, sp.Expr]]:
+    """Return the axes along which a surface has an end: where it is about, and how wide."""
+    return [
+        (k, hold(centre), hold((1 + SHARE) * half))
+        for k, (centre, half) in enumerate(zip(surface.about, surface.halves, strict=True))
+        if half is not None
+    ]
+
+
 def near(surface: Surface) -> dict[str, sp.Basic]:
     """Return where a flight may reach a surface; nothing where the surface has no box."""
     apart = [
-        Less(hold((1 + SHARE) * half) + reach, size(centre - middle))
-        for centre, half, middle, reach in zip(
-            surface.about, surface.halves, MIDDLES, REACHES, strict=True
-        )
-        if half is not None
+        Less(wide + REACHES[k], size(centre - MIDDLES[k])) for k, centre, wide in _sides(surface)
     ]
     return {"near": Not(some(*apart))} if apart else {}
+
+
+def box(surface: Surface) -> dict[str, sp.Expr]:
+    """Return what a group has the largest of, in the order of its symbols."""
+    sides = _sides(surface)
+    least = {LEASTS[k].name: -centre for k, centre, _ in sides}
+    most = {MOSTS[k].name: centre for k, centre, _ in sides}
+    return least | most | {WIDES[k].name: wide for k, _, wide in sides}
+
+
+def near_any(surface: Surface) -> dict[str, sp.Basic]:
+    """Return where a flight may reach any surface of a group of such."""
+    apart = [
+        Less(WIDES[k] + REACHES[k], away)
+        for k, _, _ in _sides(surface)
+        for away in (-hold(LEASTS[k] + MIDDLES[k]), MIDDLES[k] - MOSTS[k])
+    ]
+    return {"near": Not(some(*apart))}

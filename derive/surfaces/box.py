@@ -69,6 +69,11 @@ class Box(Surface):
         return tuple((high - low) / 2 + self.radius for low, high in sides)
 
     @property
+    def enclosed(self) -> bool:
+        """It is."""
+        return True
+
+    @property
     def normal(self) -> sp.Matrix:
         """From the nearest point of the box, over R_B."""
         per = hold(1 / self.radius)

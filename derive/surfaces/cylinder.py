@@ -84,6 +84,11 @@ class Cylinder(Surface):
         return tuple(self.radius if known and not u else None for u in self.direction)
 
     @property
+    def enclosed(self) -> bool:
+        """If the ball is outside."""
+        return not self.inward
+
+    @property
     def condition(self) -> sp.Expr:
         """The shape about its place."""
         return moved(self.shape, self.centre)

@@ -72,6 +72,11 @@ class Sphere(Surface):
         return (self.radius,) * 3
 
     @property
+    def enclosed(self) -> bool:
+        """If the ball is outside."""
+        return not self.inward
+
+    @property
     def condition(self) -> sp.Expr:
         """|p - c|² - r², free of the root, or the same with the other sign."""
         return moved(self.shape, self.centre)

@@ -81,6 +81,11 @@ class Surface(ABC):
         return (None, None, None)
 
     @property
+    def enclosed(self) -> bool:
+        """Whether all of the body is in that box: out of it, `inside` has the distance from it."""
+        return False
+
+    @property
     def bounds(self) -> tuple[sp.Expr, ...]:
         """The g of Eq. 2: a contact counts only where every one is <= 0."""
         return ()

@@ -86,6 +86,11 @@ class Torus(Surface):
         return tuple(self.reach if abs(u) == 1 else widest for u in self.direction)
 
     @property
+    def enclosed(self) -> bool:
+        """It is."""
+        return True
+
+    @property
     def condition(self) -> sp.Expr:
         """The shape about its place: free of roots."""
         return moved(self.shape, self.centre)

@@ -155,7 +155,8 @@ class Field(NamedTuple):
 
 class Result(NamedTuple):
     """A result: the fields that it is made of, whether they make a row, whether it is not a number
-    where a shot is invalid, whether it bounds errors, whether it is had by name only."""
+    where a shot is invalid, whether it bounds errors, whether it is had by name only, whether it
+    counts contacts by body where they happen."""
 
     name: str
     dtype: str
@@ -164,6 +165,7 @@ class Result(NamedTuple):
     blank: bool
     bounds: bool
     asked: bool
+    tallied: bool = False
 
 
 FIELDS: tuple[Field, ...] = (

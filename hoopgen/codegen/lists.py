@@ -13,7 +13,8 @@ from dataclasses import dataclass, field, replace
 
 from hoopgen.derive.ground.tree import Do, Each, Guard, Node, Repeat, live_before, walk, writes
 
-from .loop import CLoop, carried, scope
+from .groups import CGroups, Frame
+from .loop import carried, scope
 
 _ROWS = re.compile(r"\brows\b")
 """Where the mask of a pass is used."""
@@ -30,31 +31,11 @@ class Note:
 
 
 @dataclass
-class Frame:
-    """A list of shots, the variables that it has columns for, and the row that it begins with."""
-
-    prefix: str
-    known: dict[str, bool]
-    first: str = "0"
-
-    @property
-    def count(self) -> str:
-        """The C variable of its length."""
-        return f"{self.prefix}shots"
-
-    def column(self, name: str) -> str:
-        """Return the array of a variable."""
-        return f"lists->{self.prefix}{name}"
-
-
-@dataclass
-class CLists(CLoop):
+class CLists(CGroups):
     """Passes over lists, printed stage by stage.
 
     Attributes
     ----------
-    parameters
-        What has one value for all shots, or one for each.
     job
         What has one value for all.
     columns
@@ -67,7 +48,6 @@ class CLists(CLoop):
         By what is of the row at hand of a table, the array that has its values, as if a parameter.
     """
 
-    parameters: Sequence[str] = ()
     job: Sequence[str] = ()
     columns: dict[str, bool] = field(default_factory=dict)
     beside: str = ""
@@ -117,17 +97,23 @@ class CLists(CLoop):
         """Print passes for each row of a table."""
         outer = self.parameters, self.job, self.bases
         self.frame = frame
-        bases, numbers = self.table(node, "")
+        row = self.fresh("k")
+        if node.groups is None:
+            bases, numbers = self.table(node, row, "")
+            self.lines.append(f"for (size_t {row} = 0; {row} < {len(node.rows)}; {row}++) {{")
+        else:
+            name, bases, numbers = self._boxes(node, node.groups, row)
+            frame = self._near(node.groups, name, row, frame)
         self.lines += [f"const V {name} = {value};" for name, value in numbers.items()]
         self.parameters = (*self.parameters, *bases)
         self.job = (*self.job, *numbers)
         self.bases = self.bases | bases
         self._rows(node.body, frame, carried(node, later))
         self.parameters, self.job, self.bases = outer
-        self.lines.append("}")
+        self.lines += ["}"] * (1 if node.groups is None else 2)
 
-    def table(self, node: Each, indent: str) -> tuple[dict[str, str], dict[str, str]]:
-        """Print a table, and where the loop over its rows begins.
+    def table(self, node: Each, row: str, indent: str) -> tuple[dict[str, str], dict[str, str]]:
+        """Print a table.
 
         Returns
         -------
@@ -135,7 +121,6 @@ class CLists(CLoop):
             Of the row at hand: by name, the arrays of its variables, and its numbers.
         """
         columns = dict(zip(node.names, node.columns, strict=True))
-        row = self.fresh("k")
         found: list[dict[str, str]] = []
         for kind, wanted in (("const double *const", str), ("static const double", float)):
             own = {name: c for name, c in columns.items() if isinstance(c[0], wanted)}
@@ -147,14 +132,22 @@ class CLists(CLoop):
                     given = (self._source(v) if isinstance(v, str) else repr(v) for v in values)
                     self.lines.append(f"{indent}    {{{', '.join(given)}}},")
                 self.lines.append(f"{indent}}};")
-        line = f"for (size_t {row} = 0; {row} < {len(node.rows)}; {row}++) {{"
-        self.lines.append(f"{indent}{line}")
         bases, numbers = found
         return bases, {name: f"K({value})" for name, value in numbers.items()}
 
-    def row(self, node: Each, indent: str) -> dict[str, str]:
+    def row(self, node: Each, indent: str, mask: str) -> dict[str, str]:
         """Print the same; return the values of the row at hand, for the rows of the pass."""
-        bases, numbers = self.table(node, indent)
+        row = self.fresh("k")
+        if node.groups is None:
+            bases, numbers = self.table(node, row, indent)
+            line = f"for (size_t {row} = 0; {row} < {len(node.rows)}; {row}++) {{"
+            self.lines.append(f"{indent}{line}")
+        else:
+            name, bases, numbers = self._boxes(node, node.groups, row)
+            self._group(node.groups, name, indent)
+            near = self._any_near(node.groups, mask)
+            self.lines.append(f"{indent}    const int near = {near};")
+            self._members(name, row, "near", indent)
         return {k: f"lanes_load({base} + (i & varying))" for k, base in bases.items()} | numbers
 
     def _source(self, name: str) -> str:
@@ -188,7 +181,7 @@ class CLists(CLoop):
         line = self.lines.append
         if cut:
             line(f"size_t {own.count} = 0;")
-        line(f"for (size_t i = {frame.first}; i < {frame.count}; i += LANES_WIDTH) {{")
+        self.lines += frame.over
         first = len(self.lines)
         if self.beside:
             line(f"    {self.beside}")

@@ -168,15 +168,18 @@ class CLoop(Printer):
         for name in set(writes(node.body)) - after:
             inside.pop(name, None)
         self.lines.append(f"{indent}{{")
-        for name, value in self.row(node, indent + "    ").items():
+        for name, value in self.row(node, indent + "    ", mask).items():
             self.lines.append(f"{indent}        const V {name} = {value};")
             inside[name] = False
         self._body(node.body, inside, outer, mask, indent + "        ", after)
-        self.lines.append(f"{indent}    }}")
+        self.lines += [f"{indent}    }}"] * (1 if node.groups is None else 2)
         self.lines.append(f"{indent}}}")
 
-    def row(self, node: Each, indent: str) -> dict[str, str]:
-        """Print a table, and where the loop over its rows begins; return the values of a row."""
+    def row(self, node: Each, indent: str, mask: str) -> dict[str, str]:
+        """Print a table, and where the loop over its rows begins; return the values of a row.
+
+        Of a table in groups it is a loop in one over the groups.
+        """
         raise NotImplementedError
 
     def _do(

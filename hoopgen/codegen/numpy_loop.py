@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from hoopgen.derive.ground.tree import (
     Do,
     Each,
+    Groups,
     Guard,
     Node,
     Repeat,
@@ -136,14 +137,40 @@ class NumPyLoop(Printer):
             if names[name] != own:
                 self.lines.append(f"{indent}{own} = {names[name]}")
         inside = names | kept | {name: local(name, depth) for name in node.names}
-        self.lines.append(f"{indent}for {', '.join(inside[name] for name in node.names)}, in (")
+        own = ", ".join(inside[name] for name in node.names)
+        begin, end = f"for {own}, in ", ":"
+        if node.groups is not None:
+            begin, end = "_table = ", ""
+        self.lines.append(f"{indent}{begin}(")
         for row in node.rows:
             given = (names[v] if isinstance(v, str) else constant(float(v), NUMPY) for v in row)
             self.lines.append(f"{indent}    ({', '.join(given)},),")
-        self.lines.append(f"{indent}):")
+        self.lines.append(f"{indent}){end}")
+        if node.groups is not None:
+            reached = self._grouped(node, node.groups, names, indent)
+            self.lines.append(f"{indent}for {own}, in {reached}:")
         self._body(node.body, inside, count, indent + "    ", after, depth)
         assert all(inside[name] == own for name, own in kept.items()), "a name changed"
         names |= kept
+
+    def _grouped(self, node: Each, groups: Groups, names: Mapping[str, str], indent: str) -> str:
+        """Print the groups of a table; return the rows of those that some shots come near."""
+        line = self.lines.append
+        line(f"{indent}_members = (")
+        for group in groups.members:
+            line(f"{indent}    ({group.first}, {group.past}, {group.after}),")
+        line(f"{indent})")
+        sizes = [
+            f"[_row[{node.names.index(v)}] for _row in _table]" if v in node.names else names[v]
+            for v in groups.box.arguments
+            if isinstance(v, str)
+        ]
+        seen = [names[v] for v in groups.near.arguments if isinstance(v, str) and v in groups.asked]
+        box, near = groups.box.kernel, groups.near.kernel
+        assert groups.near.arguments[len(seen) :] == box.output_names, near.name
+        line(f"{indent}_sizes = ({', '.join(sizes)},)")
+        line(f"{indent}_seen = ({', '.join(seen)},)")
+        return f"_near(_table, _members, {box.name}, _sizes, {near.name}, _seen)"
 
     def _chosen(
         self, node: Guard, names: dict[str, str], indent: str, later: set[str], depth: int

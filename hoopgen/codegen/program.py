@@ -7,7 +7,7 @@ print the same program, which is why they give the same bits.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 import sympy as sp
@@ -42,6 +42,9 @@ CONDITIONS = {
     Nowhere: "nowhere",
 }
 """The operations whose result holds or does not."""
+
+CHOOSING = (Condition, Choose, Held, IfAtMost, IfLess)
+"""What asks, or chooses."""
 
 INLINE_DEPTH = 6
 """An operation used once is printed inside its user, up to this depth."""
@@ -111,8 +114,24 @@ class Program:
     def lower(self, expression: sp.Basic) -> int:
         """Append what computes `expression` and return its index."""
         if expression not in self._lowered:
-            self._lowered[expression] = self._lower(expression)
+            for part in self._inward(expression):
+                if part not in self._lowered:
+                    self._lowered[part] = self._lower(part)
         return self._lowered[expression]
+
+    def _inward(self, expression: sp.Basic) -> Iterator[sp.Basic]:
+        """Yield what is chosen or asked, each after what it is made of.
+
+        Those of a scene with many bodies lie in each other deeper than functions can.
+        """
+        rest = [(expression, False)]
+        while rest:
+            part, met = rest.pop()
+            if met or not isinstance(part, CHOOSING):
+                yield part
+            elif part not in self._lowered:
+                rest.append((part, True))
+                rest += [(operand, False) for operand in reversed(part.args)]
 
     def _lower(self, expression: sp.Basic) -> int:
         if isinstance(expression, Truth):

@@ -110,7 +110,7 @@ def _normals(model: Model) -> list[NormalView]:
     return views
 
 
-C_TYPES = {"uint8": "uint8_t", "int8": "int8_t", "int32": "int32_t", "bool": "uint8_t"}
+C_TYPES = {name: f"{name}_t" for name in ("uint8", "int8", "int16", "int32")} | {"bool": "uint8_t"}
 
 
 @dataclass(frozen=True)
@@ -233,6 +233,7 @@ def render_scene(scene: Scene, page: bool = True) -> dict[str, str]:
         "normals": _normals(model),
         "state": tuple(symbol.name for symbol in STATE),
         "loops": loops,
+        "grouped": any(e.groups for e in model.loop.tables),
         "rows": max(rows.values(), default=1),
         "outcomes": meanings(scene.ends),
         "events": EVENTS,

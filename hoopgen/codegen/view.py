@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from hoopgen.derive.follow.fields import Field
 from hoopgen.derive.follow.loop import Loop
 from hoopgen.derive.ground.symbols import STATE
-from hoopgen.derive.ground.tree import Node, live_before, needed, reads, writes
+from hoopgen.derive.ground.tree import Do, Node, live_before, needed, reads, writes
 
-from .lists import CLists, Frame, Note
+from .groups import Frame
+from .lists import CLists, Note
 from .loop import CLoop
 from .numpy_loop import NumPyLoop, local
 from .printers import NUMPY, C
@@ -29,7 +30,7 @@ class LoopView:
     fields
         What a shot has.
     c
-        The lines of C: `permit`, `admit`, and `follow`, which is what comes after those two.
+        The lines of C: `permit`, `once` for a job, `admit`, and `follow`, what comes after those.
     c_columns
         The columns that those need beside the fields.
     numpy
@@ -80,26 +81,36 @@ def _in_c(
     """Return the lines of C, and the columns that they need beside the fields."""
     fields = dict.fromkeys((field.name for field in loop.fields), False)
     permit = CLoop(prefix, costs, C)
-    permit.stage(stages["permit"][0], dict.fromkeys(loop.parameters, False), "", {"permitted"})
+    permitting = needed(stages["permit"][0], {"permitted"})
+    permit.stage(permitting, dict.fromkeys(loop.parameters, False), "", {"permitted"})
     admit = CLists(prefix, costs, C, parameters=loop.parameters, job=loop.job)
-    given = ", ".join(loop.parameters)
+    measuring = [node for node in stages["permit"][0] if "measured" in writes([node])]
+    # Of many bodies the parameters are many: they are loaded where they are needed alone.
+    loaded = [f"lanes_load(lists->{name} + i)" for name in loop.parameters]
+    given = ", ".join(loaded if measuring else loop.parameters)
+    admit.once += [f"const V all_{line}" for line in _measured(prefix, measuring, "")]
     permitted = Note(
         0,
         (
             "M permitted = all_permitted;",
-            "if (varying)",
+            *(["V measured = all_measured;"] if measuring else []),
+            "if (varying) {" if measuring else "if (varying)",
             f"    permitted = LANES({prefix}_permit)({given});",
+            *(f"    {line}" for line in _measured(prefix, measuring, " + i")),
+            *(["}"] if measuring else []),
         ),
-        frozenset(loop.parameters),
-        {"permitted": True},
+        frozenset() if measuring else frozenset(loop.parameters),
+        {"permitted": True} | ({"measured": False} if measuring else {}),
     )
     admit.passes(stages["admit"][0], Frame("", dict(fields), "fresh"), fields, permitted)
     (reach, _), (meet, _) = stages["reach"], stages["meet"]
+    stored = "lanes_store(lists->body + i, body);"
     before = Note(
         len(reach),
         (
+            *([stored] if loop.tallied else []),
             "if (recording) {",
-            "    lanes_store(lists->body + i, body);",
+            *([] if loop.tallied else [f"    {stored}"]),
             *(f"    lanes_store(lists->{s}_before + i, {s});" for s in STATE_NAMES),
             "}",
         ),
@@ -110,14 +121,30 @@ def _in_c(
         costs,
         C,
         counter=admit.counter,
+        once=admit.once,
         parameters=loop.parameters,
         job=loop.job,
     )
     follow.beside = f"LANES({prefix}_ahead)(job, begun + i);"
     follow.passes((*reach, *meet), Frame("", dict(fields)), set(fields), before)
     columns = [name for name in (*admit.columns, *follow.columns) if name not in fields]
-    lines = {"permit": permit.lines, "admit": admit.lines, "follow": follow.lines}
+    lines = {
+        "permit": permit.lines,
+        "once": follow.once,
+        "admit": admit.lines,
+        "follow": follow.lines,
+    }
     return lines, ["body", *dict.fromkeys(columns)]
+
+
+def _measured(prefix: str, nodes: Iterable[Node], row: str) -> list[str]:
+    """Return the lines that measure the parameters of a row."""
+    lines = []
+    for node in nodes:
+        assert isinstance(node, Do)
+        given = ", ".join(f"lanes_load(lists->{value}{row})" for value in node.arguments)
+        lines.append(f"measured = LANES({prefix}_{node.kernel.name})({given}).measured;")
+    return lines
 
 
 Stage = tuple[tuple[Node, ...], set[str]]

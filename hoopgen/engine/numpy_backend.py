@@ -68,6 +68,7 @@ class Flights:
         self._state, self._results = kernels.STATE, kernels.RESULTS
         self._invalid = float(kernels.Outcome.INVALID)
         self._event, self._end = kernels.Event, len(kernels.BODIES)
+        self._tallies = [result.name for result in kernels.RESULTS if result.tallied]
         self._job = job
         self._room = Room(kernels, min(most, BLOCK))
         self.row = np.empty(0, np.int64)
@@ -83,6 +84,9 @@ class Flights:
         fresh |= {name: given[name] for name in self._kept if name not in self._starts}
         self._permit(fresh, shots, self._room)
         self._admit(fresh, shots, self._room)
+        for name in self._tallies:
+            if (tally := getattr(out, name)) is not None:
+                tally[row] = 0
         over = np.asarray(fresh["outcome"] >= 0.0)
         _finish(self._results, self._invalid, fresh, row, over, out)
         begun = np.flatnonzero(~over)
@@ -99,6 +103,11 @@ class Flights:
         self._reach(columns, shots, self._room)
         before = self._states(columns) if out.events is not None else None
         self._meet(columns, shots, self._room)
+        for name in self._tallies:
+            if (tally := getattr(out, name)) is not None:
+                body = columns["body"]
+                met = np.flatnonzero((body >= 0.0) & (body < self._end))
+                tally[self.row[met], body[met].astype(np.int64)] += 1
         if before is not None:
             self._record(columns, before, out)
         over = columns["outcome"] >= 0.0
@@ -221,7 +230,7 @@ def _finish(
     blank = columns["outcome"][ended] == invalid
     for result in results:
         array = getattr(out, result.name)
-        if array is None:
+        if array is None or result.tallied:
             continue
         for k, source in enumerate(result.columns):
             values = columns[source][ended]

@@ -57,6 +57,7 @@ By default `spin-results`, beside the file; `--out` names another.
 |---|---|
 | `report.md` | what was asked, and the answers with their intervals |
 | `study.toml` | the study file, as it was given |
+| `scene.toml` | the scene file, as it was, where the study names one |
 | `versions.json` | of hoopgen, Python and the libraries; the platform |
 | `<name>/answer.json` | the answer to a question, in full |
 | `<name>/question.json` | all that it depends on |

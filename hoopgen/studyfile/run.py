@@ -21,6 +21,7 @@ from typing import Any
 from hoopgen.installed import version
 from hoopgen.outputs import PAGES, check_output, sync, write
 from hoopgen.phrases import counted
+from hoopgen.scenes import is_built_in
 from hoopgen.study.chunks import check_workers, versions
 from hoopgen.study.folders import differences, flat, in_short, opened, read_record, written
 from hoopgen.study.throws import most_shots
@@ -32,14 +33,15 @@ from .asked import CHUNKS, Answer, Asked, Work
 from .page import check_page, page
 from .reading import complain, parse
 from .report import report as in_markdown
-from .scene import FILE
+from .scene import FILE, named_by
 from .schema import Batch, Compare, Estimate, StudyFile
 
 __all__ = ["check_study", "run_study"]
 
 Progress = Callable[[str, int, int | None], None]
 
-_STUDY, _VERSIONS, _REPORT = ("study.toml", "versions.json", "report.md")
+_STUDY, _SCENE = ("study.toml", "scene.toml")
+_VERSIONS, _REPORT = ("versions.json", "report.md")
 _ASKED, _ANSWER = "question.json", "answer.json"
 _UNFINISHED = ".unfinished"
 
@@ -94,8 +96,8 @@ def run_study(
         The study file; see ``docs/study.md``.
     out
         The folder: made if it is not there, by default beside the file, ``<its name>-results``. It
-        gets a copy of the file, the versions of what computed, a report, and a folder for each
-        question with its answer, tables and figures.
+        gets a copy of the file and of its scene's, the versions of what computed, a report, and a
+        folder for each question with its answer, tables and figures.
     report
         Where to write the report as a page too: one file, .html, with all pictures in it.
     threads, scheduler
@@ -139,6 +141,8 @@ def run_study(
             _reopen(folder, _more_asked(folder, identities, questions))
             _write(folder / _VERSIONS, _json(_versions()))
             _write(folder / _STUDY, content)
+            if (scene := _scene_file(file, document)) is not None:
+                _write(folder / _SCENE, scene.read_bytes())
             answers: dict[str, Answer] = {}
             errors: dict[str, Exception] = {}
             for asked in questions:
@@ -196,6 +200,12 @@ def _read(file: Path) -> tuple[bytes, list[Asked], Mapping[str, Any]]:
     if found:
         raise complain(file, text, found)
     return content, questions, document
+
+
+def _scene_file(file: Path, document: Mapping[str, Any]) -> Path | None:
+    """Return the scene file that a study names, if it names one."""
+    named = named_by(document)
+    return None if named is None or is_built_in(named) else file.parent / named
 
 
 def _scenes(study: StudyFile) -> Iterator[tuple[lines.Path, Mapping[str, Any]]]:

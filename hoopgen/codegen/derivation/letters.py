@@ -69,6 +69,28 @@ FLIGHTS = {
         f"reach_{axis}": Letter(rf"\varrho_{axis}", f"half the size of that box along {axis}")
         for axis in AXES
     },
+    **{
+        f"least_{axis}": Letter(
+            rf"\ell_{axis}",
+            f"largest coordinate of a group's bodies against {axis}",
+        )
+        for axis in AXES
+    },
+    **{
+        f"most_{axis}": Letter(
+            rf"\hat{{c}}_{axis}", f"largest coordinate of a group's bodies along {axis}"
+        )
+        for axis in AXES
+    },
+    **{
+        f"wide_{axis}": Letter(
+            rf"\hat{{h}}_{axis}", f"half the size of a group's largest body along {axis}"
+        )
+        for axis in AXES
+    },
+    "measured": Letter(r"\Lambda", "sum of the sizes of the scene's lengths"),
+    "lengths": Letter(r"\Lambda_s", "the same, of a shot that has begun"),
+    "blur": Letter(r"\beta", "what a length at the start may be off by"),
 }
 """Of one surface along one flight."""
 
