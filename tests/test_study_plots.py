@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose
 
 import hoopgen
 from hoopgen import Outcome
@@ -561,25 +562,52 @@ def test_the_floor_plan_is_seen_as_the_shooter_sees_it() -> None:
         assert float(label.get_text().replace("−", "-")) == pytest.approx(-at, rel=EPS, abs=0)
 
 
+def court_lines(axes: Axes) -> dict[str, np.ndarray]:
+    """The lines of the court on a floor plan, by name: x and y from the ring's centre."""
+    marked = {str(line.get_label()): line for line in axes.lines}
+    return {
+        label.removeprefix("_court "): line.get_xydata()[:, ::-1] * (-1.0, 1.0)
+        for label, line in marked.items()
+        if label.startswith("_court ")
+    }
+
+
 @pytest.mark.parametrize("name", COURTS)
 def test_the_lines_are_those_of_the_rule_books(name: str) -> None:
-    axes = axes_of(plot_landings([1.0], [0.5], SCENE, court=name), "floor plan")
-    lane, three, circle, baseline = (
-        line.get_xydata() for line in axes.lines if line.get_label() == "_court"
-    )
-    front = SCENE["board_distance"]  # upwards on the plan
-    if name == "NBA":  # rule 1: the free-throw line is 15 ft from the board, the lane 16 ft wide
-        assert front - lane[:, 1].min() == pytest.approx(15 * FOOT, rel=4 * EPS, abs=0)
-        assert np.ptp(lane[:, 0]) == pytest.approx(16 * FOOT, rel=4 * EPS, abs=0)
-        assert -three[:, 1].min() == pytest.approx(23.75 * FOOT, rel=4 * EPS, abs=0)
-        assert np.ptp(circle[:, 0]) == pytest.approx(12 * FOOT, rel=4 * EPS, abs=0)
-    else:  # articles 2.4.3 to 2.4.5: 5.8 m from the baseline, which is 1.2 m behind the board
-        assert np.ptp(lane[:, 1]) == pytest.approx(5.8, rel=4 * EPS, abs=0)
-        assert np.ptp(lane[:, 0]) == pytest.approx(4.9, rel=4 * EPS, abs=0)
-        assert -three[:, 1].min() == pytest.approx(6.75, rel=4 * EPS, abs=0)
-    assert np.all(baseline[:, 1] == lane[:, 1].max())
-    # The arc meets the straight lines in the corners.
-    assert three[1, 0] == pytest.approx(three[0, 0], rel=8 * EPS, abs=0)
+    lines = court_lines(axes_of(plot_landings([1.0], [0.5], SCENE, court=name), "floor plan"))
+    front = -SCENE["board_distance"]
+
+    def near(found: float, wanted: float) -> None:
+        assert found == pytest.approx(wanted, rel=8 * EPS, abs=8 * EPS)
+
+    def wide(line: str) -> float:
+        return float(np.ptp(lines[line][:, 1]))
+
+    def far(line: str) -> float:
+        return float(lines[line][:, 0].max())
+
+    # NBA, rule 1: the free-throw line is 15 ft from the board, the lane 16 ft wide; FIBA, articles
+    # 2.4.3 to 2.4.7: the free-throw line is 5.8 m from the baseline, 1.2 m behind the board.
+    nba = name == "NBA"
+    near(far("lane") - front, 15 * FOOT if nba else 5.8 - 1.2)
+    near(front - lines["lane"][:, 0].min(), 4 * FOOT if nba else 1.2)
+    near(wide("lane"), 16 * FOOT if nba else 4.9)
+    near(wide("circle"), 12 * FOOT if nba else 3.6)
+    near(far("circle") - far("lane"), 6 * FOOT if nba else 1.8)
+    near(far("three"), 23.75 * FOOT if nba else 6.75)
+    near(wide("sides"), 50 * FOOT if nba else 15.0)
+    near(wide("three"), wide("sides") - 2 * (3 * FOOT if nba else 0.9))
+    near(float(np.ptp(lines["sides"][:, 0])), 47 * FOOT if nba else 14.0)
+    # About the ring's centre, and straight up to the plane of the board.
+    near(far("restricted"), 4 * FOOT if nba else 1.25)
+    near(float(lines["restricted"][0, 0]), front)
+    arc = np.hypot(*lines["restricted"][1:-1].T)
+    assert_allclose(arc, far("restricted"), rtol=4 * EPS, atol=0)
+    assert_allclose(np.hypot(*lines["three"][1:-1].T), far("three"), rtol=4 * EPS, atol=0)
+    # The arc meets the straight lines in the corners, which begin at the baseline.
+    near(float(lines["three"][1, 1]), float(lines["three"][0, 1]))
+    assert {lines[n][:, 0].min() for n in ("lane", "three", "sides")} == {lines["sides"][1, 0]}
+    assert ("inside" in lines) == nba
 
 
 def test_balls_that_never_land_are_left_out() -> None:
