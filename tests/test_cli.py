@@ -38,7 +38,8 @@ FIGURE_7 = [
     *["--height", "8ft", "--backspin", "3Hz"],
 ]
 COMMANDS = [
-    *("paper", "shot", "estimate", "map", "optimum", "aim", "batch", "study", "view"),
+    *("paper", "shot", "estimate", "map", "fan", "landings", "optimum", "aim", "batch"),
+    *("study", "view"),
     *("certify", "compile", "cache", "generate", "check", "bench"),
 ]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import json
 import os
 import re
 import subprocess
@@ -41,7 +42,9 @@ from hoopgen.hoop.kinds import Kind, kinds  # noqa: E402
 from hoopgen.plots import (  # noqa: E402
     COLUMN,
     PAGE,
+    plot_aim,
     plot_aim_points,
+    plot_estimate,
     plot_fan,
     plot_landings,
     plot_map,
@@ -50,6 +53,7 @@ from hoopgen.plots import (  # noqa: E402
 from hoopgen.plots.court import COURTS  # noqa: E402
 from hoopgen.plots.key import CLASSES, classify  # noqa: E402
 from hoopgen.plots.style import MADE, MISSED, MISSED_LINES, NEITHER  # noqa: E402
+from hoopgen.study.aim_table import aim_table  # noqa: E402
 
 FREE_THROW = {"height": 2.1336, "distance": 4.191, "backspin": 6.0 * np.pi}
 SCENE = hoopgen.NBA
@@ -127,6 +131,33 @@ def aims() -> Any:
     )
 
 
+def court_map(*, backspins: int = 0, kind: bool = False) -> Any:
+    """A share, or kinds, over places on the floor: none near the basket."""
+    over = {"x": np.linspace(-1.0, 8.0, 19), "y": np.linspace(-7.0, 7.0, 29)} | (
+        {"backspin": 2.0 * np.pi * np.arange(backspins)} if backspins else {}
+    )
+    x, y, *_ = np.meshgrid(*over.values(), indexing="ij")
+    away = np.hypot(x, y)
+    told = {"parameters": json.dumps(dict(SCENE)), "scene": "NBA", "seed": "7"}
+    if kind:
+        codes = {"outcome": np.where(away < 1.0, 4, 0), "kind": np.where(away < 1.0, 6, 0)}
+        return xr.Dataset({n: (tuple(over), code) for n, code in codes.items()}, over, told)
+    share = np.where(away < 1.0, np.nan, 0.9 - away / 15.0)
+    columns = {"probability": share, "low": share - 0.01, "high": share + 0.01}
+    return xr.Dataset({n: (tuple(over), column) for n, column in columns.items()}, over, told)
+
+
+def aim_rows() -> dict[str, np.ndarray]:
+    return aim_table(np.linspace(2.0, 7.0, 6), height=2.0, entry=np.radians(45.0))
+
+
+def estimated() -> Any:
+    model = hoopgen.Scatter(
+        {**FREE_THROW, "speed": 7.17, "elevation": np.radians(52.0)}, {"speed": 0.1}
+    )
+    return hoopgen.estimate(model, SCENE, shots=300)
+
+
 PICTURES: dict[str, Callable[[float], Figure]] = {
     "kinds": lambda width: plot_map(kind_map(), title="Kinds", width=width),
     "strip": lambda width: plot_map(kind_map().isel(elevation=25), width=width),
@@ -137,6 +168,11 @@ PICTURES: dict[str, Callable[[float], Figure]] = {
     "fan": lambda width: plot_fan(shots_of(400), SCENE, title="Fan", width=width),
     "landings": lambda width: plot_landings(*landings(), SCENE, place=(4.191, 0), width=width),
     "aim points": lambda width: plot_aim_points(aims(), SCENE, title="Bank", width=width),
+    "court": lambda width: plot_map(court_map(), title="Court", width=width),
+    "courts": lambda width: plot_map(court_map(backspins=3), width=width),
+    "court of kinds": lambda width: plot_map(court_map(kind=True), width=width),
+    "shares": lambda width: plot_estimate(estimated(), title="Shares", width=width),
+    "aims": lambda width: plot_aim(aim_rows(), SCENE, title="Aims", width=width),
 }
 
 
@@ -169,7 +205,7 @@ def test_a_page_is_as_wide_as_asked_for(page: tuple[str, float, Figure]) -> None
     name, width, figure = page
     across, up = figure.get_size_inches()
     # A picture to scale that would be too tall is narrower instead.
-    assert across == width or (name == "landings" and across < width)
+    assert across == width or (name in ("landings", "courts") and across < width)
     assert up <= 9.5
 
 
@@ -217,7 +253,7 @@ def test_axes_are_named_with_units(page: tuple[str, float, Figure]) -> None:
 
 
 def test_pictures_of_places_are_to_scale() -> None:
-    for name in ("fan", "landings", "aim points"):
+    for name in ("fan", "landings", "aim points", "court", "courts", "court of kinds"):
         for axes in PICTURES[name](PAGE).axes:
             if axes.get_label() in ("side view", "floor plan", "front view"):
                 origin, across, up = axes.transData.transform([(0, 0), (1, 0), (0, 1)])
@@ -813,6 +849,7 @@ def test_only_cells_are_pixels_and_files_are_small(tmp_path: Path, name: str) ->
     path = save(PICTURES[name](PAGE), tmp_path / "picture.svg")
     images = path.read_text(encoding="utf-8").count("<image")
     cells = {"kinds": 1, "strip": 1, "probability": 2, "panels": 6, "kind panels": 4, "landings": 2}
+    cells |= {"court": 2, "courts": 4, "court of kinds": 1}
     assert images == cells.get(name, 0)  # a bar of colours is one more
     assert path.stat().st_size < 300_000
 

@@ -139,11 +139,14 @@ def _gif(film: Film) -> bytes:
     pixels = [film.frame(time) for time in film.times.tolist()]
     frames = [Image.fromarray(each).convert("RGB") for each in pixels]
     palette = frames[-1].quantize(_COLOURS)
-    paper, colours = palette.getpixel((0, 0)), palette.getpalette()
+    drawn = [each.quantize(palette=palette, dither=Image.Dither.NONE) for each in frames]
+    paper, colours = drawn[0].getpixel((0, 0)), drawn[0].getpalette()
     assert isinstance(paper, int)
     assert colours is not None
-    palette.putpalette([*colours[: 3 * paper], 255, 255, 255, *colours[3 * paper + 3 :]])
-    first, *others = (each.quantize(palette=palette, dither=Image.Dither.NONE) for each in frames)
+    colours[3 * paper : 3 * paper + 3] = 255, 255, 255  # which is a mean of near ones else
+    for each in drawn:
+        each.putpalette(colours)
+    first, *others = drawn
     out = io.BytesIO()
     lasting = [*[1000 // RATE] * len(others), round(1000 * _REST)]
     first.save(out, "GIF", save_all=True, append_images=others, duration=lasting, loop=0)
