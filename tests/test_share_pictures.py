@@ -191,6 +191,9 @@ def test_it_is_in_feet_where_those_are_shown() -> None:
         figure = plot_aim(table, hoopgen.PAPER, width=COLUMN)
     assert {axes.get_xlabel() for axes in figure.axes} == {"", "distance (ft)"}
     assert figure.axes[0].get_ylabel() == "release speed (mph)"
+    axes = Figure().subplots()
+    assert plot_aim(table, hoopgen.PAPER, ax=axes) is axes
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("distance (m)", "speed off by (m/s)")
 
 
 def test_a_table_without_a_release_is_refused() -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, TypedDict, Unpack, overload
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -11,6 +11,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from hoopgen.plots.page import new_page
+from hoopgen.plots.picture import add_title, check_axes
 from hoopgen.plots.style import COLOURS, DARK, GRID, NARROW, PAGE, style
 from hoopgen.told import in_a_note, say_release, say_scene
 from hoopgen.words import quantity
@@ -30,6 +31,32 @@ _BANDS = (
 )
 
 
+class _Options(TypedDict, total=False):
+    title: str
+    note: str | None
+    width: float
+
+
+@overload
+def plot_aim(
+    table: Mapping[str, NDArray[np.float64]],
+    parameters: Mapping[str, Any],
+    *,
+    ax: None = None,
+    **options: Unpack[_Options],
+) -> Figure: ...
+
+
+@overload
+def plot_aim(
+    table: Mapping[str, NDArray[np.float64]],
+    parameters: Mapping[str, Any],
+    *,
+    ax: Axes,
+    **options: Unpack[_Options],
+) -> Axes: ...
+
+
 def plot_aim(
     table: Mapping[str, NDArray[np.float64]],
     parameters: Mapping[str, Any],
@@ -37,7 +64,8 @@ def plot_aim(
     title: str = "",
     note: str | None = None,
     width: float = PAGE,
-) -> Figure:
+    ax: Axes | None = None,
+) -> Figure | Axes:
     """Draw a table of releases over the distance, with what each of them forgives.
 
     Parameters
@@ -52,14 +80,18 @@ def plot_aim(
         Below the title; by default what the bands are, the scene, and what is the same in all rows.
     width
         Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+    ax
+        To draw on, how far the speed may be off alone.
 
     Returns
     -------
-    Figure
-        A page of its own, as of `plot_fan`.
+    Figure or Axes
+        A page of its own, or `ax`; as of `plot_fan`.
 
     Raises
     ------
+    TypeError
+        If `ax` is not axes.
     ValueError
         If a column is missing, or no row has a release.
     """
@@ -73,6 +105,11 @@ def plot_aim(
     told = _told(table, parameters) if note is None else note
     rows, columns = (len(_SHOWN), 2) if width < NARROW else (2, len(_SHOWN))
     with style():
+        if ax is not None:
+            _draw_band(check_axes(ax), "speed", table)
+            ax.set_xlabel(f"distance ({quantity('distance').unit})")
+            add_title(ax, title, told)
+            return ax
         figure = new_page(width, rows * _TALL, title=title, note=told, arrange=True)
         grid = figure.subplots(rows, columns, sharex=True, squeeze=False)
         above, below = grid.T if width < NARROW else grid

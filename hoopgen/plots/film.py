@@ -53,7 +53,7 @@ _REST = 1.0  # s, for which the end is shown
 _FLASH = 5  # frames, for which a contact is seen on the ball
 _DPI = 110
 _COLOURS = 128
-_PIECES = 60  # of a path, with an order from far to near each
+_PIECES = 40  # of a path, with an order from far to near each
 _OBSTACLES = 2_000
 _FLAT = 1e-6  # m
 
@@ -258,6 +258,7 @@ class _Moving:
             order = order_of(view, path[first : last + 1].mean(axis=0))
             line = Line2D([], [], color=COLOURS["path"], lw=1.3, zorder=order)
             self.pieces.append((first, last, axes.add_line(line)))
+        self.whole = [False] * len(self.pieces)  # those that stay as they are
         self.beats = view.flatten(drawing.beats)
         dots = Line2D([], [], ls="none", marker="o", ms=2.4, mec="none", color=COLOURS["path"])
         self.dots = axes.add_line(dots)
@@ -284,10 +285,15 @@ class _Moving:
         What is touched since `recent` is seen on the ball.
         """
         at = self.view.flatten(centre)
-        for first, last, line in self.pieces:
+        for number, (first, last, line) in enumerate(self.pieces):
+            whole = path > last
+            if whole and self.whole[number]:
+                continue
             some = self.path[first : min(last + 1, path)]
-            here = np.vstack([some, at]) if len(some) and path <= last else some
+            here = some if whole or not len(some) else np.vstack([some, at])
             line.set_data(here[:, 0], here[:, 1])
+            line.set_visible(len(here) > 0)
+            self.whole[number] = whole
         self.dots.set_data(*self.beats[:beats].T)
         colour, wide = "#8F5F00", 0.9
         for mark, artists in self.badges:
