@@ -32,7 +32,7 @@ _BLURS = 12  # a blur of 2.4 cells, where intervals allow it
 _FINE = 240  # points along an axis
 _SMALL = 6  # cells: a contour that is not drawn
 
-# Of a panel's width or height.
+# Of the width or height of all cells.
 _EDGE = 0.07  # where contours are not labelled
 _APART = 0.11  # between labels, at least
 _SHORT = 0.15  # a contour without label
@@ -81,7 +81,7 @@ def draw_contours(
     cell = np.array([np.ptp(across) / (len(across) - 1), np.ptp(up) / (len(up) - 1)])
     lines.set_paths([_without(path, _SMALL * cell) for path in lines.get_paths()])
     said = partial(percent, digits=None)
-    axes.clabel(lines, fmt=said, fontsize=6.5, inline_spacing=2, manual=_labels(lines))
+    axes.clabel(lines, fmt=said, fontsize=6.5, inline_spacing=2, manual=_labels(lines, across, up))
 
 
 def smoothed(shares: Numbers, low: Numbers, high: Numbers) -> Numbers:
@@ -162,15 +162,15 @@ def _lines(path: Path) -> list[Numbers]:
     return np.split(points, np.flatnonzero(path.codes == Path.MOVETO)[1:])
 
 
-def _labels(lines: QuadContourSet) -> list[tuple[float, float]]:
-    """Choose a place for the label of each contour: near its middle, off the frame and others."""
-    axes = lines.axes
-    to_frame = axes.transData + axes.transAxes.inverted()
+def _labels(lines: QuadContourSet, across: Numbers, up: Numbers) -> list[tuple[float, float]]:
+    """Choose a place for the label of each contour: near its middle, off the edges and others."""
+    low = np.array([across.min(), up.min()])
+    size = np.array([np.ptp(across), np.ptp(up)])
     chosen: list[tuple[float, float]] = []
     taken = np.empty((0, 2))
     for path in lines.get_paths():
         for contour in _lines(path):
-            at = to_frame.transform(contour)
+            at = (contour - low) / size
             if np.ptp(at, axis=0).max() < _SHORT:
                 continue
             apart = np.linalg.norm(at[:, None] - taken, axis=2).min(axis=1, initial=np.inf)
