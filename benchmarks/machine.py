@@ -63,11 +63,14 @@ def facts() -> dict[str, str]:
 
 @dataclass(frozen=True)
 class Limits:
-    """Bytes/s and double operations/s by threads; the latter apart, and as fused multiply-adds."""
+    """Bytes/s and double operations/s by threads: the latter apart, as fused multiply-adds, and of
+    divisions and square roots alone."""
 
     bandwidth: dict[int, float]
     operations: dict[int, float]
     fused: dict[int, float]
+    divisions: dict[int, float]
+    roots: dict[int, float]
 
 
 def _together(work: Callable[[int], object], threads: int) -> float:
@@ -92,9 +95,9 @@ def _bandwidth(threads: int, doubles: int = 1 << 24) -> float:
     return 24 * share * threads / _together(work, threads)
 
 
-def _operations(threads: int, fused: bool, turns: int = 1 << 25) -> float:
+def _operations(threads: int, what: str, turns: int, fused: bool = False) -> float:
     flags = (*FLAGS, "-ffp-contract=fast" if fused else "-ffp-contract=off")
-    kernel = library("roofline", flags).multiply_add
+    kernel = getattr(library("roofline", flags), what)
     kernel.restype = ctypes.c_double
     done: list[float] = []
 
@@ -115,6 +118,8 @@ def limits(count: int) -> Limits:
 
     return Limits(
         best(_bandwidth),
-        best(partial(_operations, fused=False)),
-        best(partial(_operations, fused=True)),
+        best(partial(_operations, what="multiply_add", turns=1 << 25)),
+        best(partial(_operations, what="multiply_add", turns=1 << 25, fused=True)),
+        best(partial(_operations, what="divide", turns=1 << 21)),
+        best(partial(_operations, what="root", turns=1 << 21)),
     )

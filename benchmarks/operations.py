@@ -1,9 +1,11 @@
-"""How many operations hoopgen spends on a shot: its C, compiled with a counter in every kernel."""
+"""What hoopgen's C does for a shot: its sources, compiled with counters in kernels and search."""
 
 import ctypes
 import re
 import subprocess
 import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 from unittest.mock import patch
@@ -16,47 +18,87 @@ from hoopgen.engines import HOOP
 
 GENERATED = Path(__file__).parents[1] / "generated" / "c"
 ARITHMETIC = ("addition", "subtraction", "multiplication", "division", "square root")
+DIVIDER = ("division", "square root")
 
 # A kernel: the comment that counts its operations, "11 operations: 3 additions, ...", and its head.
 _KERNEL = re.compile(
-    r"/\*(?P<comment>(?:(?!\*/).)*)\*/\s*typedef struct.*?\nLANES\(\w+\)\([^)]*\)\n\{\n", re.DOTALL
+    r"/\*(?P<comment>(?:(?!\*/).)*)\*/\s*typedef struct.*?\nLANES\((?P<name>\w+)\)\([^)]*\)\n\{\n",
+    re.DOTALL,
 )
 _COUNT = re.compile(r"(\d+) ([a-z ]+?)s?[,.]")
+_TURN = "M searching = active;"
+"""Where a turn of the search begins, in the event loop."""
 
 
-class OneLane(native.Library):
-    """A compiled scene, run without vectors."""
+@dataclass(frozen=True)
+class Counts:
+    """By shot: all arithmetic, divisions and roots alone, and evaluations of the search; and the
+    share of the search's lanes that are busy at the widest."""
+
+    operations: float
+    divisions: float
+    roots: float
+    evaluations: float
+    busy: float
+
+
+class OfWidth(native.Library):
+    """A compiled scene, run at one width."""
+
+    width = 0
 
     def run(self, *arguments: Any, **named: Any) -> None:
-        """Simulate shots one by one."""
-        super().run(*arguments, **(named | {"width": 1}))
+        """Simulate shots."""
+        super().run(*arguments, **(named | {"width": self.width}))
 
 
 def _with_counter(kernel: re.Match[str]) -> str:
-    counts = _COUNT.findall(kernel["comment"])
-    cost = sum(int(count) for count, what in counts if what in ARITHMETIC)
-    return f"{kernel[0]}    hoop_counter += {cost};\n"
+    counts = {what: int(count) for count, what in _COUNT.findall(kernel["comment"])}
+    lines = [f"hoop_count[0] += {sum(counts.get(what, 0) for what in ARITHMETIC)};"]
+    lines += [f"hoop_count[{k}] += {counts.get(w, 0)};" for k, w in enumerate(DIVIDER, start=1)]
+    if kernel["name"] == "hoop_ring_advance":
+        lines.append("hoop_count[3]++;")
+    return kernel[0] + "".join(f"    {line}\n" for line in lines)
 
 
-def operations(states: States) -> float | None:
-    """Arithmetic a shot in hoopgen's kernels, without the event loop's comparisons and choices;
-    None where there are no sources. One lane: what the lanes of a vector do for each other's sake
-    is not counted."""
-    if not GENERATED.is_dir():
-        return None
+def _in_kernels(name: str, text: str) -> str:
+    return _KERNEL.sub(_with_counter, text) if name == "hoop_kernels.h" else text
+
+
+def _in_search(name: str, text: str) -> str:
+    if name != "hoop_engine.h":
+        return text
+    if _TURN not in text:
+        raise ValueError(f"{name} has no line {_TURN!r}")
+    counters = "hoop_count[4] += (double)busy; hoop_count[5] += LANES_WIDTH;"
+    return text.replace(_TURN, f"{_TURN} {counters}")
+
+
+def _counted(states: States, width: int, change: Callable[[str, str], str]) -> list[float]:
+    """Return what the counters say after shots at a width, with the sources so changed."""
     with tempfile.TemporaryDirectory() as folder:
-        for source in GENERATED.glob("*.[ch]"):
-            text = source.read_text(encoding="utf-8")
-            if source.name == "hoop_kernels.h":
-                text = _KERNEL.sub(_with_counter, text)
+        for source in GENERATED.glob("hoop*.[ch]"):
+            text = change(source.name, source.read_text(encoding="utf-8"))
             if source.name == "hoop.c":
-                text = f"double hoop_counter;\n{text}"
+                text = f"double hoop_count[6];\n{text}"
             (Path(folder) / source.name).write_text(text, encoding="utf-8")
         target = Path(folder) / "counting.so"
         command = [COMPILER, *OUR_FLAGS, "-w", "-shared", "-fPIC", f"{folder}/hoop.c"]
         subprocess.run([*command, "-o", str(target), "-lm"], check=True)
-        counting = OneLane(target, HOOP.kernels)
-        counter = ctypes.c_double.in_dll(ctypes.CDLL(str(target)), "hoop_counter")
+        counting = OfWidth(target, HOOP.kernels)
+        counting.width = width
+        counters = (ctypes.c_double * 6).in_dll(ctypes.CDLL(str(target)), "hoop_count")
     with patch.object(HOOP, "found", counting):
         hoopgen.simulate(states, backend="c", threads=1, fields=("outcome",))
-    return counter.value / len(states)
+    return list(counters)
+
+
+def operations(states: States) -> Counts | None:
+    """Arithmetic a shot in hoopgen's kernels, without the event loop's comparisons and choices;
+    None where there are no sources. One lane: what the lanes of a vector do for each other's sake
+    is not counted, but how many of them are busy is, at the widest."""
+    if not GENERATED.is_dir():
+        return None
+    alone = [count / len(states) for count in _counted(states, 1, _in_kernels)]
+    *_, busy, lanes = _counted(states, 0, _in_search)
+    return Counts(*alone[:4], busy=busy / lanes if lanes else float("nan"))

@@ -1,8 +1,8 @@
 """`python -m benchmarks.pictures`: the pictures of the README and of docs/.
 
 Most show one free throw, of a shooter whose scatter is that of a 70% one (Slegers 2021), and bank
-shots from the places around; the others a shot in each scene of examples/scenes. Random numbers
-have seed 0: the same pictures every time.
+shots from the places around; the others the article's Fig. 7 and a shot in each scene of
+examples/scenes. Random numbers have seed 0: the same pictures every time.
 """
 
 import argparse
@@ -16,6 +16,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 import hoopgen
+from hoopgen.paper import run
 from hoopgen.plots import (
     plot_aim_points,
     plot_fan,
@@ -161,6 +162,17 @@ def own(name: str) -> Figure:
     )
 
 
+def figure_7() -> Figure:
+    """The article's missed free throw."""
+    (result,) = (one for one in run() if one.case.figure == "7")
+    return plot_trajectory(
+        result.trajectory,
+        result.parameters,
+        outcome=result.outcome,
+        title=f"Fig. {result.case.figure}. {result.case.title}",
+    )
+
+
 def roll() -> Figure:
     """A free throw at a dead rim, which rolls along the ring and over it."""
     parameters = hoopgen.PAPER_COURT | {"ring_restitution": 0.3}
@@ -177,6 +189,7 @@ def roll() -> Figure:
 PICTURES: Mapping[str, Callable[[], Figure]] = {
     **{f"scene-{name}": partial(own, name) for name in OWN},
     "court-roll": roll,
+    "figure-7": figure_7,
     "free-throws": free_throws,
     "outcome-map": outcome_map,
     "probability-map": probability_map,

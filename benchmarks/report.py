@@ -206,6 +206,8 @@ def _limits(results: Results) -> list[str]:
             f"{number(limits.bandwidth[threads] / 1e9)} GB/s",
             f"{number(limits.operations[threads] / 1e9)} GFlop/s",
             f"{number(limits.fused[threads] / 1e9)} GFlop/s",
+            f"{number(limits.divisions[threads] / 1e9)} G/s",
+            f"{number(limits.roots[threads] / 1e9)} G/s",
         ]
         for threads in limits.bandwidth
     ]
@@ -220,28 +222,54 @@ def _limits(results: Results) -> list[str]:
             f"{number(moved / 1e9)} GB/s",
             percent(moved / limits.bandwidth[CORES]),
         ]
-        operations = results.work[workload.key].operations
-        if operations is None:
-            cells += ["not counted", "not counted"]
+        counts = results.work[workload.key].counts
+        if counts is None:
+            cells += ["not counted"] * 4
         else:
-            share = rate * operations / limits.operations[CORES]
-            cells += [number(operations), percent(share)]
+            arithmetic = rate * counts.operations / limits.operations[CORES]
+            divider = rate * (
+                counts.divisions / limits.divisions[CORES] + counts.roots / limits.roots[CORES]
+            )
+            slow = counts.divisions + counts.roots
+            cells += [number(counts.operations), percent(arithmetic)]
+            cells += [number(slow), percent(divider)]
         rows.append(cells)
     head = ["", "a shot", "bytes", "moved", "of the bandwidth", "operations", "of the peak"]
+    head += ["divisions, roots", "of the divider"]
     return [
         "## The limits",
         "",
         "Memory by STREAM's triad; arithmetic by multiplications and additions in registers, apart",
         "and fused.",
         "",
-        *table(["", "memory", "apart", "fused"], machine),
+        *table(["", "memory", "apart", "fused", "divisions", "roots"], machine),
         f"hoopgen C, {CORES} threads, outcome, contacts and time. Bytes: the state read, the",
         "results written. Operations: + - * / and square roots of the kernels, each as one, for a",
         "shot by itself; what the lanes of a vector do for each other's sake is not counted. The",
-        "peak is that of multiplications and additions apart.",
+        "peak is that of multiplications and additions apart. Of the divider: what part of the",
+        "time the divisions and roots among them would take alone.",
         "",
         *table(head, rows),
+        "The search for the ring: how often its condition is evaluated, and how many of the widest",
+        "vector's lanes are busy with it.",
+        "",
+        *table(["", "evaluations a shot", "a contact", "lanes busy"], _searches(results)),
     ]
+
+
+def _searches(results: Results) -> list[list[str]]:
+    rows = []
+    for workload in WORKLOADS:
+        work = results.work[workload.key]
+        if work.counts is None:
+            cells = ["not counted"] * 3
+        else:
+            each = work.counts.evaluations
+            a_contact = number(each / work.contacts) if work.contacts else "none"
+            busy = percent(work.counts.busy) if each else "none"
+            cells = [number(each), a_contact, busy]
+        rows.append([f"{workload.key} {workload.label}", *cells])
+    return rows
 
 
 def as_markdown(results: Results) -> str:

@@ -8,7 +8,7 @@ import hoopgen
 from benchmarks.contenders import CORES, RESULTS, contenders
 from benchmarks.errors import Errors, errors
 from benchmarks.machine import Limits, facts, limits
-from benchmarks.operations import operations
+from benchmarks.operations import Counts, operations
 from benchmarks.peers import LEFT_OUT, PEERS
 from benchmarks.timing import Rates, Spread, first_call, per_shot, rounds, runs, seconds
 from benchmarks.workloads import TABLE_3, WORKLOADS, States, free_throw, swish_shot
@@ -62,7 +62,7 @@ class Work:
 
     contacts: float
     uncertain: float
-    operations: float | None
+    counts: Counts | None
 
 
 @dataclass(frozen=True)

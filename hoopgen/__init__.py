@@ -71,6 +71,7 @@ _LATER = {
     "Grid": "study.grid",
     "estimate": "study.estimate",
     "compare": "study.compare",
+    "solve": "study.solve",
     "map": "study.maps",
     "optimum": "study.optimum",
     "margins": "study.margins",

@@ -62,12 +62,24 @@ def _family(name: str) -> str:
     return stem if stem and (last.isdigit() or len(last) == 1) else name
 
 
-_ENDS = ("#0072B2", "#D98200", "#00795C", "#A8487E", "#5A55C8", "#9A2F2F")
-_OTHERS = ("#000000", "#8A8A8A", "#A6A6A6", "#5F5F5F", "#C4C4C4")
+# The first two are those of made and missed on pages. As in `hoopgen.plots.style`, no two of these
+# and `NEITHER`, and none and paper, are nearer than 10 (CIEDE2000) with any colour vision.
+_ENDS = ("#0072B2", "#D98200", "#562765", "#4DE08B", "#BA3B1D", "#E394F6")
+
+NEITHER: Mapping[str, str] = MappingProxyType(
+    {
+        "capped": "#000000",
+        "short": "#C1C1C1",
+        "invalid": "#9C9C9C",
+        "lodged": "#595959",
+        "endless": "#363636",
+    }
+)
+"""Of a shot that has no end, by outcome, in any scene."""
 
 
 def ended(outcomes: Iterable[str], ends: int) -> dict[str, str]:
     """Return a colour for each outcome of a scene, of which so many, the first, are its ends."""
     names = list(outcomes)
     found = {name: _ENDS[k % len(_ENDS)] for k, name in enumerate(names[:ends])}
-    return found | {name: _OTHERS[k % len(_OTHERS)] for k, name in enumerate(names[ends:])}
+    return found | {name: NEITHER[name.lower()] for name in names[ends:]}

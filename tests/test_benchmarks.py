@@ -167,4 +167,8 @@ def test_operations_grow_with_the_contacts() -> None:
     swish, swirl = (operations(w.make(50)) for w in workloads.WORKLOADS[::3])
     assert swish is not None
     assert swirl is not None
-    assert 50 < swish < swirl / 10
+    assert 50 < swish.operations < swirl.operations / 10
+    assert 0 < swish.divisions + swish.roots < swish.operations
+    assert swish.evaluations == 0  # no shot comes near the ring
+    assert 20 < swirl.evaluations < swirl.operations / 50
+    assert 0.2 < swirl.busy <= 1

@@ -252,7 +252,6 @@ def test_a_folder_keeps_chunks_and_is_gone_on_from(
     "change",
     [
         {"seed": 1},
-        {"shots": 2400},
         {"max_contacts": 39},
         {"parameters": hoopgen.NBA},
         {"model": Scatter(PLAYER.release, SD | {"speed": 0.08})},
@@ -265,7 +264,115 @@ def test_a_folder_of_another_estimate_is_refused(tmp_path: Path, change: Any) ->
         estimate(**given | change, folder=tmp_path)
 
 
+def contents(folder: Path) -> dict[str, bytes]:
+    """Every file of a folder."""
+    return {file.name: file.read_bytes() for file in folder.iterdir()}
+
+
+@pytest.fixture
+def thrown(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """Which shots were thrown: once as many as there are, and again when they are thrown again."""
+    numbers: list[int] = []
+    count = throws.Work.count
+
+    def counted(work: throws.Work, start: int, stop: int) -> Any:
+        numbers.extend(range(start, stop))
+        return count(work, start, stop)
+
+    monkeypatch.setattr(throws.Work, "count", counted)
+    return numbers
+
+
+@pytest.mark.parametrize("first", [1, 400, 1000, 1700, 2000])
+def test_a_folder_can_be_asked_for_more_shots_and_only_the_rest_is_thrown(
+    first: int, tmp_path: Path, thrown: list[int]
+) -> None:
+    """In one file of the folder, at its end, in the next one, and cut within each."""
+    whole = estimate(PLAYER, SCENE, shots=2500, folder=tmp_path / "whole")
+    assert estimate(PLAYER, SCENE, shots=2500) == whole
+    estimate(PLAYER, SCENE, shots=first, folder=tmp_path / "more")
+    thrown.clear()
+    assert estimate(PLAYER, SCENE, shots=2500, folder=tmp_path / "more", threads=2) == whole
+    tried, *rest = sorted(thrown)  # the first shot is tried before a folder is opened
+    assert (tried, rest) == (0, list(range(first, 2500)))
+    assert contents(tmp_path / "more") == contents(tmp_path / "whole")
+
+
+def test_a_comparison_can_be_asked_for_more_shots_too(tmp_path: Path, thrown: list[int]) -> None:
+    other = Scatter(PLAYER.release, SD | {"speed": 0.08})
+    whole = compare(PLAYER, other, shots=2500, folder=tmp_path / "whole")
+    compare(PLAYER, other, shots=1300, folder=tmp_path / "more")
+    thrown.clear()
+    assert compare(PLAYER, other, shots=2500, folder=tmp_path / "more") == whole
+    assert sorted(thrown)[1:] == list(range(1300, 2500))
+    assert contents(tmp_path / "more") == contents(tmp_path / "whole")
+
+
+def test_so_can_one_in_another_scene(tmp_path: Path, thrown: list[int]) -> None:
+    model = Scatter({"x": 4.2, "y": 0.0, "z": -0.9, "vx": -4.5, "vz": 5.6, "vy": 0.0}, {"vx": 0.1})
+    given: dict[str, Any] = {"model": model, "scene": hoopgen.COURT}
+    whole = estimate(**given, shots=700)
+    estimate(**given, shots=500, folder=tmp_path)
+    thrown.clear()
+    assert estimate(**given, shots=700, folder=tmp_path) == whole
+    assert sorted(thrown)[1:] == list(range(500, 700))
+
+
+def test_fewer_shots_than_are_kept_are_those_of_a_study_of_so_many(tmp_path: Path) -> None:
+    whole = estimate(PLAYER, SCENE, shots=2500, folder=tmp_path)
+    before = contents(tmp_path)
+    for shots in (2000, 1400, 200):
+        few = estimate(PLAYER, SCENE, shots=shots, folder=tmp_path)
+        assert few == estimate(PLAYER, SCENE, shots=shots)
+        assert contents(tmp_path) == before
+    assert estimate(PLAYER, SCENE, shots=2500, folder=tmp_path) == whole
+
+
+def test_an_extension_that_is_interrupted_goes_on_to_the_same_bytes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    whole = estimate(PLAYER, SCENE, shots=2500, folder=tmp_path / "whole")
+    estimate(PLAYER, SCENE, shots=400, folder=tmp_path / "more")
+    with monkeypatch.context() as patch:
+        patch.setattr(throws.Work, "counted", _interrupted)
+        with pytest.raises(KeyboardInterrupt) as raised:
+            estimate(PLAYER, SCENE, shots=2500, folder=tmp_path / "more", threads=1)
+    assert "the same call goes on from there" in raised.value.__notes__[0]
+    assert estimate(PLAYER, SCENE, shots=2500, folder=tmp_path / "more") == whole
+    assert contents(tmp_path / "more") == contents(tmp_path / "whole")
+
+
+_counted = throws.Work.counted
+
+
+def _interrupted(work: throws.Work, start: int, stop: int, before: Any = None) -> Any:
+    if start >= 2000:
+        raise KeyboardInterrupt
+    return _counted(work, start, stop, before)
+
+
+def test_a_damaged_chunk_of_fewer_shots_is_computed_anew(
+    tmp_path: Path, thrown: list[int], capsys: pytest.CaptureFixture[str]
+) -> None:
+    estimate(PLAYER, SCENE, shots=400, folder=tmp_path)
+    (chunk,) = tmp_path.glob("chunk-*")
+    chunk.write_bytes(chunk.read_bytes()[:-1])
+    thrown.clear()
+    found = estimate(PLAYER, SCENE, shots=600, folder=tmp_path)
+    assert sorted(thrown)[1:] == list(range(600))
+    assert "is damaged" in capsys.readouterr().err
+    assert found == estimate(PLAYER, SCENE, shots=600)
+
+
 # Precision
+
+
+def test_a_precision_goes_on_from_a_number_of_shots(tmp_path: Path, thrown: list[int]) -> None:
+    wanted = estimate(PLAYER, SCENE, precision=0.015)
+    estimate(PLAYER, SCENE, shots=1400, folder=tmp_path)
+    thrown.clear()
+    assert estimate(PLAYER, SCENE, precision=0.015, folder=tmp_path) == wanted
+    assert not {*range(1, 1400)} & {*thrown}
 
 
 def test_whole_numbers_may_be_numpy_s(tmp_path: Path) -> None:
@@ -603,7 +710,9 @@ def test_the_folder_is_passed_on(tmp_path: Path) -> None:
     first = output(*OPTIONS, "--shots", "2000", "--folder", str(tmp_path))
     assert len(list(tmp_path.glob("chunk-*.arrow"))) == 2
     assert output(*OPTIONS, "--shots", "2000", "--folder", str(tmp_path)) == first
-    assert "there and" in failure(*OPTIONS, "--shots", "2001", "--folder", str(tmp_path))
+    assert "there and" in failure(*OPTIONS, "--seed", "1", "--folder", str(tmp_path))
+    more = output(*OPTIONS, "--shots", "2600", "--folder", str(tmp_path))
+    assert more == output(*OPTIONS, "--shots", "2600")
 
 
 @pytest.mark.parametrize(

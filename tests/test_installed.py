@@ -86,7 +86,7 @@ def test_tab_completion_shows_the_interface_and_nothing_else() -> None:
     assert shown == {
         *("simulate", "certify", "release", "Outcome", "SURFACES", "Shots", "Trajectory"),
         *("PAPER", "NBA", "FIBA", "Scatter", "Resample", "Grid", "estimate", "compare", "map"),
-        *("optimum", "margins", "bank_or_direct", "aim", "measure", "batch", "run_study"),
+        *("solve", "optimum", "margins", "bank_or_direct", "aim", "measure", "batch", "run_study"),
         *("view", "plots", "HOOP", "Scene", "compile", "load_scene", "scene"),
         *("COURT", "Event", "PAPER_COURT", "NBA_COURT", "FIBA_COURT"),
     }

@@ -446,6 +446,29 @@ def test_a_side_place_banks_better_and_a_far_front_place_does_not() -> None:
     assert chosen.speed.attrs["units"] == "m/s"
 
 
+def test_the_range_of_an_aim_point_holds_nine_tenths_of_the_made_bank_shots() -> None:
+    release, place = {"height": 2.1336, "backspin": 6 * np.pi}, (1.5, 2.6)
+    found = bank_or_direct(Scatter(release, SD), [place], shots=3_000, seed=4).isel(place=0)
+    bank = found.sel(way="bank")
+    aimed = {name: float(bank[name]) for name in ("aim", "elevation", "azimuth")}
+    aimed |= {"distance": float(np.hypot(*place)), "angle": float(np.arctan2(*place[::-1]))}
+    # Fresh shots, of the next seed; two thousand are looked at.
+    states = Scatter(release | aimed, SD).draw(0, 2_000, 5).states
+    shots = hoopgen.simulate(states, record=True)
+    touched = [
+        shots.trajectory(shot).events["before"][0][1:3]
+        for shot in np.flatnonzero(shots.made & (shots.first == BOARD)).tolist()
+    ]
+    for axis, name in enumerate("yz"):
+        column = np.array(touched)[:, axis]
+        low, high = (float(found[f"touch_{name}_{end}"]) for end in ("low", "high"))
+        assert low < float(found[f"touch_{name}"]) < high
+        assert np.mean((column >= low) & (column <= high)) == pytest.approx(
+            0.9, abs=2 / len(touched)
+        )
+        assert np.mean(column < low) == pytest.approx(0.05, abs=1 / len(touched))
+
+
 def test_from_a_place_the_scene_may_be_given_in_the_release_too() -> None:
     release, changed = {"height": 2.1}, {"board_distance": 0.6, "restitution": 0.75}
     places, scene = [(1.0, 1.5)], hoopgen.PAPER | changed
@@ -493,6 +516,7 @@ def test_a_place_without_a_way_in_is_said_to_have_none() -> None:
     assert float(bank.probability) == 0.0
     assert np.isnan(float(bank.speed))
     assert np.isnan(float(found.touch_y[0]))
+    assert np.isnan(float(found.touch_y_low[0]))
 
 
 # On the command line

@@ -28,6 +28,7 @@ BEFORE = b"what was there before\n" * 100
 
 PLACE = ["--distance", "13.75ft", "--height", "7ft"]
 SHOT = ["shot", "--speed", "7.17", "--elevation", "51deg", *PLACE]
+BANK = ["bank", "--distance", "4m", "--height", "7ft", "--scatter", "speed=0.07"]
 MAP = ["map", "--over", "elevation=50deg:53deg:3", "--over", "speed=7:7.4:3", *PLACE]
 AIM = ["aim", "--distance", "4m,5m", "--height", "7ft"]
 
@@ -272,6 +273,7 @@ def idle(monkeypatch: pytest.MonkeyPatch) -> None:
     for name in ("simulate", "map", "batch"):
         monkeypatch.setattr(hoopgen, name, worked, raising=False)
     monkeypatch.setattr("hoopgen.study.aim_table.aim_table", worked)
+    monkeypatch.setattr("hoopgen.study.bank.bank_or_direct", worked)
     monkeypatch.setattr("hoopgen.paper.run", worked)
     monkeypatch.setattr("hoopgen.viewer.sample.sample", worked)
 
@@ -282,6 +284,7 @@ COMMANDS: dict[str, tuple[list[str], str]] = {
     "a film of a shot": ([*SHOT, "--picture"], ".gif"),
     "--picture of an aim": ([*AIM, "--picture"], ".svg"),
     "--picture of a map": ([*MAP, "--picture"], ".png"),
+    "--picture of bank shots": ([*BANK, "--picture"], ".pdf"),
     "map --out": ([*MAP, "--out"], ".nc"),
     "aim --csv": ([*AIM, "--csv"], ".csv"),
     "batch --out": (["batch", __file__, "--out"], ".parquet"),

@@ -28,7 +28,8 @@ from matplotlib.text import Text  # noqa: E402
 
 from hoopgen.plots import COLOURS, plot_trajectory, save, style  # noqa: E402
 from hoopgen.plots.layout import Box, place_labels  # noqa: E402
-from hoopgen.plots.marks import collect_marks  # noqa: E402
+from hoopgen.plots.marks import Mark, collect_marks, draw_key  # noqa: E402
+from hoopgen.plots.style import wrap  # noqa: E402
 from hoopgen.plots.trajectory import collect  # noqa: E402
 from hoopgen.plots.views import SIDE, TOP, oblique  # noqa: E402
 
@@ -254,6 +255,33 @@ def test_a_shot_of_any_number_of_contacts_is_one_too() -> None:
     assert len(drawing.dots) <= 10_000
     assert drawing.marks[1].text.startswith("bridge ")
     assert drawing.marks[1].label == f"1\N{EN DASH}{contacts}"
+
+
+def test_a_wide_badge_of_the_key_is_not_over_what_it_says() -> None:
+    labels = ("1", "9-40", "rolls", "leaves", "release")
+    marks = tuple(Mark(label, "ring", "ring 1.817 s", np.zeros(3)) for label in labels)
+    figure = Figure(figsize=(7.1, 1.0))
+    draw_key(figure, marks, 0.5, 0.1)
+    FigureCanvasAgg(figure).draw()
+    (axes,) = figure.axes
+    boxes = [
+        (patch if (patch := text.get_bbox_patch()) is not None else text).get_window_extent()
+        for text in axes.texts
+    ]
+    assert len(boxes) == 2 * len(labels)
+    assert not any(a.overlaps(b) for a, b in itertools.combinations(boxes, 2))
+    assert min(box.x0 for box in boxes) >= 0.5 * figure.dpi
+
+
+@pytest.mark.parametrize("width", np.arange(1.5, 4.0, 0.1).tolist())
+def test_a_number_stays_with_its_unit(width: float) -> None:
+    said = (
+        r"Released at 5.77 m/s, 57.7° up, $\omega_y=2$ rad/s; 2.438 m from the centre, 8 ft high."
+    )
+    lines = wrap(said, width, 7.5)
+    assert " ".join(lines) == said
+    for pair in ("5.77 m/s", "$ rad/s", "2.438 m", "8 ft"):
+        assert any(pair in line for line in lines)
 
 
 def test_contacts_without_room_for_a_badge_are_counted() -> None:

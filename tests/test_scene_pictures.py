@@ -290,6 +290,33 @@ def test_many_paths_are_drawn_by_how_they_end(netball: Engine) -> None:
     assert shots.plot(ax=axes) is axes
 
 
+def test_on_axes_a_shot_has_a_key_in_the_colours_of_the_bodies(netball: Engine) -> None:
+    axes = Figure().add_subplot()
+    netball.simulate(SHOT, record=True).trajectory(0).plot(ax=axes)
+    key = axes.get_legend()
+    assert key is not None
+    own = colours(netball.surfaces)
+    inks = {
+        text.get_text().split()[1]: to_hex(line.get_color()).upper()
+        for text, line in zip(key.get_texts(), key.get_lines(), strict=True)
+    }
+    assert (inks["cap"], inks["ring"]) == (own["cap"], own["ring"])
+    assert "\N{MINUS SIGN}0.350) m" in axes.get_title(loc="left")
+
+
+def test_a_crowd_of_paths_has_a_panel_for_each_end(netball: Engine) -> None:
+    states = np.array(SHOT) + np.linspace(0.0, 0.3, 60)[:, None] * (np.arange(9) == 3)
+    shots = netball.simulate(states, record=True)
+    goals = int(np.sum(shots.outcome == shots.scene.outcomes["GOAL"]))
+    figure = shots.plot()
+    titles = [axes.get_title(loc="left") for axes in figure.axes]
+    assert titles == [f"goal ({goals})", f"out ({60 - goals})"]
+    assert "60 are drawn, by outcome" in figure.texts[0].get_text()
+    assert len(shots.plot(by="all").axes) == 1
+    with pytest.raises(ValueError, match="by: expected auto, all, outcome; got 'kind'"):
+        shots.plot(by="kind")
+
+
 def test_the_axes_of_a_turned_scene_are_named(tilted: Engine) -> None:
     shots = tilted.simulate(FALL, record=True, max_contacts=3)
     figure = shots.trajectory(0).plot()

@@ -94,6 +94,20 @@ def failure(*arguments: object) -> str:
     return result.stderr
 
 
+def test_the_scatter_is_found_with_which_a_share_ends_somewhere(scene: Engine, file: Path) -> None:
+    wanted = hoopgen.solve(MODEL, 0.3, scene=scene, by="beyond", shots=SHOTS)
+    assert wanted.low < wanted.factor < wanted.high
+    assert wanted.by == "beyond"
+    assert abs(wanted.estimate.share_of("beyond") - 0.3) < 5 * np.sqrt(0.21 / SHOTS)
+    given = ["--scene", file, "--position", "0.5,0,0.3", "--velocity", "1,0,0", "--shots", SHOTS]
+    given += ["--scatter", "vx=0.2", "--scatter", "bounce=0.05"]
+    text = run("estimate", *given, "--solve", "30%", "--by", "beyond")
+    assert text.splitlines()[0] == f"factor   {wanted.line} (95% interval)"
+    assert "is reached by no factor" in failure(
+        "estimate", *given, "--solve", "99.9%", "--by", "beyond"
+    )
+
+
 def test_an_estimate_has_the_share_of_each_end_with_its_interval(scene: Engine) -> None:
     found = hoopgen.estimate(MODEL, scene=scene, shots=SHOTS, seed=3)
     drawn = MODEL.draw(0, SHOTS, 3, scene.parameters)

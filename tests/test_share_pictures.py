@@ -213,6 +213,7 @@ PUTT = ["--scene", str(GOLF), "--position=-30cm,0,3cm", "--velocity", "1.2,0,0"]
 COMMANDS = {
     "estimate": ["estimate", *SHOTS, "--shots", "200"],
     "estimate --versus": ["estimate", *SHOTS, "--versus", "backspin=3Hz", "--shots", "200"],
+    "estimate --solve": ["estimate", *SHOTS, "--solve", "50%", "--shots", "2000"],
     "fan": ["fan", *SHOTS, "--shots", "50", "--paths", "9"],
     "landings": ["landings", *SHOTS, "--shots", "300"],
     "optimum": [

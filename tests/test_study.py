@@ -26,6 +26,7 @@ import xarray as xr  # noqa: E402
 
 import hoopgen  # noqa: E402
 from hoopgen.cli import main  # noqa: E402
+from hoopgen.study import throws  # noqa: E402
 from hoopgen.study.bank import bank_or_direct  # noqa: E402
 from hoopgen.study.chunks import versions  # noqa: E402
 from hoopgen.study.named import in_units, named  # noqa: E402
@@ -133,6 +134,12 @@ name = "rows"
 file = "measured.csv"
 release = { height = "7 ft", distance = "13.75 ft" }
 measures = ["depth"]
+
+[[question]]
+kind = "solve"
+name = "scatter"
+share = 0.5
+shots = 300
 """
 )
 """A question of every kind, and of those with more than one way to be asked more than one."""
@@ -325,8 +332,8 @@ WRONG = {
     "wrong kind": (
         BEGIN + ASKED + "[[question]]\nname = 'm'\nkind = 'maps'\n",
         8,
-        'question #2, kind: expected "estimate", "compare", "map", "optimum", "bank", "aim" or '
-        '"batch"; got "maps"; is map meant?',
+        'question #2, kind: expected "estimate", "compare", "solve", "map", "optimum", "bank", '
+        '"aim" or "batch"; got "maps"; is map meant?',
     ),
     "below the range": (
         BEGIN + "[scatter]\nspeed = '-1 m/s'\n" + ASKED,
@@ -756,6 +763,7 @@ def test_the_report_lists_what_was_asked_and_every_answer(whole: Path) -> None:
     assert len(links) > 20
     assert all((whole / link).is_file() for link in links)
     files = {name.partition("/")[0] + "/" + name.partition("/")[2] for name in contents(whole)}
+    files -= {name for name in files if "/chunks/" in name}  # from which it may go on
     assert {name for name in files if not name.endswith("/")} <= {*links, "report.md"}
 
 
@@ -887,9 +895,63 @@ def test_so_is_one_that_was_not_finished(tmp_path: Path) -> None:
     run_study(file)
     results = tmp_path / "study-results"
     (results / "probability").rename(results / "probability.unfinished")
-    written(tmp_path, HEAD + ESTIMATE.replace("2000", "3000"))
-    with pytest.raises(ValueError, match="shots is 2000 there and 3000 here"):
+    written(tmp_path, HEAD + ESTIMATE.replace("2000", "1000"))
+    with pytest.raises(ValueError, match="shots is 2000 there and 1000 here"):
         run_study(file)
+
+
+MORE = {
+    "more shots": ("shots = 1700", "shots = 2600"),
+    "shots for once": ("shots = 99_999\nprecision = 0.02", "shots = 100_000\nprecision = 0.015"),
+    "a narrower precision": ("precision = 0.02", "precision = 0.015"),
+}
+"""Of an estimate or a comparison: what was asked, and what is asked then."""
+
+
+@pytest.mark.parametrize("unfinished", [False, True])
+@pytest.mark.parametrize("more", MORE)
+@pytest.mark.parametrize("kind", ["estimate", "compare"])
+def test_a_question_may_be_asked_for_more_and_only_the_rest_is_thrown(
+    kind: str, more: str, unfinished: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    text = HEAD + f"[[question]]\nname = 'q'\nkind = '{kind}'\n"
+    text += "versus.release.backspin = 0\n" * (kind == "compare")
+    monkeypatch.setattr(throws, "CHUNK", 1000)
+    few, many = MORE[more]
+    whole, results = tmp_path / "whole", tmp_path / "results"
+    run_study(written(tmp_path / "at-once", text + many), whole)
+    file = written(tmp_path, text + few)
+    run_study(file, results, threads=2)
+    if unfinished:
+        (results / "q").rename(results / "q.unfinished")
+    thrown: list[int] = []
+    count = throws.Work.count
+    monkeypatch.setattr(
+        throws.Work,
+        "count",
+        lambda work, *ends: (thrown.extend(range(*ends)), count(work, *ends))[1],
+    )
+    written(tmp_path, text + many)
+    run_study(file, results, threads=1)
+    kept = 1700 if more == "more shots" else 1000
+    assert thrown
+    assert not {*range(1, kept)} & {*thrown}
+    assert contents(results) == contents(whole)
+
+
+@pytest.mark.parametrize(
+    "change",
+    ["shots = 1999", "precision = 0.03", "shots = 3000\nprecision = 0.02", "max_contacts = 30"],
+)
+def test_what_is_no_more_is_refused(change: str, tmp_path: Path) -> None:
+    question = ESTIMATE.replace("shots = 2000\n", "")
+    file = written(tmp_path, HEAD + question + "shots = 2000\n")
+    run_study(file)
+    before = contents(tmp_path / "study-results")
+    written(tmp_path, HEAD + question + change + "\n")
+    with pytest.raises(ValueError, match="holds another study: question probability: "):
+        run_study(file)
+    assert contents(tmp_path / "study-results") == before
 
 
 @pytest.mark.parametrize("package", ["hoopgen", "numpy", "scipy"])
@@ -1087,7 +1149,7 @@ def test_check_reads_and_computes_nothing(tmp_path: Path) -> None:
     file = written(tmp_path, ALL)
     result = run(file, "--check")
     assert result.exit_code == 0, result.output
-    assert result.stdout.startswith(f"{file}: 9 questions, probability, backspin, map")
+    assert result.stdout.startswith(f"{file}: 10 questions, probability, backspin, map")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["measured.csv", "study.toml"]
 
 

@@ -32,13 +32,14 @@ from matplotlib.collections import (  # noqa: E402
     PolyCollection,
     QuadMesh,
 )
-from matplotlib.colors import to_hex, to_rgb  # noqa: E402
+from matplotlib.colors import to_hex  # noqa: E402
 from matplotlib.contour import QuadContourSet  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
 from matplotlib.patches import Circle, Rectangle  # noqa: E402
 from matplotlib.text import Text  # noqa: E402
 
 from hoopgen.hoop.kinds import Kind, kinds  # noqa: E402
+from hoopgen.hoop.places import on_board, say_on_board  # noqa: E402
 from hoopgen.plots import (  # noqa: E402
     COLUMN,
     PAGE,
@@ -52,7 +53,7 @@ from hoopgen.plots import (  # noqa: E402
 )
 from hoopgen.plots.court import COURTS  # noqa: E402
 from hoopgen.plots.key import CLASSES, classify  # noqa: E402
-from hoopgen.plots.style import MADE, MISSED, MISSED_LINES, NEITHER  # noqa: E402
+from hoopgen.plots.style import MADE, MISSED, NEITHER  # noqa: E402
 from hoopgen.study.aim_table import aim_table  # noqa: E402
 
 FREE_THROW = {"height": 2.1336, "distance": 4.191, "backspin": 6.0 * np.pi}
@@ -243,6 +244,17 @@ def test_texts_of_a_key_are_not_over_one_another(page: tuple[str, float, Figure]
             continue
         boxes = [text.get_window_extent() for text in axes.texts]
         assert not any(a.overlaps(b) for a, b in itertools.combinations(boxes, 2))
+
+
+def test_titles_and_names_of_axes_are_not_over_one_another(
+    page: tuple[str, float, Figure],
+) -> None:
+    _, _, figure = page
+    texts = [*figure.texts]
+    for axes in figure.axes:
+        texts += [axes._left_title, axes.xaxis.label, axes.yaxis.label]
+    boxes = [text.get_window_extent() for text in texts if text.get_text().strip()]
+    assert not any(a.overlaps(b) for a, b in itertools.combinations(boxes, 2))
 
 
 def test_axes_are_named_with_units(page: tuple[str, float, Figure]) -> None:
@@ -472,7 +484,7 @@ def test_a_fan_has_each_path_in_its_colour() -> None:
         for shot in range(40):
             end = shots.trajectory(shot).events[-1]["after"][[0, 2]]
             what, touched = Outcome(shots.outcome[shot]).name.lower(), Kind(kind[shot]).name.lower()
-            wanted = {"made": MADE, "missed": MISSED_LINES}.get(what, {}).get(touched)
+            wanted = {"made": MADE, "missed": MISSED}.get(what, {}).get(touched)
             assert found[tuple(np.round(end, 9))] == (wanted or NEITHER[what])
 
 
@@ -534,6 +546,53 @@ def test_parameters_may_differ_from_shot_to_shot() -> None:
     states = hoopgen.release([7.1, 7.2], np.radians(52.0), height=2.1336, distance=4.191)
     scene = SCENE | {"restitution": np.array([0.6, 0.8]), "ball_radius": np.array([0.12, 0.122])}
     plot_fan(hoopgen.simulate(states, scene, record=True), scene)
+
+
+def test_many_paths_have_a_panel_for_each_kind() -> None:
+    shots = shots_of(200)
+    figure = plot_fan(shots, SCENE)
+    whole, *panels, _ = figure.axes
+    assert len(one(whole, PathCollection).get_paths()) == 120
+    place = classify(shots.outcome, kinds(shots.outcome, shots.counts, shots.first))[:120]
+    for axes, each in zip(panels, np.unique(place).tolist(), strict=True):
+        lines, which = one(axes, PathCollection), CLASSES[each]
+        assert {to_hex(colour).upper() for colour in lines.get_edgecolors()} == {which.colour}
+        count = np.count_nonzero(place == each)
+        assert len(lines.get_paths()) == count
+        assert axes.get_title(loc="left") == f"{which.words} ({count})"
+        assert axes.get_xlim() == panels[0].get_xlim()
+    assert "120 are drawn, by kind (how many of each)." in said(figure)
+    assert len(plot_fan(shots, SCENE, paths=40).axes) == 3
+
+
+def test_a_fan_by_release_angle_has_each_path_in_its_panel() -> None:
+    shots = shots_of(60)
+    angles = [
+        float(np.degrees(np.arctan2(v[5], np.hypot(v[3], v[4]))))
+        for v in (shots.trajectory(shot).release for shot in range(60))
+    ]
+    _, *panels, _ = plot_fan(shots, SCENE, by="elevation").axes
+    assert len(panels) > 1
+    for axes in panels:
+        named = re.fullmatch(r"(\d+)° to (\d+)° \((\d+)\)", axes.get_title(loc="left"))
+        assert named
+        low, high, count = map(int, named.groups())
+        assert count == sum(low <= angle < high for angle in angles)
+        assert len(one(axes, PathCollection).get_paths()) == count
+
+
+def test_paths_are_parted_by_what_there_is_on_a_page_of_its_own() -> None:
+    shots = shots_of(50)
+    assert len(plot_fan(shots, SCENE, by="outcome").axes) == 2 + len(set(shots.outcome.tolist()))
+    assert len(plot_fan(shots, SCENE, by="all").axes) == 3
+    with pytest.raises(
+        ValueError, match="by: expected auto, all, kind, outcome, elevation; got 's"
+    ):
+        plot_fan(shots, SCENE, by="speed")
+    axes = Figure().subplots()
+    with pytest.raises(ValueError, match="ax: by 'kind' there are several panels"):
+        plot_fan(shots, SCENE, by="kind", ax=axes)
+    assert plot_fan(shots, SCENE, ax=axes) is axes
 
 
 def test_a_fan_of_nothing_is_refused() -> None:
@@ -646,9 +705,33 @@ def test_the_lines_are_those_of_the_rule_books(name: str) -> None:
     assert ("inside" in lines) == nba
 
 
-def test_balls_that_never_land_are_left_out() -> None:
+def said(figure: Figure) -> str:
+    return " ".join(text.get_text() for text in figure.texts)
+
+
+def test_landings_say_how_many_of_how_many_and_from_where() -> None:
+    # Of a thousand the two furthest are out of the picture, which shows all but five.
+    x = np.concatenate([np.zeros(998), [50.0, -50.0], [np.nan, np.nan, 1.0]])
+    y = np.concatenate([np.zeros(1000), [0.0, np.nan, np.nan]])
+    figure = plot_landings(x, y, SCENE, note="Seed: 3.")
+    axes = axes_of(figure, "floor plan")
+    (left, right), (bottom, top) = axes.get_xlim(), axes.get_ylim()
+    seen = np.sum((y >= left) & (y <= right) & (-x >= bottom) & (-x <= top))
+    assert seen == 998
+    assert said(figure) == (
+        "998 of 1,003 misses land within the picture, 2 beyond it, 3 never reach the floor. "
+        "Circles hold shares of those that land. Distances are from the point of the floor below "
+        "the ring's centre. Scene: NBA. Seed: 3."
+    )
+    for label in (axes.get_xlabel(), axes.get_ylabel()):
+        assert label.endswith("from the ring's centre (m)")
+
+
+def test_landings_all_in_the_picture_say_nothing_of_others() -> None:
     figure = plot_landings([1.0, np.nan, 2.0], [0.5, 0.0, np.nan], SCENE)
-    assert "n = 1. Scene: NBA." in [text.get_text() for text in figure.texts]
+    assert said(figure).startswith("1 of 3 misses lands within the picture, 2 never reach")
+    figure = plot_landings([1.0], [0.5], SCENE)
+    assert said(figure).startswith("1 of 1 miss lands within the picture. Circles")
 
 
 @pytest.mark.parametrize(
@@ -708,6 +791,50 @@ def test_lines_lead_along_the_releases_to_the_board() -> None:
     ]
 
 
+def test_an_aim_point_has_its_range() -> None:
+    dataset = aims()
+    ends = {
+        "touch_y_low": [-0.5, -0.1, 0.2, np.nan],
+        "touch_y_high": [-0.3, 0.1, 0.4, np.nan],
+        "touch_z_low": [0.5, 0.3, 0.35, np.nan],
+        "touch_z_high": [0.7, 0.4, 0.45, np.nan],
+    }
+    assert "A cross" not in said(plot_aim_points(dataset, SCENE))
+    ranged = dataset.assign({name: ("place", column) for name, column in ends.items()})
+    figure = plot_aim_points(ranged, SCENE)
+    assert "A cross spans nine tenths of the made bank shots, each way." in said(figure)
+    lines = one(axes_of(figure, "front view"), LineCollection)
+    assert [line.tolist() for line in lines.get_segments()] == [
+        [[-0.5, 0.6], [-0.3, 0.6]],
+        [[-0.1, 0.35], [0.1, 0.35]],
+        [[0.2, 0.4], [0.4, 0.4]],
+        [[-0.4, 0.5], [-0.4, 0.7]],
+        [[0.01, 0.3], [0.01, 0.4]],
+        [[0.3, 0.35], [0.3, 0.45]],
+    ]
+
+
+def test_places_have_names_and_shots_aim_at_them() -> None:
+    figure = plot_aim_points(aims(), SCENE)
+    axes = axes_of(figure, "front view")
+    names = {name.removesuffix(" of the square") for name in on_board(SCENE)}
+    assert {text.get_text() for text in axes.texts} == names
+    assert len(names) == 6
+    square = axes.patches[-1]
+    assert type(square) is Rectangle
+    # Outside the line, which is drawn along its middle.
+    top, line = SCENE["wire_radius"] + (18 - 2) * FOOT / 12, 2 * FOOT / 12
+    assert on_board(SCENE)["top right corner of the square"] == pytest.approx((FOOT, top))
+    assert square.get_y() + square.get_height() + line / 2 == pytest.approx(top)
+    left, right = (say_on_board(y, z, SCENE) for y, z in ((-0.4, 0.6), (0.3, 0.4)))
+    assert f"Bank shots aim from {left} to {right}." in said(figure)
+    assert left == "19 cm above and 10 cm left of the top left corner of the square"
+    dataset = aims().assign(aim=(("way", "place"), [[0.02, 0.07, 0.05, np.nan], [0.4] * 4]))
+    dataset = dataset.assign_coords(way=["direct", "bank"])
+    wanted = "Direct ones aim from 2 to 7 cm past the centre of the ring."
+    assert wanted in said(plot_aim_points(dataset, SCENE))
+
+
 def test_the_target_is_that_of_the_rule_book() -> None:
     axes = axes_of(plot_aim_points(aims(), SCENE), "front view")
     (target,) = (patch for patch in axes.patches if type(patch) is Rectangle)
@@ -732,90 +859,6 @@ def test_aims_that_cannot_be_drawn_are_refused(
 ) -> None:
     with pytest.raises(ValueError, match=message):
         plot_aim_points(spoil(aims()), SCENE, **options)
-
-
-# ------------------------------------------------------------------------------------ colours
-
-# sRGB to CIE XYZ, D65 (IEC 61966-2-1).
-_XYZ = np.array(
-    [
-        [0.4124, 0.3576, 0.1805],
-        [0.2126, 0.7152, 0.0722],
-        [0.0193, 0.1192, 0.9505],
-    ]
-)
-
-# What dichromats see, in linear sRGB: Machado, Oliveira and Fernandes 2009, *A physiologically-
-# based model for simulation of color vision deficiency*, IEEE TVCG 15(6), severity 1.0.
-_SEEN = {
-    "any": np.eye(3),
-    "protanopia": np.array(
-        [
-            [0.152286, 1.052583, -0.204868],
-            [0.114503, 0.786281, 0.099216],
-            [-0.003882, -0.048116, 1.051998],
-        ]
-    ),
-    "deuteranopia": np.array(
-        [
-            [0.367322, 0.860646, -0.227968],
-            [0.280085, 0.672501, 0.047413],
-            [-0.011820, 0.042940, 0.968881],
-        ]
-    ),
-    "grey": np.tile(_XYZ[1], (3, 1)),
-}
-
-_JUST_NOTICED = 2.3
-"""CIE76 difference that half of the observers notice: Mahy, Van Eycken and Oosterlinck 1994."""
-
-
-def lab(colour: str, seen: str) -> np.ndarray:
-    """Return CIE L*a*b* of a colour as it is seen."""
-    encoded = np.array(to_rgb(colour))
-    linear = np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)
-    light = _XYZ @ np.clip(_SEEN[seen] @ linear, 0.0, 1.0) / _XYZ.sum(axis=1)
-    x, y, z = np.where(light > (6 / 29) ** 3, np.cbrt(light), light / (3 * (6 / 29) ** 2) + 4 / 29)
-    return np.array([116 * y - 16, 500 * (x - y), 200 * (y - z)])
-
-
-def nearest(colours: list[str], seen: str) -> float:
-    points = [lab(colour, seen) for colour in colours]
-    return min(float(np.linalg.norm(a - b)) for a, b in itertools.combinations(points, 2))
-
-
-@pytest.mark.parametrize("seen", ["any", "protanopia", "deuteranopia"])
-@pytest.mark.parametrize("missed", [MISSED, MISSED_LINES], ids=["areas", "lines"])
-def test_classes_are_told_apart_with_any_colour_vision(
-    missed: Mapping[str, str], seen: str
-) -> None:
-    others = (
-        NEITHER.values() if missed is MISSED else [NEITHER["capped"]]
-    )  # the others have no path
-    assert nearest([*MADE.values(), *missed.values(), *others], seen) > 3 * _JUST_NOTICED
-
-
-@pytest.mark.parametrize("missed", [MISSED, MISSED_LINES], ids=["areas", "lines"])
-def test_classes_are_told_apart_in_grey(missed: Mapping[str, str]) -> None:
-    others = [NEITHER[name] for name in (("capped", "short") if missed is MISSED else ("capped",))]
-    assert nearest([*MADE.values(), *missed.values(), *others], "grey") > 1.25 * _JUST_NOTICED
-    assert nearest(list(MADE.values()), "grey") > 4 * _JUST_NOTICED
-
-
-def test_a_made_shot_is_darker_than_any_missed_one() -> None:
-    made = max(lab(colour, "grey")[0] for colour in MADE.values())
-    assert made + 3 * _JUST_NOTICED < min(lab(colour, "grey")[0] for colour in MISSED.values())
-
-
-def test_the_transform_to_lab_is_right() -> None:
-    # sRGB's primaries in CIE L*a*b* under D65, as published (B. Lindbloom, to 0.1).
-    for colour, wanted in (
-        ("#FF0000", (53.2, 80.1, 67.2)),
-        ("#00FF00", (87.7, -86.2, 83.2)),
-        ("#0000FF", (32.3, 79.2, -107.9)),
-        ("#FFFFFF", (100.0, 0.0, 0.0)),
-    ):
-        np.testing.assert_allclose(lab(colour, "any"), wanted, rtol=0, atol=0.1)
 
 
 # ------------------------------------------------------------------------------------ files
@@ -863,8 +906,8 @@ def test_a_map_of_many_cells_is_a_small_file(tmp_path: Path) -> None:
 def test_the_pictures_of_the_documents_are_there_and_small() -> None:
     root = Path(__file__).parents[1]
     text = (root / "benchmarks" / "pictures.py").read_text(encoding="utf-8")
-    names = re.findall(r'^    "([a-z-]+)": [a-z_]+,$', text, re.MULTILINE)
-    assert "free-throws" in names
+    names = re.findall(r'^    "([a-z0-9-]+)": [a-z0-9_]+,$', text, re.MULTILINE)
+    assert {"free-throws", "figure-7"} <= set(names)
     for name in names:
         assert 0 < (root / "docs" / f"{name}.svg").stat().st_size < 300_000
 

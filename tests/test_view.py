@@ -184,7 +184,8 @@ def test_surfaces_have_the_colours_of_the_pictures(tmp_path: Path) -> None:
 
     written = view(hoopgen.simulate(SAMPLE[0], record=True), hoopgen.PAPER, tmp_path / "shot.html")
     style = Path(written).read_text("utf-8").partition("<style>")[2].partition("</style>")[0]
-    given = re.findall(r"--([a-z]+): (#[0-9A-F]{6});", style)
+    by_day = "".join(re.findall(r":root \{.*?\}", style, re.S))
+    given = re.findall(r"--([a-z]+): (#[0-9A-F]{6});", by_day)
     assert len(given) == len(dict(given)), "no colour is given twice"
     assert {name: dict(given)[name] for name in COLOURS} == dict(COLOURS)
     own = (FOLDER / "page.css").read_text("utf-8").upper()
@@ -201,42 +202,6 @@ def test_three_is_the_release_that_its_notes_name_and_small() -> None:
     text = page(simulate(SAMPLE[0]), hoopgen.PAPER)
     assert script in text
     assert (FOLDER / "three" / "LICENSE").read_text("utf-8") in text
-
-
-# Its scripts, without a browser
-
-POINTS = """
-const [Flight, Scene] = new Function(require("fs").readFileSync(0, "utf8"))();
-for (const lasts of [1, 3.9, 1e4, 1e13, 1e200]) {
-  const gravity = 10 / lasts;
-  const flights = [[0, 4, 0, 0, -4, 0, 5, 0, 0, 0], [lasts, 4 - 4 * lasts, 0, 0, 0, 0, 0, 0, 0, 0]];
-  const shot = { flights, rolls: [], parameters: { gravity }, duration: lasts };
-  const beat = Scene.beatOf([shot]);
-  console.log(JSON.stringify([Flight.pathOf(shot).length, beat, lasts / beat]));
-}
-"""
-
-
-def test_a_flight_of_any_length_has_few_points_and_dots() -> None:
-    node = shutil.which("node")
-    if node is None:
-        pytest.skip("needs node")
-    flight = FOLDER.parent.parent / "generated" / "js" / "hoop.js"
-    if not flight.is_file():
-        pytest.skip("needs the sources")
-    files = (flight, FOLDER / "flight.js", FOLDER / "scene.js")
-    scripts = "\n".join(file.read_text(encoding="utf-8") for file in files)
-    said = subprocess.run(
-        [node, "-e", POINTS],
-        input=f"{scripts}\nreturn [Flight, Scene];",
-        capture_output=True,
-        text=True,
-        check=True,
-    ).stdout
-    told = [json.loads(line) for line in said.splitlines()]
-    assert [points for points, _, _ in told] == [51, 196, 201, 201, 201]  # 50 a second, up to 200
-    assert [beat for _, beat, _ in told[:3]] == [0.1, 0.1, 100.0]
-    assert all(dots <= 101 for _, _, dots in told)
 
 
 # In a browser
@@ -686,6 +651,69 @@ def test_the_command_shows_a_sample_of_a_table(table: Path, tmp_path: Path) -> N
     speed = float(table.read_text().splitlines()[row].split(",")[1]) * 0.44704
     # The release's sine and cosine come between.
     assert np.linalg.norm(data["shots"][0]["flights"][0][4:7]) == pytest.approx(speed, rel=1e-14)
+
+
+NAMED = """player,game,speed,elevation_deg,height,distance
+Ann,0022400001,7.1,52,2.1,4.2
+Bea,0022400002,7.2,52,2.1,4.2
+Ann,0022400003,7.3,52,2.1,4.2
+,0022400004,7.0,52,2.1,4.2
+  </script><b>,0022400005,7.2,51,2.1,4.2
+"""
+
+
+def labels_of(file: Path, out: Path, *options: str) -> list[str]:
+    result = CliRunner().invoke(main, ["view", str(file), "--out", str(out), *options])
+    assert result.exit_code == 0, result.output
+    return [shot["label"] for shot in data_of(out.read_text("utf-8"))["shots"]]
+
+
+def test_a_column_names_the_shots_and_no_two_alike(tmp_path: Path) -> None:
+    pytest.importorskip("pyarrow")
+    pytest.importorskip("scipy")
+    file, out = tmp_path / "named.csv", tmp_path / "shots.html"
+    file.write_text(NAMED, encoding="utf-8")
+    wanted = ["Ann, row 1", "Bea", "Ann, row 3", "Row 4", "</script><b>"]
+    assert labels_of(file, out, "--label", "player") == wanted
+    games = [f"00224{number:05}" for number in range(1, 6)]
+    assert labels_of(file, out, "--label", "game") == games
+    speeds = ["7.1", "7.2, row 2", "7.3", "7.0", "7.2, row 5"]
+    assert labels_of(file, out, "--label", "speed") == speeds
+    assert labels_of(file, out) == [f"Row {row}" for row in range(1, 6)]
+    shown = hoopgen.view(file, labels="player")
+    assert [shot["label"] for shot in data_of(shown.text)["shots"]] == wanted
+    with pytest.raises(ValueError, match=r"labels: of a file, expected a column's name, got \['a'"):
+        hoopgen.view(file, labels=["a"] * 5)
+    result = CliRunner().invoke(main, ["view", str(file), "--out", str(out), "--label", "shooter"])
+    assert (result.exit_code, result.stdout) == (2, "")
+    said = "has no column 'shooter'. The columns are player, game, speed, elevation_deg"
+    assert said in result.stderr
+    assert result.stderr.count("\n") == 1
+
+
+def test_a_name_stays_with_its_shot_however_the_table_is_read(
+    table: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The column player of that table is the row, from 0."""
+    from hoopgen.viewer import sample as module
+
+    monkeypatch.setattr(module, "_ROWS", 9)
+    chosen = module.sample(table, 20, 7, release={"distance": 4.191}, label="player")
+    assert chosen.labels == [str(row) for row in chosen.rows]
+
+
+def test_results_keep_the_column_that_names_them(tmp_path: Path) -> None:
+    pytest.importorskip("pyarrow")
+    pytest.importorskip("scipy")
+    file, out = tmp_path / "named.csv", tmp_path / "results.parquet"
+    file.write_text(NAMED + f"{'long ' * 30},6,7.1,52,2.1,4.2\n", encoding="utf-8")
+    hoopgen.batch(file, out)
+    labels = labels_of(out, tmp_path / "shots.html", "--label", "player")
+    assert labels[:4] == ["Ann, row 1", "Bea", "Ann, row 3", "Row 4"]
+    assert labels[-1].endswith("...")
+    assert len(labels[-1]) == 40
+    kinds = labels_of(out, tmp_path / "shots.html", "--label", "outcome")
+    assert all(re.fullmatch(r"(made|missed)(, row \d)?", kind) for kind in kinds)
 
 
 def test_results_of_a_batch_are_shown_as_its_releases_are(table: Path, tmp_path: Path) -> None:

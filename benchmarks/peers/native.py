@@ -12,21 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.peers.flown import Flown
+from hoopgen.engine.sources import FLAGS as OUR
 
-OUR_FLAGS = (
-    "-O3",
-    "-g0",
-    "-std=c11",
-    "-fno-fast-math",
-    "-fno-unsafe-math-optimizations",
-    "-fno-associative-math",
-    "-fno-reciprocal-math",
-    "-fno-finite-math-only",
-    "-fsigned-zeros",
-    "-ffp-contract=off",
-    "-fno-math-errno",
-    "-fno-trapping-math",
-)
+OUR_FLAGS = tuple(OUR)
 """How hoopgen's own library is compiled (setup.py)."""
 
 FLAGS = (*OUR_FLAGS, "-march=native", "-mprefer-vector-width=512")

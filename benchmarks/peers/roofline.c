@@ -1,5 +1,6 @@
-/* Two measurements of the machine: memory bandwidth (the triad of STREAM) and double-precision arithmetic. Compiled with
- * and without contraction, `multiply_add` gives the peak with and without fused multiply-add. */
+/* Measurements of the machine: memory bandwidth (the triad of STREAM), double-precision arithmetic, and the divider.
+ * Compiled with and without contraction, `multiply_add` gives the peak with and without fused multiply-add. */
+#include <math.h>
 #include <stdint.h>
 
 #ifdef __AVX512F__
@@ -34,4 +35,35 @@ double multiply_add(int64_t turns, double *result)
     *result = 0.0;
     for (int lane = 0; lane < WIDTH; ++lane) *result += sum[lane];
     return 2.0 * WIDTH * CHAINS * (double)turns;
+}
+
+/* The same of divisions. */
+double divide(int64_t turns, double *result)
+{
+    Vector chain[CHAINS], over;
+    for (int lane = 0; lane < WIDTH; ++lane) {
+        over[lane] = 1.5;
+        for (int k = 0; k < CHAINS; ++k) chain[k][lane] = 1.0 + k;
+    }
+    for (int64_t turn = 0; turn < turns; ++turn) {
+#pragma GCC unroll 16
+        for (int k = 0; k < CHAINS; ++k) chain[k] = over / chain[k];
+    }
+    Vector sum = chain[0];
+    for (int k = 1; k < CHAINS; ++k) sum += chain[k];
+    *result = 0.0;
+    for (int lane = 0; lane < WIDTH; ++lane) *result += sum[lane];
+    return 1.0 * WIDTH * CHAINS * (double)turns;
+}
+
+/* And of square roots. */
+double root(int64_t turns, double *result)
+{
+    double chain[CHAINS * WIDTH];
+    for (int k = 0; k < CHAINS * WIDTH; ++k) chain[k] = 1.0 + k;
+    for (int64_t turn = 0; turn < turns; ++turn)
+        for (int k = 0; k < CHAINS * WIDTH; ++k) chain[k] = sqrt(chain[k]);
+    *result = 0.0;
+    for (int k = 0; k < CHAINS * WIDTH; ++k) *result += chain[k];
+    return 1.0 * WIDTH * CHAINS * (double)turns;
 }

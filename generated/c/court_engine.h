@@ -13,13 +13,42 @@
 /* A column, with room for a whole row of lanes behind its end. */
 typedef double LANES(court_column)[LANES_SHOTS + LANES_WIDTH];
 
-/* Have the states of the shots from one on fetched while others are worked on. */
+/* Have the states of the shots from one on fetched while others are worked on, and the places of
+   their results: else each store waits for its line. */
 LANES_INLINE void LANES(court_ahead)(const court_job *job, size_t shot)
 {
 #ifdef __GNUC__
     const double *state = job->states + COURT_STATE * shot;
     for (int line = 0; line < COURT_STATE * LANES_WIDTH; line += 8)
         __builtin_prefetch(state + line, 0, 2);
+    const court_results *out = job->results;
+    if (out->outcome)
+        for (size_t byte = 0; byte < sizeof *out->outcome * LANES_WIDTH; byte += 64)
+            __builtin_prefetch((const char *)out->outcome + sizeof *out->outcome * shot + byte, 1, 3);
+    if (out->contacts)
+        for (size_t byte = 0; byte < sizeof *out->contacts * LANES_WIDTH; byte += 64)
+            __builtin_prefetch((const char *)out->contacts + sizeof *out->contacts * shot + byte, 1, 3);
+    if (out->counts)
+        for (size_t byte = 0; byte < 3 * sizeof *out->counts * LANES_WIDTH; byte += 64)
+            __builtin_prefetch((const char *)out->counts + 3 * sizeof *out->counts * shot + byte, 1, 3);
+    if (out->first)
+        for (size_t byte = 0; byte < sizeof *out->first * LANES_WIDTH; byte += 64)
+            __builtin_prefetch((const char *)out->first + sizeof *out->first * shot + byte, 1, 3);
+    if (out->time)
+        for (size_t byte = 0; byte < sizeof *out->time * LANES_WIDTH; byte += 64)
+            __builtin_prefetch((const char *)out->time + sizeof *out->time * shot + byte, 1, 3);
+    if (out->state)
+        for (size_t byte = 0; byte < 9 * sizeof *out->state * LANES_WIDTH; byte += 64)
+            __builtin_prefetch((const char *)out->state + 9 * sizeof *out->state * shot + byte, 1, 3);
+    if (out->time_error)
+        for (size_t byte = 0; byte < sizeof *out->time_error * LANES_WIDTH; byte += 64)
+            __builtin_prefetch((const char *)out->time_error + sizeof *out->time_error * shot + byte, 1, 3);
+    if (out->state_error)
+        for (size_t byte = 0; byte < 3 * sizeof *out->state_error * LANES_WIDTH; byte += 64)
+            __builtin_prefetch((const char *)out->state_error + 3 * sizeof *out->state_error * shot + byte, 1, 3);
+    if (out->uncertain)
+        for (size_t byte = 0; byte < sizeof *out->uncertain * LANES_WIDTH; byte += 64)
+            __builtin_prefetch((const char *)out->uncertain + sizeof *out->uncertain * shot + byte, 1, 3);
 #else
     (void)job, (void)shot;
 #endif

@@ -32,6 +32,7 @@ _COMMANDS = {
     "landings": "thrown",
     "optimum": "optimum",
     "aim": "aim",
+    "bank": "bank",
     "batch": "batch",
     "study": "study",
     "view": "view",

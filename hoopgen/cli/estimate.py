@@ -1,4 +1,4 @@
-"""``hoopgen estimate``: how probably a shot is made, and what a change does to that."""
+"""``hoopgen estimate``: how probably a shot is made, what a change does, with which scatter."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from hoopgen.cli.options import (
     units_option,
 )
 from hoopgen.cli.releasing import Releasing, from_option, release_options, work_options
-from hoopgen.cli.types import ASSIGNMENT, COUNT, once
+from hoopgen.cli.types import ASSIGNMENT, COUNT, SHARE, once
 
 if TYPE_CHECKING:
     from hoopgen.engines import Engine
@@ -38,7 +38,7 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1de
         "    --preset nba --precision 0.001 --versus backspin=0",
         "hoopgen estimate --scene golf.toml --position=-30cm,0,3cm --velocity 1.2,0,0 \\",
         "    --scatter vx=0.1 --scatter vy=0.05",
-        "hoopgen estimate --from releases.csv --height 7ft --distance 13.75ft --json",
+        "hoopgen estimate --from releases.csv --height 7ft --distance 13.75ft --solve 70%",
     )
 )
 @release_options
@@ -51,10 +51,21 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1de
     help="Compare with this variable changed, over the same random numbers; may be repeated.",
 )
 @click.option(
-    "--by", metavar="END", help="With --scene and --versus: the end that counts; else the first."
+    "--solve",
+    "share",
+    type=SHARE,
+    help="Find the factor times all of the scatter with which this share is made, 70%.",
 )
 @click.option(
-    "--shots", type=COUNT, help="100,000 by default; with --precision the most, 1e9 by default."
+    "--by",
+    metavar="END",
+    help="With --scene, and --versus or --solve: the end that counts; else the first.",
+)
+@click.option(
+    "--shots",
+    type=COUNT,
+    help="100,000 by default; with --precision the most, 1e9 by default. Of more than a --folder "
+    "has, only the rest is thrown.",
 )
 @click.option(
     "--precision",
@@ -68,6 +79,7 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1de
 def estimate(
     releasing: Releasing,
     versus: Mapping[str, float],
+    share: float | None,
     by: str | None,
     precision: float | None,
     picture: Path | None,
@@ -78,20 +90,27 @@ def estimate(
 
     Shots scatter about a release, or are drawn from measured ones. Said are the probability with
     its interval, and the shares of swishes, shots off the rim, bank shots and so on. With --scene
-    shots scatter about a position and a velocity, and said is the share of each end.
+    shots scatter about a position and a velocity, and said is the share of each end. With --solve
+    it is asked the other way round: how wide the scatter is of somebody who makes so many.
     """
     import hoopgen
     from hoopgen.cli.progress import shown
     from hoopgen.study.named import in_units
 
-    setting, scene = releasing.model(), releasing.engine
+    if share is not None and (versus or precision is not None):
+        other = "--versus" if versus else "--precision"
+        raise click.UsageError(f"--solve and {other} ask different questions; leave one out")
+    (model, parameters), scene = releasing.model(), releasing.engine
     with shown() as progress:
-        options = {"precision": precision, "progress": progress, **work}
-        if versus:
-            changed = releasing.model(versus)
-            result: Any = hoopgen.compare(setting, changed, scene=scene, by=by, **options)
+        options = {"scene": scene, "progress": progress, **work}
+        result: Any
+        if share is not None:
+            result = hoopgen.solve(model, share, parameters, by=by, **options)
+        elif versus:
+            settings = (model, parameters), releasing.model(versus)
+            result = hoopgen.compare(*settings, by=by, precision=precision, **options)
         else:
-            result = hoopgen.estimate(*setting, scene=scene, **options)
+            result = hoopgen.estimate(model, parameters, precision=precision, **options)
     if picture is not None:
         from hoopgen import plots
 

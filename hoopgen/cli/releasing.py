@@ -26,7 +26,13 @@ from hoopgen.cli.options import (
     together,
     variable_option,
 )
-from hoopgen.cli.own import engine_of, max_contacts_of, own_options, state_given
+from hoopgen.cli.own import (
+    engine_of,
+    max_contacts_of,
+    no_scene_option,
+    own_options,
+    state_given,
+)
 from hoopgen.cli.types import ASSIGNMENT, CORRELATION, FILE, once
 
 if TYPE_CHECKING:
@@ -34,7 +40,13 @@ if TYPE_CHECKING:
     from hoopgen.study.resample import Resample
     from hoopgen.study.scatter import Scatter
 
-__all__ = ["Releasing", "from_option", "release_options", "work_options"]
+__all__ = [
+    "Releasing",
+    "from_option",
+    "hoop_release_options",
+    "release_options",
+    "work_options",
+]
 
 
 @dataclass(frozen=True)
@@ -147,12 +159,21 @@ def from_option(command: Callable[..., Any]) -> Callable[..., Any]:
 
 def release_options(command: Callable[..., Any]) -> Callable[..., Any]:
     """Add the options of a release, its scatter and the scene; give `releasing` to the command."""
+    return _release_options(command, own_options)
+
+
+def hoop_release_options(command: Callable[..., Any]) -> Callable[..., Any]:
+    """Add those of `release_options`, for a command whose question is a hoop's."""
+    return _release_options(command, no_scene_option)
+
+
+def _release_options(command: Callable[..., Any], scene: Any) -> Callable[..., Any]:
 
     @functools.wraps(command)
     def collected(*arguments: Any, parameters: Mapping[str, float], **options: Any) -> Any:
         engine = engine_of()
         given = {name: options.pop(name) for name in VARIABLE_HELP}
-        state = {name: options.pop(name) for name in ("position", "velocity", "spin")}
+        state = {name: options.pop(name, None) for name in ("position", "velocity", "spin")}
         if engine.has_hoop:
             values = {name: value for name, value in given.items() if value is not None}
         else:
@@ -168,7 +189,7 @@ def release_options(command: Callable[..., Any]) -> Callable[..., Any]:
         )
         return command(*arguments, releasing=releasing, **options)
 
-    options = (*map(variable_option, VARIABLE_HELP), own_options, *_SCATTER, scene_options)
+    options = (*map(variable_option, VARIABLE_HELP), scene, *_SCATTER, scene_options)
     decorated: Callable[..., Any] = together(*options)(collected)
     return decorated
 

@@ -33,6 +33,7 @@ __all__ = [
     "PICTURE",
     "SCENE",
     "SETTING",
+    "SHARE",
     "Checked",
     "Parsed",
     "quantity",
@@ -271,6 +272,18 @@ BOUNDS = OfScene(_bounds, "NAME=LOW:HIGH")
 
 CORRELATION = Parsed(_correlation, "NAME,NAME=VALUE")
 """Two variables and their correlation, ``speed,elevation=-0.3``."""
+
+
+def _share(text: str) -> float:
+    number, percent, rest = text.strip().partition("%")
+    value = parse_quantity(number, "number") / (100.0 if percent else 1.0)
+    if rest or not 0.0 < value < 1.0:
+        raise ValueError(f"{brief(text)} is no share: expected one such as 70% or 0.7")
+    return value
+
+
+SHARE = Parsed(_share, "SHARE")
+"""A number within 0 and 1, ``70%`` or ``0.7``."""
 
 COUNT = whole()
 """A whole number from 1, ``1e6`` too."""

@@ -19,7 +19,7 @@ __all__ = ["view"]
 @click.command(
     epilog=examples(
         "hoopgen view releases.csv --out shots.html",
-        "hoopgen view releases.csv --out shots.html --release height=7ft --preset nba",
+        "hoopgen view releases.csv --out shots.html --release height=7ft --label player",
         "hoopgen view results.parquet --out shots.html --sample 200 --seed 7",
     )
 )
@@ -35,6 +35,11 @@ __all__ = ["view"]
     help="Shots on the page, chosen at random.",
 )
 @seed_option
+@click.option(
+    "--label",
+    metavar="COLUMN",
+    help="What each shot on the page is called; by default its row.",
+)
 @click.option("--title", default="", help="At the top of the page; by default the number of shots.")
 @table_options
 @backend_option
@@ -43,6 +48,7 @@ def view(
     out: Path,
     count: int,
     seed: int,
+    label: str | None,
     title: str,
     release: Mapping[str, float],
     parameters: Mapping[str, float] | None,
@@ -66,6 +72,7 @@ def view(
         out,
         count=count,
         seed=seed,
+        label=label,
         title=title,
         parameters=parameters,
         release=release,

@@ -103,7 +103,8 @@ class Roll:
         self._seams = [name for name in kernels.ARGUMENTS if name.startswith(f"{body}_seam")]
         self._order = sum(re.fullmatch(r"roll_\d+", name) is not None for name in kernels.ARGUMENTS)
         self._needed = [name for name in kernels.ARGUMENTS["roll_moved"] if name != "t"]
-        starts, steps = self._follow(lasting)
+        with np.errstate(all="ignore"):  # what a kernel does not choose may be divided by 0
+            starts, steps = self._follow(lasting)
         self._starts = np.array(starts)
         self._steps = dict(zip(self._needed, np.array(steps).T, strict=True))
 

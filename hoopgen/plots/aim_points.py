@@ -13,17 +13,19 @@ from matplotlib.collections import Collection, LineCollection
 from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
+from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
+from hoopgen.hoop.places import Square, on_board, say_on_board, say_on_ring
 from hoopgen.plots.court import FLOOR, Court, add_floor, find_court, on_floor
+from hoopgen.plots.layout import Box, place_labels
 from hoopgen.plots.page import add_view, new_page
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scene import draw_hoop, scene_corners
-from hoopgen.plots.style import DARK, NARROW, PAGE, style
+from hoopgen.plots.style import DARK, NARROW, PAGE, letter, style
 from hoopgen.plots.views import Limits, View
 from hoopgen.told import in_a_note, say_scene, told_by
-from hoopgen.units import INCH
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -46,7 +48,14 @@ _VERDICTS = (
 )
 """Said, marker, its area in square points, and whether it is filled."""
 
-_NOTE = "A colour is a direction from the ring. Lines on the floor lead along the releases."
+_RANGE = ("touch_y_low", "touch_y_high", "touch_z_low", "touch_z_high")
+"""Of the dataset; older ones have none."""
+
+_COLOUR = "A colour is a direction from the ring."
+_FLOOR = "Lines on the floor lead along the releases."
+_CROSSES = "A cross spans nine tenths of the made bank shots, each way."
+
+_NAMES = 6.5  # points
 
 # Inches.
 _LEFT, _RIGHT, _BETWEEN, _BELOW, _ABOVE = 0.58, 0.1, 0.5, 0.46, 0.1
@@ -91,8 +100,9 @@ def plot_aim_points(
     """Draw where on the board the best bank shots touch it, and the places they come from.
 
     A place and its point on the board have one colour, by direction from the ring, and one marker,
-    which says whether the bank shot is the better there. On the floor plan a line leads from each
-    place along the release to the board.
+    which says whether the bank shot is the better there. A cross shows within what range the made
+    ones touch the board, and places on the board have names. On the floor plan a line leads from
+    each place along the release to the board.
 
     Parameters
     ----------
@@ -105,7 +115,8 @@ def plot_aim_points(
     title
         Above the picture.
     note
-        Said below it, after what colours and lines are; by default the scene, and release, scatter
+        Said below it, after what colours and lines are, from where to where the bank shots aim on
+        the board and the direct ones at the ring; by default the scene, and release, scatter
         and seed as far as the dataset says them.
     width
         Of the page, inches, as of `plot_fan`.
@@ -133,8 +144,11 @@ def plot_aim_points(
     there = np.isfinite(columns["touch_y"])
     if not there.any():
         raise ValueError("dataset: expected a bank shot from one place at least, got none")
-    aims = _Aims(**{name: column[there] for name, column in columns.items()})
+    aims = _Aims(
+        **{name: column[there] for name, column in columns.items()}, ranges=_ranges(dataset, there)
+    )
     told = _told(dataset, parameters) if note is None else note
+    told = " ".join([*_where(aims, dataset, parameters), told])
     with style():
         if ax is not None:
             return _draw_on(check_axes(ax), aims, parameters, title, told)
@@ -152,6 +166,7 @@ class _Aims:
     sight_y: Column
     difference_low: Column
     difference_high: Column
+    ranges: NDArray[np.float64] | None
 
     @property
     def colours(self) -> Column:
@@ -164,6 +179,40 @@ class _Aims:
     def verdicts(self) -> NDArray[np.int64]:
         """Place of each in `_VERDICTS`, (n,)."""
         return np.where(self.difference_low > 0.0, 0, np.where(self.difference_high < 0.0, 2, 1))
+
+
+def _ranges(dataset: xr.Dataset, there: NDArray[np.bool_]) -> NDArray[np.float64] | None:
+    """Return the ends of y and of z that hold nine tenths of the made shots, (n, 4), if known."""
+    if any(name not in dataset for name in _RANGE):
+        return None
+    return np.stack([np.asarray(dataset[name], dtype=np.float64)[there] for name in _RANGE], axis=1)
+
+
+def _where(aims: _Aims, dataset: xr.Dataset, parameters: Mapping[str, float]) -> list[str]:
+    """Say where the shots aim, by the names of places: the outermost on the board, and the ring."""
+    ends = [int(end(aims.touch_y)) for end in (np.argmin, np.argmax)]
+    points = [(float(aims.touch_y[one]), float(aims.touch_z[one])) for one in ends]
+    names = list(dict.fromkeys(say_on_board(*point, parameters) for point in points))
+    said = [f"Bank shots aim {_from_to(names)}."]
+    if "aim" in dataset and "direct" in dataset["way"].values:
+        past = np.asarray(dataset["aim"].sel(way="direct"), dtype=np.float64)
+        if np.isfinite(past).any():
+            both = (float(end(past)) for end in (np.nanmin, np.nanmax))
+            said.append(
+                f"Direct ones aim {_from_to([say_on_ring(one, parameters) for one in both])}."
+            )
+    return said
+
+
+def _from_to(names: list[str]) -> str:
+    """Say the first and the last of some places, what both have in common once."""
+    first, last = names[0], names[-1]
+    if first == last:
+        return f"at {first}"
+    number, unit, *where = first.split(" ", 2)
+    if where and last.split(" ", 2)[1:] == [unit, *where]:
+        first = number  # "from 2 to 7 cm past the centre of the ring"
+    return f"from {first} to {last}"
 
 
 def _told(dataset: xr.Dataset, parameters: Mapping[str, Any]) -> str:
@@ -182,7 +231,11 @@ def _draw(
     board, floor = _arrange(aims, parameters, width)
     top = max(panel.bottom + panel.height for panel in (board, floor))
     figure = new_page(
-        width, top + _ABOVE - _LEGEND, title=title, note=f"{_NOTE} {note}", foot=_LEGEND
+        width,
+        top + _ABOVE - _LEGEND,
+        title=title,
+        note=f"{_COLOUR} {_FLOOR} {_spans(aims)}{note}",
+        foot=_LEGEND,
     )
     front = add_view(figure, board)
     _draw_board(front, board, aims, parameters)
@@ -208,15 +261,63 @@ def _draw_on(
 ) -> Axes:
     """Draw the board on axes that there are."""
     _draw_board(axes, fit_view(axes, FRONT, _board(parameters)), aims, parameters)
-    add_title(axes, title, f"{_NOTE.partition('. ')[0]}. {note}")
+    add_title(axes, title, f"{_COLOUR} {_spans(aims)}{note}")
     add_key(axes, _said(axes, aims))
     return axes
+
+
+def _spans(aims: _Aims) -> str:
+    return "" if aims.ranges is None else f"{_CROSSES} "
 
 
 def _draw_board(axes: Axes, panel: Panel, aims: _Aims, parameters: Mapping[str, float]) -> None:
     draw_hoop(axes, FRONT, parameters, panel.scale)
     _draw_target(axes, parameters)
-    _scatter(axes, np.stack([aims.touch_y, aims.touch_z], axis=1), aims)
+    points = np.stack([aims.touch_y, aims.touch_z], axis=1)
+    if aims.ranges is not None:
+        _draw_ranges(axes, points, aims)
+    _name_places(axes, panel, points, parameters)
+    _scatter(axes, points, aims)
+
+
+def _draw_ranges(axes: Axes, points: NDArray[np.float64], aims: _Aims) -> None:
+    """Draw a cross through each aim point, as wide and as high as its range."""
+    assert aims.ranges is not None
+    (left, right, low, high), (y, z) = aims.ranges.T, points.T
+    across = np.stack([np.stack([left, z], axis=1), np.stack([right, z], axis=1)], axis=1)
+    up = np.stack([np.stack([y, low], axis=1), np.stack([y, high], axis=1)], axis=1)
+    lines = np.concatenate([across, up])
+    colours = np.concatenate([aims.colours, aims.colours])
+    axes.add_collection(
+        LineCollection(list(lines), colors=colours, lw=0.7, alpha=0.55, zorder=50.0, label="range")
+    )
+
+
+def _name_places(
+    axes: Axes, panel: Panel, points: NDArray[np.float64], parameters: Mapping[str, float]
+) -> None:
+    """Mark places on the board, and write their names where they hide the least."""
+    inch = 1.0 / panel.scale
+    places = {name.replace(" of the square", ""): at for name, at in on_board(parameters).items()}
+    boxes = [
+        Box(at, 0.06 * inch, len(name) * letter(_NAMES) * inch, 0.13 * inch)
+        for name, at in places.items()
+    ]
+    for (name, at), centre in zip(
+        places.items(), place_labels(boxes, points, panel.limits), strict=True
+    ):
+        axes.plot(*at, marker="+", ms=4.0, mew=0.8, color=DARK, zorder=55.0, label="_place")
+        axes.annotate(
+            name,
+            at,
+            centre,
+            ha="center",
+            va="center",
+            fontsize=_NAMES,
+            color=DARK,
+            zorder=70.0,
+            path_effects=[withStroke(linewidth=1.5, foreground="white")],
+        )
 
 
 def _said(axes: Axes, aims: _Aims) -> list[Collection]:
@@ -251,16 +352,12 @@ def _arrange(aims: _Aims, parameters: Mapping[str, float], width: float) -> tupl
 
 
 def _draw_target(axes: Axes, parameters: Mapping[str, float]) -> None:
-    """Draw the rectangle painted on the board; the upper edge of its base is level with the ring.
-
-    NBA Rule Book, rule 1: 24 in by 18 in outside, lines 2 in wide.
-    """
-    across, up, line = 24.0 * INCH, 18.0 * INCH, 2.0 * INCH
-    base = parameters["wire_radius"] - line
-    middle = (-across + line) / 2.0, base + line / 2.0
-    axes.add_patch(
-        Rectangle(middle, across - line, up - line, fill=False, ec="white", lw=2.0, zorder=5.0)
-    )
+    """Draw the square painted on the board: the middles of its lines."""
+    square = Square.of(parameters)
+    half = square.line / 2.0
+    corner = square.left + half, square.bottom + half
+    size = square.right - square.left - square.line, square.top - square.bottom - square.line
+    axes.add_patch(Rectangle(corner, *size, fill=False, ec="white", lw=2.0, zorder=5.0))
 
 
 def _scatter(axes: Axes, points: NDArray[np.float64], aims: _Aims) -> None:

@@ -19,12 +19,23 @@ from hoopgen.brief import brief
 from hoopgen.hoop.kinds import kinds
 from hoopgen.phrases import counted, percent
 from hoopgen.plots.key import CLASSES, Class, classify, draw_key, key_height
+from hoopgen.plots.multiples import (
+    BELOW,
+    Group,
+    by_angle,
+    by_name,
+    check_by,
+    draw_grid,
+    lay_grid,
+    say_by,
+)
 from hoopgen.plots.page import add_view, new_page
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.paths import bezier, draw_paths
 from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scene import draw_hoop, scene_corners
-from hoopgen.plots.style import EDGES, GRID, MISSED_LINES, NARROW, PAGE, style
+from hoopgen.plots.style import EDGES, GRID, NARROW, PAGE, style
+from hoopgen.plots.ticks import few_ticks
 from hoopgen.plots.views import Limits, View
 from hoopgen.results import Outcome, Shots, Trajectory
 from hoopgen.told import say_scene
@@ -36,13 +47,18 @@ __all__ = ["Fan", "draw_fan", "gather_fan", "plot_fan"]
 _LEFT, _RIGHT, _BELOW, _ABOVE, _PAD = 0.55, 0.1, 0.48, 0.08, 0.08
 _BETWEEN = 0.68
 _TALLEST = 3.5
+_TALLEST_ABOVE, _TALLEST_PART = 2.4, 1.7  # of all paths above small multiples, and of one of these
 
-_LINE = 0.45  # points
+_LINE, _WIDER = 0.45, 0.75  # points, of many paths and of those of a small panel
 _MARGIN = 0.08  # m around what is drawn
+
+
+_BY = ("all", "kind", "outcome", "elevation")
 
 
 class _Options(TypedDict, total=False):
     paths: int
+    by: str
     title: str
     note: str
     width: float
@@ -64,7 +80,8 @@ def plot_fan(
     shots: Shots,
     parameters: Mapping[str, Any],
     *,
-    paths: int = 150,
+    paths: int = 120,
+    by: str = "auto",
     title: str = "",
     note: str = "",
     width: float = PAGE,
@@ -81,6 +98,11 @@ def plot_fan(
     paths
         How many are drawn: of the first ones, those that have a path. The key gives the shares of
         all.
+    by
+        What has a panel of its own: ``"kind"`` of shot (made or missed, and what was touched),
+        ``"outcome"``, or the release ``"elevation"``, at round angles; ``"all"`` for one panel.
+        ``"auto"`` parts more than 40 paths by kind, fewer not. Of a scene that is not the article's
+        there are ``"outcome"``, which it then stands for, and ``"all"``.
     title
         Above the picture.
     note
@@ -88,8 +110,8 @@ def plot_fan(
     width
         Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
     ax
-        To draw on, without the part near the ring, which is the hoop's alone. The key is to the
-        right of them: figures with ``layout="constrained"`` make room for it.
+        To draw on, all in one panel, without the part near the ring. The key is to the right of
+        them: figures with ``layout="constrained"`` make room for it.
 
     Returns
     -------
@@ -104,26 +126,40 @@ def plot_fan(
     AttributeError
         If the shots were simulated without their events, outcome, counts or first.
     ValueError
-        If none of them has a path, or `paths` is not above 0.
+        If none of them has a path, `paths` is not above 0, `by` is none of those, or there are to
+        be several panels on `ax`.
     """
     if paths < 1:
         raise ValueError(f"paths: expected a number above 0, got {brief(paths)}")
+    if ax is not None:
+        by = _on_one(by)
     if not shots.scene.is_hoop:
         some = range(min(paths, len(shots)))
-        return draw_paths(shots, parameters, some, title=title, note=note, width=width, ax=ax)
+        return draw_paths(
+            shots, parameters, some, by=by, title=title, note=note, width=width, ax=ax
+        )
     place = classify(shots.outcome, kinds(shots.outcome, shots.counts, shots.first))
-    shares = {
-        _as_line(CLASSES[one]): float(np.mean(place == one)) for one in np.unique(place).tolist()
-    }
+    shares = {CLASSES[one]: float(np.mean(place == one)) for one in np.unique(place).tolist()}
     fan = gather_fan(shots, parameters, range(min(paths, len(shots))))
     made = percent(float(np.mean(shots.outcome == Outcome.MADE)))
     drawn = f"{len(fan.curves)} {'is' if len(fan.curves) == 1 else 'are'}"
-    said = f"{counted(len(shots), 'shot')}, {made} made; {drawn} drawn."
+    by = check_by(by, _BY, len(fan.curves), len(set(fan.classes)), "kind")
+    groups = _parted(fan, by)
+    said = f"{counted(len(shots), 'shot')}, {made} made; {drawn} drawn{say_by(by)}."
     told = f"{said} Scene: {say_scene(parameters)}. {note}"
     with style():
         if ax is not None:
             return _draw_on(check_axes(ax), fan, shares, title, told)
+        if groups:
+            return _draw_parted(fan, groups, shares, title, told, width)
         return _draw(fan, shares, title, told, width)
+
+
+def _on_one(by: str) -> str:
+    """Return how paths are drawn on axes that there are: all in one panel."""
+    if by not in ("auto", "all"):
+        raise ValueError(f"ax: by {brief(by)} there are several panels; leave ax out, or by")
+    return "all"
 
 
 def gather_fan(shots: Shots, parameters: Mapping[str, Any], drawn: Iterable[int]) -> Fan:
@@ -142,20 +178,37 @@ def gather_fan(shots: Shots, parameters: Mapping[str, Any], drawn: Iterable[int]
     view = _from_the_side([trajectory.release for trajectory in flown.values()])
     return Fan(
         [_curve(trajectory, view) for trajectory in flown.values()],
-        [_as_line(CLASSES[place[shot]]) for shot in flown],
+        [CLASSES[place[shot]] for shot in flown],
         view,
         {name: float(np.mean(value)) for name, value in parameters.items()},
+        [_elevation(trajectory.release) for trajectory in flown.values()],
     )
+
+
+def _elevation(release: NDArray[np.float64]) -> float:
+    """Return the angle of a release above the horizontal, degrees."""
+    return float(np.degrees(np.arctan2(release[5], np.hypot(release[3], release[4]))))
 
 
 @dataclass(frozen=True)
 class Fan:
-    """Paths of the ball's centre, flat, and the class of each; the view and the scene."""
+    """Paths of the ball's centre, flat, the class and release angle (°) of each; view and scene."""
 
     curves: list[Path]
     classes: list[Class]
     view: View
     scene: Mapping[str, float]
+    elevations: list[float]
+
+    def part(self, members: Iterable[int]) -> Fan:
+        """Return some of the paths."""
+        own = list(members)
+        return replace(
+            self,
+            curves=[self.curves[one] for one in own],
+            classes=[self.classes[one] for one in own],
+            elevations=[self.elevations[one] for one in own],
+        )
 
     def limits(self) -> Limits:
         """Bound all of it."""
@@ -172,13 +225,6 @@ class Fan:
         left = min(float(corners.min()), -ring) - _MARGIN
         low = -self.scene["end_depth"] - ball
         return left, 3.0 * ring, low, max(3.0 * ring, low + 0.8 * (3.0 * ring - left))
-
-
-def _as_line(one: Class) -> Class:
-    """Return a class in the colour of its lines."""
-    if one.outcome == "missed":
-        return replace(one, colour=MISSED_LINES[one.kind])
-    return one
 
 
 def _from_the_side(releases: list[NDArray[np.float64]]) -> View:
@@ -212,6 +258,45 @@ def _draw(fan: Fan, shares: Mapping[Class, float], title: str, note: str, width:
     return figure
 
 
+def _parted(fan: Fan, by: str) -> list[Group]:
+    """Return the paths of each panel, none where all share one."""
+    if by == "all":
+        return []
+    if by == "elevation":
+        return by_angle(fan.elevations)
+    names = {one: one.words if by == "kind" else one.outcome for one in CLASSES}
+    return by_name([names[one] for one in fan.classes], list(dict.fromkeys(names.values())))
+
+
+def _draw_parted(
+    fan: Fan,
+    groups: list[Group],
+    shares: Mapping[Class, float],
+    title: str,
+    note: str,
+    width: float,
+) -> Figure:
+    """Draw all of it, and below each group near the ring."""
+    key_width = width - 2.0 * _PAD
+    foot = key_height(shares, key_width) + _PAD
+    across, whole, near = width - _LEFT - _RIGHT, fan.limits(), fan.near_the_ring()
+    place = _LEFT, foot + BELOW, across
+    grid = lay_grid(len(groups), fan.view, near, place, width, _TALLEST_PART)
+    scale = min(across / (whole[1] - whole[0]), _TALLEST_ABOVE / (whole[3] - whole[2]))
+    above = Panel(fan.view, whole, scale, _LEFT, grid.top + _BELOW)
+    top = above.bottom + above.height + _ABOVE
+    figure = new_page(width, top - foot, title=title, note=note, foot=foot)
+    whole_flight = add_view(figure, above)
+    few_ticks(whole_flight)
+    draw_fan(whole_flight, above, fan)
+    _outline(whole_flight, near)
+    places = draw_grid(figure, grid, [group.title for group in groups])
+    for axes, panel, group in zip(places, grid.panels, groups, strict=True):
+        draw_fan(axes, panel, fan.part(group.members), _WIDER)
+    draw_key(figure, shares, _PAD, foot, key_width)
+    return figure
+
+
 def _draw_on(axes: Axes, fan: Fan, shares: Mapping[Class, float], title: str, note: str) -> Axes:
     """Draw all of it on axes that there are."""
     draw_fan(axes, fit_view(axes, fan.view, fan.limits()), fan)
@@ -238,7 +323,7 @@ def _arrange(fan: Fan, width: float, foot: float) -> tuple[Panel, Panel]:
     return Panel(fan.view, whole, scales[1], _LEFT + left.width + _BETWEEN, bottom), left
 
 
-def draw_fan(axes: Axes, panel: Panel, fan: Fan) -> None:
+def draw_fan(axes: Axes, panel: Panel, fan: Fan, wide: float = _LINE) -> None:
     """Draw hoop and paths on axes of `add_view`, missed shots below made ones."""
     axes.grid(color=GRID, lw=0.5)
     draw_hoop(axes, panel.view, fan.scene, panel.scale)
@@ -247,7 +332,7 @@ def draw_fan(axes: Axes, panel: Panel, fan: Fan) -> None:
         [fan.curves[shot] for shot in order],
         facecolors="none",
         edgecolors=[fan.classes[shot].colour for shot in order],
-        linewidths=_LINE,
+        linewidths=wide,
         zorder=10.0,  # between the far half of the ring and the near one
     )
     axes.add_collection(lines)

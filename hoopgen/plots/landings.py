@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, TypedDict, Unpack, overload
 
 import numpy as np
@@ -41,6 +41,10 @@ _LABELLED = np.radians(-35.0)  # on the circle, from the middle of the court
 _SHOWN = 0.995  # of the balls; the few that go furthest do not set the limits
 _MARGIN = 0.3  # m
 _CELLS = 500  # along a side, at most
+
+_FROM = "Distances are from the point of the floor below the ring's centre."
+
+_PLAN = replace(FLOOR, labels=("y from the ring's centre", "x from the ring's centre"))
 
 
 def _share() -> str:
@@ -95,7 +99,8 @@ def plot_landings(
     ----------
     x, y
         Where the ball's centre is at floor level, (n,), m from the ring's centre: the measures
-        floor_x and floor_y of the missed shots. NaN where a ball never gets there.
+        floor_x and floor_y of the missed shots. NaN where a ball never gets there: it is counted,
+        and has no place.
     parameters
         Of the scene; of those that differ from shot to shot the hoop shows the mean.
     place
@@ -105,7 +110,8 @@ def plot_landings(
     title
         Above the picture.
     note
-        Said below it, after what the picture says itself: how many there are, and their scene.
+        Said below it, after what the picture says itself: how many of them land within it, from
+        where distances are, and their scene.
     width
         Of the page, inches, as of `plot_fan`.
     ax
@@ -124,39 +130,55 @@ def plot_landings(
         If x and y are not (n,) both, none is a number, or there is no such court.
     """
     lines = find_court(court)
-    points = _points(x, y)
+    points, misses = _points(x, y)
     scene = {name: float(np.mean(value)) for name, value in parameters.items()}
     circles = {share: float(np.quantile(np.hypot(*points.T), share)) for share in _WITHIN}
-    told = f"n = {len(points)}. Scene: {say_scene(parameters)}. {note}"
-    places = _Places(points, circles, place, scene, lines, told)
+    told = f"Scene: {say_scene(parameters)}. {note}"
+    places = _Places(points, misses, circles, place, scene, lines, told)
     with style():
         if ax is not None:
             return _draw_on(check_axes(ax), places, title)
         return _draw(places, title, width)
 
 
-def _points(x: ArrayLike, y: ArrayLike) -> Points:
-    """Return the places that there are, (n, 2)."""
+def _points(x: ArrayLike, y: ArrayLike) -> tuple[Points, int]:
+    """Return the places that there are, (n, 2), and of how many balls."""
     columns = doubles("x", x), doubles("y", y)
     if columns[0].ndim != 1 or columns[0].shape != columns[1].shape:
         raise ValueError(f"x, y: expected (n,) both, got {columns[0].shape}, {columns[1].shape}")
     points = np.stack(columns, axis=1)
-    points = points[np.isfinite(points).all(axis=1)]
-    if not len(points):
+    there = points[np.isfinite(points).all(axis=1)]
+    if not len(there):
         raise ValueError("x, y: expected at least one place, got none that is a number")
-    return points
+    return there, len(points)
 
 
 @dataclass(frozen=True)
 class _Places:
-    """Where balls land: x and y, (n, 2); radii that hold shares; what is around, and said."""
+    """Where balls land: x and y, (n, 2), of how many; radii that hold shares; what is around."""
 
     points: Points
+    misses: int
     circles: Mapping[float, float]
     place: tuple[float, float] | None
     scene: Mapping[str, float]
     court: Court
     note: str
+
+    @property
+    def told(self) -> str:
+        """Say how many of how many are seen, what the circles hold, and what else there is."""
+        left, right, bottom, top = self.limits
+        across, up = on_floor(*self.points.T).T
+        seen = int(((across >= left) & (across <= right) & (up >= bottom) & (up <= top)).sum())
+        beyond, never = len(self.points) - seen, self.misses - len(self.points)
+        of = f"{seen:,} of {self.misses:,} {'miss' if self.misses == 1 else 'misses'}"
+        others = [f"{beyond:,} beyond it"] * bool(beyond)
+        reach = "reaches" if never == 1 else "reach"
+        others += [f"{never:,} never {reach} the floor"] * bool(never)
+        lands = "lands" if seen == 1 else "land"
+        said = ", ".join([f"{of} {lands} within the picture", *others])
+        return f"{said}. Circles hold shares of those that land. {_FROM} {self.note}"
 
     @property
     def limits(self) -> Limits:
@@ -181,9 +203,9 @@ def _draw(places: _Places, title: str, width: float) -> Figure:
     beside = _LEFT + _BAR_GAP + _BAR + _BAR_LABELS
     left, right, bottom, top = limits
     scale = min((width - beside) / (right - left), _TALLEST / (top - bottom))
-    panel = Panel(FLOOR, limits, scale, _LEFT, _BELOW)
+    panel = Panel(_PLAN, limits, scale, _LEFT, _BELOW)
     body = _BELOW + panel.height + _ABOVE
-    figure = new_page(panel.width + beside, body, title=title, note=places.note)
+    figure = new_page(panel.width + beside, body, title=title, note=places.told)
     axes = add_floor(figure, panel, places.court, places.scene)
     cells = places.draw(axes, limits)
     left_of_bar = panel.left + panel.width + _BAR_GAP
@@ -195,10 +217,10 @@ def _draw(places: _Places, title: str, width: float) -> Figure:
 
 def _draw_on(axes: Axes, places: _Places, title: str) -> Axes:
     """Draw the places on axes that there are."""
-    panel = fit_view(axes, FLOOR, places.limits)
+    panel = fit_view(axes, _PLAN, places.limits)
     draw_floor(axes, panel, places.court, places.scene)
     cells = places.draw(axes, panel.limits)
-    add_title(axes, title, places.note)
+    add_title(axes, title, places.told)
     figure = axes.figure
     assert figure is not None
     ticks = MaxNLocator(steps=[1, 2, 5, 10])

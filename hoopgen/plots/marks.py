@@ -25,6 +25,7 @@ KEY_ROW = 0.22
 """Height of a row of the key, inches."""
 
 _KEY_COLUMN = 1.68
+_BADGE, _AFTER = 0.4, 0.03  # room for a badge, at least, and after it, inches
 _TEXT_SIZE = 7.0
 _MOST = 60
 """Badges of contacts, at most; a shot of the article's has 40 contacts."""
@@ -208,11 +209,16 @@ def draw_badges(
 
 def _box(mark: Mark, view: View, ball_radius: float, scale: float) -> Box:
     points = POINTS_PER_INCH * scale  # per metre
-    width = (0.68 * _TEXT_SIZE * len(mark.label) + 6.0) / points
+    width = _wide(mark) / points
     at = view.flatten(mark.position)
     return Box(
         (float(at[0]), float(at[1])), ball_radius + 2.0 / points, width, 1.9 * _TEXT_SIZE / points
     )
+
+
+def _wide(mark: Mark) -> float:
+    """Return about how wide a badge is, points."""
+    return 0.68 * _TEXT_SIZE * len(mark.label) + 6.0
 
 
 def _write_badge(axes: Axes, centre: tuple[float, float], mark: Mark) -> None:
@@ -257,10 +263,11 @@ def draw_key(figure: Figure, marks: tuple[Mark, ...], left: float, bottom: float
         row, column = divmod(number, columns)
         x = left + column * _KEY_COLUMN
         y = bottom + (rows - row - 0.5) * KEY_ROW
+        wide = _wide(mark) / POINTS_PER_INCH if mark.label else 0.0
         if mark.label:
-            _write_badge(axes, (x + 0.2, y), mark)
+            _write_badge(axes, (x + max(_BADGE, wide) / 2.0, y), mark)
         axes.text(
-            x + (0.43 if mark.label else 0.1),
+            x + (max(_BADGE, wide) + _AFTER if mark.label else 0.1),
             y,
             mark.text,
             ha="left",

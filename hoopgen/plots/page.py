@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import textwrap
-
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import Picture
-from hoopgen.plots.style import INK, letter
+from hoopgen.plots.style import INK, wrap
 from hoopgen.plots.ticks import label_lengths
 from hoopgen.printable import printable
 
@@ -48,7 +46,7 @@ def new_page(
         Whether matplotlib arranges subplots in the body; else axes are added by `add_axes`.
     """
     title, note = printable(title), printable(note)
-    lines = textwrap.wrap(note, int((width - 2.0 * _MARGIN) / letter(_NOTE_SIZE)))
+    lines = wrap(note, width - 2.0 * _MARGIN, _NOTE_SIZE)
     head = _TITLE * bool(title) + _NOTE * len(lines) + (_MARGIN if title or lines else 0.0)
     height = body + head + foot
     figure = Picture(figsize=(width, height))

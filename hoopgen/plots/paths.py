@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from hoopgen.colours import ended
 from hoopgen.phrases import counted, percent
+from hoopgen.plots.multiples import BELOW, Group, by_name, check_by, draw_grid, lay_grid, say_by
 from hoopgen.plots.page import add_view, new_page
 from hoopgen.plots.panels import Panel
 from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
@@ -39,6 +40,7 @@ def draw_paths(
     parameters: Mapping[str, Any],
     drawn: Sequence[int],
     *,
+    by: str,
     title: str,
     note: str,
     width: float,
@@ -61,37 +63,54 @@ def draw_paths(
         for curve in curves.values()
     ]
     names = [shots.scene.outcomes(int(codes[shot])).name for shot in flown]
-    lines = PathCollection(
-        paths,
-        facecolors="none",
-        edgecolors=[colour[name] for name in names],
-        linewidths=_LINE,
-        zorder=10.0,
-    )
+    by = check_by(by, ("all", "outcome"), len(names), len(set(names)), "outcome")
+    if by == "all":
+        groups = [Group("", list(range(len(names))))]
+    else:
+        groups = by_name([name.lower() for name in names], [name.lower() for name in shares])
+    lines = [
+        PathCollection(
+            [paths[one] for one in group.members],
+            facecolors="none",
+            edgecolors=[colour[names[one]] for one in group.members],
+            linewidths=_LINE,
+            zorder=10.0,
+        )
+        for group in groups
+    ]
     key = [
         Line2D([], [], color=colour[name], label=f"{name.lower()} {percent(share)}")
         for name, share in shares.items()
         if share
     ]
     limits = _limits(paths, view, scenery)
-    told = (
-        f"{counted(len(shots), 'shot')}, {len(paths)} {'is' if len(paths) == 1 else 'are'} drawn. "
-        f"Scene: {say_of(shots.scene, parameters)}. {note}"
-    )
+    shown = f"{len(paths)} {'is' if len(paths) == 1 else 'are'} drawn{say_by(by)}"
+    scene = say_of(shots.scene, parameters)
+    told = f"{counted(len(shots), 'shot')}, {shown}. Scene: {scene}. {note}"
     with style():
         if ax is not None:
             axes = check_axes(ax)
             panel = fit_view(axes, view, limits)
             add_title(axes, title, told)
             add_key(axes, key)
-            _draw(axes, panel, scenery, lines)
+            _draw(axes, panel, scenery, lines[0])
             return axes
         across = width - _LEFT - _RIGHT
-        scale = min(across / (limits[1] - limits[0]), _TALLEST / (limits[3] - limits[2]))
-        panel = Panel(view, limits, scale, _LEFT, _KEY + _BELOW)
-        page = _BELOW + panel.height + _ABOVE
-        figure = new_page(width, page, title=title, note=told, foot=_KEY)
-        _draw(add_view(figure, panel), panel, scenery, lines)
+        if by == "all":
+            scale = min(across / (limits[1] - limits[0]), _TALLEST / (limits[3] - limits[2]))
+            panel = Panel(view, limits, scale, _LEFT, _KEY + _BELOW)
+            page = _BELOW + panel.height + _ABOVE
+            figure = new_page(width, page, title=title, note=told, foot=_KEY)
+            _draw(add_view(figure, panel), panel, scenery, lines[0])
+        else:
+            grid = lay_grid(
+                len(groups), view, limits, (_LEFT, _KEY + BELOW, across), width, _TALLEST
+            )
+            page = grid.top - _KEY
+            figure = new_page(width, page, title=title, note=told, foot=_KEY)
+            places = draw_grid(figure, grid, [group.title for group in groups])
+            for axes, panel, own in zip(places, grid.panels, lines, strict=True):
+                _draw(axes, panel, scenery, own)
         figure.legend(handles=key, loc="lower left", ncols=6, frameon=False, fontsize=7.5)
         return figure
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import textwrap
 from collections.abc import Sequence
 from typing import Any
 
@@ -12,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from hoopgen.plots.panels import Panel
-from hoopgen.plots.style import SMALL, letter, style
+from hoopgen.plots.style import SMALL, style, wrap
 from hoopgen.plots.ticks import label_lengths
 from hoopgen.plots.views import Limits, View
 from hoopgen.printable import printable
@@ -73,11 +72,10 @@ def add_title(axes: Axes, title: str, *said: str, formulas: bool = False) -> Non
     formulas
         Whether there are some in what is said, which then is none of others'.
     """
-    wide = max(20, int(_width(axes) / letter(SMALL)))
     head = printable(title)
     lines = [head.replace("$", r"\$") if formulas else head] if title else []
     for text in map(printable, said):
-        lines += [line for part in text.splitlines() for line in textwrap.wrap(part, wide)]
+        lines += [line for part in text.splitlines() for line in wrap(part, _width(axes), SMALL)]
     axes.set_title("\n".join(lines), loc="left", fontsize=SMALL, parse_math=formulas)
 
 

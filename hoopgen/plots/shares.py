@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from hoopgen.study.compare import Comparison
     from hoopgen.study.estimate import Estimate
     from hoopgen.study.shares import Shares
+    from hoopgen.study.solve import Solution
 
 __all__ = ["plot_estimate"]
 
@@ -54,18 +55,21 @@ class _Options(TypedDict, total=False):
 
 @overload
 def plot_estimate(
-    found: Estimate | Shares | Comparison, *, ax: None = None, **options: Unpack[_Options]
+    found: Estimate | Shares | Comparison | Solution,
+    *,
+    ax: None = None,
+    **options: Unpack[_Options],
 ) -> Figure: ...
 
 
 @overload
 def plot_estimate(
-    found: Estimate | Shares | Comparison, *, ax: Axes, **options: Unpack[_Options]
+    found: Estimate | Shares | Comparison | Solution, *, ax: Axes, **options: Unpack[_Options]
 ) -> Axes: ...
 
 
 def plot_estimate(
-    found: Estimate | Shares | Comparison,
+    found: Estimate | Shares | Comparison | Solution,
     *,
     title: str = "",
     note: str | None = None,
@@ -80,9 +84,9 @@ def plot_estimate(
     Parameters
     ----------
     found
-        Of `hoopgen.estimate` or `hoopgen.compare`.
+        Of `hoopgen.estimate`, `compare` or `solve`, of which the estimate is drawn.
     title
-        Above the picture.
+        Above the picture; of `solve` by default the factor.
     note
         Below the title; by default how many shots there are and what they rest on.
     width
@@ -100,8 +104,11 @@ def plot_estimate(
     TypeError
         If `ax` is not axes, or `found` is another result.
     """
-    groups = _groups(found)
-    told = _told(found) if note is None else note
+    result: Any = found
+    if hasattr(result, "factor"):
+        title, result = title or result.line, result.estimate
+    groups = _groups(result)
+    told = _told(result) if note is None else note
     with style():
         if ax is not None:
             _draw(check_axes(ax), groups[0])

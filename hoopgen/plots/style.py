@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import textwrap
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -11,7 +13,7 @@ from typing import Any
 import matplotlib
 from matplotlib.figure import Figure
 
-from hoopgen.colours import COLOURS
+from hoopgen.colours import COLOURS, NEITHER
 from hoopgen.outputs import PICTURES, check_output, written
 
 __all__ = [
@@ -25,7 +27,6 @@ __all__ = [
     "INK",
     "MADE",
     "MISSED",
-    "MISSED_LINES",
     "NARROW",
     "NEITHER",
     "PAGE",
@@ -35,6 +36,7 @@ __all__ = [
     "letter",
     "save",
     "style",
+    "wrap",
 ]
 
 COLUMN, PAGE = 3.5, 7.1
@@ -51,55 +53,36 @@ SMALL = 7.5
 INK, DARK, FRAME, EDGES, GRID = "#333333", "#222222", "#444444", "#777777", "#ECECEC"
 """Of text, of lines over colours, of axes, around areas, and behind everything."""
 
-# The same hues, each kind of shot at a lightness of its own: made ones dark, missed ones pale. So
-# they are told apart in grey and by readers with any colour vision; tests/test_study_plots.py
-# measures how far.
+# The same hues, each kind of shot at a lightness of its own: made ones dark, missed ones light. One
+# colour serves areas and lines: none is lost on paper, and no two are nearer than 10 (CIEDE2000)
+# to readers of any colour vision; found by a search, and measured by tests/test_colours.py.
 MADE: Mapping[str, str] = MappingProxyType(
     {
-        "swish": "#03467B",
-        "rim": "#D45313",
-        "bank": "#1BAC89",
-        "bank_rim": "#A03B77",
-        "rim_board": "#EFAD1D",
+        "swish": "#115789",
+        "rim": "#AC5008",
+        "bank": "#239373",
+        "bank_rim": "#622757",
+        "rim_board": "#D08E20",
     }
 )
 """Of a made shot, by kind."""
 
 MISSED: Mapping[str, str] = MappingProxyType(
     {
-        "rim": "#FBD1BC",
-        "bank": "#C6EEE2",
-        "bank_rim": "#E6C5DD",
-        "rim_board": "#FFEEC5",
-        "airball": "#FAFAFA",
+        "rim": "#F6CEBC",
+        "bank": "#7BC886",
+        "bank_rim": "#C5A1D7",
+        "rim_board": "#FFEE7C",
+        "airball": "#C9E2FF",
     }
 )
-"""Of a missed shot, by kind."""
-
-MISSED_LINES: Mapping[str, str] = MappingProxyType(
-    {
-        "rim": "#F5B495",
-        "bank": "#95DBC8",
-        "bank_rim": "#D294BD",
-        "rim_board": "#FBD58A",
-        "airball": "#B0B0B0",
-    }
-)
-"""Of lines of missed shots, which on paper are lost in paler colours."""
-
-NEITHER: Mapping[str, str] = MappingProxyType(
-    {
-        "capped": "#000000",
-        "short": "#C4C4C4",
-        "invalid": "#A6A6A6",
-        "lodged": "#5F5F5F",
-        "endless": "#333333",
-    }
-)
-"""Of a shot that is neither made nor missed, by outcome."""
+"""Of a missed shot, by kind; an airball is the pale blue of a swish: neither touched anything."""
 
 SHADES = "YlGnBu"
 """Matplotlib's colours of a share: lightness falls evenly, in grey and with any colour vision."""
+
+_FEWEST = 20  # letters of a line
+_NUMBER_AND_UNIT = re.compile(r"(?<=[\d$]) (?=(?:m|cm|mm|m/s|ft|in|ft/s|mph|s|Hz|rad/s)\b)")
 
 FORMATS = tuple(suffix.removeprefix(".") for suffix in PICTURES)
 
@@ -136,6 +119,16 @@ _METADATA: Mapping[str, dict[str, str | None]] = MappingProxyType(
 def letter(size: float) -> float:
     """Return the mean width of a letter in DejaVu Sans, inches; its size is in points."""
     return 0.56 * size / POINTS_PER_INCH
+
+
+def wrap(text: str, width: float, size: float) -> list[str]:
+    """Break a text into lines of a width, inches, in letters of a size, points.
+
+    A number stays with its unit.
+    """
+    kept = _NUMBER_AND_UNIT.sub("\N{NO-BREAK SPACE}", text)
+    lines = textwrap.wrap(kept, max(_FEWEST, int(width / letter(size))))
+    return [line.replace("\N{NO-BREAK SPACE}", " ") for line in lines]
 
 
 @contextmanager

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Literal
+
 from matplotlib.axes import Axes
 from matplotlib.ticker import FuncFormatter, MaxNLocator
 
 from hoopgen.units import shown
 
-__all__ = ["label_lengths", "number"]
+__all__ = ["few_ticks", "label_lengths", "number"]
 
 
 def label_lengths(axes: Axes, labels: tuple[str, str]) -> None:
@@ -21,6 +23,12 @@ def label_lengths(axes: Axes, labels: tuple[str, str]) -> None:
             axis.set_major_formatter(FuncFormatter(lambda value, _: number(value / unit.size)))
 
 
+def few_ticks(axes: Axes) -> None:
+    """Leave room between the numbers of small axes whose data are metres."""
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_major_locator(_Steps(shown("length").size, 5))
+
+
 def number(value: float) -> str:
     """Write the number of a tick; never -0."""
     return f"{round(value, 6) + 0.0:g}".replace("-", "\N{MINUS SIGN}")
@@ -29,8 +37,8 @@ def number(value: float) -> str:
 class _Steps(MaxNLocator):
     """Ticks at round numbers of a unit, on an axis in metres."""
 
-    def __init__(self, size: float) -> None:
-        super().__init__(nbins="auto", steps=[1, 2, 5, 10])
+    def __init__(self, size: float, most: int | Literal["auto"] = "auto") -> None:
+        super().__init__(nbins=most, steps=[1, 2, 5, 10])
         self._size = size
 
     def tick_values(self, vmin: float, vmax: float) -> list[float]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
@@ -21,11 +20,12 @@ from hoopgen.plots.marks import KEY_ROW, Mark, collect_marks, draw_key, key_rows
 from hoopgen.plots.panels import Drawing, Panel, Room, draw_panel, draw_view, some
 from hoopgen.plots.picture import Picture, add_key, add_title, check_axes, fit_view
 from hoopgen.plots.scenery import Scenery, scenery_of
-from hoopgen.plots.style import COLOURS, INK, PAGE, SMALL, letter, style
+from hoopgen.plots.style import INK, PAGE, SMALL, style, wrap
 from hoopgen.plots.views import SIDE, TOP, Limits, Points, View, oblique
 from hoopgen.printable import printable
 from hoopgen.told import say_of
 from hoopgen.units import shown, shown_system
+from hoopgen.words import MINUS
 
 __all__ = [
     "beats_of",
@@ -163,8 +163,7 @@ def plot_trajectory(
 
 def broken(told: Sequence[str], width: float) -> list[str]:
     """Break what is said below a title into lines that fit on a page, inches wide."""
-    wide = int((width - _LEFT) / letter(SMALL))
-    return [line for text in told for line in textwrap.wrap(text, wide)]
+    return [line for text in told for line in wrap(text, width - _LEFT, SMALL)]
 
 
 def _draw_on(axes: Axes, drawing: Drawing, title: str, *told: str) -> Axes:
@@ -176,8 +175,10 @@ def _draw_on(axes: Axes, drawing: Drawing, title: str, *told: str) -> Axes:
 
 
 def _key_of(mark: Mark) -> Line2D:
-    colour, text = COLOURS[mark.kind], f"{mark.label}  {mark.text}".strip()
-    return Line2D([], [], color=colour, label=text, marker="o", markersize=5.0, linestyle="none")
+    text = f"{mark.label}  {mark.text}".strip()
+    return Line2D(
+        [], [], color=mark.colour, label=text, marker="o", markersize=5.0, linestyle="none"
+    )
 
 
 def collect(trajectory: Path, parameters: Mapping[str, float], outcome: IntEnum | None) -> Drawing:
@@ -327,7 +328,7 @@ def told_of(trajectory: Path, parameters: Mapping[str, float]) -> tuple[str, str
     dots = f"Scene: {scene}. Dots on the path every {_beat(trajectory.duration):g} s."
     turns = ", ".join(turning) or "no spin"
     if not trajectory.scene.is_hoop:
-        at = ", ".join(f"{one / length.size:.3f}" for one in (x, y, z))
+        at = ", ".join(f"{one / length.size:.3f}".replace("-", MINUS) for one in (x, y, z))
         fast = f"{speed / unit.size:.2f} {unit.symbol}"
         return f"Released at {fast}, {turns}; from ({at}) {length.symbol}.", dots
     away, high = (

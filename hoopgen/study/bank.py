@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from os import PathLike
 from typing import Any
 
 import numpy as np
@@ -16,11 +18,12 @@ from hoopgen.hoop.presets import NAMES, PAPER
 from hoopgen.hoop.variables import ARGUMENTS, VARIABLES, change_variables
 from hoopgen.inputs import check_count, doubles
 from hoopgen.installed import version
+from hoopgen.phrases import counted
 from hoopgen.sizes import check_room
 from hoopgen.told import model_told, say_scene
 
 from .best import paired
-from .board import on_board
+from .board import NOWHERE, on_board, window
 from .crew import crew
 from .draws import check_two_seeds
 from .intervals import wilson
@@ -32,13 +35,24 @@ from .scatter import Scatter
 from .scattering import alike, scene_by_row
 from .search import bounds_of, search
 from .tallies import check_share
+from .throws import Progress
 
-__all__ = ["WAYS", "Crossing", "bank_or_direct", "crossing"]
+__all__ = ["WAYS", "Crossing", "bank_or_direct", "crossing", "places_of", "verdict"]
 
 WAYS: tuple[By, By] = ("direct", "bank")
 """In the order of the results."""
 
 _OVER = ("elevation", "aim", "azimuth")
+
+_PLACE = 400
+"""Bytes that a place takes as one of a list."""
+
+_ENDS = {
+    "touch_y_low": "lower end of y on the board",
+    "touch_y_high": "upper end of y on the board",
+    "touch_z_low": "lower end of the height on the board from the ring",
+    "touch_z_high": "upper end of the height on the board from the ring",
+}
 
 _SHOT = 48
 """Bytes that what became of a shot takes, both ways, until it is counted."""
@@ -57,6 +71,9 @@ def bank_or_direct(
     seed: int = 0,
     confidence: float = 0.95,
     threads: int | None = None,
+    folder: str | PathLike[str] | None = None,
+    scheduler: str | None = None,
+    progress: Progress | None = None,
 ) -> xr.Dataset:
     """Return the best bank shot and the best direct shot from each place, and which is better.
 
@@ -66,7 +83,7 @@ def bank_or_direct(
         The player, as for `optimum`; the places take the place of its own.
     places
         x and y on the floor, (n, 2), m; the ring's centre at 0, 0, the board at negative x.
-    parameters, over, shots, seed, confidence, threads
+    parameters, over, shots, seed, confidence, threads, folder, scheduler, progress
         As for `optimum`.
 
     Returns
@@ -74,13 +91,15 @@ def bank_or_direct(
     xarray.Dataset
         Over ``way`` ("direct", "bank") and ``place``: `probability` with its Wilson interval, `low`
         and `high`, of the fresh shots that are valid; how many are `invalid`; and the release, each
-        argument of `hoopgen.release` and what parameters were searched over. Where no shot tried
-        succeeds that way, the probability is 0 and the release NaN.
+        argument of `hoopgen.release`, and `aim` and what parameters were searched over. Where no
+        shot tried succeeds that way, the probability is 0 and the release NaN.
 
         Over ``place``: `difference`, bank less direct, with the interval of the paired shots,
         `difference_low` and `difference_high`; where the ball of the best bank shot touches the
-        board, `touch_y` and `touch_z` (m; z from the ring's height); and `sight_y` (m), where the
-        vertical plane of its release meets the board.
+        board, `touch_y` and `touch_z` (m; z from the ring's height), and the range of those of its
+        fresh shots that are made, nine tenths of them, `touch_y_low`, `touch_y_high`,
+        `touch_z_low` and `touch_z_high`; and `sight_y` (m), where the vertical plane of its release
+        meets the board.
 
     Raises
     ------
@@ -88,7 +107,7 @@ def bank_or_direct(
         If an argument is not as described.
     """
     spots = doubles("places", places)
-    if spots.ndim != 2 or spots.shape[1] != 2:
+    if spots.ndim != 2 or spots.shape[1] != 2 or not len(spots):
         raise ValueError(f"places: expected x and y, shape (n, 2), got shape {spots.shape}")
     check_two_seeds(seed)
     check_kept(shots)
@@ -102,11 +121,58 @@ def bank_or_direct(
         seed,
         check_share("confidence", confidence),
     )
-    with crew({"bank": model.identity()}, threads=threads) as together:
+    question.try_first(*spots[0].tolist())  # what is wrong shows before a folder is made
+    identity = {
+        "bank": {
+            "places": spots.tolist(),
+            "model": model.identity(),
+            "over": over if isinstance(over, Mapping) else dict.fromkeys(over),
+            "parameters": players[0].parameters,
+        },
+        "shots": question.shots,
+        "seed": seed,
+    }
+    with crew(
+        identity, folder, scheduler=scheduler, threads=threads, progress=progress
+    ) as together:
         question = replace(question, players=[replace(one, crew=together) for one in players])
         answers = [question.answer(x, y) for x, y in spots.tolist()]
     columns = {name: np.stack([answer[name] for answer in answers], axis=-1) for name in answers[0]}
     return _dataset(spots, columns, question)
+
+
+def places_of(axes: Mapping[str, ArrayLike]) -> Floats:
+    """Return every combination of distances and angles, or of x and y, as x and y, (n, 2), m.
+
+    Raises
+    ------
+    ValueError
+        If they are neither, or too many.
+    """
+    if set(axes) not in ({"x", "y"}, {"distance", "angle"}):
+        raise ValueError(f"places: expected distance and angle, or x and y; got {', '.join(axes)}")
+    names = ("x", "y") if "x" in axes else ("distance", "angle")
+    lists = [doubles(f"places[{name!r}]", axes[name]).ravel().tolist() for name in names]
+    check_room("places", math.prod(map(len, lists)), "places", _PLACE)
+    first, second = np.array(list(itertools.product(*lists))).reshape(-1, 2).T
+    if "distance" in axes:
+        first, second = first * np.cos(second), first * np.sin(second)
+    return np.stack([first, second], axis=-1)
+
+
+def verdict(dataset: xr.Dataset) -> tuple[NDArray[np.bool_], NDArray[np.bool_], str]:
+    """Return from which places the bank shot is better, and the direct one; and it in words.
+
+    A difference counts whose interval has no 0 in it.
+    """
+    better, worse = (dataset["difference_low"] > 0).values, (dataset["difference_high"] < 0).values
+    places = dataset.sizes["place"]
+    undecided = places - better.sum() - worse.sum()
+    line = (
+        f"{counted(places, 'place')}: the bank shot is better from {better.sum()}, the direct "
+        f"one from {worse.sum()}, {undecided} undecided"
+    )
+    return better, worse, line
 
 
 def check_kept(shots: int) -> None:
@@ -131,6 +197,14 @@ class _Question:
     seed: int
     confidence: float
 
+    def try_first(self, x: float, y: float) -> None:
+        """Throw a shot from a place."""
+        here = {"distance": math.hypot(x, y), "angle": math.atan2(y, x)}
+        player = self.players[0]
+        bounds = bounds_of(self.over, {**self.model.centre, **here}, player)
+        lowest = {name: low for name, (low, _) in bounds.items()}
+        player.thrown({**self.model.apart()[0], **here, **lowest}, 1, self.seed)
+
     def answer(self, x: float, y: float) -> dict[str, Floats]:
         """Return the results of one place, (2,) for both ways or ()."""
         here = {"distance": math.hypot(x, y), "angle": math.atan2(y, x)}
@@ -138,7 +212,7 @@ class _Question:
         both = Thrown(*np.array([[t.made.sum(), t.valid.sum()] for t in (straight, banked)]).T)
         low, high = wilson(both.made, both.valid, self.confidence)
         difference, least, most = paired(banked, straight, self.confidence)
-        released = (*ARGUMENTS, *(name for name in self.over if name in NAMES))
+        released = (*ARGUMENTS, *(name for name in self.over if name in ("aim", *NAMES)))
         answer = {name: np.array([direct[name], bank[name]]) for name in released}
         answer |= {"probability": both.share, "low": low, "high": high}
         answer |= {"invalid": self.shots - both.valid}
@@ -147,6 +221,7 @@ class _Question:
             "difference_low": least,
             "difference_high": most,
             **on_board(bank, {name: bank[name] for name in NAMES}),
+            **{name: bank[name] for name in NOWHERE},
         }
         return answer | {name: np.asarray(value) for name, value in single.items()}
 
@@ -158,11 +233,13 @@ class _Question:
         if point is None:
             nothing = np.zeros(self.shots, np.bool_)
             unknown = dict.fromkeys((*ARGUMENTS, *self.over), math.nan)
-            return {**player.parameters, **unknown}, Thrown(nothing, ~nothing)
+            return {**player.parameters, **unknown, **NOWHERE}, Thrown(nothing, ~nothing)
         best = change_variables(centre, point)
         player = player.at(best)
+        banked = player.by == "bank"
+        touched = window(player, fixed | point, self.shots, self.seed + 1) if banked else NOWHERE
         return (
-            {**player.parameters, **arguments_of(best, player.parameters)},
+            {**best, **player.parameters, **arguments_of(best, player.parameters), **touched},
             player.scored(fixed | point, self.shots, self.seed + 1),
         )
 
@@ -178,6 +255,7 @@ def _dataset(spots: Floats, columns: Mapping[str, Floats], question: _Question) 
         "difference_high": ("1", "upper end of its interval"),
         "touch_y": ("m", "where the ball touches the board, y"),
         "touch_z": ("m", "where the ball touches the board, height from the ring"),
+        **{name: ("m", f"of made shots, nine tenths: {said}") for name, said in _ENDS.items()},
         "sight_y": ("m", "where the release points on the board, y"),
     } | {name: (variable.unit or "1", variable.label) for name, variable in VARIABLES.items()}
     data = {

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-__all__ = ["PLOTTED", "Optimum", "advice", "paired"]
+__all__ = ["PLOTTED", "Optimum", "advice", "paired", "touching", "towards"]
 
 PLOTTED = 2_000
 """Shots whose shares are beside their paths."""
@@ -221,7 +221,7 @@ def _shot(best: Optimum) -> list[str]:
     spins = [f"{name} {say(name, given[name])}" for name in ("backspin", "sidespin") if given[name]]
     shot = f"{say('speed', given['speed'])} at {say('elevation', given['elevation'])}"
     lines = [
-        f"shoot    {', '.join([shot, _towards(given['azimuth']), *spins])}",
+        f"shoot    {', '.join([shot, towards(given['azimuth']), *spins])}",
         _where(best),
         f"success  {percent(best.probability)} {_GO_IN[best.by]} ({interval(best.low, best.high)} "
         f"with {percent(best.confidence, None)} confidence; {counted(best.shots, 'fresh shot')}"
@@ -260,11 +260,7 @@ def _where(best: Optimum) -> str:
     """Say where the ball goes: on the board, or down into the ring."""
     if best.by == "bank":
         touch = on_board(best.arguments, best.parameters, best.scene)
-        side = "right" if touch["touch_y"] >= 0 else "left"
-        return (
-            f"flight   touches the board {say('aim', touch['touch_z'])} above the ring, "
-            f"{say('aim', abs(touch['touch_y']))} to the {side} of its middle"
-        )
+        return f"flight   {touching(touch['touch_y'], touch['touch_z'])}"
     inside = best.parameters["ring_radius"] - best.parameters["wire_radius"]
     return (
         f"flight   comes down at {say('entry', best.entry_angle)}, {_past(best.depth)}: "
@@ -272,7 +268,16 @@ def _where(best: Optimum) -> str:
     )
 
 
-def _towards(azimuth: float) -> str:
+def touching(y: float, z: float) -> str:
+    """Say where a bank shot touches the board."""
+    return (
+        f"touches the board {say('aim', z)} above the ring, "
+        f"{say('aim', abs(y))} to the {'right' if y >= 0 else 'left'} of its middle"
+    )
+
+
+def towards(azimuth: float) -> str:
+    """Say in which direction a shot goes."""
     said = say("azimuth", abs(azimuth))
     if said == say("azimuth", 0.0):
         return "straight at the ring"

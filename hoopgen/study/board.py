@@ -1,19 +1,35 @@
-"""Where a bank shot touches the board."""
+"""Where bank shots touch the board."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from types import MappingProxyType
+
+import numpy as np
 
 from hoopgen.engines import HOOP, Engine
 from hoopgen.hoop.releases import release
 from hoopgen.hoop.variables import ARGUMENTS
-from hoopgen.results import SURFACES
+from hoopgen.results import SURFACES, Outcome
 from hoopgen.simulation import simulate
 
-__all__ = ["on_board"]
+from .player import Player
+
+__all__ = ["NOWHERE", "on_board", "window"]
 
 _BACKBOARD = SURFACES.index("backboard")
+
+_WITHIN = 0.9
+"""Share of the made shots that a window holds, each way."""
+
+_THROWN = 2_000
+"""Shots whose contacts are looked at, at most: enough for two digits of a window."""
+
+NOWHERE: Mapping[str, float] = MappingProxyType(
+    dict.fromkeys(("touch_y_low", "touch_y_high", "touch_z_low", "touch_z_high"), math.nan)
+)
+"""The window of a shot that is not there."""
 
 
 def on_board(
@@ -47,3 +63,43 @@ def on_board(
     _, y, z = events["before"][0][:3].tolist()
     ahead = -parameters["board_distance"] - state[0]
     return {"touch_y": y, "touch_z": z, "sight_y": state[1] + ahead * state[4] / state[3]}
+
+
+def window(
+    player: Player, values: Mapping[str, float], shots: int, seed: int = 0
+) -> dict[str, float]:
+    """Return within which ends nine tenths of a player's made bank shots touch the board.
+
+    Parameters
+    ----------
+    player
+        Who throws, in which scene.
+    values
+        Variables of the release aimed at.
+    shots, seed
+        How many are thrown, of which the first 2,000 are looked at, and which.
+
+    Returns
+    -------
+    dict
+        `touch_y_low`, `touch_y_high`, `touch_z_low` and `touch_z_high`, m, as of `on_board`: the
+        twentieth parts left out are below and above, in y and in z each. NaN if none is made.
+    """
+    many = min(shots, _THROWN)
+    releases = player.model.around(
+        {name: np.full((1, 1), value) for name, value in values.items()},
+        player.model.noise(0, many, seed),
+        player.parameters,
+        many,
+    )
+    thrown = simulate(
+        releases.states, releases.parameters, scene=player.scene, threads=1, record=True
+    )
+    shot, row = np.unique(thrown.events["shot"], return_index=True)
+    good = (thrown.outcome[shot] == Outcome.MADE) & (thrown.first[shot] == _BACKBOARD)
+    touches = thrown.events["before"][row[good], 1:3]
+    if not len(touches):
+        return dict(NOWHERE)
+    outside = (1.0 - _WITHIN) / 2.0
+    ends = np.quantile(touches, [outside, 1.0 - outside], axis=0)
+    return dict(zip(NOWHERE, ends.T.ravel().tolist(), strict=True))

@@ -1,7 +1,8 @@
 """Long work in chunks: computed by threads or by a Dask cluster, kept on disk, gone on with later.
 
 A chunk depends on its number alone, so it does not matter who computes it, when, or how often.
-Those finished lie in a folder, each with a keyed digest; one that is damaged is computed anew.
+Those finished lie in a folder, each with a keyed digest; one that is damaged is computed anew, and
+one that was cut short, since less was asked for, is gone on with.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import sys
 from collections import deque
 from collections.abc import Callable, Generator, Iterator, Mapping
 from concurrent.futures import Future, ThreadPoolExecutor, wait
+from dataclasses import dataclass
 from functools import partial
 from typing import Any, Protocol, runtime_checkable
 
@@ -24,8 +26,10 @@ from .folders import KEPT, Folder, opened, written
 from .workers import Task, Workers, check_workers, hired, versions
 
 __all__ = [
+    "Extensible",
     "Folder",
     "Job",
+    "Rest",
     "Stream",
     "Task",
     "check_workers",
@@ -53,6 +57,31 @@ class Job(Protocol):
 
     def identity(self) -> Mapping[str, Any]:
         """Return all that the chunks depend on, in types that JSON knows."""
+        ...
+
+
+@dataclass(frozen=True)
+class Rest:
+    """What makes of a chunk that is kept the one that is asked for.
+
+    Attributes
+    ----------
+    task
+        Computes it.
+    more
+        Whether it is more than what is kept, and takes its place.
+    """
+
+    task: Task
+    more: bool
+
+
+@runtime_checkable
+class Extensible(Protocol):
+    """A job that may be asked for more later: how much is not in its identity, and cuts chunks."""
+
+    def rest(self, chunk: int, kept: pa.Table) -> Rest | None:
+        """Return what is to be done where a chunk is kept; None if it is the one asked for."""
         ...
 
 
@@ -135,7 +164,7 @@ def run(
         workers = stack.enter_context(hired(scheduler, threads, report))
         total, done = job.chunks, 0
         note(done, total)
-        for table, damage in _in_order(_tasks(job), kept, workers):
+        for table, damage in _in_order(_parts(job), kept, workers):
             if damage:
                 report(damage)
             yield table
@@ -151,26 +180,43 @@ def _say(line: str) -> None:
     print(f"hoopgen: {printable(line)}", file=sys.stderr)
 
 
-def _tasks(job: Job | Stream) -> Iterator[Task | None]:
+@dataclass(frozen=True)
+class _Part:
+    """A chunk: its number, what computes it, and what goes on with one that is kept."""
+
+    chunk: int
+    task: Task
+    rest: Callable[[int, pa.Table], Rest | None]
+
+
+def _parts(job: Job | Stream) -> Iterator[_Part | None]:
+    """Give all chunks of a job; None where a stream does."""
+    numbers = itertools.count()
     if isinstance(job, Stream):
-        return job.tasks()
-    numbers = itertools.count() if job.chunks is None else iter(range(job.chunks))
-    return (partial(job.compute, chunk) for chunk in numbers)
+        for task in job.tasks():
+            yield None if task is None else _Part(next(numbers), task, _nothing)
+        return
+    rest = job.rest if isinstance(job, Extensible) else _nothing
+    for chunk in numbers if job.chunks is None else range(job.chunks):
+        yield _Part(chunk, partial(job.compute, chunk), rest)
+
+
+def _nothing(chunk: int, kept: pa.Table) -> None:
+    """A chunk that is kept is the one asked for."""
 
 
 def _in_order(
-    tasks: Iterator[Task | None], folder: Folder | None, workers: Workers
+    parts: Iterator[_Part | None], folder: Folder | None, workers: Workers
 ) -> Iterator[tuple[pa.Table, str | None]]:
-    """Give chunks, and what was wrong with those on disk, in the order of their tasks."""
+    """Give chunks, and what was wrong with those on disk, in the order of their numbers."""
     pending: deque[Future[tuple[pa.Table, str | None]]] = deque()
     ahead = AHEAD * workers.number
     pool = ThreadPoolExecutor(ahead if workers.remote else workers.number)
     try:
-        numbers = itertools.count()
-        for task in itertools.chain(tasks, [None]):
-            if task is not None:
-                pending.append(pool.submit(_fetch, folder, workers, next(numbers), task))
-            while pending and (task is None or len(pending) >= ahead):
+        for part in itertools.chain(parts, [None]):
+            if part is not None:
+                pending.append(pool.submit(_fetch, folder, workers, part))
+            while pending and (part is None or len(pending) >= ahead):
                 yield _awaited(pending.popleft(), workers)
     finally:
         pool.shutdown(wait=False, cancel_futures=True)
@@ -186,24 +232,28 @@ def _awaited(
     return chunk.result()
 
 
-def _fetch(
-    folder: Folder | None, workers: Workers, chunk: int, task: Task
-) -> tuple[pa.Table, str | None]:
+def _fetch(folder: Folder | None, workers: Workers, part: _Part) -> tuple[pa.Table, str | None]:
     """Return a chunk from disk, or computed and now on disk; and what was wrong with the file."""
     if folder is None:
-        return workers.compute(task), None
-    damage = None
+        return workers.compute(part.task), None
+    task, more, damage = part.task, True, None
     try:
-        return folder.read(chunk), None
+        kept = folder.read(part.chunk)
     except FileNotFoundError:
         pass
     except FileExistsError:
         raise  # as no chunk of ours, however damaged
     except (OSError, ValueError) as error:
-        damage = f"{folder.file(chunk)} is damaged ({error}); it is computed anew"
+        damage = f"{folder.file(part.chunk)} is damaged ({error}); it is computed anew"
+    else:
+        rest = part.rest(part.chunk, kept)
+        if rest is None:
+            return kept, None
+        task, more = rest.task, rest.more
     try:
         table = workers.compute(task)
     except ConnectionError as error:
         raise ConnectionError(f"{error}; {KEPT}") from error
-    folder.write(chunk, table)
+    if more:
+        folder.write(part.chunk, table)
     return table, damage

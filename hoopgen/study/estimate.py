@@ -215,7 +215,9 @@ def estimate(
     max_contacts, backend
         As for `hoopgen.simulate`.
     threads, folder, scheduler
-        Who computes, and where finished chunks are kept and gone on from; see `chunks.run`.
+        Who computes, and where finished chunks are kept and gone on from; see `chunks.run`. A
+        folder may be asked for more shots, fewer, or another precision: what it has not is thrown,
+        and the result is that of an estimate which asked for as much from the start.
     progress
         Called with the chunks that are done and their number, as far as that is known.
 

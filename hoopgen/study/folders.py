@@ -22,7 +22,17 @@ from hoopgen.words import for_json
 from .lock import LOCK, held, read_file
 from .workers import versions
 
-__all__ = ["KEPT", "Folder", "differences", "flat", "in_short", "opened", "read_record", "written"]
+__all__ = [
+    "KEPT",
+    "Folder",
+    "differences",
+    "flat",
+    "in_short",
+    "opened",
+    "read_record",
+    "trim",
+    "written",
+]
 
 _DIGEST = 32  # bytes
 _TEMPORARY = ".tmp"
@@ -163,6 +173,19 @@ def _identify(folder: Path, here: dict[str, str]) -> None:
             f"{folder} holds another job: {in_short(found)}. Give the same job, "
             "or another folder; or delete this one to begin anew"
         )
+
+
+def trim(folder: Path, chunks: int) -> None:
+    """Remove all but the first chunks: how many were computed ahead hangs on the threads.
+
+    Raises
+    ------
+    OSError
+        If that fails.
+    """
+    for file in folder.glob(_CHUNKS):
+        if int(file.stem.rpartition("-")[2]) >= chunks:
+            file.unlink()
 
 
 def read_record(file: Path) -> dict[str, Any]:

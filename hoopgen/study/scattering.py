@@ -11,7 +11,7 @@ from hoopgen.scenes import HOOPED
 from .resample import Resample
 from .scatter import Scatter
 
-__all__ = ["alike", "check_thrown", "scene_by_row"]
+__all__ = ["alike", "check_thrown", "scaled", "scene_by_row"]
 
 
 def check_thrown(model: object, over: Iterable[str]) -> Scatter | Resample:
@@ -30,6 +30,29 @@ def check_thrown(model: object, over: Iterable[str]) -> Scatter | Resample:
     if twice:
         raise ValueError(f"release: {', '.join(twice)} already in over; leave out of one")
     return model
+
+
+def scaled(model: Scatter | Resample, factor: float) -> Scatter | Resample:
+    """Return a model all of whose scatter is so many times as wide.
+
+    Of a `Scatter` the standard deviations, of a `Resample` how far each row is from the means.
+
+    Raises
+    ------
+    ValueError
+        If deviations of angles become more than a turn.
+    """
+    if isinstance(model, Scatter):
+        sd = {name: factor * deviation for name, deviation in model.sd.items()}
+        return Scatter(model.release, sd, model.correlation)
+    return Resample(
+        {
+            name: model.centre[name] + factor * (np.asarray(column) - model.centre[name])
+            if np.ndim(column)
+            else column
+            for name, column in model.columns.items()
+        }
+    )
 
 
 def alike(model: Scatter | Resample) -> dict[str, float]:

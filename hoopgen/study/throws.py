@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import closing
 from dataclasses import dataclass
+from functools import partial
 from math import ceil, sqrt
 from os import PathLike
 from typing import Any, TypeAlias
@@ -22,7 +23,7 @@ from hoopgen.simulation import simulate
 from hoopgen.sizes import in_short
 from hoopgen.variables import STATE, Releases, is_state
 
-from .chunks import run
+from .chunks import Rest, run
 from .grid import Grid
 from .intervals import least_shots
 from .models import ReleaseModel
@@ -37,6 +38,7 @@ __all__ = [
     "Until",
     "Work",
     "check_states",
+    "chunks_of",
     "flown",
     "most_shots",
     "outcome_by",
@@ -82,6 +84,8 @@ def scene_identity(scene: Engine) -> dict[str, Any]:
 class Work:
     """A job of `chunks.run`: the tallies of one or two settings, and how their shots pair.
 
+    How many shots there are only cuts the last chunk, so that a folder can be asked for more.
+
     Attributes
     ----------
     by
@@ -103,7 +107,7 @@ class Work:
     @property
     def chunks(self) -> int:
         """How many."""
-        return -(-self.shots // CHUNK)
+        return chunks_of(self.shots)
 
     def identity(self) -> dict[str, Any]:
         """Return what the chunks depend on."""
@@ -111,7 +115,6 @@ class Work:
             # First, so that what differs names it.
             **scene_identity(self.scene),
             "settings": [setting.identity() for setting in self.settings],
-            "shots": self.shots,
             "seed": self.seed,
             "max_contacts": self.max_contacts,
             **({} if self.by == Outcome.MADE else {"by": int(self.by)}),
@@ -119,9 +122,28 @@ class Work:
 
     def compute(self, chunk: int) -> pa.Table:
         """Return the numbers of a chunk: one row."""
+        return self.counted(*self._shots_of(chunk))
+
+    def rest(self, chunk: int, kept: pa.Table) -> Rest | None:
+        """Return what goes on with a chunk that has fewer shots, or counts fewer of them."""
+        start, stop = self._shots_of(chunk)
+        numbers = kept["numbers"][0].values.to_numpy()
+        there = start + int(tally_of(numbers, 0, self.scene).shots)
+        if there == stop:
+            return None
+        if there > stop:
+            return Rest(partial(self.counted, start, stop), more=False)
+        return Rest(partial(self.counted, there, stop, numbers), more=True)
+
+    def _shots_of(self, chunk: int) -> tuple[int, int]:
+        """Return the first shot of a chunk, and the one after its last."""
         start = chunk * CHUNK
-        stop = min(start + CHUNK, self.shots)
-        total = np.sum([self.count(*block) for block in blocks(start, stop)], axis=0)
+        return start, min(start + CHUNK, self.shots)
+
+    def counted(self, start: int, stop: int, before: NDArray[np.int64] | None = None) -> pa.Table:
+        """Return the numbers of some shots, and of those before them."""
+        counts = [self.count(*block) for block in blocks(start, stop)]
+        total = np.sum(counts if before is None else [before, *counts], axis=0)
         return pa.table({"numbers": pa.array([total], pa.list_(pa.int64()))})
 
     def count(self, start: int, stop: int) -> NDArray[np.int64]:
@@ -140,6 +162,11 @@ class Work:
         invalid = self.scene.outcomes["INVALID"]
         others = (outcomes != self.by)[:, (outcomes != invalid).all(axis=0)]
         return np.bincount(2 * others[0] + others[1], minlength=4)
+
+
+def chunks_of(shots: int) -> int:
+    """Return in how many chunks so many shots are."""
+    return -(-shots // CHUNK)
 
 
 def flown(releases: Releases, max_contacts: int, backend: Backend, scene: Engine) -> Shots:

@@ -8,8 +8,16 @@ from types import MappingProxyType
 from typing import Any
 
 from .asked import Answer, Asked, Work
-from .schema import Aim, Bank, Batch, Compare, Estimate, Map, Optimum, Question
-from .thrown import answer_batch, answer_compare, answer_estimate, check_batch, check_throws
+from .schema import Aim, Bank, Batch, Compare, Estimate, Map, Optimum, Question, Solve
+from .thrown import (
+    answer_batch,
+    answer_compare,
+    answer_estimate,
+    answer_solve,
+    check_batch,
+    check_solve,
+    check_throws,
+)
 from .varied import (
     answer_aim,
     answer_bank,
@@ -36,6 +44,7 @@ _KINDS: Mapping[type[Question], _Kind] = MappingProxyType(
     {
         Estimate: _Kind(check_throws, answer_estimate),
         Compare: _Kind(check_throws, answer_compare),
+        Solve: _Kind(check_solve, answer_solve),
         Map: _Kind(check_map, answer_map),
         Optimum: _Kind(check_optimum, answer_optimum),
         Bank: _Kind(check_bank, answer_bank),

@@ -10,14 +10,18 @@ from typing import Any
 
 from hoopgen import plots
 from hoopgen.engines import Engine
+from hoopgen.study.folders import trim
 from hoopgen.study.tables import Source
-from hoopgen.study.throws import scene_identity
+from hoopgen.study.throws import chunks_of, scene_identity
 from hoopgen.told import say_of
 
 from .schema import Batch, Compare, Given, Question, Study
 from .settings import Setting
 
-__all__ = ["Answer", "Asked", "Work", "fenced"]
+__all__ = ["CHUNKS", "Answer", "Asked", "Work", "fenced"]
+
+CHUNKS = "chunks"
+"""Folder of a question's finished chunks, in its own."""
 
 
 @dataclass(frozen=True)
@@ -43,11 +47,15 @@ class Work:
     def options(self) -> dict[str, Any]:
         """Return what functions that work in chunks are told."""
         return {
-            "folder": self.folder / "chunks",
+            "folder": self.folder / CHUNKS,
             "threads": self.threads,
             "scheduler": self.scheduler,
             "progress": self.progress,
         }
+
+    def keep(self, shots: int) -> None:
+        """Leave the chunks of so many shots, from which a study of more can go on."""
+        trim(self.folder / CHUNKS, chunks_of(shots))
 
 
 @dataclass(frozen=True)

@@ -61,6 +61,7 @@ By default `spin-results`, beside the file; `--out` names another.
 | `<name>/answer.json` | the answer to a question, in full |
 | `<name>/question.json` | all that it depends on |
 | `<name>/…` | its tables (`.nc`, `.csv`, `.parquet`) and figures |
+| `<name>/chunks` | of an estimate or a comparison: from which it goes on when more is asked for |
 
 Numbers in files are SI; their units are in the names of columns and keys, `speed_m_s`,
 `elevation_rad`, and in a `.nc` file beside its variables. The `.csv` of an `aim` has degrees and
@@ -72,6 +73,11 @@ alone. However often it was interrupted, and by however many threads it is compu
 the same bytes with the same versions; `versions.json` alone tells of the machine. Questions may be
 added to the file later. If one that is in the folder has changed, or is no longer asked, the folder
 is refused, and what differs is said.
+
+An estimate or a comparison may be asked for more, a greater `shots` or a smaller `precision`: only
+the rest is thrown, and the folder is that of a study which asked for as much from the start. That
+does not hold for maps, where how shots are cut into chunks hangs on their number; nor for searches
+(optimum, solve, bank), where what is thrown next hangs on all shots so far.
 
 With `--scheduler tcp://…` the workers of a Dask cluster compute the chunks.
 
@@ -90,7 +96,8 @@ study file, or the name of one that comes with hoopgen, `"hoop"`. As a table, `[
 `file = "netball.toml"` and parameters of the scene. Nothing in that file is evaluated either. Then
 `release` is a state, `x y z vx vy vz` and, if it spins, `wx wy wz`; these and the scene's
 parameters are what scatters and what is mapped and searched over. Questions are estimate, compare,
-map, optimum and batch; the others are a hoop's. If the scene file changes, the folder is refused.
+solve, map, optimum and batch; the others are a hoop's. If the scene file changes, the folder is
+refused.
 """
 
 _QUANTITIES = """

@@ -103,7 +103,8 @@ def _answer(asked: Asked, answer: Answer, folder: Path) -> Iterator[str]:
     yield f"Scene: {asked.scene}."
     if answer.text:
         yield answer.text
-    files = sorted(file.name for file in (folder / asked.question.name).iterdir())
+    there = (folder / asked.question.name).iterdir()
+    files = sorted(file.name for file in there if file.is_file())
     shown: dict[str, str] = {}
     for file in files:
         stem, suffix = Path(file).stem, Path(file).suffix

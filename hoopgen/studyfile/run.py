@@ -1,7 +1,8 @@
 """`run_study`: a study file in, a folder with its answers out.
 
 A question is worked on in ``<name>.unfinished``, where its finished chunks are kept too. The folder
-gets its name when all of it is there, so what bears a name is finished. Nothing in a folder but
+gets its name when all of it is there, so what bears a name is finished. Of an estimate or a
+comparison the chunks stay: asked for more shots, it goes on from them. Nothing in a folder but
 ``versions.json`` hangs on the machine, the threads, or when and how often the work was interrupted.
 """
 
@@ -12,7 +13,7 @@ import json
 import os
 import platform
 import shutil
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from importlib import metadata
 from pathlib import Path
 from typing import Any
@@ -22,15 +23,16 @@ from hoopgen.outputs import sync
 from hoopgen.phrases import counted
 from hoopgen.study.chunks import check_workers, versions
 from hoopgen.study.folders import differences, flat, in_short, opened, read_record, written
+from hoopgen.study.throws import most_shots
 from hoopgen.words import for_json
 
 from . import lines
 from .answers import answer, check
-from .asked import Answer, Asked, Work
+from .asked import CHUNKS, Answer, Asked, Work
 from .reading import complain, parse
 from .report import report
 from .scene import FILE
-from .schema import Batch, Compare, StudyFile
+from .schema import Batch, Compare, Estimate, StudyFile
 
 __all__ = ["check_study", "run_study"]
 
@@ -81,7 +83,8 @@ def run_study(
     """Answer all questions of a study file, and keep the answers in a folder.
 
     After an interruption the same call goes on where it was. Questions may be added to the file;
-    those that are in the folder must not change.
+    those that are in the folder must not change, but for estimates and comparisons, which may be
+    asked for more shots or a narrower precision: what is kept of them is not computed again.
 
     Parameters
     ----------
@@ -124,7 +127,7 @@ def run_study(
     _refuse_foreign(folder)
     with opened(folder, {"study": identities}) as kept:
         try:
-            _refuse_changed(folder, identities)
+            _reopen(folder, _more_asked(folder, identities, questions))
             _write(folder / _VERSIONS, _json(_versions()))
             _write(folder / _STUDY, content)
             answers: dict[str, Answer] = {}
@@ -220,26 +223,69 @@ def _refuse_foreign(folder: Path) -> None:
         raise ValueError(f"{folder} holds something else than a study; give another folder")
 
 
-def _refuse_changed(folder: Path, identities: Mapping[str, Mapping[str, Any]]) -> None:
-    """Refuse a folder whose questions are others, or are not among those asked."""
-    found = []
+def _more_asked(
+    folder: Path, identities: Mapping[str, Mapping[str, Any]], questions: Sequence[Asked]
+) -> list[str]:
+    """Return the questions that are asked for more than is in the folder.
+
+    Raises
+    ------
+    ValueError
+        If questions in it are others, or are not among those asked.
+    """
+    found, more = [], []
+    asked = {one.question.name: one for one in questions}
     for file in sorted(folder.glob(f"*/{_ASKED}")):
         name = file.parent.name.removesuffix(_UNFINISHED)
+        if name not in identities:
+            found.append(f"it has the question {name}, which the study has not")
+            continue
         try:
             there = flat(read_record(file))
         except ValueError:
             raise ValueError(f"{file} cannot be read; delete {file.parent}") from None
-        here = flat(identities[name]) if name in identities else None
-        if here is None:
-            found.append(f"it has the question {name}, which the study has not")
-            continue
+        here = flat(identities[name])
         if changed := differences(there, here):
-            found.append(f"question {name}: {in_short(changed)}")
+            if _extends(asked[name], there, here):
+                more.append(name)
+            else:
+                found.append(f"question {name}: {in_short(changed)}")
     if found:
         raise ValueError(
             f"{folder} holds another study: {in_short(found)}. Give another folder, or "
             "delete the folders of those questions in it to ask them anew"
         )
+    return more
+
+
+def _reopen(folder: Path, names: Sequence[str]) -> None:
+    """Make finished questions unfinished ones, which go on from their chunks."""
+    for name in names:
+        if (folder / name).is_dir():
+            (folder / name).rename(folder / f"{name}{_UNFINISHED}")
+
+
+_MORE = {"shots", "precision"}
+"""What an estimate and a comparison may be asked for more of."""
+
+
+def _extends(asked: Asked, there: Mapping[str, str], here: Mapping[str, str]) -> bool:
+    """Tell whether a question is one that was asked before, for more shots or more precisely."""
+    changed = {name for name in {*there, *here} if there.get(name) != here.get(name)}
+    if not isinstance(asked.question, Estimate | Compare) or not changed <= _MORE:
+        return False
+    (few, wide), (many, narrow) = (_limits(asked, one) for one in (there, here))
+    return few <= many and narrow <= wide
+
+
+def _limits(asked: Asked, identity: Mapping[str, str]) -> tuple[int, float]:
+    """Return how many shots at the most a question asks for, and how wide half an interval may be.
+
+    Without a precision it may have no width: all shots are thrown.
+    """
+    shots, precision = (json.loads(identity[name]) for name in ("shots", "precision"))
+    paired = isinstance(asked.question, Compare)
+    return most_shots(shots, precision, asked.study.confidence, paired=paired), precision or 0.0
 
 
 def _noted(progress: Progress | None, name: str) -> Callable[[int, int | None], None]:
@@ -260,7 +306,8 @@ def _answered(asked: Asked, identity: Mapping[str, Any], finished: Path, work: W
         _settle(work.folder)
         work.folder.rename(finished)
         sync({finished.parent})
-    shutil.rmtree(finished / "chunks", ignore_errors=True)
+    if not isinstance(asked.question, Estimate | Compare):
+        shutil.rmtree(finished / CHUNKS, ignore_errors=True)
     return _answer(finished / _ANSWER)
 
 

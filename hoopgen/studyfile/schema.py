@@ -46,6 +46,7 @@ __all__ = [
     "Optimum",
     "Question",
     "Releases",
+    "Solve",
     "Study",
     "StudyFile",
 ]
@@ -219,6 +220,19 @@ class Compare(Question):
     max_contacts: Contacts = Field(None, description=_CAPPED)
 
 
+class Solve(Question):
+    """The factor times all of the scatter with which a wanted share of the shots is made."""
+
+    share: Annotated[float, Share()] = Field(description="Wanted: 0.7 of somebody who makes 70%.")
+    by: Annotated[str | None, Text(said="the name of an end")] = Field(
+        None, description="As of a comparison."
+    )
+    shots: Count = Field(
+        100_000, description="Thrown with each factor, and for the fresh estimate at the one found."
+    )
+    max_contacts: Contacts = Field(None, description=_CAPPED)
+
+
 class Map(Question):
     """How probably a shot is made over its variables; without scatter, what becomes of it."""
 
@@ -325,6 +339,7 @@ KINDS: Mapping[str, type[Question]] = MappingProxyType(
     {
         "estimate": Estimate,
         "compare": Compare,
+        "solve": Solve,
         "map": Map,
         "optimum": Optimum,
         "bank": Bank,

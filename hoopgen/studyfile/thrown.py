@@ -13,11 +13,15 @@ from hoopgen.simulation import check_log, simulate
 from hoopgen.study.batch import batch
 from hoopgen.study.best import PLOTTED
 from hoopgen.study.compare import compare
+from hoopgen.study.draws import check_two_seeds
 from hoopgen.study.estimate import estimate
 from hoopgen.study.measures import measure
 from hoopgen.study.named import in_units
 from hoopgen.study.origin import settle
+from hoopgen.study.resample import Resample
+from hoopgen.study.scatter import Scatter
 from hoopgen.study.shares import Shares
+from hoopgen.study.solve import check_scatters, solve
 from hoopgen.study.tables import Source
 from hoopgen.study.tallies import contacts_of
 from hoopgen.study.throws import check_states, most_shots, outcome_by
@@ -25,10 +29,18 @@ from hoopgen.told import in_a_note, told_setting
 from hoopgen.variables import Releases
 
 from .asked import Answer, Asked, Work, fenced
-from .schema import Batch, Compare, Estimate
+from .schema import Batch, Compare, Estimate, Solve
+from .settings import Setting
 
-__all__ = ["answer_batch", "answer_compare", "answer_estimate", "check_batch", "check_throws"]
-
+__all__ = [
+    "answer_batch",
+    "answer_compare",
+    "answer_estimate",
+    "answer_solve",
+    "check_batch",
+    "check_solve",
+    "check_throws",
+]
 
 _LANDINGS = 200_000
 """Shots whose misses are shown."""
@@ -39,9 +51,7 @@ def check_throws(asked: Asked, question: Estimate | Compare) -> None:
     settings = [asked.setting]
     settings += [asked.changed(question.versus)] if isinstance(question, Compare) else []
     for setting in settings:
-        model = setting.model()
-        check_states(model, asked.engine)
-        model.draw(0, 1, 0, setting.parameters)
+        _try(asked, setting)
     paired = isinstance(question, Compare)
     most = most_shots(question.shots, question.precision, asked.study.confidence, paired=paired)
     if isinstance(question, Compare):
@@ -51,6 +61,39 @@ def check_throws(asked: Asked, question: Estimate | Compare) -> None:
     contacts = contacts_of(question.max_contacts, asked.engine)
     if isinstance(question, Estimate) and "fan" in question.figures:
         check_log(min(PLOTTED, most), contacts, scene=asked.engine)
+
+
+def _try(asked: Asked, setting: Setting) -> Scatter | Resample:
+    """Look whether shots can be drawn, and return their model."""
+    model = setting.model()
+    check_states(model, asked.engine)
+    model.draw(0, 1, 0, setting.parameters)
+    return model
+
+
+def check_solve(asked: Asked, question: Solve) -> None:
+    """Look for what is wrong with a search for the scatter."""
+    check_scatters(_try(asked, asked.setting))
+    check_two_seeds(asked.study.seed)
+    outcome_by(asked.engine, question.by)
+    contacts_of(question.max_contacts, asked.engine)
+
+
+def answer_solve(asked: Asked, question: Solve, work: Work) -> Answer:
+    """Return the factor times the scatter."""
+    found = solve(
+        asked.setting.model(),
+        question.share,
+        asked.setting.parameters,
+        scene=asked.engine,
+        by=question.by,
+        shots=question.shots,
+        confidence=asked.study.confidence,
+        seed=asked.study.seed,
+        max_contacts=question.max_contacts,
+        **work.options,
+    )
+    return Answer(found.line, fenced(found), in_units(found.as_dict()))
 
 
 def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
@@ -68,6 +111,7 @@ def answer_estimate(asked: Asked, question: Estimate, work: Work) -> Answer:
         max_contacts=question.max_contacts,
         **work.options,
     )
+    work.keep(found.shots)
     shooting = _Shooting(asked, question, found.shots)
     for name in question.figures:
         asked.draw(work, name, shooting.fan() if name == "fan" else shooting.landings())
@@ -153,6 +197,7 @@ def answer_compare(asked: Asked, question: Compare, work: Work) -> Answer:
         max_contacts=question.max_contacts,
         **work.options,
     )
+    work.keep(found.first.shots)
     digits = decimals(found.half_width)
     line = (
         f"{points(found.difference, digits)} points by the change "

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import io
-import itertools
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -18,10 +17,9 @@ from hoopgen import plots
 from hoopgen.outputs import write
 from hoopgen.phrases import counted, interval, percent, points
 from hoopgen.scenes import check_article, check_hoop
-from hoopgen.sizes import check_room
 from hoopgen.study.aim import aim
 from hoopgen.study.aim_table import OFF, aim_table, write_csv
-from hoopgen.study.bank import bank_or_direct, check_kept
+from hoopgen.study.bank import bank_or_direct, check_kept, places_of, verdict
 from hoopgen.study.chunks import run
 from hoopgen.study.draws import check_two_seeds
 from hoopgen.study.maps import check_cells
@@ -164,24 +162,6 @@ def answer_optimum(asked: Asked, question: Optimum, work: Work) -> Answer:
     return Answer(line, fenced(best), in_units(best.as_dict()))
 
 
-_PLACE = 400
-"""Bytes that a place takes as one of a list."""
-
-
-def _places(question: Bank) -> NDArray[np.float64]:
-    """Return every combination, x and y, (n, 2)."""
-    names = tuple(question.places)
-    if set(names) not in ({"x", "y"}, {"distance", "angle"}):
-        raise ValueError(f"places: expected distance and angle, or x and y; got {', '.join(names)}")
-    axes = [question.places[name] for name in ("x", "y") if name in names]
-    axes += [question.places[name] for name in ("distance", "angle") if name in names]
-    check_room("places", math.prod(map(len, axes)), "places", _PLACE)
-    first, second = np.array(list(itertools.product(*axes))).T
-    if "x" not in names:
-        first, second = first * np.cos(second), first * np.sin(second)
-    return np.stack([first, second], axis=-1)
-
-
 def _bank_model(asked: Asked, question: Bank) -> Scatter | Resample:
     return asked.setting.model((*question.over, "distance", "angle", "x", "y"))
 
@@ -192,7 +172,7 @@ def check_bank(asked: Asked, question: Bank) -> None:
     check_two_seeds(asked.study.seed)
     model, parameters = _bank_model(asked, question), asked.setting.parameters
     check_kept(question.shots)
-    x, y = _places(question)[0].tolist()
+    x, y = places_of(question.places)[0].tolist()
     here = {"distance": math.hypot(x, y), "angle": math.atan2(y, x)}
     player = scattering(model, question.over, parameters, "any")
     ends = bounds_of(_ends(question.over), model.centre | here, player)
@@ -243,7 +223,7 @@ class _Places:
 
 def answer_bank(asked: Asked, question: Bank, work: Work) -> Answer:
     """Return from which places the bank shot is better; keep all numbers."""
-    places = [(x, y) for x, y in _places(question).tolist()]
+    places = [(x, y) for x, y in places_of(question.places).tolist()]
     job = _Places(tuple(places), _bank_model(asked, question), asked.setting, question, asked.study)
     datasets = [_read(table) for table in run(job, **work.options)]
     dataset = xr.concat(
@@ -253,12 +233,7 @@ def answer_bank(asked: Asked, question: Bank, work: Work) -> Answer:
     for name in question.figures:
         picture = plots.plot_aim_points(dataset, asked.setting.parameters, title=question.title)
         asked.draw(work, name, picture)
-    better, worse = (dataset["difference_low"] > 0).values, (dataset["difference_high"] < 0).values
-    undecided = len(places) - better.sum() - worse.sum()
-    line = (
-        f"{counted(len(places), 'place')}: the bank shot is better from {better.sum()}, the direct "
-        f"one from {worse.sum()}, {undecided} undecided"
-    )
+    better, worse, line = verdict(dataset)
     return Answer(line, _bank_table(dataset), {"better": better.tolist(), "worse": worse.tolist()})
 
 

@@ -1,6 +1,6 @@
 // The ball between its contacts, by the generated kernel `flight` (Eq. 3): a position here has the
 // same bits as hoopgen.Trajectory.at gives. Where it rolls it is followed in short pieces, each a
-// cubic with the positions and velocities at its ends, with a spin that changes evenly.
+// cubic with the positions and velocities at its ends, and with a spin that changes evenly.
 "use strict";
 
 const Flight = (() => {
@@ -30,18 +30,21 @@ const Flight = (() => {
   /** Return the state some seconds into a piece of a roll. */
   function rolled(piece, next, t) {
     const lasts = next[0] - piece[0];
+    if (!(lasts > 0)) return piece.slice(1);
     const s = t / lasts;
     const between = (k) => piece[k] + s * (next[k] - piece[k]);
-    const place = [1, 2, 3].map((k) => {
+    const moved = [1, 2, 3].map((k) => {
       const step = next[k] - piece[k];
       const [from, to] = [lasts * piece[k + 3] - step, step - lasts * next[k + 3]];
-      return between(k) + s * (1 - s) * ((1 - s) * from + s * to);
+      const place = between(k) + s * (1 - s) * ((1 - s) * from + s * to);
+      return [place, (step + (1 - s) * (1 - 3 * s) * from + s * (2 - 3 * s) * to) / lasts];
     });
-    return [...place, ...[4, 5, 6, 7, 8, 9].map(between)];
+    return [0, 1].flatMap((k) => moved.map((one) => one[k])).concat([7, 8, 9].map(between));
   }
 
-  /** Return the state of a shot at a time, s. */
-  function stateAt(shot, time) {
+  /** Return the state of a shot at a time, s; after its end, the one there. */
+  function stateAt(shot, asked) {
+    const time = Math.min(asked, shot.duration);
     const k = indexAt(shot.flights, time);
     const [flight, next] = [shot.flights[k], shot.flights[k + 1]];
     if (rolls(shot, k)) return rolled(flight, next, time - flight[0]);

@@ -11,7 +11,10 @@
   }));
   const SPEEDS = [1, 0.5, 0.1];
   const GROUPS = ["outcome", "kind"];
-  const state = { shot: 0, time: 0, speed: 1, playing: false };
+  const words = Words.of(page);
+  const { seconds } = Words;
+  const { said } = words;
+  const state = { shot: 0, time: 0, stop: 0, speed: 1, playing: false, together: false, shown: [] };
   let picture = null; // none without WebGL; the words stay
   let frame = 0; // asked for by what runs
 
@@ -20,15 +23,10 @@
 
   const chosen = () => shots[state.shot];
 
-  /** Return what a surface is called: of other scenes, `body-0` and so on stand for the bodies. */
-  function named(surface) {
-    return scenery && surface !== "end" ? page.surfaces[surface.slice(5)] : surface;
-  }
-
   /** Give an element the colour of a surface, which style sheets have of the hoop alone. */
   function paint(element, surface) {
     if (scenery && surface.startsWith("body-")) {
-      element.style.color = scenery.bodies[surface.slice(5)].colour;
+      element.style.color = `var(--${surface})`;
       element.classList.add("body");
     }
     return element;
@@ -38,73 +36,6 @@
     const element = Object.assign(document.createElement(tag), properties);
     element.append(...children);
     return element;
-  }
-
-  const said = (word) => word.replaceAll("_", scenery ? " " : ", ");
-  const seconds = (time) => `${time.toFixed(3)} s`;
-  const metres = (length) => `${length.toFixed(2)} m`;
-  const hertz = (rate) => `${(rate / (2 * Math.PI)).toFixed(2)} Hz`;
-  const degrees = (angle) => `${((180 / Math.PI) * angle).toFixed(1)}°`;
-
-  // Words
-
-  function outcomeWords(shot) {
-    const [, x, y] = shot.flights.at(-1);
-    const contacts = shot.events.filter((event) => event.number).length;
-    const many = `${contacts} contact${contacts === 1 ? "" : "s"}`;
-    const words = {
-      capped: `${many}, and not yet at the end plane`,
-      short: "never comes down through the end plane",
-    };
-    if (scenery) {
-      const ended = shot.events.at(-1)?.surface === "end";
-      return ended ? `after ${seconds(shot.duration)}` : `after ${many}, ${seconds(shot.duration)}`;
-    }
-    const away = `${Math.hypot(x, y).toFixed(3)} m from the ring’s centre`;
-    return words[shot.outcome] ?? `${away} after ${seconds(shot.duration)}`;
-  }
-
-  function kindWords(shot) {
-    return shot.kind === "none" ? "" : ` (${said(shot.kind)})`;
-  }
-
-  function releaseRows(shot) {
-    const [, x, y, z, vx, vy, vz, wx, wy, wz] = shot.flights[0];
-    const level = Math.hypot(vx, vy);
-    if (scenery) {
-      return [
-        ["Speed", `${Math.hypot(level, vz).toFixed(3)} m/s`],
-        [`From ${scenery.axes.join(", ")}`, place([x, y, z])],
-        ["Spin", hertz(Math.hypot(wx, wy, wz))],
-      ];
-    }
-    const rows = [
-      ["Speed", `${Math.hypot(level, vz).toFixed(3)} m/s`],
-      ["Elevation", degrees(Math.atan2(vz, level))],
-      ["Height, distance", `${metres(z + page.ring_height)}, ${metres(Math.hypot(x, y))}`],
-    ];
-    // Backspin turns about the level axis across the line of flight, as in hoopgen.release.
-    const back = level > 0 ? (wx * vy - wy * vx) / level : 0;
-    if (back) rows.push([back > 0 ? "Backspin" : "Topspin", hertz(Math.abs(back))]);
-    if (wz) rows.push(["Sidespin", hertz(wz)]);
-    return rows;
-  }
-
-  function nowRows(shot, time) {
-    const [x, y, z, vx, vy, vz, ...spin] = Flight.stateAt(shot, time);
-    const above = [["Above the floor", metres(z + page.ring_height)]];
-    return [
-      [scenery ? scenery.axes.join(", ") : "x, y, z", place([x, y, z])],
-      ...(scenery ? [] : above),
-      ["Speed", `${Math.hypot(vx, vy, vz).toFixed(2)} m/s`],
-      ["Spin", hertz(Math.hypot(...spin))],
-    ];
-  }
-
-  const place = (point) => `${point.map((value) => fixed(value, 3)).join(", ")} m`;
-
-  function fixed(value, digits) {
-    return (Number(value.toFixed(digits)) + 0).toFixed(digits).replace("-", "−");
   }
 
   function fill(list, rows) {
@@ -136,16 +67,13 @@
     return paint(make("span", { className: `tag ${surface}` }, words), surface);
   }
 
-  const endWord = scenery ? "end" : "end plane";
-
   function listEvents(shot) {
-    const rows = shot.events.map((event) => {
-      const ends = event.surface === "end";
+    const rows = shot.events.map((event, k) => {
       const button = make(
         "button",
-        { type: "button", onclick: () => seek(event.time, false) },
+        { type: "button", onclick: () => halt(k + 1) },
         tag(event.surface, Badges.label(event)),
-        make("span", { textContent: ends ? endWord : named(event.surface) }),
+        make("span", { textContent: words.named(event.surface) }),
         make("span", { textContent: seconds(event.time) }),
       );
       button.dataset.surface = event.surface;
@@ -154,23 +82,29 @@
     });
     if (!rows.length) rows.push(make("li", { textContent: "none" }));
     $("events").replaceChildren(...rows);
-    const ticks = shot.events.map((event) => {
+  }
+
+  /** Make the slider as long as what is played, with a tick for each event of the chosen shot. */
+  function measure() {
+    const ticks = chosen().events.map((event) => {
       const tick = paint(make("i", { className: event.surface }), event.surface);
-      tick.style.left = `${(100 * event.time) / shot.duration}%`;
+      tick.style.left = `${(100 * event.time) / span()}%`;
       return tick;
     });
     $("ticks").replaceChildren(...ticks);
+    $("slider").max = span();
+    $("play").disabled = $("slider").disabled = span() === 0;
   }
 
   function legend() {
     const touched = new Set(shots.flatMap((shot) => shot.events.map((event) => event.surface)));
     const entries = [
       ...page.surfaces.map((name, k) => [scenery ? `body-${k}` : name, "", name]),
-      ...(touched.has("end") ? [["end", "hoop", endWord]] : []),
+      ...(touched.has("end") ? [["end", "hoop", words.named("end")]] : []),
     ];
     entries.push([shots.length > 1 ? "" : "path", "dots", `every ${Scene.beatOf(shots)} s`]);
-    const items = entries.map(([name, form, words]) =>
-      make("li", {}, paint(make("span", { className: `swatch ${form} ${name}` }), name), words),
+    const items = entries.map(([name, form, text]) =>
+      make("li", {}, paint(make("span", { className: `swatch ${form} ${name}` }), name), text),
     );
     $("legend").replaceChildren(...items);
     const height = `${page.ring_height} m`;
@@ -182,20 +116,20 @@
   function filters() {
     const there = GROUPS.filter((group) => page[`${group}s`].length);
     const fieldsets = there.map((group) => {
-      const words = group === "outcome" ? "Outcome" : "Kind";
+      const textContent = group === "outcome" ? "Outcome" : "Kind";
       const boxes = count(group).map(([value, number]) => {
         const box = make("input", { type: "checkbox", checked: true, onchange: sift });
         [box.name, box.value] = [group, value];
         const label = make("label", {}, box);
         if (group === "outcome") {
           const swatch = make("span", { className: "swatch line" });
-          swatch.style.color = scenery ? scenery.inks[value] : `var(--${value})`;
+          swatch.style.color = `var(--${scenery ? `ink-${page.outcomes.indexOf(value)}` : value})`;
           label.append(swatch);
         }
         label.append(`${said(value)} ${number}`);
         return label;
       });
-      return make("fieldset", {}, make("legend", { textContent: words }), ...boxes);
+      return make("fieldset", {}, make("legend", { textContent }), ...boxes);
     });
     $("filters").replaceChildren(...fieldsets);
   }
@@ -214,73 +148,113 @@
   }
 
   function sift() {
-    const shown = passing();
+    const shown = (state.shown = passing());
     const options = shown.map((k) => {
-      const words = [shots[k].label, said(shots[k].outcome)];
-      if (!scenery) words.push(said(shots[k].kind));
-      return make("option", { value: k, textContent: words.join(" · ") });
+      const parts = [shots[k].label, said(shots[k].outcome)];
+      if (!scenery) parts.push(said(shots[k].kind));
+      return make("option", { value: k, textContent: parts.join(" · ") });
     });
     $("shot").replaceChildren(...options);
     for (const id of ["shot", "previous", "next"]) $(id).disabled = !shown.length;
     picture?.filter(shown);
     if (shown.length && !shown.includes(state.shot)) choose(shown[0]);
-    else $("shot").value = state.shot;
+    else reach();
+    $("shot").value = state.shot;
   }
 
   /** Choose the shot so many places on among those shown. */
   function step(places) {
-    const shown = passing();
+    const { shown } = state;
     const at = shown.indexOf(state.shot);
     if (shown.length) choose(shown[(at + places + shown.length) % shown.length]);
   }
 
   // What changes
 
+  /** Return how long what is played lasts, s: the chosen shot, or the longest of those shown. */
+  function span() {
+    const played = state.together && state.shown.length ? state.shown : [state.shot];
+    return played.reduce((most, k) => Math.max(most, shots[k].duration), 0);
+  }
+
+  /** Play all shots, released together; pressed again, the chosen one alone is there. */
+  function gather() {
+    state.together = !state.together;
+    $("together").setAttribute("aria-pressed", state.together);
+    picture?.gather(state.together);
+    reach();
+    if (state.together) play(0);
+  }
+
+  /** See to it that the time is within what is played. */
+  function reach() {
+    measure();
+    seek(state.time);
+  }
+
   function choose(k) {
     state.shot = k;
     const shot = chosen();
     $("shot").value = k;
     $("outcome").replaceChildren(
-      make("b", { textContent: said(shot.outcome[0].toUpperCase() + shot.outcome.slice(1)) }),
-      make("span", { textContent: `${kindWords(shot)}, ${outcomeWords(shot)}` }),
+      make("b", { textContent: said(Words.capital(shot.outcome)) }),
+      make("span", { textContent: `${words.kind(shot)}, ${words.outcome(shot)}` }),
     );
     if (shot.uncertain) {
       const why = ". Uncertain: some decision is within the bound on its rounding error.";
       $("outcome").append(make("span", { textContent: why }));
     }
     Object.assign(document.body.dataset, { shot: k, outcome: shot.outcome, kind: shot.kind });
-    fill($("release"), releaseRows(shot));
+    fill($("release"), words.release(shot));
     listEvents(shot);
-    $("slider").max = shot.duration;
-    $("play").disabled = $("slider").disabled = shot.duration === 0;
+    measure();
     picture?.choose(shot);
-    seek(0, state.playing);
+    seek(state.together ? state.time : 0);
   }
 
-  function seek(time, playing = state.playing) {
+  /** Go to a time, or to a stop of the chosen shot, of which several may be at one time. */
+  function seek(time, playing = state.playing, stop = null) {
     const shot = chosen();
-    state.time = Math.min(Math.max(time, 0), shot.duration);
-    state.playing = playing && shot.duration > 0;
+    state.time = Math.min(Math.max(time, 0), span());
+    state.stop = stop ?? Stops.at(shot, state.time);
+    state.playing = playing && span() > 0;
     $("slider").value = state.time;
-    $("clock").textContent = `${state.time.toFixed(3)} / ${seconds(shot.duration)}`;
+    $("clock").textContent = `${state.time.toFixed(3)} / ${seconds(span())}`;
     $("slider").setAttribute("aria-valuetext", seconds(state.time));
     $("play").setAttribute("aria-label", state.playing ? "Pause" : "Play");
     const forms = { play: "M3 1l11 7-11 7z", pause: "M3 1h3.5v14H3zM9.5 1H13v14H9.5z" };
     $("play").querySelector("path").setAttribute("d", forms[state.playing ? "pause" : "play"]);
-    $("when").textContent = `At ${seconds(state.time)}`;
-    fill($("now"), nowRows(shot, state.time));
-    const last = shot.events.findLastIndex((event) => event.time <= state.time);
+    $("when").textContent = `At ${seconds(Math.min(state.time, shot.duration))}`;
+    fill($("now"), words.now(shot, state.time));
+    const told = words.stop(shot, state.stop);
+    if ($("stop").textContent !== told) $("stop").textContent = told;
     [...$("events").querySelectorAll("button")].forEach((button, k) => {
-      if (k === last) button.setAttribute("aria-current", "step");
+      if (k === state.stop - 1) button.setAttribute("aria-current", "step");
       else button.removeAttribute("aria-current");
     });
     document.body.dataset.time = state.time;
     picture?.move(shot, state.time);
   }
 
+  /** Stop at one of the chosen shot's stops, by its number. */
+  function halt(stop) {
+    seek(Stops.times(chosen())[stop], false, stop);
+  }
+
+  /** Go to the contact before (-1) or after (1). */
+  function stepTo(way) {
+    const stop = Stops.beside(chosen(), state.stop, state.time, way);
+    if (stop !== null) halt(stop);
+  }
+
   function toggle() {
-    const ended = state.time >= chosen().duration;
-    seek(ended && !state.playing ? 0 : state.time, !state.playing);
+    const ended = state.time >= span();
+    if (state.playing) seek(state.time, false);
+    else play(ended ? 0 : state.time);
+  }
+
+  function play(time) {
+    seek(time, true);
     cancelAnimationFrame(frame);
     if (state.playing) frame = requestAnimationFrame((now) => run(now, now));
   }
@@ -289,7 +263,7 @@
     if (!state.playing) return;
     // A page that was out of sight goes on where it was.
     const time = state.time + state.speed * Math.min((now - before) / 1000, 0.1);
-    seek(time, time < chosen().duration);
+    seek(time, time < span());
     frame = requestAnimationFrame((later) => run(later, now));
   }
 
@@ -303,10 +277,18 @@
     views[VIEWS.findIndex((view) => view.toLowerCase() === asked.get("view"))]?.click();
   }
 
+  function darkened() {
+    $("theme").setAttribute("aria-pressed", Theme.isDark());
+  }
+
   function keys(event) {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     const { target } = event;
-    if (event.key === " " && !target.closest("button, select, input[type=checkbox]")) {
+    const way = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (event.shiftKey && way) {
+      event.preventDefault();
+      stepTo(way);
+    } else if (event.key === " " && !target.closest("button, select, input[type=checkbox]")) {
       event.preventDefault();
       if (!$("play").disabled) toggle();
     } else if (target === $("picture") && picture?.key(event.key)) {
@@ -320,17 +302,18 @@
   $("about").textContent = page.about;
   $("about").hidden = !page.about;
   $("picture").setAttribute("aria-label", `${page.title}, drawn in space`);
+  darkened();
   legend();
   filters();
-  $("sample").hidden = shots.length === 1;
+  $("sample").hidden = $("together").hidden = shots.length === 1;
+  $("ghost").hidden = !page.ghost;
   try {
     picture = Picture.create(
       $("stage"),
       $("picture"),
       $("badges"),
       shots,
-      page.ring_height,
-      scenery,
+      page,
       paint,
       choose,
     );
@@ -343,6 +326,11 @@
   choices($("speeds"), SPEEDS.map((speed) => `${speed}×`), (k) => (state.speed = SPEEDS[k]));
   const views = choices($("views"), VIEWS, (k) => picture?.look(VIEWS[k]));
   $("play").onclick = toggle;
+  $("back").onclick = () => stepTo(-1);
+  $("on").onclick = () => stepTo(1);
+  $("together").onclick = gather;
+  $("ghost").onchange = ({ target }) => picture?.haunt(target.checked);
+  $("theme").onclick = Theme.toggle;
   $("slider").oninput = () => seek($("slider").valueAsNumber, false);
   $("shot").onchange = () => choose(Number($("shot").value));
   $("previous").onclick = () => step(-1);
@@ -352,5 +340,12 @@
   sift();
   choose(state.shot);
   follow(views);
-  window.hoopgen = { stateAt: (shot, time) => Flight.stateAt(shots[shot], time) };
+  Theme.tell(() => {
+    darkened();
+    picture?.repaint();
+  });
+  window.hoopgen = {
+    balls: () => picture.balls(),
+    stateAt: (shot, time) => Flight.stateAt(shots[shot], time),
+  };
 })();

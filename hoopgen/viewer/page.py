@@ -17,7 +17,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
-from hoopgen.colours import COLOURS
 from hoopgen.events import Event, numbered
 from hoopgen.hoop.kinds import Kind, kinds
 from hoopgen.hoop.releases import RING_HEIGHT
@@ -26,10 +25,12 @@ from hoopgen.outputs import write
 from hoopgen.parameters import Value, resolve
 from hoopgen.phrases import counted
 from hoopgen.printable import printable
-from hoopgen.results import Shots
+from hoopgen.results import Shots, Trajectory
 from hoopgen.told import say_of
 
-from .scenery import ball_radius, scenery, shown_parameters, turned
+from .ghost import ghost
+from .palette import palette
+from .scenery import PIECE, ball_radius, scenery, shown_parameters, turned
 from .shown import Page
 
 __all__ = ["MOST", "page", "written"]
@@ -37,9 +38,17 @@ __all__ = ["MOST", "page", "written"]
 MOST = 2000
 """Shots on a page; with more, browsers are slow and paths cannot be told apart."""
 
-_PIECE = 2.0**-6  # s, of a roll: between its ends a cubic is off by less than 1e-6 m
-
-_SCRIPTS = ("flight.js", "scene.js", "camera.js", "badges.js", "picture.js", "page.js")
+_SCRIPTS = (
+    "flight.js",
+    "stops.js",
+    "scene.js",
+    "others.js",
+    "camera.js",
+    "badges.js",
+    "picture.js",
+    "words.js",
+    "page.js",
+)
 _SLOT = re.compile(r"\{\{(\w+)\}\}")
 
 
@@ -75,6 +84,8 @@ def page(
     if not 1 <= len(valid) <= MOST:
         raise ValueError(f"shots: expected 1 to {MOST} valid ones, got {len(valid)}")
     touched = _touched(shots, values)
+    # One each, for all that is drawn of it: to follow a ball that rolls for long takes seconds.
+    paths = {int(row): shots.trajectory(int(row)) for row in valid}
     words = ["none"] * len(shots)
     if hoop:
         found = kinds(shots.outcome, shots.counts, shots.first)
@@ -83,18 +94,21 @@ def page(
         "title": printable(title) or _title(shots, valid),
         "about": _about(about, shots, parameters),
         "ring_height": RING_HEIGHT,
+        "ghost": ghost(shots, values),
         "surfaces": shots.surfaces,
         "outcomes": [outcome.name.lower() for outcome in shots.scene.outcomes],
         "kinds": [kind.name.lower() for kind in Kind],
         "parameters": {name: v for name, v in values.items() if isinstance(v, float)},
         "shots": [
-            _shot(shots, int(row), values, touched, label=names[row], kind=words[row])
-            for row in valid
+            _shot(shots, row, path, values, touched, label=names[row], kind=words[row])
+            for row, path in paths.items()
         ],
     }
+    colours: dict[str, str] = {}
     if not hoop:
-        data |= {"kinds": [], "parameters": {}, "scenery": scenery(shots, values)}
-    return _fill(data)
+        drawn, colours = scenery(shots, values, paths.values())
+        data |= {"kinds": [], "parameters": {}, "scenery": drawn}
+    return _fill(data, palette(colours))
 
 
 def _about(about: str, shots: Shots, parameters: Mapping[str, Any]) -> str:
@@ -119,6 +133,7 @@ def _labels(labels: Sequence[str] | None, shots: int) -> list[str]:
 def _shot(
     shots: Shots,
     row: int,
+    trajectory: Trajectory,
     values: Mapping[str, Value],
     touched: NDArray[np.float64],
     *,
@@ -126,10 +141,9 @@ def _shot(
     kind: str,
 ) -> dict[str, Any]:
     """Collect a shot: flights (start, state there), rolls (first flight, end), and its events."""
-    trajectory = shots.trajectory(row)
     events = trajectory.events
     low = int(np.searchsorted(shots.events["shot"], row))
-    starts, states, rolling = trajectory.pieces(_PIECE)
+    starts, states, rolling = trajectory.pieces(PIECE)
     surfaces = (*shots.surfaces, "end")
     own = {n: float(v[row]) for n, v in values.items() if not isinstance(v, float)}
     if not shots.scene.is_hoop:
@@ -190,17 +204,18 @@ def _ball(shots: Shots, values: Mapping[str, Value], rows: NDArray[np.intp]) -> 
     return found if isinstance(found, float) else found[rows]
 
 
-def _fill(data: Mapping[str, Any]) -> str:
+def _fill(data: Mapping[str, Any], colours: str) -> str:
     """Put style, scripts and data into the page, and a policy that lets nothing else run."""
-    style, three = _palette() + _read("page.css"), _read("three/three.js")
-    scripts = [_generated(), *(_read(name) for name in _SCRIPTS)]
-    allowed = " ".join(_digest(text) for text in (three, *scripts))
+    style, three = colours + _read("page.css"), _read("three/three.js")
+    first, scripts = _read("theme.js"), [_generated(), *(_read(name) for name in _SCRIPTS)]
+    allowed = " ".join(_digest(text) for text in (first, three, *scripts))
     policy = f"default-src 'none'; img-src data:; script-src {allowed}; style-src {_digest(style)}"
     slots = {
         "policy": policy,
         "version": html.escape(version()),
         "title": html.escape(data["title"]),
         "style": style,
+        "theme": first,
         "data": _json(data),
         "licence": _read("three/LICENSE"),
         "three": three,
@@ -218,13 +233,6 @@ def _json(data: Mapping[str, Any]) -> str:
 def _digest(text: str) -> str:
     digest = hashlib.sha256(text.encode()).digest()
     return f"'sha256-{base64.b64encode(digest).decode()}'"
-
-
-@cache
-def _palette() -> str:
-    """Return the colours that the page shares with pictures, as variables of its style."""
-    names = "".join(f"  --{name}: {colour};\n" for name, colour in COLOURS.items())
-    return f":root {{\n{names}}}\n"
 
 
 def _generated() -> str:

@@ -4,6 +4,7 @@
 const Picture = (() => {
   const NEAR_PATH = 12; // px from a path within which a click chooses its shot
   const MARGIN = 44; // px left free on each side, for badges and buttons
+  const LAST = 9; // of what is drawn, but for the net, which may hang before it
   const TURN = 0.08; // rad, for a press of an arrow key
   const KEYS = {
     ArrowLeft: (controls) => controls.rotateLeft(TURN),
@@ -14,9 +15,10 @@ const Picture = (() => {
     "-": (controls) => controls.dollyOut(0.9),
   };
 
-  /** Set up the picture; `pick` is told the index of a shot whose path is clicked. Without a
-   * scenery, which other scenes have, there is a hoop. */
-  function create(stage, canvas, svg, shots, ringHeight, scenery, paint, pick) {
+  /** Set up the picture of a page's shots; `pick` is told the index of one whose path is clicked.
+   * Without a scenery, which other scenes have, there is a hoop; a ghost is not simulated. */
+  function create(stage, canvas, svg, shots, page, paint, pick) {
+    const { ring_height: ringHeight, scenery, ghost, outcomes } = page;
     const renderer = new THREE.WebGLRenderer({
       canvas,
       antialias: true,
@@ -33,9 +35,10 @@ const Picture = (() => {
     const size = scenery ? Math.hypot(...scenery.room[0].map((v, k) => scenery.room[1][k] - v)) : 3;
     Object.assign(controls, { minDistance: 0.1 * size, maxDistance: 100 * size });
 
-    const colour = Scene.colours();
-    if (scenery) for (const [name, ink] of Object.entries(scenery.inks)) colour[`of ${name}`] = ink;
-    const inkOf = (outcome) => colour[scenery ? `of ${outcome}` : outcome];
+    const extra = scenery ? scenery.bodies.map((_, k) => `body-${k}`) : [];
+    if (scenery) extra.push(...outcomes.map((_, k) => `ink-${k}`));
+    let colour = Scene.colours(extra);
+    const inkOf = (outcome) => colour[scenery ? `ink-${outcomes.indexOf(outcome)}` : outcome];
     const middle = [0, 1, 2].map((k) => (scenery ? (scenery.room[0][k] + scenery.room[1][k]) / 2 : 0));
     const beat = Scene.beatOf(shots);
     const paths = shots.map((shot) => Flight.pathOf(shot, scenery ? Math.min(0.02, shot.duration / 150) : 0.02));
@@ -43,6 +46,8 @@ const Picture = (() => {
     let chosen = shots[0];
     let shown = shots.map((_, k) => k);
     let view = "3D";
+    let together = false; // all shots, and not the chosen one alone
+    let now = 0; // s
     let turned = false; // by the reader, who then keeps what is seen
     let drawing = false; // asked for already
     let marks = []; // of the chosen shot
@@ -81,7 +86,7 @@ const Picture = (() => {
     /** Return a path's line; among others, bold and with a light edge. */
     function strokes(path, ink) {
       if (shots.length === 1) return [Scene.line(path, { color: ink, linewidth: 2.75 })];
-      const edge = { color: "#FFFFFF", linewidth: 7.5, opacity: 0.8, depthWrite: false };
+      const edge = { color: colour.paper, linewidth: 7.5, opacity: 0.8, depthWrite: false };
       return [
         Scene.line(path, edge),
         Scene.line(path, { color: ink, linewidth: 4, opacity: 1 }),
@@ -90,20 +95,79 @@ const Picture = (() => {
 
     function filter(indices) {
       shown = indices;
-      const outcomes = [...new Set(shots.map((shot) => shot.outcome))];
-      const crowd = outcomes.flatMap((outcome) => {
+      const there = [...new Set(shots.map((shot) => shot.outcome))];
+      const lines = there.flatMap((outcome) => {
         const own = shown.filter((k) => shots[k].outcome === outcome && paths[k].length > 1);
         const ink = { color: inkOf(outcome), linewidth: 1.25, opacity: 0.4, depthWrite: false };
         return own.length ? [Scene.lines(own.map((k) => paths[k]), ink)] : [];
       });
-      if (shots.length > 1) put("crowd", ...crowd);
+      if (shots.length > 1) put("crowd", ...lines);
       for (const name of ["path", "ball"]) {
         if (things[name]) things[name].visible = shown.length > 0;
       }
+      crowd();
       update();
     }
 
-    function move(shot, time) {
+    /** Draw everything anew, in the colours that the page has now. */
+    function repaint() {
+      colour = Scene.colours(extra);
+      delete things.hoop?.userData.sizes;
+      setting();
+      choose(chosen);
+      if (together) put("others", Others.create(shots, inkOf));
+      filter(shown);
+      move(chosen, now);
+      draw(); // at once: it may be for a printer
+    }
+
+    /** Put what no shot changes into the scene: the floor, and what is not simulated. */
+    function setting() {
+      const around = scenery ? [...paths, Scene.room(scenery)] : paths;
+      const below = scenery && !ghost ? scenery.room[0][2] - 0.02 * size : -ringHeight;
+      put("floor", Scene.floor(around, below, colour, scenery?.step));
+      const seen = things.ghost?.visible ?? true;
+      if (!ghost) return;
+      const drawn = Scene.ghost(ghost, colour);
+      for (const part of drawn) part.renderOrder = LAST + 1;
+      put("ghost", ...drawn);
+      things.ghost.visible = seen;
+    }
+
+    /** Show what is not simulated, or leave it out. */
+    function haunt(seen) {
+      if (things.ghost) things.ghost.visible = seen;
+      update();
+    }
+
+    /** Have the balls of all shots, or of the chosen one alone. */
+    function gather(all) {
+      together = all;
+      put("others", ...(all ? [Others.create(shots, inkOf)] : []));
+      crowd();
+      update();
+    }
+
+    /** Place the other balls, and the chosen one before them: it is drawn after the pale ones. */
+    function crowd() {
+      if (together) Others.move(things.others.children[0], shots, shown, chosen, now);
+      const [ball] = things.ball.children;
+      [ball.material.transparent, ball.renderOrder] = [together, together ? LAST : 0];
+    }
+
+    /** Return where the balls are that are seen, the chosen one among them, by their shots. */
+    function balls() {
+      const others = together ? things.others.children[0].children : [];
+      const there = shots.map((shot, k) => (shot === chosen ? things.ball : others[k]));
+      return shown
+        .filter((k) => there[k]?.visible)
+        .map((k) => [k, ...there[k].position.toArray()]);
+    }
+
+    function move(shot, asked) {
+      now = asked;
+      crowd();
+      const time = Math.min(now, shot.duration);
       const [x, y, z] = Flight.stateAt(shot, time);
       const k = Flight.indexAt(shot.flights, time);
       const turn = Scene.turn(things.path.userData.turned[k], shot, k, time - shot.flights[k][0]);
@@ -212,16 +276,15 @@ const Picture = (() => {
     controls.addEventListener("start", () => (turned = true));
     controls.addEventListener("change", update);
     if (scenery) {
-      const level = scenery.room[0][2] - 0.02 * size;
       scene.add(...Scene.lights(size / 2, middle));
-      scene.add(Scene.floor([...paths, Scene.room(scenery)], level, colour, scenery.step));
     } else {
-      scene.add(...Scene.lights(), Scene.floor(paths, -ringHeight, colour));
+      scene.add(...Scene.lights());
     }
+    setting();
     choose(chosen);
     new ResizeObserver(resize).observe(stage);
     resize();
-    return { choose, filter, key, look, move };
+    return { balls, choose, filter, gather, haunt, key, look, move, repaint };
   }
 
   /** Return the distance from a point to a stretch between two others, px. */

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections import Counter
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pyarrow as pa
 from numpy.typing import NDArray
 
-from hoopgen.brief import brief
+from hoopgen.brief import brief, cut, listed
 from hoopgen.engines import HOOP, Engine
 from hoopgen.study.draws import ROW_OF_SAMPLE, uniforms
 from hoopgen.study.models import check_turns, from_columns
@@ -22,6 +24,9 @@ __all__ = ["Sample", "sample"]
 
 _ROWS = 1 << 16
 """Read at a time."""
+
+_LONGEST = 40
+"""Characters of a cell that a row is called by; with more, names would not fit on the page."""
 
 
 @dataclass(frozen=True)
@@ -38,12 +43,15 @@ class Sample:
         What they say.
     max_contacts
         Contacts after which their shots end as capped.
+    labels
+        What each is called: its cell in a column, and where rows share that, the row too.
     """
 
     rows: NDArray[np.int64]
     total: int
     releases: Releases
     max_contacts: int
+    labels: Sequence[str]
 
 
 def sample(
@@ -57,6 +65,7 @@ def sample(
     override: bool = False,
     format: str | None = None,
     own: Sequence[str] = (),
+    label: str | None = None,
     scene: Engine = HOOP,
 ) -> Sample:
     """Choose rows of a table of releases; each is as likely as any other.
@@ -84,6 +93,8 @@ def sample(
         "csv", "parquet" or "arrow"; by default as the suffix says.
     own
         Columns that are not to be read, though they are named like variables.
+    label
+        A column that says what each row is called; by default its number, from 1.
     scene
         In which the shots are flown.
 
@@ -102,20 +113,24 @@ def sample(
     origin = settle(table, parameters, release, max_contacts, own, override=override, scene=scene)
     shared = origin.release
     columns = table.columns(origin.own, shared, scene)
+    named = _labelled(table, label)
     # Every row draws a number, and the lowest win: that does not hang on how the rows are read.
     kept = {"draw": np.empty(0), "row": np.empty(0), **{name: np.empty(0) for name in columns}}
+    called: NDArray[np.object_] = np.empty(0, np.object_)
     total = 0
     for part in table.tables(_ROWS):
         drawn = uniforms(seed, ROW_OF_SAMPLE, total, total + part.num_rows)
         best = np.argsort(drawn, kind="stable")[:count]
+        taken = part.take(best)
         found = {
             "draw": drawn[best],
             "row": best + float(total),
-            **table.values(part.take(best), columns),
+            **table.values(taken, columns),
         }
         joined = {name: np.concatenate([kept[name], found[name]]) for name in kept}
         lowest = np.argsort(joined["draw"], kind="stable")[:count]
         kept = {name: column[lowest] for name, column in joined.items()}
+        called = np.concatenate([called, named(taken)])[lowest]
         total += part.num_rows
     if not total:
         raise ValueError(f"{table.path}: the table has no rows")
@@ -123,4 +138,39 @@ def sample(
     rows = kept["row"][order].astype(np.int64)
     given = {name: kept[name][order] for name in columns}
     releases = from_columns({**given, **shared}, origin.parameters)
-    return Sample(rows, total, releases, origin.max_contacts)
+    return Sample(rows, total, releases, origin.max_contacts, _labels(rows, called[order].tolist()))
+
+
+def _labelled(table: Source, label: str | None) -> Callable[[pa.Table], NDArray[np.object_]]:
+    """Return what reads the cells of the column that says what rows are called; None without one.
+
+    Raises
+    ------
+    ValueError
+        If the table has no such column.
+    """
+    if label is None:
+        return lambda part: np.full(part.num_rows, None)
+    names = table.schema().names
+    if label not in names:
+        raise ValueError(
+            f"label: {table.path} has no column {brief(label)}. The columns are {listed(names)}"
+        )
+
+    def cells(part: pa.Table) -> NDArray[np.object_]:
+        read: NDArray[np.object_] = np.empty(part.num_rows, np.object_)
+        read[:] = part[label].to_pylist()
+        return read
+
+    return cells
+
+
+def _labels(rows: NDArray[np.int64], cells: Sequence[Any]) -> list[str]:
+    """Return what rows are called: no two alike, and none by nothing."""
+    words = ["" if cell is None else cut(str(cell).strip(), _LONGEST) for cell in cells]
+    often = Counter(words)
+    numbers = [f"row {row + 1}" for row in rows.tolist()]
+    return [
+        number.capitalize() if not word else word if often[word] == 1 else f"{word}, {number}"
+        for word, number in zip(words, numbers, strict=True)
+    ]

@@ -8,12 +8,12 @@ const Scene = (() => {
   const BEATS = 100;
   const LINES = 100; // of the floor's grid on each side of the middle
 
-  /** Return the colours of page.css, by name. */
-  function colours() {
+  /** Return the colours of the page's style, as they are now, by name; those of a list too. */
+  function colours(others) {
     const style = getComputedStyle(document.documentElement);
-    const names = "path ball seam ring backboard bridge end floor glass made missed capped short";
+    const names = "path ball seam ring backboard bridge end floor glass made missed capped short faint paper";
     return Object.fromEntries(
-      names.split(" ").map((name) => [name, style.getPropertyValue(`--${name}`).trim()]),
+      [...names.split(" "), ...others].map((name) => [name, style.getPropertyValue(`--${name}`).trim()]),
     );
   }
 
@@ -29,26 +29,37 @@ const Scene = (() => {
   /** Return the bodies of any other scene, each a mesh seen from the side that is touched. */
   function bodies(scenery, colour) {
     const group = new THREE.Group();
-    for (const body of scenery.bodies) {
+    for (const [k, body] of scenery.bodies.entries()) {
+      const ink = colour[`body-${k}`];
       const corners = body.points.map((point) => new THREE.Vector3(...point));
       const geometry = new THREE.BufferGeometry().setFromPoints(corners);
       geometry.setIndex(body.triangles);
       geometry.computeVertexNormals();
-      const mesh = solid(geometry, body.colour, 0.6);
+      const mesh = solid(geometry, ink, 0.6);
       if (body.flat) {
         const pale = { transparent: true, opacity: 0.22, depthWrite: false };
-        mesh.material = new THREE.MeshBasicMaterial({ color: body.colour, ...pale });
+        mesh.material = new THREE.MeshBasicMaterial({ color: ink, ...pale });
         mesh.renderOrder = -1; // under what stands on it
       }
-      if (body.inside) mesh.material.color.lerp(new THREE.Color("#FFFFFF"), 0.3); // paths before it
+      if (body.inside) mesh.material.color.lerp(new THREE.Color(colour.paper), 0.3); // paths before it
       if (body.flat || body.inside) mesh.castShadow = mesh.receiveShadow = false;
       if (body.points.length) group.add(mesh);
-      if (body.rims.length) group.add(lines(body.rims, { color: body.colour, linewidth: 1 }));
-      if (body.lines.length) group.add(lines(body.lines, { color: body.colour, linewidth: 3 }));
+      if (body.rims.length) group.add(lines(body.rims, { color: ink, linewidth: 1 }));
+      if (body.lines.length) group.add(lines(body.lines, { color: ink, linewidth: 3 }));
     }
     const faint = { color: colour.end, linewidth: 1.25, opacity: 0.7 };
     if (scenery.ends.length) group.add(lines(scenery.ends, faint));
     return group;
+  }
+
+  /** Return the net and the court's lines, faint and dashed: nothing simulates them. */
+  function ghost({ net, lines: floor }, colour) {
+    const faint = { color: colour.faint, depthWrite: false };
+    const cords = lines(net, { ...faint, linewidth: 1, opacity: 0.6 });
+    const dashes = { dashed: true, dashSize: 0.12, gapSize: 0.08 }; // m
+    const marks = lines(floor, { ...faint, linewidth: 1.5, opacity: 0.9, ...dashes });
+    marks.computeLineDistances();
+    return [cords, marks];
   }
 
   function ring(parameters, colour) {
@@ -331,7 +342,7 @@ const Scene = (() => {
   }
 
   return {
-    ball, beatOf, beats, bodies, colours, corners, dispose, edges, floor, hoop, lights, line, lines,
-    orientations, outline, room, turn,
+    ball, beatOf, beats, bodies, colours, corners, dispose, edges, floor, ghost, hoop, lights, line,
+    lines, orientations, outline, room, turn,
   };
 })();

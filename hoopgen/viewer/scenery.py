@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.colours import colours, ended
-from hoopgen.results import Shots
+from hoopgen.results import Shots, Trajectory
 from hoopgen.scene.drawn import drawn
 from hoopgen.scene.meshes import chains
 from hoopgen.scene.seen import Body, Seen, upright
 
-__all__ = ["ball_radius", "scenery", "shown_parameters", "turned"]
+__all__ = ["PIECE", "ball_radius", "scenery", "shown_parameters", "turned"]
+
+PIECE = 2.0**-7
+"""s, of a roll: between its ends a cubic is off by less than 1e-6 m; longer where it lasts long."""
 
 _DIGITS = 6
 """Significant, of a corner of a body: finer than can be seen."""
@@ -22,24 +25,32 @@ _DIGITS = 6
 Floats = NDArray[np.float64]
 
 
-def scenery(shots: Shots, parameters: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the scene of shots for the page; of parameters that differ, the mean is drawn."""
+def scenery(
+    shots: Shots, parameters: Mapping[str, Any], paths: Iterable[Trajectory]
+) -> tuple[dict[str, Any], dict[str, str]]:
+    """Return the scene of shots for the page, and its colours by their names in the style.
+
+    Of parameters that differ, the mean is drawn. No name of a scene's author is in a style: bodies
+    are body-0, body-1, ... there, and outcomes ink-0, ink-1, ...
+    """
     seen = Seen.of(shots.scene, parameters)
     turn, axes = upright(seen.scene.read.down)
-    low, high = _reach(shots)
+    low, high = _reach(paths)
     room = seen.room(low, high)
     own = colours(seen.names)
     corners = np.sort(np.stack(room) @ turn.T, axis=0)
     outcomes = shots.scene.outcomes.__members__
     inks = ended(outcomes, len(shots.scene.kernels.ENDS))
-    return {
+    named = {f"body-{k}": own[name] for k, name in enumerate(seen.names)}
+    named |= {f"ink-{k}": inks[name] for k, name in enumerate(outcomes)}
+    found = {
         "axes": axes,
         "room": corners.tolist(),
         "step": float(10.0 ** np.floor(np.log10((corners[1] - corners[0]).max() / 3.0))),
-        "bodies": [_body(body, own[body.name], turn) for body in seen.bodies(room)],
+        "bodies": [_body(body, turn) for body in seen.bodies(room)],
         "ends": [line for end in seen.ends(room) for line in _lines(end.mesh.rims, turn)],
-        "inks": {name.lower(): colour for name, colour in inks.items()},
     }
+    return found, named
 
 
 def turned(shots: Shots, states: Floats) -> Floats:
@@ -65,26 +76,23 @@ def ball_radius(shots: Shots, values: Mapping[str, Any]) -> Any:
     return found if found.ndim else float(found)
 
 
-def _reach(shots: Shots) -> tuple[Floats, Floats]:
-    """Return the corners of the box in which all shots fly, apexes included."""
+def _reach(paths: Iterable[Trajectory]) -> tuple[Floats, Floats]:
+    """Return the corners of the box in which balls fly and roll, apexes included."""
     points = []
-    for row in np.unique(shots.events["shot"]):
-        path = shots.trajectory(int(row))
-        times = np.concatenate([[0.0], path.events["time"]])
-        some = np.linspace(0.0, 1.0, 9)
-        points.append(path.at(times[:-1, None] + some * np.diff(times)[:, None])[..., :3])
-    starts = [shots.trajectory(row).release[None, :3] for row in range(len(shots))]
-    rows = [place.reshape(-1, 3) for place in (*points, *starts)]
-    found = np.concatenate(rows)
-    found = found[np.isfinite(found).all(axis=1)]
-    return found.min(axis=0), found.max(axis=0)
+    for path in paths:
+        times, states, rolling = path.pieces(PIECE)
+        flights = np.flatnonzero(~rolling[:-1])
+        some = np.linspace(0.0, 1.0, 9)[1:-1] * np.diff(times)[flights, None]
+        flown = path.at(times[flights, None] + some)
+        points += [states[:, :3], flown[..., :3].reshape(-1, 3)]
+    rows = np.concatenate(points)
+    return rows.min(axis=0), rows.max(axis=0)
 
 
-def _body(body: Body, colour: str, turn: NDArray[np.int64]) -> dict[str, Any]:
+def _body(body: Body, turn: NDArray[np.int64]) -> dict[str, Any]:
     corners = body.mesh.corners.reshape(-1, 6)
     rows, index = np.unique(corners, axis=0, return_inverse=True)
     return {
-        "colour": colour,
         "flat": body.behind and _is_flat(body),
         "inside": body.behind and not _is_flat(body),
         "points": _rounded(rows[:, :3] @ turn.T).tolist(),

@@ -38,6 +38,7 @@ def view_table(
     override: bool = False,
     format: str | None = None,
     own: Sequence[str] = (),
+    label: str | None = None,
     backend: Backend = "auto",
     scene: Any = None,
 ) -> Page:
@@ -45,7 +46,7 @@ def view_table(
 
     Parameters
     ----------
-    source, count, seed, parameters, release, max_contacts, override, format, own
+    source, count, seed, parameters, release, max_contacts, override, format, own, label
         As for `hoopgen.viewer.sample.sample`.
     path, title
         As for `hoopgen.view`.
@@ -69,6 +70,7 @@ def view_table(
         override=override,
         format=format,
         own=own,
+        label=label,
         scene=engine,
     )
     states, parameters = chosen.releases.states, chosen.releases.parameters
@@ -77,9 +79,8 @@ def view_table(
         states, parameters, scene=engine, max_contacts=most, backend=backend, record=True
     )
     invalid = int(np.count_nonzero(shots.outcome == engine.outcomes["INVALID"]))
-    labels = [f"Row {row + 1}" for row in chosen.rows]
     about = _about(file, chosen, seed, invalid)
-    return written(shots, parameters, target, title=title, about=about, labels=labels)
+    return written(shots, parameters, target, title=title, about=about, labels=chosen.labels)
 
 
 def _about(file: Path, chosen: Sample, seed: int, invalid: int) -> str:

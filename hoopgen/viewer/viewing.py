@@ -6,6 +6,7 @@ import os
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from hoopgen.brief import brief
 from hoopgen.outputs import PAGES, check_output
 from hoopgen.results import Shots
 from hoopgen.scenes import engine_of
@@ -23,7 +24,7 @@ def view(
     *,
     title: str = "",
     about: str = "",
-    labels: Sequence[str] | None = None,
+    labels: Sequence[str] | str | None = None,
     scene: Any = None,
 ) -> Page:
     """Write a page on which shots are seen in motion; in a notebook, show it.
@@ -31,6 +32,10 @@ def view(
     It is one file of about 0.7 MB, needs no network, and opens in any browser with WebGL. A
     notebook that shows it becomes larger by as much. Invalid shots are left out; `about` may say
     so.
+
+    One shot is played, or all at once; it goes from contact to contact by buttons or by Shift with
+    an arrow key, and is light or dark as the system is, or as its reader says. Around a hoop it has
+    a net and court lines, drawn for orientation and not simulated, which can be left out.
 
     Parameters
     ----------
@@ -47,8 +52,8 @@ def view(
     about
         A line below it, after which the scene is said.
     labels
-        What each shot is called, n words or lines; by default "Shot 1", "Shot 2", ...
-
+        What each shot is called, n words or lines; by default "Shot 1", "Shot 2", ... Of a file the
+        name of a column that says it; by default "Row 1", ...
     scene
         Of a file, as for `hoopgen.simulate`; shots have theirs.
 
@@ -73,9 +78,12 @@ def view(
     if not isinstance(shots, Shots):
         from .table import view_table  # reads by pyarrow, which shots do without
 
-        if about or labels is not None:
-            raise ValueError("about, labels: of a file they are its rows; leave out")
-        return view_table(shots, target, title=title, parameters=parameters, scene=scene)
+        if about:
+            raise ValueError("about: of a file it is which rows are shown; leave out")
+        if labels is not None and not isinstance(labels, str):
+            raise ValueError(f"labels: of a file, expected a column's name, got {brief(labels)}")
+        options = {"title": title, "label": labels, "parameters": parameters, "scene": scene}
+        return view_table(shots, target, **options)
     if scene is not None and engine_of(scene) is not shots.scene:
         raise ValueError("scene: shots were flown in their own; leave out")
     given = shots.parameters if parameters is None else parameters

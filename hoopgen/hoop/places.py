@@ -1,0 +1,94 @@
+"""Places on the board and on the ring by name, as coaches say where to aim; from their sizes alone.
+
+The square is that painted on the board: NBA Rule Book, rule 1. The upper edge of its base is level
+with the ring; 24 in by 18 in outside, lines 2 in wide.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from hoopgen.units import INCH, shown
+
+__all__ = ["Square", "on_board", "on_ring", "say_on_board", "say_on_ring"]
+
+_ACROSS, _UP, _LINE = 24.0 * INCH, 18.0 * INCH, 2.0 * INCH
+
+
+@dataclass(frozen=True)
+class Square:
+    """The outer edges of the painted square, and how wide its lines are, m.
+
+    y is to the right as the shooter sees it, z up, both from the ring's centre.
+    """
+
+    left: float
+    right: float
+    bottom: float
+    top: float
+    line: float
+
+    @classmethod
+    def of(cls, parameters: Mapping[str, float]) -> Square:
+        """Return that of a scene."""
+        bottom = parameters["wire_radius"] - _LINE
+        return cls(-_ACROSS / 2.0, _ACROSS / 2.0, bottom, bottom + _UP, _LINE)
+
+
+def on_board(parameters: Mapping[str, float]) -> dict[str, tuple[float, float]]:
+    """Return the named places on the board, y and z from the ring's centre, m."""
+    square = Square.of(parameters)
+    middle = (square.bottom + square.top) / 2.0
+    return {
+        "top left corner of the square": (square.left, square.top),
+        "top of the square": (0.0, square.top),
+        "top right corner of the square": (square.right, square.top),
+        "left side of the square": (square.left, middle),
+        "centre of the square": (0.0, middle),
+        "right side of the square": (square.right, middle),
+    }
+
+
+def on_ring(parameters: Mapping[str, float]) -> dict[str, float]:
+    """Return the named places of the ring by how far past its centre they are, m.
+
+    The rim's are in the middle of the wire, that of the model's ring.
+    """
+    radius = parameters["ring_radius"]
+    return {"front of the rim": -radius, "centre of the ring": 0.0, "back of the rim": radius}
+
+
+def say_on_board(y: float, z: float, parameters: Mapping[str, float]) -> str:
+    """Say a place on the board by the nearest that has a name: "3 cm above the top of the square".
+
+    Parameters
+    ----------
+    y, z
+        From the ring's centre, m; +y is to the shooter's right.
+    parameters
+        Of the scene.
+    """
+    places = on_board(parameters)
+    name = min(places, key=lambda one: math.dist(places[one], (y, z)))
+    across, up = y - places[name][0], z - places[name][1]
+    return _said(name, [(up, "above", "below"), (across, "right of", "left of")])
+
+
+def say_on_ring(past: float, parameters: Mapping[str, float]) -> str:
+    """Say how far past the ring's centre an aim is, m, by the nearest place with a name."""
+    places = on_ring(parameters)
+    name = min(places, key=lambda one: abs(places[one] - past))
+    return _said(name, [(past - places[name], "past", "short of")])
+
+
+def _said(name: str, ways: list[tuple[float, str, str]]) -> str:
+    """Say a place by how far it is from a named one, each way."""
+    unit = shown("short")
+    parts = [
+        f"{abs(away) / unit.size:.0f} {unit.symbol} {more if away > 0.0 else less}"
+        for away, more, less in ways
+        if round(abs(away) / unit.size) >= 1
+    ]
+    return f"{' and '.join(parts)} the {name}" if parts else f"the {name}"
