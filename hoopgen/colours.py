@@ -48,6 +48,15 @@ def colours(names: Iterable[str]) -> dict[str, str]:
     return {name: found[_family(name)] for name in own}
 
 
+_FACES = {"backboard": "#7A8794"}
+"""Of what is drawn in another colour than its marks and badges have: glass is pale."""
+
+
+def faces(names: Iterable[str]) -> dict[str, str]:
+    """Return the colour in which each body itself is drawn; all else of it is in `colours`."""
+    return {name: _FACES.get(_family(name), colour) for name, colour in colours(names).items()}
+
+
 def _family(name: str) -> str:
     stem, _, last = name.rpartition("_")
     return stem if stem and (last.isdigit() or len(last) == 1) else name

@@ -15,6 +15,7 @@ from typing import IO
 from .brief import brief
 
 __all__ = [
+    "FILMS",
     "MAPS",
     "PAGES",
     "PICTURES",
@@ -28,6 +29,7 @@ __all__ = [
 ]
 
 PICTURES, PAGES, MAPS = (".png", ".svg", ".pdf"), (".html", ".htm"), (".nc", ".csv")
+FILMS = (".gif", ".mp4")
 """What the names of such files end in."""
 
 _DEVICES = ("/dev/", "/proc/")

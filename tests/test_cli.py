@@ -38,8 +38,8 @@ FIGURE_7 = [
     *["--height", "8ft", "--backspin", "3Hz"],
 ]
 COMMANDS = [
-    *("paper", "shot", "estimate", "map", "optimum", "aim", "bank", "batch", "study"),
-    *("view", "certify", "compile", "cache", "generate", "check", "bench"),
+    *("paper", "shot", "estimate", "map", "fan", "landings", "optimum", "aim", "bank", "batch"),
+    *("study", "view", "certify", "compile", "cache", "generate", "check", "bench"),
 ]
 
 

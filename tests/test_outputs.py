@@ -281,6 +281,8 @@ def idle(monkeypatch: pytest.MonkeyPatch) -> None:
 COMMANDS: dict[str, tuple[list[str], str]] = {
     "--picture of a shot": ([*SHOT, "--picture"], ".svg"),
     "--view": ([*SHOT, "--view"], ".html"),
+    "a film of a shot": ([*SHOT, "--picture"], ".gif"),
+    "--picture of an aim": ([*AIM, "--picture"], ".svg"),
     "--picture of a map": ([*MAP, "--picture"], ".png"),
     "--picture of bank shots": ([*BANK, "--picture"], ".pdf"),
     "map --out": ([*MAP, "--out"], ".nc"),

@@ -30,7 +30,7 @@ from hoopgen.plots import COLOURS, plot_trajectory, save, style  # noqa: E402
 from hoopgen.plots.layout import Box, place_labels  # noqa: E402
 from hoopgen.plots.marks import Mark, collect_marks, draw_key  # noqa: E402
 from hoopgen.plots.style import wrap  # noqa: E402
-from hoopgen.plots.trajectory import _collect  # noqa: E402
+from hoopgen.plots.trajectory import collect  # noqa: E402
 from hoopgen.plots.views import SIDE, TOP, oblique  # noqa: E402
 
 RESULTS = {result.case.slug: result for result in run()}
@@ -230,7 +230,7 @@ def test_a_flight_of_any_length_is_a_drawing_of_the_same_size(gravity: float) ->
     for axes in views(figure).values():
         assert sum(len(line.get_xdata()) for line in axes.lines) < 2_000
     # A chord is off by no more than this part of the flight's height.
-    assert 1 / (len(_collect(flight, scene, None).path) - 1) ** 2 < 1e-5
+    assert 1 / (len(collect(flight, scene, None).path) - 1) ** 2 < 1e-5
     said = " ".join(text.get_text() for text in figure.texts)  # in lines as long as there is room
     dots = re.search(r"Dots on the path every (\S+) s\.", said)
     assert dots
@@ -250,7 +250,7 @@ def test_a_shot_of_any_number_of_contacts_is_one_too() -> None:
     scene = hoopgen.PAPER | {"restitution": 1.0}
     shots = hoopgen.simulate(state, scene, max_contacts=contacts, record=True)
     assert shots.contacts.tolist() == [contacts]  # it bounces on the bridge for ever
-    drawing = _collect(shots.trajectory(0), scene, hoopgen.Outcome.CAPPED)
+    drawing = collect(shots.trajectory(0), scene, hoopgen.Outcome.CAPPED)
     assert len(drawing.path) <= 20_001
     assert len(drawing.dots) <= 10_000
     assert drawing.marks[1].text.startswith("bridge ")
@@ -302,7 +302,7 @@ def test_an_ordinary_flight_has_160_points_a_second() -> None:
     for result in RESULTS.values():
         times = np.unique(np.append(result.trajectory.events["time"], 0.0))
         wanted = sum(max(2, int(160 * lasts)) for lasts in np.diff(times).tolist())
-        assert len(_collect(result.trajectory, result.parameters, None).path) == wanted + 1
+        assert len(collect(result.trajectory, result.parameters, None).path) == wanted + 1
 
 
 def test_a_3d_view_can_be_asked_for() -> None:

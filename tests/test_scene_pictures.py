@@ -255,6 +255,21 @@ def test_a_shot_is_drawn_with_its_bodies_and_named_contacts(netball: Engine) -> 
     assert max(box.x1 for box in boxes) == pytest.approx(0.1975 + 0.0075, abs=1e-3)
 
 
+def test_the_board_of_the_whole_hoop_is_pale_and_its_badge_dark() -> None:
+    state = hoopgen.release(8.3, np.radians(50), height=2.1336, distance=4.191)
+    shots = hoopgen.simulate(state, scene=hoopgen.COURT, record=True)
+    assert hoopgen.COURT.surfaces[shots.first[0]] == "backboard"
+    figure = shots.trajectory(0).plot(three_d=True)
+    space = next(axes for axes in figure.axes if axes.get_label() == "3D view")
+    patches = [patch for patch in space.patches if isinstance(patch, PathPatch)]
+    board = max(patches, key=lambda patch: np.prod(patch.get_path().get_extents().size))
+    red, green, blue, _ = board.get_facecolor()
+    assert min(red, green, blue) > 0.6
+    badges = [text.get_bbox_patch() for text in space.texts if text.get_text() == "1"]
+    (dark,) = (to_hex(badge.get_facecolor()) for badge in badges if badge is not None)
+    assert dark == colours(["backboard"])["backboard"]
+
+
 def test_another_parameter_is_drawn_and_said(netball: Engine) -> None:
     shots = netball.simulate(SHOT, {"ring_radius": 0.3}, record=True)
     figure = shots.trajectory(0).plot()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import json
 import os
 import re
 import subprocess
@@ -13,6 +14,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose
 
 import hoopgen
 from hoopgen import Outcome
@@ -41,7 +43,9 @@ from hoopgen.hoop.places import on_board, say_on_board  # noqa: E402
 from hoopgen.plots import (  # noqa: E402
     COLUMN,
     PAGE,
+    plot_aim,
     plot_aim_points,
+    plot_estimate,
     plot_fan,
     plot_landings,
     plot_map,
@@ -50,6 +54,7 @@ from hoopgen.plots import (  # noqa: E402
 from hoopgen.plots.court import COURTS  # noqa: E402
 from hoopgen.plots.key import CLASSES, classify  # noqa: E402
 from hoopgen.plots.style import MADE, MISSED, NEITHER  # noqa: E402
+from hoopgen.study.aim_table import aim_table  # noqa: E402
 
 FREE_THROW = {"height": 2.1336, "distance": 4.191, "backspin": 6.0 * np.pi}
 SCENE = hoopgen.NBA
@@ -127,6 +132,33 @@ def aims() -> Any:
     )
 
 
+def court_map(*, backspins: int = 0, kind: bool = False) -> Any:
+    """A share, or kinds, over places on the floor: none near the basket."""
+    over = {"x": np.linspace(-1.0, 8.0, 19), "y": np.linspace(-7.0, 7.0, 29)} | (
+        {"backspin": 2.0 * np.pi * np.arange(backspins)} if backspins else {}
+    )
+    x, y, *_ = np.meshgrid(*over.values(), indexing="ij")
+    away = np.hypot(x, y)
+    told = {"parameters": json.dumps(dict(SCENE)), "scene": "NBA", "seed": "7"}
+    if kind:
+        codes = {"outcome": np.where(away < 1.0, 4, 0), "kind": np.where(away < 1.0, 6, 0)}
+        return xr.Dataset({n: (tuple(over), code) for n, code in codes.items()}, over, told)
+    share = np.where(away < 1.0, np.nan, 0.9 - away / 15.0)
+    columns = {"probability": share, "low": share - 0.01, "high": share + 0.01}
+    return xr.Dataset({n: (tuple(over), column) for n, column in columns.items()}, over, told)
+
+
+def aim_rows() -> dict[str, np.ndarray]:
+    return aim_table(np.linspace(2.0, 7.0, 6), height=2.0, entry=np.radians(45.0))
+
+
+def estimated() -> Any:
+    model = hoopgen.Scatter(
+        {**FREE_THROW, "speed": 7.17, "elevation": np.radians(52.0)}, {"speed": 0.1}
+    )
+    return hoopgen.estimate(model, SCENE, shots=300)
+
+
 PICTURES: dict[str, Callable[[float], Figure]] = {
     "kinds": lambda width: plot_map(kind_map(), title="Kinds", width=width),
     "strip": lambda width: plot_map(kind_map().isel(elevation=25), width=width),
@@ -137,6 +169,11 @@ PICTURES: dict[str, Callable[[float], Figure]] = {
     "fan": lambda width: plot_fan(shots_of(400), SCENE, title="Fan", width=width),
     "landings": lambda width: plot_landings(*landings(), SCENE, place=(4.191, 0), width=width),
     "aim points": lambda width: plot_aim_points(aims(), SCENE, title="Bank", width=width),
+    "court": lambda width: plot_map(court_map(), title="Court", width=width),
+    "courts": lambda width: plot_map(court_map(backspins=3), width=width),
+    "court of kinds": lambda width: plot_map(court_map(kind=True), width=width),
+    "shares": lambda width: plot_estimate(estimated(), title="Shares", width=width),
+    "aims": lambda width: plot_aim(aim_rows(), SCENE, title="Aims", width=width),
 }
 
 
@@ -169,7 +206,7 @@ def test_a_page_is_as_wide_as_asked_for(page: tuple[str, float, Figure]) -> None
     name, width, figure = page
     across, up = figure.get_size_inches()
     # A picture to scale that would be too tall is narrower instead.
-    assert across == width or (name == "landings" and across < width)
+    assert across == width or (name in ("landings", "courts") and across < width)
     assert up <= 9.5
 
 
@@ -228,7 +265,7 @@ def test_axes_are_named_with_units(page: tuple[str, float, Figure]) -> None:
 
 
 def test_pictures_of_places_are_to_scale() -> None:
-    for name in ("fan", "landings", "aim points"):
+    for name in ("fan", "landings", "aim points", "court", "courts", "court of kinds"):
         for axes in PICTURES[name](PAGE).axes:
             if axes.get_label() in ("side view", "floor plan", "front view"):
                 origin, across, up = axes.transData.transform([(0, 0), (1, 0), (0, 1)])
@@ -620,25 +657,52 @@ def test_the_floor_plan_is_seen_as_the_shooter_sees_it() -> None:
         assert float(label.get_text().replace("−", "-")) == pytest.approx(-at, rel=EPS, abs=0)
 
 
+def court_lines(axes: Axes) -> dict[str, np.ndarray]:
+    """The lines of the court on a floor plan, by name: x and y from the ring's centre."""
+    marked = {str(line.get_label()): line for line in axes.lines}
+    return {
+        label.removeprefix("_court "): line.get_xydata()[:, ::-1] * (-1.0, 1.0)
+        for label, line in marked.items()
+        if label.startswith("_court ")
+    }
+
+
 @pytest.mark.parametrize("name", COURTS)
 def test_the_lines_are_those_of_the_rule_books(name: str) -> None:
-    axes = axes_of(plot_landings([1.0], [0.5], SCENE, court=name), "floor plan")
-    lane, three, circle, baseline = (
-        line.get_xydata() for line in axes.lines if line.get_label() == "_court"
-    )
-    front = SCENE["board_distance"]  # upwards on the plan
-    if name == "NBA":  # rule 1: the free-throw line is 15 ft from the board, the lane 16 ft wide
-        assert front - lane[:, 1].min() == pytest.approx(15 * FOOT, rel=4 * EPS, abs=0)
-        assert np.ptp(lane[:, 0]) == pytest.approx(16 * FOOT, rel=4 * EPS, abs=0)
-        assert -three[:, 1].min() == pytest.approx(23.75 * FOOT, rel=4 * EPS, abs=0)
-        assert np.ptp(circle[:, 0]) == pytest.approx(12 * FOOT, rel=4 * EPS, abs=0)
-    else:  # articles 2.4.3 to 2.4.5: 5.8 m from the baseline, which is 1.2 m behind the board
-        assert np.ptp(lane[:, 1]) == pytest.approx(5.8, rel=4 * EPS, abs=0)
-        assert np.ptp(lane[:, 0]) == pytest.approx(4.9, rel=4 * EPS, abs=0)
-        assert -three[:, 1].min() == pytest.approx(6.75, rel=4 * EPS, abs=0)
-    assert np.all(baseline[:, 1] == lane[:, 1].max())
-    # The arc meets the straight lines in the corners.
-    assert three[1, 0] == pytest.approx(three[0, 0], rel=8 * EPS, abs=0)
+    lines = court_lines(axes_of(plot_landings([1.0], [0.5], SCENE, court=name), "floor plan"))
+    front = -SCENE["board_distance"]
+
+    def near(found: float, wanted: float) -> None:
+        assert found == pytest.approx(wanted, rel=8 * EPS, abs=8 * EPS)
+
+    def wide(line: str) -> float:
+        return float(np.ptp(lines[line][:, 1]))
+
+    def far(line: str) -> float:
+        return float(lines[line][:, 0].max())
+
+    # NBA, rule 1: the free-throw line is 15 ft from the board, the lane 16 ft wide; FIBA, articles
+    # 2.4.3 to 2.4.7: the free-throw line is 5.8 m from the baseline, 1.2 m behind the board.
+    nba = name == "NBA"
+    near(far("lane") - front, 15 * FOOT if nba else 5.8 - 1.2)
+    near(front - lines["lane"][:, 0].min(), 4 * FOOT if nba else 1.2)
+    near(wide("lane"), 16 * FOOT if nba else 4.9)
+    near(wide("circle"), 12 * FOOT if nba else 3.6)
+    near(far("circle") - far("lane"), 6 * FOOT if nba else 1.8)
+    near(far("three"), 23.75 * FOOT if nba else 6.75)
+    near(wide("sides"), 50 * FOOT if nba else 15.0)
+    near(wide("three"), wide("sides") - 2 * (3 * FOOT if nba else 0.9))
+    near(float(np.ptp(lines["sides"][:, 0])), 47 * FOOT if nba else 14.0)
+    # About the ring's centre, and straight up to the plane of the board.
+    near(far("restricted"), 4 * FOOT if nba else 1.25)
+    near(float(lines["restricted"][0, 0]), front)
+    arc = np.hypot(*lines["restricted"][1:-1].T)
+    assert_allclose(arc, far("restricted"), rtol=4 * EPS, atol=0)
+    assert_allclose(np.hypot(*lines["three"][1:-1].T), far("three"), rtol=4 * EPS, atol=0)
+    # The arc meets the straight lines in the corners, which begin at the baseline.
+    near(float(lines["three"][1, 1]), float(lines["three"][0, 1]))
+    assert {lines[n][:, 0].min() for n in ("lane", "three", "sides")} == {lines["sides"][1, 0]}
+    assert ("inside" in lines) == nba
 
 
 def said(figure: Figure) -> str:
@@ -828,6 +892,7 @@ def test_only_cells_are_pixels_and_files_are_small(tmp_path: Path, name: str) ->
     path = save(PICTURES[name](PAGE), tmp_path / "picture.svg")
     images = path.read_text(encoding="utf-8").count("<image")
     cells = {"kinds": 1, "strip": 1, "probability": 2, "panels": 6, "kind panels": 4, "landings": 2}
+    cells |= {"court": 2, "courts": 4, "court of kinds": 1}
     assert images == cells.get(name, 0)  # a bar of colours is one more
     assert path.stat().st_size < 300_000
 

@@ -28,6 +28,8 @@ _COMMANDS = {
     "shot": "shot",
     "estimate": "estimate",
     "map": "map",
+    "fan": "thrown",
+    "landings": "thrown",
     "optimum": "optimum",
     "aim": "aim",
     "bank": "bank",

@@ -15,6 +15,7 @@ from hoopgen.cli.options import (
     by_option,
     examples,
     folder_option,
+    picture_option,
     scene_options,
     scheduler_option,
     threads_option,
@@ -83,7 +84,8 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
     + examples(
         "hoopgen aim --distance 13.75ft --height 7ft",
         "hoopgen aim --distance 13.75ft --height 7ft --entry 45deg --backspin 3Hz --depth 2in",
-        "hoopgen aim --distance 1m:7m:0.5m --height 0.6m --speed 9.5 --csv table.csv",
+        "hoopgen aim --distance 1m:7m:0.5m --height 0.6m --speed 9.5 --csv table.csv \\",
+        "    --picture table.svg",
         "hoopgen aim --distance 12ft --height 7ft --elevation 55deg --set ball_radius=11.9cm",
     )
 )
@@ -120,6 +122,7 @@ def _range(first: str, last: str, by: str) -> tuple[float, ...]:
 @folder_option
 @scheduler_option
 @click.option("--csv", "file", type=OUT, help="Write the table: m, m/s, degrees, Hz, s.")
+@picture_option("shot; of several distances the table, with what each release forgives")
 @units_option
 def aim(
     distance: tuple[float, ...],
@@ -127,6 +130,7 @@ def aim(
     by: By,
     parameters: Mapping[str, float],
     file: Path | None,
+    picture: Path | None,
     threads: int | None,
     folder: Path | None,
     scheduler: str | None,
@@ -157,6 +161,23 @@ def aim(
     click.echo(f"\nscene   {say_scene(parameters)}")
     if file is not None:
         write_csv(file, columns, parameters)
+    if picture is not None:
+        _draw(columns, parameters, picture)
+
+
+def _draw(columns: Columns, parameters: Mapping[str, float], picture: Path) -> None:
+    """Draw one release, followed to its end, or a table of them."""
+    import hoopgen
+    from hoopgen import plots
+    from hoopgen.hoop.variables import ARGUMENTS
+
+    if len(columns["distance"]) > 1:
+        plots.save(plots.plot_aim(columns, parameters), picture)
+        return
+    release = {name: columns[name] for name in ARGUMENTS if name in columns}
+    path = hoopgen.simulate(hoopgen.release(**release), parameters, record=True).trajectory(0)
+    drawn = plots.plot_trajectory(path, path.parameters, outcome=path.outcome)
+    plots.save(drawn, picture)
 
 
 def _one(shot: Mapping[str, float], wanted: Mapping[str, float], by: str) -> str:

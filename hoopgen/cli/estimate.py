@@ -4,12 +4,19 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from hoopgen.cli.measuring import measure_options
-from hoopgen.cli.options import UNITS_IN_WORDS, examples, json_option, units_option
+from hoopgen.cli.options import (
+    UNITS_IN_WORDS,
+    examples,
+    json_option,
+    picture_option,
+    units_option,
+)
 from hoopgen.cli.releasing import Releasing, from_option, release_options, work_options
 from hoopgen.cli.types import ASSIGNMENT, COUNT, SHARE, once
 
@@ -25,7 +32,8 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1de
     epilog=UNITS_IN_WORDS
     + examples(
         "hoopgen estimate --speed 7.17 --elevation 52deg --backspin 3Hz --height 7ft \\",
-        f"    --distance 13.75ft {_PLAYER}",
+        f"    --distance 13.75ft {_PLAYER} \\",
+        "    --picture shares.svg",
         "hoopgen estimate --aim 5cm --elevation 52deg --backspin 3Hz --height 7ft \\",
         f"    --distance 13.75ft {_PLAYER} \\",
         "    --preset nba --precision 0.001 --versus backspin=0",
@@ -66,6 +74,7 @@ _PLAYER = "--scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1de
     help="Stop when half the interval is no wider: 0.001 is a tenth of a point.",
 )
 @measure_options("Say how it is spread")
+@picture_option("shares of how they end, and of what they touch")
 @work_options
 @units_option
 @json_option
@@ -77,6 +86,7 @@ def estimate(
     precision: float | None,
     measures: tuple[str, ...],
     catching_height: float,
+    picture: Path | None,
     as_json: bool,
     **work: Any,
 ) -> None:
@@ -110,6 +120,10 @@ def estimate(
         else:
             options |= {"measures": measures, "catching_height": catching_height}
             result = hoopgen.estimate(model, parameters, precision=precision, **options)
+    if picture is not None:
+        from hoopgen import plots
+
+        plots.save(plots.plot_estimate(result), picture)
     if as_json:
         click.echo(json.dumps(in_units(result.as_dict()), indent=2, allow_nan=False))
     else:

@@ -17,6 +17,7 @@ from hoopgen.cli.options import (
     examples,
     folder_option,
     json_option,
+    picture_option,
     scheduler_option,
     seed_option,
     threads_option,
@@ -41,7 +42,7 @@ _AIMING = ("speed", "aim", "azimuth")
         "hoopgen optimum --over elevation --over aim --height 7ft --distance 13.75ft \\",
         "    --backspin 3Hz --scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg",
         "hoopgen optimum --over elevation=45deg:60deg --over aim=-5cm:12cm --height 7ft \\",
-        "    --distance 13.75ft --scatter speed=0.1 --scatter elevation=1.5deg",
+        "    --distance 13.75ft --scatter speed=0.1 --scatter elevation=1.5deg --picture best.svg",
         "hoopgen optimum --over elevation --over aim --over azimuth --by bank --versus direct \\",
         "    --height 7ft --distance 10ft --angle 60deg --backspin 3Hz \\",
         "    --scatter speed=0.07 --scatter elevation=1.3deg --scatter azimuth=1deg",
@@ -75,6 +76,7 @@ _AIMING = ("speed", "aim", "azimuth")
 @threads_option
 @folder_option
 @scheduler_option
+@picture_option("paths of fresh shots of the best release")
 @units_option
 @json_option
 def optimum(
@@ -83,6 +85,7 @@ def optimum(
     by: By,
     versus: By | None,
     folder: Path | None,
+    picture: Path | None,
     as_json: bool,
     **work: Any,
 ) -> None:
@@ -118,6 +121,14 @@ def optimum(
                 folder=beside,
                 **options,
             )
+    if picture is not None:
+        from matplotlib.figure import Figure
+
+        from hoopgen import plots
+
+        drawn = best.plot()
+        assert isinstance(drawn, Figure)
+        plots.save(drawn, picture)
     if as_json:
         click.echo(json.dumps(_record(best, rival), indent=2, allow_nan=False))
     else:

@@ -301,5 +301,5 @@ units_option = click.option(
 
 
 def picture_option(what: str) -> Decorator:
-    """Return ``--picture``, which draws the shot or the map."""
+    """Return ``--picture``, which draws the shot, the map or what else a command finds."""
     return click.option("--picture", type=PICTURE, help=f"Draw the {what}: .png, .svg or .pdf.")

@@ -18,7 +18,6 @@ from hoopgen.cli.options import (
     examples,
     json_option,
     max_contacts_option,
-    picture_option,
     preset_options,
     units_option,
 )
@@ -30,8 +29,9 @@ from hoopgen.cli.own import (
     released,
     state_of,
 )
-from hoopgen.cli.types import PAGE
+from hoopgen.cli.types import PAGE, PICTURE_OR_FILM
 from hoopgen.inputs import Backend
+from hoopgen.outputs import FILMS
 from hoopgen.phrases import counted
 from hoopgen.told import say_of
 from hoopgen.words import for_json
@@ -50,7 +50,8 @@ __all__ = ["shot"]
     + examples(
         "hoopgen shot --speed 7.17 --elevation 51deg --distance 13.75ft --height 7ft",
         "hoopgen shot --speed 16mph --elevation 0.9rad --distance 4.2 --height 2.1 --backspin 3Hz",
-        "hoopgen shot --speed 9.2 --elevation 48deg --distance 22ft --height 7ft --angle 90deg",
+        "hoopgen shot --speed 9.2 --elevation 48deg --distance 22ft --height 7ft --angle 90deg \\",
+        "    --picture corner.gif",
         "hoopgen shot --speed 7.2 --elevation 52deg --distance 13.75ft --height 7ft \\",
         "    --preset nba --set restitution=0.75 --picture shot.svg --view shot.html",
     )
@@ -60,7 +61,11 @@ __all__ = ["shot"]
 @preset_options
 @max_contacts_option
 @backend_option
-@picture_option("shot")
+@click.option(
+    "--picture",
+    type=PICTURE_OR_FILM,
+    help="Draw the shot: .png, .svg or .pdf; or in motion, .gif, and .mp4 where there is ffmpeg.",
+)
 @click.option(
     "--view",
     "page",
@@ -173,15 +178,13 @@ def _outcome_text(shots: hoopgen.Shots) -> str:
 def _draw(shots: hoopgen.Shots, picture: Path) -> None:
     from hoopgen import plots
 
-    title = shots.scene.outcomes(int(shots.outcome[0])).name
-    trajectory = shots.trajectory(0)
-    figure = plots.plot_trajectory(
-        trajectory,
-        trajectory.parameters,
-        outcome=trajectory.outcome,
-        title=title.capitalize(),
-    )
-    plots.save(figure, picture)
+    path = shots.trajectory(0)
+    title = shots.scene.outcomes(int(shots.outcome[0])).name.capitalize()
+    if picture.suffix.lower() in FILMS:
+        plots.save_film(path, path.parameters, picture, outcome=path.outcome, title=title)
+    else:
+        drawn = plots.plot_trajectory(path, path.parameters, outcome=path.outcome, title=title)
+        plots.save(drawn, picture)
 
 
 def _record(

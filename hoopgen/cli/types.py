@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from hoopgen.brief import brief
 from hoopgen.hoop.variables import ARGUMENTS, INSTEAD, VARIABLES
-from hoopgen.outputs import MAPS, PAGES, PICTURES, check_folder, check_output
+from hoopgen.outputs import FILMS, MAPS, PAGES, PICTURES, check_folder, check_output
 from hoopgen.scenes import variables_of
 from hoopgen.sizes import evenly
 from hoopgen.units import NO_BARE, UNITS, Kind, parse_quantity
@@ -307,6 +307,9 @@ OUT = Checked(check_output, _Path(dir_okay=False, path_type=Path))
 
 PICTURE = _ending(PICTURES)
 """A picture to be written."""
+
+PICTURE_OR_FILM = _ending((*PICTURES, *FILMS))
+"""A picture to be written, or what it shows in motion."""
 
 PAGE = _ending(PAGES)
 """A page to be written."""

@@ -176,7 +176,8 @@ def release_arguments(
     aimed = "aim" in given or "entry" in given
     reach, rise = given["distance"] + given.pop("aim", 0.0), RING_HEIGHT - given["height"]
     if "entry" in given:
-        (slope,) = hoop.slope_of_entry(np.tan(given.pop("entry")), reach, rise)
+        with np.errstate(all="ignore"):  # from the point aimed at itself there is none
+            (slope,) = hoop.slope_of_entry(np.tan(given.pop("entry")), reach, rise)
         given["elevation"] = np.arctan(slope)
     if "elevation" not in given or (not aimed and "speed" not in given):
         raise ValueError(

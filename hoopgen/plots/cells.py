@@ -11,9 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hoopgen.brief import brief
-from hoopgen.hoop.presets import NAMES
+from hoopgen.hoop.presets import NAMES, PRESETS, nearest_preset
 from hoopgen.phrases import counted, interval, percent
-from hoopgen.plots.key import classify
+from hoopgen.plots.court import on_floor
+from hoopgen.plots.key import CLASSES, classify
 from hoopgen.told import told_by
 from hoopgen.words import Quantity, quantity
 
@@ -33,6 +34,8 @@ _NEEDED: Mapping[str, tuple[str, ...]] = {
 _ENDING = "ending"
 """The dimension of outcomes, in maps of a scene of one's own."""
 
+_INVALID = [one.outcome for one in CLASSES].index("invalid")
+
 _FACETS = 12
 """Panels on a page, at most."""
 
@@ -43,12 +46,15 @@ class Axis:
 
     Attributes
     ----------
+    name
+        Of the variable.
     values
         Of the cells, in the unit shown, (n,).
     quantity
         How they are shown.
     """
 
+    name: str
     values: Numbers
     quantity: Quantity
 
@@ -83,6 +89,8 @@ class Cells:
         The scene alone, a sentence; empty if the dataset does not say it.
     label
         Of probabilities.
+    hoop
+        Parameters of the hoop of a map over places on the floor, x and y; of another None.
     """
 
     of: str
@@ -93,6 +101,13 @@ class Cells:
     note: str
     scene: str
     label: str = "shots made (%)"
+    hoop: Mapping[str, float] | None = None
+
+    @property
+    def nowhere(self) -> NDArray[np.bool_]:
+        """Which cells have no flight."""
+        missing = self.values == _INVALID if self.of == "kind" else np.isnan(self.values)
+        return np.asarray(missing)
 
     def panels(self) -> list[Cells]:
         """Return the map for each value of the third variable, if there is one."""
@@ -110,6 +125,35 @@ class Cells:
             for i, value in enumerate(third.values)
         ]
 
+    def flat(self) -> Cells:
+        """Return what is drawn: places on the floor as `on_floor` has them, all else as it is."""
+        if self.hoop is None:
+            return self
+        place = {axis.name: axis for axis in self.axes[:2]}
+        x, y = (axis.values * axis.quantity.size for axis in (place["x"], place["y"]))
+        across, up = on_floor(np.zeros_like(y), y)[:, 0], on_floor(x, np.zeros_like(x))[:, 1]
+        turned = self.axes[0].name == "x"
+
+        def seen(values: NDArray[Any]) -> NDArray[Any]:
+            return values.swapaxes(0, 1) if turned else values
+
+        return replace(
+            self,
+            axes=(
+                Axis("y", across, Quantity("", "")),
+                Axis("x", up, Quantity("", "")),
+                *self.axes[2:],
+            ),
+            values=seen(self.values),
+            interval=self.interval and (seen(self.interval[0]), seen(self.interval[1])),
+            hoop=None,
+        )
+
+    def point(self, place: tuple[int, ...]) -> list[float]:
+        """Return where a cell is drawn."""
+        turned = self.hoop is not None and self.axes[0].name == "x"
+        return self.flat().at(place[::-1] if turned else place)
+
     def best(self) -> tuple[int, ...] | None:
         """Return the place of the greatest probability, if any is above 0."""
         if not np.nanmax(self.values, initial=0.0) > 0.0:
@@ -123,7 +167,8 @@ class Cells:
     def say(self, place: tuple[int, ...]) -> str:
         """Tell the probability of a cell, and where it is."""
         where = ", ".join(
-            axis.quantity.say(value) for axis, value in zip(self.axes, self.at(place), strict=True)
+            f"{axis.name} " * (self.hoop is not None) + axis.quantity.say(value)
+            for axis, value in zip(self.axes, self.at(place), strict=True)
         )
         between = ""
         if self.interval is not None:
@@ -154,6 +199,7 @@ def read_cells(dataset: xr.Dataset, of: str | None = None) -> Cells:
     confidence = dataset.attrs.get("confidence")
     return Cells(
         of=chosen,
+        hoop=_hoop(dataset) if {"x", "y"} == set(dims[:2]) else None,
         axes=tuple(_axis(dataset, name) for name in dims),
         values=classify(values("outcome"), values("kind"))
         if chosen == "kind"
@@ -166,6 +212,18 @@ def read_cells(dataset: xr.Dataset, of: str | None = None) -> Cells:
         scene=_scene(dataset),
         label=label,
     )
+
+
+def _hoop(dataset: xr.Dataset) -> Mapping[str, float] | None:
+    """Return the parameters of a dataset's hoop; None if it has none, or does not say so."""
+    told = json.loads(dataset.attrs.get("parameters", "{}"))
+    told |= {
+        str(name): float(column.mean()) for name, column in dataset.coords.items() if name in NAMES
+    }
+    given = {name: float(told[name]) for name in NAMES if name in told}
+    if not {"ring_radius", "board_distance"} <= given.keys():
+        return None
+    return {**PRESETS[nearest_preset(given)[0]], **given}
 
 
 def _of_an_end(dataset: xr.Dataset, of: str | None) -> tuple[xr.Dataset, str]:
@@ -204,7 +262,7 @@ def _axis(dataset: xr.Dataset, name: Hashable) -> Axis:
             f"dataset: coordinate {name}: expected numbers in order, got {brief(values)}"
         )
     shown = quantity(str(name), column.attrs)
-    return Axis(shown.shown(values), shown)
+    return Axis(str(name), shown.shown(values), shown)
 
 
 def _note(dataset: xr.Dataset) -> str:

@@ -4,25 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import partial
 from typing import TYPE_CHECKING, Any, TypedDict, Unpack, overload
 
 import numpy as np
-from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.collections import QuadMesh
 from matplotlib.colors import ListedColormap, Normalize
-from matplotlib.contour import QuadContourSet
 from matplotlib.figure import Figure, FigureBase
-from matplotlib.patches import Patch
+from matplotlib.patches import Patch, PathPatch
+from matplotlib.path import Path
 from matplotlib.ticker import FuncFormatter, MaxNLocator
+from numpy.typing import NDArray
 
 from hoopgen.phrases import percent
 from hoopgen.plots.cells import Cells, read_cells
-from hoopgen.plots.key import CLASSES, draw_key, key_height
-from hoopgen.plots.page import new_page
-from hoopgen.plots.picture import add_key, add_title, check_axes
+from hoopgen.plots.contours import draw_contours
+from hoopgen.plots.court import FLOOR, Court, court_of, draw_floor, find_court, on_floor
+from hoopgen.plots.key import CLASSES, Class, draw_key, key_height
+from hoopgen.plots.page import add_axes, add_view, new_page
+from hoopgen.plots.panels import Panel
+from hoopgen.plots.picture import add_key, add_title, check_axes, fit_view
 from hoopgen.plots.style import COLOURS, DARK, EDGES, GRID, NARROW, PAGE, SHADES, SMALL, style
+from hoopgen.plots.views import Limits
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -42,16 +45,21 @@ _HEIGHT = 0.62  # of a panel, in its width
 _LABELS = 0.3
 _PAD = 0.08
 
-# Of a panel's width or height.
-_EDGE = 0.07  # where contours are not labelled
-_APART = 0.11  # between labels, at least
-_SHORT = 0.15  # a contour without label
+
+# Inches of a page with a court.
+_LEFT, _RIGHT, _BETWEEN, _BELOW, _HEAD = 0.5, 0.1, 0.5, 0.46, 0.14
+_BAR, _BAR_LABELS = 0.12, 0.62
+_TALLEST, _NARROWEST = 6.0, 3.4
+
+_AIR = 0.25  # m, around what a floor plan shows
+_NOWHERE = "Hatched: no such flight."
 
 
 class _Options(TypedDict, total=False):
     of: str | None
     title: str
     note: str | None
+    court: str | None
     width: float
 
 
@@ -69,14 +77,19 @@ def plot_map(
     of: str | None = None,
     title: str = "",
     note: str | None = None,
+    court: str | None = None,
     width: float = PAGE,
     ax: Axes | None = None,
 ) -> Figure | Axes:
     """Draw a map of `hoopgen.map`.
 
-    Over one variable a probability is a line with its interval; over two it is colours with
-    contours, a cell each. The best cell is marked. Kinds are colours. A third variable gives a
-    panel for each of its values.
+    Over one variable a probability is a line with its interval; over two it is colours, a cell
+    each, with contours that keep within the intervals, if there are a dozen cells along both. The
+    best cell is marked. Kinds are colours. Cells that have no flight are hatched. A third variable
+    gives a panel for each of its values.
+
+    Over x and y, places on the floor at a hoop, it is drawn on the court as the shooter sees it:
+    to scale, the board at the top.
 
     Parameters
     ----------
@@ -91,6 +104,9 @@ def plot_map(
     note
         Below the title; by default what is the same in all cells, the scatter, the number of shots
         and the seed; on `ax`, where several maps may share one, the scene alone.
+    court
+        Whose lines are drawn, of `hoopgen.plots.court.COURTS`; by default FIBA's for a hoop nearest
+        to that preset, else the NBA's.
     width
         Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
     ax
@@ -107,17 +123,22 @@ def plot_map(
     TypeError
         If `ax` is not axes.
     ValueError
-        If the dataset has not what is to be shown, has no dimension or too many, or a coordinate
-        is not numbers in order.
+        If the dataset has not what is to be shown, has no dimension or too many, a coordinate
+        is not numbers in order, or there is no such court.
     """
     shown = read_cells(dataset, of)
-    if note is not None:
-        shown = replace(shown, note=note)
+    lines = find_court(court or court_of(shown.hoop or {}))
+    said = shown.scene if note is None else note
+    lined = shown.of == "probability" and len(shown.axes) == 1
+    hatched = _NOWHERE if shown.nowhere.any() and not lined else ""
+    shown = replace(shown, note=f"{shown.note if note is None else note} {hatched}".strip())
     with style():
         if ax is not None:
-            return _draw_on(check_axes(ax), shown, title, shown.scene if note is None else note)
-        if shown.of == "probability" and len(shown.axes) == 1:
+            return _draw_on(check_axes(ax), shown, title, f"{said} {hatched}".strip(), lines)
+        if lined:
             return _plot_line(shown, title, width)
+        if shown.hoop is not None:
+            return _plot_courts(shown, title, width, lines)
         return _plot_panels(shown, title, width)
 
 
@@ -129,7 +150,7 @@ def _plot_line(shown: Cells, title: str, width: float) -> Figure:
     return figure
 
 
-def _draw_on(axes: Axes, shown: Cells, title: str, note: str) -> Axes:
+def _draw_on(axes: Axes, shown: Cells, title: str, note: str, court: Court) -> Axes:
     """Draw a map on axes that there are."""
     (panel, *more) = shown.panels()
     if more:
@@ -147,9 +168,11 @@ def _draw_on(axes: Axes, shown: Cells, title: str, note: str) -> Axes:
             axes.set_ylabel(panel.axes[1].quantity.label, parse_math=False)
         else:
             axes.set_yticks([])
+    if panel.hoop is not None:
+        draw_floor(axes, fit_view(axes, FLOOR, _limits(panel, court)), court, panel.hoop, over=True)
     if panel.of == "kind":
         draw_kinds(axes, panel)
-        present = [CLASSES[place] for place in np.unique(panel.values)]
+        present = _present(panel)
         add_key(axes, [Patch(fc=one.colour, ec=EDGES, label=one.words) for one in present])
     elif len(panel.axes) > 1:
         figure = axes.figure
@@ -187,8 +210,7 @@ def _plot_panels(shown: Cells, title: str, width: float) -> Figure:
     panels = shown.panels()
     columns = min(len(panels), 2 if width < NARROW else 3)
     rows = -(-len(panels) // columns)
-    present = [CLASSES[place] for place in np.unique(shown.values)] if shown.of == "kind" else []
-    key = dict.fromkeys(present)
+    key = dict.fromkeys(_present(shown)) if shown.of == "kind" else {}
     foot = key_height(key, width - 2.0 * _PAD) + _PAD if key else 0.0
     tall = _STRIP if len(shown.axes) == 1 else _HEIGHT * width / columns + _LABELS
     figure = new_page(width, rows * tall, title=title, note=shown.note, foot=foot, arrange=True)
@@ -217,13 +239,39 @@ def _plot_panels(shown: Cells, title: str, width: float) -> Figure:
     return figure
 
 
+def _present(shown: Cells) -> list[Class]:
+    """Return the classes that the key names: hatched cells are none."""
+    return [CLASSES[place] for place in np.unique(shown.values[~shown.nowhere])]
+
+
 def _draw_cells(axes: Axes, panel: Cells, **colours: Any) -> QuadMesh:
-    """Colour the cells; they alone are pixels, all else stays vectors."""
-    up = panel.axes[1].edges() if len(panel.axes) > 1 else np.array([0.0, 1.0])
-    values = np.atleast_2d(panel.values.T)
-    mesh = axes.pcolormesh(panel.axes[0].edges(), up, values, rasterized=True, **colours)
+    """Colour the cells, and hatch those that have no flight.
+
+    Colours alone are pixels, all else stays vectors.
+    """
+    flat = panel.flat()
+    across = flat.axes[0].edges()
+    up = flat.axes[1].edges() if len(flat.axes) > 1 else np.array([0.0, 1.0])
+    nowhere = np.atleast_2d(flat.nowhere.T)
+    values = np.where(nowhere, np.nan, np.atleast_2d(flat.values.T))
+    mesh = axes.pcolormesh(across, up, values, rasterized=True, **colours)
     mesh.set_zorder(0.5)
+    if nowhere.any():
+        axes.add_patch(_hatches(across, up, nowhere))
     return mesh
+
+
+def _hatches(across: NDArray[Any], up: NDArray[Any], cells: NDArray[np.bool_]) -> PathPatch:
+    """Return the hatching of some cells, (up, across), as one shape."""
+    corners = []
+    for row, line in enumerate(cells):
+        ends = np.flatnonzero(np.diff(np.concatenate([[False], line, [False]])))
+        for first, last in ends.reshape(-1, 2):
+            (left, right), (low, high) = across[[first, last]], up[[row, row + 1]]
+            corners += [(left, low), (right, low), (right, high), (left, high), (left, low)]
+    codes = [Path.MOVETO, Path.LINETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY]
+    shape = Path(np.array(corners), codes * (len(corners) // 5))
+    return PathPatch(shape, fc="none", ec=EDGES, lw=0.0, hatch="/////", zorder=0.6)
 
 
 def draw_kinds(axes: Axes, panel: Cells) -> None:
@@ -233,7 +281,7 @@ def draw_kinds(axes: Axes, panel: Cells) -> None:
 
 
 def _draw_probabilities(
-    figure: FigureBase, places: Sequence[Axes], panels: Sequence[Cells]
+    figure: FigureBase, places: Sequence[Axes], panels: Sequence[Cells], bar_on: Axes | None = None
 ) -> None:
     top = max(float(np.nanmax(panel.values, initial=0.01)) for panel in panels)
     steps = _LEVELS if len(panels) == 1 else _FEW_LEVELS
@@ -241,58 +289,77 @@ def _draw_probabilities(
     norm = Normalize(0.0, levels[-1])
     inner = [float(level) for level in levels[1:-1] if level < top]
     for axes, panel in zip(places, panels, strict=True):
+        flat = panel.flat()
         mesh = _draw_cells(axes, panel, cmap=SHADES, norm=norm)
-        if inner and min(panel.values.shape) > 1:
-            _draw_contours(axes, panel, inner, norm)
+        if len(flat.axes) > 1:
+            across, up = (axis.values for axis in flat.axes)
+            draw_contours(axes, across, up, flat.values, flat.interval, inner, norm)
         best = panel.best()
         if best is not None:
-            _mark(axes, *panel.at(best))
+            _mark(axes, *panel.point(best))
             said = f"{_BEST} {panel.say(best)}"
             if len(panels) > 1:
                 said = f"{panel.note}\n{_BEST} {percent(float(panel.values[best]))}"
             axes.set_title(said, loc="left", fontsize=SMALL)
-    bar = figure.colorbar(mesh, ax=list(places), label=panels[0].label, ticks=levels, pad=0.02)
+    taken: dict[str, Any] = {"ax": list(places), "pad": 0.02} if bar_on is None else {"cax": bar_on}
+    bar = figure.colorbar(mesh, label=panels[0].label, ticks=levels, **taken)
     bar.ax.yaxis.set_major_formatter(FuncFormatter(_in_percent))
     assert bar.solids is not None
     bar.solids.set_rasterized(True)
 
 
-def _draw_contours(axes: Axes, panel: Cells, levels: list[float], norm: Normalize) -> None:
-    """Draw and label contours, each in the colour that stands out on its own."""
-    across, up = panel.axes
-    colours = [
-        DARK if _lightness(colormaps[SHADES](norm(level))) > 0.5 else _LIGHT for level in levels
-    ]
-    lines = axes.contour(
-        across.values, up.values, panel.values.T, levels, colors=colours, linewidths=0.6
-    )
-    said = partial(percent, digits=None)
-    axes.clabel(lines, fmt=said, fontsize=6.5, inline_spacing=2, manual=_labels(lines))
+# ------------------------------------------------------------------------------------ on the court
 
 
-def _labels(lines: QuadContourSet) -> list[tuple[float, float]]:
-    """Choose a place for the label of each contour: near its middle, off the frame and others."""
-    axes = lines.axes
-    to_frame = axes.transData + axes.transAxes.inverted()
-    chosen: list[tuple[float, float]] = []
-    taken = np.empty((0, 2))
-    for path in lines.get_paths():
-        for contour in map(np.asarray, path.to_polygons(closed_only=False)):
-            at = to_frame.transform(contour)
-            if np.ptp(at, axis=0).max() < _SHORT:
-                continue
-            apart = np.linalg.norm(at[:, None] - taken, axis=2).min(axis=1, initial=np.inf)
-            free = np.flatnonzero((np.abs(at - 0.5).max(axis=1) < 0.5 - _EDGE) & (apart > _APART))
-            if free.size:
-                best = free[np.argmin(np.abs(free - len(at) / 2.0))]
-                chosen.append((float(contour[best][0]), float(contour[best][1])))
-                taken = np.vstack([taken, at[best]])
-    return chosen
+def _plot_courts(shown: Cells, title: str, width: float, court: Court) -> Figure:
+    """Draw a map over places on the floor, on a court for each value of the third variable."""
+    panels = shown.panels()
+    columns = min(len(panels), 2)
+    rows = -(-len(panels) // columns)
+    limits = _limits(shown, court)
+    across, up = limits[1] - limits[0], limits[3] - limits[2]
+    beside = _LEFT + _RIGHT + (0.0 if shown.of == "kind" else _BAR + _BAR_LABELS)
+    room = (width - beside - (columns - 1) * _BETWEEN) / columns
+    scale = min(room / across, (_TALLEST / rows - _BELOW) / up)
+    key = dict.fromkeys(_present(shown)) if shown.of == "kind" else {}
+    foot = key_height(key, width - 2.0 * _PAD) + _PAD if key else 0.0
+    lines = (len(panels) > 1) + (shown.of == "probability")  # said above each
+    head = _PAD + _HEAD * lines
+    step = head + up * scale + _BELOW
+    wide = columns * across * scale + (columns - 1) * _BETWEEN + beside
+    figure = new_page(max(wide, _NARROWEST), rows * step, title=title, note=shown.note, foot=foot)
+    places = []
+    for number, panel in enumerate(panels):
+        row, column = divmod(number, columns)
+        left = _LEFT + column * (across * scale + _BETWEEN)
+        bottom = foot + (rows - 1 - row) * step + _BELOW
+        place = Panel(FLOOR, limits, scale, left, bottom)
+        axes = add_view(figure, place)
+        assert panel.hoop is not None
+        draw_floor(axes, place, court, panel.hoop, over=True)
+        if len(panels) > 1:
+            axes.set_title(panel.note, loc="left", fontsize=SMALL)
+        places.append(axes)
+    if key:
+        for axes, panel in zip(places, panels, strict=True):
+            draw_kinds(axes, panel)
+        draw_key(figure, key, _PAD, foot, width - 2.0 * _PAD)
+    else:
+        high = (rows - 1) * step + up * scale
+        bar = add_axes(figure, wide - _BAR - _BAR_LABELS, _BELOW, _BAR, high, "bar")
+        _draw_probabilities(figure, places, panels, bar)
+    return figure
 
 
-def _lightness(colour: tuple[float, float, float, float]) -> float:
-    """Return about how light a colour is, from 0 to 1."""
-    return float(np.dot([0.2126, 0.7152, 0.0722], colour[:3]))
+def _limits(shown: Cells, court: Court) -> Limits:
+    """Show the cells, and the basket with its lane up to the baseline."""
+    assert shown.hoop is not None
+    front, half = -shown.hoop["board_distance"], court.lane / 2.0
+    x, y = [front - court.baseline, front + court.free_throw], [-half, half]
+    ends = [axis.edges()[[0, -1]] for axis in shown.flat().axes[:2]]
+    corners = np.concatenate([on_floor(x, y), np.transpose(ends)])
+    low, high = corners.min(axis=0) - _AIR, corners.max(axis=0) + _AIR
+    return float(low[0]), float(high[0]), float(low[1]), float(high[1])
 
 
 def _mark(axes: Axes, x: float, y: float) -> None:

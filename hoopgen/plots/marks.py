@@ -51,6 +51,8 @@ class Mark:
         Of the ball's centre, shape (3,), m.
     own
         The colour of a body of another scene.
+    time
+        When it comes to be, s.
     """
 
     label: str
@@ -58,6 +60,7 @@ class Mark:
     text: str
     position: Points
     own: str = ""
+    time: float = 0.0
 
     @property
     def colour(self) -> str:
@@ -99,7 +102,8 @@ def collect_marks(
         marks += _roll_marks(events, row, names, bodies)
     if len(events) and events["surface"][-1] == len(names):
         end = events[-1]
-        marks.append(Mark("end", "end", f"{end['time']:.3f} s{said}", end["before"][:3]))
+        time = float(end["time"])
+        marks.append(Mark("end", "end", f"{time:.3f} s{said}", end["before"][:3], time=time))
     elif outcome is not None:
         said = _unended(outcome, len(contacts), hoop=bodies is None)
         marks.append(Mark("", "end", said, release))
@@ -121,9 +125,10 @@ def _roll_marks(
     name = names[int(event["surface"])]
     kind, own = (name, "") if bodies is None else ("body", bodies[name])
     text = f"{name} {event['time']:.3f}\N{EN DASH}{after['time']:.3f} s"
-    yield Mark("rolls", kind, text, event["before"][:3], own)
+    yield Mark("rolls", kind, text, event["before"][:3], own, float(event["time"]))
     if after["kind"] == Event.LEAVE:
-        yield Mark("leaves", kind, f"{name} {after['time']:.3f} s", after["before"][:3], own)
+        time = float(after["time"])
+        yield Mark("leaves", kind, f"{name} {time:.3f} s", after["before"][:3], own, time)
 
 
 def _groups(contacts: NDArray[Any], reach: float) -> list[tuple[int, int]]:
@@ -151,12 +156,12 @@ def _contact_mark(
 ) -> Mark:
     name = (*(bodies or SURFACES),)[int(contacts["surface"][first])]
     kind, own = (name, "") if bodies is None else ("body", bodies[name])
-    start, stop = contacts["time"][first], contacts["time"][last]
+    start, stop = float(contacts["time"][first]), float(contacts["time"][last])
     position = contacts["before"][first, :3]
     if first == last:
-        return Mark(f"{first + 1}", kind, f"{name} {start:.3f} s", position, own)
+        return Mark(f"{first + 1}", kind, f"{name} {start:.3f} s", position, own, start)
     text = f"{name} {start:.3f}\N{EN DASH}{stop:.3f} s"
-    return Mark(f"{first + 1}\N{EN DASH}{last + 1}", kind, text, position, own)
+    return Mark(f"{first + 1}\N{EN DASH}{last + 1}", kind, text, position, own, start)
 
 
 def draw_badges(

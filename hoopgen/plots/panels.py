@@ -18,7 +18,7 @@ from hoopgen.plots.ticks import label_lengths, number
 from hoopgen.plots.views import Limits, Points, View
 from hoopgen.units import shown
 
-__all__ = ["Drawing", "Panel", "Room", "draw_panel", "draw_view", "some"]
+__all__ = ["Drawing", "Panel", "Room", "add_panel", "draw_panel", "draw_view", "dress_flat", "some"]
 
 Place = Sequence[float]
 
@@ -122,7 +122,7 @@ def draw_panel(figure: Figure, panel: Panel, drawing: Drawing) -> Axes:
     matplotlib.axes.Axes
         With equal aspect, labelled with the view's name.
     """
-    axes = _add_axes(figure, panel)
+    axes = add_panel(figure, panel)
     draw_view(axes, panel, drawing)
     return axes
 
@@ -132,7 +132,7 @@ def draw_view(axes: Axes, panel: Panel, drawing: Drawing) -> None:
     view = drawing.scenery.look(panel.view)
     written = _draw_floor(axes, panel, drawing) if view.labels is None else []
     if view.labels is not None:
-        _dress_flat(axes, panel, drawing)
+        dress_flat(axes, panel, drawing)
     radius = drawing.scenery.ball_radius
     drawing.scenery.draw(axes, view, panel.scale)
     draw_path(axes, view, drawing.path)
@@ -152,7 +152,8 @@ def some(rows: Points, most: int) -> Points:
     return rows[np.linspace(0, len(rows) - 1, most).astype(np.intp)]
 
 
-def _add_axes(figure: Figure, panel: Panel) -> Axes:
+def add_panel(figure: Figure, panel: Panel) -> Axes:
+    """Return axes of a view on the page, to scale."""
     width, height = figure.get_size_inches()
     place = (
         panel.left / width,
@@ -168,7 +169,7 @@ def _add_axes(figure: Figure, panel: Panel) -> Axes:
     return axes
 
 
-def _dress_flat(axes: Axes, panel: Panel, drawing: Drawing) -> None:
+def dress_flat(axes: Axes, panel: Panel, drawing: Drawing) -> None:
     """Give a side or top view its labels, and the end plane where it is seen edge on."""
     view = panel.view
     assert view.labels is not None

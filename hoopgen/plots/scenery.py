@@ -19,7 +19,7 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 from numpy.typing import NDArray
 
-from hoopgen.colours import colours
+from hoopgen.colours import colours, faces
 from hoopgen.engines import Engine
 from hoopgen.plots.scene import draw_hoop, order_of, scene_corners, scene_points
 from hoopgen.plots.style import COLOURS
@@ -209,8 +209,9 @@ class _Bodies:
 
     def draw(self, axes: Axes, view: View, scale: float) -> None:
         light = np.array(_LIGHT) @ np.array([view.right, view.up, view.towards])
+        drawn = faces(self.names)
         for body in self.bodies:
-            colour = self.colours[body.name]
+            colour = drawn[body.name]
             if body.behind:
                 self._draw_behind(axes, view, body, light, colour)
             else:

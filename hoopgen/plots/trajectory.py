@@ -27,7 +27,16 @@ from hoopgen.told import say_of
 from hoopgen.units import shown, shown_system
 from hoopgen.words import MINUS
 
-__all__ = ["plot_trajectory"]
+__all__ = [
+    "beats_of",
+    "broken",
+    "collect",
+    "draw_title",
+    "flat_limits",
+    "plot_trajectory",
+    "times_of",
+    "told_of",
+]
 
 
 class Path(Protocol):
@@ -132,33 +141,34 @@ def plot_trajectory(
     ValueError
         If a 3D view is asked for on `ax`, or the path leads further than 1e290 m.
     """
-    drawing = _collect(trajectory, parameters, outcome)
+    drawing = collect(trajectory, parameters, outcome)
     if ax is not None:
         if three_d:
             raise ValueError("three_d: on ax there is the side view alone; leave out")
         with style():
-            return _draw_on(check_axes(ax), drawing, title, *_told(trajectory, parameters))
+            return _draw_on(check_axes(ax), drawing, title, *told_of(trajectory, parameters))
     if three_d is None:
         three_d = bool(np.abs(drawing.path[:, 1]).max() > _FLAT)
     with style():
         page = _arrange(drawing, three_d)
-        told = [
-            line
-            for text in _told(trajectory, parameters)
-            for line in wrap(text, page.width - _LEFT, SMALL)
-        ]
+        told = broken(told_of(trajectory, parameters), page.width)
         room = max(0, len(told) - _LINES) * _LINE
         figure = Picture(figsize=(page.width, page.height + room))
         for panel in page.panels:
             draw_panel(figure, panel, drawing)
-        _draw_title(figure, title, told)
+        draw_title(figure, title, told)
         draw_key(figure, drawing.marks, page.panels[0].left, 0.12)
     return figure
 
 
+def broken(told: Sequence[str], width: float) -> list[str]:
+    """Break what is said below a title into lines that fit on a page, inches wide."""
+    return [line for text in told for line in wrap(text, width - _LEFT, SMALL)]
+
+
 def _draw_on(axes: Axes, drawing: Drawing, title: str, *told: str) -> Axes:
     """Draw the side view on axes that there are."""
-    draw_view(axes, fit_view(axes, SIDE, _flat_limits(drawing, SIDE)), drawing)
+    draw_view(axes, fit_view(axes, SIDE, flat_limits(drawing, SIDE)), drawing)
     add_title(axes, title, *told, formulas=True)
     add_key(axes, [_key_of(mark) for mark in drawing.marks if mark.text])
     return axes
@@ -171,14 +181,15 @@ def _key_of(mark: Mark) -> Line2D:
     )
 
 
-def _collect(trajectory: Path, parameters: Mapping[str, float], outcome: IntEnum | None) -> Drawing:
+def collect(trajectory: Path, parameters: Mapping[str, float], outcome: IntEnum | None) -> Drawing:
+    """Gather what all views of a shot share; arguments as of `plot_trajectory`."""
     events, duration = trajectory.events, trajectory.duration
-    path = trajectory.at(_times(events["time"], duration))[:, :3]
+    path = trajectory.at(times_of(events["time"], duration))[:, :3]
     if not np.abs(path).max() < _FAR:
         raise ValueError(f"trajectory: it leads further than can be drawn, {_FAR:g} m")
     scenery = scenery_of(trajectory.scene, parameters, path)
     path = scenery.upright(path)
-    beats = scenery.upright(trajectory.at(_beats(duration))[:, :3])
+    beats = scenery.upright(trajectory.at(beats_of(duration))[:, :3])
     events = events.copy()
     events["before"][:, :3] = scenery.upright(events["before"][:, :3])
     dots = some(events["before"], _PATH // 2)[:, :3]
@@ -188,7 +199,8 @@ def _collect(trajectory: Path, parameters: Mapping[str, float], outcome: IntEnum
     return Drawing(path, beats, dots, marks, scenery, _room(path, scenery))
 
 
-def _beats(duration: float) -> NDArray[np.float64]:
+def beats_of(duration: float) -> NDArray[np.float64]:
+    """Return the times of the dots on the path, s."""
     beat = _beat(duration)
     times = beat * np.arange(1.0, duration / beat + 1.0)
     return times[times < duration]
@@ -200,7 +212,7 @@ def _beat(duration: float) -> float:
     return next(beat for beat in (BEAT, *longer) if duration <= _BEATS * beat)
 
 
-def _times(contacts: NDArray[np.float64], duration: float) -> NDArray[np.float64]:
+def times_of(contacts: NDArray[np.float64], duration: float) -> NDArray[np.float64]:
     """Choose times that show each flight as a smooth curve, its ends among them."""
     corners = some(np.unique(np.concatenate([[0.0], contacts, [duration]])), _PATH // 2)
     most = min(_FLIGHT, _PATH // len(corners))
@@ -233,7 +245,7 @@ class _Page:
 
 def _arrange(drawing: Drawing, three_d: bool) -> _Page:
     """Place the views: side over top, the 3D view beside them or, for a long shot, below."""
-    side, top = _flat_limits(drawing, SIDE), _flat_limits(drawing, TOP)
+    side, top = flat_limits(drawing, SIDE), flat_limits(drawing, TOP)
     across, up = side[1] - side[0], side[3] - side[2] + top[3] - top[2]
     widest = PAGE - _LEFT - _RIGHT
     beside = three_d and across * _TALLEST / up < _WIDEST_BESIDE
@@ -257,7 +269,7 @@ def _arrange(drawing: Drawing, three_d: bool) -> _Page:
     return _Page(width, height, (upper, lower, space))
 
 
-def _flat_limits(drawing: Drawing, view: View) -> Limits:
+def flat_limits(drawing: Drawing, view: View) -> Limits:
     """Bound what a side or top view shows: the scene and the ball all along its path."""
     radius = drawing.scenery.ball_radius
     path = view.flatten(drawing.path)
@@ -296,7 +308,7 @@ def _in_space(drawing: Drawing, view: View) -> Points:
     return np.vstack([*points, drawing.scenery.points()])
 
 
-def _told(trajectory: Path, parameters: Mapping[str, float]) -> tuple[str, str]:
+def told_of(trajectory: Path, parameters: Mapping[str, float]) -> tuple[str, str]:
     """Say how the ball is released, and in which scene."""
     x, y, z, vx, vy, vz, *spin = (float(value) for value in trajectory.at(np.zeros(1))[0])
     speed = np.hypot(np.hypot(vx, vy), vz)
@@ -336,7 +348,8 @@ def _aside(x: float, y: float, vx: float, vy: float) -> str:
     return f" and {abs(azimuth):.1f}\N{DEGREE SIGN} to the {'left' if azimuth > 0.0 else 'right'}"
 
 
-def _draw_title(figure: Figure, title: str, told: Sequence[str]) -> None:
+def draw_title(figure: Figure, title: str, told: Sequence[str]) -> None:
+    """Write the title of a page, and lines below it."""
     width, height = figure.get_size_inches()
     x = _LEFT / width
     head = printable(title)

@@ -1,0 +1,355 @@
+"""A shot in motion, as a GIF or an MP4: the ball where `Trajectory.at` has it at each time.
+
+What does not move, axes and texts, is drawn once; each frame has the rest, the near over the far.
+"""
+
+from __future__ import annotations
+
+import io
+import tempfile
+from collections.abc import Mapping
+from enum import IntEnum
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+from matplotlib.animation import FFMpegWriter
+from matplotlib.artist import Artist
+from matplotlib.axes import Axes
+from matplotlib.backend_bases import RendererBase
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Circle
+from numpy.typing import NDArray
+from PIL import Image
+
+from hoopgen.brief import brief
+from hoopgen.outputs import FILMS, check_output, write
+from hoopgen.plots.marks import KEY_ROW, Mark, draw_badges, draw_key, key_rows
+from hoopgen.plots.panels import Drawing, Panel, add_panel, dress_flat, some
+from hoopgen.plots.scene import order_of
+from hoopgen.plots.style import COLOURS, PAGE, style
+from hoopgen.plots.trajectory import Path as Trajectory
+from hoopgen.plots.trajectory import (
+    beats_of,
+    broken,
+    collect,
+    draw_title,
+    flat_limits,
+    times_of,
+    told_of,
+)
+from hoopgen.plots.views import SIDE, TOP, Limits, Points, View
+
+__all__ = ["RATE", "Film", "check_film", "save_film"]
+
+RATE = 25
+"""Frames a second: a GIF counts in hundredths of one."""
+
+_SPEEDS = (0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0)
+_FRAMES = 160  # of a shot, at most, at the speed that is chosen
+_REST = 1.0  # s, for which the end is shown
+_FLASH = 5  # frames, for which a contact is seen on the ball
+_DPI = 110
+_COLOURS = 128
+_PIECES = 40  # of a path, with an order from far to near each
+_OBSTACLES = 2_000
+_FLAT = 1e-6  # m
+
+# Inches around and between the panels.
+_LEFT, _RIGHT, _BETWEEN, _BELOW, _ABOVE, _LINE = 0.62, 0.15, 0.72, 0.5, 0.62, 0.14
+_TALLEST = 4.2
+_NARROWEST = 5.3
+
+
+def check_film(path: str | Path) -> Path:
+    """Return the path of a film that can be written, as far as can be told before.
+
+    Raises
+    ------
+    ValueError
+        If its name ends in none of `hoopgen.outputs.FILMS`.
+    RuntimeError
+        If it is an MP4 and there is no ffmpeg.
+    OSError
+        If it cannot be written.
+    """
+    target = check_output(path, FILMS)
+    if target.suffix.lower() == ".mp4" and not FFMpegWriter.isAvailable():
+        raise RuntimeError(
+            f"{target.name}: an MP4 needs the program ffmpeg, and there is none on the PATH; "
+            "install it, or write a .gif"
+        )
+    return target
+
+
+def save_film(
+    trajectory: Trajectory,
+    parameters: Mapping[str, float],
+    path: str | Path,
+    *,
+    outcome: IntEnum | None = None,
+    title: str = "",
+    speed: float | None = None,
+) -> Path:
+    """Write a shot in motion: from the side and, where it leaves the plane y = 0, from above.
+
+    The ball is to scale. At a contact its outline takes the colour of what it touches for a moment,
+    and a numbered badge stays there.
+
+    Parameters
+    ----------
+    trajectory, parameters, outcome, title
+        As for `plot_trajectory`.
+    path
+        Where to: .gif, or .mp4 where the program ffmpeg is on the PATH.
+    speed
+        1 as fast as the ball is; by default a quarter of that, more for a shot that would take
+        more than 160 frames. The picture says it.
+
+    Returns
+    -------
+    Path
+        The file written.
+
+    Raises
+    ------
+    ValueError
+        If its name ends otherwise, `speed` is not above 0, or the path leads further than 1e290 m.
+    RuntimeError
+        If it is an MP4 and there is no ffmpeg.
+    OSError
+        The file cannot be written; what was there before stays.
+    """
+    target = check_film(path)
+    if speed is not None and not 0.0 < speed < np.inf:
+        raise ValueError(f"speed: expected a number above 0, got {brief(speed)}")
+    with style():
+        film = Film(trajectory, parameters, outcome, title, speed)
+        content = _gif(film) if target.suffix.lower() == ".gif" else _mp4(film)
+    return write(target, content)
+
+
+def _gif(film: Film) -> bytes:
+    """Return a film that goes on from its beginning; all frames have one palette, and so no noise.
+
+    The end has all colours: every badge is there then.
+    """
+    pixels = [film.frame(time) for time in film.times.tolist()]
+    frames = [Image.fromarray(each).convert("RGB") for each in pixels]
+    palette = frames[-1].quantize(_COLOURS)
+    drawn = [each.quantize(palette=palette, dither=Image.Dither.NONE) for each in frames]
+    paper, colours = drawn[0].getpixel((0, 0)), drawn[0].getpalette()
+    assert isinstance(paper, int)
+    assert colours is not None
+    colours[3 * paper : 3 * paper + 3] = 255, 255, 255  # which is a mean of near ones else
+    for each in drawn:
+        each.putpalette(colours)
+    first, *others = drawn
+    out = io.BytesIO()
+    lasting = [*[1000 // RATE] * len(others), round(1000 * _REST)]
+    first.save(out, "GIF", save_all=True, append_images=others, duration=lasting, loop=0)
+    return out.getvalue()
+
+
+def _mp4(film: Film) -> bytes:
+    """Return a film as ffmpeg writes it, which needs a file that it can go back in."""
+    writer = FFMpegWriter(RATE)
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "film.mp4"
+        with writer.saving(film.figure, str(file), _DPI):
+            for time in [*film.times.tolist(), *[film.times[-1]] * round(_REST * RATE)]:
+                film.show(time)
+                writer.grab_frame()
+        return file.read_bytes()
+
+
+class Film:
+    """A shot's frames; arguments as of `save_film`.
+
+    Attributes
+    ----------
+    figure
+        As it is at the time shown last.
+    times
+        Of the frames, s; the last is the end.
+    speed
+        How many times as fast as the ball.
+    """
+
+    def __init__(
+        self,
+        trajectory: Trajectory,
+        parameters: Mapping[str, float],
+        outcome: IntEnum | None = None,
+        title: str = "",
+        speed: float | None = None,
+    ) -> None:
+        self._trajectory, drawing = trajectory, collect(trajectory, parameters, outcome)
+        self._scenery = drawing.scenery
+        duration = trajectory.duration
+        self.speed = _speed(duration) if speed is None else speed
+        moving = np.arange(int(np.ceil(duration * RATE / self.speed))) * (self.speed / RATE)
+        self.times = np.append(moving, duration)
+        self._when = times_of(trajectory.events["time"], duration)
+        self._beats = beats_of(duration)
+        told = [*told_of(trajectory, parameters), f"Shown {_said(self.speed)}."]
+        panels = _arrange(drawing, told)
+        still = _still(panels, drawing, title, told)
+        size = still.get_size_inches().tolist()
+        self.figure = Figure(figsize=(size[0], size[1]), dpi=_DPI, frameon=False)
+        self.figure.add_artist(_Still(_pixels(still)))
+        path = drawing.scenery.upright(trajectory.at(self._when)[:, :3])
+        self._views = [_Moving(self.figure, panel, drawing, path) for panel in panels]
+        edge, top = panels[0].left + panels[0].width, panels[0].bottom + panels[0].height
+        at = edge / size[0], (top + 0.06) / size[1]
+        self._clock = self.figure.text(*at, "", ha="right", fontsize=9.0)
+
+    def show(self, time: float) -> None:
+        """Put everything where it is at a time, s."""
+        centre = self._scenery.upright(self._trajectory.at(time)[:3])
+        path = int(np.searchsorted(self._when, time, side="right"))
+        beats = int(np.searchsorted(self._beats, time, side="right"))
+        recent = time - _FLASH * self.speed / RATE
+        for view in self._views:
+            view.show(centre, path, beats, time, recent)
+        self._clock.set_text(f"{time:.2f} s")
+
+    def frame(self, time: float) -> NDArray[np.uint8]:
+        """Return the picture at a time, s: its pixels, (height, width, 4)."""
+        self.show(time)
+        return _pixels(self.figure)
+
+
+def _pixels(figure: Figure) -> NDArray[np.uint8]:
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()  # type: ignore[no-untyped-call]
+    return np.array(canvas.buffer_rgba())  # type: ignore[no-untyped-call]
+
+
+class _Still(Artist):
+    """What does not move, behind all else: pixel by pixel, which no image of matplotlib's is."""
+
+    def __init__(self, pixels: NDArray[np.uint8]) -> None:
+        super().__init__()
+        self.set(zorder=-10.0)
+        self._pixels = pixels[::-1]
+
+    def draw(self, renderer: RendererBase) -> None:
+        """Draw it."""
+        renderer.draw_image(renderer.new_gc(), 0.0, 0.0, self._pixels)
+
+
+class _Moving:
+    """A view of what moves: the ball, its path piece by piece, badges that come at contacts."""
+
+    def __init__(self, figure: Figure, panel: Panel, drawing: Drawing, path: Points) -> None:
+        axes = add_panel(figure, panel)
+        axes.set_title("", loc="left")
+        axes.set_axis_off()
+        self.view = view = drawing.scenery.look(panel.view)
+        drawing.scenery.draw(axes, view, panel.scale)
+        self.path = view.flatten(path)
+        piece = max(2, -(-len(path) // _PIECES))
+        ends = [*range(0, len(path) - 1, piece), len(path) - 1]
+        self.pieces: list[tuple[int, int, Line2D]] = []
+        for first, last in pairwise(ends):
+            order = order_of(view, path[first : last + 1].mean(axis=0))
+            line = Line2D([], [], color=COLOURS["path"], lw=1.3, zorder=order)
+            self.pieces.append((first, last, axes.add_line(line)))
+        self.whole = [False] * len(self.pieces)  # those that stay as they are
+        self.beats = view.flatten(drawing.beats)
+        dots = Line2D([], [], ls="none", marker="o", ms=2.4, mec="none", color=COLOURS["path"])
+        self.dots = axes.add_line(dots)
+        radius = drawing.scenery.ball_radius
+        self.fill = axes.add_patch(Circle((0.0, 0.0), radius, fc=COLOURS["ball"], alpha=0.85, lw=0))
+        self.outline = axes.add_patch(Circle((0.0, 0.0), radius, fill=False))
+        self.badges = self._badges(axes, panel, drawing)
+
+    def _badges(
+        self, axes: Axes, panel: Panel, drawing: Drawing
+    ) -> list[tuple[Mark, list[Artist]]]:
+        marks = tuple(mark for mark in drawing.marks if mark.label and mark.kind != "release")
+        lines, texts = len(axes.lines), len(axes.texts)
+        radius = drawing.scenery.ball_radius
+        around = np.vstack([some(drawing.path, _OBSTACLES), drawing.scenery.points()])
+        obstacles = self.view.flatten(around)
+        draw_badges(axes, self.view, marks, obstacles, panel.limits, radius, panel.scale)
+        drawn = zip(axes.lines[lines:], axes.texts[texts:], strict=True)
+        return [(mark, list(pair)) for mark, pair in zip(marks, drawn, strict=True)]
+
+    def show(self, centre: Points, path: int, beats: int, time: float, recent: float) -> None:
+        """Show the ball at its centre, and so many points of its path and dots on it.
+
+        What is touched since `recent` is seen on the ball.
+        """
+        at = self.view.flatten(centre)
+        for number, (first, last, line) in enumerate(self.pieces):
+            whole = path > last
+            if whole and self.whole[number]:
+                continue
+            some = self.path[first : min(last + 1, path)]
+            here = some if whole or not len(some) else np.vstack([some, at])
+            line.set_data(here[:, 0], here[:, 1])
+            line.set_visible(len(here) > 0)
+            self.whole[number] = whole
+        self.dots.set_data(*self.beats[:beats].T)
+        colour, wide = "#8F5F00", 0.9
+        for mark, artists in self.badges:
+            for artist in artists:
+                artist.set_visible(mark.time <= time)
+            if recent < mark.time <= time and mark.kind != "end":
+                colour, wide = mark.colour, 3.0
+        order = order_of(self.view, centre)
+        for circle, zorder in ((self.fill, order), (self.outline, order + 0.01)):
+            circle.set(center=(at[0], at[1]), zorder=zorder)
+        self.outline.set(ec=colour, lw=wide)
+        self.dots.set_zorder(order - 0.01)
+
+
+def _speed(duration: float) -> float:
+    """Return the slowest speed at which a shot has few frames, or as many as it may have."""
+    enough = duration * RATE / _FRAMES
+    return next((speed for speed in _SPEEDS if speed >= enough), max(enough, _SPEEDS[-1]))
+
+
+def _said(speed: float) -> str:
+    if speed == 1.0:
+        return "as fast as it is"
+    return f"{speed:g} times as fast as it is" if speed > 1.0 else f"{1.0 / speed:.4g} times slower"
+
+
+def _arrange(drawing: Drawing, told: list[str]) -> list[Panel]:
+    """Place the side view and, if it shows more, the top view below it."""
+    flat = np.abs(drawing.path[:, 1]).max() <= _FLAT
+    views: list[tuple[View, Limits]] = [(SIDE, flat_limits(drawing, SIDE))]
+    views += [] if flat else [(TOP, flat_limits(drawing, TOP))]
+    across = views[0][1][1] - views[0][1][0]
+    up = sum(limits[3] - limits[2] for _, limits in views)
+    scale = min((PAGE - _LEFT - _RIGHT) / across, _TALLEST / up)
+    bottom = 0.15 + KEY_ROW * key_rows(drawing.marks, _width(across * scale) - _LEFT) + _BELOW
+    panels = []
+    for view, limits in reversed(views):
+        panels.append(Panel(view, limits, scale, _LEFT, bottom))
+        bottom += panels[-1].height + _BETWEEN
+    return panels[::-1]
+
+
+def _width(across: float) -> float:
+    return max(_LEFT + across + _RIGHT, _NARROWEST)
+
+
+def _still(panels: list[Panel], drawing: Drawing, title: str, told: list[str]) -> Figure:
+    """Draw what does not move: on a page of whole, even numbers of pixels, as films have."""
+    width = _width(panels[0].width)
+    lines = broken(told, width)
+    height = panels[0].bottom + panels[0].height + _ABOVE + _LINE * len(lines)
+    size = [2.0 * np.ceil(side * _DPI / 2.0) / _DPI for side in (width, height)]
+    figure = Figure(figsize=(size[0], size[1]), dpi=_DPI)
+    for panel in panels:
+        axes = add_panel(figure, panel)
+        dress_flat(axes, panel, drawing)
+    draw_title(figure, title, lines)
+    draw_key(figure, drawing.marks, panels[0].left, 0.12)
+    return figure

@@ -1,0 +1,297 @@
+"""How shots end, as bars: the share of each outcome and of each kind, with its interval."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack, overload
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+
+from hoopgen.colours import ended
+from hoopgen.phrases import counted, decimals, interval, percent, points
+from hoopgen.plots.page import add_axes, new_page
+from hoopgen.plots.picture import add_title, check_axes
+from hoopgen.plots.style import (
+    DARK,
+    EDGES,
+    GRID,
+    INK,
+    MADE,
+    MISSED,
+    NARROW,
+    NEITHER,
+    PAGE,
+    SMALL,
+    style,
+)
+from hoopgen.plots.ticks import number
+from hoopgen.told import in_a_note, told_setting
+
+if TYPE_CHECKING:
+    from hoopgen.study.compare import Comparison
+    from hoopgen.study.estimate import Estimate
+    from hoopgen.study.shares import Shares
+    from hoopgen.study.solve import Solution
+
+__all__ = ["plot_estimate"]
+
+# Inches.
+_LEFT, _RIGHT, _GAP, _ROW, _BELOW, _ABOVE = 1.05, 0.15, 0.12, 0.27, 0.44, 0.3
+_SAID, _MORE = 0.66, 1.6  # what is said beside the bars, and more where there is room
+
+_BAR = 0.62  # of a row
+_PLAIN = "#E2E2E2"
+
+
+class _Options(TypedDict, total=False):
+    title: str
+    note: str | None
+    width: float
+
+
+@overload
+def plot_estimate(
+    found: Estimate | Shares | Comparison | Solution,
+    *,
+    ax: None = None,
+    **options: Unpack[_Options],
+) -> Figure: ...
+
+
+@overload
+def plot_estimate(
+    found: Estimate | Shares | Comparison | Solution, *, ax: Axes, **options: Unpack[_Options]
+) -> Axes: ...
+
+
+def plot_estimate(
+    found: Estimate | Shares | Comparison | Solution,
+    *,
+    title: str = "",
+    note: str | None = None,
+    width: float = PAGE,
+    ax: Axes | None = None,
+) -> Figure | Axes:
+    """Draw how shots end: the share of each outcome and, at a hoop, of what they touched.
+
+    A line across the end of a bar is the interval of its share. Of a comparison both settings are
+    drawn, and the difference.
+
+    Parameters
+    ----------
+    found
+        Of `hoopgen.estimate`, `compare` or `solve`, of which the estimate is drawn.
+    title
+        Above the picture; of `solve` by default the factor.
+    note
+        Below the title; by default how many shots there are and what they rest on.
+    width
+        Of the page, inches: `hoopgen.plots.COLUMN` or `hoopgen.plots.PAGE`.
+    ax
+        To draw on, the outcomes alone; of a comparison, both settings.
+
+    Returns
+    -------
+    Figure or Axes
+        A page of its own, or `ax`; as of `plot_fan`.
+
+    Raises
+    ------
+    TypeError
+        If `ax` is not axes, or `found` is another result.
+    """
+    result: Any = found
+    if hasattr(result, "factor"):
+        title, result = title or result.line, result.estimate
+    groups = _groups(result)
+    told = _told(result) if note is None else note
+    with style():
+        if ax is not None:
+            _draw(check_axes(ax), groups[0])
+            add_title(ax, title, told)
+            return ax
+        return _page(groups, title, told, width)
+
+
+@dataclass(frozen=True)
+class _Bar:
+    """A share: its name, the parts of which it is made, its interval, and both in words."""
+
+    name: str
+    parts: Sequence[tuple[float, str]]
+    low: float
+    high: float
+    said: str
+    more: str
+
+
+@dataclass(frozen=True)
+class _Group:
+    """Bars that are compared with one another; of differences, in points."""
+
+    head: str
+    label: str
+    bars: Sequence[_Bar]
+    signed: bool = False
+
+
+def _groups(found: Any) -> list[_Group]:
+    if hasattr(found, "only_first"):
+        return _of_comparison(found)
+    if hasattr(found, "kinds"):
+        return [_Group("how they end", "shots (%)", _outcomes(found)), _of_kinds(found)]
+    if hasattr(found, "share_of"):
+        return [_Group("how they end", "shots (%)", _ends(found))]
+    raise TypeError(f"found: expected what estimate or compare return, got {type(found).__name__}")
+
+
+def _outcomes(found: Estimate) -> list[_Bar]:
+    """Return the outcomes that there are; that of made shots is made of their kinds."""
+    from hoopgen.study.intervals import wilson
+
+    valid = found.shots - found.invalid
+    digits = decimals(found.half_width)
+    bars = []
+    for name in ("made", "missed", *(one for one in NEITHER if one != "invalid")):
+        count = getattr(found, name)
+        if not (count or name in ("made", "missed")):
+            continue
+        share = count / valid if valid else 0.0
+        low, high = map(float, wilson(count, valid, found.confidence))
+        parts = [(share, NEITHER.get(name, _PLAIN))]
+        if name == "made":
+            parts = [(n / valid, MADE[kind]) for kind, n in found.kinds_made.items() if n]
+        said = percent(share, digits), f"({interval(low, high, digits)})"
+        bars.append(_Bar(name, parts, low, high, *said))
+    return bars
+
+
+def _of_kinds(found: Estimate) -> _Group:
+    """Return the kinds that there are, made and not made."""
+    from hoopgen.study.intervals import wilson
+
+    bars = []
+    for kind, count in found.kinds.items():
+        if not count or kind == "none":
+            continue
+        made = found.kinds_made[kind]
+        low, high = map(float, wilson(count, found.shots, found.confidence))
+        parts = [(made / found.shots, MADE.get(kind, _PLAIN))]
+        parts += [((count - made) / found.shots, MISSED.get(kind, _PLAIN))]
+        said = percent(count / found.shots), f"{percent(made / count)} of it made"
+        bars.append(_Bar(kind.replace("_", ", "), parts, low, high, *said))
+    return _Group("what they touch: dark are made, pale are not", "shots (%)", bars)
+
+
+def _ends(found: Shares) -> list[_Bar]:
+    """Return the ends of a scene of one's own, and other outcomes that there are."""
+    ends = found.scene.kernels.ENDS
+    inks = ended((name.upper() for name in found.shares), len(ends))
+    digits = decimals(found.half_width)
+    return [
+        _Bar(
+            name,
+            [(share if np.isfinite(share) else 0.0, inks[name.upper()])],
+            found.low[name],
+            found.high[name],
+            percent(share, digits),
+            f"({interval(found.low[name], found.high[name], digits)})",
+        )
+        for name, share in found.shares.items()
+        if name in ends or found.counts[name]
+    ]
+
+
+def _of_comparison(found: Comparison) -> list[_Group]:
+    """Return both settings, and by how much the second is above the first."""
+    digits = decimals(found.half_width)
+    settings = {"first": found.first, "second": found.second}
+    bars = [
+        replace(next(bar for bar in _groups(one)[0].bars if bar.name == found.by), name=name)
+        for name, one in settings.items()
+    ]
+    said = (
+        points(found.difference, digits),
+        (f"({points(found.low, digits)} to {points(found.high, digits)})"),
+    )
+    more = _Bar("difference", [(found.difference, _PLAIN)], found.low, found.high, *said)
+    return [
+        _Group(f"{found.by}, of each setting", "shots (%)", bars),
+        _Group("the second less the first, of pairs", "points", [more], signed=True),
+    ]
+
+
+def _told(found: Any) -> str:
+    first = getattr(found, "first", found)
+    told = told_setting(first.setting, first.scene) | {"seed": str(first.seed)}
+    if first is not found:
+        other = told_setting(found.second.setting, found.second.scene)
+        apart = [n for n in other if other[n] != told.get(n)]
+        told |= {n: f"{told.get(n, 'none')}; second {other[n]}" for n in apart}
+    invalid = getattr(first, "invalid", 0) or getattr(first, "counts", {}).get("invalid", 0)
+    left = f", of them {invalid:,} invalid, which are no trials" if invalid else ""
+    level = percent(found.confidence, None)
+    lines = f"{counted(first.shots, 'shot')}{left}; lines are {level} intervals."
+    return f"{lines} {in_a_note(told, scene=True)}"
+
+
+# --------------------------------------------------------------------------------------- drawing
+
+
+def _page(groups: Sequence[_Group], title: str, note: str, width: float) -> Figure:
+    """Draw the groups one above the other, with one scale of shares."""
+    rows = [len(group.bars) * _ROW for group in groups]
+    body = sum(rows) + len(groups) * (_ABOVE + _BELOW)
+    figure = new_page(width, body, title=title, note=note)
+    more = _MORE if width >= NARROW else 0.0
+    across = width - _LEFT - _GAP - _SAID - more - _RIGHT
+    bottom = body
+    most = max(bar.high for group in groups if not group.signed for bar in group.bars)
+    for group, tall in zip(groups, rows, strict=True):
+        bottom -= _ABOVE + tall
+        axes = add_axes(figure, _LEFT, bottom, across, tall, group.head)
+        _draw(axes, group, None if group.signed else _round(most))
+        axes.set_title(group.head, loc="left", fontsize=SMALL, color=INK)
+        for row, bar in enumerate(group.bars):
+            for text, left in ((bar.said, 0.0), (bar.more if more else "", _SAID)):
+                at = (1.0 + (_GAP + left) / across, row)
+                where = axes.get_yaxis_transform()
+                axes.text(*at, text, transform=where, va="center_baseline", fontsize=SMALL)
+        bottom -= _BELOW
+    return figure
+
+
+def _round(share: float) -> float:
+    """Return the next tenth above a share, so that its interval ends inside."""
+    return min(1.0, float(np.floor(share * 10.0 + 1.0)) / 10.0)
+
+
+def _draw(axes: Axes, group: _Group, most: float | None = None) -> None:
+    """Draw bars, the first at the top."""
+    for row, bar in enumerate(group.bars):
+        start = 0.0
+        for share, colour in bar.parts:
+            axes.barh(row, share, _BAR, start, color=colour, ec=EDGES, lw=0.4, zorder=2.0)
+            start += share
+        axes.plot([bar.low, bar.high], [row, row], color=DARK, lw=1.2, zorder=3.0)
+        axes.plot(
+            [bar.low, bar.high], [row, row], ls="none", marker="|", ms=7.0, color=DARK, zorder=3.0
+        )
+    axes.set_yticks(range(len(group.bars)), [bar.name for bar in group.bars])
+    axes.tick_params(axis="y", length=0.0)
+    axes.set_ylim(len(group.bars) - 0.5, -0.5)
+    axes.set_xlabel(group.label)
+    axes.xaxis.set_major_locator(MaxNLocator(nbins=6, steps=[1, 2, 5, 10]))
+    axes.xaxis.set_major_formatter(lambda share, _: number(100.0 * share))
+    if group.signed:
+        reach = 1.15 * max(abs(end) for bar in group.bars for end in (bar.low, bar.high))
+        axes.axvline(0.0, color=DARK, lw=0.8, zorder=4.0)
+        axes.set_xlim(-reach, reach)
+    else:
+        axes.set_xlim(0.0, most or _round(max(bar.high for bar in group.bars)))
+    axes.grid(axis="x", color=GRID, lw=0.5)
+    axes.set_axisbelow(True)
