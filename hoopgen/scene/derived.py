@@ -87,6 +87,7 @@ class _Derived:
             axes=axes,
             remarks=remarks,
             gravity_axis=_direction(read.down),
+            rolls=read.rolls,
         )
 
     def _sympy(self, formula: Formula) -> sp.Expr:

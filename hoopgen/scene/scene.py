@@ -48,6 +48,10 @@ class Scene:
         That of bodies without one of their own.
     friction, tangential, restitution_speed
         The same; infinite, 0 and infinite, as in the article, where there is none.
+    rolls
+        Whether a ball whose bounces become ever smaller rolls on, instead of bouncing until it is
+        given up. No body then has bounds, and such a shot may end LODGED, at rest or wedged, or
+        ENDLESS, still rolling at the time limit. It makes kernels some times as long to compile.
     axes, remarks
         For readers, in plain sentences: where origin and axes lie, and what else there is to say.
 
@@ -69,6 +73,7 @@ class Scene:
     friction: Size | None = None
     tangential: Size | None = None
     restitution_speed: Size | None = None
+    rolls: bool = False
     axes: str = ""
     remarks: str = ""
 
@@ -86,6 +91,7 @@ class Scene:
             ball_radius=self.ball_radius,
             gravity=self.gravity,
             down=self.down,
+            rolls=self.rolls,
             contacts={name: getattr(self, name) for name in CONTACTS},
         )
 

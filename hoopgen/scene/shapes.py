@@ -86,6 +86,7 @@ class Read:
     ball_radius: Formula
     gravity: Formula
     down: tuple[int, int]
+    rolls: bool
     bodies: tuple[Shape, ...]
     ends: tuple[Shape, ...]
 
@@ -99,6 +100,7 @@ def read_scene(
     ball_radius: pieces.Size,
     gravity: pieces.Size,
     down: str,
+    rolls: bool,
     contacts: Mapping[str, pieces.Size | None],
 ) -> Read:
     """Return a scene as formulas.
@@ -107,7 +109,7 @@ def read_scene(
     ----------
     scene
         Its name.
-    parameters, bodies, ends, ball_radius, gravity, down
+    parameters, bodies, ends, ball_radius, gravity, down, rolls
         As its author gave them: of any type.
     contacts
         What contacts are like with bodies that do not say it themselves.
@@ -123,6 +125,8 @@ def read_scene(
     ball = reader.size("", "ball_radius", ball_radius, sign="positive")
     fall = reader.size("", "gravity", gravity, sign="positive", unit="m/s²")
     way = reader.axis("", "down", down)
+    if not isinstance(rolls, bool):
+        raise wrong(scene, "", "rolls", f"expected true or false, got {brief(rolls)}")
     bodies = _listed(scene, "bodies", bodies, pieces.Body)
     if not isinstance(ends, Mapping):
         raise wrong(scene, "", "ends", f"expected names and ends, got {brief(ends)}")
@@ -131,8 +135,16 @@ def read_scene(
     _names(scene, "end", ends)
     radius = reader.formula("", "ball_radius", ball_radius)
     shapes = tuple(_body(reader, body, radius, contacts) for body in bodies)
+    for shape in shapes:
+        if rolls and shape.bounds:
+            said = (
+                "on a body with bounds no ball is known to roll; expected none where rolls is true"
+            )
+            raise wrong(
+                scene, f"body {shape.name}", "span" if shape.kind == "cylinder" else "within", said
+            )
     finished = tuple(_end(reader, own, end) for own, end in zip(ends, finishes, strict=True))
-    return Read(scene, inputs.all, ball, fall, way, shapes, finished)
+    return Read(scene, inputs.all, ball, fall, way, rolls, shapes, finished)
 
 
 def _listed(scene: str, argument: str, given: Any, kind: type) -> list[Any]:

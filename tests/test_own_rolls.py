@@ -1,0 +1,122 @@
+"""Scenes of one's own in which a ball rolls on when its bounces have become small."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
+
+import hoopgen
+from hoopgen import Event
+from hoopgen.engines import Engine
+from hoopgen.scene import Parameter, Plane, Scene, SceneError, Sphere
+
+BOWL = Path(__file__).parents[1] / "examples" / "scenes" / "bowl.toml"
+ACROSS = 1.0 - 0.05
+"""From the middle of the bowl to that of a ball that touches it, m."""
+GRAVITY = 9.81
+
+
+@pytest.fixture(scope="module")
+def bowl() -> Engine:
+    return hoopgen.compile(hoopgen.load_scene(BOWL))
+
+
+def _thrown(count: int) -> NDArray[np.float64]:
+    random = np.random.default_rng(11)
+    states = np.zeros((count, 9))
+    states[:, :3] = random.uniform(-0.4, 0.4, (count, 3))
+    states[:, 3:6] = random.normal(0, 1, (count, 3))
+    states[:, 6:] = random.normal(0, 5, (count, 3))
+    return states
+
+
+def _energy(state: NDArray[np.float64]) -> float:
+    """(5/6) v² + s²/3 + g z of a ball that rolls, s its radius times its spin about the normal."""
+    normal = -state[:3] / ACROSS
+    turn = 0.05 * (state[6:] @ normal)
+    return float(5 / 6 * (state[3:6] @ state[3:6]) + turn**2 / 3 + GRAVITY * state[2])
+
+
+def test_a_ball_in_a_bowl_rolls_until_its_time_is_up(bowl: Engine) -> None:
+    shots = bowl.simulate(_thrown(40), time_limit=20, record=True)
+    assert set(shots.outcome) == {bowl.outcomes["ENDLESS"]}
+    events = shots.events
+    begun = events[events["kind"] == Event.ROLL]
+    assert np.array_equal(np.unique(begun["shot"]), np.arange(40))
+    final = {int(row["shot"]): row["after"] for row in begun}
+    for shot, start in final.items():
+        state = shots.state[shot]
+        assert np.linalg.norm(state[:3]) == pytest.approx(ACROSS, abs=1e-14)
+        assert _energy(state) == pytest.approx(_energy(start), rel=1e-12)
+
+
+def test_both_engines_roll_the_same(bowl: Engine) -> None:
+    fields = ("outcome", "contacts", "time", "state", "uncertain", "state_error")
+    made = [
+        bowl.simulate(_thrown(6), time_limit=8, fields=fields, backend=backend)
+        for backend in ("c", "numpy")
+    ]
+    for field in fields:
+        assert getattr(made[0], field).tobytes() == getattr(made[1], field).tobytes()
+
+
+def test_without_spin_about_the_normal_it_is_a_pendulum(bowl: Engine) -> None:
+    """(1 + kappa) across theta'' = -g sin theta in a plane, with kappa = 2/3."""
+    angle, last = 0.9, 3.0
+    start = np.zeros(9)
+    start[0], start[2] = ACROSS * math.sin(angle), -ACROSS * math.cos(angle)
+    start[:3] *= 1 - 1e-12  # a picometre off the wall
+    (end,) = bowl.simulate(start, time_limit=last).state
+
+    def pendulum(_: float, theta: NDArray[np.float64]) -> list[float]:
+        return [theta[1], -0.6 * GRAVITY / ACROSS * math.sin(theta[0])]
+
+    swung = solve_ivp(pendulum, (0, last), [angle, 0.0], method="DOP853", rtol=1e-12, atol=1e-12).y[
+        :, -1
+    ]
+    assert math.atan2(end[0], -end[2]) == pytest.approx(swung[0], abs=1e-8)
+    assert end[4] == end[1] == 0
+
+
+def test_without_rolls_it_bounces_until_it_is_given_up() -> None:
+    balls = Scene(
+        "bouncing",
+        bodies=[Sphere("bowl", radius=1.0, inside=True)],
+        ball_radius=0.05,
+        gravity=GRAVITY,
+        restitution=0.5,
+    )
+    engine = hoopgen.compile(balls)
+    assert not engine.rolls
+    shots = engine.simulate(np.array([0.2, 0, 0, 0, 0, 0, 0, 0, 0.0]), max_contacts=60)
+    assert shots.outcome[0] == engine.outcomes["CAPPED"]
+
+
+def test_what_cannot_roll_is_refused() -> None:
+    floor = Plane("floor", axis="z", at=0.0, within=["x"])
+    half = Parameter("half", 0.5)
+    with pytest.raises(SceneError, match=r"body floor: within: .* rolls"):
+        Scene(
+            "table",
+            parameters=[half],
+            bodies=[floor],
+            ball_radius=0.05,
+            gravity=GRAVITY,
+            restitution="half",
+            rolls=True,
+        )
+    with pytest.raises(SceneError, match="rolls: expected true or false, got 'yes'"):
+        Scene(
+            "table",
+            bodies=[Plane("floor", axis="z", at=0.0)],
+            ball_radius=0.05,
+            gravity=GRAVITY,
+            restitution=0.5,
+            rolls="yes",  # type: ignore[arg-type]
+        )
+    engine = hoopgen.compile(hoopgen.load_scene(BOWL))
+    with pytest.raises(ValueError, match="time_limit: expected a finite time"):
+        engine.simulate(np.zeros(9), time_limit=math.inf)
