@@ -28,7 +28,7 @@ from .intervals import least_shots
 from .models import ReleaseModel
 from .resample import Resample
 from .scatter import Scatter
-from .tallies import FIELDS, Tally, blocks, check_scene, check_share, width_of
+from .tallies import Tally, blocks, check_scene, check_share, fields_of, width_of
 
 __all__ = [
     "CHUNK",
@@ -151,7 +151,7 @@ def flown(releases: Releases, max_contacts: int, backend: Backend, scene: Engine
         max_contacts=max_contacts,
         backend=backend,
         threads=1,
-        fields=FIELDS,
+        fields=fields_of(scene),
     )
 
 
