@@ -306,7 +306,7 @@ def test_bounces_that_end_with_slip_are_capped(spin: float) -> None:
     sizes = {"ball_radius": 0.03, "bridge_friction": 0.05, "bridge_half_width": 0.5}
     outcome, shots = _flown(state, **sizes, **_restitution(0.5))
     assert outcome == "CAPPED"
-    assert shots.uncertain[0]
+    assert shots.slip_left[0]
     assert np.all(shots.events["kind"] == Event.IMPACT)
     # All that friction can take from the slip: mu times what the bounces come to.
     drop = 0.05 - 0.04
