@@ -156,8 +156,13 @@ def test_questions_of_the_article_s_hoop_say_so_in_a_line() -> None:
 
 def test_an_estimate_counts_every_outcome() -> None:
     many = 4000
-    found = hoopgen.estimate(MODEL, NBA_COURT, scene=COURT, shots=many)
-    drawn = MODEL.draw(0, many, 0, NBA_COURT)
+    soft = NBA_COURT | {
+        "ring_restitution": 0.3,
+        "ring_friction": np.inf,
+        "backboard_friction": np.inf,
+    }
+    found = hoopgen.estimate(MODEL, soft, scene=COURT, shots=many)
+    drawn = MODEL.draw(0, many, 0, soft)
     shots = hoopgen.simulate(drawn.states, drawn.parameters, scene=COURT)
     for outcome in COURT.outcomes:
         count = int((shots.outcome == outcome).sum())

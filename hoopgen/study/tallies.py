@@ -124,7 +124,8 @@ class Tally:
         table = row[..., :-shared].reshape(*row.shape[:-1], *_shape(scene))
         numbers = [row[..., k - shared] for k in range(shared)]
         numbers += [np.zeros_like(numbers[0])] * (4 - shared)
-        return cls(table, *numbers, scene)
+        uncertain, capped, rolled, slip_left = numbers
+        return cls(table, uncertain, capped, rolled, slip_left, scene)
 
     def row(self) -> NDArray[np.int64]:
         """Return all numbers side by side, (..., columns)."""
